@@ -13,11 +13,57 @@
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/body_tree.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kSunk = 0.005;  // [m] of a part in the ground as the robot stands
+
+/// How a joint of a leg turns against that of the mirrored leg, at joint positions zero: 1 where equal positions mirror
+/// each other, -1 where opposite ones do, 0 where neither do. Reflection at the plane y = 0 takes an axis (x, y, z) of
+/// turning to (-x, y, -z), and one of sliding to (x, -y, z).
+int MirroredSense(const RobotModel& model, const std::vector<Pose>& X_OB, int left, int right) {
+  constexpr double kAlike = 0.999;
+  const auto axis = [&](int j) -> Vector3 {
+    return X_OB[static_cast<std::size_t>(j) + 1].linear() * model.joints[static_cast<std::size_t>(j)].axis_J;
+  };
+  Vector3 mirrored = axis(left);
+  const bool slides = model.joints[static_cast<std::size_t>(left)].is_prismatic();
+  mirrored =
+      slides ? Vector3(mirrored.x(), -mirrored.y(), mirrored.z()) : Vector3(-mirrored.x(), mirrored.y(), -mirrored.z());
+  const double same = mirrored.dot(axis(right));
+  return same > kAlike ? 1 : same < -kAlike ? -1 : 0;
+}
+
+/// Whether two legs are mirror images at joint positions zero, as far as their joints' places tell.
+bool MirrorAtZero(const std::vector<Pose>& X_OB, const Leg& left, const Leg& right) {
+  constexpr double kOff = 0.02;  // of the leg's length
+  for (std::size_t i = 0; i < left.joints.size(); ++i) {
+    const Vector3 a = X_OB[static_cast<std::size_t>(left.joints[i]) + 1].translation();
+    const Vector3 b = X_OB[static_cast<std::size_t>(right.joints[i]) + 1].translation();
+    if ((a - Vector3(b.x(), -b.y(), b.z())).norm() > kOff * left.length_m) return false;
+  }
+  return true;
+}
+
+/// The range of a joint against that of its mirror: where both legs hang as mirror images at zero, end by end.
+void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Finding>& findings) {
+  constexpr double kOfRange = 0.03;  // by which stops of both sides may differ as they are built
+  const double lower = sense < 0 ? -b.upper : b.lower, upper = sense < 0 ? -b.lower : b.upper;
+  const double least = kOfRange * std::max(a.upper - a.lower, b.upper - b.lower);
+  const auto apart = [&](double one, double other) {
+    return NumbersDiffer(one, other) && !(std::abs(one - other) <= least && std::isfinite(one - other));
+  };
+  const bool differ =
+      sense == 0 ? NumbersDiffer(a.upper - a.lower, b.upper - b.lower) : apart(a.lower, lower) || apart(a.upper, upper);
+  if (!differ) return;
+  const char* unit = a.is_prismatic() ? "m" : "rad";
+  findings.push_back(
+      {FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
+       fmt::format("its range is {:.4g} to {:.4g} {} and that of its mirror '{}' {:.4g} to {:.4g} {}{}", a.lower,
+                   a.upper, unit, b.name, b.lower, b.upper, unit, sense < 0 ? ", where signs are opposite" : "")});
+}
 
 /// Left and right of a pair of legs that mirror each other.
 void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::vector<Finding>& findings) {
@@ -27,6 +73,8 @@ void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::
          fmt::format("it has {} joints and its mirror '{}' {}", left.joints.size(), right.name, right.joints.size())});
     return;
   }
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  const bool mirror_at_zero = MirrorAtZero(X_OB, left, right);
   for (std::size_t i = 0; i < left.joints.size(); ++i) {
     const Joint& a = model.joints[static_cast<std::size_t>(left.joints[i])];
     const Joint& b = model.joints[static_cast<std::size_t>(right.joints[i])];
@@ -36,9 +84,10 @@ void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::
                           fmt::format("its {} is {:.4g}{} and that of its mirror '{}' {:.4g}{}", what, of_a, unit,
                                       b.name, of_b, unit)});
     };
-    compare("effort limit", a.effort_limit, b.effort_limit, " N m");
-    compare("speed limit", a.velocity_limit, b.velocity_limit, " rad/s");
-    compare("range", a.upper - a.lower, b.upper - b.lower, " rad");
+    const bool slides = a.is_prismatic();
+    compare("effort limit", a.effort_limit, b.effort_limit, slides ? " N" : " N m");
+    compare("speed limit", a.velocity_limit, b.velocity_limit, slides ? " m/s" : " rad/s");
+    CompareRanges(a, b, mirror_at_zero ? MirroredSense(model, X_OB, left.joints[i], right.joints[i]) : 0, findings);
     compare("distance from the joint before", a.X_PJ.translation().norm(), b.X_PJ.translation().norm(), " m");
     compare("link's mass", model.bodies[static_cast<std::size_t>(left.joints[i]) + 1].mass,
             model.bodies[static_cast<std::size_t>(right.joints[i]) + 1].mass, " kg");
@@ -83,6 +132,19 @@ void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
                    1e3 * ahead, 1e3 * behind)});
 }
 
+/// The whole robot's mass against the length of its legs: an A1 has 200 kg for each cubic metre of legs' lengths, the
+/// lightest of walking robots 25.
+void CheckSize(const RobotModel& model, std::vector<Finding>& findings) {
+  constexpr double kLightest = 3.0, kHeaviest = 2e4;  // [kg/m^3]
+  const double length = model.leg_length_m(), density = model.total_mass_kg / (length * length * length);
+  if (!(length > 0.0) || (density >= kLightest && density <= kHeaviest)) return;
+  findings.push_back(
+      {FindingLevel::kWarning, FailureCode::kOddSize, "robot", 0,
+       fmt::format("it has {:.3g} kg and legs of {:.3g} m, too {} for its size; where the file's lengths "
+                   "are not in m, give 'scale' in robot.yaml",
+                   model.total_mass_kg, length, density < kLightest ? "light" : "heavy")});
+}
+
 void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
@@ -111,6 +173,7 @@ std::vector<Finding> CheckRobot(const RobotModel& model) {
   CheckHolding(model, findings);
   CheckSides(model, findings);
   CheckFacing(model, findings);
+  CheckSize(model, findings);
   CheckStanding(model, findings);
   return findings;
 }

@@ -138,11 +138,16 @@ class Comparison {
     const auto other = std::find(b_.dof_names.begin(), b_.dof_names.end(), name);
     if (other == b_.dof_names.end()) return Add(part, "it is here alone");
     const int there = static_cast<int>(other - b_.dof_names.begin());
-    Numbers(part, "lower limit", a_.dof_lower(dof), b_.dof_lower(there), " rad");
-    Numbers(part, "upper limit", a_.dof_upper(dof), b_.dof_upper(there), " rad");
-    Numbers(part, "effort limit", a_.dof_effort_limit(dof), b_.dof_effort_limit(there), " N m");
+    const bool slides = a_.LeaderOf(dof).is_prismatic();
+    if (slides != b_.LeaderOf(there).is_prismatic())
+      return Add(part, slides ? "it slides here and turns there" : "it turns here and slides there");
+    const char* unit = slides ? " m" : " rad";
+    Numbers(part, "lower limit", a_.dof_lower(dof), b_.dof_lower(there), unit);
+    Numbers(part, "upper limit", a_.dof_upper(dof), b_.dof_upper(there), unit);
+    Numbers(part, "effort limit", a_.dof_effort_limit(dof), b_.dof_effort_limit(there), slides ? " N" : " N m");
     if (std::isfinite(a_.dof_velocity_limit(dof)) && std::isfinite(b_.dof_velocity_limit(there)))
-      Numbers(part, "speed limit", a_.dof_velocity_limit(dof), b_.dof_velocity_limit(there), " rad/s");
+      Numbers(part, "speed limit", a_.dof_velocity_limit(dof), b_.dof_velocity_limit(there),
+              slides ? " m/s" : " rad/s");
   }
 
   const RobotModel &a_, &b_;

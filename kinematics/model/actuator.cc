@@ -21,6 +21,32 @@ void CountUse(int motor, double size, double limit, LargestUse& largest) {
   largest = {motor, share};
 }
 
+/// Limits of efforts or of speeds, and how transmissions turn those of joints into those of motors and back.
+struct MotorBounds {
+  double (RobotModel::*joint_limit)(int dof) const;
+  double TransmissionMotor::*motor_limit;
+  MatrixX (*to_motors)(const Transmission&);
+  MatrixX (*to_joints)(const Transmission&);
+};
+
+VectorX ClampedAtMotors(const RobotModel& model, const VectorX& of_joints, const MotorBounds& bounds) {
+  VectorX clamped = of_joints;
+  for (int dof = 0; dof < model.num_dofs(); ++dof) {
+    if (model.TransmissionOf(dof) != nullptr) continue;
+    const double limit = (model.*bounds.joint_limit)(dof);
+    clamped[dof] = std::clamp(of_joints[dof], -limit, limit);
+  }
+  for (const Transmission& t : model.transmissions) {
+    VectorX of_motors = bounds.to_motors(t) * t.Own(of_joints);
+    for (Eigen::Index m = 0; m < t.size(); ++m) {
+      const double limit = t.motors[static_cast<std::size_t>(m)].*bounds.motor_limit;
+      of_motors[m] = std::clamp(of_motors[m], -limit, limit);
+    }
+    t.Put(bounds.to_joints(t) * of_motors, clamped);
+  }
+  return clamped;
+}
+
 }  // namespace
 
 double Actuator::Speed(const Eigen::Ref<const VectorX>& v) const {
@@ -81,39 +107,19 @@ LargestUse LargestSpeedUse(const RobotModel& model, const VectorX& v) {
 }
 
 VectorX ClampedEfforts(const RobotModel& model, const VectorX& tau) {
-  VectorX clamped = tau;
-  for (int dof = 0; dof < model.num_dofs(); ++dof) {
-    if (model.TransmissionOf(dof) != nullptr) continue;
-    const double limit = model.dof_effort_limit(dof);
-    clamped[dof] = std::clamp(tau[dof], -limit, limit);
-  }
-  for (const Transmission& t : model.transmissions) {
-    VectorX efforts = t.MotorEfforts(tau);
-    for (Eigen::Index m = 0; m < t.size(); ++m) {
-      const double limit = t.motors[static_cast<std::size_t>(m)].effort_limit;
-      efforts[m] = std::clamp(efforts[m], -limit, limit);
-    }
-    t.Put(t.ratios.transpose() * efforts, clamped);
-  }
-  return clamped;
+  return ClampedAtMotors(model, tau,
+                         {.joint_limit = &RobotModel::dof_effort_limit,
+                          .motor_limit = &TransmissionMotor::effort_limit,
+                          .to_motors = [](const Transmission& t) -> MatrixX { return t.inverse.transpose(); },
+                          .to_joints = [](const Transmission& t) -> MatrixX { return t.ratios.transpose(); }});
 }
 
 VectorX ClampedSpeeds(const RobotModel& model, const VectorX& v) {
-  VectorX clamped = v;
-  for (int dof = 0; dof < model.num_dofs(); ++dof) {
-    if (model.TransmissionOf(dof) != nullptr) continue;
-    const double limit = model.dof_velocity_limit(dof);
-    clamped[dof] = std::clamp(v[dof], -limit, limit);
-  }
-  for (const Transmission& t : model.transmissions) {
-    VectorX speeds = t.MotorSpeeds(v);
-    for (Eigen::Index m = 0; m < t.size(); ++m) {
-      const double limit = t.motors[static_cast<std::size_t>(m)].velocity_limit;
-      speeds[m] = std::clamp(speeds[m], -limit, limit);
-    }
-    t.Put(t.inverse * speeds, clamped);
-  }
-  return clamped;
+  return ClampedAtMotors(model, v,
+                         {.joint_limit = &RobotModel::dof_velocity_limit,
+                          .motor_limit = &TransmissionMotor::velocity_limit,
+                          .to_motors = [](const Transmission& t) -> MatrixX { return t.ratios; },
+                          .to_joints = [](const Transmission& t) -> MatrixX { return t.inverse; }});
 }
 
 }  // namespace gaitwright

@@ -19,6 +19,34 @@ Failure Refused(const FootOverride& foot, const std::string& message) {
           {"'gaitwright robots show' of the URDF alone lists the feet that it finds"}};
 }
 
+/// Whether a link that is fixed beyond the shapes that are missing says where a foot's contact is, as many files have
+/// one for it: it has no shape of its own, and it is the lowest of its body as the robot stands, below the last joint.
+bool IsContactFrame(const RobotModel& model, const Foot& foot, const std::vector<MissingMesh>& missing) {
+  constexpr double kDown = 0.7;  // cosine to straight down, from the last joint
+  const std::vector<Pose> X_OB = BodyPoses(model, model.standing_joints);
+  const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
+  const auto below = [&](const Frame& frame) { return -(X_OE.linear() * frame.X_BF.translation()).z(); };
+  const Frame& own = model.frames[static_cast<std::size_t>(model.FrameIndex(foot.link))];
+  if (below(own) <= 0.0 || below(own) < kDown * own.X_BF.translation().norm()) return false;
+  const auto has_shape = [&](const std::string& link) {
+    const auto of_link = [&](const auto& part) { return part.link == link; };
+    return std::any_of(missing.begin(), missing.end(), of_link) ||
+           std::any_of(model.visual_shapes.begin(), model.visual_shapes.end(), of_link);
+  };
+  return !has_shape(own.name) && std::none_of(model.frames.begin(), model.frames.end(), [&](const Frame& other) {
+    return other.body == foot.body && below(other) > below(own);
+  });
+}
+
+/// Whether a link is fixed beyond the one that a foot was taken from, so that its shape would be the foot.
+bool EndsBeyond(const RobotModel& model, const std::string& link, const Foot& foot) {
+  constexpr double kBeyond = 1e-3;  // [m]
+  const auto distance = [&](const std::string& name) {
+    return model.frames[static_cast<std::size_t>(model.FrameIndex(name))].X_BF.translation().norm();
+  };
+  return link != foot.link && distance(link) > distance(foot.link) + kBeyond;
+}
+
 }  // namespace
 
 std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector<FootOverride>& feet,
@@ -47,8 +75,9 @@ std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector
   return std::nullopt;
 }
 
-std::optional<Failure> CheckFeetAreKnown(const RobotModel& model, const std::vector<FootOverride>& given,
+std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<FootOverride>& given,
                                          const std::vector<MissingMesh>& missing) {
+  constexpr std::size_t kSoleJoints = 5;  // of legs of so many a point tells too little
   const auto body_of = [&](const std::string& link) {
     return model.frames[static_cast<std::size_t>(model.FrameIndex(link))].body;
   };
@@ -60,7 +89,27 @@ std::optional<Failure> CheckFeetAreKnown(const RobotModel& model, const std::vec
     const bool is_told = std::any_of(given.begin(), given.end(), [&](const FootOverride& f) {
       return f.link == foot.link && (f.type || f.radius_m > 0.0 || !f.sole_m.empty());
     });
-    if (gone == missing.end() || is_seen || is_told) continue;
+    if (gone == missing.end() || is_told) continue;
+    if (is_seen) {
+      if (EndsBeyond(model, gone->link, foot)) {
+        model.findings.push_back({FindingLevel::kWarning, FailureCode::kMissingMesh,
+                                  fmt::format("link '{}'", gone->link), 0,
+                                  fmt::format("{}: it ends a leg, whose foot is taken from the shape of link '{}' "
+                                              "instead; say in robot.yaml, feet, what it is",
+                                              gone->why, foot.link)});
+      }
+      continue;
+    }
+    const auto leg = std::find_if(model.legs.begin(), model.legs.end(),
+                                  [&](const Leg& l) { return &model.feet[static_cast<std::size_t>(l.foot)] == &foot; });
+    if (leg != model.legs.end() && leg->joints.size() < kSoleJoints && IsContactFrame(model, foot, missing)) {
+      model.findings.push_back(
+          {FindingLevel::kWarning, FailureCode::kMissingMesh, fmt::format("link '{}'", gone->link), 0,
+           fmt::format("{}: it ends a leg, and the origin of link '{}', which is fixed to it, is taken for a point "
+                       "foot; give its radius in robot.yaml: feet: [{{link: '{}', radius_m: R}}, ...]",
+                       gone->why, foot.link, foot.link)});
+      continue;
+    }
     std::string feet;
     for (const Foot& f : model.feet)
       feet += fmt::format("{}{{link: {}, radius_m: R}}", feet.empty() ? "" : ", ", f.link);

@@ -15,9 +15,11 @@ namespace gaitwright {
 std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector<FootOverride>& feet,
                                       const std::vector<int>& ends);
 
-/// Whether something tells the shape of each foot: a shape that is there, or the user.
+/// Whether something tells the shape of each foot: a shape that is there, a link that is fixed to it and says where its
+/// contact is, or the user. Findings of the model get a warning for a foot that is told by such a link, or by shapes
+/// above a mesh that is missing.
 /// @return a failure that names the foot, the mesh that is missing and what to do, or nothing.
-std::optional<Failure> CheckFeetAreKnown(const RobotModel& model, const std::vector<FootOverride>& given,
+std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<FootOverride>& given,
                                          const std::vector<MissingMesh>& missing);
 
 }  // namespace gaitwright

@@ -63,8 +63,37 @@ Pose LevelledPose(const RobotModel& model, int body, const VectorX& given, const
   return BottomTilt(X_OE, shapes).inverse() * X_OE;
 }
 
+/// The largest flat bottom of boxes and meshes that are aslant, where the posture that would level them is not known:
+/// of those that are level when the foot is turned from any of some directions that are evenly spread about straight
+/// down.
+bool FindAslantBottom(const Pose& X_OE, const std::vector<const Shape*>& shapes, Foot& foot) {
+  constexpr double kFarthest = 1.0;  // [rad]
+  constexpr int kDirections = 2500;  // 0.03 rad apart; BottomTilt takes what is between them
+  constexpr double kFlat = 1e-3;     // [m]
+  const auto has_faces = [](const Shape* s) { return s->type == ShapeType::kBox || s->type == ShapeType::kMesh; };
+  if (!std::all_of(shapes.begin(), shapes.end(), has_faces)) return false;
+  const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+  double largest = 0.0;
+  Pose X_OL = X_OE;
+  for (int i = 0; i < kDirections; ++i) {
+    const double tilt = std::acos(1.0 - (1.0 - std::cos(kFarthest)) * (i + 0.5) / kDirections);
+    const Vector3 axis(std::cos(i * golden_angle), std::sin(i * golden_angle), 0.0);
+    const Pose X_OT = Eigen::AngleAxisd(tilt, axis) * X_OE;
+    const Matrix3 R_OT = (BottomTilt(X_OT, shapes).inverse() * X_OT).linear();
+    // The least turn that levels the same face, so that the foot points to where it points at zero.
+    const Vector3 up_O = X_OE.linear() * R_OT.transpose() * Vector3::UnitZ();
+    const Pose levelled = Eigen::Quaterniond::FromTwoVectors(up_O, Vector3::UnitZ()) * X_OE;
+    Foot there = foot;
+    if (!FindFlatBottom(levelled, shapes, kFlat, there) || Area(there.sole_F) <= largest) continue;
+    largest = Area(there.sole_F);
+    X_OL = levelled;
+  }
+  return largest > 0.0 && FindFlatBottom(X_OL, shapes, std::nullopt, foot);
+}
+
 /// The flat bottom of shapes of the last body at joint positions zero, as a sole. Where it is larger by far in a
-/// posture that is given, which a sole is that lies aslant at zero, that one.
+/// posture that is given, which a sole is that lies aslant at zero, that one. Where neither is known, the largest of
+/// those that are level when the foot is turned.
 bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, const VectorX& given,
               std::optional<double> give_m, Foot& foot) {
   constexpr double kLarger = 1.5;
@@ -79,7 +108,7 @@ bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const S
   if (is_given && FindFlatBottom(LevelledPose(model, foot.body, given, shapes), shapes, give_m, there) &&
       (!at_zero || Area(there.sole_F) > kLarger * Area(found.sole_F))) {
     found = there;
-  } else if (!at_zero) {
+  } else if (!at_zero && (is_given || give_m || !FindAslantBottom(X_OE, shapes, found))) {
     return false;
   }
   foot = found;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 
 #include "kinematics/base/data_path.h"
 #include "kinematics/base/file.h"
@@ -17,13 +16,16 @@
 #include "kinematics/model/ball_joints.h"
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/check_feet.h"
+#include "kinematics/model/collision_meshes.h"
 #include "kinematics/model/derive_legs.h"
 #include "kinematics/model/inertia_box.h"
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/mesh_file.h"
 #include "kinematics/model/name_of_description.h"
+#include "kinematics/model/reroot_urdf.h"
 #include "kinematics/model/robot_yaml.h"
+#include "kinematics/model/toe_joints.h"
 #include "kinematics/model/urdf_check.h"
 
 namespace gaitwright {
@@ -33,73 +35,6 @@ namespace fs = std::filesystem;
 
 Failure BadInput(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "LoadRobot", message, {}};
-}
-
-/// The hull of a mesh by its file as the URDF names it.
-using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
-
-/// Gives the collision meshes their vertices, and takes out those that are not there. @return the hulls used.
-Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
-                                         std::vector<MissingMesh>& missing) {
-  std::vector<MeshHull> meshes;
-  for (Shape& shape : shapes) {
-    if (shape.type != ShapeType::kMesh) continue;
-    auto known = std::find_if(meshes.begin(), meshes.end(), [&](const auto& m) { return m.file == shape.mesh_file; });
-    if (known == meshes.end()) {
-      Result<std::vector<Vector3>> hull = source(shape.mesh_file);
-      if (!hull && hull.failure().code == FailureCode::kNoFile) {
-        missing.push_back({shape.link, hull.failure().message});
-        continue;
-      }
-      if (!hull) {
-        Failure failure = hull.failure();
-        failure.message = fmt::format("link '{}': its collision shape cannot be had: {}", shape.link, failure.message);
-        failure.stage = "LoadRobot";
-        return failure;
-      }
-      known = meshes.insert(meshes.end(), {shape.mesh_file, std::move(*hull)});
-    }
-    for (const Vector3& v : known->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
-  }
-  std::erase_if(shapes, [](const Shape& shape) { return shape.type == ShapeType::kMesh && shape.vertices.empty(); });
-  return meshes;
-}
-
-/// The hull of a mesh file, one that was read before or a new one, which is kept.
-const MeshHull* HullOf(const std::string& file, const MeshSource& source, std::vector<MeshHull>& meshes) {
-  const auto known = std::find_if(meshes.begin(), meshes.end(), [&](const MeshHull& m) { return m.file == file; });
-  if (known != meshes.end()) return &*known;
-  Result<std::vector<Vector3>> hull = source(file);
-  if (!hull) return nullptr;
-  meshes.push_back({file, std::move(*hull)});
-  return &meshes.back();
-}
-
-/// A foot that has no collision shape meets the ground with what is seen of it.
-void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource& source, RobotModel& model,
-                       std::vector<MeshHull>& meshes) {
-  std::vector<int> ends;
-  for (const FootOverride& foot : named) {
-    for (const Frame& frame : model.frames) {
-      if (frame.name == foot.link) ends.push_back(frame.body);
-    }
-  }
-  if (named.empty()) ends = EndBodies(model);
-  for (const int body : ends) {
-    const auto of_body = [&](const Shape& shape) { return shape.body == body; };
-    if (std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(), of_body)) continue;
-    for (Shape shape : model.visual_shapes) {
-      if (!of_body(shape)) continue;
-      if (shape.type == ShapeType::kMesh) {
-        const MeshHull* hull = HullOf(shape.mesh_file, source, meshes);
-        if (hull == nullptr) continue;
-        for (const Vector3& v : hull->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
-      }
-      model.findings.push_back({FindingLevel::kWarning, FailureCode::kVisualFoot, fmt::format("link '{}'", shape.link),
-                                0, "its foot has no collision geometry: what is seen of it stands on the ground"});
-      model.collision_shapes.push_back(std::move(shape));
-    }
-  }
 }
 
 /// Of the texts and of the meshes' points.
@@ -112,12 +47,13 @@ std::string RobotHash(const RobotModel& model) {
   return HexHash(bytes);
 }
 
-/// Takes what the robot.yaml says of joints that move nothing and were fixed.
+/// Takes what the robot.yaml says of joints that were fixed, since they move nothing or a toe.
 void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
   const auto is_fixed = [&](const auto& entry) {
     const std::string part = fmt::format("joint '{}'", entry.joint);
-    return std::any_of(model.findings.begin(), model.findings.end(),
-                       [&](const Finding& f) { return f.code == FailureCode::kNoInertia && f.part == part; });
+    return std::any_of(model.findings.begin(), model.findings.end(), [&](const Finding& f) {
+      return (f.code == FailureCode::kNoInertia || f.code == FailureCode::kToeHeld) && f.part == part;
+    });
   };
   std::erase_if(yaml.limits, is_fixed);
   std::erase_if(yaml.standing, is_fixed);
@@ -133,31 +69,76 @@ struct RobotTexts {
   bool strict;
 };
 
+/// A model of bodies and shapes alone.
+struct BuiltTree {
+  RobotModel model;
+  std::vector<MeshHull> meshes;
+  std::vector<MissingMesh> missing;
+};
+
+Result<BuiltTree> BuildTree(const std::string& tree, const RobotTexts& texts, double scale, const MeshSource& source) {
+  BuiltTree built;
+  UrdfParts parts = SplitUrdf(tree, scale);
+  Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, built.missing);
+  if (!meshes) return meshes.failure();
+  built.meshes = std::move(*meshes);
+  for (const MissingMesh& mesh : built.missing) parts.incomplete.insert(mesh.link);
+  Result<RobotModel> model = BuildModel(parts, texts.name, scale, texts.strict);
+  if (!model) return model.failure();
+  built.model = std::move(*model);
+  return built;
+}
+
+/// BuildTree, and where legs end in feet of two links, once more with their toes held.
+Result<BuiltTree> BuildWithToesHeld(const std::string& tree, const RobotTexts& texts, const RobotYaml& yaml,
+                                    const MeshSource& source) {
+  Result<BuiltTree> built = BuildTree(tree, texts, yaml.scale, source);
+  if (!built || texts.strict || !yaml.feet.empty() || !yaml.transmissions.empty()) return built;
+  RobotModel turned = built->model;
+  ApplyAxes(yaml, turned);
+  const std::vector<std::string> toes = ToeJoints(turned);
+  if (toes.empty()) return built;
+  built = BuildTree(WithFixedJoints(tree, toes), texts, yaml.scale, source);
+  if (!built) return built;
+  for (const std::string& toe : toes) {
+    built->model.findings.push_back(
+        {FindingLevel::kInfo, FailureCode::kToeHeld, fmt::format("joint '{}'", toe), 0,
+         "it moves a toe, which is held: both links of the foot are one sole; name the feet in robot.yaml to have the "
+         "toe move"});
+  }
+  return built;
+}
+
 Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   const MendedUrdf mended = texts.strict ? MendedUrdf{texts.urdf, {}} : MendUrdf(texts.urdf);
   if (const auto failure = CheckUrdf(mended.text, texts.strict)) return *failure;
-  const std::string tree = WithoutBallJoints(mended.text);
+  std::string tree = WithoutBallJoints(mended.text);
+  std::optional<RerootedUrdf> rerooted;
+  if (!texts.strict) rerooted = RerootFromLimbEnd(tree);
+  if (rerooted) tree = rerooted->text;
   if (tree != mended.text) {
     if (const auto failure = CheckUrdf(tree)) return *failure;
   }
   RobotYaml yaml = ParseRobotYaml(texts.yaml);
-  UrdfParts parts = SplitUrdf(tree, yaml.scale);
-  std::vector<MissingMesh> missing;
-  Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, missing);
-  if (!meshes) return meshes.failure();
-  for (const MissingMesh& mesh : missing) parts.incomplete.insert(mesh.link);
-  Result<RobotModel> built = BuildModel(parts, texts.name, yaml.scale, texts.strict);
-  if (!built) return built;
-  RobotModel model = std::move(*built);
+  Result<BuiltTree> built = BuildWithToesHeld(tree, texts, yaml, source);
+  if (!built) return built.failure();
+  RobotModel model = std::move(built->model);
+  std::vector<MeshHull> meshes = std::move(built->meshes);
+  std::vector<MissingMesh> missing = std::move(built->missing);
   DropFixedJoints(model, yaml);
   model.findings.insert(model.findings.begin(), mended.findings.begin(), mended.findings.end());
+  if (rerooted) {
+    model.findings.push_back(
+        {FindingLevel::kInfo, FailureCode::kRootOfLimb, fmt::format("link '{}'", rerooted->former), 0,
+         fmt::format("it is the root of the file and the end of a limb: link '{}' is the base", rerooted->root)});
+  }
   model.name = yaml.name.empty() ? texts.name : yaml.name;
   model.description = yaml.description;
   ApplyAxes(yaml, model);
   ApplyLimits(yaml, model);
   ApplyMotors(yaml, model);
   ApplyTransmissions(yaml, model);
-  TakeVisualsOfFeet(yaml.feet, source, model, *meshes);
+  TakeVisualsOfFeet(yaml.feet, source, model, meshes);
   const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));
   if (!legs) return legs.failure();
   if (const auto failure = CheckFeetAreKnown(model, yaml.feet, missing)) return *failure;
@@ -169,7 +150,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   model.notes.insert(model.notes.begin(), notes.begin(), notes.end());
   model.urdf_text = texts.urdf;
   model.yaml_text = texts.yaml;
-  model.meshes = *meshes;
+  model.meshes = std::move(meshes);
   model.hash = RobotHash(model);
   return model;
 }

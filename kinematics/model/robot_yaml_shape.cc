@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/model/robot_yaml_shape.h"
 
+#include <string>
+#include <vector>
+
 #include "kinematics/model/base_axes.h"
 #include "kinematics/model/flat_bottom.h"
 #include "kinematics/model/robot_model.h"
@@ -9,6 +12,27 @@
 namespace gaitwright {
 
 using namespace shapes;
+
+namespace {
+
+/// What the motor of one joint and a motor of a transmission have both: curve, warmth and rotor.
+std::vector<ShapeMember> TurningMotorKeys(const std::string& of_rotor) {
+  const DataShape positive = Positive(kLargestValue);
+  return {Optional("corner_velocity_rad_s", positive, "Up to there the motor gives its whole effort."),
+          Optional("no_load_velocity_rad_s", positive, "There it gives none."),
+          Optional("continuous_nm", positive, "Root mean square of effort that it bears without end."),
+          Optional("thermal_s", positive, "Time over which that mean is taken; 10 unless given."),
+          Optional("rotor_inertia_kg_m2", positive, of_rotor)};
+}
+
+/// TurningMotorKeys in the units of a motor that slides.
+std::vector<ShapeMember> SlidingMotorKeys() {
+  const DataShape positive = Positive(kLargestValue);
+  return {Optional("corner_velocity_m_s", positive), Optional("no_load_velocity_m_s", positive),
+          Optional("continuous_n", positive), Optional("rotor_mass_kg", positive)};
+}
+
+}  // namespace
 
 DataShape FootYamlShape() {
   return Object({{"link", Text(), "The link at the end of a chain of moving joints."},
@@ -45,40 +69,32 @@ DataShape GainsYamlShape() {
 
 DataShape MotorYamlShape() {
   const DataShape positive = Positive(kLargestValue);
-  return Object({Optional("corner_velocity_rad_s", positive, "Up to there the motor gives its whole effort."),
-                 Optional("no_load_velocity_rad_s", positive, "There it gives none."),
-                 Optional("continuous_nm", positive, "Root mean square of effort that it bears without end."),
-                 Optional("thermal_s", positive, "Time over which that mean is taken; 10 unless given."),
-                 Optional("rotor_inertia_kg_m2", positive, "Of rotor and gear, as felt at the joint."),
-                 Optional("acceleration_rad_s2", positive, "Largest acceleration."),
-                 Optional("jerk_rad_s3", positive, "Largest jerk."),
-                 Optional("damping_nm_s_rad", positive, "The joint's own damping."),
-                 Optional("friction_nm", positive, "The joint's dry friction."),
-                 Optional("corner_velocity_m_s", positive, "The same of a joint that slides, as all that follow."),
-                 Optional("no_load_velocity_m_s", positive), Optional("continuous_n", positive),
-                 Optional("rotor_mass_kg", positive), Optional("acceleration_m_s2", positive),
-                 Optional("jerk_m_s3", positive), Optional("damping_n_s_m", positive),
-                 Optional("friction_n", positive)});
+  std::vector<ShapeMember> keys = TurningMotorKeys("Of rotor and gear, as felt at the joint.");
+  keys.insert(keys.end(), {Optional("acceleration_rad_s2", positive, "Largest acceleration."),
+                           Optional("jerk_rad_s3", positive, "Largest jerk."),
+                           Optional("damping_nm_s_rad", positive, "The joint's own damping."),
+                           Optional("friction_nm", positive, "The joint's dry friction.")});
+  std::vector<ShapeMember> sliding = SlidingMotorKeys();
+  sliding.front().meaning = "The same of a joint that slides, as all that follow.";
+  sliding.insert(sliding.end(), {Optional("acceleration_m_s2", positive), Optional("jerk_m_s3", positive),
+                                 Optional("damping_n_s_m", positive), Optional("friction_n", positive)});
+  keys.insert(keys.end(), sliding.begin(), sliding.end());
+  return Object(keys);
 }
 
 DataShape TransmissionMotorYamlShape() {
   const DataShape positive = Positive(kLargestValue);
-  return Object({{"name", Text(), "What reports call it."},
-                 {"ratios", List(Number(-kLargestRatio, kLargestRatio), 2, kMostShared),
-                  "Speed of the motor for a speed of 1 of each joint, in the order of 'joints'."},
-                 Optional("effort_nm", positive, "Largest torque; not checked unless given."),
-                 Optional("velocity_rad_s", positive, "Largest speed; not checked unless given."),
-                 Optional("corner_velocity_rad_s", positive, "Up to there the motor gives its whole effort."),
-                 Optional("no_load_velocity_rad_s", positive, "There it gives none."),
-                 Optional("continuous_nm", positive, "Root mean square of effort that it bears without end."),
-                 Optional("thermal_s", positive, "Time over which that mean is taken; 10 unless given."),
-                 Optional("rotor_inertia_kg_m2", positive, "Of rotor and gear, as felt at the motor's own shaft."),
-                 Optional("effort_n", positive, "Largest force of a motor that slides, as all that follow."),
-                 Optional("velocity_m_s", positive),
-                 Optional("corner_velocity_m_s", positive),
-                 Optional("no_load_velocity_m_s", positive),
-                 Optional("continuous_n", positive),
-                 Optional("rotor_mass_kg", positive)});
+  std::vector<ShapeMember> keys = {{"name", Text(), "What reports call it."},
+                                   {"ratios", List(Number(-kLargestRatio, kLargestRatio), 2, kMostShared),
+                                    "Speed of the motor for a speed of 1 of each joint, in the order of 'joints'."},
+                                   Optional("effort_nm", positive, "Largest torque; not checked unless given."),
+                                   Optional("velocity_rad_s", positive, "Largest speed; not checked unless given.")};
+  const auto add = [&](const std::vector<ShapeMember>& more) { keys.insert(keys.end(), more.begin(), more.end()); };
+  add(TurningMotorKeys("Of rotor and gear, as felt at the motor's own shaft."));
+  add({Optional("effort_n", positive, "Largest force of a motor that slides, as all that follow."),
+       Optional("velocity_m_s", positive)});
+  add(SlidingMotorKeys());
+  return Object(keys);
 }
 
 DataShape TransmissionYamlShape() {

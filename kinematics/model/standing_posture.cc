@@ -246,6 +246,27 @@ Vector3 CentreOfMassInBase(const RobotModel& model, const VectorX& joints) {
   return moment / model.total_mass_kg;
 }
 
+/// Brings all feet to the level of the one that hangs least low, where legs of different lengths hang to different
+/// levels; nothing where a leg cannot.
+void LevelFeet(const RobotModel& model, VectorX& joints) {
+  constexpr double kLevel = 1e-4, kMissed = 1e-6;  // [m]
+  const std::vector<Pose> X_OB = BodyPoses(model, joints);
+  std::vector<Pose> X_OF;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Foot& foot : model.feet) {
+    X_OF.push_back(X_OB[static_cast<std::size_t>(foot.body)] * foot.X_BF);
+    low = std::min(low, X_OF.back().translation().z() - foot.radius);
+    high = std::max(high, X_OF.back().translation().z() - foot.radius);
+  }
+  if (high - low < kLevel) return;
+  VectorX moved = joints;
+  for (std::size_t i = 0; i < X_OF.size(); ++i) {
+    X_OF[i].translation().z() = high + model.feet[i].radius;
+    if (MoveFoot(model, model.legs[i], X_OF[i], moved) > kMissed) return;
+  }
+  joints = moved;
+}
+
 /// How far from the middle of the feet the centre of mass may stand: on soles half the way to their edges, as ankles
 /// have the less to hold the nearer it is to them; without soles not at all.
 Vector2 BalanceSlack(const RobotModel& model) {
@@ -303,7 +324,10 @@ void DeriveStanding(RobotModel& model, const VectorX& given) {
   }
   const std::vector<std::string> hung = HangLimbs(model, given, joints);
   model.notes.insert(model.notes.end(), hung.begin(), hung.end());
-  if (!IsLegGiven(model, given)) Balance(model, joints);
+  if (!IsLegGiven(model, given)) {
+    LevelFeet(model, joints);
+    Balance(model, joints);
+  }
   model.standing_joints = joints;
   const std::vector<Pose> X_OB = BodyPoses(model, joints);
   double lowest = std::numeric_limits<double>::infinity();

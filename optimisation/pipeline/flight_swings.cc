@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/swing/swing_lift.h"
 
 namespace gaitwright {
 namespace {

@@ -10,8 +10,10 @@
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/swing/plan_swings.h"
+#include "optimisation/swing/planar_swings.h"
 #include "optimisation/swing/swing_ground.h"
 #include "optimisation/whole_body/reach_height.h"
+#include "planning/audit/tolerances.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/sole_support.h"
 
@@ -54,7 +56,9 @@ MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
       body_(task.body),
       in_reach_(carriage.in_reach),
       level_(IsLevelAndBare(task.terrain)),
-      footsteps_(task.skeleton.footsteps) {
+      footsteps_(task.skeleton.footsteps),
+      planes_(PlanesOfLegs(task.model)) {
+  is_planar_ = std::any_of(planes_.begin(), planes_.end(), [](const auto& plane) { return plane.has_value(); });
   const FootstepSkeleton& skeleton = task.skeleton;
   expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
   problem_.start_s = skeleton.schedule.start_s();
@@ -77,13 +81,18 @@ MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
 Result<MotionPass> MotionPasses::Run(int& passes, double hopeless) {
   MotionPass best;
   double gain = 1.0;
-  for (passes = 0; passes < task_.options.pipeline.max_passes; ++passes) {
+  const int most = task_.options.pipeline.max_passes;
+  bool nears = false;  // the ZMP came nearer to its reference in the last pass, and is not as near as an audit asks
+  for (passes = 0; passes < most || (nears && passes < 2 * most); ++passes) {
     adapts_ = in_reach_ && passes < kAdapting;
     Result<MotionPass> made = MakePass();
     if (!made) return made;
-    made->settled = UpdateRolls(made->solution);
+    const bool rolled = UpdateRolls(made->solution), leaned = UpdateLeans(*made);
+    made->settled = rolled && leaned;
+    nears = false;
     if (adapts_ || made->BetterThan(best)) {
       best = *made;
+      nears = best.settled && best.error_m > tolerance::kZmp;
     } else {
       gain *= 0.5;
       if (gain < 0.1) break;
@@ -169,6 +178,7 @@ Result<MotionPass> MotionPasses::MakePass() {
       PlanSwings(model_, task_.terrain, footsteps_, task_.options.swing, Former(pass.centroidal));
   if (!swings) return swings.failure();
   pass.swings = std::move(*swings);
+  if (is_planar_ && leans_by_.base) LeanSwings(planes_, leans_by_.base, pass.swings);
   if (adapts_) KeepInReach(pass);
   Result<WholeBodySolution> solution = SolveBody(pass);
   if (!solution) return solution.failure();
@@ -203,6 +213,15 @@ bool MotionPasses::UpdateRolls(const WholeBodySolution& solution) {
   }
   if (task_.options.pipeline.end_as_standing) EndAsStanding();
   return change < kSettled;
+}
+
+/// True when the base leaned as the swings of legs that stay in a plane were made for.
+bool MotionPasses::UpdateLeans(const MotionPass& pass) {
+  constexpr double kSettled = 2e-4;  // [m]
+  if (!is_planar_) return true;
+  leans_by_ = MotionOf(model_, pass.solution.trajectory);
+  std::vector<SwingTrajectory> swings = pass.swings;
+  return LeanSwings(planes_, leans_by_.base, swings) < kSettled;
 }
 
 /// Feet that roll on in their last stance, on what is level, are put down so much before.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "optimisation/centroidal/zmp_problem.h"
@@ -16,11 +17,11 @@ namespace gaitwright {
 
 /// One pass: what was tried and how far its ZMP is from its reference.
 ///
-/// A pass is settled when the feet rolled as the pass itself had taken them to. One that is not has footholds and
-/// swings aimed with rolls that are not its own, so that its motion does not end where it should, whatever its ZMP
-/// does: any settled pass is better. Among unsettled ones the newest is, being aimed with the freshest rolls; among
-/// settled ones that whose ZMP is nearest to its reference. One of a rigid body is settled when it is clear of the
-/// ground.
+/// A pass is settled when the feet rolled, and the base leaned over planar legs, as the pass itself had taken them to.
+/// One that is not has footholds and swings aimed with rolls that are not its own, so that its motion does not end
+/// where it should, whatever its ZMP does: any settled pass is better. Among unsettled ones the newest is, being aimed
+/// with the freshest rolls; among settled ones that whose ZMP is nearest to its reference. One of a rigid body is
+/// settled when it is clear of the ground.
 struct MotionPass {
   CentroidalTrajectory centroidal;
   std::vector<SwingTrajectory> swings;
@@ -76,6 +77,7 @@ class MotionPasses {
   Result<MotionPass> MakePass();
   Result<WholeBodySolution> SolveBody(MotionPass& pass);
   bool UpdateRolls(const WholeBodySolution& solution);
+  bool UpdateLeans(const MotionPass& pass);
   void EndAsStanding();
   void UpdateOffset(const MotionPass& pass, double gain);
 
@@ -87,6 +89,9 @@ class MotionPasses {
   std::vector<Bounds> reach_;  // of the ground under the body, by its knots
   FormerMotion former_;        // over ground that is not level
   FootstepPlan footsteps_;
+  std::vector<std::optional<Vector3>> planes_;  // of legs that cannot leave theirs
+  bool is_planar_ = false;                      // there are such legs
+  FormerMotion leans_by_;                       // their swings, of the pass before
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;
   SupportInputs support_;

@@ -39,7 +39,9 @@ struct PipelineOptions {
          "1",
          1.0,
          20.0,
-         "Most passes in which the multibody ZMP is brought onto its reference.",
+         "Most passes in which the multibody ZMP is brought onto its reference; up to twice as many while it still "
+         "comes "
+         "nearer and is not near enough for the audit.",
          {}},
         {"max_body_passes", &max_body_passes, "1", 1.0, 50.0, "Most passes over a rigid body and its legs.", {}},
         {"zmp_tolerance_m",

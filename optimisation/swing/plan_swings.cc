@@ -10,15 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/ik/leg_ik.h"
 #include "optimisation/swing/refine_swing.h"
 #include "optimisation/swing/swing_ground.h"
+#include "optimisation/swing/swing_lift.h"
 #include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kLiftPerLegLength = 0.12;
 constexpr double kClearancePerLift = 0.25;
 constexpr double kClearanceInFlight = 0.125;  // of all lift, that for the body's rise too
 
@@ -35,6 +34,7 @@ class SwingPlanner {
         legs_known_(former.base != nullptr),
         guard_(model, terrain, former) {
     lift_m_ = SwingLift(model, options);
+    if (options.height_m == 0.0) speed_bound_.emplace(model);
     clearance_m_ = options.clearance_m;
     choice_.control_points = options.control_points;
     choice_.samples = options.samples;
@@ -45,7 +45,11 @@ class SwingPlanner {
     SwingTrajectory swing{from.foot, from.liftoff_s, to.touchdown_s, from.X_WF, to.X_WF, lift_m_, 0.0};
     swing.X_WF_start.translation() += from.roll_W;
     if (cruise_) swing.cruise = cruise_(swing);
-    if (lift_of_) swing.lift_m = lift_of_(swing);
+    if (lift_of_) {
+      swing.lift_m = lift_of_(swing);
+    } else if (speed_bound_) {
+      swing.lift_m = speed_bound_->LiftInTime(swing.foot, swing.end_s - swing.start_s, lift_m_);
+    }
     choice_.clearance_m = clearance_m_ > 0.0 ? clearance_m_ : kClearancePerLift * std::min(lift_m_, swing.lift_m);
     // What begins lower than where the feet go is lifted over.
     const double below_m =
@@ -311,36 +315,14 @@ class SwingPlanner {
   std::optional<SwingHit> hit_;
   std::optional<SwingTrajectory> unfollowed_;  // clear, but more than the leg can follow
   double lift_m_ = 0.0, highest_m_ = 0.0;
-  double clearance_m_ = 0.0;  // that is asked for; 0 for a share of the lift
+  std::optional<SpeedBoundLift> speed_bound_;  // where no lift is given
+  double clearance_m_ = 0.0;                   // that is asked for; 0 for a share of the lift
   LegDemand demand_;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot
 };
 
 }  // namespace
-
-double SwingLift(const RobotModel& model, const SwingOptions& options) {
-  constexpr double kRoom = 1.3;   // of the lift: a foot ahead of or behind its place bends the ankle more
-  constexpr double kLess = 0.85;  // of the lift, from try to try
-  constexpr int kTries = 10;
-  if (options.height_m > 0.0) return options.height_m;
-  double lift = kLiftPerLegLength * model.leg_length_m();
-  for (const Leg& leg : model.legs) {
-    if (!model.feet[static_cast<std::size_t>(leg.foot)].has_sole()) continue;
-    const LegIk ik(model, leg.foot);
-    VectorX standing(static_cast<Eigen::Index>(ik.dofs().size()));
-    for (std::size_t i = 0; i < ik.dofs().size(); ++i)
-      standing[static_cast<Eigen::Index>(i)] = model.standing_joints[ik.dofs()[i]];
-    const Pose X_BF = ik.FootPose(standing);
-    for (int i = 0; i < kTries; ++i) {
-      Pose raised = X_BF;
-      raised.translation().z() += kRoom * lift;
-      if (ik.Solve(raised)) break;
-      lift *= kLess;
-    }
-  }
-  return lift;
-}
 
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
                                                 const FootstepPlan& footsteps, const SwingOptions& options,

@@ -35,7 +35,7 @@ struct SwingOptions {
          0.0,
          1.0,
          "Lift of the foot over the straight line between its footholds; 0 takes 0.12 of the leg length, or as much "
-         "as the leg can do with its sole level.",
+         "as the leg can do with its sole level and within the speed limits of its joints.",
          {}},
         {"clearance_m",
          &clearance_m,
@@ -48,9 +48,6 @@ struct SwingOptions {
         {"samples", &samples, "1", 20, 40, "Places of such a swing at which its clearance is asked for.", {}}};
   }
 };
-
-/// The lift of a swing where nothing asks for more [m].
-double SwingLift(const RobotModel& model, const SwingOptions& options);
 
 /// One swing between each two successive footholds of a foot, clear of the ground and of obstacles along the whole
 /// curve, for the whole foot and, where the base's motion is given, the leg above it. The closed form first; where the

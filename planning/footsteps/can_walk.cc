@@ -46,6 +46,17 @@ double WidthOf(const Polygon& polygon) {
   return least;
 }
 
+/// Feet that no shape tells of and that nobody described: points at the origins of links.
+std::vector<std::string> FeetWithoutShape(const RobotModel& model) {
+  std::vector<std::string> names;
+  for (const Foot& foot : model.feet) {
+    const bool shaped = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
+                                    [&](const Shape& shape) { return shape.body == foot.body; });
+    if (!shaped && foot.type == FootType::kPoint) names.push_back(foot.name);
+  }
+  return names;
+}
+
 std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScratch& scratch) {
   std::vector<Vector2> corners;
   std::vector<std::string> names;
@@ -55,6 +66,17 @@ std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScrat
   }
   const double width = WidthOf(ConvexHull(corners)), least = kThin * model.leg_length_m();
   if (width >= least) return std::nullopt;
+  if (const std::vector<std::string> bare = FeetWithoutShape(model); !bare.empty()) {
+    std::string soles;
+    for (const std::string& foot : bare)
+      soles += fmt::format("{}{{link: '{}', sole_m: [[X, Y], ...]}}", soles.empty() ? "" : ", ", foot);
+    return Cannot(
+        FailureCode::kNoSupport,
+        fmt::format("robot '{}' cannot stand still: its feet {} have neither collision nor visual geometry, "
+                    "so that each is taken for a point, and no sole is known",
+                    model.name, QuotedList(bare)),
+        fmt::format("give the corners of each sole, in m in the link's frame, in robot.yaml: feet: [{}]", soles));
+  }
   return Cannot(FailureCode::kNoSupport,
                 fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a line {:.1f} mm "
                             "wide, and it takes {:.1f} mm to stand on; plans start and end standing",

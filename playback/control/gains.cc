@@ -27,6 +27,27 @@ Gain LegGain(const RobotModel& model, const Leg& leg, int dof, const GainOptions
   return FromInertia(inertia, options.stance_frequency * std::sqrt(kGravity / leg.length_m), options.stance_damping);
 }
 
+/// By how much gravity turns a joint further out of the standing posture, for what it carries [N m/rad]: the sum of
+///   m g z . r_across
+/// over the bodies beyond it, r_across being the part of r, from the joint to a body's centre, that is across its axis;
+/// since r'' = -r_across for a turn about the axis. Not positive for what hangs. @param scratch  of the standing
+/// posture.
+double GravityTurns(const RobotModel& model, const DynamicsScratch& scratch, int dof) {
+  double turns = 0.0;
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    if (joint.dof != dof || joint.is_prismatic()) continue;
+    const Vector3 axis_W = scratch.R_WB[j + 1] * joint.axis_J;
+    for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+      if (!Carries(model, static_cast<int>(j) + 1, static_cast<int>(b))) continue;
+      const Vector3 r = scratch.p_WB[b] + scratch.R_WB[b] * model.bodies[b].p_BC - scratch.p_WB[j + 1];
+      const Vector3 across = r - axis_W.dot(r) * axis_W;
+      turns += joint.multiplier * joint.multiplier * model.bodies[b].mass * kGravity * across.z();
+    }
+  }
+  return turns;
+}
+
 }  // namespace
 
 Gains DeriveGains(const RobotModel& model, const GainOptions& options) {
@@ -42,7 +63,9 @@ Gains DeriveGains(const RobotModel& model, const GainOptions& options) {
   Gains gains{VectorX::Zero(model.num_dofs()), VectorX::Zero(model.num_dofs())};
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
     const auto d = static_cast<std::size_t>(dof);
-    const double inertia = 1.0 / mobility(dof, dof);
+    constexpr double kUpright = 4.0;  // times gravity's, for several joints in a row
+    const double upright = kUpright * GravityTurns(model, scratch, dof) / std::pow(options.free_frequency_rad_s, 2);
+    const double inertia = std::max(1.0 / mobility(dof, dof), upright);
     Gain gain = FromInertia(inertia, options.free_frequency_rad_s, options.free_damping);
     if (leg_of[d] >= 0) {
       gain = LegGain(model, model.legs[static_cast<std::size_t>(leg_of[d])], dof, options);

@@ -80,7 +80,7 @@ struct Gains {
 ///   in a leg of length L, n legs:  I = m L^2 / n, the leg's share of the robot at a leg's length,
 ///       kp = I w^2,  w = stance_frequency sqrt(g / L),  kd = 2 stance_damping I w;
 ///       for a prismatic joint m / n in place of I
-///   elsewhere:  I = 1 / (M^-1)_jj in the standing posture, floating,
+///   elsewhere:  I = 1 / (M^-1)_jj in the standing posture, floating, or 4 / w^2 of gravity's pull on upright parts,
 ///       kp = I w^2,  w = free_frequency,  kd = 2 free_damping I w, not above the leg's gains
 ///   bound for explicit control with step h:  kd <= 0.5 I_j / h, kp <= 0.25 I_j / h^2,
 ///       I_j = 1 / lambda, the row sum of |M^-1|: Gershgorin's bound on coupled joints

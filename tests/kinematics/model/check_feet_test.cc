@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/kinematics/model/small_urdf.h"
 
 namespace gaitwright {
@@ -35,6 +37,47 @@ TEST(CheckFeet, RefusesTwoFeetOfOneLeg) {
 
 TEST(CheckFeet, AFootThatIsNoLinkNamesTheNearest) {
   ExpectSays(WithFeet("{link: A_feet}, {link: B_foot}"), {"no link 'A_feet'", "nearest is 'A_foot'"});
+}
+
+/// Four legs whose shanks end in meshes that are not there.
+std::string WithoutMeshes() { return FourLegs("<mesh filename='gone.stl'/>"); }
+
+/// With a link without shape 0.02 m below each foot, as files have for the contact.
+std::string WithContactLinks() {
+  std::string links;
+  for (const std::string leg : {"A", "B", "C", "D"}) {
+    links += "<link name='" + leg + "_tip'/><joint name='" + leg + "_tip_joint' type='fixed'><parent link='" + leg +
+             "_foot'/><child link='" + leg + "_tip'/><origin xyz='0 0 -0.02'/></joint>";
+  }
+  return Replaced(WithoutMeshes(), "</robot>", links + "</robot>");
+}
+
+TEST(CheckFeet, ALinkAtTheContactTellsAFootWhoseMeshIsMissing) {
+  const Result<RobotModel> refused = LoadRobotFromText(WithoutMeshes(), "");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.failure().code, FailureCode::kUnknownFoot);
+  const Result<RobotModel> model = LoadRobotFromText(WithContactLinks(), "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  ASSERT_EQ(model->feet.size(), 4U);
+  for (const Foot& foot : model->feet) {
+    EXPECT_EQ(foot.type, FootType::kPoint);
+    EXPECT_TRUE(foot.link.ends_with("_tip")) << foot.link;
+  }
+  const auto warned = std::count_if(model->findings.begin(), model->findings.end(), [](const Finding& f) {
+    return f.code == FailureCode::kMissingMesh && f.level == FindingLevel::kWarning;
+  });
+  EXPECT_EQ(warned, 4);
+}
+
+TEST(CheckFeet, AShapeAboveAMissingMeshIsWarnedOf) {
+  const std::string urdf = Replaced(WithoutMeshes(), "_shank'><inertial>",
+                                    "_shank'><collision><origin xyz='0 0 -0.1'/><geometry><box size='0.02 0.02 0.16'/>"
+                                    "</geometry></collision><inertial>");
+  const Result<RobotModel> model = LoadRobotFromText(urdf, "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  EXPECT_EQ(std::count_if(model->findings.begin(), model->findings.end(),
+                          [](const Finding& f) { return f.code == FailureCode::kMissingMesh; }),
+            4);
 }
 
 }  // namespace

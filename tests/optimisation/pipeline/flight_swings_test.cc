@@ -7,6 +7,7 @@
 
 #include "kinematics/model/load_robot.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/swing/swing_lift.h"
 #include "tests/unusual_robots.h"
 
 namespace gaitwright {

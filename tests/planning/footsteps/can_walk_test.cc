@@ -25,6 +25,13 @@ TEST(CanWalk, TwoPointsCannotStandStill) {
                 {"cannot stand still", "'a_foot'", "'b_foot'", "two points"});
 }
 
+TEST(CanWalk, FeetWithoutAnyShapeAreSaidToHaveNone) {
+  std::string urdf = unusual::PointBiped();
+  const std::string ball = unusual::UrdfText().Ball(0.02);
+  for (std::size_t at = 0; (at = urdf.find(ball)) != std::string::npos;) urdf.erase(at, ball.size());
+  ExpectRefused(urdf, FailureCode::kNoSupport, {"'a_foot'", "'b_foot'", "neither collision nor visual geometry"});
+}
+
 TEST(CanWalk, ALegNeedsAMotorAtEachOfItsJoints) {
   unusual::UrdfText::Motion knee = unusual::Knee();
   knee.effort = 0.0;

@@ -8,6 +8,7 @@
 
 #include "playback/bullet/world.h"
 #include "tests/playback/standing_plan.h"
+#include "tests/unusual_robots.h"
 
 namespace gaitwright {
 namespace {
@@ -25,6 +26,24 @@ TEST(Gains, FollowTheStatedRule) {
   const double inertia = model.total_mass_kg / 4.0 * length * length, w = 3.0 * std::sqrt(kGravity / length);
   EXPECT_NEAR(gains.stiffness[0], inertia * w * w, 1e-9);
   EXPECT_NEAR(gains.damping[0], 0.4 * inertia * w, 1e-9);
+}
+
+/// An arm of two links that stands upright on a trunk falls over where gravity turns its joints by more than they hold.
+TEST(Gains, HoldWhatStandsUpright) {
+  unusual::UrdfText urdf;
+  urdf.Link("body", 8.0, 0.4, urdf.Block(0.4, 0.2, 0.1));
+  for (const unusual::Hip& hip : unusual::Four()) unusual::MammalLeg(urdf, hip, unusual::Abduction(), unusual::Knee());
+  urdf.Link("arm", 0.01, 0.01);
+  urdf.Link("forearm", 0.01, 0.01);
+  urdf.Link("hand", 1.0, 0.02);
+  urdf.Joint("body", "arm", {0.1, 0.0, 0.05}, {});
+  urdf.Joint("arm", "forearm", {0.0, 0.0, 0.3}, {});
+  urdf.Joint("forearm", "hand", {0.0, 0.0, 0.3}, {.type = "fixed"});
+  const RobotModel model =
+      LoadRobotFromText(urdf.Done("upright"), "standing: {arm_joint: 0, forearm_joint: 0}").value();
+  const Gains gains = DeriveGains(model);
+  EXPECT_GT(gains.stiffness[model.DofIndex("arm_joint")], 3.0 * kGravity * 0.6);
+  EXPECT_GT(gains.stiffness[model.DofIndex("forearm_joint")], 3.0 * kGravity * 0.3);
 }
 
 TEST(Gains, OfTheRobotTakePrecedence) {

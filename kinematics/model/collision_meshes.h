@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/derive_legs.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// The hull of a mesh by its file as the URDF names it.
+using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
+
+/// Gives the collision meshes their vertices, and takes out those that are not there. @return the hulls used.
+Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
+                                         std::vector<MissingMesh>& missing);
+
+/// A foot that has no collision shape meets the ground with what is seen of it.
+/// @param named  feet that the user names; empty where they are to be found.
+void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource& source, RobotModel& model,
+                       std::vector<MeshHull>& meshes);
+
+}  // namespace gaitwright
