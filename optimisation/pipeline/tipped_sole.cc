@@ -54,7 +54,8 @@ std::optional<Failure> TippedSole(const RobotModel& model, const Terrain& terrai
                   "joints) rolls it, so that it tips by {:.3f} rad as the body sways, and it is {:.3f} m wide",
                   worst.at_s, foot.name, 1e3 * worst.depth_m,
                   model.legs[static_cast<std::size_t>(worst.foot)].joints.size(), worst.tilt_rad, SoleWidth(foot)),
-      {"give the leg an ankle joint that rolls the sole"}};
+      {"give the leg an ankle joint that rolls the sole",
+       "where a limb that is an arm is taken for a leg, name the feet in robot.yaml (feet: [...])"}};
 }
 
 }  // namespace gaitwright

@@ -13,7 +13,7 @@ namespace gaitwright {
 namespace {
 
 Result<std::vector<WalkPart>> Fitted(const RobotModel& model, const WalkRequest& request,
-                                     const std::vector<AskedPart>& asked, SearchTrace* trace) {
+                                     const std::vector<AskedPart>& asked) {
   std::vector<WalkPart> parts;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const AskedPart& part = asked[k];

@@ -12,6 +12,6 @@ namespace gaitwright {
 /// with gaits as they are fitted to their speeds, each part that walks is planned by itself to find its time and what
 /// it can do; a part that has no plan alone is named by its number and gait.
 Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
-                                    const std::vector<AskedPart>& asked, SearchTrace* trace);
+                                    const std::vector<AskedPart>& asked, SearchTrace* trace = nullptr);
 
 }  // namespace gaitwright

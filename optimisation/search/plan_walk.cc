@@ -13,19 +13,6 @@
 namespace gaitwright {
 namespace {
 
-/// All that shapes a plan beside its command and seed: what was asked for by name (of a file its name alone, since a
-/// plan holds no path; the gait itself is in it), and the options.
-OptionFields AsAsked(WalkRequest& request) {
-  const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
-  if (!request.gait.empty()) request.gait = file_name(request.gait);
-  request.terrain = file_name(request.terrain);
-  if (!SequenceFileOf(request.sequence).empty()) request.sequence = file_name(request.sequence);
-  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best.", {}},
-                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}},
-                  {"sequence", &request.sequence, "", 0.0, 0.0, "The parts asked for; empty for a single one.", {}}},
-                 request.Fields()});
-}
-
 /// A distance in strides of the gait's own, where it has any; what is wrong with the gait is for planning to tell.
 WalkCommand InOwnStrides(const RobotModel& model, const WalkRequest& request, const std::string& name,
                          const WalkCommand& command) {
@@ -51,6 +38,17 @@ Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, c
 
 }  // namespace
 
+OptionFields RequestFields(WalkRequest& request) {
+  const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  if (!request.gait.empty()) request.gait = file_name(request.gait);
+  request.terrain = file_name(request.terrain);
+  if (!SequenceFileOf(request.sequence).empty()) request.sequence = file_name(request.sequence);
+  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best.", {}},
+                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}},
+                  {"sequence", &request.sequence, "", 0.0, 0.0, "The parts asked for; empty for a single one.", {}}},
+                 request.Fields()});
+}
+
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request, SearchTrace* trace) {
   const CpuClock clock;
   WalkRequest checked = request;
@@ -70,7 +68,7 @@ Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, 
   Result<PlannedWalk> planned = PlanAsked(model, terrain, request, trace);
   if (!planned) return planned;
   planned->motion.plan.provenance.seed = request.seed;
-  planned->motion.plan.provenance.options = TextsOf(AsAsked(checked));
+  planned->motion.plan.provenance.options = TextsOf(RequestFields(checked));
   planned->planning_cpu_s = clock.elapsed_s();
   return planned;
 }

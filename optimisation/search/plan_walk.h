@@ -51,4 +51,8 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
 Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                SearchTrace* trace = nullptr);
 
+/// What shapes a plan besides its command and seed: gait, ground and sequence by name (of a file its name alone, since
+/// a plan holds no path), and the options. The request must outlive the fields.
+OptionFields RequestFields(WalkRequest& request);
+
 }  // namespace gaitwright

@@ -23,8 +23,8 @@ namespace {
 constexpr double kThin = 0.01;  // of the leg's length: the width under which a support is none
 constexpr double kWeak = 0.02;  // of the leg's length a foot moves for each radian of its joints, under which it cannot
 
-Failure Cannot(FailureCode code, const std::string& message, const std::string& hint) {
-  return {FailureKind::kInfeasible, code, "PlanFootsteps", message, {hint}};
+Failure Cannot(FailureCode code, const std::string& message, const std::vector<Suggestion>& suggestions) {
+  return {FailureKind::kInfeasible, code, "PlanFootsteps", message, suggestions};
 }
 
 /// Least width of a polygon in any direction, which is across one of its edges. Edges of almost no length have no
@@ -75,14 +75,14 @@ std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScrat
         fmt::format("robot '{}' cannot stand still: its feet {} have neither collision nor visual geometry, "
                     "so that each is taken for a point, and no sole is known",
                     model.name, QuotedList(bare)),
-        fmt::format("give the corners of each sole, in m in the link's frame, in robot.yaml: feet: [{}]", soles));
+        {fmt::format("give the corners of each sole, in m in the link's frame, in robot.yaml: feet: [{}]", soles)});
   }
   return Cannot(FailureCode::kNoSupport,
                 fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a line {:.1f} mm "
                             "wide, and it takes {:.1f} mm to stand on; plans start and end standing",
                             model.name, QuotedList(names), model.feet.size() == 2 ? "two points" : "points in line",
                             1e3 * width, 1e3 * least),
-                "give it soles (robot.yaml, feet: sole_m) or a third foot");
+                {"give it soles (robot.yaml, feet: sole_m) or a third foot"});
 }
 
 /// The hip of a leg at joint positions zero, in the base frame O.
@@ -118,8 +118,8 @@ std::optional<Failure> HasHalvesOfLegs(const RobotModel& model) {
                       "the halves of one leg with two motors at its hip, and the joint that closes the loop "
                       "between their ends is not in the description",
                       model.legs[i].name, model.legs[j].name, model.name),
-          "legs with closed loops are not planned; name one half of each leg in robot.yaml, feet, if its "
-          "knee has a motor");
+          {"legs with closed loops are not planned; name one half of each leg in robot.yaml, feet, if its "
+           "knee has a motor"});
     }
   }
   return std::nullopt;
@@ -193,7 +193,9 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
                             "posture, and {} is lacking; its own joints are {}",
                             leg.name, What(walk), count, needed, demand.names[static_cast<std::size_t>(lacking)],
                             QuotedList(names)),
-                "give the leg a joint for it, or free one that is fixed or follows another");
+                {"give the leg a joint for it, or free one that is fixed or follows another",
+                 "where the root link's axes do not point forward, left and up, give 'up' and 'ahead' in robot.yaml",
+                 "where a limb that is an arm is taken for a leg, name the feet in robot.yaml (feet: [...])"});
 }
 
 std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScratch& scratch, Walk walk) {
@@ -219,8 +221,8 @@ std::optional<Failure> LacksMotor(const RobotModel& model) {
                             "which spring or rod holds {}",
                             model.legs[static_cast<std::size_t>(leg)].name, QuotedList(passive),
                             passive.size() == 1 ? "has" : "have", passive.size() == 1 ? "it" : "them"),
-                "where a stiff spring holds it, make the joint 'fixed'; where a motor drives it, give its torque "
-                "(robot.yaml, limits: effort_nm, or transmissions where rods drive several joints)");
+                {"where a stiff spring holds it, make the joint 'fixed'; where a motor drives it, give its torque "
+                 "(robot.yaml, limits: effort_nm, or transmissions where rods drive several joints)"});
 }
 
 DynamicsScratch Standing(const RobotModel& model) {

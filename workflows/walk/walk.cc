@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "kinematics/base/cpu_clock.h"
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
 #include "playback/bullet/whole_steps.h"
@@ -158,7 +159,7 @@ Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, con
 std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log) {
   WalkRequest walk;
   PlayRequest play;
-  std::vector<OptionChange> changes = ChangesFrom(AsAsked(walk), plan.provenance.options);
+  std::vector<OptionChange> changes = ChangesFrom(RequestFields(walk), plan.provenance.options);
   for (OptionChange& change : ChangesFrom(play.Fields(), log.options)) changes.push_back(std::move(change));
   return changes;
 }
