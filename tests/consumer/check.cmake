@@ -21,6 +21,16 @@ message("${out}")
 if(NOT out MATCHES "a1 weighs 1[0-9]\\.[0-9]+ kg")
   message(FATAL_ERROR "the consumer did not print the mass of a1")
 endif()
+step("planning a walk" ${work}/build/planner)
+if(NOT out MATCHES "audit: pass")
+  message(FATAL_ERROR "the planner's plan does not pass its audit: ${out}")
+endif()
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${work}/build/planner RESOLVED_DEPENDENCIES_VAR libraries
+     UNRESOLVED_DEPENDENCIES_VAR unresolved)
+list(FILTER libraries INCLUDE REGEX "Bullet|LinearMath|libcurl|libmpi|boost_(json|beast|program)")
+if(libraries)
+  message(FATAL_ERROR "planning a walk loads ${libraries}")
+endif()
 step("the installed program" ${prefix}/bin/gaitwright --version)
 
 # The course is a project outside of the tree too, as it is handed out: without solutions.
