@@ -332,10 +332,9 @@ TEST(SearchFootsteps, WhatIsTooWideToStepOverIsToBeLeaptOverAndNotSearchedForLon
     const RobotModel model = LoadNamedRobot(robot).value();
     FootstepSearchOptions options;
     options.max_expansions = 2000;
+    const auto searched = SearchFootsteps(model, terrain, Ahead(model, gait, 2.0, 0.1), {}, options);
     std::vector<std::string> options_named;
-    for (const Suggestion& suggestion :
-         SearchFootsteps(model, terrain, Ahead(model, gait, 2.0, 0.1), {}, options).failure().suggestions)
-      options_named.push_back(suggestion.what);
+    for (const Suggestion& suggestion : searched.failure().suggestions) options_named.push_back(suggestion.what);
     return options_named;
   };
   using Hints = std::vector<std::string>;
