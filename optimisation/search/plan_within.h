@@ -7,6 +7,6 @@ namespace gaitwright {
 
 /// A plan that passes its audit, or why there is none and what there is instead: see PlanWalk.
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
-                               SearchTrace* trace);
+                               SearchTrace* trace = nullptr);
 
 }  // namespace gaitwright
