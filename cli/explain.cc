@@ -14,7 +14,7 @@ void Explain::AddTo(Verb verb) {
                  "refused.");
 }
 
-nlohmann::ordered_json Explain::Json() const {
+std::string Explain::Json() const {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const TriedPlan& tried : trace) {
     nlohmann::ordered_json refused = nullptr;
@@ -26,7 +26,7 @@ nlohmann::ordered_json Explain::Json() const {
                     {"cycle_s", tried.cycle_s},
                     {"refused", refused}});
   }
-  return list;
+  return list.dump();
 }
 
 void Explain::Print(const Common& common) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "cli/program.h"
 #include "optimisation/search/search_trace.h"
@@ -15,8 +15,8 @@ struct Explain {
 
   void AddTo(Verb verb);
   SearchTrace* target() { return asked ? &trace : nullptr; }
-  /// [{"extent", "pace", "value", "unit", "cycle_s", "refused"}]
-  nlohmann::ordered_json Json() const;
+  /// JSON text: [{"extent", "pace", "value", "unit", "cycle_s", "refused"}]
+  std::string Json() const;
   /// Prints it as text, unless it was not asked for or a JSON object or a verdict alone is printed.
   void Print(const Common& common) const;
   /// Prints it to standard error, as a refusal.

@@ -94,7 +94,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     json.update(ParsedJson(ReportJson(judged.played.report)));
     json["audit"] = ParsedJson(AuditJson(judged.audit));
     json["warnings"] = judged.plan.warnings;
-    json["adjustments"] = AdjustmentsToJson(judged.plan.adjustments);
+    json["adjustments"] = ParsedJson(AdjustmentsJson(judged.plan.adjustments));
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
       json["reason"] = judged.objection();

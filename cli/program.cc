@@ -9,8 +9,8 @@
 #include "cli/flags.h"
 #include "cli/json_text_internal.h"
 #include "cli/word_list.h"
+#include "planning/plan/failure_json.h"
 #include "workflows/cluster/ranks.h"
-#include "workflows/formats/failure_json.h"
 #include "workflows/study/job_journal.h"
 
 namespace gaitwright::cli {
@@ -56,7 +56,7 @@ int Report(const Failure& failure, const Common& common) {
   const std::string tries = hints.empty() ? "" : fmt::format(" (try: {})", JoinWords(hints, "; or: "));
   fmt::print(stderr, "gaitwright: {}{}\n", failure.message, tries);
   if (common.json) {
-    const nlohmann::ordered_json error = {{"error", FailureToJson(failure)}};
+    const nlohmann::ordered_json error = {{"error", ParsedJson(FailureJson(failure))}};
     PrintJson(error);
   }
   return failure.kind == FailureKind::kInfeasible ? kNoPlan : kWrongInput;

@@ -39,10 +39,10 @@ void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Exp
                                    {"residual", planned.motion.residual},
                                    {"planning_cpu_s", planned.planning_cpu_s},
                                    {"warnings", planned.motion.plan.warnings},
-                                   {"adjustments", AdjustmentsToJson(planned.motion.plan.adjustments)},
+                                   {"adjustments", ParsedJson(AdjustmentsJson(planned.motion.plan.adjustments))},
                                    {"audit", ParsedJson(AuditJson(planned.audit))},
                                    {"files", {{"plan", path}}}};
-    if (explain.asked) json["tried"] = explain.Json();
+    if (explain.asked) json["tried"] = ParsedJson(explain.Json());
     PrintJson(json);
     return;
   }

@@ -57,7 +57,7 @@ int RunWalk(WalkSettings& a) {
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
   std::vector<std::pair<std::string, std::string>> more;
-  if (a.explain.asked) more.emplace_back("tried", a.explain.Json().dump());
+  if (a.explain.asked) more.emplace_back("tried", a.explain.Json());
   PrintJudged(judged, *files, a.common, more);
   a.explain.Print(a.common);
   return judged.pass() ? kPass : kVerdictFail;

@@ -13,6 +13,7 @@ struct GaitCycles {
   double shortest_s = 0.0, longest_s = 0.0;
   double step_s = 0.0;  ///< each is a whole number of these; 0 for any
 
+  /// The gait with the cycle of that number, from kSlowest to kQuickest.
   Gait At(int number) const;
 };
 

@@ -228,9 +228,7 @@ Failure OtherSchema(const std::string& source, int schema) {
       {schema > MotionPlan::kSchema ? "read it with the newer program that wrote it" : "make the plan anew"});
 }
 
-}  // namespace
-
-Json AdjustmentsToJson(const std::vector<Adjustment>& adjustments) {
+Json AdjustmentList(const std::vector<Adjustment>& adjustments) {
   Json list = Json::array();
   for (const Adjustment& a : adjustments) {
     list.push_back({{"what", a.what},
@@ -242,6 +240,10 @@ Json AdjustmentsToJson(const std::vector<Adjustment>& adjustments) {
   }
   return list;
 }
+
+}  // namespace
+
+std::string AdjustmentsJson(const std::vector<Adjustment>& adjustments) { return AdjustmentList(adjustments).dump(); }
 
 std::string PlanToJson(const MotionPlan& plan) {
   Json head = {{"format", kPlanFormat},
@@ -261,7 +263,7 @@ std::string PlanToJson(const MotionPlan& plan) {
                {"start_s", plan.whole_body.start_s},
                {"step_s", plan.whole_body.step_s},
                {"omega_rad_s", plan.centroidal.omega_rad_s}};
-  if (!plan.adjustments.empty()) head["adjustments"] = AdjustmentsToJson(plan.adjustments);
+  if (!plan.adjustments.empty()) head["adjustments"] = AdjustmentList(plan.adjustments);
   if (!plan.gates.empty()) head["gates"] = GatesJson(plan.gates);
   if (!plan.meshes.empty()) head["meshes"] = MeshesJson(plan.meshes);
   std::string text = head.dump();

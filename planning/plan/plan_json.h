@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,8 @@ namespace gaitwright {
 /// The plan as JSON text (docs/plan-format.md). The same plan gives the same bytes.
 std::string PlanToJson(const MotionPlan& plan);
 
-/// [{"what", "asked", "given", "unit", "why", "part"}]
-nlohmann::ordered_json AdjustmentsToJson(const std::vector<Adjustment>& adjustments);
+/// JSON text: [{"what", "asked", "given", "unit", "why", "part"}]
+std::string AdjustmentsJson(const std::vector<Adjustment>& adjustments);
 
 /// Hash of the whole plan as it is written: any change of its file that is read changes it.
 std::string PlanHash(const MotionPlan& plan);

@@ -85,7 +85,7 @@ TEST_F(Help, NamesTheExitStatusesAndFitsItsLines) {
 TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
   const std::vector<std::string> bare = {"--help",    "--json",      "--quiet",  "--list-options",
                                          "--set",     "--urdf",      "--resume", "--show-disturbances",
-                                         "--margins", "--preflight", "--strict"};
+                                         "--margins", "--preflight", "--strict", "--explain"};
   for (const char* verb : {"walk", "plan", "play", "trials", "audit"}) {
     std::istringstream help(Of({verb}));
     std::string flag, text;
@@ -102,7 +102,7 @@ TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
         text = line;
         const bool switches = flag == "--json" || flag == "--quiet" || flag == "--list-options" || flag == "--resume" ||
                               flag == "--show-disturbances" || flag == "--margins" || flag == "--preflight" ||
-                              flag == "--strict";
+                              flag == "--strict" || flag == "--explain";
         EXPECT_TRUE(switches || line.substr(2 + flag.size(), 2) != "  ")
             << verb << " " << flag << " has no type or unit";
       } else if (line.starts_with("     ")) {

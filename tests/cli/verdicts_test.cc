@@ -121,7 +121,7 @@ TEST_F(Verdicts, AWalkWhosePlanFailsItsAuditFailsThoughItStands) {
   std::string urdf = MakePlan("plan.json").at("urdf");  // with motors too slow for it, which physics does not mind
   const std::string fast = "velocity=\"21\"";
   for (std::size_t at = 0; (at = urdf.find(fast, at)) != std::string::npos;)
-    urdf.replace(at, fast.size(), "velocity='1'");
+    urdf.replace(at, fast.size(), "velocity='3'");
   Write("slow.urdf", urdf);
   const std::string anyway = "pipeline.allow_limits=true";
   const Ran object = Run({"walk", "--urdf", "slow.urdf", "--distance", "0.3", "--set", anyway, "--json"});

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "workflows/formats/failure_json.h"
+#include "planning/plan/failure_json.h"
 
 namespace gaitwright {
 namespace {
@@ -22,7 +22,7 @@ std::string AnswerOf(const Result<TrialOutcome>& trial) {
   if (trial) return OutcomeToLine(*trial);
   const Failure& failure = trial.failure();
   Json answer = Json::object();
-  answer["failure"] = FailureToJson(failure);
+  answer["failure"] = Json::parse(FailureJson(failure));
   answer["failure"]["infeasible"] = failure.kind == FailureKind::kInfeasible;
   return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -74,7 +74,7 @@ TEST(FirstLook, LawsThatStayUnmetAreThoseOfTheWholeWalk) {
 TEST(FirstLook, WhatNeedsNoSolvingIsSaidToNeedNone) {
   const FirstLook look = LookOf({"trot", 9.0, 1.0});
   ASSERT_TRUE(look.refusal);
-  EXPECT_EQ(look.refusal->code, FailureCode::kOutOfReach);
+  EXPECT_EQ(look.refusal->code, FailureCode::kFootholdOutOfReach);
   EXPECT_FALSE(look.solved);
 }
 

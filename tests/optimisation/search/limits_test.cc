@@ -70,7 +70,7 @@ TEST(Limits, AGivenTimeOfSteppingStays) {
 TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHasLeft) {
   const std::string root = GAITWRIGHT_SOURCE_DIR;
   const RobotModel nao = *LoadRobot(root + "/robots/nao/robot.urdf", root + "/examples/motors/nao.yaml");
-  WalkRequest request = Asked(0.15, 0.0, 0.0);
+  WalkRequest request = Asked(0.2, 0.0, 0.0);
   request.command.distance_m = 1.0;
   const Result<PlannedWalk> planned = PlanWalk(nao, request);
   ASSERT_FALSE(planned.ok());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/formats/failure_json.h"
+#include "planning/plan/failure_json.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(FailureJson, HasTheFailuresFiguresAndWhatWouldHelp) {
                    {"gait.cycle_s", std::monostate(), Certainty::kEstimated, "a shorter cycle"},
                    "another gait"},
                   Violation{Law::kJointVelocity, 0.5, "FL_thigh_joint", 22.0, 21.0, "rad/s"}};
-  const Json json = FailureToJson(failure);
+  const Json json = Json::parse(FailureJson(failure));
   EXPECT_EQ(json.at("code"), "limits");
   EXPECT_EQ(json.at("hints"), Json({"--speed 0.4", "--gait jump", "a shorter cycle", "another gait"}));
   const Json& suggestions = json.at("suggestions");
@@ -31,7 +31,7 @@ TEST(FailureJson, HasTheFailuresFiguresAndWhatWouldHelp) {
   EXPECT_EQ(json.at("violation").at("law"), "joint_velocity");
   EXPECT_EQ(json.at("violation").at("value"), 22.0);
   failure.violation.reset();
-  EXPECT_FALSE(FailureToJson(failure).contains("violation"));
+  EXPECT_FALSE(Json::parse(FailureJson(failure)).contains("violation"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/formats/failure_json.h"
+#include "planning/plan/failure_json.h"
 
 #include <nlohmann/json.hpp>
 #include <variant>
@@ -17,7 +17,7 @@ Json ValueToJson(const Suggestion& suggestion) {
 
 }  // namespace
 
-Json FailureToJson(const Failure& failure) {
+std::string FailureJson(const Failure& failure) {
   Json hints = Json::array(), suggestions = Json::array();
   for (const Suggestion& suggestion : failure.suggestions) {
     hints.push_back(suggestion.text);
@@ -36,7 +36,7 @@ Json FailureToJson(const Failure& failure) {
     json["violation"] = {{"law", LawName(v.law)}, {"at_s", v.at_s},   {"where", v.where},
                          {"value", v.value},      {"limit", v.limit}, {"unit", v.unit}};
   }
-  return json;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace gaitwright
