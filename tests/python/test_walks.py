@@ -84,6 +84,23 @@ def test_failures_have_the_programs_words(a1):
         gw.plan_walk("a1")
 
 
+def test_a_refusal_has_the_law_and_a_speed_that_can_be_planned():
+    nao = gw.load_robot("nao")
+    with pytest.raises(gw.InfeasibleError) as told:
+        gw.plan_walk(nao, speed=0.5, distance=0.3)
+    refused = told.value
+    assert refused.code in gw.FAILURE_CODES
+    assert refused.violation["law"] in gw.AUDIT_LAWS
+    assert abs(refused.violation["value"]) > abs(refused.violation["limit"])
+    slower = refused.suggestions[0]
+    assert (slower["what"], slower["certainty"]) == ("speed", "planned")
+    assert len(refused.hints) >= len(refused.suggestions)
+    planned = gw.plan_walk(nao, speed=slower["value"], distance=0.3)
+    assert gw.audit(planned).passed
+    for adjustment in planned.adjustments:
+        assert adjustment["why"] in gw.FAILURE_CODES and adjustment["asked"] != adjustment["given"]
+
+
 def test_options_are_those_of_the_program(a1):
     high = gw.plan_walk(a1, gait="trot", speed=0.3, distance=0.3, options={"swing.height_m": 0.09})
     low = gw.plan_walk(a1, gait="trot", speed=0.3, distance=0.3, options={"swing.height_m": 0.04})
