@@ -55,7 +55,7 @@ Result<std::string> ExpandInput(const std::string& input) {
 Verdict ReadXacro(const std::string& input) {
   const Result<std::string> expanded = ExpandInput(input);
   if (!expanded) {
-    Require(!expanded.failure().code.empty() && !expanded.failure().message.empty(),
+    Require(expanded.failure().code != FailureCode::kInternal && !expanded.failure().message.empty(),
             "a refusal has a code and a reason");
     return Verdict::kRefused;
   }

@@ -47,7 +47,7 @@ Verdict ReadInstruction(const std::string& input) {
   const auto understood = words::Understand(input, Scope());
   const auto* plan = std::get_if<TaskPlan>(&understood);
   if (plan == nullptr) {
-    Require(!std::get<words::Refusal>(understood).reason.empty(), "a refusal has its reason");
+    Require(std::get<words::Refusal>(understood).code != FailureCode::kInternal, "a refusal has its reason");
     return Verdict::kRefused;
   }
   Require(!WhyNotPlanned(*plan, Scope()), "what is understood can be done");
