@@ -15,10 +15,10 @@ namespace gaitwright {
 std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector<FootOverride>& feet,
                                       const std::vector<int>& ends);
 
-/// Whether something tells the shape of each foot: a shape that is there, a link that is fixed to it and says where its
-/// contact is, or the user. Findings of the model get a warning for a foot that is told by such a link, or by shapes
-/// above a mesh that is missing.
-/// @return a failure that names the foot, the mesh that is missing and what to do, or nothing.
+/// Checks that the contact geometry of each foot is known: from a shape, from a link fixed to the foot at its contact
+/// point, or from the user. Adds a warning to the model's findings if only such a link is known, or if other shapes
+/// replace a missing mesh.
+/// @return nothing, or a failure that names the foot, the missing mesh and what to do.
 std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<FootOverride>& given,
                                          const std::vector<MissingMesh>& missing);
 

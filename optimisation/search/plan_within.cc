@@ -144,7 +144,8 @@ class Search {
           {"gait.duty_factor", gait.duty_factor.front(), other.duty_factor.front(), "1", why});
       return planned;
     }
-    return Failure{FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no other flight serves", {}};
+    return Failure{
+        FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no plan with another flight time is feasible", {}};
   }
 
   /// Three quarters of a slower pace that a first look finds nothing against, or a pace whose brief walk passes where
@@ -220,7 +221,11 @@ class Search {
       if (ease.cycle != 0) adjustments.push_back(OfCycle(cycles->fitted.cycle_s, gait.cycle_s, why));
       return planned;
     }
-    return Failure{FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no easier walk serves", {}};
+    return Failure{FailureKind::kInfeasible,
+                   FailureCode::kLimits,
+                   "PlanWalk",
+                   "no plan with a lower speed or longer cycle is feasible",
+                   {}};
   }
 
   Adjustment OfPace(const WalkCommand& command, double given, FailureCode why) const {
@@ -284,7 +289,8 @@ class Search {
       if (number != 0) planned->motion.plan.adjustments.push_back(OfCycle(cycles.fitted.cycle_s, gait.cycle_s, why));
       return planned;
     }
-    return Failure{FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no time of the gait serves", {}};
+    return Failure{
+        FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no plan with another cycle is feasible", {}};
   }
 
   const RobotModel& model_;

@@ -59,7 +59,7 @@ const Item* SaidBefore(const std::vector<Item>& items, std::size_t k) {
   return nullptr;
 }
 
-/// "to the second step" and "to the step" where no place has that name: it is none that is known.
+/// "to the second step" and "to the step" where no place has that name: the place is unknown.
 void MarkNoPlaces(std::vector<Item>& items) {
   for (std::size_t k = 0; k + 1 < items.size(); ++k) {
     const Item* before = SaidBefore(items, k);

@@ -44,7 +44,7 @@ class ClauseReader {
     }
     if (nearest == "recover")
       throw Refused{{FailureCode::kUnknown, TextOf(text_, clause_.Words()),
-                     "is done by a controller, whatever the robot is told", "",
+                     "is the job of a controller and needs no instruction", "",
                      "'stand' with --controller recovering and --push, or 'brace'"}};
     Refuse(FailureCode::kUnknown, TextOf(text_, clause_.Words()), "is nothing that a robot can be told", nearest);
   }

@@ -132,7 +132,7 @@ class StairsWalker {
     if (!at_ && whole && draft.stairs == 1) return stairs_->levels[static_cast<std::size_t>(stairs_->top)];
     if (!at_)
       Refuse(FailureCode::kAmbiguous, draft,
-             "goes on from a step, and where the walk before it ends is none that is known",
+             "starts on the stairs, but the step where the previous walk ends is unknown",
              "a step by its number: 'to the second step'");
     const int at = *at_, end = stairs_->end(), top = stairs_->top;
     if (draft.stairs == -1 && (at == 0 || (at == end && end > top)))
