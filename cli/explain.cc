@@ -19,7 +19,7 @@ std::string Explain::Json() const {
   for (const TriedPlan& tried : trace) {
     nlohmann::ordered_json refused = nullptr;
     if (tried.refused) refused = FailureCodeName(*tried.refused);
-    list.push_back({{"extent", ExtentName(tried.extent)},
+    list.push_back({{"extent", EffortName(tried.effort)},
                     {"pace", tried.pace},
                     {"value", tried.pace_value},
                     {"unit", tried.unit},

@@ -11,6 +11,7 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "optimisation/pipeline/carriage_search.h"
 #include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
 #include "optimisation/pipeline/limit_excess.h"
@@ -32,94 +33,19 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
   });
 }
 
-/// Finds how the body is carried over its feet. The ZMP on one sole runs a little inward of its middle, and
-/// twice as far where joints come past their limits otherwise, as ankles and hips do that bend sideways. The centre of
-/// mass is at the height asked for, or that of standing. Over ground that is not level it is higher or lower for a
-/// while where legs do not reach otherwise, and a body on single soles leans forward where that is not enough, which
-/// bends a hip less that is behind. Last, it is ever lower while that helps some foot that cannot reach or joints that
-/// are past their limits, as knees are that straighten. Where nothing keeps all limits, what has the least excess.
-class Carriages {
- public:
-  explicit Carriages(const MotionTask& task) : task_(task), zmp_inward_(task.options.pipeline.zmp_inward) {}
-
-  int passes() const { return passes_; }  ///< of the last carriage tried
-
-  Result<MotionPass> Run() {
-    // More than what the passes after the first can mend; such plans are finished only for those who want them.
-    constexpr double kHopeless = 0.05, kForever = std::numeric_limits<double>::infinity();
-    const double hopeless = task_.options.pipeline.allow_limits ? kForever : kHopeless;
-    const double standing = StandingCentreOfMass(task_.model).z();
-    const double asked = task_.options.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
-    Result<MotionPass> best = At(height).Run(passes_, hopeless);
-    if (Excess(best) == 0.0) return best;
-    if (!best && best.failure().code != FailureCode::kOutOfReach) return best;
-    if (!IsLevelAndBare(task_.terrain)) KeepInReach(height, hopeless, best);
-    if (Excess(best) > 0.0 && StandsOnOneSole(task_.model, task_.skeleton.schedule)) MoveInward(height, hopeless, best);
-    if (asked == 0.0 && Excess(best) > 0.0) Lower(standing, hopeless, best);
-    return best;
-  }
-
- private:
-  static constexpr double kLean = 0.1;  // [rad]
-
-  MotionPasses At(double height_m) const { return {task_, {height_m, zmp_inward_, in_reach_, lean_rad_}}; }
-
-  double Excess(const Result<MotionPass>& pass) const {
-    return pass ? pass->excess : std::numeric_limits<double>::infinity();
-  }
-
-  void KeepInReach(double height_m, double hopeless, Result<MotionPass>& best) {
-    in_reach_ = true;
-    const bool helps = Take(At(height_m).Run(passes_, hopeless), best);
-    if (Excess(best) > 0.0 && StandsOnOneSole(task_.model, task_.skeleton.schedule)) {
-      lean_rad_ = kLean;
-      if (Take(At(height_m).Run(passes_, hopeless), best)) return;
-      lean_rad_ = 0.0;
-    }
-    in_reach_ = helps;
-  }
-
-  /// Takes what has less excess.
-  bool Take(Result<MotionPass> other, Result<MotionPass>& best) const {
-    if (Excess(other) >= Excess(best)) return false;
-    best = std::move(other);
-    return true;
-  }
-
-  void MoveInward(double height_m, double hopeless, Result<MotionPass>& best) {
-    const double preferred = zmp_inward_;
-    zmp_inward_ = 2.0 * preferred;
-    if (!best || preferred == 0.0) return;  // what is out of reach stays so
-    if (!Take(At(height_m).Run(passes_, hopeless), best)) zmp_inward_ = preferred;
-  }
-
-  void Lower(double standing, double hopeless, Result<MotionPass>& best) {
-    constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
-    constexpr int kPatience = 2;                   // heights without gain
-    // What is out of reach at the lowest is so at all heights.
-    if (!best && !At(kLowest * standing).RunOnce()) return;
-    double least = Excess(best), gain = std::numeric_limits<double>::infinity();
-    int without_gain = 0;
-    for (double share = 1.0 - kStep; share >= kLowest && least > 0.0 && without_gain < kPatience; share -= kStep) {
-      // Lowering helps less and less.
-      const double steps_left = std::round((share - kLowest) / kStep) + 1.0;
-      if (least - gain * steps_left > (least > hopeless ? hopeless : 0.0)) break;
-      Result<MotionPass> lower = At(share * standing).Run(passes_, hopeless);
-      const double excess = Excess(lower);
-      without_gain = excess < least || !lower ? 0 : without_gain + 1;
-      gain = !lower ? gain : std::max(0.0, least - excess);
-      if (excess >= least) continue;
-      best = std::move(lower);
-      least = excess;
-    }
-  }
-
-  const MotionTask& task_;
-  int passes_ = 0;
-  double zmp_inward_;
-  bool in_reach_ = false;
-  double lean_rad_ = 0.0;
-};
+/// The motion with the body carried as well as is found, and the number of its passes.
+Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
+  const CarriageProblem problem{StandingCentreOfMass(task.model).z(),
+                                task.options.pipeline.com_height_m,
+                                task.options.pipeline.zmp_inward,
+                                !IsLevelAndBare(task.terrain),
+                                StandsOnOneSole(task.model, task.skeleton.schedule),
+                                task.options.pipeline.allow_limits};
+  return FindCarriage(problem, {[&](const Carriage& carriage, double hopeless) {
+                                  return MotionPasses(task, carriage).Run(passes, hopeless);
+                                },
+                                [&](const Carriage& carriage) { return MotionPasses(task, carriage).RunOnce().ok(); }});
+}
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
 FootstepOptions StandingOptions(const MotionOptions& options) {
@@ -172,14 +98,7 @@ namespace {
 /// The plan of a motion over what is settled, by a pendulum's passes or those of a rigid body.
 Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::optional<Crouch>& crouch) {
   PlannedMotion planned;
-  Result<MotionPass> pass = MotionPass{};
-  if (dynamic) {
-    pass = RunDynamic(task, crouch, planned.passes);
-  } else {
-    Carriages carriages(task);
-    pass = carriages.Run();
-    planned.passes = carriages.passes();
-  }
+  Result<MotionPass> pass = dynamic ? RunDynamic(task, crouch, planned.passes) : RunPendulum(task, planned.passes);
   if (!pass) return pass.failure();
   const RobotModel& model = task.model;
   if (auto tipped = TippedSole(model, task.terrain, pass->solution.trajectory)) return *tipped;

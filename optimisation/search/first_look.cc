@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "optimisation/search/refuse_walk.h"
+#include "optimisation/search/start_of_walk.h"
 
 namespace gaitwright {
 namespace {
@@ -25,10 +26,10 @@ WalkRequest Cheap(const WalkRequest& request) {
 }
 
 /// The start of a walk on level ground, where it is much shorter than all of it.
-WalkCommand StartOf(const RobotModel& model, const Terrain& terrain, const Gait& gait, const WalkCommand& command) {
+WalkCommand ShortStart(const RobotModel& model, const Terrain& terrain, const Gait& gait, const WalkCommand& command) {
   constexpr double kMuch = 1.5;
   if (!IsLevelGround(terrain)) return command;
-  const WalkCommand start = Shortened(model, command, gait);
+  const WalkCommand start = StartOfWalk(model, command, gait);
   const bool by_distance = command.extent == WalkCommand::Extent::kDistance;
   return by_distance && command.distance_m < kMuch * start.distance_m ? command : start;
 }
@@ -65,7 +66,7 @@ FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkReques
 FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait,
                  const WalkCommand& command, bool whole) {
   const WalkRequest cheap = Cheap(request);
-  const WalkCommand start = StartOf(model, terrain, gait, command);
+  const WalkCommand start = ShortStart(model, terrain, gait, command);
   const double far = whole ? kFarPast : kSlightExcess;
   FirstLook look = Look(model, terrain, cheap, gait, start, far);
   if (!whole || !look.refusal || look.planned || start == command) return look;

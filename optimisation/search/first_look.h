@@ -18,10 +18,10 @@ struct FirstLook {
 
 /// Looks at a walk by few passes of the interior-point method alone: what stays unmet or far past limits there was so
 /// in all full plans that were compared, which take some ten times as long. On level ground the start of a long walk is
-/// looked at (Shortened). Limits that it passes by far are passed at that pace however long the walk is; where another
-/// law stays unmet, which more time to gain speed may mend, all of it is looked at with `whole`; without
-/// it, for a pace to name, nothing may be past a limit. The work is bounded by
-/// passes, three for each, so that the answer is always the same.
+/// looked at (StartOfWalk). Limits that it passes by far are passed at that pace however long the walk is; where
+/// another law stays unmet, which more time to gain speed may mend, all of it is looked at with `whole`; without it,
+/// for a pace to name, nothing may be past a limit. The work is bounded by passes, three for each, so that the answer
+/// is always the same.
 FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait,
                  const WalkCommand& command, bool whole);
 

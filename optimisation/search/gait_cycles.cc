@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimisation/search/refuse_walk.h"
+#include "optimisation/search/pace.h"
 #include "planning/footsteps/plan_footsteps.h"
 
 namespace gaitwright {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "optimisation/search/audited_plan.h"
 #include "optimisation/search/plan_within.h"
 #include "optimisation/search/refuse_walk.h"
 
@@ -26,15 +27,6 @@ Result<std::vector<WalkPart>> Fitted(const RobotModel& model, const WalkRequest&
     parts.push_back({*gait, part.command});
   }
   return parts;
-}
-
-Result<PlannedWalk> PlanAndAudit(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
-                                 const std::vector<WalkPart>& parts) {
-  Result<PlannedMotion> motion = PlanMotion(model, terrain, parts, request.motion);
-  if (!motion) return motion.failure();
-  const Result<AuditReport> audit = Audit(model, motion->plan, {});
-  if (!audit) return audit.failure();
-  return PlannedWalk{std::move(*motion), *audit, 0.0};
 }
 
 struct ServingParts {
@@ -89,13 +81,13 @@ Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terr
                                     const std::vector<AskedPart>& asked, SearchTrace* trace) {
   const Result<std::vector<WalkPart>> fitted = Fitted(model, request, asked);
   if (!fitted) return fitted.failure();
-  Result<PlannedWalk> planned = PlanAndAudit(model, terrain, request, *fitted);
+  Result<PlannedWalk> planned = Audited(model, PlanMotion(model, terrain, *fitted, request.motion));
   if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
   if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
   const Result<ServingParts> serving = ServingAlone(model, terrain, request, asked, *fitted, trace);
   if (!serving) return serving.failure();
   if (serving->parts == *fitted) return RefusedWhole(planned);
-  planned = PlanAndAudit(model, terrain, request, serving->parts);
+  planned = Audited(model, PlanMotion(model, terrain, serving->parts, request.motion));
   if (!IsSound(planned)) return RefusedWhole(planned);
   planned->motion.plan.adjustments = serving->adjustments;
   return planned;

@@ -15,6 +15,21 @@
 
 namespace gaitwright {
 
+/// How long a sound plan is looked for.
+struct SearchOptions {
+  int max_plans = 400;
+
+  OptionFields Fields() {
+    return {{"max_plans",
+             &max_plans,
+             "",
+             1,
+             100000,
+             "Largest number of candidates (pace, cycle, flight) that are planned before a walk is refused.",
+             {}}};
+  }
+};
+
 /// What is asked of PlanWalk.
 struct WalkRequest {
   std::string gait;  ///< "" for the robot's best
@@ -23,10 +38,13 @@ struct WalkRequest {
   bool own_pace = false;  ///< nobody asked for the command's speed: see PlanWalk; of commands without one it is true
   std::string sequence;   ///< parts one after the other in place of the gait and command, see ReadSequence; or ""
   GaitOptions gait_options;
+  SearchOptions search;
   MotionOptions motion;
   std::uint64_t seed = 0;
 
-  OptionFields Fields() { return Joined({Prefixed("gait", gait_options.Fields()), motion.Fields()}); }
+  OptionFields Fields() {
+    return Joined({Prefixed("gait", gait_options.Fields()), Prefixed("search", search.Fields()), motion.Fields()});
+  }
 };
 
 /// A plan, its audit, and the CPU time of planning without the audit.

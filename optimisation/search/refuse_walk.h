@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,39 +34,7 @@ FailureCode ReasonRefused(const Result<PlannedWalk>& planned);
 /// much that is passed; of other laws than limits what is lacking.
 std::string LimitText(const Violation& violation);
 
-/// Whether a command has a plan within the limits, at the gait's own time or a shorter one: what the search asks.
-using CanWalk = std::function<bool(const WalkCommand& command)>;
-
-/// The quantity of a command that says how fast it is, or with counted steps of a given length how far a step goes.
-enum class Pace { kSpeed, kLateralSpeed, kYawRate, kStepLength };
-Pace PaceOf(const WalkCommand& command);
-/// Its value, not negative; the robot's own speed where the command gives none.
-double PaceValue(const RobotModel& model, const WalkCommand& command);
-
-/// The same walk with its pace at `value`, positive, and every other speed in proportion, to four digits. The robot's
-/// own speed counts where the command gives none.
-WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double value);
-
-/// The start of the same walk: long enough to gain full speed, hold it for some cycles and stop again.
-WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, const Gait& gait);
-
-/// Largest pace below that of the command, of two digits, at which `can_walk` says yes: by halving and then bisection,
-/// at most 20 questions. 0 when there is none, as when it says no to the slowest.
-double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk);
-
-/// The same from a pace on that is known to be possible, short of the largest by less than `grain` numbers of two
-/// digits; that one when none above it is, as one question tells. Strides up from it double, and where they lead too
-/// far they are bisected.
-double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, int grain,
-                        const CanWalk& can_walk);
-
-/// The next lower number of two digits.
-double NextLower(double value);
-
 /// To give a plan all the same that fails its audit.
 Suggestion AllowLimits();
-
-/// The flags that ask for a pace and what goes with it: "--speed 1.1 --yaw-rate 0.2".
-std::string PaceFlags(const WalkCommand& command);
 
 }  // namespace gaitwright

@@ -5,13 +5,15 @@
 
 namespace gaitwright {
 
-const char* ExtentName(TriedPlan::Extent extent) {
-  switch (extent) {
-    case TriedPlan::Extent::kFirstLook:
+const char* EffortName(Effort effort) {
+  switch (effort) {
+    case Effort::kStartLook:
+      return "start-look";
+    case Effort::kFirstLook:
       return "first-look";
-    case TriedPlan::Extent::kStart:
+    case Effort::kStart:
       return "start";
-    case TriedPlan::Extent::kWhole:
+    case Effort::kWhole:
       return "whole";
   }
   return "";
@@ -20,7 +22,7 @@ const char* ExtentName(TriedPlan::Extent extent) {
 std::string TraceText(const SearchTrace& trace) {
   std::string text = fmt::format("tried {} plan{}:\n", trace.size(), trace.size() == 1 ? "" : "s");
   for (const TriedPlan& tried : trace) {
-    text += fmt::format("  {:<10}  {} {:.4g} {}, cycle {:.3f} s: {}\n", ExtentName(tried.extent), tried.pace,
+    text += fmt::format("  {:<10}  {} {:.4g} {}, cycle {:.3f} s: {}\n", EffortName(tried.effort), tried.pace,
                         tried.pace_value, tried.unit, tried.cycle_s,
                         tried.refused ? FailureCodeName(*tried.refused) : "sound");
   }

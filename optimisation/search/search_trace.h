@@ -6,17 +6,13 @@
 #include <vector>
 
 #include "kinematics/base/failure_code.h"
+#include "optimisation/search/candidate.h"
 
 namespace gaitwright {
 
 /// A plan that the search for a sound plan evaluated.
 struct TriedPlan {
-  enum class Extent {
-    kFirstLook,  ///< a few passes of a rigid body alone
-    kStart,      ///< the start of the walk, planned coarsely and audited
-    kWhole,      ///< the whole walk, planned and audited
-  };
-  Extent extent = Extent::kWhole;
+  Effort effort = Effort::kWhole;
   std::string pace;         ///< the flag of the command's pace, without dashes: `speed`
   double pace_value = 0.0;  ///< in `unit`
   std::string unit;
@@ -26,13 +22,13 @@ struct TriedPlan {
   bool operator==(const TriedPlan&) const = default;
 };
 
-/// `first-look`, `start` or `whole`, as JSON has it.
-const char* ExtentName(TriedPlan::Extent extent);
+/// `start-look`, `first-look`, `start` or `whole`, as JSON has it.
+const char* EffortName(Effort effort);
 
 /// In the order in which they were tried.
 using SearchTrace = std::vector<TriedPlan>;
 
-/// "tried 2 plans:" and a line for each: extent, pace, cycle, and the code of its refusal or "sound".
+/// "tried 2 plans:" and a line for each: effort, pace, cycle, and the code of its refusal or "sound".
 std::string TraceText(const SearchTrace& trace);
 
 }  // namespace gaitwright

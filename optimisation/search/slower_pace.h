@@ -3,20 +3,10 @@
 
 #include <string>
 
-#include "optimisation/search/refuse_walk.h"
+#include "kinematics/base/suggestion.h"
+#include "optimisation/search/pace.h"
 
 namespace gaitwright {
-
-/// "speed", "turning rate"
-std::string PaceName(Pace pace);
-/// The command's flag without dashes: `speed`, `lateral-speed`, `yaw-rate`, `step-length`.
-std::string PaceFlag(Pace pace);
-
-/// "m/s", "rad/s" or "m"
-std::string PaceUnit(Pace pace);
-
-/// A command's pace with its unit: "0.8 m/s".
-std::string PaceText(const WalkCommand& command);
 
 /// A pace that is slower than the one asked for, and what is known of it.
 struct SlowerPace {

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/search/walk_evaluator.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "optimisation/pipeline/dynamic_motion.h"
+#include "optimisation/search/audited_plan.h"
+#include "optimisation/search/first_look.h"
+#include "optimisation/search/pace.h"
 #include "optimisation/search/refuse_walk.h"
-#include "optimisation/search/slower_pace.h"
+#include "optimisation/search/start_of_walk.h"
 
 namespace gaitwright {
 namespace {
@@ -14,72 +21,140 @@ namespace {
 WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
   constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
   WalkRequest coarse = request;
-  coarse.motion.rigid_body.method = "interior-point";  // which knows sooner where there is none
+  coarse.motion.rigid_body.method = "interior-point";  // which finds sooner that there is none
   double& grid = coarse.motion.pipeline.grid_step_s;
   if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
   return coarse;
 }
 
+Evaluation Refused(const Failure& failure) {
+  Evaluation evaluation;
+  evaluation.refusal = failure;
+  evaluation.at_every_pace = !IsTooMuch(failure);
+  evaluation.by_ground = failure.violation && failure.violation->law == Law::kZmpSupport;
+  return evaluation;
+}
+
+Evaluation EvaluationOf(Result<PlannedWalk> planned) {
+  if (!planned) return Refused(planned.failure());
+  Evaluation evaluation;
+  if (!IsSound(planned)) {
+    evaluation.refusal = WhyForbidden(*planned);
+    evaluation.by_ground = BrokenLimits(planned->audit).empty();
+  }
+  evaluation.planned = std::make_shared<PlannedWalk>(std::move(*planned));
+  return evaluation;
+}
+
 }  // namespace
 
-FirstLook WalkEvaluator::Look(const Gait& gait, const WalkCommand& command, bool whole) {
-  FirstLook look = LookAt(model_, terrain_, request_, gait, command, whole);
-  Add(TriedPlan::Extent::kFirstLook, gait, command,
-      look.refusal ? std::optional(look.refusal->code) : std::optional<FailureCode>());
-  return look;
+WalkEvaluator::WalkEvaluator(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                             SearchTrace* trace)
+    : model_(model), terrain_(terrain), request_(request), trace_(trace), asked_(PaceValue(model, request.command)) {}
+
+WalkCommand WalkEvaluator::CommandOf(const Candidate& candidate) const {
+  return candidate.pace == asked_ ? request_.command : AtPace(model_, request_.command, candidate.pace);
 }
 
-Result<PlannedWalk> WalkEvaluator::PlanAndAudit(TriedPlan::Extent extent, const WalkRequest& request, const Gait& gait,
-                                                const WalkCommand& command, const AuditOptions& options,
-                                                bool only_passing) {
-  const auto evaluate = [&]() -> Result<PlannedWalk> {
-    Result<PlannedMotion> motion = PlanMotion(model_, terrain_, gait, command, request.motion);
-    if (!motion) return motion.failure();
-    PlannedWalk planned;
-    planned.motion = std::move(*motion);
-    if (planned.motion.limit_excess >= kSlightExcess && only_passing) return planned;
-    const Result<AuditReport> audit = Audit(model_, planned.motion.plan, options);
-    if (!audit) return audit.failure();
-    planned.audit = *audit;
-    return planned;
-  };
-  Result<PlannedWalk> planned = evaluate();
-  if (trace_ != nullptr) {
-    Add(extent, gait, command, IsSound(planned) ? std::optional<FailureCode>() : std::optional(ReasonRefused(planned)));
+Result<GaitCycles> WalkEvaluator::CyclesOf(const Candidate& candidate) const {
+  const WalkCommand command = CommandOf(candidate);
+  if (candidate.flight > 0.0) return FindCycles(model_, request_, command);
+  const Result<Gait> slow = FindGait(model_, request_.gait, 0.0, request_.gait_options);
+  if (!slow) return slow.failure();
+  WalkRequest grounded = request_;
+  grounded.gait_options.duty_factor = *std::max_element(slow->duty_factor.begin(), slow->duty_factor.end());
+  return FindCycles(model_, grounded, command);
+}
+
+Gait WalkEvaluator::GaitOf(const Candidate& candidate, const GaitCycles& cycles) const {
+  constexpr double kMost = 0.95;  // of the cycle in stance, so that the feet still have time to swing
+  Gait gait = cycles.At(candidate.cycle);
+  if (candidate.flight == 0.0 || candidate.flight == 1.0) return gait;
+  for (double& duty : gait.duty_factor) duty = std::min(1.0 - candidate.flight * (1.0 - duty), kMost);
+  return gait;
+}
+
+bool WalkEvaluator::Flies(const Candidate& candidate) {
+  const Result<GaitCycles> cycles = CyclesOf(candidate);
+  return cycles && IsDynamic(cycles->fitted, request_.motion.centre_of_mass);
+}
+
+Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
+  const Result<GaitCycles> cycles = CyclesOf(candidate);
+  if (!cycles) return Refused(cycles.failure());
+  const Gait gait = GaitOf(candidate, *cycles);
+  const WalkCommand command = CommandOf(candidate);
+  const Key key{effort, PaceFlags(command), gait.cycle_s, gait.duty_factor.front()};
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  if (static_cast<int>(known_.size()) >= request_.search.max_plans) {
+    return Refused(
+        {FailureKind::kInfeasible,
+         FailureCode::kSearchBudget,
+         "PlanWalk",
+         fmt::format("no sound plan was found among {} candidates", request_.search.max_plans),
+         {{"search.max_plans", 2.0 * request_.search.max_plans, Certainty::kEstimated, "a larger search.max_plans"}}});
   }
-  return planned;
+  Evaluation evaluation = Made(candidate, effort, *cycles, gait);
+  Trace(effort, gait, command, evaluation);
+  Evaluation& kept = known_[key] = evaluation;
+  kept.planned.reset();
+  return evaluation;
 }
 
-Result<PlannedWalk> WalkEvaluator::Whole(const Gait& gait, const WalkCommand& command, bool only_passing) {
-  return PlanAndAudit(TriedPlan::Extent::kWhole, request_, gait, command, {}, only_passing);
+Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait) {
+  const WalkCommand command = CommandOf(candidate);
+  const Key start{Effort::kStart, PaceFlags(command), gait.cycle_s, gait.duty_factor.front()};
+  switch (effort) {
+    case Effort::kStartLook:
+      return Look(gait, command, false);
+    case Effort::kFirstLook:
+      return Look(gait, command, true);
+    case Effort::kStart: {
+      Evaluation evaluation = EvaluationOf(Start(gait, cycles.fitted.cycle_s, command));
+      if (evaluation.sound()) com_height_m_[start] = evaluation.planned->motion.plan.centroidal.p_WC.front().z();
+      return evaluation;
+    }
+    case Effort::kWhole:
+      break;
+  }
+  // The body's height at which the start is sound is tried first.
+  if (const auto height = com_height_m_.find(start); height != com_height_m_.end()) {
+    WalkRequest at_height = request_;
+    at_height.motion.pipeline.com_height_m = height->second;
+    Result<PlannedWalk> planned = Whole(at_height, gait, command, true);
+    if (planned && planned->motion.limit_excess < kSlightExcess) return EvaluationOf(std::move(planned));
+  }
+  return EvaluationOf(Whole(request_, gait, command, candidate != Candidate{asked_}));
 }
 
-Result<PlannedWalk> WalkEvaluator::WholeAt(double height_m, const Gait& gait, const WalkCommand& command) {
-  WalkRequest at_height = request_;
-  at_height.motion.pipeline.com_height_m = height_m;
-  Result<PlannedWalk> planned = PlanAndAudit(TriedPlan::Extent::kWhole, at_height, gait, command, {}, true);
-  const bool keeps_limits = planned && planned->motion.limit_excess < kSlightExcess;
-  return keeps_limits ? planned : Whole(gait, command, true);
+Evaluation WalkEvaluator::Look(const Gait& gait, const WalkCommand& command, bool whole) const {
+  const FirstLook look = LookAt(model_, terrain_, request_, gait, command, whole);
+  Evaluation evaluation;
+  evaluation.refusal = look.refusal;
+  evaluation.ease = look.ease;
+  evaluation.solved = look.solved;
+  return evaluation;
 }
 
-double WalkEvaluator::Start(const Gait& gait, double fitted_s, const WalkCommand& command) {
-  const auto asked = std::make_pair(PaceFlags(command), gait.cycle_s);
-  const auto known = starts_.find(asked);
-  if (known != starts_.end()) return known->second;
+Result<PlannedWalk> WalkEvaluator::Whole(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
+                                         bool only_sound) const {
+  return Audited(model_, PlanMotion(model_, terrain_, gait, command, request.motion), {}, only_sound);
+}
+
+/// On a grid twice as coarse where a cycle of `fitted_s` has steps enough.
+Result<PlannedWalk> WalkEvaluator::Start(const Gait& gait, double fitted_s, const WalkCommand& command) const {
   AuditOptions seldom;
   seldom.rate_hz *= 0.5;
-  const Result<PlannedWalk> planned = PlanAndAudit(TriedPlan::Extent::kStart, Coarse(request_, fitted_s), gait,
-                                                   Shortened(model_, command, gait), seldom, true);
-  const double height = IsSound(planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
-  starts_[asked] = height;
-  return height;
+  const WalkRequest coarse = Coarse(request_, fitted_s);
+  return Audited(model_, PlanMotion(model_, terrain_, gait, StartOfWalk(model_, command, gait), coarse.motion), seldom,
+                 true);
 }
 
-void WalkEvaluator::Add(TriedPlan::Extent extent, const Gait& gait, const WalkCommand& command,
-                        std::optional<FailureCode> refused) {
+void WalkEvaluator::Trace(Effort effort, const Gait& gait, const WalkCommand& command, const Evaluation& evaluation) {
   if (trace_ == nullptr) return;
   const Pace pace = PaceOf(command);
-  trace_->push_back({extent, PaceFlag(pace), PaceValue(model_, command), PaceUnit(pace), gait.cycle_s, refused});
+  trace_->push_back({effort, PaceFlag(pace), PaceValue(model_, command), PaceUnit(pace), gait.cycle_s,
+                     evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt});
 }
 
 }  // namespace gaitwright

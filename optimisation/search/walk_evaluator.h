@@ -3,43 +3,48 @@
 
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 
-#include "optimisation/search/first_look.h"
+#include "optimisation/search/evaluator.h"
+#include "optimisation/search/gait_cycles.h"
 #include "optimisation/search/plan_walk.h"
 
 namespace gaitwright {
 
-/// Plans and audits the candidates of a search, each a gait with its cycle and a command, and adds each to the trace.
-class WalkEvaluator {
+/// Plans and audits candidates of a walk, each once, and adds each to the trace. After `search.max_plans` of the
+/// request it refuses all others.
+class WalkEvaluator : public Evaluator {
  public:
   /// All are kept by reference. @param trace  may be null.
-  WalkEvaluator(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, SearchTrace* trace)
-      : model_(model), terrain_(terrain), request_(request), trace_(trace) {}
+  WalkEvaluator(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, SearchTrace* trace);
 
-  /// LookAt.
-  FirstLook Look(const Gait& gait, const WalkCommand& command, bool whole);
+  Evaluation Evaluate(const Candidate& candidate, Effort effort) override;
+  bool Flies(const Candidate& candidate) override;
 
-  /// The whole walk. @param only_passing  a plan past limits is not audited.
-  Result<PlannedWalk> Whole(const Gait& gait, const WalkCommand& command, bool only_passing);
-
-  /// The whole walk with the centre of mass at a height or, where it is past limits there, at heights of its own.
-  Result<PlannedWalk> WholeAt(double height_m, const Gait& gait, const WalkCommand& command);
-
-  /// Whether the start of a walk has a sound plan: the height of its centre of mass [m], or 0. Planned once for each
-  /// command and cycle, on a grid twice as coarse where a cycle of `fitted_s` has steps enough.
-  double Start(const Gait& gait, double fitted_s, const WalkCommand& command);
+  /// The command at the candidate's pace.
+  WalkCommand CommandOf(const Candidate& candidate) const;
+  /// The gait fitted to the candidate's pace and flight, and its other cycles.
+  Result<GaitCycles> CyclesOf(const Candidate& candidate) const;
+  /// The gait with the candidate's cycle and flight.
+  Gait GaitOf(const Candidate& candidate, const GaitCycles& cycles) const;
 
  private:
-  Result<PlannedWalk> PlanAndAudit(TriedPlan::Extent extent, const WalkRequest& request, const Gait& gait,
-                                   const WalkCommand& command, const AuditOptions& options, bool only_passing);
-  void Add(TriedPlan::Extent extent, const Gait& gait, const WalkCommand& command, std::optional<FailureCode> refused);
+  using Key = std::tuple<Effort, std::string, double, double>;  // flags of the pace, cycle and first duty factor
+
+  Evaluation Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait);
+  Evaluation Look(const Gait& gait, const WalkCommand& command, bool whole) const;
+  Result<PlannedWalk> Whole(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
+                            bool only_sound) const;
+  Result<PlannedWalk> Start(const Gait& gait, double fitted_s, const WalkCommand& command) const;
+  void Trace(Effort effort, const Gait& gait, const WalkCommand& command, const Evaluation& evaluation);
 
   const RobotModel& model_;
   const Terrain& terrain_;
   const WalkRequest& request_;
   SearchTrace* trace_;
-  std::map<std::pair<std::string, double>, double> starts_;  // by flags of the pace and cycle: answers so far
+  const double asked_;                  // pace
+  std::map<Key, Evaluation> known_;     // without their plans
+  std::map<Key, double> com_height_m_;  // of starts that are sound
 };
 
 }  // namespace gaitwright

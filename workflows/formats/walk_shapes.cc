@@ -92,7 +92,7 @@ namespace {
 
 /// What --explain lists.
 DataShape TriedShape() {
-  return List(Object({{"extent", Text({"first-look", "start", "whole"})},
+  return List(Object({{"extent", Text({"start-look", "first-look", "start", "whole"})},
                       {"pace", Text(), "The flag of the command's speed, without dashes."},
                       {"value", Number(), "Of the pace, in its unit."},
                       {"unit", Text()},

@@ -136,40 +136,6 @@ TEST(Limits, WhatTheGroundCannotHoldIsSteppedSlowerAtTheSpeedAskedFor) {
   expect_slower(*LoadRobotFromText(unusual::Tripod(), ""), longer, "wave");
 }
 
-TEST(LargestPace, IsTheLastOfTwoDigitsThatIsPossible) {
-  const RobotModel a1 = *LoadNamedRobot("a1");
-  for (const double limit : {0.0314, 0.5, 0.999, 1.04, 2.71}) {
-    for (const double asked : {3.0, 4.2, 17.0}) {
-      int questions = 0;
-      const double largest = LargestPace(a1, Asked(asked, 0.0, 0.0).command, [&](const WalkCommand& c) {
-        ++questions;
-        return c.speed_m_s <= limit;
-      });
-      EXPECT_LE(largest, limit);
-      EXPECT_GT(1.1001 * largest, limit) << "the next number of two digits is too much";
-      EXPECT_LE(questions, 20);
-    }
-  }
-  EXPECT_EQ(LargestPace(a1, Asked(3.0, 0.0, 0.0).command, [](const WalkCommand&) { return false; }), 0.0);
-}
-
-TEST(LargestPace, AboveAKnownOneIsFoundWithFewQuestions) {
-  const RobotModel a1 = *LoadNamedRobot("a1");
-  const WalkCommand asked = Asked(3.0, 0.0, 0.0).command;
-  for (const double limit : {0.5, 0.51, 0.52, 0.56, 0.99, 1.04, 2.71, 3.0}) {
-    int questions = 0;
-    const double largest = LargestPaceAbove(a1, asked, 0.5, 1, [&](const WalkCommand& c) {
-      ++questions;
-      EXPECT_GT(c.speed_m_s, 0.5);
-      EXPECT_LT(c.speed_m_s, 3.0);
-      return c.speed_m_s <= limit;
-    });
-    EXPECT_LE(largest, limit);
-    EXPECT_GE(1.1001 * largest, std::min(limit, 2.9));
-    EXPECT_LE(questions, limit < 0.51 ? 1 : 12);
-  }
-}
-
 TEST(Limits, ComeBeforeOtherLaws) {
   AuditReport audit;
   EXPECT_TRUE(Forbidding(audit).empty());
@@ -179,18 +145,6 @@ TEST(Limits, ComeBeforeOtherLaws) {
   ASSERT_EQ(forbidding.size(), 2u);
   EXPECT_EQ(forbidding[0].law, Law::kJointVelocity);
   EXPECT_EQ(LimitText(forbidding[1]), "'trunk' is 2.0 mm in the ground or an obstacle at 1.00 s");
-}
-
-TEST(LargestPace, KeepsTheProportionsOfSpeeds) {
-  const RobotModel a1 = *LoadNamedRobot("a1");
-  const WalkCommand half = AtPace(a1, Asked(0.6, -0.2, 0.4).command, 0.3);
-  EXPECT_EQ(half.speed_m_s, 0.3);
-  EXPECT_EQ(half.lateral_speed_m_s, -0.1);
-  EXPECT_EQ(half.yaw_rate_rad_s, 0.2);
-  EXPECT_EQ(PaceFlags(half), "--speed 0.3 --lateral-speed -0.1 --yaw-rate 0.2");
-  EXPECT_EQ(PaceOf(Asked(0, 0.1, 0.2).command), Pace::kLateralSpeed);
-  EXPECT_EQ(PaceOf(Asked(0, 0, 0.2).command), Pace::kYawRate);
-  EXPECT_EQ(PaceOf(Asked(0, 0, 0).command), Pace::kSpeed);
 }
 
 }  // namespace

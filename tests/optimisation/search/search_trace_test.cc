@@ -20,7 +20,7 @@ TEST(SearchTrace, OfAWalkThatPassesAtOnceHasOneSoundPlan) {
   const Result<PlannedWalk> planned = PlanWalk(a1, request, &trace);
   ASSERT_TRUE(planned.ok()) << planned.failure().message;
   ASSERT_EQ(trace.size(), 1U);
-  EXPECT_EQ(trace.front().extent, TriedPlan::Extent::kWhole);
+  EXPECT_EQ(trace.front().effort, Effort::kWhole);
   EXPECT_EQ(trace.front().pace, "speed");
   EXPECT_EQ(trace.front().pace_value, 0.3);
   EXPECT_EQ(trace.front().unit, "m/s");
@@ -42,13 +42,13 @@ TEST(SearchTrace, OfARefusedWalkEndsWithWhatMadeTheSuggestion) {
   EXPECT_EQ(trace.front().refused, planned.failure().code);
   ASSERT_FALSE(planned.failure().suggestions.empty());
   EXPECT_EQ(trace.back().refused, std::nullopt) << "the slower walk that is suggested was planned";
-  EXPECT_EQ(trace.back().extent, TriedPlan::Extent::kWhole);
+  EXPECT_EQ(trace.back().effort, Effort::kWhole);
   EXPECT_EQ(std::get<double>(planned.failure().suggestions.front().value), trace.back().pace_value);
 }
 
 TEST(SearchTrace, TheTextHasALineForEachPlan) {
-  const std::string text = TraceText({{TriedPlan::Extent::kStart, "speed", 0.5, "m/s", 0.4, FailureCode::kLimits},
-                                      {TriedPlan::Extent::kWhole, "speed", 0.4, "m/s", 0.4, std::nullopt}});
+  const std::string text = TraceText({{Effort::kStart, "speed", 0.5, "m/s", 0.4, FailureCode::kLimits},
+                                      {Effort::kWhole, "speed", 0.4, "m/s", 0.4, std::nullopt}});
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
   EXPECT_NE(text.find("limits"), std::string::npos) << text;
   EXPECT_NE(text.find("sound"), std::string::npos) << text;

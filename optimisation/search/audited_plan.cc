@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/search/audited_plan.h"
+
+#include <utility>
+
+#include "optimisation/search/refuse_walk.h"
+
+namespace gaitwright {
+
+Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const AuditOptions& options,
+                            bool only_sound) {
+  if (!motion) return motion.failure();
+  PlannedWalk planned;
+  planned.motion = std::move(*motion);
+  if (planned.motion.limit_excess >= kSlightExcess && only_sound) return planned;
+  const Result<AuditReport> audit = Audit(model, planned.motion.plan, options);
+  if (!audit) return audit.failure();
+  planned.audit = *audit;
+  return planned;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/search/candidate.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr Variation kQuickerFirst[] = {{1.0, 1}, {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},
+                                       {1.0, 6}, {1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
+constexpr Variation kSlowerFirst[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}, {1.0, 1},
+                                      {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},  {1.0, 6}};
+constexpr Variation kSlowerSteps[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
+constexpr Variation kSlowerWalks[] = {{1.0, -1}, {0.7, 0}, {0.7, -1}, {0.7, -2}, {0.5, -1}, {0.35, -2}};
+constexpr Variation kOtherFlights[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}};
+
+}  // namespace
+
+std::span<const Variation> VariationsFor(const Situation& s) {
+  switch (s.kind) {
+    case Situation::Kind::kLevel:
+      return s.refused_by_ground ? kSlowerFirst : kQuickerFirst;
+    case Situation::Kind::kUneven:
+      return s.may_slow_down ? std::span<const Variation>(kSlowerWalks) : kSlowerSteps;
+    case Situation::Kind::kFlying:
+      return s.may_vary_flight ? std::span<const Variation>(kOtherFlights) : std::span<const Variation>();
+  }
+  return {};
+}
+
+Effort ScreeningOf(Situation::Kind kind) {
+  switch (kind) {
+    case Situation::Kind::kLevel:
+      return Effort::kStart;
+    case Situation::Kind::kUneven:
+      return Effort::kWhole;
+    case Situation::Kind::kFlying:
+      return Effort::kFirstLook;
+  }
+  return Effort::kWhole;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/search/sound_search.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "optimisation/search/gait_cycles.h"
+
+namespace gaitwright {
+namespace {
+
+using Kind = Situation::Kind;
+
+/// A candidate that is sound, and its evaluation.
+using Sound = std::optional<std::pair<Candidate, Evaluation>>;
+
+/// The one loop over a table: the first row whose whole walk is sound.
+Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
+  for (const Variation& v : variations) {
+    const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight};
+    if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
+    Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
+    if (whole.sound()) return std::pair(candidate, std::move(whole));
+    if (whole.at_every_pace) return {};
+  }
+  return {};
+}
+
+/// The largest pace on level ground, without flight, by the starts of walks.
+class LargestStart {
+ public:
+  LargestStart(const PaceRange& paces, double flight, Evaluator& evaluator)
+      : paces_(paces), flight_(flight), evaluator_(evaluator) {}
+
+  /// Climbs from the middle one of the quicker cycles and from the fitted one on, by neighbours as long as they do
+  /// better. Pace 0 when none is possible with any.
+  Candidate Find() {
+    constexpr int kMiddle = GaitCycles::kQuickest / 2;
+    Climb(kMiddle, GaitCycles::kQuickest, 1);
+    if (best_.cycle == kMiddle) Climb(kMiddle - 1, 1, -1);
+    Climb(0, kMiddle - 1, 1);
+    Climb(-1, GaitCycles::kSlowest, -1);
+    if (best_.pace > 0.0) Raise(best_.cycle, 1);
+    return best_;
+  }
+
+ private:
+  void Climb(int from, int to, int step) {
+    constexpr int kCoarse = 4;  // numbers of two digits by which the largest of a cycle may be missed on the way
+    for (int cycle = from; cycle != to + step; cycle += step) {
+      if (!Raise(cycle, kCoarse) && best_.pace > 0.0) return;
+    }
+  }
+
+  /// Raises the largest pace so far to the largest of a cycle; true when that is larger.
+  bool Raise(int cycle, int grain) {
+    const auto possible = [&](double pace) {
+      return evaluator_.Evaluate({pace, cycle, flight_}, Effort::kStart).sound();
+    };
+    const double pace =
+        best_.pace > 0.0 ? LargestPaceAbove(paces_, best_.pace, grain, possible) : LargestPace(paces_, possible);
+    if (pace <= best_.pace) return false;
+    best_ = {pace, cycle, flight_};
+    return true;
+  }
+
+  const PaceRange& paces_;
+  const double flight_;
+  Evaluator& evaluator_;
+  Candidate best_;
+};
+
+/// The largest pace on level ground whose whole walk is sound: that of the largest start or, where the whole of that
+/// is refused, some lower ones.
+Sound LargestOnLevelGround(const PaceRange& paces, double flight, Evaluator& evaluator) {
+  constexpr int kNearTries = 2, kFarTries = 5;  // by a step of two digits each, and by a share
+  constexpr double kFarShare = 0.75;
+  const Candidate start = LargestStart(paces, flight, evaluator).Find();
+  double pace = start.pace;
+  for (int i = 0; i < kNearTries + kFarTries && pace > 0.0; ++i) {
+    const std::array<Variation, 2> cycles = {{{1.0, start.cycle}, {1.0, 0}}};
+    if (Sound sound = FirstSound(cycles, {pace, 0, flight}, Effort::kStart, evaluator)) return sound;
+    pace = NextLower(i < kNearTries ? pace : kFarShare * pace);
+  }
+  return {};
+}
+
+/// Three quarters of a slower pace that a look finds nothing against, since a look finds less than a plan's audit, or
+/// a pace whose start is sound where the gait does not fly at it; 0 for none. Each is as much slower as the last one's
+/// limits say.
+double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
+  constexpr int kPaces = 10, kLooks = 3;  // most of either, as each look takes seconds
+  constexpr double kSpare = 0.75;
+  const Evaluation asked = evaluator.Evaluate({problem.paces.asked}, Effort::kFirstLook);
+  double pace = problem.paces.asked, ease = asked.sound() ? Evaluation{}.ease : asked.ease;
+  for (int i = 0, looks = 0; i < kPaces && looks < kLooks; ++i) {
+    pace = NextLower(ease * pace);
+    const bool flies = evaluator.Flies({pace});
+    const Evaluation slower = evaluator.Evaluate({pace}, flies ? Effort::kStartLook : Effort::kStart);
+    if (slower.sound()) return flies ? NextLower(kSpare * pace) : pace;
+    if (slower.at_every_pace) return 0.0;
+    ease = flies ? slower.ease : Evaluation{}.ease;
+    looks += flies && slower.solved ? 1 : 0;
+  }
+  return 0.0;
+}
+
+/// A slower walk without flight: the largest on level ground, and over other ground the first of a few.
+Sound SlowerWithoutFlight(const SearchProblem& problem, Kind kind, double flight, Evaluator& evaluator) {
+  if (kind == Kind::kLevel) return LargestOnLevelGround(problem.paces, flight, evaluator);
+  Situation slower;
+  slower.kind = kind;
+  slower.may_slow_down = true;
+  return FirstSound(VariationsFor(slower), {problem.paces.asked, 0, flight}, ScreeningOf(kind), evaluator);
+}
+
+/// The largest pace at which a gait that flies by its speed stays on the ground; 0 for none.
+double LargestOnTheGround(const SearchProblem& problem, Evaluator& evaluator) {
+  constexpr int kTries = 10;
+  constexpr double kLower = 0.95;
+  constexpr double kNoFlight = 0.0;
+  if (!problem.grounded || problem.situation.may_slow_down) return 0.0;
+  const Sound sound = SlowerWithoutFlight(problem, *problem.grounded, kNoFlight, evaluator);
+  double pace = sound ? sound->first.pace : 0.0;
+  for (int i = 0; i < kTries && pace > 0.0; ++i) {
+    if (!evaluator.Flies({pace})) return pace;
+    pace = NextLower(kLower * pace);
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
+  const Candidate as_asked{problem.paces.asked};
+  const bool looks_first = problem.situation.kind == Kind::kFlying && !problem.any_plan;
+  SearchResult result{as_asked, {}, {}};
+  if (looks_first) result.evaluation = evaluator.Evaluate(as_asked, Effort::kFirstLook);
+  if (result.evaluation.sound()) result.evaluation = evaluator.Evaluate(as_asked, Effort::kWhole);
+  if (problem.any_plan || result.evaluation.sound() || result.evaluation.at_every_pace) return result;
+  result.why = result.evaluation.refusal->code;
+  Situation situation = problem.situation;
+  situation.refused_by_ground = result.evaluation.by_ground;
+  Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
+  if (!sound && situation.may_slow_down && situation.kind == Kind::kLevel)
+    sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
+  if (sound) std::tie(result.candidate, result.evaluation) = std::move(*sound);
+  return result;
+}
+
+SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator) {
+  using Known = SlowerPace::Known;
+  const Situation& situation = problem.situation;
+  if (problem.in_place) return {};
+  if (situation.kind == Kind::kFlying) {
+    const double leaping = LargestLeaping(problem, evaluator);
+    return {leaping > 0.0 ? leaping : LargestOnTheGround(problem, evaluator), Known::kMay};
+  }
+  if (situation.may_slow_down) return {};
+  const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, evaluator);
+  return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kServes};
+}
+
+}  // namespace gaitwright

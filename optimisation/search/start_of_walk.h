@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// The start of the same walk: long enough to gain full speed, hold it for some cycles and stop again.
+WalkCommand StartOfWalk(const RobotModel& model, const WalkCommand& command, const Gait& gait);
+
+}  // namespace gaitwright

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The search with a made-up evaluator: which candidates it evaluates, in which order and how thoroughly, and what it
+// finds. No plan is made.
+#include "optimisation/search/sound_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace gaitwright {
+namespace {
+
+using Kind = Situation::Kind;
+
+Failure TooMuch() { return {FailureKind::kInfeasible, FailureCode::kLimits, "Made up", "", {}}; }
+
+/// Says of each candidate what a function says, and keeps what was asked.
+class MadeUp : public Evaluator {
+ public:
+  using IsSoundAt = std::function<bool(const Candidate&, Effort)>;
+  explicit MadeUp(IsSoundAt sound) : sound_(std::move(sound)) {}
+
+  Evaluation Evaluate(const Candidate& candidate, Effort effort) override {
+    asked.emplace_back(candidate, effort);
+    Evaluation evaluation = refused;
+    evaluation.refusal.reset();
+    if (!sound_(candidate, effort)) evaluation.refusal = TooMuch();
+    return evaluation;
+  }
+  bool Flies(const Candidate& candidate) override { return candidate.pace > flies_above; }
+
+  int Count(Effort effort) const {
+    return static_cast<int>(
+        std::count_if(asked.begin(), asked.end(), [&](const auto& a) { return a.second == effort; }));
+  }
+
+  std::vector<std::pair<Candidate, Effort>> asked;
+  Evaluation refused;  // but for its refusal
+  double flies_above = std::numeric_limits<double>::infinity();
+
+ private:
+  IsSoundAt sound_;
+};
+
+SearchProblem ProblemAt(Kind kind, double pace) {
+  SearchProblem problem;
+  problem.situation.kind = kind;
+  problem.paces = {pace, 10.0};
+  return problem;
+}
+
+TEST(FindSound, TakesTheWalkAsAskedForWhereThatIsSound) {
+  for (const Kind kind : {Kind::kLevel, Kind::kUneven}) {
+    MadeUp evaluator([](const Candidate&, Effort) { return true; });
+    const SearchResult result = FindSound(ProblemAt(kind, 0.5), evaluator);
+    EXPECT_TRUE(result.evaluation.sound());
+    EXPECT_EQ(result.candidate, (Candidate{0.5}));
+    EXPECT_EQ(result.why, std::nullopt);
+    ASSERT_EQ(evaluator.asked.size(), 1U);
+    EXPECT_EQ(evaluator.asked.front().second, Effort::kWhole);
+  }
+}
+
+TEST(FindSound, OnLevelGroundWholeWalksArePlannedOnlyWhereTheirStartIsSound) {
+  MadeUp evaluator([](const Candidate& c, Effort effort) {
+    return effort == Effort::kStart ? c.cycle == 3 || c.cycle == 4 : c.cycle == 4;
+  });
+  const SearchResult result = FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator);
+  EXPECT_EQ(result.candidate, (Candidate{0.5, 4}));
+  EXPECT_EQ(result.why, FailureCode::kLimits);
+  EXPECT_EQ(evaluator.Count(Effort::kStart), 4);
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 3);
+}
+
+TEST(FindSound, WhatTheGroundForbidsIsTriedWithSlowerStepsFirst) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.cycle == 1 || c.cycle == -1; });
+  EXPECT_EQ(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate.cycle, 1);
+  evaluator.refused.by_ground = true;
+  EXPECT_EQ(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate.cycle, -1);
+}
+
+TEST(FindSound, APaceIsLoweredOnlyWhereNobodyAskedForIt) {
+  const auto sound = [](const Candidate& c, Effort) { return c.pace <= 0.31; };
+  SearchProblem problem = ProblemAt(Kind::kLevel, 0.5);
+  MadeUp evaluator(sound);
+  EXPECT_FALSE(FindSound(problem, evaluator).evaluation.sound());
+  problem.situation.may_slow_down = true;
+  const SearchResult result = FindSound(problem, evaluator);
+  EXPECT_TRUE(result.evaluation.sound());
+  EXPECT_DOUBLE_EQ(result.candidate.pace, 0.31);
+}
+
+TEST(FindSound, TheLargestPaceIsThatOfTheBestCycle) {
+  // The possible pace has its maximum at cycle 5 of 0.42; whole walks are a little worse than their starts.
+  const auto largest = [](int cycle) { return 0.42 - 0.02 * std::abs(cycle - 5); };
+  MadeUp evaluator([&](const Candidate& c, Effort effort) {
+    return c.pace <= largest(c.cycle) - (effort == Effort::kWhole ? 0.015 : 0.0);
+  });
+  SearchProblem problem = ProblemAt(Kind::kLevel, 0.5);
+  problem.situation.may_slow_down = true;
+  const SearchResult result = FindSound(problem, evaluator);
+  ASSERT_TRUE(result.evaluation.sound());
+  EXPECT_EQ(result.candidate.cycle, 5);
+  EXPECT_DOUBLE_EQ(result.candidate.pace, 0.4);
+  EXPECT_LT(evaluator.asked.size(), 60U);
+}
+
+TEST(FindSound, OverUnevenGroundFewWalksAreTriedAndNoStarts) {
+  MadeUp evaluator([](const Candidate&, Effort) { return false; });
+  SearchProblem problem = ProblemAt(Kind::kUneven, 0.5);
+  EXPECT_FALSE(FindSound(problem, evaluator).evaluation.sound());
+  EXPECT_EQ(evaluator.asked.size(), 5U);
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 5);
+  problem.situation.may_slow_down = true;
+  MadeUp slow([](const Candidate& c, Effort) { return c.pace < 0.3; });
+  EXPECT_DOUBLE_EQ(FindSound(problem, slow).candidate.pace, 0.25);
+}
+
+TEST(FindSound, LeapsAreLookedAtBeforeTheyArePlanned) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.flight > 1.0; });
+  SearchProblem problem = ProblemAt(Kind::kFlying, 0.5);
+  EXPECT_FALSE(FindSound(problem, evaluator).evaluation.sound());
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 0);
+  problem.situation.may_vary_flight = true;
+  EXPECT_DOUBLE_EQ(FindSound(problem, evaluator).candidate.flight, 1.15);
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 1);
+}
+
+TEST(FindSound, StopsWhereNoPaceHelps) {
+  MadeUp evaluator([](const Candidate&, Effort) { return false; });
+  evaluator.refused.at_every_pace = true;
+  EXPECT_FALSE(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).evaluation.sound());
+  EXPECT_EQ(evaluator.asked.size(), 1U);
+}
+
+TEST(SlowerThatIsSound, NamesTheLargestPaceOnLevelGround) {
+  for (const double limit : {0.049, 0.13, 0.27, 0.49}) {
+    MadeUp evaluator([&](const Candidate& c, Effort) { return c.pace <= limit; });
+    const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.5), evaluator);
+    EXPECT_DOUBLE_EQ(slower.value, limit);
+    EXPECT_EQ(slower.known, SlowerPace::Known::kLargest);
+  }
+}
+
+TEST(SlowerThatIsSound, OfAGaitThatFliesIsAsMuchSlowerAsItsLimitsSay) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.pace < 1.0; });
+  evaluator.refused.ease = 0.6;
+  evaluator.flies_above = 0.0;
+  const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kFlying, 2.0), evaluator);
+  EXPECT_EQ(slower.known, SlowerPace::Known::kMay);
+  EXPECT_GT(slower.value, 0.4);
+  EXPECT_LT(slower.value, 1.0);
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 0);
+}
+
+TEST(SlowerThatIsSound, OfAGaitThatFliesByItsSpeedMayStayOnTheGround) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.flight == 0.0 && c.pace <= 0.9; });
+  evaluator.flies_above = 0.8;
+  SearchProblem problem = ProblemAt(Kind::kFlying, 2.0);
+  EXPECT_EQ(SlowerThatIsSound(problem, evaluator).value, 0.0);
+  problem.grounded = Kind::kLevel;
+  const double slower = SlowerThatIsSound(problem, evaluator).value;
+  EXPECT_GT(slower, 0.7);
+  EXPECT_LE(slower, 0.8);
+}
+
+TEST(SlowerThatIsSound, ThereIsNoneOfAWalkInPlace) {
+  MadeUp evaluator([](const Candidate&, Effort) { return true; });
+  SearchProblem problem = ProblemAt(Kind::kLevel, 0.5);
+  problem.in_place = true;
+  EXPECT_EQ(SlowerThatIsSound(problem, evaluator).value, 0.0);
+  EXPECT_TRUE(evaluator.asked.empty());
+}
+
+}  // namespace
+}  // namespace gaitwright
