@@ -41,12 +41,12 @@ void KeepSharedStrip(const Actuator& motor, const std::vector<AnkleTorque>& ankl
 }  // namespace
 
 Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch, int foot, const Polygon& support,
-                        const Vector3& p_WC, double normal_n, double use) {
+                        const FootLoad& load, double use) {
   constexpr double kLow = 0.5;   // of the height of the centre of mass
   constexpr double kFlat = 0.5;  // horizontal part of an axis that counts
   if (support.size() < 3 || foot >= static_cast<int>(model.legs.size())) return support;
   const double ground = ContactFrame(model, scratch, foot).translation().z();
-  const double height = p_WC.z() - ground;
+  const double height = load.p_WC.z() - ground;
   Polygon held = support;
   std::vector<AnkleTorque> shared;
   for (const int index : model.legs[static_cast<std::size_t>(foot)].joints) {
@@ -57,16 +57,16 @@ Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch,
     if (joint.is_prismatic() || share > kLow || axis.head<2>().norm() < kFlat) continue;
     // tau = N (a_y (x - p_x) - a_x (y - p_y)) at the point (x, y) = Z + (C - Z) share of the force's line.
     const Vector2 across(axis.y(), -axis.x());
-    const double middle = across.dot(p_WJ.head<2>() - share * p_WC.head<2>()) / (1.0 - share);
+    const double middle = across.dot(p_WJ.head<2>() - share * load.p_WC.head<2>()) / (1.0 - share);
     if (model.TransmissionOf(joint.dof) != nullptr) {
       shared.push_back({joint.dof, share, across, middle});
       continue;
     }
-    KeepStrip(across, middle, use * model.dof_effort_limit(joint.dof) / (normal_n * (1.0 - share)), held);
+    KeepStrip(across, middle, use * model.dof_effort_limit(joint.dof) / (load.normal_n * (1.0 - share)), held);
   }
   for (int dof = 0; !shared.empty() && dof < model.num_dofs(); ++dof) {
     const Actuator motor = ActuatorOf(model, dof);
-    if (motor.shared()) KeepSharedStrip(motor, shared, normal_n, use, held);
+    if (motor.shared()) KeepSharedStrip(motor, shared, load.normal_n, use, held);
   }
   return held;
 }

@@ -7,6 +7,12 @@
 
 namespace gaitwright {
 
+/// The force that a robot standing on one foot puts on it.
+struct FootLoad {
+  Vector3 p_WC;           ///< centre of mass of the robot [m]
+  double normal_n = 0.0;  ///< force on the foot [N]
+};
+
 /// The part of one foot's support in which its ankle can hold the robot alone.
 ///
 /// With the contact force f = N z + N (C - Z)_xy / h through the ZMP Z and the centre of mass C, a revolute joint with
@@ -15,12 +21,12 @@ namespace gaitwright {
 /// Of a transmission each motor leaves the strip where its own torque, a sum of those of its joints, is in its limit.
 ///
 /// @param support   convex, in plan view, of the ground at the height of the foot's contact frame; W [m].
-/// @param p_WC      centre of mass [m];  @param normal_n  force N that the foot carries [N].
+/// @param load      centre of mass C and force N.
 /// @param use       share of the motors' effort limits, > 0.
 /// @return the part of `support`; `support` itself when it has no area. A joint that would leave nothing is passed
 /// over.
 /// Needs ForwardKinematics on the scratch.
 Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch, int foot, const Polygon& support,
-                        const Vector3& p_WC, double normal_n, double use);
+                        const FootLoad& load, double use);
 
 }  // namespace gaitwright

@@ -44,8 +44,8 @@ class BodyAt {
 
   Turned TurnedAt(const VectorX& x) const {
     if (share_ == 0.0) return {angles_from_.At(x), std::nullopt};
-    const AnglesBetween between(inverse_B_, h_, share_, angles_from_.At(x), momentum_from_.At(x), angles_to_.At(x),
-                                momentum_to_.At(x));
+    const AnglesBetween between(inverse_B_, h_, share_, {angles_from_.At(x), momentum_from_.At(x)},
+                                {angles_to_.At(x), momentum_to_.At(x)});
     return {between.value, between};
   }
 

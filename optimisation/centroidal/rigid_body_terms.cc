@@ -89,7 +89,7 @@ struct TurningTerm {
     }
     AddImpulse(x, kWhole, kWholeShares, gained, J != nullptr ? &by_gained : nullptr);
     AddImpulse(x, kHalf, kHalfShares, l_mid, J != nullptr ? &by_mid : nullptr);
-    const AnglesBetween middle(inverse_B, h, 0.5, from, l_from + unseen[0], to, l_to + unseen[2]);
+    const AnglesBetween middle(inverse_B, h, 0.5, {from, l_from + unseen[0]}, {to, l_to + unseen[2]});
     const TurningRate rate = TurningRateOf(inverse_B, middle.value, l_mid + unseen[1]);
     value.resize(6);
     value.head<3>() = l_to - l_from - gained;

@@ -46,12 +46,13 @@ TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, c
   return turning;
 }
 
-AnglesBetween::AnglesBetween(const Matrix3& inverse_B, double h, double u, const Vector3& from, const Vector3& l_from,
-                             const Vector3& to, const Vector3& l_to)
-    : rate_from(TurningRateOf(inverse_B, from, l_from)), rate_to(TurningRateOf(inverse_B, to, l_to)) {
+AnglesBetween::AnglesBetween(const Matrix3& inverse_B, double h, double u, const TurningState& from,
+                             const TurningState& to)
+    : rate_from(TurningRateOf(inverse_B, from.angles_rad, from.momentum)),
+      rate_to(TurningRateOf(inverse_B, to.angles_rad, to.momentum)) {
   const double v = 1.0 - u, of_from = v * v * (1.0 + 2.0 * u), of_to = u * u * (1.0 + 2.0 * v);
   const double of_rate_from = h * u * v * v, of_rate_to = -h * v * u * u;
-  value = of_from * from + of_to * to + of_rate_from * rate_from.rate + of_rate_to * rate_to.rate;
+  value = of_from * from.angles_rad + of_to * to.angles_rad + of_rate_from * rate_from.rate + of_rate_to * rate_to.rate;
   by_from = of_from * Matrix3::Identity() + of_rate_from * rate_from.by_angles;
   by_to = of_to * Matrix3::Identity() + of_rate_to * rate_to.by_angles;
   by_l_from = of_rate_from * rate_from.by_momentum;

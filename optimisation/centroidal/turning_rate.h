@@ -18,11 +18,15 @@ struct TurningRate {
 /// Rate of the angles and its derivatives.
 TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
 
+/// Angles of a body and its angular momentum at one time.
+struct TurningState {
+  const Vector3 &angles_rad, &momentum;
+};
+
 /// Angles at a share u of an interval of length h, from those at its ends and the momenta there, by Hermite's cubic,
 /// with their derivatives.
 struct AnglesBetween {
-  AnglesBetween(const Matrix3& inverse_B, double h, double u, const Vector3& from, const Vector3& l_from,
-                const Vector3& to, const Vector3& l_to);
+  AnglesBetween(const Matrix3& inverse_B, double h, double u, const TurningState& from, const TurningState& to);
 
   TurningRate rate_from, rate_to;
   Vector3 value;

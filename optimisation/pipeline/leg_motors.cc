@@ -32,54 +32,70 @@ BodyTarget TargetOf(const RobotModel& model, const VectorX& q, DynamicsScratch& 
   return target;
 }
 
-/// Torques that hold the robot while its centre of mass has an upward acceleration, each foot pushing with so much of
-/// the force on the whole.
-VectorX HoldingTorques(const RobotModel& model, WholeBodyIk& ik, BodyTarget target, const VectorX& q, double up_m_s2,
-                       double share, DynamicsScratch& scratch) {
-  VectorX v, a, tau;
-  target.a_WC = up_m_s2 * Vector3::UnitZ();
-  ik.SolveRates(target, q, v, a);
-  InverseDynamics(model, q, VectorX::Zero(model.nv()), a, scratch, tau);
-  const double force = share * model.total_mass_kg * (kGravity + up_m_s2);
-  VectorX given = VectorX::Zero(model.nv());
-  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
-    const Foot& foot = model.feet[static_cast<std::size_t>(f)];
-    Vector3 at = ContactFrame(model, scratch, f).translation();
-    if (foot.has_sole()) at.x() = target.p_WC.x();
-    AddPointForce(model, scratch, foot.body, at, force * Vector3::UnitZ(), given);
-  }
-  return (tau - given).tail(model.num_dofs());
-}
+/// What the motors do while some feet push the body up.
+class PushingLegs {
+ public:
+  /// @param share  of the force on the whole that each foot pushes with;  @param use  of the motors' effort limits
+  PushingLegs(const RobotModel& model, double share, double use)
+      : model_(model), ik_(model), scratch_(model), share_(share), use_(use) {}
 
-void SetSpeed(const RobotModel& model, WholeBodyIk& ik, BodyTarget target, PushOff& at) {
-  VectorX v, a;
-  target.v_WC = Vector3::UnitZ();
-  ik.SolveRates(target, at.q, v, a);
-  at.speed_m_s = kInfinity;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    const Actuator motor = ActuatorOf(model, d);
-    const double rate = std::abs(motor.Speed(v.tail(model.num_dofs())));
-    if (rate < kStill || rate * at.speed_m_s <= motor.velocity_limit) continue;
-    at.speed_m_s = motor.velocity_limit / rate;
-    at.fastest = d;
-  }
-}
+  WholeBodyIk& ik() { return ik_; }
+  DynamicsScratch& scratch() { return scratch_; }
 
-void SetGain(const RobotModel& model, WholeBodyIk& ik, const BodyTarget& target, double share, double use,
-             DynamicsScratch& scratch, PushOff& at) {
-  const VectorX held = HoldingTorques(model, ik, target, at.q, 0.0, share, scratch);
-  const VectorX by_gain = HoldingTorques(model, ik, target, at.q, 1.0, share, scratch) - held;
-  at.gain_m_s2 = kInfinity;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    const Actuator motor = ActuatorOf(model, d);
-    const double by = motor.Effort(by_gain), most = use * motor.effort_limit;
-    if (std::abs(by) < 1e-9) continue;
-    const double gain = ((by > 0.0 ? most : -most) - motor.Effort(held)) / by;
-    if (gain >= at.gain_m_s2) continue;
-    at.gain_m_s2 = gain;
-    at.strongest = d;
+  /// Greatest speed upward in the posture `at.q`, and the joint that allows no more.
+  void SetSpeed(BodyTarget target, PushOff& at) {
+    VectorX v, a;
+    target.v_WC = Vector3::UnitZ();
+    ik_.SolveRates(target, at.q, v, a);
+    at.speed_m_s = kInfinity;
+    for (int d = 0; d < model_.num_dofs(); ++d) {
+      const Actuator motor = ActuatorOf(model_, d);
+      const double rate = std::abs(motor.Speed(v.tail(model_.num_dofs())));
+      if (rate < kStill || rate * at.speed_m_s <= motor.velocity_limit) continue;
+      at.speed_m_s = motor.velocity_limit / rate;
+      at.fastest = d;
+    }
   }
-}
+
+  /// Greatest acceleration upward in the posture `at.q`, and the joint that allows no more.
+  void SetGain(const BodyTarget& target, PushOff& at) {
+    const VectorX held = HoldingTorques(target, at.q, 0.0);
+    const VectorX by_gain = HoldingTorques(target, at.q, 1.0) - held;
+    at.gain_m_s2 = kInfinity;
+    for (int d = 0; d < model_.num_dofs(); ++d) {
+      const Actuator motor = ActuatorOf(model_, d);
+      const double by = motor.Effort(by_gain), most = use_ * motor.effort_limit;
+      if (std::abs(by) < kStill) continue;
+      const double gain = ((by > 0.0 ? most : -most) - motor.Effort(held)) / by;
+      if (gain >= at.gain_m_s2) continue;
+      at.gain_m_s2 = gain;
+      at.strongest = d;
+    }
+  }
+
+ private:
+  /// Torques that hold the robot while its centre of mass has an upward acceleration.
+  VectorX HoldingTorques(BodyTarget target, const VectorX& q, double up_m_s2) {
+    VectorX v, a, tau;
+    target.a_WC = up_m_s2 * Vector3::UnitZ();
+    ik_.SolveRates(target, q, v, a);
+    InverseDynamics(model_, q, VectorX::Zero(model_.nv()), a, scratch_, tau);
+    const double force = share_ * model_.total_mass_kg * (kGravity + up_m_s2);
+    VectorX given = VectorX::Zero(model_.nv());
+    for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+      const Foot& foot = model_.feet[static_cast<std::size_t>(f)];
+      Vector3 at = ContactFrame(model_, scratch_, f).translation();
+      if (foot.has_sole()) at.x() = target.p_WC.x();
+      AddPointForce(model_, scratch_, foot.body, at, force * Vector3::UnitZ(), given);
+    }
+    return (tau - given).tail(model_.num_dofs());
+  }
+
+  const RobotModel& model_;
+  WholeBodyIk ik_;
+  DynamicsScratch scratch_;
+  const double share_, use_;
+};
 
 bool KeepsLimits(const RobotModel& model, const VectorX& q, double reserve) {
   for (int d = 0; d < model.num_dofs(); ++d) {
@@ -94,11 +110,9 @@ bool KeepsLimits(const RobotModel& model, const VectorX& q, double reserve) {
 
 std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reserve, double use) {
   constexpr double kStep = 0.01;  // of the leg
-  DynamicsScratch scratch(model);
-  WholeBodyIk ik(model);
+  PushingLegs legs(model, 1.0 / pushing, use);
   const VectorX standing = StandingConfiguration(model);
-  const BodyTarget at_standing = TargetOf(model, standing, scratch);
-  const double share = 1.0 / pushing;
+  const BodyTarget at_standing = TargetOf(model, standing, legs.scratch());
   std::vector<PushOff> above, below;
   for (const double side : {1.0, -1.0}) {
     std::vector<PushOff>& found = side > 0.0 ? above : below;
@@ -106,12 +120,12 @@ std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reser
     for (int i = side > 0.0 ? 1 : 0;; ++i) {
       BodyTarget target = at_standing;
       target.p_WC.z() += side * i * kStep * model.leg_length_m();
-      if (target.p_WC.z() <= 0.0 || !ik.SolvePosition(target, q) || !KeepsLimits(model, q, reserve)) break;
+      if (target.p_WC.z() <= 0.0 || !legs.ik().SolvePosition(target, q) || !KeepsLimits(model, q, reserve)) break;
       PushOff at;
       at.q = q;
       at.com_m = target.p_WC.z();
-      SetSpeed(model, ik, target, at);
-      SetGain(model, ik, target, share, use, scratch, at);
+      legs.SetSpeed(target, at);
+      legs.SetGain(target, at);
       found.push_back(at);
     }
   }

@@ -90,7 +90,7 @@ class Homes {
     for (const Vector2& corner : support_F) corners.push_back((X_WF * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
     const Vector3 above(X_WF.translation().x(), X_WF.translation().y(), height_m_);
     const Vector2 middle =
-        Centroid(HoldableSupport(model_, scratch_, foot, ConvexHull(corners), above, model_.weight_n(), kUse));
+        Centroid(HoldableSupport(model_, scratch_, foot, ConvexHull(corners), {above, model_.weight_n()}, kUse));
     return (X_WF.inverse() * Vector3(middle.x(), middle.y(), X_WF.translation().z())).head<2>();
   }
 

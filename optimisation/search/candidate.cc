@@ -14,25 +14,25 @@ constexpr Variation kOtherFlights[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}};
 
 }  // namespace
 
-std::span<const Variation> VariationsFor(const Situation& s) {
+std::span<const Variation> VariationsFor(const SearchSituation& s) {
   switch (s.kind) {
-    case Situation::Kind::kLevel:
+    case SearchSituation::Kind::kLevel:
       return s.refused_by_ground ? kSlowerFirst : kQuickerFirst;
-    case Situation::Kind::kUneven:
+    case SearchSituation::Kind::kUneven:
       return s.may_slow_down ? std::span<const Variation>(kSlowerWalks) : kSlowerSteps;
-    case Situation::Kind::kFlying:
+    case SearchSituation::Kind::kFlying:
       return s.may_vary_flight ? std::span<const Variation>(kOtherFlights) : std::span<const Variation>();
   }
   return {};
 }
 
-Effort ScreeningOf(Situation::Kind kind) {
+Effort ScreeningOf(SearchSituation::Kind kind) {
   switch (kind) {
-    case Situation::Kind::kLevel:
+    case SearchSituation::Kind::kLevel:
       return Effort::kStart;
-    case Situation::Kind::kUneven:
+    case SearchSituation::Kind::kUneven:
       return Effort::kWhole;
-    case Situation::Kind::kFlying:
+    case SearchSituation::Kind::kFlying:
       return Effort::kFirstLook;
   }
   return Effort::kWhole;

@@ -30,7 +30,7 @@ struct Variation {
 };
 
 /// What decides which candidates may be better than the walk as asked for.
-struct Situation {
+struct SearchSituation {
   enum class Kind {
     kLevel,   ///< a pendulum's motion on level ground
     kUneven,  ///< a pendulum's motion over other ground
@@ -46,9 +46,9 @@ struct Situation {
 /// helped by quicker steps before slower ones, what the ground cannot hold by slower ones. Over uneven ground it is
 /// the ground that says how long steps are, so that only slower ones are looked at, and fewer, since each takes longer.
 /// Leaps onto other ground are helped by a longer or shorter flight.
-std::span<const Variation> VariationsFor(const Situation& situation);
+std::span<const Variation> VariationsFor(const SearchSituation& situation);
 
 /// How a variation is screened before the whole walk is planned; kWhole for no screening.
-Effort ScreeningOf(Situation::Kind kind);
+Effort ScreeningOf(SearchSituation::Kind kind);
 
 }  // namespace gaitwright

@@ -26,6 +26,8 @@ struct Evaluation {
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
+
+  /// What is known of a candidate by an effort; the same at each call.
   virtual Evaluation Evaluate(const Candidate& candidate, Effort effort) = 0;
 
   /// Whether the candidate is planned as the motion of a rigid body, which takes much longer.

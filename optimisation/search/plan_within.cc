@@ -49,7 +49,7 @@ PaceRange PacesOf(const RobotModel& model, const WalkCommand& command) {
 
 /// The situation of a request whose gait is fitted as `gait`.
 SearchProblem ProblemOf(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait) {
-  using Kind = Situation::Kind;
+  using Kind = SearchSituation::Kind;
   const auto flies = [&](const Gait& g) { return IsDynamic(g, request.motion.centre_of_mass); };
   const Kind without_flight = IsLevelGround(terrain) ? Kind::kLevel : Kind::kUneven;
   SearchProblem problem;

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-using Kind = Situation::Kind;
+using Kind = SearchSituation::Kind;
 
 /// A candidate that is sound, and its evaluation.
 using Sound = std::optional<std::pair<Candidate, Evaluation>>;
@@ -109,7 +109,7 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
 /// A slower walk without flight: the largest on level ground, and over other ground the first of a few.
 Sound SlowerWithoutFlight(const SearchProblem& problem, Kind kind, double flight, Evaluator& evaluator) {
   if (kind == Kind::kLevel) return LargestOnLevelGround(problem.paces, flight, evaluator);
-  Situation slower;
+  SearchSituation slower;
   slower.kind = kind;
   slower.may_slow_down = true;
   return FirstSound(VariationsFor(slower), {problem.paces.asked, 0, flight}, ScreeningOf(kind), evaluator);
@@ -140,7 +140,7 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   if (result.evaluation.sound()) result.evaluation = evaluator.Evaluate(as_asked, Effort::kWhole);
   if (problem.any_plan || result.evaluation.sound() || result.evaluation.at_every_pace) return result;
   result.why = result.evaluation.refusal->code;
-  Situation situation = problem.situation;
+  SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;
   Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
   if (!sound && situation.may_slow_down && situation.kind == Kind::kLevel)
@@ -151,7 +151,7 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
 
 SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator) {
   using Known = SlowerPace::Known;
-  const Situation& situation = problem.situation;
+  const SearchSituation& situation = problem.situation;
   if (problem.in_place) return {};
   if (situation.kind == Kind::kFlying) {
     const double leaping = LargestLeaping(problem, evaluator);

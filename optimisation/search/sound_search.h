@@ -11,12 +11,12 @@ namespace gaitwright {
 
 /// A walk for which a sound plan is looked for.
 struct SearchProblem {
-  Situation situation;
+  SearchSituation situation;
   PaceRange paces;        ///< `asked` is the pace of the walk as asked for
   bool in_place = false;  ///< it goes nowhere, so that there is no slower one
   bool any_plan = false;  ///< the plan of the walk as asked for is taken, sound or not
   /// Of the same gait at duty factors without flight; nothing where it always flies.
-  std::optional<Situation::Kind> grounded;
+  std::optional<SearchSituation::Kind> grounded;
 };
 
 /// The best that a search found.

@@ -72,6 +72,74 @@ Vector2 ZmpOf(const RobotModel& model, const PointWrench& wrench, const GroundPl
   return ZeroMomentPoint(wrench.p_W, wrench.force_W, wrench.moment_W, plane).head<2>();
 }
 
+/// The points at which the feet press on the ground at one time.
+struct PressingPoints {
+  ContactsByFoot of_foot;              ///< of all feet, also of those in the air
+  std::vector<Vector3> origin_W;       ///< of each foot's contact frame
+  std::vector<ContactPoint> contacts;  ///< of the feet that bear a load
+  std::vector<std::size_t> foot;       ///< of each contact
+};
+
+/// Where the feet press, and how much of the load each of them should bear.
+class PressingFeet {
+ public:
+  PressingFeet(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options)
+      : model_(model),
+        problem_(problem),
+        friction_use_(options.friction_use),
+        support_F_(SupportsOf(model, *problem.terrain, *problem.footsteps)) {
+    for (std::size_t f = 0; f < model.feet.size(); ++f) {
+      const double ramp_s = (IsRest(f) ? kRestRamp : 1.0) * options.load_ramp_s;
+      loads_.emplace_back(*problem.schedule, static_cast<int>(f), ramp_s);
+    }
+    points_.of_foot.resize(model.feet.size());
+    points_.origin_W.resize(model.feet.size());
+  }
+
+  /// Needs ForwardKinematics on the scratch. The next call overwrites what this one gave.
+  const PressingPoints& At(double time_s, const DynamicsScratch& scratch) {
+    points_.contacts.clear();
+    points_.foot.clear();
+    for (std::size_t f = 0; f < model_.feet.size(); ++f) AddFoot(f, time_s, scratch);
+    return points_;
+  }
+
+ private:
+  bool IsRest(std::size_t foot) const { return foot >= model_.legs.size(); }
+
+  void AddFoot(std::size_t f, double time_s, const DynamicsScratch& scratch) {
+    const int foot = static_cast<int>(f), at = FootholdAt(*problem_.footsteps, foot, time_s);
+    if (at < 0) {  // a rest that is never lain on
+      points_.origin_W[f].setZero();
+      return;
+    }
+    const auto index = static_cast<std::size_t>(at);
+    const Foothold& foothold = problem_.footsteps->footholds[index];
+    const Vector3 normal_W = foothold.X_WF.linear().col(2);
+    const Pose X_WF = ContactFrame(model_, scratch, foot, normal_W);
+    std::vector<Vector3>& points = points_.of_foot[f];
+    points_.origin_W[f] = X_WF.translation();
+    points.clear();
+    for (const Vector2& p_F : support_F_[index]) points.push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
+    double load = loads_[f].At(time_s);
+    if (load <= 0.0) return;
+    if (problem_.load) load = std::max(kLeastLoad, problem_.load(foot, time_s));
+    if (IsRest(f)) load *= kRestLoad;
+    const double friction = friction_use_ * FrictionOf(*problem_.terrain, foothold.patch);
+    for (const Vector3& p_W : points) {
+      points_.contacts.push_back({p_W, normal_W, friction, static_cast<double>(points.size()) / load});
+      points_.foot.push_back(f);
+    }
+  }
+
+  const RobotModel& model_;
+  const WholeBodyProblem& problem_;
+  const double friction_use_;
+  const std::vector<Polygon> support_F_;
+  std::vector<LoadShare> loads_;
+  PressingPoints points_;
+};
+
 }  // namespace
 
 void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,
@@ -80,17 +148,7 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
   DynamicsScratch scratch(model);
   ContactSplitter splitter;
   ContactSplit split;
-  std::vector<LoadShare> loads;
-  const int num_feet = static_cast<int>(model.feet.size());
-  for (int f = 0; f < num_feet; ++f) {
-    const bool rests = f >= static_cast<int>(model.legs.size());
-    loads.emplace_back(*problem.schedule, f, (rests ? kRestRamp : 1.0) * options.load_ramp_s);
-  }
-  const std::vector<Polygon> support_F = SupportsOf(model, *problem.terrain, *problem.footsteps);
-  ContactsByFoot points(model.feet.size());
-  std::vector<Vector3> origin(model.feet.size());
-  std::vector<ContactPoint> contacts;
-  std::vector<int> foot_of;
+  PressingFeet feet(model, problem, options);
   VectorX tau;
   out.tau.clear();
   out.wrenches.clear();
@@ -102,48 +160,24 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
     const auto i = static_cast<std::size_t>(k);
     const double time_s = out.start_s + k * out.step_s;
     InverseDynamics(model, out.q[i], out.v[i], out.a[i], scratch, tau);
-    contacts.clear();
-    foot_of.clear();
-    for (int f = 0; f < num_feet; ++f) {
-      const auto foot = static_cast<std::size_t>(f);
-      const int at = FootholdAt(*problem.footsteps, f, time_s);
-      if (at < 0) {  // a rest that is never lain on
-        solution.contact_W[foot].emplace_back(Vector3::Zero());
-        continue;
-      }
-      const auto index = static_cast<std::size_t>(at);
-      const Foothold& foothold = problem.footsteps->footholds[index];
-      const Vector3 normal_W = foothold.X_WF.linear().col(2);
-      const Pose X_WF = ContactFrame(model, scratch, f, normal_W);
-      origin[foot] = X_WF.translation();
-      points[foot].clear();
-      for (const Vector2& p_F : support_F[index]) points[foot].push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
-      solution.contact_W[foot].push_back(origin[foot]);
-      double load = loads[foot].At(time_s);
-      if (load <= 0.0) continue;
-      if (problem.load) load = std::max(kLeastLoad, problem.load(f, time_s));
-      if (foot >= model.legs.size()) load *= kRestLoad;
-      const double friction = options.friction_use * FrictionOf(*problem.terrain, foothold.patch);
-      for (const Vector3& p_W : points[foot]) {
-        contacts.push_back({p_W, normal_W, friction, static_cast<double>(points[foot].size()) / load});
-        foot_of.push_back(f);
-      }
-    }
-    const GroundPlane plane = SupportPlaneAt(*problem.schedule, time_s, points);
+    const PressingPoints& pressing = feet.At(time_s, scratch);
+    for (std::size_t f = 0; f < model.feet.size(); ++f) solution.contact_W[f].push_back(pressing.origin_W[f]);
+    const GroundPlane plane = SupportPlaneAt(*problem.schedule, time_s, pressing.of_foot);
     const PointWrench needed{scratch.p_WB[0], tau.head<3>(), tau.segment<3>(3)};
-    Split(contacts, needed, splitter, split);
+    Split(pressing.contacts, needed, splitter, split);
     const PointWrench lacking{needed.p_W, split.residual_force_W, split.residual_moment_W};
     const PointWrench given{needed.p_W, needed.force_W - lacking.force_W, needed.moment_W - lacking.moment_W};
     const Vector2 below = CentreOfMass(model, scratch).head<2>();
     solution.zmp_W.push_back(ZmpOf(model, needed, plane, below));
     solution.pressure_W.push_back(ZmpOf(model, given, plane, below));
     solution.residual_W.push_back(lacking);
-    std::vector<ContactWrench> wrenches(static_cast<std::size_t>(num_feet));
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const auto f = static_cast<std::size_t>(foot_of[c]);
+    std::vector<ContactWrench> wrenches(model.feet.size());
+    for (std::size_t c = 0; c < pressing.contacts.size(); ++c) {
+      const std::size_t f = pressing.foot[c];
+      const Vector3& p_W = pressing.contacts[c].p_W;
       wrenches[f].force_W += split.force_W[c];
-      wrenches[f].moment_W += (contacts[c].p_W - origin[f]).cross(split.force_W[c]);
-      AddPointForce(model, scratch, model.feet[f].body, contacts[c].p_W, -split.force_W[c], tau);
+      wrenches[f].moment_W += (p_W - pressing.origin_W[f]).cross(split.force_W[c]);
+      AddPointForce(model, scratch, model.feet[f].body, p_W, -split.force_W[c], tau);
     }
     out.tau.push_back(tau.tail(model.num_dofs()));
     out.wrenches.push_back(std::move(wrenches));

@@ -31,11 +31,17 @@ struct HermiteWeights {
   }
 };
 
-/// The polynomial of one coordinate (or a vector of them) over an interval of length h.
+/// A coordinate (or a vector of them) at a node, with its rate and acceleration.
 template <class Value>
-Value Blend(const double (&w)[6], double h, const Value& p0, const Value& v0, const Value& a0, const Value& p1,
-            const Value& v1, const Value& a1) {
-  return w[0] * p0 + w[1] * h * v0 + w[2] * h * h * a0 + w[3] * p1 + w[4] * h * v1 + w[5] * h * h * a1;
+struct NodeState {
+  const Value &p, &v, &a;
+};
+
+/// The polynomial of one coordinate (or a vector of them) over an interval of length h between two nodes.
+template <class Value>
+Value Blend(const double (&w)[6], double h, const NodeState<Value>& left, const NodeState<Value>& right) {
+  return w[0] * left.p + w[1] * h * left.v + w[2] * h * h * left.a + w[3] * right.p + w[4] * h * right.v +
+         w[5] * h * h * right.a;
 }
 
 /// Two neighbouring nodes and the place between them in [0, 1]; outside of the grid the same node twice.
@@ -65,9 +71,10 @@ void BlendBaseRotation(const WholeBodyTrajectory& t, const Interval& at, const H
   const Vector3 rate1 = w1 - 0.5 * turn.cross(w1);
   const Vector3 acceleration1 = d1 - 0.5 * turn.cross(d1);
   const Vector3 zero = Vector3::Zero();
-  const Vector3 phi = Blend(weights.p, h, zero, w0, d0, turn, rate1, acceleration1);
-  const Vector3 rate = Blend(weights.v, h, zero, w0, d0, turn, rate1, acceleration1) / h;
-  const Vector3 acceleration = Blend(weights.a, h, zero, w0, d0, turn, rate1, acceleration1) / (h * h);
+  const NodeState<Vector3> left{zero, w0, d0}, right{turn, rate1, acceleration1};
+  const Vector3 phi = Blend(weights.p, h, left, right);
+  const Vector3 rate = Blend(weights.v, h, left, right) / h;
+  const Vector3 acceleration = Blend(weights.a, h, left, right) / (h * h);
   s.q.segment<4>(3) = Quaternion(RotationExp(phi) * R0).coeffs();
   s.v.segment<3>(3) = rate + 0.5 * phi.cross(rate);
   s.a.segment<3>(3) = acceleration + 0.5 * phi.cross(acceleration);
@@ -80,9 +87,10 @@ void BlendStates(const WholeBodyTrajectory& t, const Interval& at, WholeBodySamp
   const VectorX &v0 = t.v[at.left], &v1 = t.v[at.right];
   const VectorX &a0 = t.a[at.left], &a1 = t.a[at.right];
   const auto blend = [&](Eigen::Index iq, Eigen::Index iv) {
-    s.q[iq] = Blend(weights.p, h, q0[iq], v0[iv], a0[iv], q1[iq], v1[iv], a1[iv]);
-    s.v[iv] = Blend(weights.v, h, q0[iq], v0[iv], a0[iv], q1[iq], v1[iv], a1[iv]) / h;
-    s.a[iv] = Blend(weights.a, h, q0[iq], v0[iv], a0[iv], q1[iq], v1[iv], a1[iv]) / (h * h);
+    const NodeState<double> left{q0[iq], v0[iv], a0[iv]}, right{q1[iq], v1[iv], a1[iv]};
+    s.q[iq] = Blend(weights.p, h, left, right);
+    s.v[iv] = Blend(weights.v, h, left, right) / h;
+    s.a[iv] = Blend(weights.a, h, left, right) / (h * h);
   };
   for (Eigen::Index i = 0; i < 3; ++i) blend(i, i);
   for (Eigen::Index i = 6; i < v0.size(); ++i) blend(i + 1, i);
@@ -125,10 +133,9 @@ CentroidalSample SampleCentroidal(const CentroidalTrajectory& t, double time_s) 
   }
   const HermiteWeights w(at.u);
   const double h = t.step_s;
-  const auto blend = [&](const double(&weights)[6]) {
-    return Blend(weights, h, t.p_WC[at.left], t.v_WC[at.left], t.a_WC[at.left], t.p_WC[at.right], t.v_WC[at.right],
-                 t.a_WC[at.right]);
-  };
+  const NodeState<Vector3> left{t.p_WC[at.left], t.v_WC[at.left], t.a_WC[at.left]};
+  const NodeState<Vector3> right{t.p_WC[at.right], t.v_WC[at.right], t.a_WC[at.right]};
+  const auto blend = [&](const double(&weights)[6]) { return Blend(weights, h, left, right); };
   sample.p_WC = blend(w.p);
   sample.v_WC = blend(w.v) / h;
   sample.a_WC = blend(w.a) / (h * h);

@@ -156,8 +156,8 @@ void StanceFeedback::FindUsable(const Situation& now, const Footing& footing) {
   const Vector2 home = NearestPoint(support_, planned_zmp_W_ + footing.mean_offset_W.head<2>());
   usable_ = support_;
   if (std::popcount(now.bearing) == 1) {
-    usable_ = HoldableSupport(model_, now.measured.scratch, std::countr_zero(now.bearing), support_, now.measured.p_WC,
-                              model_.weight_n(), options_.torque_use);
+    usable_ = HoldableSupport(model_, now.measured.scratch, std::countr_zero(now.bearing), support_,
+                              {now.measured.p_WC, model_.weight_n()}, options_.torque_use);
     usable_.push_back(home);
     usable_ = ConvexHull(usable_);
   }

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "tests/architecture/function_sizes.h"
 #include "tests/architecture/include_rules.h"
 #include "tests/architecture/rules_table.h"
 #include "tests/architecture/source_tree.h"
@@ -129,6 +130,33 @@ TEST(Architecture, AllowedLongFilesExist) {
     const std::vector<SourceFile> files = CppFiles(kRoot, {allowed.substr(0, allowed.find('/'))});
     EXPECT_TRUE(std::any_of(files.begin(), files.end(), [&](const SourceFile& file) { return file.path == allowed; }))
         << "rules_table.h allows '" << allowed << "' to be long, but there is no such file";
+  }
+}
+
+TEST(Architecture, FunctionsAreShortAndHaveFewParameters) {
+  std::vector<std::string> breaches;
+  for (const SourceFile& file : RoomFiles()) {
+    for (std::string& breach : FunctionBreaches(file.path, file.text)) breaches.push_back(std::move(breach));
+  }
+  EXPECT_TRUE(breaches.empty()) << Joined(breaches);
+}
+
+TEST(Architecture, FunctionsThatMayBeLargerAreLarger) {
+  const std::vector<SourceFile> files = RoomFiles();
+  const auto needed = [&](const Exempt& exempt, const auto& is_large) {
+    for (const SourceFile& file : files) {
+      if (file.path != exempt.file) continue;
+      for (const FunctionSize& function : FunctionsOf(file.text)) {
+        if (function.name == exempt.name && is_large(function)) return true;
+      }
+    }
+    return false;
+  };
+  for (const Exempt& exempt : kLongFunctions) {
+    EXPECT_TRUE(needed(exempt, [](const FunctionSize& f) { return f.lines > kLongestFunction; })) << exempt.name;
+  }
+  for (const Exempt& exempt : kManyParameters) {
+    EXPECT_TRUE(needed(exempt, [](const FunctionSize& f) { return f.parameters > kMostParameters; })) << exempt.name;
   }
 }
 

@@ -34,7 +34,7 @@ class HoldableSupportTest : public ::testing::TestWithParam<int> {
   }
 
   Polygon Held(double use) const {
-    return HoldableSupport(model_, scratch_, GetParam(), sole_, p_WC_, model_.weight_n(), use);
+    return HoldableSupport(model_, scratch_, GetParam(), sole_, {p_WC_, model_.weight_n()}, use);
   }
 
   /// Largest share of its limit that the motor of a revolute joint below half of the height of C takes, by virtual
@@ -95,7 +95,7 @@ TEST_P(HoldableSupportTest, OfMotorsOfATransmissionIsWhereTheirTorquesHold) {
     ankle.motors.push_back({.name = "motor", .effort_limit = 0.6 * model_.dof_effort_limit(ankle.dofs.back())});
   }
   AddTransmission(ankle, driven);
-  const Polygon held = HoldableSupport(driven, scratch_, GetParam(), sole_, p_WC_, driven.weight_n(), kUse);
+  const Polygon held = HoldableSupport(driven, scratch_, GetParam(), sole_, {p_WC_, driven.weight_n()}, kUse);
   ASSERT_GE(held.size(), 3U);
   int inside = 0, outside = 0, others = 0;
   for (double u = 0.01; u < 1.0; u += 0.02) {
@@ -128,7 +128,7 @@ TEST_P(HoldableSupportTest, LiesInTheSoleAndGrowsWithTheTorque) {
 }
 
 TEST_P(HoldableSupportTest, HalfTheLoadIsTwiceTheTorque) {
-  const Polygon light = HoldableSupport(model_, scratch_, GetParam(), sole_, p_WC_, 0.5 * model_.weight_n(), 0.3);
+  const Polygon light = HoldableSupport(model_, scratch_, GetParam(), sole_, {p_WC_, 0.5 * model_.weight_n()}, 0.3);
   EXPECT_NEAR(Area(light), Area(Held(0.6)), 1e-12);
   EXPECT_GT(Area(light), Area(Held(0.3)) + 1e-6);
 }
@@ -136,7 +136,7 @@ TEST_P(HoldableSupportTest, HalfTheLoadIsTwiceTheTorque) {
 TEST_P(HoldableSupportTest, AJointThatLeavesNothingIsPassedOver) {
   Polygon far = sole_;
   for (Vector2& corner : far) corner.x() += 1.0;
-  const auto held = Extent(HoldableSupport(model_, scratch_, GetParam(), far, p_WC_, model_.weight_n(), 0.5));
+  const auto held = Extent(HoldableSupport(model_, scratch_, GetParam(), far, {p_WC_, model_.weight_n()}, 0.5));
   EXPECT_NEAR(held.first.x(), Extent(far).first.x(), 1e-12) << "no pitch torque holds so far ahead";
   EXPECT_NEAR(held.second.x(), Extent(far).second.x(), 1e-12);
   EXPECT_LT(held.second.y() - held.first.y(), Extent(far).second.y() - Extent(far).first.y() - 1e-3) << "roll does";
@@ -145,7 +145,7 @@ TEST_P(HoldableSupportTest, AJointThatLeavesNothingIsPassedOver) {
 TEST_P(HoldableSupportTest, WhatHasNoAreaIsGivenBack) {
   const Polygon line = {sole_[0], sole_[1]}, point = {sole_[0]};
   for (const Polygon& support : {line, point, Polygon()}) {
-    EXPECT_EQ(HoldableSupport(model_, scratch_, GetParam(), support, p_WC_, model_.weight_n(), 0.01), support);
+    EXPECT_EQ(HoldableSupport(model_, scratch_, GetParam(), support, {p_WC_, model_.weight_n()}, 0.01), support);
   }
 }
 
@@ -163,7 +163,7 @@ TEST(HoldableSupport, OfMirroredFeetIsMirrored) {
   for (int foot = 0; foot < 2; ++foot) {
     Polygon sole;
     for (const Vector3& corner : ContactPoints(nao, scratch, foot)) sole.push_back(corner.head<2>());
-    const Polygon held = HoldableSupport(nao, scratch, foot, ConvexHull(sole), p_WC, nao.weight_n(), 0.5);
+    const Polygon held = HoldableSupport(nao, scratch, foot, ConvexHull(sole), {p_WC, nao.weight_n()}, 0.5);
     area[foot] = Area(held);
     centre[foot] = Centroid(held);
   }

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-using Kind = Situation::Kind;
+using Kind = SearchSituation::Kind;
 
 Failure TooMuch() { return {FailureKind::kInfeasible, FailureCode::kLimits, "Made up", "", {}}; }
 
