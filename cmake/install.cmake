@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake --install: the program, the libraries with their public headers, the robots, and the package for find_package.
 include(CMakePackageConfigHelpers)
+include(cmake/public_headers.cmake)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gaitwright)
 
 install(TARGETS gaitwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${GAITWRIGHT_ROOMS} EXPORT gaitwrightTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT gaitwrightTargets NAMESPACE gaitwright:: DESTINATION ${package_dir})
 
-# Headers called *_internal.h belong to the .cc files beside them.
-foreach(room kinematics planning optimisation playback workflows)
-  if(EXISTS ${CMAKE_SOURCE_DIR}/${room})
-    install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gaitwright
-            FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE)
-  endif()
+gaitwright_public_headers(public_headers)
+foreach(header ${public_headers})
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gaitwright/${folder})
 endforeach()
 if(EXISTS ${CMAKE_SOURCE_DIR}/robots)
   install(DIRECTORY robots DESTINATION ${CMAKE_INSTALL_DATADIR}/gaitwright)

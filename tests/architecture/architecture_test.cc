@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "tests/architecture/function_sizes.h"
@@ -157,6 +159,47 @@ TEST(Architecture, FunctionsThatMayBeLargerAreLarger) {
   }
   for (const Exempt& exempt : kManyParameters) {
     EXPECT_TRUE(needed(exempt, [](const FunctionSize& f) { return f.parameters > kMostParameters; })) << exempt.name;
+  }
+}
+
+/// The headers of ours that a file's text includes, and what these include.
+void AddReached(const std::map<std::string, std::string>& text_of, const std::string& text,
+                std::set<std::string>& reached) {
+  for (const Include& include : IncludesOf(text)) {
+    const auto header = text_of.find(include.path);
+    if (header == text_of.end() || !reached.insert(include.path).second) continue;
+    AddReached(text_of, header->second, reached);
+  }
+}
+
+// Whoever reads an example or a page of the handbook may write the same against the installed library.
+TEST(Architecture, PublicHeadersAreFewAndAllThatUsersAreShown) {
+  std::map<std::string, std::string> text_of;
+  for (const SourceFile& file : RoomFiles()) {
+    if (file.path.ends_with(".h")) text_of[file.path] = file.text;
+  }
+  std::set<std::string> installed;
+  for (const Layer& umbrella : kUmbrellas) {
+    ASSERT_TRUE(text_of.contains(std::string(umbrella.folder))) << umbrella.folder;
+    installed.emplace(umbrella.folder);
+    AddReached(text_of, text_of.at(std::string(umbrella.folder)), installed);
+  }
+  EXPECT_GT(installed.size(), 50U);
+  EXPECT_LE(installed.size(), static_cast<std::size_t>(kMostPublicHeaders));
+  for (const std::string& header : installed) EXPECT_FALSE(header.ends_with("_internal.h")) << header;
+  std::vector<SourceFile> shown = CppFiles(kRoot, {"examples", "tests/consumer"});
+  for (const auto& entry : std::filesystem::directory_iterator(kRoot + "/docs")) {
+    if (entry.path().extension() != ".md") continue;
+    std::ifstream stream(entry.path());
+    shown.push_back({entry.path().filename().string(),
+                     std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>())});
+  }
+  for (const SourceFile& file : shown) {
+    for (const Include& include : IncludesOf(file.text)) {
+      if (!text_of.contains(include.path) || include.path.starts_with("cli/")) continue;
+      if (include.path.starts_with("examples/")) continue;
+      EXPECT_TRUE(installed.contains(include.path)) << file.path << " includes '" << include.path << "'";
+    }
   }
 }
 

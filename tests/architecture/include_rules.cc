@@ -28,7 +28,14 @@ bool InsideAny(const std::string& path, const std::vector<std::string_view>& fol
 
 std::string Listed(const std::vector<std::string_view>& folders) { return fmt::format("{}", fmt::join(folders, ", ")); }
 
+const Layer* UmbrellaOf(const std::string& path) {
+  const auto found =
+      std::find_if(kUmbrellas.begin(), kUmbrellas.end(), [&](const Layer& l) { return path == l.folder; });
+  return found == kUmbrellas.end() ? nullptr : &*found;
+}
+
 const Layer* LayerOf(const std::string& path) {
+  if (const Layer* umbrella = UmbrellaOf(path)) return umbrella;
   const auto found =
       std::find_if(kLayers.begin(), kLayers.end(), [&](const Layer& l) { return Inside(path, l.folder); });
   return found == kLayers.end() ? nullptr : &*found;
@@ -56,6 +63,10 @@ std::string OwnBreach(const std::string& file, const Layer& layer, const Include
   if (other == nullptr) {
     return fmt::format("'{}' is in no folder of the order of rooms", include.path);
   }
+  if (UmbrellaOf(include.path) != nullptr && !Inside(file, "examples"))
+    return fmt::format("'{}' is for users: name the headers that are needed", include.path);
+  if (UmbrellaOf(file) != nullptr && TopFolder(include.path) != TopFolder(file))
+    return fmt::format("the header of a room has the room's own headers, not '{}'", include.path);
   for (const Blinkers& blinkers : kBlinkers) {
     if (Inside(file, blinkers.folder) && !InsideAny(include.path, blinkers.sees)) {
       return fmt::format("{} sees only {}, not '{}'", blinkers.folder, Listed(blinkers.sees), include.path);

@@ -2,7 +2,7 @@
 // Loads a robot from the installed data and prints what it weighs.
 #include <cstdio>
 
-#include "kinematics/base/version.h"
+#include "workflows/workflows.h"
 #include "kinematics/model/load_robot.h"
 
 int main() {

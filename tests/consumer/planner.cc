@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "kinematics/model/load_robot.h"
-#include "optimisation/search/plan_walk.h"
+#include "optimisation/optimisation.h"
 
 int main() {
   const auto robot = gaitwright::LoadRobot(ROBOTS_DIR "/a1/robot.urdf");

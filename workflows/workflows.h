@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What joins planning and playback: walks, trials, imported and exported motions, instructions.
+// What this header reaches is installed; all else belongs to the library and may change without notice.
+
+#include "workflows/exchange/export_motion.h"
+#include "workflows/exchange/import_motion.h"
+#include "workflows/exchange/placed_steps.h"
+#include "workflows/grade/answer_table.h"
+#include "workflows/study/run_trials.h"
+#include "workflows/walk/plan_recovery.h"
+#include "workflows/walk/walk.h"
+#include "workflows/walk/walk_extent.h"
+#include "workflows/words/plan_tasks.h"
+#include "workflows/words/understand.h"
