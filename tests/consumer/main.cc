@@ -2,8 +2,8 @@
 // Loads a robot from the installed data and prints what it weighs.
 #include <cstdio>
 
+#include "kinematics/kinematics.h"
 #include "workflows/workflows.h"
-#include "kinematics/model/load_robot.h"
 
 int main() {
   const auto robot = gaitwright::LoadRobot(ROBOTS_DIR "/a1/robot.urdf");
