@@ -18,7 +18,7 @@ constexpr double kFarEase = 0.5;  // of the pace, where a law that stays unmet d
 
 /// The request for few and cheap passes.
 WalkRequest Cheap(const WalkRequest& request) {
-  constexpr int kPasses = 3;
+  constexpr int kPasses = 3;  // footholds are held from the third pass on, so that its limits are those of the plan
   WalkRequest cheap = request;
   cheap.motion.rigid_body.method = "interior-point";  // which knows soon where there is none
   cheap.motion.pipeline.max_body_passes = std::min(kPasses, request.motion.pipeline.max_body_passes);
@@ -27,7 +27,7 @@ WalkRequest Cheap(const WalkRequest& request) {
 
 /// The start of a walk on level ground, where it is much shorter than all of it.
 WalkCommand ShortStart(const RobotModel& model, const Terrain& terrain, const Gait& gait, const WalkCommand& command) {
-  constexpr double kMuch = 1.5;
+  constexpr double kMuch = 1.5;  // of the start; what is little longer is looked at as a whole
   if (!IsLevelGround(terrain)) return command;
   const WalkCommand start = StartOfWalk(model, command, gait);
   const bool by_distance = command.extent == WalkCommand::Extent::kDistance;
@@ -74,7 +74,9 @@ FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequ
 }
 
 double EaseOf(const AuditReport& audit) {
-  constexpr double kSpare = 0.95, kLeast = 0.4, kMost = 0.8, kOtherwise = 0.7;
+  constexpr double kSpare = 0.95;              // limits that are just kept fail between the knots
+  constexpr double kLeast = 0.4, kMost = 0.8;  // so that each look moves on, and none skips most paces
+  constexpr double kOtherwise = 0.7;           // for laws that do not go with a power of the pace
   double ease = 1.0;
   for (const Violation& v : BrokenLimits(audit)) {
     double share = kOtherwise;

@@ -8,6 +8,7 @@ namespace gaitwright {
 /// A gait fitted to a command and its other possible cycles, by number: 0 as fitted, up to kQuickest ever shorter, down
 /// to kSlowest ever longer, in even ratios.
 struct GaitCycles {
+  /// Neighbours differ by a tenth or so, within which plans hardly differ.
   static constexpr int kQuickest = 6, kSlowest = -4;
   Gait fitted;
   double shortest_s = 0.0, longest_s = 0.0;

@@ -41,7 +41,7 @@ bool MayVaryFlight(const WalkRequest& request, const Gait& gait, const Terrain& 
 
 /// A goal is not walked to as slowly as other walks, since one plan does not last so long.
 PaceRange PacesOf(const RobotModel& model, const WalkCommand& command) {
-  constexpr int kHalvingsToGoal = 5;
+  constexpr int kHalvingsToGoal = 5;  // a thirty-second of the pace
   PaceRange paces{PaceValue(model, command), UnreachablePace(model, PaceOf(command))};
   if (command.extent == Extent::kGoal) paces.halvings = kHalvingsToGoal;
   return paces;

@@ -117,9 +117,9 @@ Sound SlowerWithoutFlight(const SearchProblem& problem, Kind kind, double flight
 
 /// The largest pace at which a gait that flies by its speed stays on the ground; 0 for none.
 double LargestOnTheGround(const SearchProblem& problem, Evaluator& evaluator) {
-  constexpr int kTries = 10;
-  constexpr double kLower = 0.95;
-  constexpr double kNoFlight = 0.0;
+  constexpr int kTries = 10;         // down to three fifths of the pace
+  constexpr double kLower = 0.95;    // a step that the duty factor feels
+  constexpr double kNoFlight = 0.0;  // see Candidate
   if (!problem.grounded || problem.situation.may_slow_down) return 0.0;
   const Sound sound = SlowerWithoutFlight(problem, *problem.grounded, kNoFlight, evaluator);
   double pace = sound ? sound->first.pace : 0.0;

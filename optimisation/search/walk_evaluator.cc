@@ -19,7 +19,8 @@ namespace {
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
 /// enough, and no matter how good.
 WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
-  constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
+  constexpr double kStepsOfCycle = 100.0;  // with fewer, peaks of joint speeds are missed
+  constexpr double kCoarsest = 0.01;       // [s]
   WalkRequest coarse = request;
   coarse.motion.rigid_body.method = "interior-point";  // which finds sooner that there is none
   double& grid = coarse.motion.pipeline.grid_step_s;

@@ -162,6 +162,31 @@ TEST(Architecture, FunctionsThatMayBeLargerAreLarger) {
   }
 }
 
+std::ptrdiff_t LinesIn(const std::vector<SourceFile>& files) {
+  std::ptrdiff_t lines = 0;
+  for (const SourceFile& file : files) lines += std::count(file.text.begin(), file.text.end(), '\n');
+  return lines;
+}
+
+TEST(Architecture, EachRoomHasTests) {
+  for (const TestShare& share : kTestShares) {
+    const std::string room(share.room);
+    const auto code = static_cast<double>(LinesIn(CppFiles(kRoot, {room})));
+    const auto tests = static_cast<double>(LinesIn(CppFiles(kRoot, {"tests/" + room})));
+    EXPECT_GE(tests, share.least * code) << room << ": " << tests / code;
+  }
+}
+
+TEST(Architecture, LongSourcesHaveTheirOwnTest) {
+  std::vector<std::string> untested;
+  for (const SourceFile& file : CppFiles(kRoot, {"kinematics", "planning", "optimisation", "playback", "workflows"})) {
+    if (!file.path.ends_with(".cc") || LinesIn({file}) <= kLongestUntested) continue;
+    const std::string test = kRoot + "/tests/" + file.path.substr(0, file.path.size() - 3) + "_test.cc";
+    if (!std::filesystem::exists(test)) untested.push_back(file.path);
+  }
+  EXPECT_LE(untested.size(), static_cast<std::size_t>(kMostUntested)) << Joined(untested);
+}
+
 /// The headers of ours that a file's text includes, and what these include.
 void AddReached(const std::map<std::string, std::string>& text_of, const std::string& text,
                 std::set<std::string>& reached) {
