@@ -55,7 +55,7 @@ MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
       model_(task.model),
       body_(task.body),
       in_reach_(carriage.in_reach),
-      level_(IsLevelAndBare(task.terrain)),
+      level_(KindOfGround(task.terrain) <= GroundKind::kLevel),
       footsteps_(task.skeleton.footsteps),
       planes_(PlanesOfLegs(task.model)) {
   is_planar_ = std::any_of(planes_.begin(), planes_.end(), [](const auto& plane) { return plane.has_value(); });

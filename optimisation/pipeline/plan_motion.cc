@@ -38,7 +38,7 @@ Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
   const CarriageProblem problem{StandingCentreOfMass(task.model).z(),
                                 task.options.pipeline.com_height_m,
                                 task.options.pipeline.zmp_inward,
-                                !IsLevelAndBare(task.terrain),
+                                KindOfGround(task.terrain) > GroundKind::kLevel,
                                 StandsOnOneSole(task.model, task.skeleton.schedule),
                                 task.options.pipeline.allow_limits};
   return FindCarriage(problem, {[&](const Carriage& carriage, double hopeless) {

@@ -234,7 +234,8 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   pass.footsteps = FootstepsOf(motion_);
   SetCentroidal(samples_, pass);
   std::function<std::vector<ReachSide>(int, double)> reach;
-  if (!IsLevelGround(task_.terrain)) reach = [this](int foot, double time_s) { return ReachAt(foot, time_s); };
+  if (KindOfGround(task_.terrain) != GroundKind::kFlat)
+    reach = [this](int foot, double time_s) { return ReachAt(foot, time_s); };
   Result<std::vector<SwingTrajectory>> swings =
       PlanSwings(model_, task_.terrain, pass.footsteps, task_.options.swing,
                  {{},

@@ -168,7 +168,7 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
       problem.rests.push_back({rest->start_s - start_s, rest->end_s - start_s, still.p_WC, still.angles_rad});
     }
   }
-  const bool level = IsLevelGround(terrain);
+  const bool level = KindOfGround(terrain) == GroundKind::kFlat;
   for (const Foothold& foothold : skeleton.footsteps.footholds) {
     RigidStance stance;
     stance.foot = foothold.foot;

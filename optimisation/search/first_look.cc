@@ -28,7 +28,7 @@ WalkRequest Cheap(const WalkRequest& request) {
 /// The start of a walk on level ground, where it is much shorter than all of it.
 WalkCommand ShortStart(const RobotModel& model, const Terrain& terrain, const Gait& gait, const WalkCommand& command) {
   constexpr double kMuch = 1.5;  // of the start; what is little longer is looked at as a whole
-  if (!IsLevelGround(terrain)) return command;
+  if (KindOfGround(terrain) != GroundKind::kFlat) return command;
   const WalkCommand start = StartOfWalk(model, command, gait);
   const bool by_distance = command.extent == WalkCommand::Extent::kDistance;
   return by_distance && command.distance_m < kMuch * start.distance_m ? command : start;

@@ -36,7 +36,8 @@ bool IsOwnPace(const WalkRequest& request) {
 /// and how far the body falls, say how long the flight should be.
 bool MayVaryFlight(const WalkRequest& request, const Gait& gait, const Terrain& terrain) {
   const bool given = request.gait_options.cycle_s > 0.0 || request.gait_options.duty_factor > 0.0;
-  return !given && request.command.extent == Extent::kSteps && HasFlight(gait) && !IsLevelGround(terrain);
+  return !given && request.command.extent == Extent::kSteps && HasFlight(gait) &&
+         KindOfGround(terrain) != GroundKind::kFlat;
 }
 
 /// A goal is not walked to as slowly as other walks, since one plan does not last so long.
@@ -51,7 +52,7 @@ PaceRange PacesOf(const RobotModel& model, const WalkCommand& command) {
 SearchProblem ProblemOf(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait) {
   using Kind = SearchSituation::Kind;
   const auto flies = [&](const Gait& g) { return IsDynamic(g, request.motion.centre_of_mass); };
-  const Kind without_flight = IsLevelGround(terrain) ? Kind::kLevel : Kind::kUneven;
+  const Kind without_flight = KindOfGround(terrain) == GroundKind::kFlat ? Kind::kLevel : Kind::kUneven;
   SearchProblem problem;
   problem.situation.kind = flies(gait) ? Kind::kFlying : without_flight;
   problem.situation.may_slow_down = IsOwnPace(request);

@@ -41,12 +41,6 @@ std::optional<std::pair<double, double>> HeightsOf(const Obstacle& obstacle, con
   return std::pair{from, to};
 }
 
-bool IsLevelAndBare(const Terrain& terrain) {
-  constexpr double kLevel = 1.0 - 1e-12;
-  return terrain.obstacles.empty() && terrain.height_fields.empty() && terrain.patches.size() == 1 &&
-         terrain.patches.front().outline_T.empty() && terrain.patches.front().X_WT.linear()(2, 2) > kLevel;
-}
-
 double HeightToClear(const Terrain& terrain, const Vector2& p_W, double below_m) {
   const GroundPoint ground = GroundAt(terrain, p_W);
   double height = ground.patch < 0 ? -kInfinity : ground.height_m;

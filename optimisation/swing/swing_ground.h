@@ -12,9 +12,6 @@ namespace gaitwright {
 /// axes; nothing where the line passes by.
 std::optional<std::pair<double, double>> HeightsOf(const Obstacle& obstacle, const Vector2& p_W);
 
-/// Whether the ground is one level plane without end and nothing stands on it, so that no swing needs a detour.
-bool IsLevelAndBare(const Terrain& terrain);
-
 /// What a foot has to be lifted over at a point: the ground, and each obstacle that begins lower than `below_m`; what
 /// begins higher, as a lintel, is not lifted over. -infinity where there is nothing.
 double HeightToClear(const Terrain& terrain, const Vector2& p_W, double below_m);

@@ -185,13 +185,6 @@ void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps) {
   }
 }
 
-bool IsLevelGround(const Terrain& terrain) {
-  if (terrain.patches.size() != 1 || !terrain.height_fields.empty() || !terrain.obstacles.empty()) return false;
-  const TerrainPatch& patch = terrain.patches.front();
-  return patch.outline_T.empty() && patch.X_WT.linear().col(2) == Vector3::UnitZ() &&
-         patch.X_WT.translation().z() == 0.0;
-}
-
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                             const WalkCommand& command, const std::vector<PlanarPose>& way,
                                             const FootstepOptions& options) {
@@ -204,7 +197,7 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
   if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
-  if (!IsLevelGround(terrain))
+  if (KindOfGround(terrain) != GroundKind::kFlat)
     return WithPart(model, FindFootsteps(model, terrain, gait, command, options), gait, command);
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;

@@ -99,7 +99,4 @@ void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps);
 /// Why a command or a gait is for no robot, or not for this one.
 std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command);
 
-/// True for ground that is one level plane without end at height zero, with nothing on it.
-bool IsLevelGround(const Terrain& terrain);
-
 }  // namespace gaitwright

@@ -11,6 +11,18 @@
 
 namespace gaitwright {
 
+GroundKind KindOfGround(const Terrain& terrain) {
+  constexpr double kLevel = 1.0 - 1e-12;  // cosine of the tilt, but for rounding
+  if (terrain.patches.size() != 1 || !terrain.height_fields.empty() || !terrain.obstacles.empty())
+    return GroundKind::kUneven;
+  const TerrainPatch& patch = terrain.patches.front();
+  const Vector3 normal_W = patch.X_WT.linear().col(2);
+  if (normal_W.z() <= kLevel) return GroundKind::kUneven;
+  if (!patch.outline_T.empty()) return GroundKind::kBounded;
+  const bool is_flat = normal_W == Vector3::UnitZ() && patch.X_WT.translation().z() == 0.0;
+  return is_flat ? GroundKind::kFlat : GroundKind::kLevel;
+}
+
 Terrain FlatTerrain(double friction) {
   TerrainPatch ground;
   ground.name = "ground";

@@ -55,6 +55,15 @@ struct Terrain {
   int num_surfaces() const { return static_cast<int>(patches.size() + height_fields.size()); }
 };
 
+/// The kinds of ground that methods tell apart, the plainest first.
+enum class GroundKind {
+  kFlat,     ///< one level plane without end at z = 0, with nothing on it
+  kLevel,    ///< one level plane without end at another height, with nothing on it
+  kBounded,  ///< one level plane with edges, with nothing on it
+  kUneven,   ///< anything else
+};
+GroundKind KindOfGround(const Terrain& terrain);
+
 /// Level ground without end at z = 0.
 Terrain FlatTerrain(double friction = 0.8);
 

@@ -55,11 +55,6 @@ std::vector<Vector2> LineAhead(const Eigen::AlignedBox2d& window) {
 
 }  // namespace
 
-bool IsUneven(const Terrain& terrain) {
-  return terrain.num_surfaces() > 1 || !terrain.obstacles.empty() || terrain.patches.size() != 1 ||
-         terrain.patches.front().X_WT.linear().col(2).z() < 1.0;
-}
-
 void DrawGround(const PlotData& data, SvgPlot& plot) {
   const Eigen::AlignedBox2d window = ShownWindow(data);
   for (const TerrainPatch& patch : data.plan.terrain.patches) {

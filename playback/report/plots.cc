@@ -43,7 +43,7 @@ std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, con
     data.series.plan.resize(count);
   }
   std::vector<Plot> plots = {TopView(data)};
-  if (IsUneven(plan.terrain)) plots.push_back(SideView(data));
+  if (KindOfGround(plan.terrain) == GroundKind::kUneven) plots.push_back(SideView(data));
   Append(BalancePlots(data), plots);
   Append(EstimatePlots(data), plots);
   Append(ContactPlots(data), plots);

@@ -53,8 +53,6 @@ void DrawSupports(const ContactSchedule& schedule, const std::vector<MotionSampl
 void DrawPaths(const MotionSeries& series, SvgPlot& plot);
 /// Centre of mass and ZMP along one axis over time, planned and measured, over the extent of the support.
 void DrawBalance(const MotionSeries& series, int axis, SvgPlot& plot);
-/// True unless the ground is one level plane with nothing on it.
-bool IsUneven(const Terrain& terrain);
 /// Lines where parts of the plan begin after its first, and at the time of the fall, if there was one.
 void MarkTimes(const PlotData& data, SvgPlot& plot, bool in_words = true);
 

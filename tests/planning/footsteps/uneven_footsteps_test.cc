@@ -154,12 +154,5 @@ TEST(UnevenFootsteps, FewerFootfallsThanGoAheadAreRefused) {
   EXPECT_EQ(skeleton.failure().message, "1 footfalls only close the stance of 2 feet; 2 or more go ahead");
 }
 
-TEST(UnevenFootsteps, LevelGroundIsKnownAsSuch) {
-  EXPECT_TRUE(IsLevelGround(FlatTerrain()));
-  EXPECT_FALSE(IsLevelGround(LevelPatches()));
-  EXPECT_FALSE(IsLevelGround(RampUp(1.0, 1.0, 0.1)));
-  EXPECT_FALSE(IsLevelGround(WallWithOpening(1.0, 1.0, 1.0)));
-}
-
 }  // namespace
 }  // namespace gaitwright

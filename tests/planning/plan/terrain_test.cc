@@ -95,5 +95,24 @@ TEST(GroundAt, TheHighestSurfaceHoldsAndIsNumberedAfterThePatches) {
   EXPECT_EQ(GroundAt(terrain, {1.3, 0.05}).friction, 0.6);
 }
 
+TEST(KindOfGround, IsTheSimplestThatHolds) {
+  EXPECT_EQ(KindOfGround(FlatTerrain()), GroundKind::kFlat);
+  Terrain level = FlatTerrain();
+  level.patches.front().X_WT.translation().z() = 0.1;
+  EXPECT_EQ(KindOfGround(level), GroundKind::kLevel);
+  Terrain bounded = FlatTerrain();
+  bounded.patches.front().outline_T = {Vector2(1, 1), Vector2(-1, 1), Vector2(-1, -1), Vector2(1, -1)};
+  EXPECT_EQ(KindOfGround(bounded), GroundKind::kBounded);
+  Terrain tilted = FlatTerrain();
+  tilted.patches.front().X_WT.linear() = Eigen::AngleAxisd(1e-3, Vector3::UnitY()).toRotationMatrix();
+  EXPECT_EQ(KindOfGround(tilted), GroundKind::kUneven);
+  Terrain walled = FlatTerrain();
+  walled.obstacles.push_back({"wall", ShapeType::kBox, Pose::Identity(), Vector3(1, 0.1, 1), {}});
+  EXPECT_EQ(KindOfGround(walled), GroundKind::kUneven);
+  Terrain two = bounded;
+  two.patches.push_back(bounded.patches.front());
+  EXPECT_EQ(KindOfGround(two), GroundKind::kUneven);
+}
+
 }  // namespace
 }  // namespace gaitwright
