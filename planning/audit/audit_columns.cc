@@ -86,32 +86,13 @@ void Auditor::CheckCentroidal() {
   }
 }
 
-/// The plane through the feet's footholds, those in the air taken evenly between the one left and the one to come.
-GroundPlane Auditor::CarryingPlane(double time_s) const {
-  const auto& all = plan_.footsteps.footholds;
-  ContactsByFoot places(model_.feet.size());
-  for (std::size_t f = 0; f < places.size(); ++f) {
-    const int index = FootholdAt(plan_.footsteps, static_cast<int>(f), time_s);
-    if (index < 0) continue;
-    const Foothold& last = all[static_cast<std::size_t>(index)];
-    Vector3 place = last.X_WF.translation();
-    const auto next =
-        std::find_if(all.begin() + index + 1, all.end(), [&](const auto& h) { return h.foot == last.foot; });
-    if (time_s > last.liftoff_s && next != all.end() && next->touchdown_s > last.liftoff_s) {
-      const double u = std::min((time_s - last.liftoff_s) / (next->touchdown_s - last.liftoff_s), 1.0);
-      place += u * (next->X_WF.translation() - place);
-    }
-    places[f].push_back(place);
-  }
-  return PlaneThrough(places, AllFeet(static_cast<int>(places.size())));
-}
-
 void Auditor::CheckPendulum() {
   const CentroidalTrajectory& c = plan_.centroidal;
   if (c.p_WC.empty()) return;
   double height = 0.0;
   for (std::size_t k = 0; k < c.p_WC.size(); ++k) {
-    const GroundPlane plane = CarryingPlane(c.start_s + static_cast<double>(k) * c.step_s);
+    const GroundPlane plane = CarryingPlaneAt(plan_.footsteps, static_cast<int>(model_.feet.size()),
+                                              c.start_s + static_cast<double>(k) * c.step_s);
     height += c.p_WC[k].z() - plane.HeightAt(c.p_WC[k].head<2>());
   }
   height /= static_cast<double>(c.p_WC.size());

@@ -58,7 +58,6 @@ class Auditor {
   void CheckColumns();
   void CheckCentroidal();
   void CheckPendulum();
-  GroundPlane CarryingPlane(double time_s) const;
   void CheckSchedule();
   void CheckParts();
   void CheckStart();

@@ -76,6 +76,24 @@ GroundPlane SupportPlaneAt(const ContactSchedule& schedule, double time_s, const
   return Blend(PlaneThrough(contacts, before), PlaneThrough(contacts, after), SmoothStep(u).value);
 }
 
+GroundPlane CarryingPlaneAt(const FootstepPlan& footsteps, int num_feet, double time_s) {
+  const std::vector<Foothold>& all = footsteps.footholds;
+  ContactsByFoot places(static_cast<std::size_t>(num_feet));
+  for (int f = 0; f < num_feet; ++f) {
+    const int index = FootholdAt(footsteps, f, time_s);
+    if (index < 0) continue;
+    const auto last = all.begin() + index;
+    Vector3 place = last->X_WF.translation();
+    const auto next = std::find_if(last + 1, all.end(), [&](const Foothold& h) { return h.foot == f; });
+    if (time_s > last->liftoff_s && next != all.end() && next->touchdown_s > last->liftoff_s) {
+      const double u = std::min((time_s - last->liftoff_s) / (next->touchdown_s - last->liftoff_s), 1.0);
+      place += u * (next->X_WF.translation() - place);
+    }
+    places[static_cast<std::size_t>(f)].push_back(place);
+  }
+  return PlaneThrough(places, AllFeet(num_feet));
+}
+
 Vector3 NormalUnder(const FootstepPlan& footsteps, int foot, double time_s) {
   const int index = FootholdAt(footsteps, foot, time_s);
   if (index < 0) return Vector3::UnitZ();

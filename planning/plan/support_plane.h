@@ -21,6 +21,10 @@ GroundPlane PlaneThrough(const ContactsByFoot& contacts, FootSet stance);
 /// of the feet that stand before and after, and in between it goes evenly from the one to the other.
 GroundPlane SupportPlaneAt(const ContactSchedule& schedule, double time_s, const ContactsByFoot& contacts);
 
+/// The plane over which a pendulum's height counts: through the footholds of all feet, those of feet in the air evenly
+/// on the straight way from the one left to the one to come. Feet that have no foothold yet do not count.
+GroundPlane CarryingPlaneAt(const FootstepPlan& footsteps, int num_feet, double time_s);
+
 /// The ground's normal under the foothold that a foot stands on, or stood on last; level when it has none.
 Vector3 NormalUnder(const FootstepPlan& footsteps, int foot, double time_s);
 

@@ -169,7 +169,9 @@ class Builder {
       c.p_WC.push_back(CentreOfMass(model_, scratch));
       c.v_WC.emplace_back(CentroidalMomentum(model_, scratch).head<3>() / model_.total_mass_kg);
       c.a_WC.emplace_back(needed.head<3>() / model_.total_mass_kg - kGravity * Vector3::UnitZ());
-      height += c.p_WC.back().z() - CarryingPlane(motion_.TimeOf(k)).HeightAt(c.p_WC.back().head<2>());
+      height +=
+          c.p_WC.back().z() - CarryingPlaneAt(plan_.footsteps, static_cast<int>(model_.feet.size()), motion_.TimeOf(k))
+                                  .HeightAt(c.p_WC.back().head<2>());
     }
     height /= motion_.size();
     if (!(height > 0.0)) {
@@ -178,25 +180,6 @@ class Builder {
     }
     c.omega_rad_s = std::sqrt(kGravity / height);
     notes_.derived.push_back({"centre of mass and zero-moment point", "from the model"});
-  }
-
-  /// The plane through the footholds, those of feet in the air taken evenly from the one left to the one to come.
-  GroundPlane CarryingPlane(double time_s) const {
-    const auto& all = plan_.footsteps.footholds;
-    ContactsByFoot places(model_.feet.size());
-    for (std::size_t f = 0; f < places.size(); ++f) {
-      const int index = FootholdAt(plan_.footsteps, static_cast<int>(f), time_s);
-      const Foothold& last = all[static_cast<std::size_t>(index)];
-      Vector3 place = last.X_WF.translation();
-      const auto next =
-          std::find_if(all.begin() + index + 1, all.end(), [&](const auto& h) { return h.foot == last.foot; });
-      if (time_s > last.liftoff_s && next != all.end()) {
-        const double u = std::min((time_s - last.liftoff_s) / (next->touchdown_s - last.liftoff_s), 1.0);
-        place += u * (next->X_WF.translation() - place);
-      }
-      places[f].push_back(place);
-    }
-    return PlaneThrough(places, AllFeet(static_cast<int>(places.size())));
   }
 
   void AddPart(const std::optional<PlanarPose>& goal) {

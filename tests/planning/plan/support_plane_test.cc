@@ -78,5 +78,27 @@ TEST(SupportPlane, OfLevelGroundGivesTheZeroMomentPointOfLevelGround) {
   EXPECT_THROW(ZeroMomentPoint(p_WP, -force, moment, GroundPlane{}), InvalidArgument);
 }
 
+TEST(CarryingPlane, GoesEvenlyWithAFootInTheAirFromItsFootholdToTheNext) {
+  FootstepPlan footsteps;
+  for (int f = 0; f < 3; ++f) {
+    Foothold foothold;
+    foothold.foot = f;
+    foothold.liftoff_s = f == 2 ? 1.0 : 10.0;
+    foothold.X_WF.translation() = Vector3(f == 2 ? 1.0 : 0.0, f == 0 ? 0.5 : -0.5, 0.0);
+    footsteps.footholds.push_back(foothold);
+  }
+  Foothold higher = footsteps.footholds.back();
+  higher.touchdown_s = 2.0;
+  higher.liftoff_s = 10.0;
+  higher.X_WF.translation().z() = 0.4;
+  footsteps.footholds.push_back(higher);
+  for (const auto& [time_s, height] : {std::pair(0.5, 0.0), std::pair(1.0, 0.0), std::pair(1.25, 0.1),
+                                       std::pair(1.75, 0.3), std::pair(2.0, 0.4), std::pair(5.0, 0.4)}) {
+    const GroundPlane plane = CarryingPlaneAt(footsteps, 3, time_s);
+    EXPECT_NEAR(plane.HeightAt(Vector2(1.0, -0.5)), height, 1e-12);
+    EXPECT_NEAR(plane.HeightAt(Vector2(0.0, 0.5)), 0.0, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace gaitwright
