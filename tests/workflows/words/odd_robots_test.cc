@@ -59,7 +59,7 @@ TEST(OddRobots, TheHexapodIsAsFastAsItsServos) {
 }
 
 TEST(OddRobots, TheHexapodTurnsAndCrouches) {
-  DoneInWords(Odd("hexapod"), "turn left, then crouch walk 20 cm", FlatTerrain());
+  DoneInWords(Odd("hexapod"), "turn left 30 degrees, then crouch walk 10 cm", FlatTerrain());
 }
 
 /// Its legs are half its weight and lie near the ground: braced, they must bear themselves where they are.
