@@ -1,17 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
+# Where the tests are, as a source of its own (tests/built_paths.h).
+set(GAITWRIGHT_BUILT_PATHS ${CMAKE_CURRENT_BINARY_DIR}/built_paths.cc)
+file(CONFIGURE OUTPUT ${GAITWRIGHT_BUILT_PATHS} @ONLY CONTENT [[
+#include "tests/built_paths.h"
+
+namespace gaitwright {
+
+std::string SourceFolder() { return "@CMAKE_SOURCE_DIR@"; }
+std::string BuildFolder() { return "@CMAKE_BINARY_DIR@"; }
+
+}  // namespace gaitwright
+]])
+
 string(TOUPPER "${CMAKE_BUILD_TYPE}" GAITWRIGHT_BUILD_TYPE_UPPER)
 
 # gaitwright_test_program(NAME ROOM LABEL SHARDS SOURCES... LINKS ...): a program, and tests ROOM.1, ROOM.2, ... that run a
 # part of it each (tests/run_shard.py): what its tests share, such as a plan, is made once in a part.
 function(gaitwright_test_program name room label shards)
   cmake_parse_arguments(test "" "" "SOURCES;LINKS" ${ARGN})
-  add_executable(${name} ${test_SOURCES})
+  add_executable(${name} ${test_SOURCES} ${GAITWRIGHT_BUILT_PATHS})
   target_link_libraries(${name} PRIVATE ${test_LINKS} GTest::gtest_main fmt::fmt)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE ${GAITWRIGHT_WARNINGS})
   gaitwright_unity(${name} ${test_SOURCES})
-  target_compile_definitions(${name} PRIVATE GAITWRIGHT_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-                             GAITWRIGHT_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  target_compile_options(${name} PRIVATE -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)  # GoogleTest has __FILE__ in all tests
   foreach(shard RANGE 1 ${shards})
     if(label STREQUAL "long")
       set(test long.${room}.${shard})

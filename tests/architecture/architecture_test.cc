@@ -15,11 +15,12 @@
 #include "tests/architecture/include_rules.h"
 #include "tests/architecture/rules_table.h"
 #include "tests/architecture/source_tree.h"
+#include "tests/built_paths.h"
 
 namespace gaitwright::architecture {
 namespace {
 
-const std::string kRoot = GAITWRIGHT_SOURCE_DIR;
+const std::string kRoot = SourceFolder();
 
 std::vector<SourceFile> RoomFiles() {
   return CppFiles(kRoot,

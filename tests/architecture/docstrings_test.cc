@@ -7,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/built_paths.h"
+
 namespace gaitwright::architecture {
 namespace {
 
@@ -75,13 +77,13 @@ TEST(Docstrings, StandAboveAllThatIsPublic) {
   namespace fs = std::filesystem;
   int headers = 0;
   for (const std::string room : {"kinematics", "planning", "optimisation", "playback", "workflows"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(GAITWRIGHT_SOURCE_DIR) / room)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SourceFolder()) / room)) {
       const std::string name = entry.path().filename().string();
       if (!name.ends_with(".h") || name.ends_with("_internal.h")) continue;
       ++headers;
       std::ifstream stream(entry.path());
       for (const std::string& missing : WithoutDocstring({std::istreambuf_iterator<char>(stream), {}}))
-        ADD_FAILURE() << fs::relative(entry.path(), GAITWRIGHT_SOURCE_DIR).string() << ":" << missing;
+        ADD_FAILURE() << fs::relative(entry.path(), SourceFolder()).string() << ":" << missing;
     }
   }
   EXPECT_GT(headers, 50);

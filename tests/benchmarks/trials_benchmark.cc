@@ -4,6 +4,7 @@
 #include <string>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/built_paths.h"
 #include "workflows/study/trial.h"
 
 namespace gaitwright {
@@ -37,8 +38,7 @@ void TrialCall(benchmark::State& state, const Conditions& conditions) {
   Disturbances disturbances;
   if (conditions.disturbed) {
     const std::string file = biped ? "nao_room.yaml" : "a1_hobby.yaml";
-    disturbances =
-        LoadDisturbances(GAITWRIGHT_SOURCE_DIR "/examples/disturbances/" + file, SensorFields(request)).value();
+    disturbances = LoadDisturbances(SourceFolder() + "/examples/disturbances/" + file, SensorFields(request)).value();
   }
   const TrialStudy study{model, plan, request, disturbances};
   double simulated_s = 0.0, survived = 0.0;

@@ -24,7 +24,7 @@ class Cluster : public Stranger {
   /// Where a sanitizer looks for leaks it finds some of Open MPI's own at the end of a rank.
   static Arguments UnderMpi(const Arguments& arguments) {
     Arguments words = {GAITWRIGHT_MPIRUN, "--oversubscribe", "-np", "2", "-x", "ASAN_OPTIONS=detect_leaks=0",
-                       GAITWRIGHT_PROGRAM};
+                       ProgramPath()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     return words;
   }

@@ -81,7 +81,7 @@ TEST_F(Do, ALanguageModelIsAskedAndNothingDoneUnseen) {
 /// On a terminal the task plan is shown and asked about, though it is to be quiet.
 TEST_F(Do, OnATerminalItIsShownAndAsked) {
   const auto answered = [&](const std::string& answer) {
-    const std::string command = std::string(GAITWRIGHT_PROGRAM) + " do nod --robot nao --quiet";
+    const std::string command = ProgramPath() + " do nod --robot nao --quiet";
     return RunWords({"/bin/sh", "-c", "echo " + answer + " | script -qec '" + command + "' /dev/null"});
   };
   const Ran refused = answered("n");

@@ -102,7 +102,7 @@ TEST_F(Grade, ItNeedsNoRights) {
     ASSERT_EQ(::chown(entry.path().c_str(), 1234, 1234), 0);
   }
   ASSERT_EQ(::chown(In(".").c_str(), 1234, 1234), 0);
-  const Ran ran = RunWords({"/usr/bin/setpriv", "--reuid=1234", "--regid=1234", "--clear-groups", GAITWRIGHT_PROGRAM,
+  const Ran ran = RunWords({"/usr/bin/setpriv", "--reuid=1234", "--regid=1234", "--clear-groups", ProgramPath(),
                             "grade", "class", "--rubric", "rubric.yaml", "--seed", "7", "--json"});
   if (ran.status == 127) GTEST_SKIP() << ran.err;
   if (Refused(ran, In("grades").string())) return;

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "tests/built_paths.h"
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {
@@ -137,7 +138,7 @@ TEST_F(Help, EveryOptionOfTheListCanBeSetToItsDefault) {
 }
 
 TEST_F(Help, TheReadmeNamesTheVerbsThatListTheirOptions) {
-  std::ifstream file(std::string(GAITWRIGHT_SOURCE_DIR) + "/README.md");
+  std::ifstream file(SourceFolder() + "/README.md");
   const std::string readme(std::istreambuf_iterator<char>(file), {});
   const std::size_t begin = readme.find("have options (");
   ASSERT_NE(begin, std::string::npos);

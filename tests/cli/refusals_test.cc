@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wrong input: status 1, one sentence that names the offender, and nothing written.
+#include "tests/built_paths.h"
 #include "tests/cli/stranger.h"
 #include "tests/kinematics/model/small_urdf.h"
 
@@ -20,7 +21,7 @@ class Refusals : public Stranger {
   /// A robot of the program's own in the folder `mine`, with `yaml` beside it.
   void CopyRobot(const std::string& yaml) const {
     std::filesystem::create_directories(In("mine"));
-    std::filesystem::copy_file(std::string(GAITWRIGHT_SOURCE_DIR) + "/robots/a1/robot.urdf", In("mine/robot.urdf"),
+    std::filesystem::copy_file(SourceFolder() + "/robots/a1/robot.urdf", In("mine/robot.urdf"),
                                std::filesystem::copy_options::overwrite_existing);
     Write("mine/robot.yaml", yaml);
   }

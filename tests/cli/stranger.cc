@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/built_paths.h"
 #include "tests/scratch_folder.h"
 
 namespace gaitwright::cli {
@@ -35,6 +36,8 @@ std::string ReadAll(const fs::path& path) {
 
 }  // namespace
 
+std::string ProgramPath() { return BuildFolder() + "/gaitwright"; }
+
 Stranger::Stranger() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const fs::path own = ScratchFolder() / test->name();
@@ -53,7 +56,7 @@ Ran Stranger::Run(const std::vector<std::string>& arguments) const {
   std::string command = "cd ";
   Append(command, folder_.string());
   command.append("&& ");
-  Append(command, GAITWRIGHT_PROGRAM);
+  Append(command, ProgramPath());
   for (const std::string& argument : arguments) Append(command, argument);
   command.append("</dev/null >");
   Append(command, (talk_ / "out").string());
@@ -64,7 +67,7 @@ Ran Stranger::Run(const std::vector<std::string>& arguments) const {
 }
 
 Ran Stranger::RunUntil(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& now) const {
-  std::vector<std::string> words = {GAITWRIGHT_PROGRAM};
+  std::vector<std::string> words = {ProgramPath()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return RunWords(words, signal, now);
 }

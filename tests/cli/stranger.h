@@ -13,6 +13,9 @@ namespace gaitwright::cli {
 
 using Json = nlohmann::ordered_json;
 
+/// The built program.
+std::string ProgramPath();
+
 /// What a run of the program left.
 struct Ran {
   int status = -1;  ///< exit status; 128 and more when a signal ended it

@@ -59,7 +59,7 @@ TEST_F(Sweep, RefusesNamesThatSayAnotherFormat) {
 }
 
 TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
-  const std::vector<std::string> more = {"--trials", "2", "--json"};
+  const std::vector<std::string> more = {"--trials", "1", "--json"};
   const auto with = [&](std::vector<std::string> also) {
     also.insert(also.end(), more.begin(), more.end());
     return Grid(also);
@@ -78,7 +78,7 @@ TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
   EXPECT_EQ(cut.status, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(In("sweep.csv")));
   Write("sweep.csv.so-far", killed + "3 {\"point\":3,\"sta");
-  ExpectRefused(Run(Grid({"--trials", "2"})), 1, {"sweep.csv.so-far", "holds work that was not finished", "--resume"});
+  ExpectRefused(Run(Grid({"--trials", "1"})), 1, {"sweep.csv.so-far", "holds work that was not finished", "--resume"});
   EXPECT_TRUE(Run(with({"--resume"})).out == one.out);
   EXPECT_TRUE(Read("sweep.csv") == csv);
   Write("sweep.csv.so-far", killed);
@@ -184,7 +184,7 @@ using Tuned = Sweep;
 
 TEST_F(Tuned, OptionsThatCannotBeWrittenInTheEndAreNotLost) {
   const Ran ran = RunUntil({"tune", "--gait", "trot", "--distance", "0.3", "--over", "stabilised.dcm_gain=1:2",
-                            "--evaluations", "3", "--trials", "1", "--held-out", "6", "--quiet"},
+                            "--evaluations", "2", "--trials", "1", "--held-out", "6", "--quiet"},
                            SIGCONT, [&] {
                              return std::filesystem::exists(In("tuned.yaml.so-far")) &&
                                     std::filesystem::create_directory(In("tuned.yaml"));
@@ -204,8 +204,10 @@ TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
                                          "--over",
                                          "stabilised.dcm_gain=1:2",
                                          "--evaluations",
-                                         "5",
+                                         "3",
                                          "--trials",
+                                         "1",
+                                         "--finalists",
                                          "1",
                                          "--held-out",
                                          "6",
@@ -218,7 +220,7 @@ TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json json = ran.json();
   EXPECT_EQ(Read("tuned.json"), ran.out);
-  EXPECT_EQ(json.at("candidates").size(), 5U);
+  EXPECT_EQ(json.at("candidates").size(), 3U);
   EXPECT_EQ(json.at("candidates").at(0).at("found_by"), "usual");
   EXPECT_EQ(json.at("usual"), (Json{{"gait.cycle_s", 0.0}, {"stabilised.dcm_gain", 1.3}}));
   EXPECT_EQ(json.at("better").get<bool>(), json.at("options") != json.at("usual"));

@@ -61,7 +61,7 @@ TEST_F(Trials, AndEachByTheCommandThatIsGiven) {
     return trials.at("rows").at(1).at(static_cast<std::size_t>(at));
   };
   std::string command = json.at("repeat").get<std::string>() + " --json";
-  for (const auto& [word, with] : {std::pair<std::string, std::string>("gaitwright", GAITWRIGHT_PROGRAM),
+  for (const auto& [word, with] : {std::pair<std::string, std::string>("gaitwright", ProgramPath()),
                                    {"PLAN", "plan.json"},
                                    {"FILE", "calm.yaml"},
                                    {"SEED", of_last("seed").dump()}})
@@ -173,7 +173,7 @@ TEST_F(Trials, WhatIsSampledIsShownAndReadsBack) {
 TEST_F(Trials, ADiskThatIsFullIsSaidSoAndTheRunGoesOnLater) {
   const std::vector<std::string> run = {"trials",    "plan.json", "-n", "6",      "--disturbances",
                                         "calm.yaml", "--threads", "1",  "--quiet"};
-  std::string command = std::string("trap '' XFSZ; ulimit -f 16; exec ") + GAITWRIGHT_PROGRAM;  // 8 KiB a file
+  std::string command = std::string("trap '' XFSZ; ulimit -f 16; exec ") + ProgramPath();  // 8 KiB a file
   for (const std::string& word : run) command += " " + word;
   const Ran full = RunWords({"/bin/sh", "-c", command});
   ExpectRefused(full, 1, {"cannot keep what is done so far in 'trials.json.so-far'", "--resume"});

@@ -25,11 +25,12 @@ std::vector<std::string> HintOf(const Ran& ran) {
 
 TEST_F(Verdicts, TooMuchNamesWhatWorksWhenTypedIn) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--speed", "9"}, " with gait 'trot' ("},
-      {{"--speed", "9", "--yaw-rate", "1", "--duration", "4"}, " with gait 'trot' ("},
-      {{"--robot", "nao", "--lateral-speed", "-0.3"}, "the largest lateral speed with gait 'biped' is "},
-      {{"--robot", "nao", "--yaw-rate", "2"}, "the largest turning rate with gait 'biped' is "},
-      {{"--robot", "nao", "--steps", "6", "--step-length", "0.3"}, "the largest step length with gait 'biped' is "}};
+      {{"--speed", "9", "--distance", "0.5"}, " with gait 'trot' ("},
+      {{"--speed", "9", "--yaw-rate", "1", "--duration", "1"}, " with gait 'trot' ("},
+      {{"--robot", "nao", "--lateral-speed", "-0.3", "--distance", "0.3"},
+       "the largest lateral speed with gait 'biped' is "},
+      {{"--robot", "nao", "--yaw-rate", "2", "--duration", "1"}, "the largest turning rate with gait 'biped' is "},
+      {{"--robot", "nao", "--steps", "4", "--step-length", "0.3"}, "the largest step length with gait 'biped' is "}};
   for (const auto& [arguments, message] : cases) {
     SCOPED_TRACE(message);
     std::vector<std::string> asked = {"plan", "--quiet"};
@@ -38,7 +39,8 @@ TEST_F(Verdicts, TooMuchNamesWhatWorksWhenTypedIn) {
     ExpectRefused(ran, 2, {message, "try: --"});
     std::vector<std::string> hinted = {"plan", "--quiet"};
     for (std::size_t i = 0; i < arguments.size(); i += 2) {
-      if (arguments[i] == "--robot" || arguments[i] == "--steps" || arguments[i] == "--duration")
+      if (arguments[i] == "--robot" || arguments[i] == "--steps" || arguments[i] == "--duration" ||
+          arguments[i] == "--distance")
         hinted.insert(hinted.end(), {arguments[i], arguments[i + 1]});
     }
     const std::vector<std::string> flags = HintOf(ran);

@@ -73,7 +73,7 @@ def made(tmp_path_factory):
     keep("trials", "trials", "out/plan.json", "-n", "4", "--out", "trials-file.json", "--report", "trials.html")
     keep("preflight", "audit", "out/plan.json", "--preflight", "--trials-result", "trials-file.json", statuses=(3,))
     keep("sweep", "sweep", "--distance", "0.2", "--over", "speed=0.2,9", "--trials", "2", "--best", "best.json")
-    keep("tune", "tune", "--distance", "0.2", "--over", "swing.height_m=0.03:0.08", "--evaluations", "6", "--trials", "1",
+    keep("tune", "tune", "--distance", "0.2", "--over", "swing.height_m=0.03:0.08", "--evaluations", "3", "--trials", "1",
          "--finalists", "1", "--held-out", "6", "--result", "tune-file.json")
     keep("compare", "compare", "out/plan.json", "out/log.json")
     keep("compare-reports", "compare", "walk.json", "play.json")

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "examples/stream_plan.h"
+#include "tests/built_paths.h"
 
 namespace gaitwright::examples {
 namespace {
@@ -231,7 +232,7 @@ TEST(HardwareAdapterExample, StreamsAWalkToAProcessOfItsOwn) {
   StreamOptions stream;
   stream.patience_s = kUntilItComes;
   stream.wait_until = [](double until_s) { return until_s; };
-  const StandInProcess stand_in(GAITWRIGHT_STAND_IN, {});
+  const StandInProcess stand_in(BuildFolder() + "/stand_in_robot", {});
   const StreamReport report = StreamWalk("a1", stand_in.port(), stream);
   EXPECT_FALSE(report.stopped);
   EXPECT_EQ(report.lost, 0U);

@@ -8,6 +8,7 @@
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/audit/joint_watch.h"
+#include "tests/built_paths.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -15,7 +16,7 @@ namespace {
 
 const RobotModel& Geared() {
   static const RobotModel model = [] {
-    const std::string root = GAITWRIGHT_SOURCE_DIR;
+    const std::string root = SourceFolder();
     const std::string urdf = ReadFile(root + "/robots/a1/robot.urdf").value();
     return LoadRobotFromText(urdf, ReadFile(root + "/examples/motors/a1.yaml").value()).value();
   }();

@@ -5,12 +5,13 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/result.h"
+#include "tests/built_paths.h"
 #include "tests/scratch_folder.h"
 
 namespace gaitwright::examples {
 namespace {
 
-const std::string kHobby = std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/disturbances/a1_hobby.yaml";
+const std::string kHobby = SourceFolder() + "/examples/disturbances/a1_hobby.yaml";
 
 /// The ends of Wilson's interval are the shares p from which the one that was found is just as far off as chance takes
 /// it: (share - p)^2 = z^2 p (1 - p) / n.

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/built_paths.h"
+
 namespace gaitwright::fuzz {
 namespace {
 
@@ -44,7 +46,7 @@ std::string Bytes(const fs::path& path) {
 
 std::vector<Seed> SeedsOf(const Reader& reader) {
   std::vector<Seed> seeds;
-  const fs::path folder = fs::path(GAITWRIGHT_SOURCE_DIR) / "tests/fuzz/corpus" / reader.name;
+  const fs::path folder = fs::path(SourceFolder()) / "tests/fuzz/corpus" / reader.name;
   if (fs::is_directory(folder)) {
     for (const auto& entry : fs::directory_iterator(folder))
       seeds.push_back({entry.path().filename().string(), Bytes(entry.path())});
@@ -73,6 +75,6 @@ std::string InFile(const std::string& bytes, const std::string& ending) {
   return path;
 }
 
-std::string SourceFile(const std::string& path) { return Bytes(fs::path(GAITWRIGHT_SOURCE_DIR) / path); }
+std::string SourceFile(const std::string& path) { return Bytes(fs::path(SourceFolder()) / path); }
 
 }  // namespace gaitwright::fuzz

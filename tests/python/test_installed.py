@@ -52,28 +52,33 @@ def wheel(build, tmp_path_factory):
     return next(folder.glob("gaitwright-*.whl"))
 
 
-def test_a_wheel_walks_from_anywhere(wheel, tmp_path):
-    run(*PIP, "install", "--no-index", "--no-deps", "--target", str(tmp_path / "site"), str(wheel), cwd=tmp_path)
-    assert walk_from(tmp_path / "site", tmp_path).startswith("True a1")
-    data = tmp_path / "site" / "gaitwright" / "share" / "gaitwright"
+@pytest.fixture(scope="module")
+def site(wheel, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("installed") / "site"
+    run(*PIP, "install", "--no-index", "--no-deps", "--no-compile", "--target", str(folder), str(wheel), cwd=folder.parent)
+    return folder
+
+
+def test_a_wheel_walks_from_anywhere(site, tmp_path):
+    assert walk_from(site, tmp_path).startswith("True a1")
+    data = site / "gaitwright" / "share" / "gaitwright"
     assert (data / "robots" / "nao" / "SOURCE.md").exists()
-    (data / "robots" / "a1").rename(data / "robots" / "of_the_wheel")
+    shutil.copytree(data / "robots" / "a1", data / "robots" / "of_the_wheel")
     names = run(sys.executable, "-c", "import gaitwright; print(gaitwright.robot_names())", cwd=tmp_path,
-                PYTHONPATH=str(tmp_path / "site"))
+                PYTHONPATH=str(site))
     assert "of_the_wheel" in names, "the wheel uses the robots of another folder"
 
 
 OF_THE_SYSTEM = r"linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|resolv|gcc_s|stdc\+\+)\.so"
 
 
-def test_a_wheel_needs_no_library_of_the_machine(wheel, tmp_path):
-    run(*PIP, "install", "--no-index", "--no-deps", "--target", str(tmp_path / "site"), str(wheel), cwd=tmp_path)
-    core = next((tmp_path / "site" / "gaitwright").glob("_core*.so"))
+def test_a_wheel_needs_no_library_of_the_machine(site, tmp_path):
+    core = next((site / "gaitwright").glob("_core*.so"))
     loaded = [line.strip() for line in run("ldd", str(core), cwd=tmp_path).splitlines()]
     bundled = [line for line in loaded if "/gaitwright.libs/" in line]
     assert len(bundled) > 10
     assert [line for line in loaded if line not in bundled and not re.search(OF_THE_SYSTEM, line)] == []
-    assert any((tmp_path / "site" / "gaitwright.libs" / "licences").iterdir())
+    assert any((site / "gaitwright.libs" / "licences").iterdir())
 
 
 def test_what_is_installed_walks(build, tmp_path):

@@ -58,7 +58,7 @@ def test_stances_are_when_feet_touch(playback):
 
 
 def test_without_ground_under_it_there_is_no_zmp(a1):
-    jump = gw.play(gw.plan_walk(a1, gait="bound", speed=0.5, distance=0.6))
+    jump = gw.play(gw.plan_walk(a1, gait="bound", speed=0.5, distance=0.4))
     flight = ~jump.contact.any(axis=1)
     assert flight.any()
     assert np.isnan(jump.zmp_m[np.linalg.norm(jump.forces_n, axis=2).sum(axis=1) == 0.0]).all()

@@ -15,6 +15,7 @@ import time
 from pathlib import Path
 
 ENDINGS = (".urdf", ".xacro", ".xml")
+WRONG_INPUT = 1  # exit status of a robot that is not loaded, among others
 
 
 def described(folder):
@@ -34,20 +35,28 @@ def run_json(folder, program, *arguments):
         return done.returncode, {"error": {"code": f"status {done.returncode}", "message": done.stderr.strip()[:200]}}
 
 
-def tried(program, file):
+def findings_of(program, folder, file):
+    """Whether the description loads, its first error, and how many warnings there are. `robots check` plans a walk for its
+    verdict, which takes as long as to plan the walk itself, so it is not asked without need."""
+    _, checked = run_json(folder, program, "robots", "check", file)
+    error = next((f for f in checked.get("findings", []) if f["level"] == "error"), checked.get("error"))
+    return checked.get("verdict", "is not loaded") != "is not loaded", error, checked.get("warnings", 0)
+
+
+def tried(program, file, with_warnings):
     """One row of the table."""
     flag = "--mjcf" if file.suffix == ".xml" else "--urdf"
+    loads, finding, warnings = True, None, None
     began = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
-        _, checked = run_json(folder, program, "robots", "check", file)
-        loads = checked.get("verdict", "is not loaded") != "is not loaded"
-        status, walk = run_json(folder, program, "walk", flag, file, "--distance", "1", "--out-dir", folder) if loads else (1, checked)
+        status, walk = run_json(folder, program, "walk", flag, file, "--distance", "1", "--out-dir", folder)
+        if status == WRONG_INPUT or with_warnings:
+            loads, finding, warnings = findings_of(program, folder, file)
     if not loads:
-        finding = next((f for f in checked.get("findings", []) if f["level"] == "error"), None)
-        error = finding or checked.get("error", {"code": "unknown", "message": ""})
+        error = finding or {"code": "unknown", "message": ""}
     else:
         error = walk.get("error", {"code": f"falls: {walk.get('reason', '')}" if status == 3 else "", "message": walk.get("reason", "")})
-    return {"loads": loads, "warnings": checked.get("warnings", 0), "walks": status == 0, "score": walk.get("score"),
+    return {"loads": loads, "warnings": "" if warnings is None else warnings, "walks": status == 0, "score": walk.get("score"),
             "seconds": time.monotonic() - began, "code": error["code"], "why": "" if status == 0 else error["message"]}
 
 
@@ -56,6 +65,7 @@ def main():
     parser.add_argument("program", help="path of gaitwright")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--kept", type=Path, help="outcomes that are expected")
+    parser.add_argument("--warnings", action="store_true", help="count the warnings of `robots check` too, which doubles the time")
     arguments = parser.parse_args()
     kept = {}
     if arguments.kept:
@@ -64,7 +74,7 @@ def main():
     different = []
     print(f"{'robot':<18} loads  warnings  walks  score  seconds")
     for name, file in described(arguments.folder):
-        row = tried(Path(arguments.program).resolve(), file)
+        row = tried(Path(arguments.program).resolve(), file, arguments.warnings)
         score = "" if row["score"] is None else f"{row['score']:.1f}"
         print(f"{name:<18} {'yes' if row['loads'] else 'no':<6} {row['warnings']:<9} {'yes' if row['walks'] else 'no':<6} "
               f"{score:<6} {row['seconds']:<7.1f} {row['why']}", flush=True)

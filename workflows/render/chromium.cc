@@ -192,6 +192,7 @@ Result<std::unique_ptr<Chromium>> Chromium::Start(const ChromiumOptions& options
 }
 
 Result<std::string> Chromium::Open(const std::string& url) {
+  pipe_->complaints.clear();
   const Result<Json> answer = pipe_->Call("Page.navigate", {{"url", url}});
   if (!answer) return answer.failure();
   if (answer->contains("errorText")) return Refused(url + ": " + answer->value("errorText", ""));

@@ -29,7 +29,7 @@ class Chromium {
   Chromium(const Chromium&) = delete;
   Chromium& operator=(const Chromium&) = delete;
 
-  /// Opens a URL, as file:///..., and waits until it has loaded. @return the URL.
+  /// Opens a URL, as file:///..., in place of the page before, and waits until it has loaded. @return the URL.
   Result<std::string> Open(const std::string& url);
 
   /// The value of an expression of JavaScript, as JSON; a promise is waited for. Failure: what it threw.
@@ -45,7 +45,7 @@ class Chromium {
   enum class Mouse { kMove, kDrag, kPress, kRelease };
   Result<std::string> Point(Mouse does, double x_px, double y_px);
 
-  /// Errors that the page wrote to its console, and exceptions that nobody caught, so far.
+  /// Errors that the page opened last wrote to its console, and exceptions that nobody caught, so far.
   const std::vector<std::string>& complaints() const;
 
  private:

@@ -6,13 +6,15 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/built_paths.h"
+
 namespace gaitwright {
 namespace {
 
 namespace fs = std::filesystem;
 
 TEST(DataPath, IsOfTheSourceTreeInABuildTree) {
-  const fs::path source = fs::canonical(GAITWRIGHT_SOURCE_DIR);
+  const fs::path source = fs::canonical(SourceFolder());
   EXPECT_EQ(DataPath("robots"), (source / "robots").string());
   EXPECT_EQ(DataPath("gaits.yaml"), (source / "planning/gait/gaits.yaml").string());
   EXPECT_EQ(DataPath("benchmarks/centroidal_problems.json"),

@@ -9,6 +9,7 @@
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/model/passive_joints.h"
 #include "kinematics/spatial/convex_hull.h"
+#include "tests/built_paths.h"
 #include "tests/kinematics/description/mjcf_texts.h"
 
 namespace gaitwright {
@@ -227,7 +228,7 @@ TEST(MjcfRobots, PassiveJointsAreLoadedWithoutMotor) {
 }
 
 TEST(MjcfRobots, AKeyframeWithStraightLegsIsLeftForAPostureWithBentKnees) {
-  const std::string file = std::string(GAITWRIGHT_SOURCE_DIR) + "/tests/robots/made/mjcf_waist/robot.xml";
+  const std::string file = SourceFolder() + "/tests/robots/made/mjcf_waist/robot.xml";
   const Result<RobotModel> model = LoadRobot(file);
   ASSERT_TRUE(model.ok()) << model.failure().message;
   ASSERT_EQ(model->legs.size(), 2U);

@@ -6,14 +6,14 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/model/load_robot.h"
+#include "tests/built_paths.h"
 #include "tests/kinematics/description/xacro_files.h"
 #include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
 
-const std::string kMadeQuadruped =
-    std::string(GAITWRIGHT_SOURCE_DIR) + "/tests/kinematics/description/made_quadruped/urdf/robot.xacro";
+const std::string kMadeQuadruped = SourceFolder() + "/tests/kinematics/description/made_quadruped/urdf/robot.xacro";
 
 TEST(XacroRobot, AQuadrupedHasFourLegsOfThreeJoints) {
   const Result<std::string> urdf = ExpandXacro({kMadeQuadruped, {}, {}});

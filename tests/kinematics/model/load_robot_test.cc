@@ -5,6 +5,7 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "tests/built_paths.h"
 #include "tests/kinematics/model/small_urdf.h"
 #include "tests/kinematics/random_state.h"
 
@@ -12,7 +13,7 @@ namespace gaitwright {
 namespace {
 
 std::string Urdf(const std::string& name) {
-  return ReadFile(std::string(GAITWRIGHT_SOURCE_DIR) + "/robots/" + name + "/robot.urdf").value();
+  return ReadFile(SourceFolder() + "/robots/" + name + "/robot.urdf").value();
 }
 
 /// A minimal two-legged tree with `joint` and `extra` put in.

@@ -8,6 +8,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/collision/shape_extent.h"
+#include "tests/built_paths.h"
 #include "tests/kinematics/model/mesh_boxes.h"
 #include "tests/kinematics/model/small_urdf.h"
 
@@ -19,8 +20,7 @@ namespace fs = std::filesystem;
 class MeshFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::string(GAITWRIGHT_BINARY_DIR) + "/test_files/mesh_file/" +
-              testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = BuildFolder() + "/test_files/mesh_file/" + testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

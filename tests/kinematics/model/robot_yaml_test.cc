@@ -9,6 +9,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/model/describe.h"
 #include "kinematics/model/robot_yaml_shape.h"
+#include "tests/built_paths.h"
 #include "tests/kinematics/model/small_urdf.h"
 
 namespace gaitwright {
@@ -310,7 +311,7 @@ void AddKeys(const DataShape& shape, std::vector<std::string>& keys) {
 }
 
 TEST(RobotYaml, EveryKeyStandsInItsPageOfTheHandbook) {
-  const std::string page = ReadFile(std::string(GAITWRIGHT_SOURCE_DIR) + "/docs/robot-yaml.md").value();
+  const std::string page = ReadFile(SourceFolder() + "/docs/robot-yaml.md").value();
   std::vector<std::string> keys;
   AddKeys(RobotYamlShape(), keys);
   EXPECT_GT(keys.size(), 40U);
@@ -318,7 +319,7 @@ TEST(RobotYaml, EveryKeyStandsInItsPageOfTheHandbook) {
 }
 
 TEST(RobotYaml, TheExampleOfItsPageIsGood) {
-  const std::string source = GAITWRIGHT_SOURCE_DIR;
+  const std::string source = SourceFolder();
   const std::string page = ReadFile(source + "/docs/robot-yaml.md").value();
   const std::string opening = "```yaml file=goat/robot.yaml\n";
   const std::size_t begin = page.find(opening) + opening.size(), end = page.find("```", begin);

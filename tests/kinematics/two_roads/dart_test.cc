@@ -8,6 +8,7 @@
 #include <dart/utils/urdf/DartLoader.hpp>
 
 #include "kinematics/dynamics/dynamics.h"
+#include "tests/built_paths.h"
 #include "tests/kinematics/made_robots.h"
 
 namespace gaitwright {
@@ -21,7 +22,7 @@ class TwoRoads : public testing::TestWithParam<const char*> {
     const std::string name = GetParam();
     const bool made = name != "a1" && name != "nao";
     skeleton_ = made ? loader.parseSkeletonString(MadeUrdf(name), "")
-                     : loader.parseSkeleton(std::string(GAITWRIGHT_SOURCE_DIR) + "/robots/" + name + "/robot.urdf");
+                     : loader.parseSkeleton(SourceFolder() + "/robots/" + name + "/robot.urdf");
     ASSERT_NE(skeleton_, nullptr);
     skeleton_->setGravity(Vector3(0.0, 0.0, -kGravity));
     // DART gives links without an <inertial> a mass of 1 kg.

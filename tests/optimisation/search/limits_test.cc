@@ -6,6 +6,7 @@
 
 #include "kinematics/model/load_robot.h"
 #include "optimisation/search/refuse_walk.h"
+#include "tests/built_paths.h"
 #include "tests/unusual_robots.h"
 
 namespace gaitwright {
@@ -68,7 +69,7 @@ TEST(Limits, AGivenTimeOfSteppingStays) {
 }
 
 TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHasLeft) {
-  const std::string root = GAITWRIGHT_SOURCE_DIR;
+  const std::string root = SourceFolder();
   const RobotModel nao = *LoadRobot(root + "/robots/nao/robot.urdf", root + "/examples/motors/nao.yaml");
   WalkRequest request = Asked(0.2, 0.0, 0.0);
   request.command.distance_m = 1.0;

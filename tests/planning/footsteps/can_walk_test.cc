@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/built_paths.h"
 #include "tests/unusual_robots.h"
 
 namespace gaitwright {
@@ -70,8 +71,7 @@ TEST(CanWalk, TurningTakesAJointForEachSole) {
     const auto failure = WhyCannotTurn(*LoadNamedRobot(name));
     EXPECT_FALSE(failure.has_value()) << failure->message;
   }
-  const RobotModel stork =
-      LoadRobot(std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/robots/stork.urdf", "none").value();
+  const RobotModel stork = LoadRobot(SourceFolder() + "/examples/robots/stork.urdf", "none").value();
   EXPECT_FALSE(WhyCannotWalk(stork).has_value());
   const auto failure = WhyCannotTurn(stork);
   ASSERT_TRUE(failure.has_value());

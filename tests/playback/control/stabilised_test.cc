@@ -14,6 +14,7 @@
 #include "playback/control/joint_pd.h"
 #include "playback/log/log_json.h"
 #include "playback/score/stability_report.h"
+#include "tests/built_paths.h"
 #include "tests/playback/short_walk.h"
 #include "tests/playback/standing_plan.h"
 
@@ -121,8 +122,7 @@ class FromUrdfAlone : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(FromUrdfAlone, StandsAndTakesAPush) {
   const std::string name = GetParam();
-  const Result<RobotModel> model =
-      LoadRobot(std::string(GAITWRIGHT_SOURCE_DIR) + "/robots/" + name + "/robot.urdf", "none");
+  const Result<RobotModel> model = LoadRobot(SourceFolder() + "/robots/" + name + "/robot.urdf", "none");
   ASSERT_TRUE(model.ok()) << model.failure().message;
   const MotionPlan plan = standing::Plan(*model, 1.5);
   PlayOptions options;

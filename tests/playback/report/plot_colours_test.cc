@@ -12,6 +12,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/spatial/pose.h"
 #include "playback/report/plot_style.h"
+#include "tests/built_paths.h"
 
 namespace gaitwright {
 namespace {
@@ -83,7 +84,7 @@ std::vector<std::string> FeetOf(const std::string& theme) {
 
 /// Light and dark, of the page's own source.
 std::array<std::string, 2> Themes() {
-  const std::string text = ReadFile(std::string(GAITWRIGHT_SOURCE_DIR) + "/playback/viewer/web/src/colours.ts").value();
+  const std::string text = ReadFile(SourceFolder() + "/playback/viewer/web/src/colours.ts").value();
   const std::size_t light = text.find("kLight: Theme"), dark = text.find("kDark: Theme");
   return {text.substr(light, dark - light), text.substr(dark)};
 }

@@ -9,6 +9,8 @@
 #include <memory>
 #include <string>
 
+#include "tests/built_paths.h"
+
 namespace gaitwright {
 namespace {
 
@@ -30,13 +32,13 @@ TEST(Ranks, AProblemOfRankZeroItselfIsAFailure) {
   EXPECT_EQ(runners.failure().message, "no plan");
 }
 
-#ifdef GAITWRIGHT_RANK_PROGRAM
+#ifdef GAITWRIGHT_MPIRUN
 
 /// What a run of the rank program prints.
 std::string PrintsUnderMpi(int ranks, const std::string& arguments) {
   const std::string command = fmt::format(
       "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '{}' --oversubscribe -np {} '{}' {} 2>/dev/null",
-      GAITWRIGHT_MPIRUN, ranks, GAITWRIGHT_RANK_PROGRAM, arguments);
+      GAITWRIGHT_MPIRUN, ranks, BuildFolder() + "/tests/rank_program", arguments);
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   std::array<char, 4096> part = {};

@@ -9,8 +9,8 @@
 
 #include "playback/viewer/viewer_page.h"
 #include "tests/workflows/live/made_world.h"
+#include "tests/workflows/render/shared_browser.h"
 #include "workflows/live/live_session.h"
-#include "workflows/render/chromium.h"
 
 namespace gaitwright {
 namespace {
@@ -26,13 +26,19 @@ class LivePageTest : public testing::Test {
     server_ = std::move(LiveServer::Start({}, LivePage("a1, live")).value());
     server_->Greet(LiveGreeting(*live_));
     runs_ = std::thread([this] { LiveSession(*live_, *server_, {}).Run([this] { return stop_.load(); }); });
-    browser_ = std::move(Chromium::Start({.pixel_ratio = 0.25}).value());
+    browser_ = &SharedBrowser();
     ASSERT_TRUE(browser_->Open(server_->url()).ok());
+    // Four pictures a second are enough: each of a robot that moves is drawn without the help of a graphics card.
+    ASSERT_TRUE(browser_
+                    ->Evaluate("(window.requestAnimationFrame = (draw) => setTimeout(() => "
+                               "draw(performance.now()), 250), 0)")
+                    .ok());
     Await("L.stage !== null");
   }
   void TearDown() override {
-    if (browser_) {
+    if (browser_ != nullptr) {
       for (const std::string& complaint : browser_->complaints()) ADD_FAILURE() << complaint;
+      static_cast<void>(browser_->Open("about:blank"));  // before its server is gone
     }
     stop_ = true;
     if (runs_.joinable()) runs_.join();
@@ -72,7 +78,7 @@ class LivePageTest : public testing::Test {
   std::unique_ptr<LiveServer> server_;
   std::thread runs_;
   std::atomic<bool> stop_{false};
-  std::unique_ptr<Chromium> browser_;
+  Chromium* browser_ = nullptr;  // the shared one
 };
 
 TEST_F(LivePageTest, SlidersMoveTheJoints) {

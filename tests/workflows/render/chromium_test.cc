@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "tests/workflows/render/shown_page.h"
+#include "tests/workflows/render/shared_browser.h"
 
 namespace gaitwright {
 namespace {
@@ -19,10 +19,10 @@ std::unique_ptr<Chromium> Started(const ChromiumOptions& options = {}) {
 }
 
 TEST(Chromium, EvaluatesAndWaitsForPromises) {
-  const auto browser = Started();
-  EXPECT_EQ(browser->Evaluate("6 * 7").value(), "42");
-  EXPECT_EQ(browser->Evaluate("new Promise((done) => setTimeout(() => done({a: 'b'}), 20))").value(), "{\"a\":\"b\"}");
-  EXPECT_EQ(browser->Evaluate("undefined").value(), "null");
+  Chromium& browser = SharedBrowser();
+  EXPECT_EQ(browser.Evaluate("6 * 7").value(), "42");
+  EXPECT_EQ(browser.Evaluate("new Promise((done) => setTimeout(() => done({a: 'b'}), 20))").value(), "{\"a\":\"b\"}");
+  EXPECT_EQ(browser.Evaluate("undefined").value(), "null");
 }
 
 TEST(Chromium, TellsWhatWentWrong) {
@@ -36,6 +36,8 @@ TEST(Chromium, TellsWhatWentWrong) {
   ASSERT_TRUE(browser->Evaluate("0").ok());
   ASSERT_EQ(browser->complaints().size(), 1U);
   EXPECT_NE(browser->complaints()[0].find("a complaint"), std::string::npos);
+  ASSERT_TRUE(browser->Open("about:blank").ok());
+  EXPECT_TRUE(browser->complaints().empty()) << "they were of the page before";
 }
 
 TEST(Chromium, TakesPicturesOfItsSize) {

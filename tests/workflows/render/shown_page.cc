@@ -7,6 +7,7 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/model/load_robot.h"
+#include "tests/workflows/render/shared_browser.h"
 
 namespace gaitwright {
 namespace {
@@ -30,19 +31,22 @@ ShownWalk MakeShownWalk(const std::string& robot, const WalkRequest& request, co
   return {std::move(model), std::move(planned.motion.plan), std::move(played)};
 }
 
-ShownPage::ShownPage(const std::string& html, const ChromiumOptions& options)
+ShownPage::ShownPage(const std::string& html)
     : file_(std::filesystem::temp_directory_path() / ("gaitwright-page-" + std::to_string(getpid()) + ".html")),
-      bytes_(html.size()) {
+      bytes_(html.size()),
+      browser_(SharedBrowser()) {
   OrThrow(WriteFileAtomically(file_.string(), html));
-  browser_ = OrThrow(Chromium::Start(options));
-  OrThrow(browser_->Open(FileUrl(file_.string())));
+  OrThrow(browser_.Open(FileUrl(file_.string())));
 }
 
-ShownPage::~ShownPage() { std::filesystem::remove(file_); }
+ShownPage::~ShownPage() {
+  static_cast<void>(browser_.Open("about:blank"));  // so that nothing is drawn any more
+  std::filesystem::remove(file_);
+}
 
 nlohmann::json ShownPage::Ask(const std::string& expression) const {
   return nlohmann::json::parse(
-      OrThrow(browser_->Evaluate("(() => { const v = window.gaitwright.viewers[0]; return " + expression + "; })()")));
+      OrThrow(browser_.Evaluate("(() => { const v = window.gaitwright.viewers[0]; return " + expression + "; })()")));
 }
 
 }  // namespace gaitwright

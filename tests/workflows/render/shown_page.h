@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -21,23 +20,23 @@ struct ShownWalk {
 /// Plans and plays; fails the test where no plan exists. A push ends it early, if it is hard enough.
 ShownWalk MakeShownWalk(const std::string& robot, const WalkRequest& request, const Vector3& push_n = Vector3::Zero());
 
-/// A page of such walks, opened in a headless Chromium.
+/// A page of such walks, opened in the browser that the tests share: one at a time.
 class ShownPage {
  public:
   /// @throws std::runtime_error where the browser does not start or the page does not load.
-  explicit ShownPage(const std::string& html, const ChromiumOptions& options = {.pixel_ratio = 0.25});
+  explicit ShownPage(const std::string& html);
   ~ShownPage();
 
   /// The value of an expression of JavaScript, in which `v` is the page's first viewer.
   /// @throws std::runtime_error with what it threw.
   nlohmann::json Ask(const std::string& expression) const;
-  Chromium& browser() const { return *browser_; }
+  Chromium& browser() const { return browser_; }
   std::size_t bytes() const { return bytes_; }
 
  private:
   std::filesystem::path file_;
   std::size_t bytes_;
-  std::unique_ptr<Chromium> browser_;
+  Chromium& browser_;
 };
 
 }  // namespace gaitwright

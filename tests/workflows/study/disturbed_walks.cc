@@ -2,6 +2,7 @@
 #include "tests/workflows/study/disturbed_walks.h"
 
 #include "kinematics/model/load_robot.h"
+#include "tests/built_paths.h"
 #include "workflows/study/run_trials.h"
 
 namespace gaitwright {
@@ -13,7 +14,7 @@ RobustnessReport TriedByHobbySensors(const std::string& robot, const WalkRequest
   PlayRequest play;
   play.sensing.state = "estimated";
   play.sensing.sensors = SensorsOfKind("hobby");
-  const std::string file = std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/disturbances/" + disturbances;
+  const std::string file = SourceFolder() + "/examples/disturbances/" + disturbances;
   const Disturbances drawn = LoadDisturbances(file, SensorFields(play)).value();
   TrialOptions options;
   options.trials = trials;

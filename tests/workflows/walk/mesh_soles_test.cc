@@ -8,6 +8,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/plan/plan_json.h"
+#include "tests/built_paths.h"
 #include "tests/kinematics/model/mesh_boxes.h"
 #include "workflows/walk/walk.h"
 
@@ -24,8 +25,8 @@ class MeshSoles : public testing::TestWithParam<std::string> {
     for (std::size_t at = 0; (at = urdf.find(box, at)) != std::string::npos; at += mesh.size())
       urdf.replace(at, box.size(), mesh);
     EXPECT_NE(urdf, nao.urdf_text);
-    const std::string folder = std::string(GAITWRIGHT_BINARY_DIR) + "/test_files/mesh_soles/" +
-                               testing::UnitTest::GetInstance()->current_test_info()->name();
+    const std::string folder =
+        BuildFolder() + "/test_files/mesh_soles/" + testing::UnitTest::GetInstance()->current_test_info()->name();
     const Vector3 half(0.0785, 0.044, 0.01);
     WriteFileAtomically(folder + "/" + GetParam(), GetParam() == "sole.stl" ? BinaryStl(half) : Obj(half)).value();
     WriteFileAtomically(folder + "/robot.urdf", urdf).value();

@@ -18,6 +18,7 @@
 
 #include "kinematics/model/load_robot.h"
 #include "planning/terrain/load_terrain.h"
+#include "tests/built_paths.h"
 #include "tests/workflows/walk/coarse_search.h"
 #include "tests/workflows/walk/random_grounds.h"
 
@@ -65,7 +66,7 @@ class RandomGrounds : public testing::TestWithParam<std::tuple<std::string, Grou
   RandomGrounds() : model_(LoadNamedRobot(std::get<0>(GetParam())).value()) {}
 
   void Walk(int seed) {
-    const std::string folder = std::string(GAITWRIGHT_BINARY_DIR) + "/random-grounds";
+    const std::string folder = BuildFolder() + "/random-grounds";
     const TerrainScale scale = ScaleOf(model_);
     const RandomGround ground =
         MakeRandomGround(std::get<1>(GetParam()), static_cast<std::uint64_t>(seed), scale, folder);

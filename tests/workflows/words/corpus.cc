@@ -5,14 +5,13 @@
 
 #include "planning/plan/built_in_terrain.h"
 #include "planning/tasks/task_plan_json.h"
+#include "tests/built_paths.h"
 #include "workflows/words/places.h"
 
 namespace gaitwright {
 namespace {
 
-std::string PathOf(const std::string& file) {
-  return std::string(GAITWRIGHT_SOURCE_DIR) + "/tests/workflows/words/" + file;
-}
+std::string PathOf(const std::string& file) { return SourceFolder() + "/tests/workflows/words/" + file; }
 
 Task TaskOf(const YAML::Node& node) {
   Task task;

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/built_paths.h"
 #include "tests/workflows/words/done_in_words.h"
 
 namespace gaitwright {
 namespace {
 
 RobotModel Odd(const std::string& name) {
-  return LoadRobot(std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/robots/" + name + ".urdf", "none").value();
+  return LoadRobot(SourceFolder() + "/examples/robots/" + name + ".urdf", "none").value();
 }
 
 class OddRobot : public testing::TestWithParam<std::string> {};
@@ -58,7 +59,7 @@ TEST(OddRobots, TheHexapodIsAsFastAsItsServos) {
 }
 
 TEST(OddRobots, TheHexapodTurnsAndCrouches) {
-  DoneInWords(Odd("hexapod"), "turn left, then crouch walk 20 cm", FlatTerrain());
+  DoneInWords(Odd("hexapod"), "turn left 30 degrees, then crouch walk 10 cm", FlatTerrain());
 }
 
 /// Its legs are half its weight and lie near the ground: braced, they must bear themselves where they are.

@@ -64,7 +64,7 @@ Result<int> Survived(const RobotModel& model, const MotionPlan& plan, int trials
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr int kTrials = 16;
+  constexpr int kTrials = 8;
   const Result<RobotModel> model = ChooseRobot("a1", "");
   if (!model) return 1;
   OptionTexts best;
