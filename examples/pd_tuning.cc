@@ -8,7 +8,7 @@
 #include <complex>
 
 #include "kinematics/dynamics/dynamics.h"
-#include "playback/bullet/world.h"
+#include "playback/bullet/bullet_world.h"
 
 namespace gaitwright::examples {
 namespace {
