@@ -78,7 +78,7 @@ class Writer {
   }
 
  private:
-  static constexpr int kIterations = 100, kMostRows = 6000, kMostContacts = 1000;
+  static constexpr int kIterations = 100, kMostContacts = 400, kMostRows = 3 * kMostContacts + 300;
   static constexpr double kImpratio = 100.0;     // friction is harder than normals: feet creep less
   static constexpr double kContactTime = 0.004;  // [s]
   static constexpr const char* kContactImpedance = "0.95 0.99 0.0005";
