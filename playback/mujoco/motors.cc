@@ -9,6 +9,7 @@ namespace gaitwright::mujoco {
 namespace {
 
 constexpr double kSlight = 1e-9;  // of a torque: rounding
+constexpr double kFar = 1e6;      // [rad], [m]: of a side without a limit
 
 /// How many joints a coordinate's torque is shared by.
 double CountOf(const std::vector<Member>& members) {
@@ -41,22 +42,16 @@ Motors::Motors(const RobotModel& model, const WorldOptions& options, mjModel& m,
     bounds_.push_back(engine::BoundOf(model, actuator));
     traits_.push_back(engine::TraitsOf(model, options, dof));
     motors_.emplace_back();
+    stopped_.push_back(false);
     SetUpJoint(dof);
   }
 }
 
-/// Limits of position and dry friction of the joint that leads a coordinate.
+/// Dry friction of the joint that leads a coordinate.
 void Motors::SetUpJoint(int dof) {
   const auto i = static_cast<std::size_t>(dof);
   if (members_[i].empty()) return;
-  const int id = IdOf(m_, mjOBJ_JOINT, 'j', static_cast<std::size_t>(model_.dof_joint[i]));
-  const bool limited = std::isfinite(traits_[i].lower) && std::isfinite(traits_[i].upper);
-  m_.jnt_limited[id] = limited ? 1 : 0;
-  m_.jnt_range[2 * id] = limited ? traits_[i].lower : 0.0;
-  m_.jnt_range[2 * id + 1] = limited ? traits_[i].upper : 0.0;
-  m_.jnt_solref[mjNREF * id] = 2.0 * options_.step_s;
-  m_.jnt_solref[mjNREF * id + 1] = 1.0;
-  m_.jnt_solimp[mjNIMP * id] = m_.jnt_solimp[mjNIMP * id + 1] = 0.9999;
+  const int id = IdOfLeader(dof);
   m_.dof_frictionloss[m_.jnt_dofadr[id]] = traits_[i].friction;
   m_.dof_solref[mjNREF * m_.jnt_dofadr[id]] = 2.0 * options_.step_s;
   m_.dof_solimp[mjNIMP * m_.jnt_dofadr[id]] = m_.dof_solimp[mjNIMP * m_.jnt_dofadr[id] + 1] = 0.9999;
@@ -68,6 +63,46 @@ double Motors::RateOf(int dof, const mjtNum* rates) const {
   return rate;
 }
 
+/// A joint past a limit goes back by a fifth of that in each step; one that would pass it within the step is stopped
+/// where it is, which is before the limit by no more than the way of a step.
+void Motors::SetStop(int dof, bool stopped) {
+  constexpr double kReturn = 0.2, kNone = 1e-12;
+  const auto i = static_cast<std::size_t>(dof);
+  if (members_[i].empty()) return;
+  const int id = IdOfLeader(dof);
+  const double position = d_.qpos[m_.jnt_qposadr[id]], h = options_.step_s;
+  const double spare = std::min(traits_[i].upper - position, position - traits_[i].lower);
+  stopped_[i] = stopped;
+  m_.jnt_limited[id] = stopped || spare < 0.0 ? 1 : 0;
+  if (m_.jnt_limited[id] == 0) return;
+  m_.jnt_range[2 * id] = std::max(traits_[i].lower, -kFar);
+  m_.jnt_range[2 * id + 1] = std::min(traits_[i].upper, kFar);
+  m_.jnt_margin[id] = stopped ? spare + kNone : 0.0;
+  m_.jnt_solref[mjNREF * id] = stopped ? -kNone : -kReturn / (h * h);
+  m_.jnt_solref[mjNREF * id + 1] = -1.0 / h;
+  m_.jnt_solimp[mjNIMP * id] = m_.jnt_solimp[mjNIMP * id + 1] = 0.9999;
+}
+
+bool Motors::HoldStops() {
+  bool good = true;
+  for (int dof = 0; dof < model_.num_dofs(); ++dof) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (members_[i].empty() || stopped_[i]) continue;
+    const int id = IdOfLeader(dof), at = m_.jnt_dofadr[id];
+    const double position = d_.qpos[m_.jnt_qposadr[id]];
+    const double next = position + options_.step_s * (d_.qvel[at] + options_.step_s * d_.qacc[at]);
+    const bool inside = position <= traits_[i].upper && position >= traits_[i].lower;
+    if (!inside || (next <= traits_[i].upper && next >= traits_[i].lower)) continue;
+    SetStop(dof, true);
+    good = false;
+  }
+  return good;
+}
+
+int Motors::IdOfLeader(int dof) const {
+  return IdOf(m_, mjOBJ_JOINT, 'j', static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(dof)]));
+}
+
 engine::EffortRange Motors::RangeOf(int dof, double speed) const {
   const auto i = static_cast<std::size_t>(dof);
   const engine::EffortRange range = drives_[i].At(speed);
@@ -76,6 +111,7 @@ engine::EffortRange Motors::RangeOf(int dof, double speed) const {
 
 void Motors::Command(const JointCommand& command, const VectorX& q, const VectorX& v) {
   v_ = v;
+  for (int dof = 0; dof < model_.num_dofs(); ++dof) SetStop(dof, false);
   const double h = options_.step_s;
   for (int dof = 0; dof < model_.num_dofs(); ++dof) {
     Motor& motor = motors_[static_cast<std::size_t>(dof)];

@@ -25,7 +25,7 @@ struct Member {
 /// that of the others; which motors those are is found by solving again.
 class Motors {
  public:
-  /// Sets limits of position and dry friction of the joints in `m`, too. All are kept by reference.
+  /// Sets the dry friction of the joints in `m`, too. All are kept by reference.
   Motors(const RobotModel& model, const WorldOptions& options, mjModel& m, mjData& d);
 
   const std::vector<Member>& members(int dof) const { return members_[static_cast<std::size_t>(dof)]; }
@@ -42,6 +42,9 @@ class Motors {
   void AddSharedRotors();
   /// Whether the motors that are at limits are those that should be, by the accelerations found; else changes them.
   bool Hold();
+  /// Whether no joint passes a limit of its position within the step, by the accelerations found; stops those that do,
+  /// which changes the rows of the constraints.
+  bool HoldStops();
   /// Takes note of the torques of the step, which ended with rates `v`.
   void Read(const VectorX& v);
 
@@ -59,7 +62,9 @@ class Motors {
     double wanted = 0.0;                   // at the start of the step, without limits
     engine::EffortRange limits{0.0, 0.0};
   };
+  int IdOfLeader(int dof) const;
   void SetUpJoint(int dof);
+  void SetStop(int dof, bool stopped);
   engine::EffortRange RangeOf(int motor, double speed) const;
   bool IsImplicit(const Motor& motor) const { return motor.by_speed > 0.0 && options_.actuation != "torque"; }
   double WantedAtEnd(int dof) const;
@@ -76,6 +81,7 @@ class Motors {
   std::vector<double> bounds_;                // by motor; see BoundOf
   std::vector<engine::JointTraits> traits_;   // by dof
   std::vector<Motor> motors_;                 // by dof; `limits` of one of a transmission are those of its motor
+  std::vector<bool> stopped_;                 // by dof: before its limit, in this step
   VectorX v_, tau_, motor_torque_, effort_use_;
 };
 
