@@ -23,7 +23,7 @@ mark_as_advanced(GAITWRIGHT_UNITY_BYTES)
 
 # gaitwright_unity(TARGET SOURCES...): groups of neighbours, which are named by their folder. Those that include the same
 # heavy header stand together, so that few groups pay for it.
-set(gaitwright_heavy_headers "nlohmann/json|json_part_internal|yaml|fcl|boost|Bullet|bullet|ceres|CLI/CLI")
+set(gaitwright_heavy_headers "nlohmann/json|json_part_internal|yaml|fcl|boost|Bullet|playback/[bep]|ceres|CLI/CLI")
 function(gaitwright_unity target)
   if(NOT GAITWRIGHT_UNITY)
     return()

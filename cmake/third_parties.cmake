@@ -19,6 +19,23 @@ pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
 include("${CMAKE_CURRENT_LIST_DIR}/find_ompl.cmake")
 
+# MuJoCo is a second engine for playbacks. AUTO takes it where it is installed.
+set(GAITWRIGHT_MUJOCO AUTO CACHE STRING "Play in MuJoCo too: AUTO, ON or OFF")
+set_property(CACHE GAITWRIGHT_MUJOCO PROPERTY STRINGS AUTO ON OFF)
+set(GAITWRIGHT_HAS_MUJOCO 0)
+if(GAITWRIGHT_MUJOCO)
+  # Not by Debian's mujocoConfig.cmake, which names a folder of headers that it does not need.
+  find_path(mujoco_headers mujoco/mujoco.h)
+  find_library(mujoco_library mujoco)
+  if(mujoco_headers AND mujoco_library)
+    set(GAITWRIGHT_HAS_MUJOCO 1)
+    add_library(mujoco UNKNOWN IMPORTED GLOBAL)
+    set_target_properties(mujoco PROPERTIES IMPORTED_LOCATION ${mujoco_library} INTERFACE_INCLUDE_DIRECTORIES ${mujoco_headers})
+  elseif(NOT GAITWRIGHT_MUJOCO STREQUAL "AUTO")
+    message(FATAL_ERROR "MuJoCo is asked for and not installed (Debian: libmujoco-dev)")
+  endif()
+endif()
+
 # MPI shares trials and sweeps over machines. AUTO takes it where it is installed.
 set(GAITWRIGHT_MPI AUTO CACHE STRING "Share trials and sweeps over MPI: AUTO, ON or OFF")
 set_property(CACHE GAITWRIGHT_MPI PROPERTY STRINGS AUTO ON OFF)

@@ -8,7 +8,7 @@
 #include <complex>
 
 #include "kinematics/dynamics/dynamics.h"
-#include "playback/bullet/world.h"
+#include "playback/play/make_world.h"
 
 namespace gaitwright::examples {
 namespace {
@@ -48,7 +48,8 @@ JointStep StepJoint(const RobotModel& model, const std::string& joint, double st
   for (int other = 0; other < n; ++other)
     if (other != dof) options.locked_dofs.push_back(other);
   const RobotModel bolted = Bolted(model);
-  BulletWorld world(bolted, FlatTerrain(), q, options);
+  const std::unique_ptr<World> made = MakeWorld(bolted, FlatTerrain(), q, options);
+  World& world = *made;
   world.SetState(q, VectorX::Zero(model.nv()));
   const VectorX zero = VectorX::Zero(n), one = VectorX::Unit(n, dof);
   const JointCommand command{q.tail(n) + step_rad * one, zero, zero, stiffness * one, damping * one};

@@ -4,8 +4,9 @@
 // Physics: playing a motion plan by a controller, scoring the log, and the report.
 // What this header reaches is installed; all else belongs to the library and may change without notice.
 
-#include "playback/bullet/play.h"
-#include "playback/bullet/world.h"
+#include "playback/play/make_world.h"
+#include "playback/play/play.h"
+#include "playback/engine/world.h"
 #include "playback/control/controller.h"
 #include "playback/control/gains.h"
 #include "playback/control/joint_pd.h"

@@ -9,7 +9,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "playback/bullet/robot_body_internal.h"
-#include "playback/bullet/world.h"
+#include "playback/engine/world.h"
 
 namespace gaitwright::bullet {
 

@@ -8,35 +8,23 @@
 #include "kinematics/base/result.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/robot_body_internal.h"
-#include "playback/bullet/world.h"
+#include "playback/engine/world.h"
 
 namespace gaitwright::bullet {
 namespace {
 
 constexpr double kBlockMargin = 0.001;  // collision margin, inside the block [m]
-constexpr double kCell = 0.02;          // of bumpy ground [m]
-constexpr double kMostCells = 2.5e7;    // of bumpy ground: 0.2 GB
-constexpr double kNoGround = -2.0;      // height where the terrain has none [m]
 
 constexpr double kObstacleFriction = 0.8;
 
 }  // namespace
-
-void CheckBumps(const WorldOptions& options) {
-  const Vector2 extent = options.bumps_to_W - options.bumps_from_W;
-  if (options.ground_bumps_m <= 0.0 || (extent.minCoeff() > 0.0 && (extent / kCell).prod() <= kMostCells)) return;
-  throw InvalidArgument(
-      fmt::format("ground_bumps_m: bumpy ground of {:.6g} m by {:.6g} m is too large, {:.6g} m^2 are the most; play a "
-                  "shorter way, or without bumps",
-                  extent.x(), extent.y(), kMostCells * kCell * kCell));
-}
 
 Ground::Ground(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps)
     : X_tilt_(GroundTilt(terrain, options, bumps.start)) {
   const auto friction = [&](double own) { return options.friction > 0.0 ? options.friction : own; };
   for (const Obstacle& obstacle : terrain.obstacles) AddObstacle(obstacle, friction(kObstacleFriction));
   if (bumps.amplitude > 0.0) {
-    AddBumps(terrain, options, bumps);
+    AddHeightField(BumpyGround(terrain, options, bumps), FrictionOf(terrain, options, bumps.start));
     return;
   }
   for (const TerrainPatch& patch : terrain.patches) AddPatch(patch, friction(patch.friction));
@@ -92,25 +80,6 @@ void Ground::AddObstacle(const Obstacle& obstacle, double friction) {
         fmt::format("obstacle '{}' is a mesh without vertices; four or more are needed", obstacle.name));
   }
   AddObject(std::move(shape), obstacle.X_WO, friction);
-}
-
-void Ground::AddBumps(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps) {
-  CheckBumps(options);
-  const Vector2 extent = options.bumps_to_W - options.bumps_from_W;
-  HeightField field;
-  field.origin_W = options.bumps_from_W;
-  field.resolution_m = kCell;
-  field.columns = static_cast<int>(std::ceil(extent.x() / kCell)) + 1;
-  field.rows = static_cast<int>(std::ceil(extent.y() / kCell)) + 1;
-  field.height_m.reserve(static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows));
-  for (int row = 0; row < field.rows; ++row) {
-    for (int column = 0; column < field.columns; ++column) {
-      const Vector2 p = field.origin_W + kCell * Vector2(column, row);
-      const GroundPoint ground = GroundAt(terrain, p);
-      field.height_m.push_back(ground.patch < 0 ? kNoGround : ground.height_m + bumps.HeightAt(p));
-    }
-  }
-  AddHeightField(std::move(field), FrictionOf(terrain, options, bumps.start));
 }
 
 void Ground::AddTo(btCollisionWorld& world) {

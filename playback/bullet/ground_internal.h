@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "planning/plan/terrain.h"
-#include "playback/bullet/bumps.h"
+#include "playback/engine/bumps.h"
 
 namespace gaitwright::bullet {
-
-/// @throws InvalidArgument where there are bumps, over more ground than there may be.
-void CheckBumps(const WorldOptions& options);
 
 /// The terrain as static bodies: planes without end, convex blocks under bounded patches, height fields, obstacles; or
 /// obstacles and one height field of all ground when there are bumps.
@@ -33,7 +30,6 @@ class Ground {
   void AddPatch(const TerrainPatch& patch, double friction);
   void AddHeightField(HeightField field, double friction);
   void AddObstacle(const Obstacle& obstacle, double friction);
-  void AddBumps(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps);
 
   Pose X_tilt_;
   bool has_edges_ = false;

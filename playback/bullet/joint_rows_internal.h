@@ -5,10 +5,12 @@
 
 #include <vector>
 
-#include "playback/bullet/drive_internal.h"
 #include "playback/bullet/robot_body_internal.h"
+#include "playback/engine/motor_setup_internal.h"
 
 namespace gaitwright::bullet {
+
+using engine::EffortRange;
 
 /// A constraint on the joint velocities of one multibody, made of rows J qd with constant J. The second body of
 /// Bullet's rows stays empty.
@@ -68,14 +70,7 @@ class MotorRow : public JointSpaceConstraint {
   /// Which of its rows is which: JointSpaceConstraint's index.
   static constexpr int kDrive = 0, kStop = 1, kLoss = 2, kDryFriction = 3;
 
-  struct Traits {
-    double lower, upper;        ///< position
-    double damping, friction;   ///< of its joints
-    double rotor_inertia;       ///< as felt at the coordinate
-    double torque_scale = 1.0;  ///< share of the motor's torque that arrives
-
-    bool drags() const { return damping > 0.0 || rotor_inertia > 0.0; }
-  };
+  using Traits = engine::JointTraits;
   MotorRow(RobotBody& robot, int dof, const Traits& traits);
 
   struct Target {

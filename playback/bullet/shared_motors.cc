@@ -139,4 +139,16 @@ VectorX SharedMotors::JointTorques(const VectorX& torques) const {
   return joints;
 }
 
+SharedMotors::Traits TraitsOf(const Transmission& transmission, const WorldOptions& options) {
+  SharedMotors::Traits traits{
+      .rotor_inertia = VectorX::Constant(transmission.size(), options.rotor_inertia_kg_m2),
+      .torque_scale = options.torque_scale,
+      .step_s = options.step_s,
+      .has_rows = options.actuation != "torque",
+  };
+  for (Eigen::Index m = 0; options.joint_losses && m < transmission.size(); ++m)
+    traits.rotor_inertia[m] += transmission.motors[static_cast<std::size_t>(m)].motor.rotor_inertia;
+  return traits;
+}
+
 }  // namespace gaitwright::bullet

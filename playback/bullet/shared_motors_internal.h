@@ -6,6 +6,7 @@
 
 #include "kinematics/model/transmission.h"
 #include "playback/bullet/joint_rows_internal.h"
+#include "playback/engine/world_options.h"
 
 namespace gaitwright::bullet {
 
@@ -98,5 +99,8 @@ class SharedMotors {
   MatrixX softness_;
   bool driven_ = false;
 };
+
+/// The motors of a transmission, with what their rotors take.
+SharedMotors::Traits TraitsOf(const Transmission& transmission, const WorldOptions& options);
 
 }  // namespace gaitwright::bullet

@@ -2,4 +2,4 @@
 #pragma once
 
 /// The interface stands beside the simulator, which is below all controllers.
-#include "playback/bullet/controller.h"  // IWYU pragma: export
+#include "playback/engine/controller.h"  // IWYU pragma: export

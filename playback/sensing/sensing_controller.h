@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "planning/plan/motion_plan.h"
-#include "playback/bullet/controller.h"
+#include "playback/engine/controller.h"
 #include "playback/sensing/leg_odometry.h"
 #include "playback/sensing/sensing_options.h"
 

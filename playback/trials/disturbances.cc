@@ -281,7 +281,7 @@ const std::vector<DisturbanceRule>& PushRules() {
 namespace {
 
 /// Nothing for a figure of a sensor, whose key is its option's.
-const DisturbanceRule* RuleOf(const Disturbance& figure) {
+const DisturbanceRule* RuleOfFigure(const Disturbance& figure) {
   const auto rule = std::find_if(DisturbanceRules().begin(), DisturbanceRules().end(),
                                  [&](const DisturbanceRule& r) { return r.key == figure.key; });
   return rule == DisturbanceRules().end() ? nullptr : &*rule;
@@ -293,7 +293,7 @@ std::vector<std::string> DrawnOptions(const Disturbances& disturbances) {
   std::vector<std::string> options;
   for (const Disturbance& figure : disturbances.figures) {
     if (figure.distribution.lowest == 0.0 && figure.distribution.highest == 0.0) continue;
-    const DisturbanceRule* rule = RuleOf(figure);
+    const DisturbanceRule* rule = RuleOfFigure(figure);
     options.push_back(rule == nullptr ? figure.key : rule->option);
   }
   return options;
@@ -302,7 +302,7 @@ std::vector<std::string> DrawnOptions(const Disturbances& disturbances) {
 std::vector<std::string> DrawnInPlaceOf(const Disturbances& disturbances, const std::vector<std::string>& options) {
   std::vector<std::string> keys;
   for (const Disturbance& figure : disturbances.figures) {
-    const DisturbanceRule* rule = RuleOf(figure);
+    const DisturbanceRule* rule = RuleOfFigure(figure);
     if (rule != nullptr && rule->effect != DisturbanceEffect::kValue) continue;
     const std::string& option = rule == nullptr ? figure.key : rule->option;
     if (std::find(options.begin(), options.end(), option) != options.end()) keys.push_back(figure.key);

@@ -10,7 +10,7 @@
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
-#include "playback/bullet/play.h"
+#include "playback/play/play.h"
 #include "playback/trials/distribution.h"
 
 namespace gaitwright {

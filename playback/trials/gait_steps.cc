@@ -7,9 +7,9 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/sample_plan.h"
-#include "playback/bullet/bumps.h"
-#include "playback/bullet/off_plan_internal.h"
-#include "playback/bullet/world.h"
+#include "playback/engine/bumps.h"
+#include "playback/engine/world.h"
+#include "playback/play/off_plan_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -92,7 +92,7 @@ class StepReader {
   StepReader(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options, const PlaybackLog& log)
       : plan_(plan),
         log_(log),
-        pushes_(bullet::PushesOf(options)),
+        pushes_(playing::PushesOf(options)),
         bumps_(BumpsOf(model, plan.whole_body.q.front(), options.world)),
         X_flat_(GroundTilt(plan.terrain, options.world, bumps_.start).inverse()),
         under_(model.feet.size(), 0.0),

@@ -5,8 +5,8 @@
 
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
-#include "playback/bullet/play.h"
 #include "playback/log/playback_log.h"
+#include "playback/play/play.h"
 
 namespace gaitwright {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "playback/bullet/controller.h"
+#include "playback/engine/controller.h"
 #include "python/bindings/in_use.h"
 #include "python/bindings/plan.h"
 #include "workflows/walk/walk.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "playback/bullet/world.h"
-
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <memory>
 #include <optional>
 
+#include "playback/play/make_world.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/in_use.h"
@@ -20,17 +20,17 @@ namespace {
 namespace py = pybind11;
 
 /// A world with the robot that is in it. One thread works on it at a time.
-class World {
+class SteppedWorld {
  public:
-  World(SharedRobot robot, const py::object& terrain, const std::optional<VectorX>& q, const py::dict& options)
+  SteppedWorld(SharedRobot robot, const py::object& terrain, const std::optional<VectorX>& q, const py::dict& options)
       : robot_(std::move(robot)),
         options_(From(options)),
-        world_(*robot_, TerrainOf(terrain, *robot_), Start(q), options_) {}
+        world_(MakeWorld(*robot_, TerrainOf(terrain, *robot_), Start(q), options_)) {}
 
   void Step(const JointCommand& command, int steps) {
     if (steps < 1) throw InvalidArgument(fmt::format("{} steps are asked for; 1 or more are taken", steps));
     const InUse::Turn turn(in_use_, kName);
-    for (int i = 0; i < steps; ++i) world_.Step(command);
+    for (int i = 0; i < steps; ++i) world_->Step(command);
     time_s_ += steps * options_.step_s;
   }
 
@@ -38,7 +38,7 @@ class World {
   template <class Ask>
   auto With(const Ask& ask) {
     const InUse::Turn turn(in_use_, kName);
-    return ask(world_);
+    return ask(*world_);
   }
   double time_s() const { return time_s_; }
   double step_s() const { return options_.step_s; }
@@ -46,10 +46,10 @@ class World {
   /// What a controller is told.
   ControlInput Measured(const std::optional<double>& time_s) {
     const InUse::Turn turn(in_use_, kName);
-    ControlInput input{time_s.value_or(time_s_), options_.step_s, world_.q(), world_.v(), {}, 0};
-    for (std::size_t foot = 0; foot < world_.feet().size(); ++foot) {
-      input.wrenches.push_back(world_.feet()[foot].wrench);
-      if (world_.feet()[foot].touching) input.contact |= FootBit(static_cast<int>(foot));
+    ControlInput input{time_s.value_or(time_s_), options_.step_s, world_->q(), world_->v(), {}, 0};
+    for (std::size_t foot = 0; foot < world_->feet().size(); ++foot) {
+      input.wrenches.push_back(world_->feet()[foot].wrench);
+      if (world_->feet()[foot].touching) input.contact |= FootBit(static_cast<int>(foot));
     }
     return input;
   }
@@ -57,7 +57,7 @@ class World {
   void Push(const Vector3& force, const std::string& link) {
     if (!force.allFinite()) throw InvalidArgument("a push is not finite");
     const Frame& frame = robot_->frames[static_cast<std::size_t>(robot_->FrameIndex(link))];
-    With([&](BulletWorld& world) { world.PushBody(frame.body, force); });
+    With([&](gaitwright::World& world) { world.PushBody(frame.body, force); });
   }
 
  private:
@@ -72,18 +72,18 @@ class World {
 
   SharedRobot robot_;
   WorldOptions options_;
-  BulletWorld world_;
+  std::unique_ptr<gaitwright::World> world_;
   double time_s_ = 0.0;
   InUse in_use_;
 };
 
-RowMatrix ForcesOn(const BulletWorld& world) {
+RowMatrix ForcesOn(const gaitwright::World& world) {
   std::vector<Vector3> forces;
   for (const FootContact& foot : world.feet()) forces.push_back(foot.wrench.force_W);
   return Rows(forces);
 }
 
-std::vector<bool> Touching(const BulletWorld& world) {
+std::vector<bool> Touching(const gaitwright::World& world) {
   std::vector<bool> touching;
   for (const FootContact& foot : world.feet()) touching.push_back(foot.touching);
   return touching;
@@ -92,7 +92,7 @@ std::vector<bool> Touching(const BulletWorld& world) {
 }  // namespace
 
 void BindWorld(py::module_& module) {
-  py::class_<World>(module, "World", R"(A robot on a terrain in Bullet, step by step.
+  py::class_<SteppedWorld>(module, "World", R"(A robot on a terrain in a physics engine, step by step.
 
 The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. Deterministic. One thread steps it
 at a time.)")
@@ -102,29 +102,35 @@ at a time.)")
           py::arg("options") = py::dict(),
           "A terrain as of `plan_walk`. Options as those of ``play --set`` without their ``play.``, such as step_s and "
           "friction.")
-      .def("step", &World::Step, py::arg("command"), py::arg("steps") = 1, py::call_guard<py::gil_scoped_release>(),
-           "So many steps with one command.")
-      .def("measured", &World::Measured, py::arg("time_s") = py::none(), "What a controller is told now.")
+      .def("step", &SteppedWorld::Step, py::arg("command"), py::arg("steps") = 1,
+           py::call_guard<py::gil_scoped_release>(), "So many steps with one command.")
+      .def("measured", &SteppedWorld::Measured, py::arg("time_s") = py::none(), "What a controller is told now.")
       .def(
           "set_state",
-          [](World& w, const VectorX& q, const VectorX& v) { w.With([&](BulletWorld& b) { b.SetState(q, v); }); },
+          [](SteppedWorld& w, const VectorX& q, const VectorX& v) {
+            w.With([&](gaitwright::World& b) { b.SetState(q, v); });
+          },
           py::arg("q"), py::arg("v"))
-      .def("push", &World::Push, py::arg("force_n"), py::arg("link"),
+      .def("push", &SteppedWorld::Push, py::arg("force_n"), py::arg("link"),
            "Adds a force for the coming step, at the centre of mass of the body that a link is part of.")
-      .def_property_readonly("time_s", &World::time_s)
-      .def_property_readonly("step_s", &World::step_s)
-      .def_property_readonly("q", [](World& w) { return w.With([](BulletWorld& b) { return VectorX(b.q()); }); })
-      .def_property_readonly("v", [](World& w) { return w.With([](BulletWorld& b) { return VectorX(b.v()); }); })
+      .def_property_readonly("time_s", &SteppedWorld::time_s)
+      .def_property_readonly("step_s", &SteppedWorld::step_s)
       .def_property_readonly(
-          "tau", [](World& w) { return w.With([](BulletWorld& b) { return VectorX(b.tau()); }); },
+          "q", [](SteppedWorld& w) { return w.With([](gaitwright::World& b) { return VectorX(b.q()); }); })
+      .def_property_readonly(
+          "v", [](SteppedWorld& w) { return w.With([](gaitwright::World& b) { return VectorX(b.v()); }); })
+      .def_property_readonly(
+          "tau", [](SteppedWorld& w) { return w.With([](gaitwright::World& b) { return VectorX(b.tau()); }); },
           "Of the last step [N m].")
       .def_property_readonly(
-          "forces_n", [](World& w) { return w.With(ForcesOn); },
+          "forces_n", [](SteppedWorld& w) { return w.With(ForcesOn); },
           "Of the ground on the feet in the last step, feet x 3.")
       .def_property_readonly(
-          "contact", [](World& w) { return w.With(Touching); }, "Whether each foot carried force in the last step.")
+          "contact", [](SteppedWorld& w) { return w.With(Touching); },
+          "Whether each foot carried force in the last step.")
       .def_property_readonly(
-          "body_contacts", [](World& w) { return w.With([](BulletWorld& b) { return b.body_contacts(); }); },
+          "body_contacts",
+          [](SteppedWorld& w) { return w.With([](gaitwright::World& b) { return b.body_contacts(); }); },
           "Links other than feet that touch the ground.");
 }
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "kinematics/model/actuator.h"
-#include "playback/bullet/play.h"
+#include "playback/play/play.h"
 #include "workflows/exchange/compare_parts_internal.h"
 #include "workflows/walk/walk.h"
 

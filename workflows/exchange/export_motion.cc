@@ -10,7 +10,7 @@
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "planning/plan/json_part_internal.h"
-#include "playback/bullet/play.h"
+#include "playback/play/play.h"
 #include "playback/report/plot_style.h"
 #include "playback/score/stability_report.h"
 #include "workflows/exchange/csv_table.h"

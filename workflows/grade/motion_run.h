@@ -13,7 +13,7 @@
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
 #include "planning/plan/terrain.h"
-#include "playback/bullet/controller.h"
+#include "playback/engine/controller.h"
 #include "workflows/grade/marks.h"
 #include "workflows/grade/motion_measures.h"
 #include "workflows/grade/rubric.h"

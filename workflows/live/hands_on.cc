@@ -75,7 +75,7 @@ void HandsOn::Off() {
 }
 
 /// Legs that stand are moved by torques alone: the joint is held by its own gains for so long.
-void HandsOn::Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains, JointCommand& command) {
+void HandsOn::Apply(Nudged& nudged, const World& world, const Gains& gains, JointCommand& command) {
   const int d = nudged.dof;
   if (!nudged.from) nudged.from = world.q()[7 + d];
   command.q[d] = *nudged.from + nudged.by;
@@ -84,7 +84,7 @@ void HandsOn::Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains
   command.damping[d] = gains.damping[d];
 }
 
-void HandsOn::Apply(double time_s, const Gains& gains, BulletWorld& world, JointCommand& command) {
+void HandsOn::Apply(double time_s, const Gains& gains, World& world, JointCommand& command) {
   if (nudged_ && time_s >= nudged_->until_s) nudged_.reset();
   if (nudged_) Apply(*nudged_, world, gains, command);
   if (pushed_ && time_s >= pushed_->until_s) pushed_.reset();

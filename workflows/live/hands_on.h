@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "playback/bullet/world.h"
 #include "playback/control/gains.h"
+#include "playback/engine/world.h"
 
 namespace gaitwright {
 
@@ -59,7 +59,7 @@ class HandsOn {
   void Off();
 
   /// Adds all of it to the coming step.
-  void Apply(double time_s, const Gains& gains, BulletWorld& world, JointCommand& command);
+  void Apply(double time_s, const Gains& gains, World& world, JointCommand& command);
   /// The force of a push in the last step [N]; nothing where there was none.
   std::optional<Vector3> push_W() const { return pushed_ ? std::optional(pushed_->force_W) : std::nullopt; }
 
@@ -73,7 +73,7 @@ class HandsOn {
     double by = 0.0, until_s = 0.0;
     std::optional<double> from;  ///< where it was, once it has begun
   };
-  static void Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains, JointCommand& command);
+  static void Apply(Nudged& nudged, const World& world, const Gains& gains, JointCommand& command);
 
   const RobotModel& model_;
   const PullSpring spring_;

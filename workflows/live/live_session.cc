@@ -26,7 +26,7 @@ std::string NamesOf(const RobotModel& model, FootSet feet) {
   return names.empty() ? "none" : names;
 }
 
-FootSet TouchingOf(const BulletWorld& world) {
+FootSet TouchingOf(const World& world) {
   FootSet feet = 0;
   for (std::size_t i = 0; i < world.feet().size(); ++i) {
     if (world.feet()[i].touching) feet |= FootBit(static_cast<int>(i));

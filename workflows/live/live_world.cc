@@ -13,6 +13,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/sample_plan.h"
+#include "playback/play/make_world.h"
 
 namespace gaitwright {
 namespace {
@@ -79,7 +80,7 @@ LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const Pl
       usual_pace_(UsualPace(model, usual.gait_options)),
       first_(std::move(first)),
       stream_(first_.plan),
-      world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world),
+      world_(MakeWorld(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world)),
       hands_(model),
       control_(std::move(control)),
       gains_(DeriveGains(model, GainsFor(play))) {
@@ -115,10 +116,10 @@ void LiveWorld::Step() {
   const auto most = static_cast<std::size_t>(std::lround(Shown(stream_.plan()) / step_s()));
   while (history_.size() > most) history_.pop_front();
   command_ = mode_ == LiveMode::kFallen ? Damping() : control_.Update(history_.back());
-  hands_.Apply(time_s_, gains_, world_, command_);
+  hands_.Apply(time_s_, gains_, *world_, command_);
   if (!IsFinite(command_)) return Fall(true);
-  world_.Step(command_);
-  if (!IsPhysical(world_)) return Fall(true);
+  world_->Step(command_);
+  if (!IsPhysical(*world_)) return Fall(true);
   AddToMeans();
   time_s_ += step_s();
   if (may_walk() && !hands_.grips().empty())
@@ -130,11 +131,11 @@ ControlInput LiveWorld::Measured() const {
   ControlInput input;
   input.time_s = time_s_;
   input.step_s = step_s();
-  input.q = world_.q();
-  input.v = world_.v();
-  for (std::size_t i = 0; i < world_.feet().size(); ++i) {
-    input.wrenches.push_back(world_.feet()[i].wrench);
-    if (world_.feet()[i].touching) input.contact |= FootBit(static_cast<int>(i));
+  input.q = world_->q();
+  input.v = world_->v();
+  for (std::size_t i = 0; i < world_->feet().size(); ++i) {
+    input.wrenches.push_back(world_->feet()[i].wrench);
+    if (world_->feet()[i].touching) input.contact |= FootBit(static_cast<int>(i));
   }
   input.wrenches.resize(model_.feet.size());
   return input;
@@ -252,7 +253,7 @@ bool LiveWorld::StandsToWalk() {
   for (const ControlInput& input : history_) {
     if (input.v.head<3>().norm() > kStill) return false;
   }
-  const VectorX& q = world_.q();
+  const VectorX& q = world_->q();
   const VectorX& stands = stream_.plan().whole_body.q.front();
   if ((q - stands).tail(n).lpNorm<Eigen::Infinity>() > kUpright) {
     notes_.emplace_back("walks once it stands up");
@@ -273,22 +274,22 @@ void LiveWorld::TakeControl() {
 JointCommand LiveWorld::Damping() const {
   const auto n = static_cast<Eigen::Index>(model_.num_dofs());
   const VectorX none = VectorX::Zero(n);
-  return {world_.q().tail(n), none, none, none, gains_.damping};
+  return {world_->q().tail(n), none, none, none, gains_.damping};
 }
 
 void LiveWorld::Watch() {
   if (mode_ == LiveMode::kFallen) return;
-  const double up = std::clamp(BaseRotation(world_.q())(2, 2), -1.0, 1.0);
+  const double up = std::clamp(BaseRotation(world_->q())(2, 2), -1.0, 1.0);
   const double standing = first_.plan.whole_body.q.front()[2];
   double ground = 0.0;
   int touching = 0;
-  for (const FootContact& foot : world_.feet()) {
+  for (const FootContact& foot : world_->feet()) {
     if (!foot.touching) continue;
     ground += foot.p_W.z();
     ++touching;
   }
-  const bool sunk = touching > 0 && world_.q()[2] - ground / touching < kFallenHeight * standing;
-  if (world_.body_contacts().empty()) down_since_s_ = time_s_;
+  const bool sunk = touching > 0 && world_->q()[2] - ground / touching < kFallenHeight * standing;
+  if (world_->body_contacts().empty()) down_since_s_ = time_s_;
   if (std::acos(up) > kFallenTilt || sunk || time_s_ - down_since_s_ > kFallenContact) Fall(false);
 }
 
@@ -301,12 +302,12 @@ void LiveWorld::Fall(bool broken) {
 }
 
 void LiveWorld::AddToMeans() {
-  const std::vector<FootContact>& feet = world_.feet();
+  const std::vector<FootContact>& feet = world_->feet();
   if (summed_ == 0) {
     sums_.tau = VectorX::Zero(static_cast<Eigen::Index>(model_.num_dofs()));
     sums_.wrenches.assign(model_.feet.size(), {});
   }
-  sums_.tau += world_.tau();
+  sums_.tau += world_->tau();
   for (std::size_t i = 0; i < feet.size(); ++i) {
     sums_.wrenches[i].force_W += feet[i].wrench.force_W;
     sums_.wrenches[i].moment_W += feet[i].wrench.moment_W;
@@ -319,8 +320,8 @@ LogSample LiveWorld::TakeSample() {
   LogSample sample = std::exchange(sums_, {});
   const double share = 1.0 / std::exchange(summed_, 0);
   sample.tau *= share;
-  sample.tau_peak = world_.motor_torque().cwiseAbs();
-  sample.effort_use = world_.effort_use();
+  sample.tau_peak = world_->motor_torque().cwiseAbs();
+  sample.effort_use = world_->effort_use();
   for (ContactWrench& wrench : sample.wrenches) {
     wrench.force_W *= share;
     wrench.moment_W *= share;
@@ -339,12 +340,12 @@ void LiveWorld::PutInPose(const VectorX& q) {
   constexpr double kFarthest = 100.0;  // [m]
   if (q.size() != model_.nq() || !q.allFinite())
     throw InvalidArgument(fmt::format("a posture has {} numbers, {} are needed", q.size(), model_.nq()));
-  if ((q.head<3>() - world_.q().head<3>()).norm() > kFarthest)
+  if ((q.head<3>() - world_->q().head<3>()).norm() > kFarthest)
     throw InvalidArgument(fmt::format("the base is put {} m away at most", kFarthest));
   VectorX level = q;
   level.head<2>() = ground_from_;
-  BulletWorld posed(model_, first_.plan.terrain, level, play_.play.world);
-  posed.SetState(q, VectorX::Zero(model_.nv()));  // which may be of the world as it was
+  std::unique_ptr<World> posed = MakeWorld(model_, first_.plan.terrain, level, play_.play.world);
+  posed->SetState(q, VectorX::Zero(model_.nv()));  // which may be of the world as it was
   world_ = std::move(posed);
   GiveUpWishes();
   hands_.Off();
@@ -352,7 +353,7 @@ void LiveWorld::PutInPose(const VectorX& q) {
 }
 
 void LiveWorld::StandUp() {
-  const VectorX& q = world_.q();
+  const VectorX& q = world_->q();
   const VectorX& origin = first_.plan.whole_body.q.front();
   Stand(PoseOf(BaseInPlan(q)) * PoseOf({origin[0], origin[1], 0.0}).inverse(), time_s_);
 }
@@ -363,11 +364,11 @@ void LiveWorld::SetGround(double friction, double slope_deg, double slope_direct
   changed.ground_slope_deg = slope_deg;
   changed.ground_slope_direction_deg = slope_direction_deg;
   CheckOptions(changed.Fields());
-  const VectorX q = world_.q();
+  const VectorX q = world_->q();
   const Pose level = ground_tilt().inverse();
   play_.play.world = changed;
-  PutOnGround(CarriedState(level, q), CarriedRates(level, world_.v()));
-  stream_.Shift(world_.q().head<3>() - q.head<3>());
+  PutOnGround(CarriedState(level, q), CarriedRates(level, world_->v()));
+  stream_.Shift(world_->q().head<3>() - q.head<3>());
   history_.clear();
   if (may_walk()) TakeControl();
 }
@@ -375,9 +376,9 @@ void LiveWorld::SetGround(double friction, double slope_deg, double slope_direct
 /// In a world of its own, on the ground as it is now: a slope turns it along, about where it is.
 void LiveWorld::PutOnGround(const VectorX& level_q, const VectorX& level_v) {
   ground_from_ = level_q.head<2>();
-  world_ = BulletWorld(model_, first_.plan.terrain, level_q, play_.play.world);
+  world_ = MakeWorld(model_, first_.plan.terrain, level_q, play_.play.world);
   const Pose X = ground_tilt();
-  world_.SetState(CarriedState(X, level_q), CarriedRates(X, level_v));
+  world_->SetState(CarriedState(X, level_q), CarriedRates(X, level_v));
 }
 
 void LiveWorld::SetControl(const PlayRequest& from) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "playback/bullet/world.h"
+#include "playback/engine/world.h"
 #include "playback/log/playback_log.h"
 #include "workflows/live/hands_on.h"
 #include "workflows/live/live_control.h"
@@ -92,7 +92,7 @@ class LiveWorld {
   const WalkPace& usual_pace() const { return usual_pace_; }
   /// How the present slope turns the ground.
   Pose ground_tilt() const;
-  const BulletWorld& world() const { return world_; }
+  const World& world() const { return *world_; }
   const MotionPlan& plan() const { return stream_.plan(); }
   const JointCommand& command() const { return command_; }
   /// Of each joint that follows a position: one that swings, or is knocked.
@@ -133,7 +133,7 @@ class LiveWorld {
   const WalkPace usual_pace_;
   const PacePlan first_;  ///< of that: where it stands is its beginning
   WalkStream stream_;
-  BulletWorld world_;
+  std::unique_ptr<World> world_;
   HandsOn hands_;
   LiveControl control_;
   Gains gains_;

@@ -13,7 +13,7 @@
 #include "planning/audit/joint_watch.h"
 #include "planning/plan/parts_text.h"
 #include "planning/plan/plan_json.h"
-#include "playback/bullet/play.h"
+#include "playback/play/play.h"
 
 namespace gaitwright {
 namespace {

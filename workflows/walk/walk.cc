@@ -8,7 +8,7 @@
 #include "kinematics/base/cpu_clock.h"
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
-#include "playback/bullet/whole_steps.h"
+#include "playback/play/whole_steps.h"
 #include "playback/control/joint_pd.h"
 #include "playback/sensing/sensing_controller.h"
 #include "workflows/walk/idle_options.h"

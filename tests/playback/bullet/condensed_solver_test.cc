@@ -9,7 +9,7 @@
 #include "playback/bullet/contact_rows_internal.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
-#include "playback/bullet/world_options.h"
+#include "playback/engine/world_options.h"
 #include "tests/kinematics/made_robots.h"
 
 namespace gaitwright::bullet {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kinematics/model/motor_warmth.h"
-#include "playback/bullet/world.h"
+#include "playback/bullet/bullet_world.h"
 #include "tests/playback/one_joint.h"
 
 namespace gaitwright {

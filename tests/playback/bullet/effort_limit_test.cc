@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
-#include "playback/bullet/world.h"
+#include "playback/bullet/bullet_world.h"
 
 namespace gaitwright {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "playback/bullet/ground_internal.h"
-#include "playback/bullet/world.h"
+#include "playback/engine/world.h"
 
 namespace gaitwright {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "playback/bullet/world.h"
+#include "playback/bullet/bullet_world.h"
 #include "playback/control/joint_pd.h"
 #include "tests/playback/one_joint.h"
 #include "tests/playback/standing_plan.h"

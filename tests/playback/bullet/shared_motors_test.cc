@@ -6,13 +6,13 @@
 #include <random>
 
 #include "kinematics/model/actuator.h"
-#include "playback/bullet/world.h"
+#include "playback/bullet/bullet_world.h"
 #include "tests/playback/two_joints.h"
 
 namespace gaitwright {
 namespace {
 
-using two_joints::kEffort;
+constexpr double kMotorEffort = two_joints::kEffort;
 
 VectorX UpThere(double first = 0.0, double second = 0.0) {
   VectorX q = VectorX::Zero(9);
@@ -57,13 +57,13 @@ TEST(SharedMotors, OfOneJointBothMotorsGiveTwiceWhatOneGivesAndOfBothLess) {
         return std::pair<VectorX, VectorX>(world.tau(), world.effort_use());
       };
       const auto [alone, use_alone] = first_step(1e4, 0.0);
-      EXPECT_NEAR(alone[0], 2.0 * kEffort, 1e-6) << "both motors push the first joint";
+      EXPECT_NEAR(alone[0], 2.0 * kMotorEffort, 1e-6) << "both motors push the first joint";
       EXPECT_EQ(use_alone[0], 1.0);
       EXPECT_EQ(use_alone[1], 1.0);
       const auto [both, use_both] = first_step(15.0, 15.0);
       if (by_gain) continue;  // which asks for less, the more the joint moves
-      EXPECT_NEAR(both[0], kEffort, 1e-9) << "within a box of 20, but one motor would have to give 15";
-      EXPECT_NEAR(both[1], kEffort, 1e-9);
+      EXPECT_NEAR(both[0], kMotorEffort, 1e-9) << "within a box of 20, but one motor would have to give 15";
+      EXPECT_NEAR(both[1], kMotorEffort, 1e-9);
       EXPECT_EQ(use_both[0], 1.0);
       EXPECT_EQ(use_both[1], 0.0);
     }
@@ -143,8 +143,8 @@ TEST(SharedMotors, AMotorAtItsLimitLeavesWhatIsNearestToTheWantedTorques) {
   };
   const Vector2 found = world.tau();
   const Vector2 motors = ratios.transpose().inverse() * found;
-  EXPECT_NEAR(motors[0], kEffort, 1e-9);
-  EXPECT_LT(std::abs(motors[1]), kEffort);
+  EXPECT_NEAR(motors[0], kMotorEffort, 1e-9);
+  EXPECT_LT(std::abs(motors[1]), kMotorEffort);
   for (const double step : {-0.01, 0.01}) {
     const Vector2 beside = ratios.transpose() * (motors + Vector2(0.0, step));
     EXPECT_GT(off(beside), off(found)) << "the other motor gives what is best";
@@ -173,8 +173,8 @@ TEST(SharedMotors, TheCurveGoesByTheMotorsSpeed) {
   v.tail<2>() << 2.0, 2.0;  // motors: 4 and 0
   world.SetState(UpThere(), v);
   world.Step(AskBoth(1e3, 0.0, false));
-  EXPECT_NEAR(world.motor_torque()[0], 0.5 * kEffort, 1e-9);
-  EXPECT_NEAR(world.motor_torque()[1], kEffort, 1e-9);
+  EXPECT_NEAR(world.motor_torque()[0], 0.5 * kMotorEffort, 1e-9);
+  EXPECT_NEAR(world.motor_torque()[1], kMotorEffort, 1e-9);
 }
 
 TEST(SharedMotors, StopsOfTheJointsHold) {

@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "playback/bullet/world.h"
+#include "playback/bullet/bullet_world.h"
 #include "tests/playback/standing_plan.h"
 #include "tests/unusual_robots.h"
 

@@ -10,7 +10,7 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/model/unknown_motor.h"
-#include "playback/bullet/play.h"
+#include "playback/play/play.h"
 #include "playback/control/joint_pd.h"
 #include "playback/log/log_json.h"
 #include "playback/score/stability_report.h"

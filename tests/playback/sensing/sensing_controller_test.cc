@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "kinematics/base/result.h"
-#include "playback/bullet/play.h"
-#include "playback/bullet/world.h"
+#include "playback/play/play.h"
+#include "playback/bullet/bullet_world.h"
 #include "playback/control/joint_pd.h"
 #include "playback/control/stabilised.h"
 #include "playback/log/log_json.h"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "playback/bullet/bumps.h"
-#include "playback/bullet/world.h"
+#include "playback/engine/bumps.h"
+#include "playback/engine/world.h"
 #include "tests/playback/synthetic.h"
 
 namespace gaitwright {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "planning/plan/plan_json.h"
-#include "playback/bullet/play.h"
+#include "playback/play/play.h"
 #include "tests/playback/xml_check.h"
 #include "workflows/study/preflight_joints.h"
 #include "workflows/walk/walk.h"

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "playback/engine/world.h"
+
+namespace gaitwright {
+
+/// A robot on a terrain in Bullet, exact to rounding for the free multibody. Contact is hard.
+class BulletWorld : public World {
+ public:
+  /// @param q  first configuration, size nq; also where locked joints stay, and its x and y the start point of the
+  /// ground.
+  /// @throws InvalidArgument as CheckWorld
+  BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
+  ~BulletWorld() override;
+
+  void SetState(const VectorX& q, const VectorX& v) override;
+  const VectorX& q() const override;
+  const VectorX& v() const override;
+  void PushBody(int body, const Vector3& force_W) override;
+  void PushAt(int body, const Vector3& force_W, const Vector3& p_W) override;
+  void PushRobot(const Vector3& force_W) override;
+  double LiftOutOfGround(const VectorX& as_planned) override;
+  void Step(const JointCommand& command) override;
+  const VectorX& tau() const override;
+  const VectorX& motor_torque() const override;
+  const VectorX& effort_use() const override;
+  const std::vector<FootContact>& feet() const override;
+  const std::vector<std::string>& body_contacts() const override;
+  VectorX mean_square_effort() const override;
+  double total_mass_kg() const override;
+
+  /// Accelerations (size nv) by Bullet's articulated-body algorithm with no contact and no losses; the state is left at
+  /// q, v.
+  VectorX Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau);
+  /// Largest deviation of a mimic joint from what it should follow [rad] or [m].
+  double gear_error() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gaitwright

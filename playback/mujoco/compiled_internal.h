@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+
+#include "kinematics/spatial/pose.h"
+#include "playback/mujoco/model_text_internal.h"
+
+namespace gaitwright::mujoco {
+
+struct DeleteModel {
+  void operator()(mjModel* m) const { mj_deleteModel(m); }
+};
+struct DeleteData {
+  void operator()(mjData* d) const { mj_deleteData(d); }
+};
+using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
+using DataPtr = std::unique_ptr<mjData, DeleteData>;
+
+/// MuJoCo's model of a text. One at a time in the process, since MuJoCo's compiler has state of its own.
+/// @throws InvalidArgument with MuJoCo's message where it refuses the text.
+ModelPtr Compile(const ModelText& text);
+
+/// The number that MuJoCo gives an object by its name, such as `b3`.
+int IdOf(const mjModel& m, mjtObj type, char kind, std::size_t index);
+
+inline Eigen::Map<const Vector3> AsVector(const mjtNum* p) { return Eigen::Map<const Vector3>(p); }
+
+}  // namespace gaitwright::mujoco

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/dynamics/foot_contact.h"
+#include "playback/play/fall_watch_internal.h"
+
+namespace gaitwright::playing {
+namespace {
+
+constexpr double kFallenTilt = 1.0;     // [rad]
+constexpr double kFallenContact = 0.2;  // a body on the ground for this long is a fall [s]
+constexpr double kKeptAfterFall = 0.3;  // [s]
+
+Matrix3 RotationOf(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix(); }
+
+FootSet StanceAt(const MotionPlan& plan, int feet, double time_s) {
+  if (plan.schedule.phases.empty()) return AllFeet(feet);
+  return plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, time_s))].stance;
+}
+
+/// Height of the base over the standing feet by row; where none stands, over those that stood last.
+std::vector<double> PlannedHeights(const RobotModel& model, const MotionPlan& plan) {
+  DynamicsScratch scratch(model);
+  const int feet = static_cast<int>(model.feet.size());
+  std::vector<double> heights;
+  double ground_m = GroundAt(plan.terrain, plan.whole_body.q.front().head<2>()).height_m;
+  for (const VectorX& q : plan.whole_body.q) {
+    const double time_s = plan.whole_body.start_s + static_cast<double>(heights.size()) * plan.whole_body.step_s;
+    const FootSet stance = StanceAt(plan, feet, time_s);
+    ForwardKinematics(model, q, scratch);
+    double sum = 0.0;
+    int standing = 0;
+    for (int foot = 0; foot < feet; ++foot) {
+      if ((stance & FootBit(foot)) == 0) continue;
+      sum += ContactFrame(model, scratch, foot).translation().z();
+      ++standing;
+    }
+    if (standing > 0) ground_m = sum / standing;
+    heights.push_back(q[2] - ground_m);
+  }
+  return heights;
+}
+
+}  // namespace
+
+FallWatch::FallWatch(const RobotModel& model, const MotionPlan& plan, double height_lowest)
+    : up_B_(RotationOf(plan.whole_body.q.front()).transpose() * Vector3::UnitZ()),
+      start_s_(plan.whole_body.start_s),
+      step_s_(plan.whole_body.step_s),
+      height_lowest_(height_lowest),
+      planned_height_(PlannedHeights(model, plan)),
+      ground_m_(plan.whole_body.q.front()[2] - planned_height_.front()) {}
+
+bool FallWatch::Sunk(double time_s, const World& world) {
+  double sum = 0.0;
+  int touching = 0;
+  for (const FootContact& foot : world.feet()) {
+    if (!foot.touching) continue;
+    sum += foot.p_W.z();
+    ++touching;
+  }
+  if (touching > 0) ground_m_ = sum / touching;
+  const double last = static_cast<double>(planned_height_.size() - 1);
+  const auto row = static_cast<std::size_t>(std::clamp(std::round((time_s - start_s_) / step_s_), 0.0, last));
+  return height_lowest_ > 0.0 && world.q()[2] - ground_m_ < height_lowest_ * planned_height_[row];
+}
+
+void FallWatch::Add(double time_s, const World& world) {
+  const Vector3 up_W = RotationOf(world.q()) * up_B_;
+  const bool tilted = std::acos(std::clamp(up_W.z(), -1.0, 1.0)) > kFallenTilt;
+  if (world.body_contacts().empty()) contact_since_s_ = time_s;
+  const bool down = time_s - contact_since_s_ > kFallenContact;
+  const bool sunk = Sunk(time_s, world);
+  if (fallen_ || !(tilted || down || sunk)) return;
+  fallen_ = true;
+  fallen_s_ = time_s;
+}
+
+bool FallWatch::Over(double time_s) const { return fallen_ && time_s - fallen_s_ > kKeptAfterFall; }
+
+}  // namespace gaitwright::playing

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "playback/engine/controller.h"
+#include "playback/engine/world_options.h"
+#include "playback/log/playback_log.h"
+
+namespace gaitwright {
+
+/// How a plan is played.
+struct PlayOptions {
+  WorldOptions world;
+  double log_rate_hz = 200.0;
+  double settle_s = 0.2;
+  double hold_s = 0.3;
+  Vector3 push_force_W = Vector3::Zero();
+  double push_at_s = 0.0;
+  double push_for_s = 0.1;
+  std::string push_on = "base";
+  double start_x_m = 0.0, start_y_m = 0.0, start_z_m = 0.0;
+  double start_roll_rad = 0.0, start_pitch_rad = 0.0, start_yaw_rad = 0.0;
+  bool lock_unmoved = false;
+  double fall_height_lowest = 0.4;
+
+  /// Pushes beside the one of the fields above.
+  std::vector<TimedPush> more_pushes = {};
+  /// Called when a phase of the plan ends (MotionPlan::gates), before the clock goes on; may be empty.
+  std::function<void(const GateRecord& phase)> on_phase = {};
+  /// Where the independent joints start off the plan, within their limits, size n [rad] or [m]; empty for nowhere.
+  VectorX start_joints = VectorX();
+
+  OptionFields Fields() {
+    return Joined(
+        {world.Fields(),
+         {{"log_rate_hz", &log_rate_hz, "Hz", 1.0, 100000.0, "Samples per second in the log; divides 1 / step_s.", {}},
+          {"settle_s",
+           &settle_s,
+           "s",
+           0.0,
+           10.0,
+           "Stands at the plan's start for this long before the clock runs.",
+           {}},
+          {"hold_s", &hold_s, "s", 0.0, 60.0, "Goes on for this long after the plan's end.", {}},
+          {"push_force_x_n", &push_force_W.x(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
+          {"push_force_y_n", &push_force_W.y(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
+          {"push_force_z_n", &push_force_W.z(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
+          {"push_at_s", &push_at_s, "s", 0.0, 1e6, "When the push begins, on the plan's clock.", {}},
+          {"push_for_s", &push_for_s, "s", 0.0, 1e6, "How long it lasts.", {}},
+          {"push_on",
+           &push_on,
+           "",
+           0.0,
+           0.0,
+           "Where the push acts: the base's own centre of mass, that of the whole robot, or that of the body which a "
+           "link named here is part of.",
+           {}},
+          {"start_x_m", &start_x_m, "m", -10.0, 10.0, "Starts off the plan's first base pose: along x of W.", {}},
+          {"start_y_m", &start_y_m, "m", -10.0, 10.0, "The same, along y of W.", {}},
+          {"start_z_m",
+           &start_z_m,
+           "m",
+           -10.0,
+           10.0,
+           "The same, upward; a robot that starts off its plan is lifted until nothing of it is in the ground.",
+           {}},
+          {"start_roll_rad", &start_roll_rad, "rad", -3.2, 3.2, "The same, turned about the base's x.", {}},
+          {"start_pitch_rad", &start_pitch_rad, "rad", -3.2, 3.2, "The same, turned about the base's y.", {}},
+          {"start_yaw_rad", &start_yaw_rad, "rad", -3.2, 3.2, "The same, turned about z of W.", {}},
+          {"lock_unmoved",
+           &lock_unmoved,
+           "",
+           0.0,
+           0.0,
+           "Joints that the plan never moves are welded, which is faster: true or false.",
+           {}},
+          {"fall_height_lowest",
+           &fall_height_lowest,
+           "1",
+           0.0,
+           1.0,
+           "Ends soon after the base is below this share of the plan's height over the ground of the feet; 0 never.",
+           {}}}});
+  }
+};
+
+/// Plays a plan in physics: the robot starts in the plan's first state, settles, and the controller is asked once per
+/// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts turned with the
+/// ground; off its plan it starts as `start_*` say, out of the ground, and settles. Nobody holds the robot.
+///
+/// At a gate of the plan the clock stands, nothing is logged, and the controller is asked as at that time, until every
+/// joint is near its place and the gate's feet carry force, or as long as the gate lets it wait.
+///
+/// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, a body that is
+/// no foot stays on the ground for 0.2 s, or its base is below `fall_height_lowest` of the plan's height (each over the
+/// mean height of the feet that stand, the measured ones where they touch). It breaks off at once, while it settles
+/// too, when the state or the command is no longer finite, or the state beyond all bounds (1e6): then the log says so,
+/// and has one sample at the least, which may be before the first interval's end.
+///
+/// The log has one sample per 1 / log_rate_hz from the plan's start, each at its interval's end. A foot's stance begins
+/// with the first step that carries force, and ends with the first that does not, unless force comes back within 15 ms
+/// (flicker): gaps that short are closed, short touches are kept. Stances at the start begin with the log.
+/// Deterministic: no clock, path or address enters the log.
+///
+/// @return the log; a failure when plan and robot do not belong together, the plan lasts over an hour, or a push would
+/// begin after the end.
+/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, a push on a link that
+/// there is not, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
+Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
+                         const PlayOptions& options = {});
+
+/// What Play would refuse all of this for, without playing it; nothing where it would play it. @throws as Play does.
+std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
+
+/// Hash of all of a plan that a playback depends on: ties a log to its plan. That is the robot, the ground with its
+/// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. What
+/// only judges or tells (goal, parts, swings, provenance) is not in it; PlanHash has all. A plan that is written and
+/// read back has the same.
+std::string MotionHash(const MotionPlan& plan);
+
+}  // namespace gaitwright

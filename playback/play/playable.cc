@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planning/plan/check_motion.h"
+#include "playback/engine/bumps.h"
+#include "playback/play/off_plan_internal.h"
+#include "playback/play/playable_internal.h"
+#include "playback/play/whole_steps.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kLongestPlan = 3600.0;   // [s]
+constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
+
+Failure Mismatch(FailureCode code, const std::string& message, const std::string& hint) {
+  return {FailureKind::kBadInput, code, "Play", message, {hint}};
+}
+
+/// Why the plan cannot be played by this robot; nothing when it can.
+std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
+  const WholeBodyTrajectory& w = plan.whole_body;
+  if (w.size() == 0 || w.step_s <= 0.0) {
+    return Mismatch(FailureCode::kPlanWithoutMotion, "the plan has no whole-body motion to play", "plan it again");
+  }
+  if (!(plan.duration_s() <= kLongestPlan) || !std::isfinite(w.start_s)) {
+    return Mismatch(FailureCode::kPlanTooLong,
+                    fmt::format("the plan lasts {:.6g} s from {:.6g} s on; at most {} s are played", plan.duration_s(),
+                                w.start_s, kLongestPlan),
+                    "see that its 'step_s' is right");
+  }
+  if (std::any_of(plan.parts.begin(), plan.parts.end(), [](const MotionPart& part) { return Hangs(part.gait); })) {
+    return Mismatch(FailureCode::kHangs, "the plan moves a robot that hangs, held from outside: it would fall at once",
+                    "audit and export it; play the plan that it leads to");
+  }
+  if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
+    return Mismatch(FailureCode::kPlanOfOtherRobot,
+                    fmt::format("the plan was made for robot '{}' ({}), and this is '{}' ({})", plan.robot,
+                                plan.robot_hash, model.name, model.hash),
+                    "play it with the robot in the plan itself, or plan again");
+  }
+  try {
+    CheckMotion(model, w);
+  } catch (const InvalidArgument& error) {
+    return Mismatch(FailureCode::kPlanOfOtherRobot, error.what(), "plan again for this robot");
+  }
+  return std::nullopt;
+}
+
+/// Why a push of the options never comes; nothing when all do, or none is asked for.
+std::optional<Failure> LatePush(const MotionPlan& plan, const PlayOptions& options) {
+  const double end_s = plan.whole_body.end_s() + options.hold_s;
+  for (const TimedPush& push : playing::PushesOf(options)) {
+    if (push.at_s < end_s) continue;
+    return Mismatch(
+        FailureCode::kLatePush,
+        fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s", push.at_s, end_s),
+        "push earlier");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+namespace playing {
+
+WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
+  WorldOptions world = options.world;
+  Vector2 low = plan.whole_body.q.front().head<2>(), high = low;
+  for (const VectorX& q : plan.whole_body.q) {
+    low = low.cwiseMin(q.head<2>());
+    high = high.cwiseMax(q.head<2>());
+  }
+  world.bumps_from_W = low - Vector2::Constant(kBumpsBeyondPlan);
+  world.bumps_to_W = high + Vector2::Constant(kBumpsBeyondPlan);
+  if (!options.lock_unmoved) return world;
+  const VectorX& first = plan.whole_body.q.front();
+  for (Eigen::Index i = 7; i < first.size(); ++i) {
+    const bool still = std::all_of(plan.whole_body.q.begin(), plan.whole_body.q.end(),
+                                   [&](const VectorX& q) { return std::abs(q[i] - first[i]) < 1e-9; });
+    if (still) world.locked_dofs.push_back(static_cast<int>(i) - 7);
+  }
+  return world;
+}
+
+}  // namespace playing
+
+std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options) {
+  PlayOptions checked = options;
+  CheckOptions(checked.Fields());
+  if (auto failure = Misfit(model, plan)) return failure;
+  if (auto failure = LatePush(plan, options)) return failure;
+  for (const TimedPush& push : playing::PushesOf(options)) (void)playing::PushedBody(model, push.on);
+  (void)WholeSteps("log_rate_hz", options.log_rate_hz, options.world.step_s);
+  CheckBumps(playing::WorldOf(plan, options));
+  return std::nullopt;
+}
+
+}  // namespace gaitwright
