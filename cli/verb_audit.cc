@@ -35,11 +35,11 @@ struct AuditSettings {
 /// --derate torque=0.8,speed=0.9
 void Derate(const std::string& text, AuditOptions& options) {
   ApplySets("--derate", SplitAtCommas(text),
-            {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
-             {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}},
-             {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, "", {}},
-             {"jerk", &options.derate_jerk, "1", 0.01, 1.0, "", {}},
-             {"continuous", &options.derate_continuous, "1", 0.01, 1.0, "", {}}});
+            {{"torque", &options.derate_torque, "1", 0.01, 1.0, ""},
+             {"speed", &options.derate_speed, "1", 0.01, 1.0, ""},
+             {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, ""},
+             {"jerk", &options.derate_jerk, "1", 0.01, 1.0, ""},
+             {"continuous", &options.derate_continuous, "1", 0.01, 1.0, ""}});
 }
 
 void CheckAuditFlags(const AuditSettings& a) {

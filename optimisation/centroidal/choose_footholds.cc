@@ -282,11 +282,14 @@ bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double ed
 }
 
 OptionFields ChooseFootholdsOptions::Fields() {
-  return {{"edge_margin_m", &edge_margin_m, "m", 0.0, 1.0, "Least distance of a foothold to an edge.", {}},
-          {"spacing_s", &spacing_s, "s", 0.01, 1.0, "Between the places of the body that are looked at.", {}},
-          {"misfit_m", &misfit_m, "m", 0.0, 1.0, "How far out of reach a foothold may be with nothing else tried.", {}},
-          {"hopeless_m", &hopeless_m, "m", 0.0, 10.0, "How far out of reach a foothold may stay at most.", {}},
-          {"max_trials", &max_trials, "1", 1, 1000, "Most ways that are fitted.", {}}};
+  return {{"edge_margin_m", &edge_margin_m, "m", 0.0, 1.0, "Smallest distance of a foothold to an edge of its patch."},
+          {"spacing_s", &spacing_s, "s", 0.01, 1.0,
+           "Distance between the positions of the body at which reach is checked."},
+          {"misfit_m", &misfit_m, "m", 0.0, 1.0,
+           "Distance out of reach up to which no other patch is tried for a foothold."},
+          {"hopeless_m", &hopeless_m, "m", 0.0, 10.0,
+           "Largest distance out of reach that a foothold may keep; the problem is infeasible beyond it."},
+          {"max_trials", &max_trials, "1", 1, 1000, "Maximum number of paths of the body that are fitted."}};
 }
 
 Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,

@@ -243,29 +243,25 @@ class TimingSearch {
 }  // namespace
 
 OptionFields TimingOptions::Fields() {
-  return {
-      {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase.", {}},
-      {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase.", {}},
-      {"shortest_swing_s",
-       &shortest_swing_s,
-       "s",
-       0.0,
-       100.0,
-       "Shortest that a foot's swing becomes; one that is given shorter becomes no shorter.",
-       {}},
-      {"least_total", &least_total, "1", 0.01, 1.0, "Least total time, of the one that is given.", {}},
-      {"most_total", &most_total, "1", 1.0, 100.0, "Greatest total time, of the one that is given.", {}},
-      {"first_change", &first_change, "1", 0.01, 0.9, "Most share of a duration that the first step changes.", {}},
-      {"most_change", &most_change, "1", 0.01, 0.9, "Most share of a duration that any step changes.", {}},
-      {"least_gain", &least_gain, "1", 1e-6, 1.0, "Share of the cost that a step must gain for another one.", {}},
-      {"max_solves",
-       &max_solves,
-       "1",
-       0,
-       1000,
-       "Most motions that are planned on the way, and as many before where there is none yet.",
-       {}},
-  };
+  return WithBasics(
+      {"shortest_s", "longest_s", "max_solves"},
+      {
+          {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase."},
+          {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase."},
+          {"shortest_swing_s", &shortest_swing_s, "s", 0.0, 100.0,
+           "Shortest duration of a foot's swing; a swing that starts out shorter keeps its duration as the limit."},
+          {"least_total", &least_total, "1", 0.01, 1.0, "Shortest total time, as a share of the given total time."},
+          {"most_total", &most_total, "1", 1.0, 100.0, "Longest total time, as a multiple of the given total time."},
+          {"first_change", &first_change, "1", 0.01, 0.9,
+           "Largest relative change of a phase's duration in the first step of the optimiser."},
+          {"most_change", &most_change, "1", 0.01, 0.9,
+           "Largest relative change of a phase's duration in any step of the optimiser."},
+          {"least_gain", &least_gain, "1", 1e-6, 1.0,
+           "Relative decrease of the cost below which the optimisation ends."},
+          {"max_solves", &max_solves, "1", 0, 1000,
+           "Maximum number of motions planned while the cost falls; the search for a first feasible motion may use as "
+           "many."},
+      });
 }
 
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning,

@@ -19,8 +19,9 @@ struct CmaEsOptions {
   double spread = 0.2;
 
   OptionFields Fields() {
-    return {{"population", &population, "1", 0.0, 1000.0, "Points of a generation; 0: 4 + 3 ln n, of n unknowns.", {}},
-            {"spread", &spread, "1", 1e-6, 1.0, "Standard deviation of the first generation.", {}}};
+    return {{"population", &population, "1", 0.0, 1000.0,
+             "Number of points in a generation; 0 uses 4 + 3 ln n for n unknowns."},
+            {"spread", &spread, "1", 1e-6, 1.0, "Standard deviation of the first generation."}};
   }
 };
 

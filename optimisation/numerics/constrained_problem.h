@@ -58,39 +58,22 @@ struct ConstrainedOptions {
 
   OptionFields Fields() {
     return {
-        {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest violation of a constraint that counts as none.", {}},
-        {"stiffness",
-         &stiffness,
-         "1",
-         1e-6,
-         1e6,
-         "First penalty, in units of the curvature of the cost over that of the constraints.",
-         {}},
-        {"cost_tolerance",
-         &cost_tolerance,
-         "1",
-         1e-14,
-         1.0,
-         "Change of the cost between two updates, relative to 1 + cost, that counts as none.",
-         {}},
-        {"trust_radius", &trust_radius, "1", 1e-3, 1e12, "First trust region, in units of the scaled variables.", {}},
-        {"inner_tolerance",
-         &inner_tolerance,
-         "1",
-         1e-12,
-         0.1,
-         "Relative change of the penalised cost at which the first update is due; later ones are finer.",
-         {}},
-        {"patience",
-         &patience,
-         "1",
-         0,
-         100,
-         "Steps in a row that may raise the penalised cost; with any, penalties grow only where steps have settled.",
-         {}},
-        {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
-        {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}},
-        {"max_steps", &max_steps, "1", 1, 10000000, "Most steps in all, after which there is no further update.", {}}};
+        {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
+        {"stiffness", &stiffness, "1", 1e-6, 1e6,
+         "Initial penalty, in units of the curvature of the cost divided by the curvature of the constraints."},
+        {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
+         "Change of the cost between two updates, relative to 1 + cost, below which the solve has converged."},
+        {"trust_radius", &trust_radius, "1", 1e-3, 1e12,
+         "Initial radius of the trust region, in units of the scaled variables."},
+        {"inner_tolerance", &inner_tolerance, "1", 1e-12, 0.1,
+         "Relative change of the penalised cost below which the first update is made; later updates use smaller "
+         "values."},
+        {"patience", &patience, "1", 0, 100,
+         "Consecutive steps that may raise the penalised cost; above 0, penalties grow only after steps have "
+         "converged."},
+        {"max_outer", &max_outer, "1", 1, 1000, "Maximum number of updates of the multipliers."},
+        {"max_inner", &max_inner, "1", 1, 10000, "Maximum number of steps between two updates."},
+        {"max_steps", &max_steps, "1", 1, 10000000, "Maximum number of steps in all; no update follows after them."}};
   }
 };
 

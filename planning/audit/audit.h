@@ -26,44 +26,29 @@ struct AuditOptions {
 
   OptionFields Fields() {
     const auto share = [](const char* key, double* target, const char* what) {
-      return OptionField{key, target, "1", 0.01, 1.0, std::string("Share of the joints' ") + what + " a plan may use."};
+      return OptionField{key, target, "1", 0.01, 1.0, std::string("Share of the ") + what + " that a plan may use."};
     };
-    return {{"rate_hz", &rate_hz, "Hz", 10.0, 10000.0, "Rate at which the plan is sampled.", {}},
-            share("derate_torque", &derate_torque, "torque limits, and of torque on their curves over speed, that"),
-            share("derate_speed", &derate_speed, "speed limits, and of speed on their curves, that"),
-            share("derate_acceleration", &derate_acceleration, "limits of acceleration that"),
-            share("derate_jerk", &derate_jerk, "limits of jerk that"),
-            share("derate_continuous", &derate_continuous, "continuous torques that"),
-            {"jerk_over_s", &jerk_over_s, "s", 1e-4, 0.1, "Time over which jerk is the change of acceleration.", {}},
-            {"start_tolerance_rad",
-             &start_tolerance_rad,
-             "rad",
-             0.0,
-             1.0,
-             "How far a joint may be from the first command.",
-             {}},
-            {"start_tolerance_m", &start_tolerance_m, "m", 0.0, 0.1, "The same of a joint that slides.", {}},
-            {"start_tilt_rad",
-             &start_tilt_rad,
-             "rad",
-             0.0,
-             1.0,
-             "How far the measured base may be tilted from the first command's.",
-             {}},
-            {"start_speed_rad_s",
-             &start_speed_rad_s,
-             "rad/s",
-             0.0,
-             10.0,
-             "Speed that the first command may ask of a joint, or of the base's turning; what is measured is at rest.",
-             {}},
-            {"start_speed_m_s",
-             &start_speed_m_s,
-             "m/s",
-             0.0,
-             10.0,
-             "The same of a joint that slides, and of the base.",
-             {}}};
+    return WithBasics(
+        {"rate_hz", "derate_torque", "derate_speed"},
+        {{"rate_hz", &rate_hz, "Hz", 10.0, 10000.0, "Rate at which the plan is sampled for the checks."},
+         share("derate_torque", &derate_torque, "joints' torque limits (also of torque-speed curves)"),
+         share("derate_speed", &derate_speed, "joints' speed limits (also of torque-speed curves)"),
+         share("derate_acceleration", &derate_acceleration, "joints' acceleration limits"),
+         share("derate_jerk", &derate_jerk, "joints' jerk limits"),
+         share("derate_continuous", &derate_continuous, "joints' continuous torque limits"),
+         {"jerk_over_s", &jerk_over_s, "s", 1e-4, 0.1,
+          "Time interval over which jerk is computed as the change of acceleration."},
+         {"start_tolerance_rad", &start_tolerance_rad, "rad", 0.0, 1.0,
+          "Largest deviation of a revolute joint's measured position from the first command."},
+         {"start_tolerance_m", &start_tolerance_m, "m", 0.0, 0.1,
+          "Largest deviation of a prismatic joint's measured position from the first command."},
+         {"start_tilt_rad", &start_tilt_rad, "rad", 0.0, 1.0,
+          "Largest tilt of the measured base relative to the first command."},
+         {"start_speed_rad_s", &start_speed_rad_s, "rad/s", 0.0, 10.0,
+          "Largest angular speed of a revolute joint or the base in the first command; the measured robot is at rest."},
+         {"start_speed_m_s", &start_speed_m_s, "m/s", 0.0, 10.0,
+          "Largest linear speed of a prismatic joint or the base in the first command; the measured robot is at "
+          "rest."}});
   }
 };
 

@@ -35,29 +35,17 @@ struct FootstepOptions {
 
  private:
   OptionFields OwnFields() {
-    return {{"initial_stand_s", &initial_stand_s, "s", 0.1, 10.0, "Time on all feet before the first step.", {}},
-            {"final_stand_s", &final_stand_s, "s", 0.1, 10.0, "Time on all feet after the last step.", {}},
-            {"ramp_cycles",
-             &ramp.cycles,
-             "1",
-             0.0,
-             10.0,
-             "Cycles in which the base gains its speed and loses it, at the least.",
-             {}},
-            {"ramp_acceleration",
-             &ramp.acceleration_m_s2,
-             "m/s^2",
-             0.0,
-             100.0,
-             "Most with which it does so; 0 for any.",
-             {}},
-            {"reach",
-             &reach,
-             "1",
-             0.5,
-             1.0,
-             "Farthest that a foothold may be from its hip, as a share of the straight leg.",
-             {}}};
+    return WithBasics({"initial_stand_s", "final_stand_s"},
+                      {{"initial_stand_s", &initial_stand_s, "s", 0.1, 10.0,
+                        "Time that the robot stands on all feet before the first step."},
+                       {"final_stand_s", &final_stand_s, "s", 0.1, 10.0,
+                        "Time that the robot stands on all feet after the last step."},
+                       {"ramp_cycles", &ramp.cycles, "1", 0.0, 10.0,
+                        "Smallest number of gait cycles over which the base speeds up, and over which it slows down."},
+                       {"ramp_acceleration", &ramp.acceleration_m_s2, "m/s^2", 0.0, 100.0,
+                        "Largest acceleration of the base when it speeds up or slows down; 0 sets no limit."},
+                       {"reach", &reach, "1", 0.5, 1.0,
+                        "Largest distance of a foothold from its hip, as a share of the straight leg's length."}});
   }
 };
 

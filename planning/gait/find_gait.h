@@ -18,30 +18,16 @@ struct GaitOptions {
   double cycle_step_s = 0.0;
 
   OptionFields Fields() {
-    return {
-        {"cycle_s", &cycle_s, "s", 0.0, 20.0, "Time of a cycle; 0 takes the gait's own.", {}},
-        {"duty_factor",
-         &duty_factor,
-         "1",
-         0.0,
-         0.99,
-         "Share of the cycle a foot is on the ground; 0 takes the gait's own.",
-         {}},
-        {"stance_travel",
-         &stance_travel,
-         "1",
-         0.05,
-         1.0,
-         "Farthest that the body moves over a foot, as a share of the leg length; faster walking shortens the cycle.",
-         {}},
-        {"cycle_step_s",
-         &cycle_step_s,
-         "s",
-         0.0,
-         0.05,
-         "The cycle is rounded to a whole number of these, so that a gait repeats itself on the plan's grid; 0 leaves "
-         "it.",
-         {}}};
+    return WithBasics(
+        {"cycle_s", "duty_factor"},
+        {{"cycle_s", &cycle_s, "s", 0.0, 20.0, "Duration of a gait cycle; 0 uses the gait's default."},
+         {"duty_factor", &duty_factor, "1", 0.0, 0.99,
+          "Share of the cycle during which a foot is on the ground; 0 uses the gait's default."},
+         {"stance_travel", &stance_travel, "1", 0.05, 1.0,
+          "Largest travel of the body over a stance foot, as a share of the leg length; higher speeds shorten the "
+          "cycle."},
+         {"cycle_step_s", &cycle_step_s, "s", 0.0, 0.05,
+          "The cycle is rounded to a multiple of this time, so that it fits the plan's grid; 0 does not round."}});
   }
 };
 

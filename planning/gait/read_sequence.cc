@@ -24,13 +24,13 @@ bool Has(const OptionTexts& texts, const std::string& key) {
 /// What a command can be given as.
 OptionFields FieldsOf(WalkCommand& c) {
   constexpr double kFast = 50.0, kFar = 10000.0, kLong = 600.0, kMany = 100000.0, kStride = 10.0;
-  return {{"speed", &c.speed_m_s, "m/s", 0.0, kFast, "Speed ahead.", {}},
-          {"lateral-speed", &c.lateral_speed_m_s, "m/s", -kFast, kFast, "Speed to the left.", {}},
-          {"yaw-rate", &c.yaw_rate_rad_s, "rad/s", -kFast, kFast, "Turning to the left.", {}},
-          {"distance", &c.distance_m, "m", 0.0, kFar, "Length of the way.", {}},
-          {"duration", &c.duration_s, "s", 0.0, kLong, "Time of walking or standing.", {}},
-          {"steps", &c.steps, "1", 1.0, kMany, "Footfalls.", {}},
-          {"step-length", &c.step_length_m, "m", -kStride, kStride, "Advance of the robot in a footfall.", {}}};
+  return {{"speed", &c.speed_m_s, "m/s", 0.0, kFast, "Forward speed."},
+          {"lateral-speed", &c.lateral_speed_m_s, "m/s", -kFast, kFast, "Lateral speed; positive is to the left."},
+          {"yaw-rate", &c.yaw_rate_rad_s, "rad/s", -kFast, kFast, "Yaw rate; positive is to the left."},
+          {"distance", &c.distance_m, "m", 0.0, kFar, "Distance to walk."},
+          {"duration", &c.duration_s, "s", 0.0, kLong, "Time to walk or stand."},
+          {"steps", &c.steps, "1", 1.0, kMany, "Number of footfalls."},
+          {"step-length", &c.step_length_m, "m", -kStride, kStride, "Forward advance of the robot in each footfall."}};
 }
 
 /// How far a command goes. @throws InvalidArgument where that is said twice, or not at all.

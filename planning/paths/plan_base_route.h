@@ -27,13 +27,18 @@ struct BaseRouteOptions {
   BodySpaceOptions space;
 
   OptionFields Fields() {
-    return Joined({{{"iterations", &iterations, "1", 0.0, 1e6, "Samples of RRT* where no direct way is free.", {}},
-                    {"seed", &seed, "1", 0.0, 2147483647.0, "Of those samples.", {}},
-                    {"lateral", &lateral, "1", 1.0, 100.0, "What a metre sideways costs, in metres ahead.", {}},
-                    {"backward", &backward, "1", 1.0, 100.0, "What a metre backward costs, in metres ahead.", {}},
-                    {"turn", &turn, "leg lengths", 0.01, 100.0, "What a radian of turning costs, in ways ahead.", {}},
-                    {"spacing_m", &spacing_m, "m", 0.005, 0.5, "Farthest that waypoints are apart.", {}}},
-                   Prefixed("space", space.Fields())});
+    return Joined(
+        {WithBasics(
+             {"iterations", "seed"},
+             {{"iterations", &iterations, "1", 0.0, 1e6, "Number of RRT* samples if no direct route is free."},
+              {"seed", &seed, "1", 0.0, 2147483647.0, "Random seed of the RRT* samples."},
+              {"lateral", &lateral, "1", 1.0, 100.0, "Cost of a metre of lateral motion, in metres of forward motion."},
+              {"backward", &backward, "1", 1.0, 100.0,
+               "Cost of a metre of backward motion, in metres of forward motion."},
+              {"turn", &turn, "leg lengths", 0.01, 100.0,
+               "Cost of a radian of turning, as the equivalent forward distance."},
+              {"spacing_m", &spacing_m, "m", 0.005, 0.5, "Longest distance between two waypoints."}}),
+         Prefixed("space", space.Fields())});
   }
 };
 

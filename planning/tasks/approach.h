@@ -23,17 +23,16 @@ struct ApproachOptions {
   double least_s = 1.0;
 
   OptionFields Fields() {
-    return {{"speed_share", &speed_share, "1", 0.001, 1.0, "Share of the joints' speed limits that is used.", {}},
-            {"speed_rad_s", &speed_rad_s, "rad/s", 0.001, 100.0, "Largest speed of a joint whatever its limit.", {}},
-            {"speed_m_s", &speed_m_s, "m/s", 0.0001, 10.0, "The same of a joint that slides.", {}},
-            {"limit_share",
-             &limit_share,
-             "1",
-             0.01,
-             1.0,
-             "Share of the limits of torque, acceleration and jerk that is used.",
-             {}},
-            {"least_s", &least_s, "s", 0.1, 60.0, "Shortest time of each move.", {}}};
+    return WithBasics(
+        {"speed_share", "least_s"},
+        {{"speed_share", &speed_share, "1", 0.001, 1.0, "Share of the joints' speed limits that the approach uses."},
+         {"speed_rad_s", &speed_rad_s, "rad/s", 0.001, 100.0,
+          "Largest speed of a revolute joint, even if its limit is higher."},
+         {"speed_m_s", &speed_m_s, "m/s", 0.0001, 10.0,
+          "Largest speed of a prismatic joint, even if its limit is higher."},
+         {"limit_share", &limit_share, "1", 0.01, 1.0,
+          "Share of the limits of torque, acceleration and jerk that the approach uses."},
+         {"least_s", &least_s, "s", 0.1, 60.0, "Shortest duration of each move."}});
   }
 };
 

@@ -131,13 +131,13 @@ void CheckGiven(const HeightMapOptions& options, const std::string& name) {
 }  // namespace
 
 OptionFields HeightMapOptions::Fields() {
-  return {
-      {"resolution_m", &resolution_m, "m", 0.001, 1.0, "Between neighbouring points; must be given.", {}},
-      {"scale_m", &scale_m, "m", -kHighest, kHighest, "Height of a CSV's unit, usually 1; of a PNG's full white.", {}},
-      {"x_m", &x_m, "m", -kFarthest, kFarthest, "Of its middle.", {}},
-      {"y_m", &y_m, "m", -kFarthest, kFarthest, "Of its middle.", {}},
-      {"z_m", &z_m, "m", -kHighest, kHighest, "Added to all heights.", {}},
-      {"friction", &friction, "1", 0.01, 5.0, "Coefficient of friction.", {}}};
+  return {{"resolution_m", &resolution_m, "m", 0.001, 1.0, "Distance between neighbouring points; required."},
+          {"scale_m", &scale_m, "m", -kHighest, kHighest,
+           "Height of one unit of a CSV file (usually 1), or of full white in a PNG file."},
+          {"x_m", &x_m, "m", -kFarthest, kFarthest, "Position of the map's centre along x."},
+          {"y_m", &y_m, "m", -kFarthest, kFarthest, "Position of the map's centre along y."},
+          {"z_m", &z_m, "m", -kHighest, kHighest, "Offset added to all heights."},
+          {"friction", &friction, "1", 0.01, 5.0, "Friction coefficient of the ground."}};
 }
 
 Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOptions& options) {

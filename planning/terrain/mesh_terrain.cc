@@ -154,14 +154,15 @@ Terrain Make(const Mesh& mesh, const MeshTerrainOptions& options) {
 }  // namespace
 
 OptionFields MeshTerrainOptions::Fields() {
-  return {{"scale", &scale, "1", 1e-6, 1e6, "Metres in one unit of the file.", {}},
-          {"least_m", &least_m, "m", 0.001, 10.0, "Width that a flat face must have to be a patch.", {}},
-          {"steepest_deg", &steepest_deg, "deg", 1.0, 80.0, "Slope up to which a flat face is a patch.", {}},
-          {"resolution_m", &resolution_m, "m", 0.001, 1.0, "Of the height field over what is not flat.", {}},
-          {"x_m", &x_m, "m", -kFarthest, kFarthest, "Where the file's origin lies.", {}},
-          {"y_m", &y_m, "m", -kFarthest, kFarthest, "Where the file's origin lies.", {}},
-          {"z_m", &z_m, "m", -kHighest, kHighest, "Where the file's origin lies.", {}},
-          {"friction", &friction, "1", 0.01, 5.0, "Coefficient of friction.", {}}};
+  return {
+      {"scale", &scale, "1", 1e-6, 1e6, "Length of one unit of the file in metres."},
+      {"least_m", &least_m, "m", 0.001, 10.0, "Smallest width of a flat face that becomes a patch."},
+      {"steepest_deg", &steepest_deg, "deg", 1.0, 80.0, "Largest slope of a flat face that becomes a patch."},
+      {"resolution_m", &resolution_m, "m", 0.001, 1.0, "Resolution of the height field over faces that are not flat."},
+      {"x_m", &x_m, "m", -kFarthest, kFarthest, "Position of the file's origin along x."},
+      {"y_m", &y_m, "m", -kFarthest, kFarthest, "Position of the file's origin along y."},
+      {"z_m", &z_m, "m", -kHighest, kHighest, "Position of the file's origin along z."},
+      {"friction", &friction, "1", 0.01, 5.0, "Friction coefficient of the ground."}};
 }
 
 Result<Terrain> TerrainFromMesh(const Mesh& mesh, const MeshTerrainOptions& options, const std::string& name) {

@@ -25,28 +25,15 @@ struct RecoveringOptions {
   double brace_gain = 0.5;
 
   OptionFields Fields() {
-    return {{"step_margin",
-             &step_margin,
-             "1, leg lengths",
-             0.0,
-             1.0,
-             "It steps when the DCM comes so near to the edge of the hull of its feet.",
-             {}},
-            {"brace_margin",
-             &brace_margin,
-             "1, leg lengths",
-             0.0,
-             10.0,
-             "A fall is certain when the DCM is so far out of the hull of the feet: no step reaches there.",
-             {}},
-            {"brace_tilt_rad", &brace_tilt_rad, "rad", 0.1, 3.0, "Or when the base is tilted so far.", {}},
-            {"brace_gain",
-             &brace_gain,
-             "1",
-             0.0,
-             10.0,
-             "Factor on stiffness and damping of joints that get down for the fall.",
-             {}}};
+    return WithBasics(
+        {"step_margin", "brace_margin"},
+        {{"step_margin", &step_margin, "1, leg lengths", 0.0, 1.0,
+          "The robot takes a recovery step if the DCM is closer than this to the edge of the feet's convex hull."},
+         {"brace_margin", &brace_margin, "1, leg lengths", 0.0, 10.0,
+          "Distance of the DCM outside the feet's convex hull beyond which a fall is considered certain."},
+         {"brace_tilt_rad", &brace_tilt_rad, "rad", 0.1, 3.0, "Base tilt beyond which a fall is considered certain."},
+         {"brace_gain", &brace_gain, "1", 0.0, 10.0,
+          "Factor on the stiffness and damping of joints while the robot braces for a fall."}});
   }
 };
 

@@ -207,16 +207,16 @@ void AddNotes(const ComparedMotion& motion, std::vector<std::string>& notes) {
 }  // namespace
 
 OptionFields CompareOptions::Fields() {
-  return {
-      {"align",
-       &align,
-       "",
-       0.0,
-       0.0,
-       "How the clocks are aligned: not at all, by the starts, by the joints' motion, or by that where one side is a "
-       "table, whose clock is its own.",
-       {"auto", "none", "start", "best"}},
-      {"tolerance", &tolerance, "1", 0.0, 10.0, "Share of each figure's scale up to which it is the same.", {}}};
+  return {{"align",
+           &align,
+           "",
+           0.0,
+           0.0,
+           "Alignment of the clocks: none, by start time, or by best match of the joint motion; auto uses best if one "
+           "side is a table, else none.",
+           {"auto", "none", "start", "best"}},
+          {"tolerance", &tolerance, "1", 0.0, 10.0,
+           "Largest difference that counts as equal, as a share of each quantity's scale."}};
 }
 
 MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options) {

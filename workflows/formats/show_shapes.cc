@@ -193,7 +193,8 @@ DataShape OptionListShape() {
   const DataShape option = Object({{"key", Text()},
                                    {"default", Text()},
                                    {"unit", Text()},
-                                   {"accepted", Text(), "A range, or the words that there are."},
+                                   {"accepted", Text(), "A range, or the accepted words."},
+                                   {"advanced", Truth(), "Listed by --list-options=all only."},
                                    {"meaning", Text()}});
   return Object({{"options", List(option)}});
 }

@@ -19,14 +19,10 @@ struct PreflightOptions {
   int fewest_trials = 0;
 
   OptionFields Fields() {
-    return {{"fewest_trials", &fewest_trials, "1", 0.0, 1e6, "Trials that a go needs; 0: it may do without.", {}},
-            {"least_survival",
-             &least_survival,
-             "1",
-             0.0,
-             1.0,
-             "Share that must survive for a go, where there are trials: the lower end of its 95 % interval.",
-             {}}};
+    return {{"fewest_trials", &fewest_trials, "1", 0.0, 1e6,
+             "Smallest number of trials for a go decision; 0 requires none."},
+            {"least_survival", &least_survival, "1", 0.0, 1.0,
+             "Smallest survival rate for a go decision with trials: the lower end of the 95 % interval."}};
   }
 };
 

@@ -46,7 +46,7 @@ OptionField& FindField(OptionFields& fields, const std::string& text, const std:
   std::vector<std::string> keys;
   for (const OptionField& f : fields) keys.push_back(f.key);
   throw InvalidArgument(fmt::format("'{}': there is no option '{}'{}", text, key,
-                                    NearestOrAll(key, keys, "--list-options prints all of them")));
+                                    NearestOrAll(key, keys, "--list-options=all prints all of them")));
 }
 
 /// The value as the option itself writes it. @throws InvalidArgument naming the axis when it does not take it.
@@ -104,11 +104,12 @@ void ReadList(StudyAxis& axis, OptionField& field, const std::string& text, cons
 
 OptionFields CommandFields(WalkRequest& walk) {
   WalkCommand& c = walk.command;
-  return {
-      {"speed", &c.speed_m_s, "m/s", 0.0, 100.0, "Speed ahead; 0: the robot's own where no other says where to.", {}},
-      {"lateral_speed", &c.lateral_speed_m_s, "m/s", -100.0, 100.0, "Speed to the left.", {}},
-      {"yaw_rate", &c.yaw_rate_rad_s, "rad/s", -100.0, 100.0, "Turning to the left.", {}},
-      {"step_length", &c.step_length_m, "m", -100.0, 100.0, "Advance in a footfall, of counted steps.", {}}};
+  return {{"speed", &c.speed_m_s, "m/s", 0.0, 100.0,
+           "Forward speed; 0 uses the robot's default speed if no other command is given."},
+          {"lateral_speed", &c.lateral_speed_m_s, "m/s", -100.0, 100.0, "Lateral speed; positive is to the left."},
+          {"yaw_rate", &c.yaw_rate_rad_s, "rad/s", -100.0, 100.0, "Yaw rate; positive is to the left."},
+          {"step_length", &c.step_length_m, "m", -100.0, 100.0,
+           "Forward advance in each footfall, for a walk of counted steps."}};
 }
 
 OptionFields StudyFields(WalkRequest& walk, PlayRequest& play) {

@@ -23,17 +23,13 @@ struct TrialOptions {
 
   OptionFields Fields() {
     return {
-        {"trials", &trials, "1", 1, 10000000, "How many, at most.", {}},
-        {"until_width",
-         &until_width,
-         "1",
-         0.0,
-         1.0,
-         "Stops early once the 95 % interval of survival is narrower than this; 0: never.",
-         {}},
-        {"until_least", &until_least, "1", 1, 10000000, "Not before so many trials.", {}},
-        {"seed", &seed, "1", 0, 2147483647, "Of the run; each trial has its own, derived from it.", {}},
-        {"threads", &threads, "1", 0, 4096, "Threads that play; 0: one for each core. The result is the same.", {}},
+        {"trials", &trials, "1", 1, 10000000, "Maximum number of trials."},
+        {"until_width", &until_width, "1", 0.0, 1.0,
+         "Width of the 95 % interval of the survival rate at which the trials stop early; 0 disables this."},
+        {"until_least", &until_least, "1", 1, 10000000, "Smallest number of trials before they may stop early."},
+        {"seed", &seed, "1", 0, 2147483647, "Random seed of the run; each trial's seed is derived from it."},
+        {"threads", &threads, "1", 0, 4096,
+         "Number of threads; 0 uses one per core. The result does not depend on it."},
     };
   }
 };

@@ -28,45 +28,25 @@ struct TuneOptions {
 
   OptionFields Fields() {
     return {
-        {"evaluations",
-         &evaluations,
-         "1",
-         2.0,
-         100000.0,
-         "Candidates that are tried, the present values among them.",
-         {}},
-        {"trials", &trials, "1", 1.0, 100000.0, "Trials of each candidate, the same for all.", {}},
-        {"finalists",
-         &finalists,
-         "1",
-         1.0,
-         100.0,
-         "The best candidates, which are tried twice as often again before one is chosen.",
-         {}},
-        {"held_out", &held_out, "1", 6.0, 100000.0, "Trials never used in the search, on which the proof rests.", {}},
-        {"survival_weight",
-         &survival_weight,
-         "1",
-         0.0,
-         1000.0,
-         "What a trial counts beside its score, of 0 to 100, when the robot stands to the end.",
-         {}},
+        {"evaluations", &evaluations, "1", 2.0, 100000.0,
+         "Number of candidates that are tried, including the present values."},
+        {"trials", &trials, "1", 1.0, 100000.0, "Trials of each candidate; all candidates get the same trials."},
+        {"finalists", &finalists, "1", 1.0, 100.0,
+         "Number of best candidates that get twice as many further trials before one is chosen."},
+        {"held_out", &held_out, "1", 6.0, 100000.0,
+         "Number of held-out trials, which the search never uses and which test the result."},
+        {"survival_weight", &survival_weight, "1", 0.0, 1000.0,
+         "Value added to a trial's score (0 to 100) if the robot survives to the end."},
         {"method",
          &method,
          "",
          0.0,
          0.0,
-         "How it is searched: by response surfaces (surface), CMA-ES (cma-es), or surfaces for as long as they "
-         "foretell "
-         "what was not fitted (auto).",
+         "Search method: response surfaces, CMA-ES, or auto, which uses surfaces while they predict points that were "
+         "not fitted.",
          {"auto", "surface", "cma-es"}},
-        {"smooth_above",
-         &smooth_above,
-         "1",
-         -1.0,
-         1.0,
-         "With auto, how much of the variance between candidates a surface must foretell to be followed.",
-         {}}};
+        {"smooth_above", &smooth_above, "1", -1.0, 1.0,
+         "Share of the variance between candidates that a surface must predict for auto to follow it."}};
   }
 };
 
