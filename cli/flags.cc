@@ -19,7 +19,8 @@ namespace {
 
 const OptionField& FieldOf(const OptionFields& fields, std::string_view key) {
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
-  if (field == fields.end()) throw InvalidArgument(fmt::format("there is no option '{}' to make a flag of", key));
+  if (field == fields.end())
+    throw InvalidArgument(fmt::format("internal error: there is no option '{}' for a flag", key));
   return *field;
 }
 

@@ -71,8 +71,7 @@ struct WorldOptions {
           "",
           0.0,
           0.0,
-          "Contact shape of a sole: 2 mm spheres at its corners, or also its plate; auto uses the plate on ground with "
-          "edges, and more spheres on height fields.",
+          "Contact shape of a sole: 2 mm spheres at its corners, or also its plate; auto chooses by the ground.",
           {"auto", "corners", "plate"}},
          {"friction", &friction, "1", 0.0, 10.0,
           "Friction coefficient of the whole ground; 0 uses the terrain's coefficients."},

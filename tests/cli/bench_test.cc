@@ -58,7 +58,7 @@ TEST_F(Bench, ATableOfTimesSaysWhatIsGainedOrRefused) {
 TEST_F(Bench, RefusesWhatThereIsNot) {
   ExpectRefused(Run({"bench", "centroidal", "--only", "hyq-1-gap", "--timing", "loose"}), 1, {"loose", "fixed"});
 
-  ExpectRefused(Run({"bench", "centroidal", "--only", "horse"}), 1, {"no case holds 'horse'", "hyq-1-gap"});
+  ExpectRefused(Run({"bench", "centroidal", "--only", "horse"}), 1, {"no case name contains 'horse'", "hyq-1-gap"});
   ExpectRefused(Run({"bench", "centroidal", "--problems", "none.json"}), 1, {"none.json"});
   ExpectRefused(Run({"bench", "centroidal", "--set", "spacing=1"}), 1, {"spacing_s"});
   ExpectRefused(Run({"bench", "centroidal", "--only", "hyq-1-flat", "--duration", "-1"}), 1, {"a duration of -1 s"});

@@ -156,7 +156,8 @@ TEST_F(BeforeHardware, WrongFilesAreRefusedAndNothingIsWritten) {
   ExpectRefused(Run({"audit", "plan.json", "--approach", "way.json"}), 1, {"--approach", "--start-posture"});
   ExpectRefused(Run({"audit", "plan.json", "--report", "page.html"}), 1, {"--report", "--preflight"});
   ExpectRefused(Run({"audit", "plan.json", "--trials-result", "t.json"}), 1, {"--trials-result", "--preflight"});
-  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--report", "plan.json"}), 1, {"--report", "written over"});
+  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--report", "plan.json"}), 1,
+                {"--report", "would overwrite"});
   ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "plan.json", "--report", "page.html"}), 1,
                 {"plan.json", "is a gaitwright-motion-plan", "'gaitwright trials'"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"off.yaml", "plan.json"}));

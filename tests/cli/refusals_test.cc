@@ -97,9 +97,9 @@ TEST_F(Refusals, Command) {
   ExpectRefused(Walk({"--seed", "-1"}), 1, {"--seed", "-1", "0 or more"});
   const std::string huge = "99999999999999999999";  // more than 64 bits hold
   for (const std::string& seed : {std::string("2147483648"), std::string("99999999999"), huge})
-    ExpectRefused(Walk({"--seed", seed}), 1, {"--seed: " + seed + " is too much; accepted: 0 to 2147483647"});
-  ExpectRefused(Walk({"--seed", "-" + huge}), 1, {"--seed: -" + huge + " is too little; 0 or more is accepted"});
-  ExpectRefused(Walk({"--steps", huge}), 1, {"--steps: " + huge + " is too much; accepted: 1 to 2147483647"});
+    ExpectRefused(Walk({"--seed", seed}), 1, {"--seed: " + seed + " is too large; accepted: 0 to 2147483647"});
+  ExpectRefused(Walk({"--seed", "-" + huge}), 1, {"--seed: -" + huge + " is too small; accepted: 0 or more"});
+  ExpectRefused(Walk({"--steps", huge}), 1, {"--steps: " + huge + " is too large; accepted: 1 to 2147483647"});
   ExpectNothingWritten();
 }
 
@@ -119,7 +119,7 @@ TEST_F(Refusals, Playback) {
   ExpectRefused(Walk({"--push", "1,2"}), 1, {"--push", "3 numbers", "has 2"});
   ExpectRefused(Walk({"--push", "1,2,x"}), 1, {"--push", "'x'"});
   ExpectRefused(Walk({"--push-at", "1"}), 1, {"--push-at", "without --push"});
-  ExpectRefused(Walk({"--push", "0,9,0", "--push-for", "0"}), 1, {"lasts for 0 s does nothing"});
+  ExpectRefused(Walk({"--push", "0,9,0", "--push-for", "0"}), 1, {"--push-for must be above 0"});
   ExpectRefused(Walk({"--push", "0,9,0", "--push-at", "100"}), 1, {"100 s", "ends"});
   ExpectRefused(Walk({"--friction", "-1"}), 1, {"--friction", "-1", "0 to 10"});
   ExpectRefused(Walk({"--mass-scale", "0"}), 1, {"--mass-scale", "0.1 to 10"});

@@ -212,8 +212,8 @@ OptionFields CompareOptions::Fields() {
            "",
            0.0,
            0.0,
-           "Alignment of the clocks: none, by start time, or by best match of the joint motion; auto uses best if one "
-           "side is a table, else none.",
+           "Alignment of the clocks: none, by start, or by best match of the joint motions; auto uses best for tables, "
+           "else none.",
            {"auto", "none", "start", "best"}},
           {"tolerance", &tolerance, "1", 0.0, 10.0,
            "Largest difference that counts as equal, as a share of each quantity's scale."}};
