@@ -252,7 +252,7 @@ TEST_F(Refusals, OutputsThatCannotBeWrittenAreSeenBeforeTheWork) {
   const std::vector<std::pair<std::string, std::string>> wrong = {{"file/x", "'file' is a file, not a folder"},
                                                                   {".", "it is a folder"},
                                                                   {"new/", "the name of a folder"},
-                                                                  {"/dev/null", "no regular file"}};
+                                                                  {"/dev/null", "not a regular file"}};
   const std::vector<std::vector<std::string>> verbs = {
       {"play", "none.json", "--log"},      {"play", "none.json", "--report"},
       {"trials", "none.json", "--out"},    {"view", "none.json", "--out"},

@@ -81,7 +81,7 @@ TEST(MjcfDocument, ReadsFilesBesideTheModel) {
 
 TEST(MjcfDocument, RefusesIncludesThatGoInCirclesOrAreNotThere) {
   const std::string model = "<mujoco>\n<include file='a.xml'/></mujoco>";
-  ExpectSays(MjcfMessage(model), {"model.xml, line 2: <include>", "'a.xml' does not come with the text"});
+  ExpectSays(MjcfMessage(model), {"model.xml, line 2: <include>", "'a.xml' was not given with the model's text"});
   ExpectSays(MjcfMessage(model, FilesOf({})), {"model.xml, line 2", "there is no file 'a.xml'"});
   ExpectSays(MjcfMessage(model, FilesOf({{"a.xml", "<mujoco><include file='./a.xml'/></mujoco>"}})),
              {"a.xml, line 1", "included twice, or includes itself"});

@@ -37,7 +37,7 @@ TEST(XacroLimits, AMacroThatCallsItselfEnds) {
 
 TEST(XacroLimits, ABlockThatInsertsItselfEnds) {
   ExpectLimit("<xacro:property name='b'><xacro:insert_block name='b'/></xacro:property><xacro:insert_block name='b'/>",
-              "does one use itself");
+              "check whether one uses itself");
 }
 
 TEST(XacroLimits, MacrosThatDoubleEnd) {
@@ -57,7 +57,7 @@ TEST(XacroLimits, TextsThatDoubleEnd) {
 
 TEST(XacroLimits, ListsThatDoubleEnd) {
   ExpectLimit(DoublingProperties(60, "${[1, 2]}", "# + #"), "items");
-  ExpectLimit(DoublingProperties(60, "${[1, 2]}", "[#, #]"), "lists and dictionaries in one another");
+  ExpectLimit(DoublingProperties(60, "${[1, 2]}", "[#, #]"), "nested lists and dictionaries");
   ExpectLimit(DoublingProperties(30, "${[1, 2]}", "[#, #]"), "prints more than");
 }
 

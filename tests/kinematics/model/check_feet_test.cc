@@ -31,8 +31,8 @@ TEST(CheckFeet, RefusesFeetWithoutALeg) {
 TEST(CheckFeet, RefusesTwoFeetOfOneLeg) {
   ExpectSays(WithFeet("{link: A_foot}, {link: A_foot}"), {"'A_foot' is listed twice"});
   ExpectSays(WithFeet("{link: A_foot}, {link: A_shank}"), {"'A_foot' and 'A_shank' are on one body"});
-  ExpectSays(WithFeet("{link: A_foot}, {link: A_thigh}"), {"'A_thigh' is on the way to foot 'A_foot'"});
-  ExpectSays(WithFeet("{link: A_thigh}, {link: A_foot}"), {"'A_thigh' is on the way to foot 'A_foot'"});
+  ExpectSays(WithFeet("{link: A_foot}, {link: A_thigh}"), {"'A_thigh' is on the chain to foot 'A_foot'"});
+  ExpectSays(WithFeet("{link: A_thigh}, {link: A_foot}"), {"'A_thigh' is on the chain to foot 'A_foot'"});
 }
 
 TEST(CheckFeet, AFootThatIsNoLinkNamesTheNearest) {

@@ -146,7 +146,7 @@ TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsANote) {
   ASSERT_EQ(model->missing_meshes.size(), 2U);
   std::string notes;
   for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_foot': the mesh 'no.stl' is not there", "what it touches is not known"});
+  ExpectSays(notes, {"link 'A_foot': the mesh 'no.stl' is not there", "its contacts are unknown"});
   const Result<RobotModel> text = LoadRobotFromText(model->urdf_text, "", model->name, model->meshes);
   ASSERT_TRUE(text.ok()) << text.failure().message;
   EXPECT_EQ(text->hash, model->hash);
@@ -214,7 +214,7 @@ TEST_F(MeshFile, TextsAndHullsMakeTheSameRobot) {
   std::vector<MeshHull> other = file->meshes;
   other[0].vertices[0].x() -= 1e-3;
   EXPECT_NE(LoadRobotFromText(file->urdf_text, file->yaml_text, file->name, other)->hash, file->hash);
-  ExpectSays(MessageOf(file->urdf_text), {"link 'A_foot'", "'foot.stl' does not come with the text"});
+  ExpectSays(MessageOf(file->urdf_text), {"link 'A_foot'", "'foot.stl' was not given with the robot's text"});
 }
 
 TEST_F(MeshFile, MeshesCollideAsBoxesDo) {

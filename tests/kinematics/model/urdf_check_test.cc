@@ -66,7 +66,7 @@ TEST(UrdfCheck, AChainOfMimicsMovesAsItsProduct) {
 
 TEST(UrdfCheck, StrictlyRefusesLimitsThatAreLeftOut) {
   const auto strictly = [](const std::string& from) { return MessageOf(Replaced(FourLegs(), from, ""), "", true); };
-  ExpectSays(strictly(" lower='-2' upper='1'"), {"joint 'A_hip'", "'lower'", "takes for 0"});
+  ExpectSays(strictly(" lower='-2' upper='1'"), {"joint 'A_hip'", "'lower'", "reads as 0"});
   ExpectSays(strictly(" lower='-2'"), {"joint 'A_hip'", "'lower'"});
   ExpectSays(strictly(" upper='1'"), {"joint 'A_hip'", "'upper'"});
   EXPECT_EQ(With("'revolute'", "'continuous'"), "");

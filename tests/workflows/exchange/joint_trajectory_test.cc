@@ -74,9 +74,10 @@ TEST(JointTrajectory, IsReadStrictly) {
   ExpectWhy("joint_names: [FL_hip_joint, FL_hip_joint]\npoints: []\n", "joint 'FL_hip_joint' stands there twice");
   ExpectWhy("joint_names: [FL_hip_joint]\npoints: []\n", "joint_names lacks 11 of 12 joints of robot 'a1': ");
   ExpectWhy("points: []\n", "joint_names");
-  ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "a second document begins; one is needed");
+  ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "a second YAML document begins; exactly one is accepted");
   ExpectWhy("joint_names: [", "line ");
-  ExpectWhy("x: " + std::string(100, '[') + std::string(100, ']'), "more than 32 lists and maps in one another");
+  ExpectWhy("x: " + std::string(100, '[') + std::string(100, ']'),
+            "lists and maps are nested more than 32 levels deep");
 }
 
 TEST(JointTrajectory, IsComparedWithTheJointsThatItHas) {
