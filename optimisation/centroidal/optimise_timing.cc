@@ -41,12 +41,12 @@ VectorX ShortestOf(const RigidBodyProblem& problem, const std::vector<double>& s
   return shortest;
 }
 
-Failure NoTiming(const VectorX& durations, const char* which, const char* than, double total_s) {
+Failure NoTiming(const VectorX& durations, const char* which, const char* of_total, double total_s) {
   return {FailureKind::kInfeasible,
           FailureCode::kNoTiming,
           "OptimiseTiming",
-          fmt::format("{} phases take {:g} s together at their {}, and {} {:g} s", durations.size(), durations.sum(),
-                      which, than, total_s),
+          fmt::format("{} phases take {:g} s in all at their {} durations; the {} accepted total is {:g} s",
+                      durations.size(), durations.sum(), which, of_total, total_s),
           {"change shortest_s, shortest_swing_s, longest_s, least_total or most_total"}};
 }
 
@@ -81,22 +81,22 @@ class TimingSearch {
       return Failure{FailureKind::kBadInput,
                      FailureCode::kNoDuration,
                      "OptimiseTiming",
-                     fmt::format("a phase cannot last at least {:g} s and at most {:g} s", bounds_.lower.maxCoeff(),
-                                 options_.longest_s),
+                     fmt::format("the shortest phase duration, {:g} s, is above the longest, {:g} s",
+                                 bounds_.lower.maxCoeff(), options_.longest_s),
                      {"lower shortest_s or shortest_swing_s, or raise longest_s"}};
     }
     constexpr double kDigits = 1e-9;
     if (bounds_.lower.sum() > (1.0 + kDigits) * bounds_.most_total_s)
-      return NoTiming(bounds_.lower, "shortest", "there are", bounds_.most_total_s);
+      return NoTiming(bounds_.lower, "shortest", "longest", bounds_.most_total_s);
     if (bounds_.upper.sum() < (1.0 - kDigits) * bounds_.least_total_s)
-      return NoTiming(bounds_.upper, "longest", "are to take", bounds_.least_total_s);
+      return NoTiming(bounds_.upper, "longest", "shortest", bounds_.least_total_s);
     if (IsRetimable(best_.problem)) return std::nullopt;
-    return Failure{
-        FailureKind::kBadInput,
-        FailureCode::kTiedToTime,
-        "OptimiseTiming",
-        "inner momentum, limits of motors and clearances belong to given times, so that these cannot be variables",
-        {"leave them out, and find them anew at the times that are found"}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kTiedToTime,
+                   "OptimiseTiming",
+                   "leg angular momentum, motor limits and clearances are given for fixed times, so the timing cannot "
+                   "be optimised",
+                   {"leave them out, and compute them again for the optimised times"}};
   }
 
   /// The switches of phases of such durations; the end is in bounds to the last digit.
@@ -156,7 +156,7 @@ class TimingSearch {
       switches_ = to;
     }
     if (plan) return plan;
-    failure.message += fmt::format("; at other times of contacts {:.3g} stays unmet", at.summary.violations);
+    failure.message += fmt::format("; with other contact times, a violation of {:.3g} remains", at.summary.violations);
     return failure;
   }
 

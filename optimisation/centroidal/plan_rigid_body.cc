@@ -27,7 +27,7 @@ std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
   const double needed = LeastHoldingFriction(normals_W);
   if (needed <= friction) return "";
   return fmt::format(
-      "; at the goal all feet are on ground that takes a friction of {:.2f} to hold still on, and {:.2f} may be used",
+      "; at the goal, all feet are on ground that needs a friction of {:.2f} to stand on, but {:.2f} may be used",
       needed, friction);
 }
 
@@ -35,24 +35,23 @@ std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
 std::string UnmetOf(const ConstrainedSolution& at) {
   std::string unmet;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, at.unmet.size()); ++i)
-    unmet += fmt::format("{}{}{} by {:.3g}", i == 0 ? "" : ", ", at.unmet[i].first, i == 0 ? " stays unmet" : "",
+    unmet += fmt::format("{}{}{} by {:.3g}", i == 0 ? "" : ", ", at.unmet[i].first, i == 0 ? " stays violated" : "",
                          at.unmet[i].second);
   return fmt::format("{}{} after {} iterations; {:.3g} in all{}", unmet, at.unmet.size() > 3 ? " and more" : "",
-                     at.iterations, at.violations, at.least ? ", which small changes of the motion do not lower" : "");
+                     at.iterations, at.violations, at.least ? ", which small changes of the motion do not reduce" : "");
 }
 
 /// What would help where a law of that name stays unmet.
 std::string ReliefOf(const std::string& worst) {
   if (worst.starts_with("reach"))
-    return "less travel in a stance: a lower speed, a shorter cycle, or footholds nearer to each other";
+    return "reduce the travel in a stance: lower speed, shorter cycle, or footholds closer together";
   if (worst.starts_with("friction") || worst.starts_with("motors"))
-    return "weaker pushes: a larger duty factor, a lower speed or more time; or more friction";
+    return "reduce the forces: larger duty factor, lower speed or more time; or raise the friction";
   if (worst.starts_with("rise") || worst.starts_with("free flight"))
-    return "shorter flights: a shorter cycle or a larger duty factor";
-  if (worst.starts_with("clearance")) return "ground or obstacles farther from the body, or the body higher";
-  if (worst.starts_with("region")) return "footholds on larger or other patches";
-  if (worst.starts_with("turning"))
-    return "feet that stand longer, so that they can turn the body: a larger duty factor";
+    return "shorten the flights: shorter cycle or larger duty factor";
+  if (worst.starts_with("clearance")) return "move ground or obstacles farther from the body, or raise the body";
+  if (worst.starts_with("region")) return "put footholds on larger or other patches";
+  if (worst.starts_with("turning")) return "let feet stand longer, so that they can turn the body: larger duty factor";
   return "more time";
 }
 
@@ -60,15 +59,15 @@ Failure Unmet(const RigidBodyProblem& problem, const std::string& worst, const s
   return {FailureKind::kInfeasible,
           FailureCode::kUnmetLaw,
           "PlanRigidBody",
-          "no motion was found that keeps all laws: " + unmet + TooSteepAtGoal(problem),
-          {ReliefOf(worst), "a nearer goal, or footholds elsewhere"}};
+          "no motion was found that satisfies all constraints: " + unmet + TooSteepAtGoal(problem),
+          {ReliefOf(worst), "choose a closer goal, or other footholds"}};
 }
 
 Failure FaultsBetween(const RigidBodySummary& summary) {
   return {FailureKind::kInfeasible,
           FailureCode::kFaultsBetween,
           "PlanRigidBody",
-          fmt::format("between breaks {} is missed by {:.3g} after {} refinements", summary.faults.Worst(),
+          fmt::format("between nodes, {} is violated by {:.3g} after {} refinements", summary.faults.Worst(),
                       summary.faults.Largest(), summary.refinements),
           {"raise max_refinements or reach_margin_m"}};
 }
@@ -235,7 +234,8 @@ std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const Rigi
   if (const auto at = Hopeless(without_swings, lenient, options.hopeless)) {
     Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
     failure.code = FailureCode::kNotCarried;
-    failure.message = "no forces carry the body along, however it turns: " + UnmetOf(*at) + TooSteepAtGoal(problem);
+    failure.message = "no contact forces can move the body along its path, for any rotation: " + UnmetOf(*at) +
+                      TooSteepAtGoal(problem);
     return failure;
   }
   if (options.method == "interior-point") return std::nullopt;  // looks in the same way when it plans

@@ -323,16 +323,17 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kUnmetConstraint,
                    "SolveElastic",
-                   fmt::format("constraint '{}' stays unmet by {:.3g} after {} iterations", solution_.worst_constraint,
-                               solution_.violation, solution_.iterations),
-                   {"relax that constraint, or start elsewhere"}};
+                   fmt::format("constraint '{}' stays violated by {:.3g} after {} iterations",
+                               solution_.worst_constraint, solution_.violation, solution_.iterations),
+                   {"relax this constraint, or use another initial guess"}};
   }
-  return Failure{FailureKind::kInfeasible,
-                 FailureCode::kUnsettledCost,
-                 "SolveElastic",
-                 fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} iterations",
-                             solution_.cost, solution_.iterations),
-                 {"raise max_iterations, or start elsewhere"}};
+  return Failure{
+      FailureKind::kInfeasible,
+      FailureCode::kUnsettledCost,
+      "SolveElastic",
+      fmt::format("all constraints are satisfied, but the cost, {:.6g}, has not converged after {} iterations",
+                  solution_.cost, solution_.iterations),
+      {"raise max_iterations, or use another initial guess"}};
 }
 
 }  // namespace
@@ -362,7 +363,7 @@ Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, cons
   CheckOptions(checked.Fields());
   CheckConstrainedProblem(problem);
   if (problem.lower.size() + problem.upper.size() > 0)
-    throw InvalidArgument("SolveElastic: bounds are to be given as constraints");
+    throw InvalidArgument("SolveElastic: bounds are not supported; give them as constraints");
   ElasticSolver solver(problem, checked);
   Result<ConstrainedSolution> solution = solver.Run();
   if (last != nullptr) *last = solver.solution();

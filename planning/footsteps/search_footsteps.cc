@@ -195,10 +195,10 @@ std::optional<Failure> CheckQuery(const RobotModel& model, const FootstepQuery& 
                            model.name, model.feet.size()));
   }
   if (!(query.stride_m > 0.0)) return bad(fmt::format("the stride is {} m; it must be more than 0", query.stride_m));
-  if (!(query.route.length_m() > 0.0)) return bad("the route goes nowhere: it ends where it starts");
+  if (!(query.route.length_m() > 0.0)) return bad("the route ends where it starts");
   constexpr double kMostStrides = 10000.0;
   if (query.route.length_m() / query.stride_m > kMostStrides) {
-    return bad(fmt::format("the route of {:.3g} m takes {:.0f} strides of {:.3g} m; at most {:.0f} go into one plan",
+    return bad(fmt::format("the route of {:.3g} m takes {:.0f} strides of {:.3g} m; a plan has at most {:.0f}",
                            query.route.length_m(), query.route.length_m() / query.stride_m, query.stride_m,
                            kMostStrides));
   }

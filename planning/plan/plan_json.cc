@@ -286,7 +286,7 @@ Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& sour
   }
   try {
     if (!j.is_object() || !j.contains("format") || j.at("format") != kPlanFormat)
-      return Refused(source, "it is no motion plan");
+      return Refused(source, "it is not a motion plan");
     const JsonPart whole(j);
     const int schema = whole.At("schema").Whole(0, std::numeric_limits<int>::max());
     if (schema != MotionPlan::kSchema) return OtherSchema(source, schema);

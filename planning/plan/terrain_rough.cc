@@ -40,7 +40,7 @@ Terrain RoughGround::Build() const {
   }
   const double cells_x = std::ceil(length_m / resolution_m), cells_y = std::ceil(width_m / resolution_m);
   if (cells_x * cells_y > kMostNodes) {
-    throw InvalidArgument(fmt::format("{} m by {} m at resolution_m {} are {:.0f} points; at most {:.0f} are accepted",
+    throw InvalidArgument(fmt::format("{} m by {} m at resolution_m {} need {:.0f} points; at most {:.0f} are accepted",
                                       length_m, width_m, resolution_m, cells_x * cells_y, kMostNodes));
   }
   HeightField field;

@@ -90,8 +90,8 @@ void CheckHeights(const Table& table, double scale_m, const char* line) {
       const double height = scale_m * row[c];
       const auto refuse = [&](const std::string& why) {
         throw InvalidArgument(
-            fmt::format("{} {}, cell {}: the height is {:.6g} m, {}; heights are in metres times scale_m", line,
-                        table.lines[r], c + 1, height, why));
+            fmt::format("{} {}, cell {}: the height is {:.6g} m, {}; heights are cell values times scale_m, in metres",
+                        line, table.lines[r], c + 1, height, why));
       };
       if (std::abs(height) > kHighest) refuse(fmt::format("accepted: {} to {} m", -kHighest, kHighest));
       const double before = c > 0 ? row[c - 1] : row[c], above = r > 0 ? table.rows[r - 1][c] : row[c];
@@ -159,8 +159,8 @@ Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOption
       table = ToTable(*image);
     }
     if (table.rows.size() < 2 || table.rows[0].size() < 2) {
-      return RefusedHeights(path, fmt::format("has {} rows of {} cells; two by two is the least", table.rows.size(),
-                                              table.rows.empty() ? 0 : table.rows[0].size()));
+      return RefusedHeights(path, fmt::format("has {} rows of {} cells; at least two by two are needed",
+                                              table.rows.size(), table.rows.empty() ? 0 : table.rows[0].size()));
     }
     CheckHeights(table, given.scale_m, csv ? "line" : "row");
     HeightField field = ToField(table, given);

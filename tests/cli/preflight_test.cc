@@ -132,13 +132,13 @@ TEST_F(BeforeHardware, ATiltedBaseIsNotMendedByAWay) {
 TEST_F(BeforeHardware, ThatARobotHangsIsSaidWhereverItsWayIsLookedAt) {
   Measure("off.yaml", Knee(), -0.3);
   EXPECT_EQ(Run({"audit", "plan.json", "--start-posture", "off.yaml", "--approach", "way.json", "--quiet"}).status, 3);
-  const std::string warning = "robot 'a1' hangs: its base is taken to be held in the air";
+  const std::string warning = "robot 'a1' hangs: its base is assumed to be held in the air";
   const Ran audit = Run({"audit", "way.json"});
   EXPECT_EQ(audit.status, 0) << audit.err;
   EXPECT_NE(audit.out.find("\nwarning: " + warning), std::string::npos) << audit.out;
   const std::size_t note = audit.out.find("\nnote: from 0 to ");
   ASSERT_NE(note, std::string::npos) << audit.out;
-  EXPECT_NE(audit.out.find("the base is held from outside", note), std::string::npos) << audit.out;
+  EXPECT_NE(audit.out.find("the base is held externally", note), std::string::npos) << audit.out;
   EXPECT_EQ(Run({"audit", "way.json", "--quiet"}).out, "pass\n");
   const Json warnings = Run({"audit", "way.json", "--json"}).json().at("warnings");
   ASSERT_EQ(warnings.size(), 1U);

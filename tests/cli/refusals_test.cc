@@ -146,7 +146,7 @@ TEST_F(Refusals, PlanFile) {
     ExpectRefused(Run({verb, "short.json"}), 1, {"short.json", "cut short"});
     ExpectRefused(Run({verb, "newer.json"}), 1, {"newer.json", "schema", "newer program"});
     ExpectRefused(Run({verb, "older.json"}), 1, {"older.json", "schema", "anew"});
-    ExpectRefused(Run({verb, "other.json"}), 1, {"other.json", "no motion plan"});
+    ExpectRefused(Run({verb, "other.json"}), 1, {"other.json", "not a motion plan"});
     ExpectRefused(Run({verb, "."}), 1, {"folder"});
   }
   plan = Json::parse(text);

@@ -28,7 +28,7 @@ TEST(MjcfRefusals, NameElementAndLine) {
   ExpectSays(MessageOfLeg("<joint name='j' type='free'/>"), {"joint 'j'", "body 'leg' has a free joint"});
   ExpectSays(MessageOfLeg("<joint name='j'/>\n<joint name='j'/>"), {"line 10: joint 'j'", "two joints"});
   ExpectSays(MessageOfLeg("<body name='leg'/>"), {"line 9: body 'leg'", "two bodies"});
-  ExpectSays(MessageOfLeg("<body name='&#1;'/>"), {"line 9: <body>", "'name' holds what is no text"});
+  ExpectSays(MessageOfLeg("<body name='&#1;'/>"), {"line 9: <body>", "'name' is not valid UTF-8"});
   ExpectSays(MessageOfLeg(fmt::format("<body name='{}'/>", std::string(501, 'a'))), {"'name' has 501 bytes"});
   ExpectSays(MjcfMessage(MjcfOf("<joint name='j'/>")), {"body 'base'", "free joint as well as other joints"});
   ExpectSays(MjcfMessage("<mujoco><worldbody>\n<joint/></worldbody></mujoco>"), {"line 2: <joint>", "no joint"});

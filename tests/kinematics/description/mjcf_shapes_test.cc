@@ -104,7 +104,7 @@ TEST(MjcfShapes, LeaveOutWhatARobotHasNoUseFor) {
   ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/></asset>"),
              {"geom 'g'", "not in a file"});
   ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh file='m.msh'/></asset>"),
-             {"geom 'g'", "'m.msh' is of a kind that is not read"});
+             {"geom 'g'", "'m.msh' has an unsupported format"});
   ExpectNote(WithGeom("type='box' mesh='m'", "<asset><mesh file='m.stl'/></asset>"),
              {"geom 'g'", "in place of the box that MuJoCo fits"});
   ExpectNote(WithGeom("size='0.1' friction='0.6'"), {"geom 'g'", "'friction' is ignored"});

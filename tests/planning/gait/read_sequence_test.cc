@@ -82,13 +82,13 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
       {"trot:distance=1,steps=4", "'distance', 'steps' each say how far"},
       {"trot:distance=0", "goes nowhere"},
       {"trot:steps=4", "'steps' alone"},
-      {"trot:step-length=0.1", "'step-length' goes with 'steps'"},
-      {"stand", "how long it stands is missing"},
-      {"stand:speed=1", "'speed' is nothing that standing still has"}};
+      {"trot:step-length=0.1", "'step-length' is for use with 'steps'"},
+      {"stand", "the time to stand is missing"},
+      {"stand:speed=1", "'speed' does not apply to standing still"}};
   for (const auto& [text, part] : wrong)
     EXPECT_NE(Why(text).find(part), std::string::npos) << text << ": " << Why(text);
   const std::vector<std::pair<std::string, std::string>> wrong_files = {
-      {"{gait: trot}", "holds no sequence"},
+      {"{gait: trot}", "contains no sequence"},
       {"- trot", "line 1: a part is a single value; a map of keys"},
       {"- {gait: trot}\n- {speed: 1}", "line 2: a part lacks the key 'gait'"},
       {"- {gait: trot}\n- {gait: bound, sped: 1}", "line 2: 'bound': unknown option 'sped'"},

@@ -56,7 +56,7 @@ TEST(HeightMap, WrongTablesAreRefusedAtTheirCell) {
   EXPECT_TRUE(Says(why("1,2\n3,inf\n"), "line 2, cell 2: 'inf'"));
   EXPECT_TRUE(Says(why("1,2\n3,\n"), "line 2, cell 2: ''"));
   EXPECT_TRUE(Says(why("# a\n1,2\n\n3,4,5\n"), "line 4 has 3 cells; the first row, line 2, has 2"));
-  EXPECT_TRUE(Says(why("1,2\n"), "has 1 rows of 2 cells; two by two is the least"));
+  EXPECT_TRUE(Says(why("1,2\n"), "has 1 rows of 2 cells; at least two by two are needed"));
   EXPECT_TRUE(Says(why(""), "has 0 rows"));
   EXPECT_TRUE(Says(why("0,0\n0,300\n"), "line 2, cell 2: the height is 300 m, accepted: -50 to 50"));
   EXPECT_TRUE(Says(why("0,0\n0,30\n"), "a step of 30 m from the cell before"));
