@@ -26,7 +26,7 @@ std::string Interval(const ShareInterval& share) {
 
 std::string Cards(const RobustnessReport& r) {
   std::string html = "<div class=\"cards\">\n";
-  html += Card("survive to the plan's end", Percent(r.survival.share), Interval(r.survival));
+  html += Card("survival to the plan's end", Percent(r.survival.share), Interval(r.survival));
   html += Card("keep every gate", Percent(r.pass_share.share), Interval(r.pass_share));
   const GaitSensitivity& gait = r.gait_sensitivity;
   if (gait.norm) {
@@ -66,7 +66,7 @@ std::string SensitivityTable(const RobustnessReport& report) {
         EscapedXml(s.name), Cell(s.how), s.effect, s.p, s.weight, word ? Cell("") : Number(s.median_fell),
         word ? Cell("") : Number(s.median_survived));
   }
-  return Table("What falls go with",
+  return Table("Correlates of falling",
                "<th>figure</th><th>falls go with</th><th class=\"n\">effect</th><th class=\"n\">p</th><th "
                "class=\"n\">log odds</th><th class=\"n\">median, fell</th><th class=\"n\">median, survived</th>",
                rows) +
@@ -139,7 +139,7 @@ std::string TrialsPage(const RobustnessReport& report) {
                         plot.name, plot.svg, EscapedXml(plot.caption));
   }
   html += TallyTable("Causes of falls", report.causes) +
-          TallyTable("Gates broken without a fall", report.broken_gates) + SensitivityTable(report) +
+          TallyTable("Gates failed without a fall", report.broken_gates) + SensitivityTable(report) +
           WorstTable(report) + MetricTable(report) + Conditions(report.subject);
   return html + "</main></body></html>\n";
 }

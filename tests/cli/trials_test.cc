@@ -106,7 +106,7 @@ TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "noise.yaml"}), 1,
                 {"'sensor_noise_scale'", "true state"});
   ExpectRefused(Run({"play", "plan.json", "--state", "estimated", "--set", "sensors.imu_rate_hz=400"}), 1,
-                {"'sensors.imu_rate_hz' is 400 Hz", "the nearest that does is 333.333"});
+                {"'sensors.imu_rate_hz' is 400 Hz", "the nearest accepted value is 333.333"});
   ExpectRefused(Run({"play", "plan.json", "--sensors", "hobby"}), 1, {"--sensors is for --state measured"});
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
   ExpectRefused(Run({"play", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
@@ -137,7 +137,7 @@ TEST_F(Trials, StatusThreeOnlyWhenSurvivalIsRequired) {
 TEST_F(Trials, InWhichNothingVariesAreSaidToAndAreNoEvidence) {
   Write("same.yaml", "mass_scale: 1\n");
   const std::vector<std::string> run = {"trials", "plan.json", "-n", "3", "--disturbances", "same.yaml"};
-  EXPECT_NE(Run(run).out.find("note: all 3 trials are one and the same playback"), std::string::npos);
+  EXPECT_NE(Run(run).out.find("note: all 3 trials are identical"), std::string::npos);
   Json result = Json::parse(Read("trials.json"));
   EXPECT_EQ(result.at("different"), 1);
   const Ran page = Run({"audit", "plan.json", "--preflight", "--trials-result", "trials.json"});

@@ -239,7 +239,7 @@ TEST_F(MarkCodeOfMotions, AControllerIsAskedEachStep) {
       MarkCode(kControl, ControllerThat("assert now.forces_n.shape == (4, 3) and len(now.contact) == 4"));
   EXPECT_EQ(good.points, 4.0) << (good.reasons.empty() ? "" : good.reasons.front());
   const PartMark limp = MarkCode(kControl, ControllerThat("return gw.JointCommand(np.zeros(12))"));
-  ExpectNothing(limp, {"stands is 0", "0 of 1 trials stood", "trial 1: under ", "it gave way while it settled"});
+  ExpectNothing(limp, {"stands is 0", "0 of 1 trials stood", "trial 1: under ", "the robot fell while settling"});
 }
 
 TEST_F(MarkCodeOfMotions, AControllerThatFailsGetsNothing) {

@@ -137,8 +137,8 @@ TEST(TrialsResults, ThatDoNotSayWhatTheyWerePlayedUnderAreRefused) {
   json["options"] = Options();
   json["options"]["play.of_tomorrow"] = "1";
   EXPECT_TRUE(TrialsResultFromJson(json.dump(), "t")) << "one that is not known is told as such";
-  ExpectNo(With("disturbances", "{}"), "holds no disturbances");
-  ExpectNo(With("disturbances", ""), "holds no disturbances");
+  ExpectNo(With("disturbances", "{}"), "contains no disturbances");
+  ExpectNo(With("disturbances", ""), "contains no disturbances");
   ExpectNo(With("disturbances", "frction: 0.5\n"), "'friction'");
 }
 
