@@ -82,9 +82,10 @@ void DriveMjcfJointsByTendons(MjcfContext& context, const MjcfTree& tree, std::v
     drive.is_bounded = drive.is_bounded && is_bounded;
     ++drive.actuators;
     drive.effort.x() += own * tension;
-    context.Note(tie.owner, fmt::format("it transmits up to {:.4g} of motor torque to joint '{}', which has no motor; "
-                                        "the motors' own motion is ignored",
-                                        tree.joints[carried].name, own * tension));
+    context.Note(tie.owner,
+                 fmt::format("it transmits up to {1:.4g} of motor torque to joint '{0}', which has no motor; "
+                             "the motors' own motion is ignored",
+                             tree.joints[carried].name, own * tension));
   }
 }
 

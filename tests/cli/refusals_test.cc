@@ -71,15 +71,15 @@ TEST_F(Refusals, Command) {
   ExpectRefused(Walk({"--distance", "1e6"}), 1, {"at most 600 s"});
   ExpectRefused(Walk({"--steps", "1000000"}), 1, {"at most 600 s"});
   ExpectRefused(Walk({"--speed", "1e-9"}), 1, {"at most 600 s"});
-  ExpectRefused(Walk({"--distance", "0"}), 1, {"goes nowhere"});
-  ExpectRefused(Walk({"--goal", "0,0,0"}), 1, {"goes nowhere"});
+  ExpectRefused(Walk({"--distance", "0"}), 1, {"it must be more than 0"});
+  ExpectRefused(Walk({"--goal", "0,0,0"}), 1, {"it must be more than 0"});
   ExpectRefused(Walk({"--distance", "1e999"}), 1, {"--distance", "1e999"});
   ExpectRefused(Walk({"--distance", "1", "--steps", "4"}), 1, {"--distance", "--goal", "--steps", "one of them"});
   ExpectRefused(Walk({"--duration", "3", "--steps", "4"}), 1, {"--duration", "--steps", "one of them"});
   ExpectRefused(Walk({"--duration", "0"}), 1, {"0 s", "more than 0"});
   ExpectRefused(Walk({"--duration", "1e4"}), 1, {"at most 600 s"});
   ExpectRefused(Walk({"--steps", "4", "--speed", "0.2", "--step-length", "0.1"}), 1, {"--step-length", "--speed"});
-  ExpectRefused(Walk({"--yaw-rate", "0.3", "--distance", "0"}), 1, {"--distance", "goes nowhere"});
+  ExpectRefused(Walk({"--yaw-rate", "0.3", "--distance", "0"}), 1, {"--distance", "it must be more than 0"});
   ExpectRefused(Walk({"--steps", "0"}), 1, {"--steps", "1 or more"});
   ExpectRefused(Walk({"--steps", "2.5"}), 1, {"--steps", "'2.5'", "whole number"});
   ExpectRefused(Walk({"--step-length", "0.1"}), 1, {"--step-length", "--steps"});

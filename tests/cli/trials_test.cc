@@ -74,7 +74,7 @@ TEST_F(Trials, AndEachByTheCommandThatIsGiven) {
 TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
   Write("imu.yaml", "mass_scale: 1\nsensors: {gyroscope_bias_rad_s: {uniform: [0, 0.01]}}\n");
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "imu.yaml"}), 1,
-                {"'sensors.gyroscope_bias_rad_s'", "no sensor is read", "--state estimated"});
+                {"'sensors.gyroscope_bias_rad_s'", "no sensors", "--state estimated"});
   EXPECT_EQ(Run({"trials", "plan.json", "-n", "1", "--disturbances", "imu.yaml", "--state", "measured", "--quiet"}).out,
             "1 of 1 survived\n");
   Write("downhill.yaml", "ground_slope_direction_deg: 90\n");
@@ -91,7 +91,7 @@ TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
       Run({"trials", "plan.json", "-n", "1", "--disturbances", "downhill.yaml", "--ground-slope-deg", "1"}).status, 0)
       << "the slope is set";
   const auto set = [this](const char* option) { return Run({"play", "plan.json", "--set", option}); };
-  ExpectRefused(set("sensors.imu_rate_hz=500"), 1, {"--set sensors.imu_rate_hz", "no effect", "no sensor is read"});
+  ExpectRefused(set("sensors.imu_rate_hz=500"), 1, {"--set sensors.imu_rate_hz", "no effect", "no sensors"});
   ExpectRefused(set("odometry.start_tilt_rad=0.1"), 1, {"no effect with the state 'true'", "--state estimated"});
   ExpectRefused(set("play.ground_slope_direction_deg=9"), 1, {"no effect without 'ground_slope_deg'"});
   ExpectRefused(Run({"play", "plan.json", "--controller", "joint-pd", "--set", "stabilised.dcm_gain=1.5"}), 1,
@@ -142,7 +142,7 @@ TEST_F(Trials, InWhichNothingVariesAreSaidToAndAreNoEvidence) {
   EXPECT_EQ(result.at("different"), 1);
   const Ran page = Run({"audit", "plan.json", "--preflight", "--trials-result", "trials.json"});
   EXPECT_EQ(page.status, 3) << page.err;
-  EXPECT_NE(page.out.find("2 only repeat others to the bit; each counted once, 1 of 1 did"), std::string::npos)
+  EXPECT_NE(page.out.find("2 only repeat others exactly; counting each once, 1 of 1 did"), std::string::npos)
       << page.out;
   result["trials"]["rows"][1][1] = result["trials"]["rows"][1][2] = false;
   Write("forged.json", result.dump());
@@ -176,7 +176,7 @@ TEST_F(Trials, ADiskThatIsFullIsSaidSoAndTheRunGoesOnLater) {
   std::string command = std::string("trap '' XFSZ; ulimit -f 16; exec ") + GAITWRIGHT_PROGRAM;  // 8 KiB a file
   for (const std::string& word : run) command += " " + word;
   const Ran full = RunWords({"/bin/sh", "-c", command});
-  ExpectRefused(full, 1, {"cannot keep what is done so far in 'trials.json.so-far'", "--resume"});
+  ExpectRefused(full, 1, {"cannot keep intermediate results in 'trials.json.so-far'", "--resume"});
   EXPECT_EQ(full.err.find("internal error: "), std::string::npos) << full.err;
   EXPECT_TRUE(Read("trials.json.so-far").ends_with("\n")) << "no line is left half written";
   std::vector<std::string> resume = run;
@@ -217,11 +217,11 @@ TEST_F(Trials, WhatCannotBePlayedIsRefusedAtOnceAndLeavesNothing) {
   Write("nowhere.yaml", "pushes:\n  - {size_n: 10, place: {choice: [base, FR_claf]}}\n");
   Write("loud.yaml", "sensor_noise_scale: {uniform: [0, 100]}\n");
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "late.yaml"}), 1,
-                {"some trials", "the push begins at 100 s", "narrow what is sampled"});
+                {"some trials", "the push begins at 100 s", "narrow the sampled ranges"});
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "nowhere.yaml"}), 1, {"'FR_claf'", "'FR_calf'"});
   ExpectRefused(
       Run({"trials", "plan.json", "--disturbances", "loud.yaml", "--sensors", "hobby", "--state", "measured"}), 1,
-      {"'sensors.", "where sensor_noise_scale is 100"});
+      {"'sensors.", "with a sensor_noise_scale of 100"});
   ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--trials", "1", "--disturbances", "nowhere.yaml"}), 1,
                 {"'FR_claf'"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"calm.yaml", "hard.yaml", "late.yaml", "loud.yaml", "nowhere.yaml",
@@ -242,7 +242,7 @@ TEST_F(Trials, AKilledRunIsResumedToTheSameBytes) {
     EXPECT_EQ(killed.status, 128 + signal) << killed.err;
     EXPECT_EQ(killed.err.find("--resume") != std::string::npos, signal == SIGINT) << killed.err;
     EXPECT_FALSE(std::filesystem::exists(In("it.json")));
-    ExpectRefused(Run(start), 1, {"it.json.so-far", "not finished", "--resume"});
+    ExpectRefused(Run(start), 1, {"it.json.so-far", "unfinished work", "--resume"});
     std::vector<std::string> resume = start;
     resume.push_back("--resume");
     ASSERT_EQ(Run(resume).status, 0);

@@ -71,7 +71,7 @@ TEST_F(View, RenderRefusesWhatItCannotMake) {
   ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--cycles", "1001"}), 1, {"1001", "1000"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--view", "above"}), 1, {"'above'", "'top'"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--hide", "gost"}), 1, {"'gost'", "'ghost'"});
-  ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--fps", "0"}), 1, {"pictures a second", "1"});
+  ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--fps", "0"}), 1, {"frames per second", "1"});
   ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--from-s", "2", "--to-s", "1"}), 1, {"2", "1"});
   ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--at", "1"}), 1, {"--at is for --png only"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--fps", "9"}), 1,

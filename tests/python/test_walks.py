@@ -74,7 +74,7 @@ def test_failures_have_the_programs_words(a1):
     with pytest.raises(gw.InfeasibleError) as told:
         gw.plan_walk(a1, gait="crawl", speed=3.0)
     assert told.value.message and told.value.stage
-    with pytest.raises(ValueError, match="say how far"):
+    with pytest.raises(ValueError, match="set the distance"):
         gw.plan_walk(a1, distance=1.0, steps=4)
     with pytest.raises(ValueError, match="swing.height_m|unknown|no option"):
         gw.plan_walk(a1, options={"swing.hight_m": 0.05})

@@ -14,7 +14,7 @@ DataShape SeriesShape() {
                  {"largest", Number()},
                  {"at_s", Number()},
                  {"tolerance", Number()},
-                 {"noise", Number(), "Standard deviation; 0 unless a side was measured."},
+                 {"noise", Number(), "Standard deviation of the noise; 0 unless a side was measured."},
                  {"first_beyond_s", NumberOrNull()}});
 }
 
@@ -66,9 +66,9 @@ DataShape MotionComparisonShape() {
   return Object({{"compared", Text({"motions"})},
                  {"a", side},
                  {"b", side},
-                 {"same", Truth(), "Nothing is beyond its tolerance."},
+                 {"same", Truth(), "True if all differences are within tolerance."},
                  {"first_difference", OrNull(FirstShape())},
-                 {"in_order", List(FirstShape()), "By time, each quantity once."},
+                 {"in_order", List(FirstShape()), "First difference of each quantity, in order of time."},
                  {"alignment", alignment},
                  {"start_s", Number()},
                  {"end_s", Number()},
@@ -81,7 +81,7 @@ DataShape MotionComparisonShape() {
                  {"feet", MapOf(FootTimesShape())},
                  {"figures", MapOf(figure)},
                  {"metrics", MetricPairsShape()},
-                 {"words", WordsShape(), "What is told in words and is not the same."},
+                 {"words", WordsShape(), "Differences in text values."},
                  {"notes", TextsShape()},
                  {"files", FilesShape({"report"})}});
 }
@@ -105,7 +105,7 @@ DataShape ExportResultShape() {
                  {"rate_hz", Number()},
                  {"start_s", Number()},
                  {"end_s", Number()},
-                 {"notes", TextsShape(), "What the format leaves out."},
+                 {"notes", TextsShape(), "Data that the format cannot contain."},
                  {"files", FilesShape({"motion", "plots"})}});
 }
 
@@ -117,7 +117,7 @@ DataShape ImportResultShape() {
                  {"rows", Whole(), "Of the file."},
                  {"duration_s", Number()},
                  {"footholds", Whole(), "Their number."},
-                 {"derived", List(derived), "What was worked out, and how."},
+                 {"derived", List(derived), "Derived quantities and their derivation."},
                  {"unused_columns", List(Text())},
                  {"warnings", TextsShape()},
                  {"audit", AuditShape()},

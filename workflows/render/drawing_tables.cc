@@ -113,7 +113,7 @@ std::string NameOfJoint(const RobotModel& model, const Joint& joint) {
 void AddJoints(const RobotModel& model, const DynamicsScratch& scratch, const Vector2& at_px, double width_px,
                DrawnTable& table) {
   constexpr double kNumberWide = 28.0, kBetween = 12.0, kWidestName = 250.0;
-  AddHeading("Joints: number, name, axis as it stands", at_px, table);
+  AddHeading("Joints: number, name, axis in the standing posture", at_px, table);
   const std::size_t n = model.joints.size();
   double name_wide = 0.0, axis_wide = 0.0;
   for (std::size_t j = 0; j < n; ++j) {

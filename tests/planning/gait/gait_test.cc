@@ -119,7 +119,7 @@ TEST(Gaits, FilesAreValidated) {
       {"hop: {feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0, stride_per_leg: 0}", "stride_per_leg is 0; accepted"},
       {"hop: 3", "gait 'hop' is a single value"},
       {"[1, 2]", "contains no gaits"},
-      {"hop: {feet: 2", "line 1: is no YAML"},
+      {"hop: {feet: 2", "line 1: not valid YAML"},
       {hop + hop, "line 2: the file has the key 'hop' twice"}};
   for (const auto& [text, part] : wrong) EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
 }

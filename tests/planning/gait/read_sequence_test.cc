@@ -79,8 +79,8 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
       {"trot:speed=-1", "part 1, 'trot': option 'speed' is -1"},
       {"trot:speed=1,speed=2", "'speed' is given twice"},
       {"speed=1", "has no gait before it"},
-      {"trot:distance=1,steps=4", "'distance', 'steps' each say how far"},
-      {"trot:distance=0", "goes nowhere"},
+      {"trot:distance=1,steps=4", "'distance', 'steps' each set the distance"},
+      {"trot:distance=0", "it must be more than 0"},
       {"trot:steps=4", "'steps' alone"},
       {"trot:step-length=0.1", "'step-length' is for use with 'steps'"},
       {"stand", "the time to stand is missing"},
@@ -94,7 +94,7 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
       {"- {gait: trot}\n- {gait: bound, sped: 1}", "line 2: 'bound': unknown option 'sped'"},
       {"- {gait: trot, speed: [1]}", "line 1: 'speed' is a list"},
       {"- {gait: trot, speed: 1, speed: 2}", "'speed' twice"},
-      {"- {gait: trot", "is no YAML"}};
+      {"- {gait: trot", "not valid YAML"}};
   for (const auto& [text, part] : wrong_files)
     EXPECT_NE(WhyFile(text).find(part), std::string::npos) << text << ": " << WhyFile(text);
   EXPECT_NE(Why("no_such_file.yaml"), "");

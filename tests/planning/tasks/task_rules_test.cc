@@ -41,7 +41,7 @@ TEST(TaskRules, WhatIsNoTaskIsRefusedWithItsReason) {
   refused([](Task& t) { t.parameters["distance_m"] = std::nan(""); }, "range");
   refused([](Task& t) { t.parameters["distance_m"] = 2; }, "must be a number");
   refused([](Task& t) { t.parameters["direction"] = std::string("up"); }, "accepted: 'forward'");
-  refused([](Task& t) { t.parameters["steps"] = 3; }, "each say how far");
+  refused([](Task& t) { t.parameters["steps"] = 3; }, "each set the distance");
   refused([](Task& t) { t.parameters["step_length_m"] = 0.1; }, "is for use with 'steps'");
   refused([](Task& t) { t.during = {Walk()}; }, "'walk' cannot run at the same time as 'walk'");
   Task bow{"bow", {{"angle_deg", 90.0}}, "", {}};

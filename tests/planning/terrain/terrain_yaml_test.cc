@@ -73,7 +73,7 @@ TEST(TerrainYaml, WhatIsWrongIsNamedWithItsLine) {
            "line 2: patch 'a' is not flat"));
   EXPECT_TRUE(
       Says(WhyYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0], [1, 0], [1, 1]]}\n"), "has 2 numbers; 3 are"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches: [}\n"), "is no YAML from here on"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches: [}\n"), "not valid YAML from here on"));
   EXPECT_TRUE(Says(WhyYamlRefused("patches: []\n"), "there is no ground"));
   EXPECT_TRUE(Says(WhyYamlRefused("- a\n"), "a map of keys is needed"));
   EXPECT_TRUE(Says(WhyYamlRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));

@@ -169,7 +169,7 @@ TEST_F(GradeClassTest, WordsOfASubmissionAreTheSameAgain) {
 TEST_F(GradeClassTest, AClassWithoutStudentsIsRefused) {
   EXPECT_EQ(Grade(RequestFor(kRubric)).failure().code, FailureCode::kSubmissions);
   fs::create_directories(In("class"));
-  EXPECT_NE(Grade(RequestFor(kRubric)).failure().message.find("no folder in it"), std::string::npos);
+  EXPECT_NE(Grade(RequestFor(kRubric)).failure().message.find("no folder of a student"), std::string::npos);
 }
 
 TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {

@@ -76,7 +76,7 @@ TEST_F(MarkPlan, OneForAnotherRobotGroundOrCommandGetsNothing) {
   ExpectNothing(MarkOfPlan(ahead), {"begins at x 3.00 m", "at the origin"});
   MotionPlan elsewhere = GoodTrot();
   elsewhere.terrain = FlatTerrain(2.0);
-  ExpectNothing(MarkOfPlan(elsewhere), {"for the ground 'flat'", "another one"});
+  ExpectNothing(MarkOfPlan(elsewhere), {"for ground 'flat'", "another one"});
 }
 
 TEST_F(MarkPlan, OneThatSaysItIsAnotherIsFoundOut) {
@@ -92,7 +92,7 @@ TEST_F(MarkPlan, OneThatSaysItIsAnotherIsFoundOut) {
   EXPECT_NEAR(mark.checks[2].value.value_or(0.0), 0.2, 0.03);
   MotionPlan slow = Trot(0.05, 0.3);
   slow.parts.front().command.speed_m_s = 0.3;
-  ExpectNothing(MarkOfPlan(slow), {"the plan takes", "at the commanded speed it is at most 5.2 s"});
+  ExpectNothing(MarkOfPlan(slow), {"the plan takes", "at the commanded speed, at most 5.2 s are accepted"});
 }
 
 TEST_F(MarkPlan, WhatIsNoPlanGetsNothing) {
@@ -247,7 +247,8 @@ TEST_F(MarkCodeOfMotions, AControllerThatFailsGetsNothing) {
   ExpectNothing(does("return gw.JointCommand(np.full(12, np.nan))"),
                 {"the controller at 0.000 s: the answer[0, 0] is nan"});
   ExpectNothing(does("return gw.JointCommand(np.zeros(3))"), {"5 x 12 numbers are needed"});
-  ExpectNothing(does("return gw.JointCommand(np.zeros(12), stiffness=-np.ones(12))"), {"stiffness or damping below 0"});
+  ExpectNothing(does("return gw.JointCommand(np.zeros(12), stiffness=-np.ones(12))"),
+                {"negative stiffness or damping"});
   ExpectNothing(does("return {'score': 100}"), {"the submission says"});
   ExpectNothing(does("if now.time_s > 0.1: raise ValueError('enough')"), {"ValueError: enough"});
   ExpectNothing(MarkCode(kControl, "def make_controller(plan): return 3\n"), {"gave no controller"});

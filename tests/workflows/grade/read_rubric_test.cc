@@ -95,7 +95,7 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
   ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2, 1]}}\n", {"from 2 to 1", "backwards"});
   ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2]}}\n", {"has 1 numbers"});
   ExpectRefused(kHead + kZmpRubric + ", checks: [{measure: share_right, points: 4}]}\n",
-                {"of 4 points, the part of 5"});
+                {"4 points in all, but the part has 5"});
   ExpectRefused(kHead + kZmpRubric + ", checks: [{measure: share_right, points: 5, full_at: 1, none_at: 1}]}\n",
                 {"both 1"});
   ExpectRefused(kHead + "- {name: 1p, kind: function, file: f, points: 1, reference: dcm}\n", {"'1p'", "letter"});
@@ -103,7 +103,7 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
                 {"'../f'", "without folders"});
   ExpectRefused(kHead + "- {name: p, kind: function, file: f, points: 0, reference: dcm}\n",
                 {"'points' is 0", "over zero"});
-  ExpectRefused(kHead + kZmpRubric + "}\n" + kZmpRubric + "}\n", {"two parts are called 'zmp'"});
+  ExpectRefused(kHead + kZmpRubric + "}\n" + kZmpRubric + "}\n", {"two parts are named 'zmp'"});
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 5, robot: nao" + kPass + "}\n", {"lacks a goal"});
   ExpectRefused("title: t\nparts: []\n", {"0 parts"});
   ExpectRefused("just words\n", {"no rubric"});
