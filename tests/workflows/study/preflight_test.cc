@@ -179,8 +179,8 @@ TEST(PreflightWithTrials, CountsEachPlaybackOnce) {
   EXPECT_FALSE(one.go());
   const std::string counted =
       "500 of 500 trials survived, but 499 only repeat others exactly; counting each once, 1 of 1 did: 100.0 % (95 % "
-      "interval 20.7 to 100.0 %";
-  EXPECT_TRUE(Says(one.reasons, "the trials do not show whether 90 % survive: " + counted + "; more that differ"));
+      "interval 20.7 to 100.0 %)";
+  EXPECT_TRUE(Says(one.reasons, "the trials do not show whether 90 % survive: " + counted + "; more different trials"));
   EXPECT_TRUE(Says(PreflightText(one), "496 of 500 trials also passed every gate, but 499 only repeat others"));
   const Json different = Json::parse(PreflightJson(one)).at("trials").at("different");
   EXPECT_EQ(different.at("n"), 1);
@@ -243,8 +243,9 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
   EXPECT_EQ(trials.at("passed"), 483);
   EXPECT_NEAR(trials.at("pass_share"), 0.966, 1e-12);
   EXPECT_EQ(trials.at("conditions").back(), (Json{{"key", "play.friction"}, {"value", "0.4"}, {"usual", "0"}}));
-  EXPECT_TRUE(Says(PreflightText(Of({})), "a go asks that 90 % survive")) << "whether or not there are trials";
-  EXPECT_TRUE(Says(PreflightPage(Of({})), "a go asks that 90 % survive"));
+  EXPECT_TRUE(Says(PreflightText(Of({})), "a go requires a survival rate of at least 90 %"))
+      << "whether or not there are trials";
+  EXPECT_TRUE(Says(PreflightPage(Of({})), "a go requires a survival rate of at least 90 %"));
   EXPECT_EQ(Json::parse(PreflightJson(Of({}))).at("least_survival"), 0.9);
 }
 
