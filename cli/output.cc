@@ -46,7 +46,7 @@ std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& dr
 }  // namespace
 
 void Outputs::AddTo(Verb verb) {
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out-dir", "FOLDER", folder,
           "Folder for plan.json, log.json and report.html, created if missing; default out.");
   AddText(verb, "--plot-dir", "FOLDER", plot_folder,

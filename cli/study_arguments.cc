@@ -37,7 +37,7 @@ void CheckGivenOnce(const StudyAxis& axis, const StudyArguments& a, const std::v
 
 void StudyArguments::AddTo(Verb verb, const std::string& over_help) {
   walk.AddTo(verb);
-  verb.SetGroup("What is varied");
+  verb.SetGroup("Varied options");
   verb.AddValue("--over", over, over_help).SetType("KEY=VALUES").Repeat().Require();
   verb.SetGroup("Options");
 }

@@ -136,7 +136,7 @@ void AddGrade(Verb program, int& status) {
   verb.AddSwitch(
       "--unconfined", a->unconfined,
       "Run submissions without confinement, with all rights of your user; for machines that cannot confine them.");
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out-dir", "DIR", a->out, "Folder for grades.csv and the pages, created if missing; default grades.");
   AddText(verb, "--write-inputs", "DIR", a->inputs,
           "Only write the inputs of 'answers' parts for this seed, to hand out to students.");

@@ -102,7 +102,7 @@ void AddImport(Verb program, int& status) {
   AddField(verb, "--time-unit", fields, "time_unit");
   AddText(verb, "--goal", "x,y,yaw", a->goal,
           "Intended end pose, in m, m and rad from the start; default: where the motion ends.");
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a->out,
           "Plan file to write; its folder is created if missing; default imported.json.");
   AddCommon(verb, a->common,

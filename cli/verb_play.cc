@@ -73,7 +73,7 @@ void AddPlay(Verb program, int& status) {
   a->options.AddTo(verb);
   verb.SetGroup("Playback and disturbances");
   a->disturbances.AddTo(verb, "none; with it, this plays the trial of --seed");
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this JSON file; default: none.");
   AddText(verb, "--report", "FILE", a->outputs.report, "Write the report to this HTML file; default: none.");
   AddText(verb, "--plot-dir", "FOLDER", a->outputs.plot_folder,

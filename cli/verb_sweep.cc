@@ -183,7 +183,7 @@ void AddSweepFlags(Verb verb, SweepSettings& a) {
       verb,
       "An option and its values: KEY=FROM:TO:COUNT or KEY=a,b,c for a grid, KEY=FROM:TO with --samples; may be "
       "repeated. KEY is speed, lateral_speed, yaw_rate, step_length or a key of --list-options=all; default: none.");
-  verb.SetGroup("What is varied");
+  verb.SetGroup("Varied options");
   AddWholeNumber(verb, "--samples", 1, a.samples,
                  "Number of points of a Halton sequence (see --seed), instead of a grid; default: a grid.");
   verb.SetGroup("Work at each point");
@@ -193,7 +193,7 @@ void AddSweepFlags(Verb verb, SweepSettings& a) {
   a.study.disturbances.AddTo(verb);
   AddText(verb, "--metrics", "KEYS", a.metrics, "Comma-separated metrics to report; default " + a.metrics + ".");
   a.study.AddWorkTo(verb);
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a.out,
           "Write the map to this CSV file; FILE.so-far keeps intermediate results during the run; default sweep.csv.");
   AddText(verb, "--report", "FILE", a.report, "Write the report to this HTML file; default: none.");

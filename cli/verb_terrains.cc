@@ -125,7 +125,7 @@ void PrintParts(const Terrain& terrain) {
     const Vector3 origin = patch.X_WT.translation(), normal = patch.X_WT.linear().col(2);
     fmt::print("  {}: through ({:.3f}, {:.3f}, {:.3f}) m, normal ({:.3f}, {:.3f}, {:.3f}), {}, friction {}\n",
                patch.name, origin.x(), origin.y(), origin.z(), normal.x(), normal.y(), normal.z(),
-               patch.outline_T.empty() ? "without end" : fmt::format("{} corners", patch.outline_T.size()),
+               patch.outline_T.empty() ? "infinite" : fmt::format("{} corners", patch.outline_T.size()),
                patch.friction);
   }
   for (const HeightField& field : terrain.height_fields) {

@@ -184,7 +184,7 @@ void AddTrialsFlags(Verb verb, TrialsSettings& a) {
             "prints the number of survivors.");
   a.play.AddTo(verb);
   a.options.AddTo(verb);
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a.out,
           "Write the result to this JSON file; FILE.so-far keeps intermediate results during the run; default "
           "trials.json.");

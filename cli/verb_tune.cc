@@ -110,7 +110,7 @@ void AddTuneFlags(Verb verb, TuneSettings& a) {
   AddField(verb, "--smooth-above", fields, "smooth_above");
   a.study.disturbances.AddTo(verb);
   a.study.AddWorkTo(verb);
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a.out,
           "Write the tuned options to this file, for --options of walk, plan, play and trials; FILE.so-far keeps "
           "intermediate results during the run; default tuned.yaml.");

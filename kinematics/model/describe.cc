@@ -187,7 +187,7 @@ std::string DescribeRobot(const RobotModel& model) {
     }
   }
   text +=
-      "\njoint                 stands at   lower    upper    speed   effort  (rad, rad/s, N m; sliding: m, m/s, N)\n";
+      "\njoint                 standing    lower    upper    speed   effort  (rad, rad/s, N m; prismatic: m, m/s, N)\n";
   for (int d = 0; d < model.num_dofs(); ++d) {
     text += fmt::format("  {:<20} {:8.3f} {:8.3f} {:8.3f} {:8.2f} {:8.2f}\n",
                         model.dof_names[static_cast<std::size_t>(d)], model.standing_joints[d], model.dof_lower(d),

@@ -100,7 +100,7 @@ class Limits {
         fmt::format("moving {:.2f} m from rest to rest in {:.2f} s needs more friction than {:.3g}, which allows at "
                     "most {:.2f} m",
                     way, t, friction / use, most),
-        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "more time", "a shorter way"}};
+        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "more time", "a shorter distance"}};
   }
 
  private:

@@ -143,7 +143,7 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
   PointJacobian(model, scratch, foot.body, foot.X_BF.translation(), whole);
   whole.topRows<3>() /= std::max(leg.length_m, 1e-6);
   Demand demand;
-  demand.names = {"moving its foot ahead", "moving its foot up"};
+  demand.names = {"moving its foot forward", "moving its foot up"};
   std::vector<int> rows = {0, 2};
   if (walk != Walk::kAhead) {
     rows.push_back(1);

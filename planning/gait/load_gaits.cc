@@ -95,7 +95,7 @@ GaitEntry Wave(int num_feet) {
 GaitEntry Alternating(int num_feet) {
   GaitEntry sets;
   sets.gait.name = "alternating";
-  sets.gait.description = "two sets of feet in turn, neighbours in different ones";
+  sets.gait.description = "two alternating sets of feet, with neighbours in different sets";
   sets.gait.cycle_s = 0.0;
   sets.cycle_per_leg_time = 3.4;  // as the tripod
   sets.gait.duty_factor.assign(static_cast<std::size_t>(num_feet), 0.6);

@@ -225,7 +225,7 @@ Failure Refused(const std::string& source, const std::string& why, const std::ve
 Failure OtherSchema(const std::string& source, int schema) {
   return Refused(
       source, fmt::format("it has schema {}; this program reads schema {}", schema, MotionPlan::kSchema),
-      {schema > MotionPlan::kSchema ? "read it with the newer program that wrote it" : "make the plan anew"});
+      {schema > MotionPlan::kSchema ? "read it with the newer program that wrote it" : "make the plan again"});
 }
 
 Json AdjustmentList(const std::vector<Adjustment>& adjustments) {

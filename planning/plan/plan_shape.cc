@@ -89,7 +89,7 @@ DataShape PlanGaitShape() {
 DataShape PlanPartShape() {
   return Object({{"start_s", Number()},
                  {"end_s", Number()},
-                 {"command", CommandShape(), "What was asked."},
+                 {"command", CommandShape(), "The command."},
                  {"goal", PlanarPoseShape(), "Commanded end pose of the base."},
                  {"gait", PlanGaitShape()}});
 }

@@ -49,7 +49,7 @@ std::vector<Vector2> Border(const std::vector<PushBin>& bins, std::optional<doub
 }
 
 Plot PolarPlot(const RobustnessReport& report) {
-  SvgPlot plot(SvgPlot::ToScale("Pushes by direction", "to the right [N]", "ahead [N]"));
+  SvgPlot plot(SvgPlot::ToScale("Pushes by direction", "to the right [N]", "forward [N]"));
   double largest = 0.0;
   for (const PushRecord& push : report.pushes) largest = std::max(largest, push.size_n());
   for (const double radius : RoundTicks(0.0, std::max(largest, 1e-3), 4)) {

@@ -162,7 +162,7 @@ std::string GaitSensitivityLine(const GaitSensitivity& gait) {
 
 std::string PushLines(const RobustnessReport& report) {
   if (report.push_bins.empty()) return "";
-  std::string text = "\npushes by direction (0 ahead, 90 to the left)\n";
+  std::string text = "\npushes by direction (0 forward, 90 to the left)\n";
   for (const PushBin& bin : report.push_bins) {
     const auto size = [](const std::optional<double>& n) { return n ? fmt::format("{:.1f} N", *n) : std::string("-"); };
     text += fmt::format("  {:>3.0f} deg  {:>4} pushes, {:>3} fell; largest survived {:>8}, smallest fatal {:>8}{}\n",

@@ -118,14 +118,14 @@ TEST_F(BeforeHardware, ATiltedBaseIsNotMendedByAWay) {
     words.insert(words.end(), more.begin(), more.end());
     return Run(words);
   };
-  const std::string none = "no way there is needed, and 'way.json' is not written";
+  const std::string none = "no approach is needed, and 'way.json' is not written";
   EXPECT_NE(with({}).out.find(none), std::string::npos) << with({}).out;
   EXPECT_TRUE(with({"--json"}).json().at("approach").is_null());
   const Ran page = with({"--preflight"});
   EXPECT_EQ(page.status, 3) << page.err;
   EXPECT_NE(page.out.find(none), std::string::npos) << page.out;
   EXPECT_NE(page.out.find("the measured base is tilted by 0.3"), std::string::npos) << page.out;
-  EXPECT_EQ(page.out.find("go it"), std::string::npos);
+  EXPECT_EQ(page.out.find("run it"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(In("way.json")));
 }
 

@@ -90,7 +90,8 @@ TEST_F(Sweep, AMapThatCannotBeWrittenInTheEndIsNotLost) {
   const Ran ran = RunUntil(start, SIGCONT, [&] {  // which does nothing to who runs
     return std::filesystem::exists(In("sweep.csv.so-far")) && std::filesystem::create_directory(In("map.html"));
   });
-  ExpectRefused(ran, 1, {"cannot write 'map.html': it is a folder", "--resume", "'sweep.csv.so-far' keeps all"});
+  ExpectRefused(ran, 1,
+                {"cannot write 'map.html': it is a folder", "--resume", "'sweep.csv.so-far' keeps the results"});
   EXPECT_FALSE(std::filesystem::exists(In("sweep.csv")));
   std::filesystem::remove(In("map.html"));
   std::vector<std::string> resume = start;
@@ -188,7 +189,8 @@ TEST_F(Tuned, OptionsThatCannotBeWrittenInTheEndAreNotLost) {
                              return std::filesystem::exists(In("tuned.yaml.so-far")) &&
                                     std::filesystem::create_directory(In("tuned.yaml"));
                            });
-  ExpectRefused(ran, 1, {"cannot write 'tuned.yaml': it is a folder", "--resume", "'tuned.yaml.so-far' keeps all"});
+  ExpectRefused(ran, 1,
+                {"cannot write 'tuned.yaml': it is a folder", "--resume", "'tuned.yaml.so-far' keeps the results"});
   EXPECT_TRUE(std::filesystem::exists(In("tuned.yaml.so-far")));
 }
 
@@ -248,8 +250,8 @@ TEST_F(Tuned, OptionsOfAFileAreThoseOfSetAndSetWins) {
 }
 
 TEST_F(Tuned, RefusalsSayWhy) {
-  ExpectRefused(Run({"tune", "--over", "speed=0.1:0.5"}), 1, {"'speed' is not to be tuned", "sweep it instead"});
-  ExpectRefused(Run({"tune", "--over", "play.friction=0.5:1"}), 1, {"'play.friction' is not to be tuned"});
+  ExpectRefused(Run({"tune", "--over", "speed=0.1:0.5"}), 1, {"'speed' cannot be tuned", "sweep it instead"});
+  ExpectRefused(Run({"tune", "--over", "play.friction=0.5:1"}), 1, {"'play.friction' cannot be tuned"});
   ExpectRefused(Run({"tune", "--over", "gait.cycle_s=0.4,0.5"}), 1, {"KEY=FROM:TO"});
   ExpectRefused(Run({"tune", "--over", "gait.cycle_s=0.4:0.5", "--evaluations", "1"}), 1, {"accepted: 2 to"});
   Write("o.yaml", "gait.cycle: 0.5\n");

@@ -192,7 +192,7 @@ TEST_F(Trials, AResultThatCannotBeWrittenInTheEndIsNotLost) {
     const std::string so_far = std::filesystem::exists(In("it.json.so-far")) ? Read("it.json.so-far") : "";
     return std::count(so_far.begin(), so_far.end(), '\n') >= 2 && std::filesystem::create_directory(In("it.html"));
   });
-  ExpectRefused(ran, 1, {"cannot write 'it.html': it is a folder", "--resume", "'it.json.so-far' keeps all"});
+  ExpectRefused(ran, 1, {"cannot write 'it.html': it is a folder", "--resume", "'it.json.so-far' keeps the results"});
   EXPECT_FALSE(std::filesystem::exists(In("it.json")));
   std::filesystem::remove(In("it.html"));
   std::vector<std::string> resume = start;

@@ -80,7 +80,7 @@ void AddNotes(const MotionRows& rows, ExportFormat format, ExportedMotion& expor
   if (rows.a.empty() && (trajectory || format == ExportFormat::kNpz))
     exported.notes.emplace_back("there are no accelerations: a log does not contain them");
   if (rows.tau.empty() && format != ExportFormat::kSvg)
-    exported.notes.emplace_back("there are no torques: the plan has none");
+    exported.notes.emplace_back("there are no torques: the plan does not contain them");
 }
 
 /// Where the last row is not the motion's end, since all steps are alike.

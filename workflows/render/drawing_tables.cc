@@ -107,7 +107,7 @@ void AddSigns(const Vector2& at_px, double width_px, DrawnTable& table) {
 std::string NameOfJoint(const RobotModel& model, const Joint& joint) {
   if (joint.is_mimic)
     return fmt::format("{} (follows {})", joint.name, model.dof_joint[static_cast<std::size_t>(joint.dof)] + 1);
-  return joint.name + (joint.is_prismatic() ? " (slides)" : "");
+  return joint.name + (joint.is_prismatic() ? " (prismatic)" : "");
 }
 
 void AddJoints(const RobotModel& model, const DynamicsScratch& scratch, const Vector2& at_px, double width_px,

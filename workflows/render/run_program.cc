@@ -73,7 +73,7 @@ Result<std::string> RunProgram(const std::string& program, const std::vector<std
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return said;
   const std::string end = said.size() > kMostWords ? said.substr(said.size() - kMostWords) : said;
-  return Failed(fmt::format("'{}' failed: {}", program, end.empty() ? "it said nothing" : end));
+  return Failed(fmt::format("'{}' failed: {}", program, end.empty() ? "it printed nothing" : end));
 }
 
 }  // namespace gaitwright

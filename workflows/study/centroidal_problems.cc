@@ -74,7 +74,7 @@ Terrain ToGround(const std::string& name, const JsonPart& patches, double fricti
 
 /// The members of an object, by name.
 std::vector<std::pair<std::string, JsonPart>> Members(const JsonPart& part) {
-  if (!part.json().is_object()) part.Refuse("is no object");
+  if (!part.json().is_object()) part.Refuse("is not an object");
   std::vector<std::pair<std::string, JsonPart>> members;
   for (const auto& [name, value] : part.json().items()) members.emplace_back(name, part.At(name));
   return members;

@@ -116,7 +116,7 @@ std::string PreflightText(const Preflight& p) {
       p.program_version, p.audit.samples, p.audit.rate_hz);
   text += Section("Reasons for no-go", p.reasons) + Section("To mind", p.remarks) + TrialsText(p) + LimitsText(p) +
           JointsText(p);
-  text += Section("Taken for granted", p.assumptions) + Section("Not checked", p.not_checked);
+  text += Section("Assumptions", p.assumptions) + Section("Not checked", p.not_checked);
   return text +
          "\nName ______________________   Signature ______________________   Date ______________\n"
          "Name ______________________   Signature ______________________   Date ______________\n";

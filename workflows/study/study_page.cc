@@ -135,7 +135,7 @@ std::string SweepPage(const Study& study, const std::vector<PointOutcome>& outco
   for (std::size_t k = 0; k < study.axes.size(); ++k) {
     if (study.axes[k].is_range() && study.axes[k].numbers) body += ScoreOver(study, outcomes, k);
   }
-  body += "<h2>Where it fails, and why</h2>\n" + Failures(study, outcomes);
+  body += "<h2>Failures and their reasons</h2>\n" + Failures(study, outcomes);
   body += "<h2>Points</h2>\n" + EveryPoint(study, outcomes);
   return StudyPage(fmt::format("{}: sweep", study.model.name), body);
 }

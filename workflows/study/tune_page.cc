@@ -41,7 +41,7 @@ std::string Values(const Study& study, const TuneResult& result) {
 
 std::string Proof(const TuneResult& result) {
   if (!result.proof)
-    return "<p>No candidate was worth more than the usual values, so that there is nothing to prove.</p>\n";
+    return "<p>No candidate has a higher value than the present values, so there was no held-out test.</p>\n";
   const bool has_before = result.proof->no_before.empty();
   const auto row = [&](const char* what, const PairedDifference& d, double scale) -> std::vector<std::string> {
     if (!has_before) return {what, "\u2013", fmt::format("{:.2f}", scale * d.after), "\u2013", "\u2013"};
@@ -54,7 +54,7 @@ std::string Proof(const TuneResult& result) {
                   row("survival [%]", result.proof->survival, 100.0)}) +
          fmt::format("<p class=\"soft\">{} trials that no candidate was tried on before, {}.</p>\n",
                      result.proof->trials,
-                     has_before ? "the same for both, compared pair by pair"
+                     has_before ? "the same trials for both, compared in pairs"
                                 : "of the best candidate only: " + EscapedXml(result.proof->no_before));
 }
 

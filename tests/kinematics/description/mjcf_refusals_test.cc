@@ -46,7 +46,7 @@ TEST(MjcfRefusals, OfAWorldThatIsOnlyFurnishedThereAreNone) {
 TEST(MjcfNotes, TellWhatIsLeftOutWithElementAndLine) {
   ExpectNote(WithLeg("<joint name='j' stiffness='3'/>"), {"model.xml, line 9: joint 'j'", "spring of stiffness 3"});
   ExpectNote(WithLeg("<joint name='j' springdamper='1 1'/>"), {"joint 'j'", "'springdamper'"});
-  ExpectNote(WithLeg("<joint name='j' damping='1 2'/>"), {"joint 'j'", "'damping' the first number"});
+  ExpectNote(WithLeg("<joint name='j' damping='1 2'/>"), {"joint 'j'", "only the first number of 'damping'"});
   ExpectNote(WithLeg("<joint name='j' type='ball' range='0 50'/>"), {"joint 'j'", "range of a ball joint"});
   ExpectNote(WithLeg("<joint name='j' range='0 50'/>", "<compiler autolimits='false'/>"), {"joint 'j'", "autolimits"});
   ExpectNote(WithLeg("<joint name='j' rnage='0 50'/>"), {"joint 'j'", "'rnage' is not known", "nearest is 'range'"});

@@ -116,7 +116,7 @@ TEST(MjcfShapes, RefuseSizesByLine) {
   };
   ExpectSays(with("type='sphere'"), {"line 7: geom 'g'", "no 'size'"});
   ExpectSays(with("type='box' size='1 1'"), {"line 7: geom 'g'", "'size' is '1 1'", "3 are needed"});
-  ExpectSays(with("type='cylinder' size='0.1 0'"), {"'size' holds 0; it must be positive"});
+  ExpectSays(with("type='cylinder' size='0.1 0'"), {"'size' contains 0; it must be positive"});
   ExpectSays(with("type='cone' size='1'"), {"'type' is 'cone'", "'sphere'"});
   ExpectSays(with("type='sphere' size='1' fromto='0 0 0 0 0 1'"), {"'fromto' is for capsule"});
   ExpectSays(with("type='capsule' size='1' fromto='0 0 1 0 0 1'"), {"'fromto' are one point"});

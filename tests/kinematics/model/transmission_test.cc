@@ -204,7 +204,7 @@ TEST(TransmissionYaml, RefusesByLine) {
       {head + "[A_hip, A_knee]\n" + two +
            "  - name: u\n    joints: [B_hip, A_knee]\n    motors: [{name: c, ratios: [1, "
            "0]}, {name: d, ratios: [0, 1]}]\n",
-       {"line 5", "'A_knee'", "'t' drives too"}},
+       {"line 5", "'A_knee'", "'t' also drives"}},
       {"limits: {A_hip: {effort_nm: 3}}\n" + Differential(), {"line 1", "'A_hip'", "'leg'"}},
       {"motors: {A_knee: {continuous_nm: 3}}\n" + Differential(), {"line 1", "'A_knee'", "'leg'"}},
       {"motors: {A_knee: {rotor_inertia_kg_m2: 3}}\n" + Differential("1, 1", "1, -1", ", rotor_inertia_kg_m2: 1"),

@@ -63,7 +63,7 @@ TEST_F(StartPostures, AreRefusedByNameAndLine) {
   ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "there are 'joints'"});
   ExpectSaid("[1, 2]\n", {"a list", "a map"});
   ExpectSaid("", {"a map"});
-  ExpectSaid("a: [1\n", {"no YAML"});
+  ExpectSaid("a: [1\n", {"not valid YAML"});
 }
 
 TEST_F(StartPostures, InDegreesAreSaidToBe) {

@@ -98,7 +98,7 @@ TEST(PlanJson, NumbersThatAreNoneAreSaid) {
   for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "1e999"}) {
     for (const char* key : {"speed_m_s", "centroidal", "q", "contact_wrenches"}) {
       const std::string why = WhyPlanJsonRefused(WithWord(key, word));
-      EXPECT_EQ(why.rfind(std::string("'") + key + "' holds " + word + " (byte ", 0), 0U) << why;
+      EXPECT_EQ(why.rfind(std::string("'") + key + "' contains " + word + " (byte ", 0), 0U) << why;
       EXPECT_NE(why.find("must be finite"), std::string::npos) << why;
     }
   }

@@ -75,8 +75,8 @@ TEST(HeightMap, WrongPicturesAreRefused) {
       Says(WhyRefused(Written("p.png", good) + ":resolution_m=0.1"), "needs scale_m, the height of full white"));
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 8, 2, std::string(12, 'a'))) + more), "is in colour"));
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 1, 0, std::string(2, 'a'))) + more), "1 bits a point"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "hello") + more), "no PNG"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "") + more), "no PNG"));
+  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "hello") + more), "not a readable PNG"));
+  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "") + more), "not a readable PNG"));
   std::string broken = good;
   broken[45] = static_cast<char>(broken[45] ^ 1);  // in the data, so that the checksum fails
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", broken) + more), "broken"));

@@ -96,7 +96,7 @@ TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
   says("bump_seed: 1.5\n", {"line 1", "bump_seed is 1.5", "whole number"});
   says("bump_seed: {choice: [1, 2.5]}\n", {"2.5", "whole number"});
   says("bump_seed: {uniform: [0, 3.5]}\n", {"3.5", "whole number"});
-  says("a: [", {"no YAML"});
+  says("a: [", {"not valid YAML"});
 }
 
 TEST_F(DisturbancesTest, APushWithoutImpulseIsNone) {

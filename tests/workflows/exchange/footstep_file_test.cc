@@ -63,7 +63,7 @@ TEST(FootstepFile, TimesMayBeGiven) {
 }
 
 TEST(FootstepFile, IsReadStrictly) {
-  ExpectNoSteps(std::string(100, '[') + std::string(100, ']'), "in one another");
+  ExpectNoSteps(std::string(100, '[') + std::string(100, ']'), "nested more than");
   ExpectNoSteps("swing_s: 0.4\n", "footsteps");
   ExpectNoSteps("footsteps: []\n", "footsteps is empty");
   ExpectNoSteps("footsteps: [{foot: LF, x_m: 0, y_m: 0}]\n", "robot 'a1' has no foot 'LF'; it has ");

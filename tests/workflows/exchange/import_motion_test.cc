@@ -218,7 +218,7 @@ TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
              {"lacks 1 of 12 joint positions of robot 'a1': 'q_FR_hip_joint_rad'", "not used: 'shoulder'"});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "time_s", "moment")), {"has no time column: 'time_s' is needed"});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "base_z_m", "height")),
-             {"has 'base_x_m' and lacks 'base_z_m'; all of them are needed, or none"});
+             {"has 'base_x_m' but lacks 'base_z_m'; all of them are needed, or none"});
   ImportOptions options;
   options.missing_joints = "standing";
   const Result<ImportedMotion> filled =

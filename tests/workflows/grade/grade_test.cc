@@ -178,7 +178,7 @@ TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {
   GradeRequest request = RequestFor(kCode);
   request.rubric_file = "/usr/lib/rubric.yaml";
   EXPECT_EQ(Grade(request).failure().code, FailureCode::kReadable);
-  EXPECT_NE(Grade(request).failure().message.find("'/usr/lib/rubric.yaml' lies in '/usr/lib'"), std::string::npos);
+  EXPECT_NE(Grade(request).failure().message.find("'/usr/lib/rubric.yaml' is inside '/usr/lib'"), std::string::npos);
 }
 
 TEST_F(GradeClassTest, APythonThatIsNoneIsTold) {

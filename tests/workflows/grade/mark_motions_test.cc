@@ -68,7 +68,7 @@ TEST_F(MarkPlan, OneThatBreaksLawsOrFallsLosesWhatThatIsWorth) {
 }
 
 TEST_F(MarkPlan, OneForAnotherRobotGroundOrCommandGetsNothing) {
-  ExpectNothing(MarkOfPlan(Trot(0.1, 0.1, "nao")), {"for the robot 'nao'", "about 'a1'"});
+  ExpectNothing(MarkOfPlan(Trot(0.1, 0.1, "nao")), {"for robot 'nao'", "about 'a1'"});
   ExpectNothing(MarkOfPlan(Trot(0.2, 0.3)), {"another command: speed_m_s is 0.2, not 0.3"});
   ExpectNothing(MarkOfPlan(Trot(0.3, 0.2)), {"another command: distance_m is 0.2, not 0.3"});
   MotionPlan ahead = GoodTrot();  // past what is to be walked over, if there were any
@@ -139,9 +139,9 @@ TEST_F(MarkMotion, ParametersArePlannedWithAndTried) {
   EXPECT_EQ(mark.points, 4.0) << (mark.reasons.empty() ? "" : mark.reasons.front());
   EXPECT_EQ(mark.pages.size(), 2U);
   HandIn("eve", "t.yaml", "play.friction: 3\n");
-  ExpectNothing(Mark(kTune, "eve"), {"the option 'play.friction' may not be set"});
+  ExpectNothing(Mark(kTune, "eve"), {"the option 'play.friction' must not be set"});
   HandIn("eve", "t.yaml", "gait.duty_factor: 0.6\n");
-  ExpectNothing(Mark(kTune, "eve"), {"the option 'gait.duty_factor' may not be set"});
+  ExpectNothing(Mark(kTune, "eve"), {"the option 'gait.duty_factor' must not be set"});
   HandIn("eve", "t.yaml", "gait.cicle_s: 0.6\n");
   ExpectNothing(Mark(kTune, "eve"), {"'t.yaml', line 1", "'gait.cycle_s'"});
   HandIn("eve", "t.yaml", "swing.height_m: .nan\n");

@@ -107,7 +107,7 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 5, robot: nao" + kPass + "}\n", {"lacks a goal"});
   ExpectRefused("title: t\nparts: []\n", {"0 parts"});
   ExpectRefused("just words\n", {"no rubric"});
-  ExpectRefused("a: [\n", {"no YAML"});
+  ExpectRefused("a: [\n", {"not valid YAML"});
 }
 
 }  // namespace

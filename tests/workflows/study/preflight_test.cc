@@ -107,7 +107,7 @@ TEST(PreflightOfAGoodPlan, SendsNoJointAnywhereForATiltedBase) {
   EXPECT_FALSE(Says(tilted.remarks, "--approach"));
   input.approach = "no way is needed";
   EXPECT_TRUE(Says(Of(input).remarks, "no way is needed"));
-  EXPECT_FALSE(Says(Of(input).remarks, "go it"));
+  EXPECT_FALSE(Says(Of(input).remarks, "run it"));
   input.audit.start->joints[3] += 0.2;
   EXPECT_TRUE(Says(Of(input).remarks, "run it, and measure again")) << "both have to be mended";
   EXPECT_TRUE(Says(Of(input).remarks, "is tilted by"));
@@ -288,7 +288,7 @@ TEST(PreflightPages, AreWholeAndHoldEveryLimitAndLinesToSign) {
   EXPECT_EQ(XmlFault(page), "");
   EXPECT_EQ(page, PreflightPage(Of(input))) << "the same bytes";
   for (const char* part : {">GO<", "@page{size:A4", "signature", "tipped &lt;over&gt;", "seed 18446744073709551615",
-                           "Taken for granted", "Not checked", "487 of 500"})
+                           "Assumptions", "Not checked", "487 of 500"})
     EXPECT_TRUE(Says(page, part)) << part;
   for (const AuditMargin& m : TightestOfEachLaw(preflight.audit.margins))
     EXPECT_TRUE(Says(page, "<td>" + LawWords(m.law) + "</td>")) << m.law;

@@ -176,7 +176,7 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("worst", {{{"number", 1}}}), "'seed'");
   ExpectNo(With("worst", {{{"seed", -1}}}), "seed");
   ExpectNo(With("worst", 3), "'worst'");
-  ExpectNo(Json::array(), "no object");
+  ExpectNo(Json::array(), "not an object");
 }
 
 TEST(TrialsResults, ThatAreNoJsonAreRefused) {

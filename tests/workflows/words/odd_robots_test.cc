@@ -67,7 +67,7 @@ TEST(OddRobots, TheHexapodBraces) { DoneInWords(Odd("hexapod"), "brace yourself"
 /// Knees that point at each other, and feet right under the hips, leave no room for a belly on the ground.
 TEST(OddRobots, WhatCannotLieIsToldWhyAndGetsUpFromACrouch) {
   for (const auto& [name, why] :
-       {std::pair("goat", "'TORSO' and 'Q3c' would meet"), std::pair("hexapod", "too close below")}) {
+       {std::pair("goat", "'TORSO' and 'Q3c' would collide"), std::pair("hexapod", "too close below")}) {
     const Result<PlannedTasks> lying = PlannedInWords(Odd(name), "lie down", FlatTerrain());
     ASSERT_FALSE(lying.ok());
     EXPECT_NE(lying.failure().message.find(why), std::string::npos) << lying.failure().message;
