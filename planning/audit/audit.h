@@ -13,7 +13,7 @@
 
 namespace gaitwright {
 
-/// How densely a plan is looked at, and with what reserve. `start` and `margins` are what is asked for beside the laws.
+/// Sampling rate and margins of the audit. `start` and `margins` request additional checks and results.
 struct AuditOptions {
   double rate_hz = 1000.0;
   double derate_torque = 1.0, derate_speed = 1.0, derate_acceleration = 1.0, derate_jerk = 1.0;
@@ -21,8 +21,8 @@ struct AuditOptions {
   double jerk_over_s = 0.01;
   double start_tolerance_rad = 0.05, start_tolerance_m = 0.005, start_tilt_rad = 0.1;
   double start_speed_rad_s = 0.1, start_speed_m_s = 0.02;
-  bool margins = false;               ///< report how near each law comes to its limit, self-collision and body included
-  std::optional<StartPosture> start;  ///< measured before the first command: law start_posture
+  bool margins = false;               ///< report the margin of each check, including self-collision and body clearance
+  std::optional<StartPosture> start;  ///< measured before the first command, for the check start_posture
 
   OptionFields Fields() {
     const auto share = [](const char* key, double* target, const char* what) {
@@ -52,8 +52,8 @@ struct AuditOptions {
   }
 };
 
-/// Checks a plan against the laws, densely between its nodes, with the model's own dynamics; who made the plan is of no
-/// account. Each law that is broken is reported once for each joint, foot or pair, where it is worst.
+/// Checks a plan densely between its nodes, with the model's own dynamics and independently of the planner. Each failed
+/// check is reported once for each joint, foot or pair, at its worst place.
 ///
 ///   dynamics       what the motion needs less what contacts and torques give: 0.02 m g of force, 0.02 m g h of moment;
 ///                  at a joint no more than 5 % of its effort limit either
@@ -77,9 +77,9 @@ struct AuditOptions {
 ///   joint_...      position, velocity, acceleration, jerk and torque within limits, torque_speed inside the motor's
 ///                  curve, continuous_torque at most what it bears without end (JointWatch). Speeds and torques are
 ///                  those of the motors, which a transmission shares among joints (Actuator), and name them; what joint
-///                  and rotor take is added (MotorEffort). Limits that are not known are none
-/// In a part that hangs (HangingGait) the base is held from outside, by forces that are not looked at; it must stand
-/// still. A plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
+///                  and rotor take is added (MotorEffort). Limits that are not known are none In a hanging part
+/// (HangingGait), the base is held externally by forces that are not checked; it must not move. A plan of the pipeline
+/// stays below a tenth of most of these, and below half of the ZMP's.
 ///
 /// Failure only when the plan does not fit the robot at all, or lasts over an hour.
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);

@@ -53,7 +53,7 @@ struct Placing {
   bool ok() const { return fault == FootholdFault::kNone; }
 };
 
-/// Puts feet down on the ground and says whether they may stand there.
+/// Places feet on the ground and checks whether they can stand there.
 ///
 ///   point, sphere  on the highest ground; edges and risers keep away by the margin, and by a sphere's radius more;
 ///                  risers also by what it rolls towards them while it stands
@@ -83,7 +83,7 @@ class FootholdChecker {
   /// edges. Turned like `at`, at most `radius_m` away. Appends.
   void Near(int foot, const PlanarPose& at, double radius_m, std::vector<PlanarPose>& places) const;
 
-  /// Corners of what a foot covers in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon
+  /// Corners of a foot's outline in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon
   /// around a sphere; a point for a point.
   Polygon OutlineAt(int foot, const PlanarPose& at) const;
 

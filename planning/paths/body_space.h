@@ -8,8 +8,7 @@
 
 namespace gaitwright {
 
-/// How much room a walking robot is given, and what ground it may use; lengths in leg lengths, so that they fit any
-/// robot.
+/// Space that a walking robot needs, and ground that it may use; lengths in leg lengths, for robots of any size.
 ///
 /// Tuning
 ///   refused at a doorway that it fits through    less margin, less step_ahead and step_aside
@@ -47,7 +46,7 @@ struct BodySpaceOptions {
   }
 };
 
-/// The room that a robot needs where it walks.
+/// Space that a robot needs for walking.
 ///
 /// = Notation =
 ///   G  the base's frame put down on the plane through its feet: x ahead, z along the plane's normal
@@ -65,8 +64,7 @@ struct BodySpace {
 };
 
 /// From the robot's own shapes and feet in the standing posture, half a step of its feet, the sway of a body over two
-/// feet, and a margin. The boxes begin
-/// at the height of a step: what is lower is stepped over or onto.
+/// feet, and a margin. The boxes begin at the height of a step; lower obstacles are stepped over or onto.
 /// @throws InvalidArgument when an option is out of its range.
 BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options);
 
