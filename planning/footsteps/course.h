@@ -42,8 +42,8 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& comman
 /// Failure kBadInput when it goes nowhere or lasts over 600 s.
 Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const SpeedRamp& ramp);
 
-/// Largest lateral speed and yaw rate for a forward speed, if the command gives none [m/s, rad/s], at which the feet do
-/// not collide.
+/// Lateral speed and yaw rate that suit a forward speed, if the command gives none [m/s, rad/s]; small enough that feet
+/// do not collide.
 PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkCommand& command);
 
 }  // namespace gaitwright
