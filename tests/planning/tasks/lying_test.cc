@@ -53,7 +53,7 @@ TEST(Lying, ARobotWithoutARestIsToldSo) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
   const Result<Lying> none = FindLying(a1, a1.standing_joints);
   ASSERT_FALSE(none.ok());
-  EXPECT_NE(none.failure().message.find("nothing flat"), std::string::npos);
+  EXPECT_NE(none.failure().message.find("no flat surface"), std::string::npos);
 }
 
 TEST(Rests, WhatCannotBeOneIsRefused) {
