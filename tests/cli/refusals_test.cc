@@ -194,7 +194,7 @@ TEST_F(Refusals, AnOutputThatCannotBeWrittenTakesTheOthersWithIt) {
   EXPECT_EQ(Read("w/plan.json"), "an earlier one");
   EXPECT_FALSE(std::filesystem::exists(In("w/log.json")));
   MakePlan("plan.json");
-  ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", "./a"}), 1, {"'a'", "two outputs"});
+  ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", "./a"}), 1, {"'a'", "are the same file"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"p", "plan.json", "w"}));
 }
 
@@ -209,8 +209,8 @@ TEST_F(Refusals, OutputsOverInputs) {
   }
   ExpectRefused(Run({"play", In("plan.json").string(), "--log", "plan.json"}), 1, {"--log", "read"});
   ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", "here/a"}), 1,
-                {"--log", "--report", "two outputs"});
-  ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", In("a").string()}), 1, {"two outputs"});
+                {"--log", "--report", "are the same file"});
+  ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", In("a").string()}), 1, {"are the same file"});
   Write("p/gait.svg", plan);
   ExpectRefused(Run({"play", "p/gait.svg", "--plot-dir", "./p"}), 1, {"--plot-dir", "'p/gait.svg'"});
   EXPECT_EQ(Read("plan.json"), plan);

@@ -20,12 +20,12 @@ TEST(CheckFeet, NamedFeetAreTheFeet) {
 }
 
 TEST(CheckFeet, RefusesFeetWithoutALeg) {
-  ExpectSays(WithFeet("{link: trunk}, {link: A_foot}"), {"foot 'trunk'", "on the base", "moving joint"});
+  ExpectSays(WithFeet("{link: trunk}, {link: A_foot}"), {"foot 'trunk'", "fixed to the base", "moving joint"});
   const std::string bumper = Replaced(FourLegs(), "</robot>",
                                       SmallLink("bumper") +
                                           "<joint name='b' type='fixed'><parent link='trunk'/><child "
                                           "link='bumper'/></joint></robot>");
-  ExpectSays(MessageOf(bumper, "feet: [{link: A_foot}, {link: bumper}]"), {"foot 'bumper'", "on the base"});
+  ExpectSays(MessageOf(bumper, "feet: [{link: A_foot}, {link: bumper}]"), {"foot 'bumper'", "fixed to the base"});
 }
 
 TEST(CheckFeet, RefusesTwoFeetOfOneLeg) {

@@ -243,7 +243,7 @@ TEST(ImportRefusals, ValuesAreSuchAsMotionsHave) {
   ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
              {"the base's position of row 2 (0.005 s)", "at most 1e+08 up or down"});
   ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
-             {"s from its start", "a position there jumps"});
+             {"s from its start", "a position jumps there"});
 }
 
 TEST(ImportRefusals, QuaternionsMustBeRotations) {

@@ -193,7 +193,7 @@ TEST(MotionColumns, JointsThatFollowAreHeldAgainstTheirLeaders) {
   const double right = mimic->multiplier * 0.1 * (mimic->dof + 1) + mimic->offset;
   const std::string column = "q_" + mimic->name + "_rad";
   EXPECT_TRUE(Taken(TableOf(nao, {{column, right}}), {}, {}, "nao").ok());
-  ExpectRefusal(Taken(TableOf(nao, {{column, right + 0.1}}), {}, {}, "nao"), "joint '" + mimic->name + "' follows '");
+  ExpectRefusal(Taken(TableOf(nao, {{column, right + 0.1}}), {}, {}, "nao"), "joint '" + mimic->name + "' mimics '");
 }
 
 std::string FileWithNames(const std::string& text) {

@@ -76,7 +76,7 @@ TEST_F(MarkPlan, OneForAnotherRobotGroundOrCommandGetsNothing) {
   ExpectNothing(MarkOfPlan(ahead), {"begins at x 3.00 m", "at the origin"});
   MotionPlan elsewhere = GoodTrot();
   elsewhere.terrain = FlatTerrain(2.0);
-  ExpectNothing(MarkOfPlan(elsewhere), {"for ground 'flat'", "another one"});
+  ExpectNothing(MarkOfPlan(elsewhere), {"for ground 'flat'", "but this part needs"});
 }
 
 TEST_F(MarkPlan, OneThatSaysItIsAnotherIsFoundOut) {

@@ -92,7 +92,8 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
   ExpectRefused(kHead + kZmpRubric + ", cases: 0}\n", {"'cases' is 0", "1 to 10000"});
   ExpectRefused(kHead + kZmpRubric + ", cases: 2.5}\n", {"'cases' is 2.5", "whole"});
   ExpectRefused(kHead + kZmpRubric + ", limits: {memory_mb: 1}}\n", {"'memory_mb'", "1"});
-  ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2, 1]}}\n", {"from 2 to 1", "backwards"});
+  ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2, 1]}}\n",
+                {"from 2 to 1", "must be below the second"});
   ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2]}}\n", {"has 1 numbers"});
   ExpectRefused(kHead + kZmpRubric + ", checks: [{measure: share_right, points: 4}]}\n",
                 {"4 points in all, but the part has 5"});
