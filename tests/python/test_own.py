@@ -176,5 +176,5 @@ def test_a_world_takes_states_and_pushes_that_can_be(a1):
     for link in ("trunk", "FL_calf"):
         with pytest.raises(gw.BadInputError, match="a push is not finite"):
             world.push([0.0, 0.0, np.inf], link)
-    with pytest.raises(gw.BadInputError, match="-5 steps"):
+    with pytest.raises(gw.BadInputError, match="steps is -5"):
         world.step(gw.JointCommand(np.zeros(12)), -5)
