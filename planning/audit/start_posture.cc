@@ -93,8 +93,8 @@ void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& n
 /// The joints under a key of their own.
 DataShape NestedShape() {
   using namespace shapes;
-  return Object({{kJoints, MapOf(Number(), 1), "By joint, all that do not follow another [rad], [m]."},
-                 Optional(kQuaternion, Numbers(4), "Of the base, as measured.")});
+  return Object({{kJoints, MapOf(Number(), 1), "Position of every joint that is not coupled to another [rad], [m]."},
+                 Optional(kQuaternion, Numbers(4), "Measured orientation of the base.")});
 }
 
 }  // namespace

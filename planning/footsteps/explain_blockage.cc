@@ -182,7 +182,7 @@ class Explanation {
     const double reach = Limits(gap.station_m).WidestGap(std::min(gap.size, 2.0 * leg_m_));
     if (reach >= gap.size - 0.02 * leg_m_) return std::nullopt;
     HintAtLeap(gap.size);
-    return fmt::format("the gap at {} is {:.2f} m wide; {} reaches at most {:.2f} m", PlaceText(gap.place_W), gap.size,
+    return fmt::format("the gap at {} is {:.2f} m wide; {} reaches {:.2f} m", PlaceText(gap.place_W), gap.size,
                        scene_.model.name, reach);
   }
 

@@ -28,7 +28,7 @@ DataShape MeshShape() {
 DataShape PlanarPoseShape() { return Object({{"x_m", Number()}, {"y_m", Number()}, {"yaw_rad", Number()}}); }
 
 DataShape CommandShape() {
-  return Object({{"extent", Text(PlanExtents()), "Which value sets the distance."},
+  return Object({{"extent", Text(PlanExtents()), "Name of the value that sets the distance."},
                  {"speed_m_s", Number(0.0, kLargestNumber)},
                  {"lateral_speed_m_s", Number()},
                  {"yaw_rate_rad_s", Number()},
@@ -52,8 +52,8 @@ DataShape PlanHeightFieldShape() {
   return Object({{"name", Text()},
                  {"origin_m", Numbers(2), "The first node."},
                  {"resolution_m", Positive(kLargestNumber)},
-                 {"columns", Whole(2, kMostNodesAlong), "Along x."},
-                 {"rows", Whole(2, kMostNodesAlong), "Along y."},
+                 {"columns", Whole(2, kMostNodesAlong), "Number of points along x."},
+                 {"rows", Whole(2, kMostNodesAlong), "Number of points along y."},
                  {"heights_m", Numbers(), "Height of node (column, row) at index row * columns + column."},
                  {"friction", Number(0.0, kMostFriction)}});
 }
@@ -64,7 +64,7 @@ DataShape PlanObstacleShape() {
                  {"pose", PoseShape()},
                  Optional("size_m", List(Positive(kLargestNumber), 2, 3),
                           "Edge lengths of a box; radius and length of other shapes."),
-                 Optional("vertices_m", PointsShape(4), "Of a mesh.")},
+                 Optional("vertices_m", PointsShape(4), "Vertices of a mesh.")},
                 {{"size_m", "vertices_m"}});
 }
 
@@ -83,13 +83,13 @@ DataShape PlanGaitShape() {
                  {"description", Text()},
                  {"cycle_s", Positive(kLargestNumber)},
                  {"phase", List(Number(0.0, 1.0)), "One value for each foot, less than 1."},
-                 {"duty_factor", List(Number(0.0, 1.0)), "By foot."}});
+                 {"duty_factor", List(Number(0.0, 1.0)), "One value for each foot."}});
 }
 
 DataShape PlanPartShape() {
   return Object({{"start_s", Number()},
                  {"end_s", Number()},
-                 {"command", CommandShape(), "The command."},
+                 {"command", CommandShape(), "Command of the part."},
                  {"goal", PlanarPoseShape(), "Commanded end pose of the base."},
                  {"gait", PlanGaitShape()}});
 }
@@ -97,14 +97,14 @@ DataShape PlanPartShape() {
 DataShape PlanGateShape() {
   return Object({{"at_s", Number()},
                  {"phase", Text()},
-                 {"joints_within", Number(0.0, kWidestGate), "Position of each joint, by name [rad], [m]."},
+                 {"joints_within", Number(0.0, kWidestGate), "Tolerance of the position of every joint [rad], [m]."},
                  {"contact", Whole(), "Bit mask of the feet that carry force."},
                  {"longest_s", Number(0.0, kLongestWait)}});
 }
 
 DataShape FootholdShape() {
   return Object({{"foot", FootIndexShape()},
-                 {"pose", PoseShape(), "At touch-down."},
+                 {"pose", PoseShape(), "Pose of the foot at touch-down."},
                  {"roll_m", Numbers(3), "Distance that a spherical foot rolls until lift-off."},
                  {"patch", Whole(), "Index of the surface: patches first, then height fields."},
                  {"touchdown_s", Number()},
@@ -148,7 +148,7 @@ DataShape PlanShape() {
        {"robot_hash", Text()},
        {"provenance", ProvenanceShape()},
        {"parts", List(PlanPartShape(), 1), "Parts in order, one for each gait or stand."},
-       {"goal", PlanarPoseShape(), "Command of the last part."},
+       {"goal", PlanarPoseShape(), "Goal of the last part."},
        {"warnings", List(Text()), "Warnings, such as limits that the plan knowingly exceeds."},
        {"terrain", PlanTerrainShape()},
        {"schedule", List(List(Number(), 3, 3)), "Phases as [start_s, end_s, stance]; bit i of stance is foot i."},
@@ -162,7 +162,7 @@ DataShape PlanShape() {
        {"centroidal", List(Numbers(11), 1), "Centre of mass, its velocity and acceleration, ZMP (2)."},
        {"q", RowsShape(), "[p_WB, quaternion xyzw, joints]."},
        {"v", RowsShape(), "[v_WB, w_WB, joint rates]."},
-       {"a", RowsShape(), "Their rates."},
+       {"a", RowsShape(), "Time derivatives of v."},
        {"tau_nm", RowsShape(), "Feed-forward torques by joint."},
        {"contact_wrenches", RowsShape(), "Force and moment of each foot."},
        Optional("adjustments", AdjustmentsShape(), "Differences between the plan and the request."),

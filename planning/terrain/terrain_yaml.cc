@@ -42,7 +42,7 @@ DataShape HeightFieldShape() {
   return Object(
       {{"name", Text()},
        {"origin_m", Numbers(2), "Position of the point with the lowest x and y."},
-       {"resolution_m", Number(0.001, 1.0), "Between neighbouring points."},
+       {"resolution_m", Number(0.001, 1.0), "Distance between neighbouring points."},
        {"heights_m", List(List(HeightShape(), 2), 2), "Heights as seen from above: the first row has the highest y."},
        Optional("friction", FrictionShape(), "Friction coefficient; default 0.8.")});
 }
@@ -57,9 +57,9 @@ DataShape ObstacleShape() {
                 "Edge lengths of a box; radius and length of other shapes."),
        Optional("vertices_m", List(Numbers(3), 4, kMostVertices), "Vertices of a mesh; their convex hull is used."),
        Optional("position_m", Numbers(3), "Position of the centre; for a mesh, of its origin."),
-       Optional("yaw_deg", angle, "About z, first."),
-       Optional("pitch_deg", angle, "About y, then."),
-       Optional("roll_deg", angle, "About x, last.")},
+       Optional("yaw_deg", angle, "Rotation about z, applied first."),
+       Optional("pitch_deg", angle, "Rotation about y, applied second."),
+       Optional("roll_deg", angle, "Rotation about x, applied last.")},
       {{"size_m", "vertices_m"}});
 }
 

@@ -35,8 +35,8 @@ DataShape PlaceShape() {
 DataShape StepShape() {
   using namespace shapes;
   DataShape shape = PlaceShape();
-  shape.members.push_back(Optional("lift_off_s", SecondsShape(), "With touch_down_s."));
-  shape.members.push_back(Optional("touch_down_s", SecondsShape(), "With lift_off_s."));
+  shape.members.push_back(Optional("lift_off_s", SecondsShape(), "Required if touch_down_s is given."));
+  shape.members.push_back(Optional("touch_down_s", SecondsShape(), "Required if lift_off_s is given."));
   shape.members.push_back(
       Optional("swing_s", SecondsShape(), "Duration of the swing, instead of lift_off_s and touch_down_s."));
   shape.members.push_back(Optional("pause_s", SecondsShape(), "Pause before the next step."));

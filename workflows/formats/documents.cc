@@ -44,7 +44,7 @@ std::vector<Document> Documents() {
       Made("gaits", "A file of gaits", "gaits.md", GaitFileShape()),
       Made("sequence", "Several gaits in one plan", "gaits.md", SequenceFileShape()),
       Made("terrain", "A ground", "terrain-format.md", TerrainFileShape()),
-      Made("disturbances", "What trials sample", "trials.md", DisturbancesShape(SensorFields(play))),
+      Made("disturbances", "Disturbances that trials sample", "trials.md", DisturbancesShape(SensorFields(play))),
       Made("start-posture", "Measured joint positions before the first command", "audit.md", StartPostureShape()),
       Made("footsteps", "Footsteps of another planner", "import.md", FootstepFileShape()),
       Made("columns", "Column names of another program's file", "import.md", ColumnNamesShape()),

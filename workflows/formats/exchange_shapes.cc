@@ -73,7 +73,7 @@ DataShape MotionComparisonShape() {
                  {"start_s", Number()},
                  {"end_s", Number()},
                  {"samples", Whole()},
-                 {"joints", MapOf(joint), "By name."},
+                 {"joints", MapOf(joint), "Comparison of each joint, by joint name."},
                  {"joints_only_a", List(Text())},
                  {"joints_only_b", List(Text())},
                  {"base", MapOf(OrNull(SeriesShape()))},
@@ -112,11 +112,11 @@ DataShape ExportResultShape() {
 DataShape ImportResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
   return Object({{"robot", Text()},
-                 {"verdict", VerdictShape(), "Of the audit."},
+                 {"verdict", VerdictShape(), "Verdict of the audit."},
                  {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps"})},
-                 {"rows", Whole(), "Of the file."},
+                 {"rows", Whole(), "Number of rows of the file."},
                  {"duration_s", Number()},
-                 {"footholds", Whole(), "Their number."},
+                 {"footholds", Whole(), "Number of footholds."},
                  {"derived", List(derived), "Derived quantities and their derivation."},
                  {"unused_columns", List(Text())},
                  {"warnings", TextsShape()},

@@ -68,9 +68,9 @@ DataShape SelfCollisionShape() {
 /// A finding of the linter of robot descriptions.
 DataShape FindingShape() {
   return Object({{"level", Text(), "error, warning or info."},
-                 {"code", Text(), "Its kind."},
+                 {"code", Text(), "Kind of the finding."},
                  {"part", Text(), "Link, joint or robot of the finding."},
-                 {"line", OrNull(Whole()), "Of the file."},
+                 {"line", OrNull(Whole()), "Line of the file."},
                  {"message", Text()}});
 }
 
@@ -82,7 +82,7 @@ DataShape RobotShape() {
                  {"leg_length_m", Number()},
                  {"nominal_speed_m_s", Number()},
                  {"standing_base_height_m", Number()},
-                 {"legs", MapOf(LegShape()), "By name."},
+                 {"legs", MapOf(LegShape()), "Legs by name."},
                  {"mirror_pairs", List(List(Text(), 2, 2))},
                  {"standing", MapOf(Number()), "Standing posture by joint, rad or m."},
                  {"limits", PerJoint({"lower_rad", "upper_rad", "velocity_rad_s", "effort_nm"},
@@ -110,7 +110,7 @@ DataShape RobotCheckShape() {
 
 DataShape ParameterShape() {
   return Object({{"key", Text()},
-                 {"value", Text(), "Name of the parameter."},
+                 {"value", Text(), "Value, written as for --set."},
                  {"unit", Text()},
                  {"lowest", Number()},
                  {"highest", Number()},

@@ -30,14 +30,14 @@ DataShape GaitSensitivityShape() {
                  {"steps", Whole()},
                  {"indicators", TextsShape()},
                  {"disturbances", TextsShape()},
-                 {"varied", List(Truth()), "Which disturbances did."},
+                 {"varied", List(Truth()), "True for each disturbance that varied."},
                  {"response", List(List(Numbers())),
                   "Response by number of steps after the disturbance: rows are indicators, columns disturbances."}});
 }
 
 DataShape PushBinShape() {
   return Object({{"direction_deg", Number()},
-                 {"n", Whole(), "Fatal or survived."},
+                 {"n", Whole(), "Number of pushes whose outcome is known."},
                  {"fell", Whole()},
                  {"unknown", Whole(), "Number of pushes with unknown outcome."},
                  {"largest_survived_n", NumberOrNull()},
@@ -53,7 +53,7 @@ DataShape WorstShape() {
                  {"cause", Text()},
                  {"reason", Text()},
                  {"log_hash", Text()},
-                 {"sampled", MapOf(Either(Number(), Text())), "By name."}});
+                 {"sampled", MapOf(Either(Number(), Text())), "Sampled values by name."}});
 }
 
 DataShape SpreadShape() {
@@ -64,7 +64,7 @@ DataShape SpreadShape() {
                  {"median", Number()},
                  {"p95", Number()},
                  {"max", Number()},
-                 {"limit", NumberOrNull(), "Number of trials with the gate applied; null if in none."},
+                 {"limit", NumberOrNull(), "Limit of the gate; null if the gate applied in no trial."},
                  {"broken", Whole(), "Number of trials that failed the gate."}});
 }
 
@@ -76,7 +76,7 @@ DataShape TrialsTableShape() {
 /// How many survived and passed.
 std::vector<ShapeMember> CountMembers() {
   const DataShape share = Number(0.0, 1.0);
-  std::vector<ShapeMember> members = {{"n", Whole(), "Trials."}, {"survived", Whole()}};
+  std::vector<ShapeMember> members = {{"n", Whole(), "Number of trials."}, {"survived", Whole()}};
   for (const ShapeMember& member : SurvivalMembers().members) members.push_back(member);
   members.insert(members.end(), {{"passed", Whole(), "Trials that also passed every gate."},
                                  {"pass_share", share, "Share that passed."},
@@ -88,7 +88,7 @@ std::vector<ShapeMember> CountMembers() {
 DataShape AxisShape() {
   return Object({{"key", Text()},
                  {"unit", Text()},
-                 {"from", NumberOrNull(), "null: words."},
+                 {"from", NumberOrNull(), "Lower end of the range; null for words."},
                  {"to", NumberOrNull()},
                  {"values", OrNull(List(ValueShape())), "Values of the axis; null for a sampled range."}});
 }
@@ -101,15 +101,15 @@ DataShape StatusShape() {
 
 DataShape PointShape() {
   return Object({{"point", Whole(), "Number of the point, from 0."},
-                 {"values", MapOf(ValueShape()), "By key."},
+                 {"values", MapOf(ValueShape()), "Values of the axes by option key."},
                  {"status", StatusShape()},
                  {"verdict", VerdictShape()},
-                 {"audit_pass", OrNull(Truth()), "Hash of the plan; null without a plan."},
+                 {"audit_pass", OrNull(Truth()), "True if the audit passes; null without a plan."},
                  {"score", NumberOrNull()},
                  {"code", Text()},
                  {"reason", Text()},
                  {"fell_at_s", NumberOrNull()},
-                 {"metrics", MapOf(NumberOrNull()), "Those of --metrics."},
+                 {"metrics", MapOf(NumberOrNull()), "Metrics that --metrics selects, by key."},
                  Optional("trials", OrNull(Whole())),
                  Optional("survived", OrNull(Whole())),
                  Optional("survival", NumberOrNull()),
@@ -128,7 +128,7 @@ DataShape CandidateShape() {
   return Object({{"candidate", Whole(), "Number of the candidate; 0 has the present values."},
                  {"found_by", Text({"usual", "sample", "surface", "cma-es"})},
                  {"values", MapOf(Number())},
-                 {"value", NumberOrNull(), "null: refused."},
+                 {"value", NumberOrNull(), "Value of the objective; null if the candidate was refused."},
                  {"score_mean", NumberOrNull()},
                  {"survived", OrNull(Whole())},
                  {"refusal", Text()}});
@@ -138,7 +138,7 @@ DataShape DifferenceShape() {
   return Object({{"before", NumberOrNull()},
                  {"after", Number()},
                  {"difference", NumberOrNull()},
-                 {"low", NumberOrNull(), "Width of the 95 % interval."},
+                 {"low", NumberOrNull(), "Lower end of the 95 % interval."},
                  {"high", NumberOrNull()}});
 }
 
@@ -148,10 +148,10 @@ DataShape PreflightTrialsShape() {
   DataShape different =
       With(Object({{"n", Whole()}, {"survived", Whole()}, {"passed", Whole()}}), SurvivalMembers().members);
   return With(Object(CountMembers()),
-              {{"different", different, "Number of trials whose logs differ."},
+              {{"different", different, "Counts over the trials whose logs differ."},
                {"controller", Text()},
                {"conditions", List(condition), "Options that were not at their default values."},
-               {"disturbances", Text(), "As YAML."},
+               {"disturbances", Text(), "Disturbances as YAML text."},
                {"causes", MapOf(Whole())},
                {"worst", List(worst)}});
 }
@@ -162,13 +162,13 @@ DataShape TrialsResultShape() {
   return With(Object(CountMembers()),
               {{"different", Whole(), "Number of trials whose logs differ."},
                {"remarks", TextsShape()},
-               {"metrics", MapOf(SpreadShape()), "By key."},
+               {"metrics", MapOf(SpreadShape()), "Spread of each metric, by key."},
                {"causes", MapOf(Whole()), "Causes of falls, with the number of trials."},
                {"broken_gates", MapOf(Whole()), "Failed gates without a fall, with the number of trials."},
                {"gait_sensitivity_norm", NumberOrNull(), "Gait sensitivity norm; null if it cannot be estimated."},
                {"gait_sensitivity", GaitSensitivityShape()},
                {"sensitivity", List(SensitivityShape()), "Correlates of falling, the most significant first."},
-               {"pushes", List(PushBinShape()), "By direction."},
+               {"pushes", List(PushBinShape()), "Results of pushes by direction."},
                {"worst", List(WorstShape())},
                {"robot", Text()},
                {"robot_hash", Text()},
@@ -176,7 +176,7 @@ DataShape TrialsResultShape() {
                {"whole_plan_hash", Text()},
                {"controller", Text()},
                {"seed", Whole()},
-               {"disturbances", Text(), "As YAML."},
+               {"disturbances", Text(), "Disturbances as YAML text."},
                {"options", MapOf(Text()), "Options of the playback, before trials change them."},
                {"repeat", Text(), "The command that repeats one trial exactly."},
                {"trials", TrialsTableShape()},
@@ -209,11 +209,11 @@ DataShape TuneResultShape() {
                  {"better", Truth(), "True if the held-out trials confirm the improvement."},
                  {"verdict", Text()},
                  {"axes", List(axis, 1)},
-                 {"trials", Whole(), "Of each candidate."},
+                 {"trials", Whole(), "Number of trials of each candidate."},
                  {"survival_weight", Number()},
                  {"usual", MapOf(Number())},
                  {"favourite", CandidateShape()},
-                 {"options", MapOf(Number()), "Those chosen."},
+                 {"options", MapOf(Number()), "Chosen option values."},
                  {"held_out", OrNull(proof), "Held-out trials; null if the present values are the best."},
                  {"metrics", MapOf(metric), "Metrics of the undisturbed walk."},
                  {"surface_foretold", NumberOrNull()},

@@ -61,11 +61,11 @@ DataShape AuditResultShape() {
   const DataShape approach = Object({{"duration_s", Number()},
                                      {"base", Text()},
                                      {"via_standing", Truth()},
-                                     {"farthest", Text(), "A joint."},
-                                     {"plan", Text(), "The file."}});
+                                     {"farthest", Text(), "Joint that moves the farthest."},
+                                     {"plan", Text(), "File of the approach plan."}});
   return With(AuditShape(),
-              {{"warnings", TextsShape(), "Of the plan."},
-               Optional("approach", OrNull(approach), "Approach, with --approach; null if none is needed.")});
+              {{"warnings", TextsShape(), "Warnings of the plan."},
+               Optional("approach", OrNull(approach), "Approach to the first posture, with --approach; null if none is needed.")});
 }
 
 namespace {
@@ -111,12 +111,12 @@ DataShape WalkResultShape() {
                  {"metrics", MetricsShape(), "Metrics by key, see docs/scores.md."},
                  {"notes", TextsShape()},
                  {"audit", AuditShape()},
-                 {"warnings", TextsShape(), "Of the plan."},
-                 {"adjustments", AdjustmentsShape(), "Of the plan."},
+                 {"warnings", TextsShape(), "Warnings of the plan."},
+                 {"adjustments", AdjustmentsShape(), "Adjustments that the planner made."},
                  Optional("tried", TriedShape(), "Plans that were tried; with --explain."),
                  Optional("drawn", MapOf(Text()), "Sampled values of a trial, by name."),
                  {"log_hash", Text(), "Hash of all samples of the log."},
-                 {"planning_cpu_s", Number(), "0 for play."},
+                 {"planning_cpu_s", Number(), "CPU time of planning; 0 for play."},
                  {"playback_realtime_factor", Number()},
                  {"files", FilesShape({"plan", "log", "report", "plots"})}});
 }
@@ -134,11 +134,11 @@ DataShape DoResultShape() {
 DataShape PlanResultShape() {
   const DataShape part = Object({{"gait", Text()}, {"start_s", Number()}, {"end_s", Number()}});
   return Object({{"robot", Text()},
-                 {"verdict", VerdictShape(), "Of the audit."},
+                 {"verdict", VerdictShape(), "Verdict of the audit."},
                  {"gait", Text()},
                  {"parts", List(part, 1)},
                  {"duration_s", Number()},
-                 {"footholds", Whole(), "Their number."},
+                 {"footholds", Whole(), "Number of footholds."},
                  {"zmp_error_max_m", Number()},
                  {"residual", Number()},
                  {"planning_cpu_s", Number()},
@@ -151,10 +151,10 @@ DataShape PlanResultShape() {
 
 DataShape ErrorShape() {
   const DataShape suggestion = Object({{"what", Text(), "Flag or option to set, without dashes."},
-                                       {"value", OrNull(Either(Number(), Text())), "Null: not known."},
+                                       {"value", OrNull(Either(Number(), Text())), "Value to set; null if it is not known."},
                                        {"certainty", Text({"planned", "estimated", "untried"})}});
   const DataShape violation = Object({{"law", Text(LawNames())},
-                                      {"at_s", NumberOrNull(), "Null: not known."},
+                                      {"at_s", NumberOrNull(), "Time of the worst value; null if it is not known."},
                                       {"where", Text(), "Joint, foot or pair of links with the worst value."},
                                       {"value", Number()},
                                       {"limit", Number()},

@@ -35,7 +35,7 @@ Members MotionMembers() {
   Members command;
   for (const std::string& key : CommandKeys()) command.push_back(Optional(key, RangeShape()));
   const DataShape value = Either(Either(RangeShape(), Text()), Truth());
-  return {{"robot", Text(), "By name."},
+  return {{"robot", Text(), "Name of the robot."},
           Optional("terrain", Either(Text(), MapOf(Either(RangeShape(), Text()), 1)),
                    "A built-in ground, or a map of its name and parameters."),
           Optional("command", Object(command), "Command: goal, distance and speed."),
@@ -56,9 +56,9 @@ Members OwnMembers(PartKind kind) {
   if (kind == PartKind::kAnswers)
     own.push_back(Optional("seed", Whole(0, kMostSeed), "Seed of inputs that are always the same."));
   if (PlaysMotions(kind) && kind != PartKind::kController)
-    own.push_back(Optional("controller", Text(ControllerNames()), "What plays it."));
+    own.push_back(Optional("controller", Text(ControllerNames()), "Controller that plays the motion."));
   if (kind == PartKind::kParameters || kind == PartKind::kController)
-    own.push_back(Optional("gait", Text(), "Options of the program's planner."));
+    own.push_back(Optional("gait", Text(), "Gait that the program plans with."));
   if (kind == PartKind::kParameters)
     own.push_back(Optional("options", List(Text(), 1), "Keys that the file may set, gait.cycle_s or swing.*."));
   if (kind == PartKind::kPlanner) {
@@ -78,8 +78,8 @@ DataShape CheckShape(PartKind kind) {
   using namespace shapes;
   return Object({{"measure", Text(MeasuresOf(kind))},
                  {"points", Number(0.0, kMostPoints)},
-                 Optional("full_at", Number(-kLargestValue, kLargestValue), "Value for full points."),
-                 Optional("none_at", Number(-kLargestValue, kLargestValue), "Value for zero points.")});
+                 Optional("full_at", Number(-kLargestValue, kLargestValue), "Value from which all points are given."),
+                 Optional("none_at", Number(-kLargestValue, kLargestValue), "Value from which no points are given.")});
 }
 
 DataShape LimitsShape(PartKind kind) {
@@ -96,7 +96,7 @@ DataShape LimitsShape(PartKind kind) {
 DataShape PartShape(PartKind kind) {
   using namespace shapes;
   Members members = {{"name", Text(), "Name of the part and of its column in the table of marks."},
-                     Optional("title", Text(), "For people."),
+                     Optional("title", Text(), "Title for readers."),
                      {"kind", Text({PartKindNames()[static_cast<std::size_t>(kind)]})},
                      {"file", Text(), "File name in the student's folder."},
                      {"points", Positive(kMostPoints), "Points of all its checks."},
@@ -113,7 +113,7 @@ DataShape RubricShape() {
   DataShape part = PartShape(static_cast<PartKind>(0));
   for (std::size_t kind = 1; kind < PartKindNames().size(); ++kind)
     part = Either(part, PartShape(static_cast<PartKind>(kind)));
-  return Object({{"title", Text(), "Of the assignment."}, {"parts", List(part, 1, kMostParts)}});
+  return Object({{"title", Text(), "Title of the assignment."}, {"parts", List(part, 1, kMostParts)}});
 }
 
 }  // namespace gaitwright
