@@ -20,7 +20,7 @@ OptionField LengthField(const std::string& key, double* target, double highest, 
 OptionField StartField(double* start_m) {
   return {"start_m", start_m,
           "m",       -100.0,
-          100.0,     "Distance along the x axis from the robot's base at the start to the begin of the feature."};
+          100.0,     "Distance along the x axis from the robot's base at the start to the start of the feature."};
 }
 
 OptionField FrictionField(double* friction) {
