@@ -77,8 +77,8 @@ struct PlayOptions {
 };
 
 /// Plays a plan in physics: the robot starts in the plan's first state, settles, and the controller is asked once per
-/// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts turned with the
-/// ground; off its plan it starts as `start_*` say, out of the ground, and settles. Nobody holds the robot.
+/// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts rotated with the
+/// ground; `start_*` options displace its start, clear of the ground. It then settles without external support.
 ///
 /// At a gate of the plan the clock stands, nothing is logged, and the controller is asked as at that time, until every
 /// joint is near its place and the gate's feet carry force, or as long as the gate lets it wait.
@@ -96,18 +96,19 @@ struct PlayOptions {
 ///
 /// @return the log; a failure when plan and robot do not belong together, the plan lasts over an hour, or a push would
 /// begin after the end.
-/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, a push on a link that
-/// there is not, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
+/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, a push on an unknown
+/// link, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
 
-/// What Play would refuse all of this for, without playing it; nothing where it would play it. @throws as Play does.
+/// Reason for which Play would refuse these arguments, without a playback; nothing if it would accept them. @throws as
+/// Play does.
 std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
 
-/// Hash of all of a plan that a playback depends on: ties a log to its plan. That is the robot, the ground with its
-/// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. What
-/// only judges or tells (goal, parts, swings, provenance) is not in it; PlanHash has all. A plan that is written and
-/// read back has the same.
+/// Hash of all parts of a plan that affect a playback, which ties a log to its plan: the robot, the ground with its
+/// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. Data
+/// without effect on the playback (goal, parts, swings, provenance) is not included; PlanHash includes all. Writing and
+/// reading a plan keeps its hash.
 std::string MotionHash(const MotionPlan& plan);
 
 }  // namespace gaitwright

@@ -38,8 +38,7 @@ class BulletWorld {
  public:
   /// @param q  first configuration, size nq; also where locked joints stay, and its x and y the start point of the
   /// ground.
-  /// @throws InvalidArgument for a q that is none (CheckState), an option out of range or a locked dof that does not
-  /// exist.
+  /// @throws InvalidArgument for an invalid q (CheckState), an option out of range or a locked dof that does not exist.
   BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
   ~BulletWorld();
   BulletWorld(BulletWorld&&) noexcept;
@@ -55,17 +54,16 @@ class BulletWorld {
   void Push(const Vector3& force_W, const Vector3& p_W);
   /// Adds a force [N] on the base for the coming step, at its own centre of mass.
   void PushBase(const Vector3& force_W);
-  /// The same at the centre of mass of the whole robot.
+  /// Pushes at the centre of mass of the whole robot.
   void PushRobot(const Vector3& force_W);
-  /// The same on a body (see RobotModel::bodies), at its own centre of mass, which for the base is where PushBase
-  /// acts.
+  /// Pushes a body (see RobotModel::bodies) at its centre of mass; for the base as PushBase.
   void PushBody(int body, const Vector3& force_W);
 
   /// Adds a force at a point in W for the coming step, on a body.
   void PushAt(int body, const Vector3& force_W, const Vector3& p_W);
 
-  /// Lifts the robot as it stands until nothing of it is deeper in the ground than 0.01 mm, and no foot lower than
-  /// where it is with q = `as_planned`. @return by how much [m].
+  /// Lifts the robot until no part is deeper than 0.01 mm in the ground, and no foot lower than with q = `as_planned`.
+  /// @return the lift [m].
   double LiftOutOfGround(const VectorX& as_planned);
 
   /// One step. @throws InvalidArgument when the command has a wrong size or is not finite.
@@ -78,8 +76,8 @@ class BulletWorld {
   const std::vector<FootContact>& feet() const;           ///< by foot
   const std::vector<std::string>& body_contacts() const;  ///< links other than feet that touch the ground
 
-  /// Mean square of each motor's effort over its thermal_s, cold at first: what a thermal limit goes by; 0 where the
-  /// model gives no continuous effort.
+  /// Mean square of each motor's effort over its thermal_s, initially 0, for the thermal limit; 0 without a continuous
+  /// effort in the model.
   VectorX mean_square_effort() const;
 
   /// Accelerations (size nv) by Bullet's articulated-body algorithm with no contact and no losses; the state is left at
@@ -87,7 +85,7 @@ class BulletWorld {
   VectorX Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau);
 
   double total_mass_kg() const;
-  /// Largest deviation of a mimic joint from what it should follow [rad] or [m].
+  /// Largest deviation of a mimic joint from its leading joint [rad] or [m].
   double gear_error() const;
 
  private:
@@ -102,7 +100,8 @@ Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vecto
 /// Coefficient of friction at a place, with the option's override.
 double FrictionOf(const Terrain& terrain, const WorldOptions& options, const Vector2& p_W);
 
-/// Whether state, torques and forces are finite and not beyond all bounds (1e6, and 1e12 for forces): else it blew up.
+/// Whether state, torques and forces are finite and within bounds (1e6, and 1e12 for forces); otherwise the simulation
+/// has diverged.
 bool IsPhysical(const BulletWorld& world);
 
 }  // namespace gaitwright

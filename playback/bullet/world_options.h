@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// The physics of a playback, and what is unlike the plan.
+/// Physics of a playback, and its differences from the plan.
 ///
 /// Tuning
 ///   slow                              fewer solver_iterations; locked_dofs; a larger step_s
@@ -42,7 +42,7 @@ struct WorldOptions {
 
   /// Independent joints that are held at their first position without a motor, as if welded.
   std::vector<int> locked_dofs = {};
-  /// Bumps reach this far in plan view [m]; beyond there is no bumpy ground. Play takes it from the plan.
+  /// Bumps reach this far in plan view [m]; there is no bumpy ground beyond. Play sets it from the plan.
   Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
 
   /// All of them, by name.

@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// How measurements are made; what they are held against stands in gates.h.
+/// Options of the measurements; gates.h has the limits.
 struct ScoreOptions {
   double zmp_filter_s = 0.010;
   double min_normal_fraction = 0.05;
@@ -33,7 +33,7 @@ struct ScoreOptions {
   }
 };
 
-/// Those that a log was scored with when it was played, so far as it has any; else the defaults.
+/// The options with which a log was scored after its playback, if it has them; else the defaults.
 ScoreOptions ScoreOptionsOf(const PlaybackLog& log);
 
 }  // namespace gaitwright

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What LegOdometry takes for granted beside the sensors' own data sheet (SensorOptions).
+/// Assumptions of LegOdometry, in addition to the sensors' data (SensorOptions).
 ///
 /// Tuning
 ///   drifts or turns off slowly while it walks     lower stance_slip_m_s_sqrt_hz, where feet do not slip
