@@ -71,7 +71,7 @@ struct WordDifference {
 struct MotionComparison {
   std::string name_a, name_b, kind_a, kind_b, robot_a, robot_b;
   std::string aligned_by;                       ///< "none", "start" or "best"
-  double offset_s = 0.0;                        ///< time of B minus time of A at the same moment, as used in the comparison
+  double offset_s = 0.0;                        ///< time of B minus time of A at the same moment, as used
   std::optional<ClockOffset> best_offset = {};  ///< offset by the joint motion, even if it is not used
   double start_s = 0.0, end_s = 0.0;            ///< shared time range, on A's clock
   int samples = 0;
