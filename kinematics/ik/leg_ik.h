@@ -22,16 +22,19 @@ struct DampedSearch;
 /// Points and spheres are placed (three rows), soles placed and turned (six). A sole or line foot on a leg with fewer
 /// freedoms keeps, after its position, as many rotations as are left: a sole pitch, roll, yaw in this order; a line
 /// pitch, yaw, roll.
-///  The method follows from the model's geometry alone; see FitThreeJointForm and FitSixJointForm for the two closed
+///
+/// The method follows from the model's geometry alone; see FitThreeJointForm and FitSixJointForm for the two closed
 /// forms. Any other leg, and one whose joints share coordinates among themselves, is solved by damped least squares.
 /// Rounded angles in the file do not prevent a closed form: the remaining error is removed by least squares.
-///  Coordinates are the dofs that move the leg: position of a joint = multiplier * dof + offset, and its limits hold
+///
+/// Coordinates are the dofs that move the leg: position of a joint = multiplier * dof + offset, and its limits hold
 /// for every joint that the dof moves. A dof that moves another leg too (NAO's hip yaw-pitch) is solved for this leg
 /// alone: `shared_dofs` lists it, and two such legs agree only if their targets do.
 ///
 /// Among several solutions within the limits: first those whose knee bends as the guess's does (as the standing
 /// posture's where the guess is straight), then the nearest to the guess.
-///  Immutable, so one object can be used by several threads.
+///
+/// Immutable, so one object can be used by several threads.
 class LegIk {
  public:
   enum class Method {

@@ -14,7 +14,8 @@ namespace gaitwright {
 
 /// Workspace of a leg for many queries: whether a pose of its foot in the base is within the joint limits, with a
 /// margin.
-///  Answers hold for cells of a grid of poses: positions in cubes of the leg length / kCellsPerLeg, and of soles and
+///
+/// Answers hold for cells of a grid of poses: positions in cubes of the leg length / kCellsPerLeg, and of soles and
 /// lines their yaw, roll and pitch in steps of kAngle. A cell is reachable if inverse kinematics reaches its centre,
 /// and a point farther from the hip by the margin, within joint limits reduced by the margin on both sides; near those
 /// limits its corners too. The margin is limited so that the standing posture stays reachable. A cell is computed at

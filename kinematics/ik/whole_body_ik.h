@@ -45,7 +45,8 @@ struct BodyTarget {
 };
 
 /// Joint motion from the motion of centre of mass, base orientation and feet, for one model.
-///  The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are used from the
+///
+/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are used from the
 /// top while they are independent of those above and degrees of freedom are left; the rest is dropped (NAO has 17
 /// degrees of freedom for 18 rows: its yaw follows from the coupled hip). Rows lie along the axes of the base's
 /// heading, those of a foot's rotation along the axes of its F, so the dropped rows do not depend on the robot's

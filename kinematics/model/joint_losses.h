@@ -6,8 +6,8 @@
 namespace gaitwright {
 
 /// Motor torque of an independent coordinate that is lost in the joint:
-///   tau_lost = rotor_inertia * a + damping * v + friction * sign(v). Units are those of a revolute joint; for a
-/// prismatic joint kg, N s/m and N.
+///   tau_lost = rotor_inertia * a + damping * v + friction * sign(v).
+/// Units are those of a revolute joint; for a prismatic joint kg, N s/m and N.
 struct JointLosses {
   double rotor_inertia = 0.0;  ///< of rotor and gear, as felt at the joint [kg m^2]
   double damping = 0.0;        ///< [N m s/rad]

@@ -7,7 +7,8 @@ namespace gaitwright {
 
 /// Motor of an independent coordinate, beyond its limits of position, speed and peak effort: the data under `motors` in
 /// robot.yaml. Units are those of a revolute joint; for a prismatic joint N, m/s and kg.
-///  Torque-speed curve: the peak effort up to `corner_speed`, from there linearly down to zero at `no_load_speed`, for
+///
+/// Torque-speed curve: the peak effort up to `corner_speed`, from there linearly down to zero at `no_load_speed`, for
 /// torque in the direction of motion; braking has the full peak.
 struct Motor {
   static constexpr double kNone = std::numeric_limits<double>::infinity();

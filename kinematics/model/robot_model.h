@@ -132,9 +132,9 @@ struct Leg {
 ///
 /// State vectors have one order everywhere:
 ///   q = [p_WB (3), quaternion of R_WB as x y z w (4), independent joints (n)], size 7 + n
-///   v = [v_WB in W (3), w_WB in W (3), joint rates (n)], size 6 + n;   a in the same order Mimic joints follow their
-/// dof and have no coordinate of their own. Invariant: joints[i] carries bodies[i + 1]; parents come before children;
-/// masses and inertias are physical.
+///   v = [v_WB in W (3), w_WB in W (3), joint rates (n)], size 6 + n;   a in the same order
+/// Mimic joints follow their dof and have no coordinate of their own. Invariant: joints[i] carries bodies[i + 1];
+/// parents come before children; masses and inertias are physical.
 struct RobotModel {
   std::string name, description;
   std::vector<Body> bodies;

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// How the centre of mass is planned, and what the ZMP is to keep.
+/// Planner of the centre of mass, and requirements on the ZMP.
 struct CentreOfMassOptions {
   std::string method = "optimised";
   double zmp_margin_m = 0.0;
@@ -47,10 +47,11 @@ struct CentreOfMassOptions {
 };
 
 /// The centre of mass of the pendulum under a ZMP in its supports that makes it start and end at rest.
-///   optimised    OptimiseZmp: near its preferred points and smooth; where that finds none, the closed form if it keeps
-///                to the supports
-///   closed-form  at its preferred points, moved in the first and last phase as little as makes the ends meet
-///   preview      PreviewZmp, moved likewise
+///   optimised    OptimiseZmp: near its preferred points and smooth; if it fails, the closed form if that stays in the
+///                supports
+///   closed-form  at its preferred points, moved in the first and last phase as little as needed to start and end at
+///                rest
+///   preview      PreviewZmp, moved in the same way
 /// Failure kInfeasible names the phase in which the ZMP would leave its region, and by how much.
 Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const CentreOfMassOptions& options);
 

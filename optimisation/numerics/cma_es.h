@@ -34,7 +34,8 @@ struct CmaEsOptions {
 ///       const std::vector<VectorX> points = search.Ask();
 ///       search.Tell(values of the points);
 ///     }
-///  Only the order of values matters. A point without a value ranks last; a generation without any value keeps the mean
+///
+/// Only the order of values matters. A point without a value ranks last; a generation without any value keeps the mean
 /// and halves the spread. Points beyond a bound are mirrored at it. Deterministic for a seed. Hansen, The CMA evolution
 /// strategy: a tutorial, arXiv:1604.00772, table 1 with positive weights only.
 class CmaEs {

@@ -15,7 +15,8 @@ namespace gaitwright {
 /// that avoid this: half-spaces that contain the solid, for the nearest point of the part, assumed fixed in the body.
 /// For legs this holds for small changes only, so it must be checked again. Links that end in a foot are handled by the
 /// swings.
-///  The required clearance is 0.07 leg lengths, the usual deviation of a playback from its plan, or the clearance of
+///
+/// The required clearance is 0.07 leg lengths, the usual deviation of a playback from its plan, or the clearance of
 /// the part in standing at the start or the end if that is less. A motion fails below a quarter of that.
 class BodyClearance {
  public:

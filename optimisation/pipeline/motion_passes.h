@@ -16,7 +16,8 @@
 namespace gaitwright {
 
 /// One pass of the fixed-point iteration, with the distance of its ZMP from the reference.
-///  A pass has converged if the rolling of the feet, and the lean of the base over planar legs, equal those assumed by
+///
+/// A pass has converged if the rolling of the feet, and the lean of the base over planar legs, equal those assumed by
 /// the pass. Otherwise its footholds and swings use outdated rolls and its motion does not end correctly, so a
 /// converged pass is preferred. Among unconverged passes the latest is best; among converged ones that with the
 /// smallest ZMP error. A pass of a rigid body has converged if it is clear of the ground.

@@ -14,8 +14,8 @@ namespace gaitwright {
 using BaseMotion = std::function<Pose(double time_s)>;
 
 /// Offset of a sphere's contact point from its swing curve due to rolling in the air:
-///   off(u) = rolled(u) - SmoothStep(u, cruise) rolled(1), because the path is the curve plus the roll since lift-off,
-/// and the curve ends short by the total roll.
+///   off(u) = rolled(u) - SmoothStep(u, cruise) rolled(1),
+/// because the path is the curve plus the roll since lift-off, and the curve ends short by the total roll.
 class SwingRoll {
  public:
   SwingRoll() = default;  ///< of a foot that does not roll, or whose roll is unknown: zero

@@ -77,9 +77,9 @@ struct AuditOptions {
 ///   joint_...      position, velocity, acceleration, jerk and torque within limits, torque_speed inside the motor's
 ///                  curve, continuous_torque at most what it bears without end (JointWatch). Speeds and torques are
 ///                  those of the motors, which a transmission shares among joints (Actuator), and name them; what joint
-///                  and rotor take is added (MotorEffort). Limits that are not known are none In a hanging part
-/// (HangingGait), the base is held externally by forces that are not checked; it must not move. A plan of the pipeline
-/// stays below a tenth of most of these, and below half of the ZMP's.
+///                  and rotor take is added (MotorEffort). Limits that are not known are none
+/// In a hanging part (HangingGait), the base is held externally by forces that are not checked; it must not move. A
+/// plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
 ///
 /// Failure only when the plan does not fit the robot at all, or lasts over an hour.
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);

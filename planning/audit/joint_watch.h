@@ -14,7 +14,8 @@ namespace gaitwright {
 /// Checks each joint's motion and each motor's speed and effort against their limits, sample by sample: the checks
 /// joint_position, joint_acceleration and joint_jerk of the joints; joint_velocity, joint_torque, torque_speed and
 /// continuous_torque of the motors (Actuator), which have the names of their joints but for those of transmissions.
-///  Jerk is the change of acceleration over `jerk_over_s`, because the interpolation between rows has jumps of jerk
+///
+/// Jerk is the change of acceleration over `jerk_over_s`, because the interpolation between rows has jumps of jerk
 /// that no motor sees. Continuous effort is the root mean square over the motor's `thermal_s`, or over the whole plan
 /// where that is shorter; its time is the end of the worst window.
 class JointWatch {

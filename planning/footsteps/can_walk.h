@@ -13,8 +13,9 @@ namespace gaitwright {
 ///   `passive_joint`  a joint of a leg has no motor: see IsPassive
 ///   `no_support`  in its standing posture what its feet touch has no area: two point feet cannot stand still
 ///   `freedoms`    names a leg whose joints cannot move its foot in some direction there, or not keep its sole level,
-///                 what it lacks, and the joints that it has Lateral motion of a foot, and roll and yaw of a sole, are
-/// optional: without them the robot walks only forward and backward.
+///                 what it lacks, and the joints that it has
+/// Lateral motion of a foot, and roll and yaw of a sole, are optional: without them the robot walks only forward and
+/// backward.
 std::optional<Failure> WhyCannotWalk(const RobotModel& model);
 
 /// Why a robot that can walk cannot step sideways, or nothing. Failure kInfeasible `freedoms` names a leg that has no

@@ -13,7 +13,8 @@
 namespace gaitwright {
 
 /// Stances of the search: a foothold of each foot, and the group that steps next.
-///  Stances are numbered in order of creation; equal footholds and group are one stance.
+///
+/// Stances are numbered in order of creation; equal footholds and group are one stance.
 class FootstepGraph {
  public:
   /// A step of the group that is next.

@@ -61,7 +61,8 @@ struct FootstepSkeleton {
 };
 
 /// Base path, contact schedule and footholds for a command.
-///  On level ground without end or obstacles footholds follow the base along its path (PlaceAlongPath), or a command of
+///
+/// On level ground without end or obstacles footholds follow the base along its path (PlaceAlongPath), or a command of
 /// counted footfalls (PlaceCounted). On all other ground the command's course in plan view is the route of a search
 /// (SearchFootsteps); a goal without a free direct path is reached around obstacles (RouteOf). Steps aim at the stride
 /// of the gait at the commanded speed: there are as many footfalls as it takes, also for a command of a duration or of

@@ -11,8 +11,8 @@ namespace gaitwright {
 
 /// Route of the base on a terrain for a command, from the origin facing x.
 ///   goal                       along the course's constant twist if that is free, else around obstacles
-///   distance, duration, steps  along the course; never around anything `statistics.direct` is true if it is the
-/// course.
+///   distance, duration, steps  along the course; never around anything
+/// `statistics.direct` is true if it is the course.
 /// @param course  of the command, as MakeCourse gives it. Failures, kInfeasible: those of PlanBaseRoute;
 /// `start_blocked`; and `way_blocked` for a course that is not free, which names the obstacle and the free distance.
 Result<BaseRoute> RouteOf(const RobotModel& model, const Terrain& terrain, const WalkCommand& command,

@@ -82,7 +82,8 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 /// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its weight
 /// starts at `first_bound`, is doubled after `patience` expansions without a solution, and falls again after the first
 /// solution.
-///  A state is a foothold of each foot and the group that steps next. For each foot and station of the route there are
+///
+/// A state is a foothold of each foot and the group that steps next. For each foot and station of the route there are
 /// few footholds: the foot's standing position under the base, points of a lattice around it, and the nearest point of
 /// each surface near it. Each step of a group costs
 ///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2

@@ -26,7 +26,8 @@ struct AskedPart {
 ///
 ///     - {gait: trot, speed: 1.5, distance: 2}
 ///     - {gait: stand, duration: 1}
-///  Keys are those of the flags: speed, lateral-speed [m/s], yaw-rate [rad/s]; one of distance [m], duration [s] and
+///
+/// Keys are those of the flags: speed, lateral-speed [m/s], yaw-rate [rad/s]; one of distance [m], duration [s] and
 /// steps, with step-length [m]. Without any of these, a part moves 1 m, or makes a quarter turn if only its yaw rate is
 /// given. Gaits of files are named as FindGait takes them, in a file from its own folder. Failure kBadInput names the
 /// part, or file and line, and what is accepted.

@@ -23,7 +23,8 @@ struct Hindrance {
 /// Whether a robot can be at planar poses of its base: its room is clear of obstacles and of ground too high to step
 /// on, and each foot finds ground within its reach, of tolerable slope and within a step's height of the plane through
 /// all of them. With two feet or fewer that plane is level, as for FitBase.
-///  Caches ground queries, so repeated queries are cheap; the result does not depend on this. The terrain must outlive
+///
+/// Caches ground queries, so repeated queries are cheap; the result does not depend on this. The terrain must outlive
 /// it.
 class PoseCheck {
  public:

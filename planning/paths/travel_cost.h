@@ -15,8 +15,9 @@ struct TravelWeights {
 };
 
 /// Cost of a straight motion from a to b with constant yaw rate, in metres of forward motion:
-///   integral of sqrt((w v_x)^2 + (lateral v_y)^2 + (turn_m_rad yaw')^2), v in the body's frame, w being 1 ahead and
-/// `backward` behind. Simpson's rule over at most half a radian. No less than the distance. Yaws are not wrapped.
+///   integral of sqrt((w v_x)^2 + (lateral v_y)^2 + (turn_m_rad yaw')^2),
+/// v in the body's frame, w being 1 ahead and `backward` behind. Simpson's rule over at most half a radian. No less
+/// than the distance. Yaws are not wrapped.
 double TravelCost(const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
 /// Cost of a path, summed along waypoints.

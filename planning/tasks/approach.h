@@ -52,7 +52,8 @@ bool HasWayToGo(const RobotModel& model, const MotionPlan& plan, const StartPost
 ///   q(t) = q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5),  u = t / T,
 /// the motion of least jerk (Flash and Hogan, J. Neuroscience 5(7), 1985), whose speed, acceleration and jerk are at
 /// most 1.875 |q1 - q0| / T, 5.7735 |q1 - q0| / T^2 and 60 |q1 - q0| / T^3: so T follows from the limits.
-///  The robot hangs: its base is held in the air, as on a stand, tilted as measured (level where that is not known), so
+///
+/// The robot hangs: its base is held in the air, as on a stand, tilted as measured (level where that is not known), so
 /// that feet may move freely; then it is set down and the plan starts. The straight line in joint space is checked for
 /// self-collision; if it is not free, the motion via the standing posture is tried, otherwise it is refused with the
 /// two links. The motion is slowed until torques are within limits, and audited like any plan, with the derating of

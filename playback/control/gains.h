@@ -60,10 +60,12 @@ struct Gains {
 ///   elsewhere:  I = 1 / (M^-1)_jj in the standing posture, floating, or 4 / w^2 of gravity's pull on upright parts,
 ///       kp = I w^2,  w = free_frequency,  kd = 2 free_damping I w, not above the leg's gains
 ///   bound for explicit control with step h:  kd <= 0.5 I_j / h, kp <= 0.25 I_j / h^2,
-///       I_j = 1 / lambda, the row sum of |M^-1|: Gershgorin's bound on coupled joints A rotor's inertia counts with
-/// the rest: it is on the diagonal of M, and is added to a leg joint's I. RobotModel::stiffness and damping take
-/// precedence where they are not zero. `stiffness_scale` and `damping_scale` multiply the result, before the bound.
-///  Feed-forward carries the weight, so the gains only correct deviations from the plan: a1 gets about 230 N m/rad and
+///       I_j = 1 / lambda, the row sum of |M^-1|: Gershgorin's bound on coupled joints
+/// A rotor's inertia counts with the rest: it is on the diagonal of M, and is added to a leg joint's I.
+/// RobotModel::stiffness and damping take precedence where they are not zero. `stiffness_scale` and `damping_scale`
+/// multiply the result, before the bound.
+///
+/// Feed-forward carries the weight, so the gains only correct deviations from the plan: a1 gets about 230 N m/rad and
 /// 16 N m s/rad, nao 100 and 6. They are for implicit motors, which no gain makes unstable; damping this high is what
 /// lets a trot, unstable about the line between two feet, settle from step to step without feedback.
 /// @throws InvalidArgument for an option out of its range.

@@ -17,7 +17,8 @@ struct FootMotion {
 };
 
 /// Joint targets of single legs in the world frame, for the measured base pose instead of the planned one.
-///  A leg is moved by the motors that it does not share. If there are fewer than the foot has rows, position has
+///
+/// A leg is moved by the motors that it does not share. If there are fewer than the foot has rows, position has
 /// priority, then roll and pitch of a sole; its yaw is dropped.
 class LegTargets {
  public:

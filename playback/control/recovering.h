@@ -47,9 +47,9 @@ struct RecoveryPlans {
 ///   steps     when the DCM comes near to the edge of the support: the plan of steps, moved to where the robot is, from
 ///             the lift of a foot on, by `stabilised`, which moves its footholds to where the fall can be caught (the
 ///             foot towards which the robot falls stays); stands again by its end, and steps again where it has to;
-///   braces when a fall is certain: the joints go to the protective crouch, softly, and stay there. The DCM c + c' / w
-/// of the centre of mass c; Englsberger et al., T-RO 31(2), 2015. Steps of bipeds begin without the shift of weight
-/// that walks begin with: there is no time for it.
+///   braces when a fall is certain: the joints go to the protective crouch, softly, and stay there.
+/// The DCM c + c' / w of the centre of mass c; Englsberger et al., T-RO 31(2), 2015. Steps of bipeds begin without the
+/// shift of weight that walks begin with: there is no time for it.
 /// @throws InvalidArgument for a plan that does not stand on all feet of legs from its start to its end, or steps of
 /// another robot; as of MakeStabilised. Model and plan must outlive it; the recovery plans are copied.
 std::unique_ptr<Controller> MakeRecovering(const RobotModel& model, const MotionPlan& plan, RecoveryPlans recovery,

@@ -9,7 +9,8 @@
 namespace gaitwright {
 
 /// The log as JSON text. Deterministic to the byte, and read back exactly.
-///  Keys: `format` ("gaitwright-playback-log"), `schema`, the header of PlaybackLog, `stances`, `body_contacts`, then
+///
+/// Keys: `format` ("gaitwright-playback-log"), `schema`, the header of PlaybackLog, `stances`, `body_contacts`, then
 /// one row per sample in each of `time_s`, `q`, `v`, `tau_nm`, `tau_peak_nm`, `effort_use`, `contact` (bit i: foot i)
 /// and `contact_wrenches` (by foot: force [N], moment [N m]), and `estimate` where the controller estimated the base:
 /// place, quaternion x y z w, velocity, angular velocity; `broke_off` if the playback ended early.

@@ -7,7 +7,8 @@
 namespace gaitwright {
 
 /// The processes of one MPI run, by number; a process started without MPI is alone, number 0 of 1.
-///  Messages are texts between rank 0 and the others. All calls are thread-safe. A waiting rank sleeps between polls,
+///
+/// Messages are texts between rank 0 and the others. All calls are thread-safe. A waiting rank sleeps between polls,
 /// so it uses almost no CPU time, even with more ranks than cores.
 class Ranks {
  public:

@@ -9,7 +9,8 @@
 namespace gaitwright {
 
 /// Checks that the values of a motion file are plausible.
-///  Refused: too few rows, more than an hour, a start beyond 1e10 s, quaternions whose length is not 1 to a hundredth,
+///
+/// Refused: too few rows, more than an hour, a start beyond 1e10 s, quaternions whose length is not 1 to a hundredth,
 /// values over 1e8; and data that are probably in other units or another order than assumed, with the option that sets
 /// them: times in milli-, micro- or nanoseconds (rows half a second apart), angles in degrees (beyond the joints'
 /// limits, but within them as degrees), lengths in millimetres, a quaternion with w first (CheckQuaternionOrder). An

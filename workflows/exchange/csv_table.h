@@ -34,7 +34,8 @@ struct CsvTable {
 };
 
 /// A table from the text of a CSV file.
-///  The first line that is not a comment names the columns; the other lines have one number per column. The delimiter
+///
+/// The first line that is not a comment names the columns; the other lines have one number per column. The delimiter
 /// is the most frequent one of the first line: comma, semicolon or tab. Cells may have spaces around them and may be in
 /// double quotes, with `""` for a quote; lines may end in CR LF; empty lines and lines that begin with # are ignored.
 /// If the first line that is not a comment has only numbers, the comment right before it names the columns, as written

@@ -9,7 +9,8 @@
 namespace gaitwright {
 
 /// Derives the base pose from the joint positions and the stance feet.
-///  The base starts above the origin of W in its standing orientation, with its lowest feet on the ground. In each row,
+///
+/// The base starts above the origin of W in its standing orientation, with its lowest feet on the ground. In each row,
 /// the base pose brings the stance feet closest to their touch-down positions (least squares; a sphere rolls), which
 /// determines it with three feet; what remains free, such as the rotation about the line through two point feet, is
 /// kept as upright as in the standing posture and close to the previous row. A foot that touches down is moved onto the

@@ -25,9 +25,9 @@ class KnotSpline {
 };
 
 /// The values of the natural cubic smoothing spline
-///   min sum_i (y_i - x(t_i))^2 + lambda integral x''^2 dt,   lambda = 1 / (h (2 pi f)^4),  h the mean step, which
-/// passes frequencies well below f, removes those well above f, without delay, and halves amplitudes at f. Reinsch,
-/// Numerische Mathematik 10, 1967.
+///   min sum_i (y_i - x(t_i))^2 + lambda integral x''^2 dt,   lambda = 1 / (h (2 pi f)^4),  h the mean step,
+/// which passes frequencies well below f, removes those well above f, without delay, and halves amplitudes at f.
+/// Reinsch, Numerische Mathematik 10, 1967.
 /// @param cutoff_hz  f > 0.  @throws InvalidArgument as KnotSpline, and for f not above 0.
 std::vector<double> Smoothed(const std::vector<double>& time_s, const std::vector<double>& values, double cutoff_hz);
 

@@ -30,7 +30,8 @@ Result<ColumnNames> ReadColumnNames(const std::string& path, ImportOptions& opti
 /// base_pitch_rad, base_yaw_rad with R_WB = Rz Ry Rx), and by joint q_<joint>_rad, v_<joint>_rad_s, tau_<joint>_nm, by
 /// foot link contact_<link>, force_<link>_x_n; of slides _m, _m_s, _n. `_deg` and `_mm` are converted. A joint's name
 /// without the q_, with its unit or alone, is its position too. The quaternion is brought into the order x y z w.
-///  Other columns are listed in `unused_columns`, unless they begin like a known name: then they are refused, with the
+///
+/// Other columns are listed in `unused_columns`, unless they begin like a known name: then they are refused, with the
 /// nearest name. Failure kBadInput `columns`, naming the column and the accepted names: no times, no position of some
 /// joint, an incomplete group, two columns for one quantity; a name in `names` without a column; a contact that is
 /// neither 0 nor 1; a mimic joint that does not follow its leader.

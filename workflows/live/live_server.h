@@ -25,7 +25,8 @@ struct LiveSaying {
 
 /// Serves a page over HTTP and its WebSocket, in its own thread: pages receive frames of the present state and send
 /// user actions.
-///  It accepts at most kMostPages pages at a time and messages up to kLongestLiveMessage. A slow page misses frames but
+///
+/// It accepts at most kMostPages pages at a time and messages up to kLongestLiveMessage. A slow page misses frames but
 /// delays no other; a page that is silent and answers no ping for 30 s is disconnected. Requests with a host other than
 /// this machine's name or an address, and WebSockets with a foreign Origin are refused (403), so no web page can reach
 /// the robot through a user's browser.

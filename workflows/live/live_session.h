@@ -17,7 +17,8 @@ struct LiveListener {
 };
 
 /// A world that runs in real time, with the pages that show it.
-///  If the machine is too slow, the world falls behind and reports it; a lag beyond kMostBehind is dropped, so it never
+///
+/// If the machine is too slow, the world falls behind and reports it; a lag beyond kMostBehind is dropped, so it never
 /// runs faster to catch up.
 class LiveSession {
  public:

@@ -37,7 +37,8 @@ struct WalkWish {
 std::string NameOf(LiveMode mode);
 
 /// A simulated robot that accepts commands while it moves.
-///  Paces are planned in a separate thread while the robot continues; a pace without a plan is reported in `Notes` and
+///
+/// Paces are planned in a separate thread while the robot continues; a pace without a plan is reported in `Notes` and
 /// changes nothing. When a new plan takes over, its controller is initialised with the robot's recent states, so it
 /// keeps its estimates of the ground and of its footholds.
 class LiveWorld {

@@ -52,7 +52,8 @@ struct TrialHooks {
 /// Bookkeeping of trials: hands out numbers, accepts outcomes in any order, stores them in the journal, and builds the
 /// report from the outcomes up to the run's end, in order. Threads and processes that play the trials share one book;
 /// it does not lock.
-///  A run ends at its last trial or, with `until_width`, at the first number n >= until_least at which the interval of
+///
+/// A run ends at its last trial or, with `until_width`, at the first number n >= until_least at which the interval of
 /// trials 0 to n - 1 is narrow enough. Trials beyond the end are not in the report, so the speed of threads does not
 /// matter. Trials of an earlier part beyond the end stay in the journal.
 class TrialBook {
