@@ -15,9 +15,9 @@ double LeastHoldingFriction(const std::vector<Vector3>& normals_W, double most =
 
 /// Ground of the final stance feet, for the body at its goal.
 struct GoalGround {
-  int foot = -1;                ///< the foot farthest out of its workspace on every patch; -1 if all reach ground
-  double out_of_reach_m = 0.0;  ///< by how much
-  double friction = 0.0;        ///< largest friction of the ground within reach
+  int foot = -1;                 ///< the foot farthest out of its workspace on every patch; -1 if all reach ground
+  double out_of_reach_m = 0.0;   ///< by how much
+  double friction = 0.0;         ///< largest friction of the ground within reach
   double needed_friction = 0.0;  ///< friction that holds the body at rest there; 0 if it need not be at rest
 };
 

@@ -63,9 +63,9 @@ DataShape AuditResultShape() {
                                      {"via_standing", Truth()},
                                      {"farthest", Text(), "Joint that moves the farthest."},
                                      {"plan", Text(), "File of the approach plan."}});
-  return With(AuditShape(),
-              {{"warnings", TextsShape(), "Warnings of the plan."},
-               Optional("approach", OrNull(approach), "Approach to the first posture, with --approach; null if none is needed.")});
+  return With(AuditShape(), {{"warnings", TextsShape(), "Warnings of the plan."},
+                             Optional("approach", OrNull(approach),
+                                      "Approach to the first posture, with --approach; null if none is needed.")});
 }
 
 namespace {
@@ -150,9 +150,10 @@ DataShape PlanResultShape() {
 }
 
 DataShape ErrorShape() {
-  const DataShape suggestion = Object({{"what", Text(), "Flag or option to set, without dashes."},
-                                       {"value", OrNull(Either(Number(), Text())), "Value to set; null if it is not known."},
-                                       {"certainty", Text({"planned", "estimated", "untried"})}});
+  const DataShape suggestion =
+      Object({{"what", Text(), "Flag or option to set, without dashes."},
+              {"value", OrNull(Either(Number(), Text())), "Value to set; null if it is not known."},
+              {"certainty", Text({"planned", "estimated", "untried"})}});
   const DataShape violation = Object({{"law", Text(LawNames())},
                                       {"at_s", NumberOrNull(), "Time of the worst value; null if it is not known."},
                                       {"where", Text(), "Joint, foot or pair of links with the worst value."},

@@ -261,7 +261,8 @@ TEST(RobotYaml, GainsAndOwnSpeed) {
   EXPECT_EQ(model.damping[model.DofIndex("A_knee")], 3.0);
   EXPECT_EQ(model.stiffness[model.DofIndex("B_knee")], 0.0);
   EXPECT_EQ(model.nominal_speed_m_s, 0.4);
-  ExpectSays(NotesOf(model), {"gains of 'A_knee', 'B_knee': from robot.yaml", "default speed 0.400 m/s: from robot.yaml"});
+  ExpectSays(NotesOf(model),
+             {"gains of 'A_knee', 'B_knee': from robot.yaml", "default speed 0.400 m/s: from robot.yaml"});
   const Result<RobotModel> sliding = LoadRobotFromText(Sliding(), "gains: {A_knee: {stiffness_n_m: 900}}");
   ASSERT_TRUE(sliding.ok()) << sliding.failure().message;
   EXPECT_EQ(sliding->stiffness[sliding->DofIndex("A_knee")], 900.0);
