@@ -145,7 +145,7 @@ TEST(CompareNoise, WhatIsLetPassIsSaid) {
   with_speeds.gives_speeds = true;
   EXPECT_FALSE(NotesOfNoise(CompareMotions(plan, RobotSide(walker, with_speeds)), "are computed from positions"));
   const MotionComparison of_log = CompareMotions(plan, ComparedLog(walker.model, walker.log, "log.json"));
-  EXPECT_FALSE(NotesOfNoise(of_log, "worked out"));
+  EXPECT_FALSE(NotesOfNoise(of_log, "computed from positions"));
   for (const JointDifference& joint : of_log.joints)
     EXPECT_EQ(joint.position.noise, 0.0) << "of what we play there is none";
 }
