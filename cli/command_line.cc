@@ -2,6 +2,7 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <string_view>
@@ -57,6 +58,18 @@ Flag AddOption(CLI::App& app, std::string_view names, Target& target, std::strin
   return Flag(*app.add_option(std::string(names), target, std::string(help)));
 }
 
+/// `read`, with an InvalidArgument that it throws as a usage error of the flag.
+std::function<void(const std::string&)> ReadOrRefuse(std::string_view flag,
+                                                     std::function<void(const std::string&)> read) {
+  return [flag = std::string(flag), read = std::move(read)](const std::string& text) {
+    try {
+      read(text);
+    } catch (const InvalidArgument& error) {
+      throw CLI::ValidationError(flag, error.what());
+    }
+  };
+}
+
 UsageError::Kind KindOf(const CLI::ParseError& error) {
   switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
     case CLI::ExitCodes::ExtrasError:
@@ -95,13 +108,13 @@ std::string Flag::group() const { return option_->get_group(); }
 std::string Flag::type() const { return option_->get_type_size() == 0 ? "" : option_->get_type_name(); }
 std::string Flag::description() const { return option_->get_description(); }
 
-void Flag::Trigger() const {
+void Flag::Trigger(const std::string& value) const {
   struct Cleared {
     CLI::Option& option;
     ~Cleared() { option.clear(); }
   };
   const Cleared cleared{*option_};
-  option_->add_result("true");
+  option_->add_result(value);
   option_->run_callback();
 }
 
@@ -135,13 +148,7 @@ Flag Verb::AddValue(std::string_view names, std::optional<int>& target, std::str
 
 Flag Verb::AddReader(std::string_view names, std::function<void(const std::string&)> read,
                      std::string_view help) const {
-  const auto read_or_refuse = [flag = std::string(names), read = std::move(read)](const std::string& text) {
-    try {
-      read(text);
-    } catch (const InvalidArgument& error) {
-      throw CLI::ValidationError(flag, error.what());
-    }
-  };
+  const auto read_or_refuse = ReadOrRefuse(names, std::move(read));
   return Flag(*app_->add_option_function<std::string>(std::string(names), read_or_refuse, std::string(help)));
 }
 
@@ -151,6 +158,12 @@ Flag Verb::AddSwitch(std::string_view names, bool& target, std::string_view help
 
 Flag Verb::AddSwitch(std::string_view names, std::function<void()> action, std::string_view help) const {
   return Flag(*app_->add_flag_callback(std::string(names), std::move(action), std::string(help)));
+}
+
+Flag Verb::AddSwitchReader(std::string_view names, std::function<void(const std::string&)> read,
+                           std::string_view help) const {
+  return Flag(
+      *app_->add_flag(std::string(names))->each(ReadOrRefuse(names, std::move(read)))->description(std::string(help)));
 }
 
 void Verb::SetGroup(std::string_view group) const { app_->option_defaults()->group(std::string(group)); }

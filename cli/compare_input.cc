@@ -35,20 +35,21 @@ Result<SideFile> ReadSide(const std::string& path) {
   SideFile side{path, *text, KindOfText(*text)};
   if (side.kind == MotionFileKind::kJson) {
     return ComparisonRefused(
-        FailureCode::kNoMotion, fmt::format("'{}' is JSON, but no plan, log or report", path),
-        {"name a plan.json, a log.json, what 'walk --json' prints, a CSV of a motion, or a joint trajectory"});
+        FailureCode::kNoMotion, fmt::format("'{}' is JSON, but not a plan, log or report", path),
+        {"give a plan.json, a log.json, the output of 'walk --json', a CSV of a motion, or a joint trajectory"});
   }
   if (side.kind == MotionFileKind::kTrials)
     return ComparisonRefused(FailureCode::kNoMotion,
-                             fmt::format("'{}' is {}; these are not compared", path, NameOf(side.kind)),
-                             {"'trials --report FILE' makes a page of each"});
+                             fmt::format("'{}' is {}, which 'compare' does not accept", path, NameOf(side.kind)),
+                             {"'trials --report FILE' writes a page for each of them"});
   if (side.kind != MotionFileKind::kTable) return side;
   Result<CsvTable> table = ParseCsvTable(side.text, path);
   const std::string extension = std::filesystem::path(path).extension().string();
   if (!table && (extension == ".yaml" || extension == ".yml")) {
-    return ComparisonRefused(FailureCode::kNoMotion,
-                             fmt::format("'{}' is no joint trajectory, and other YAML is not compared", path),
-                             {"'import' makes a plan of footsteps, which is compared"});
+    return ComparisonRefused(
+        FailureCode::kNoMotion,
+        fmt::format("'{}' is YAML, but not a joint trajectory; 'compare' accepts no other YAML", path),
+        {"'import' turns footsteps into a plan, which can be compared"});
   }
   if (!table) return table.failure();
   side.table = std::move(*table);
@@ -68,9 +69,9 @@ Result<ComparedMotion> ReadLogSide(const SideFile& side, const RobotModel* model
   if (!log) return log.failure();
   const std::vector<Suggestion> suggestions = {"--plan FILE, the plan that was played", "--robot " + log->robot};
   if (model == nullptr)
-    return ComparisonRefused(FailureCode::kNoRobot,
-                             fmt::format("'{}' is a log of robot '{}', which it does not hold", side.path, log->robot),
-                             suggestions);
+    return ComparisonRefused(
+        FailureCode::kNoRobot,
+        fmt::format("'{}' is a log of robot '{}', but does not contain the robot", side.path, log->robot), suggestions);
   if (model->hash != log->robot_hash) {
     return ComparisonRefused(FailureCode::kRobotHash,
                              fmt::format("'{}' is a log of robot '{}' ({}), not of '{}' ({})", side.path, log->robot,
@@ -82,7 +83,8 @@ Result<ComparedMotion> ReadLogSide(const SideFile& side, const RobotModel* model
 
 Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* model) {
   if (model == nullptr) {
-    return ComparisonRefused(FailureCode::kNoRobot, fmt::format("'{}' does not say whose motion it is", side.path),
+    return ComparisonRefused(FailureCode::kNoRobot,
+                             fmt::format("'{}' does not name the robot of the motion", side.path),
                              {"--robot NAME", "--urdf FILE", "--plan FILE, the plan that was played"});
   }
   if (!side.table) return ComparedTrajectory(*model, side.text, side.path, side.reading.options);
@@ -94,11 +96,11 @@ void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
   CompareFiles usual, given = files;
   const bool units = TextsOf(given.units.UnitFields()) != TextsOf(usual.units.UnitFields());
   if (!files.columns_b.empty() && !b.table)
-    throw InvalidArgument(fmt::format("--columns-b is given, but '{}' is no CSV", b.path));
+    throw InvalidArgument(fmt::format("--columns-b is given, but '{}' is not a CSV file", b.path));
   if (!files.columns.empty() && !a.table && (!b.table || !files.columns_b.empty()))
-    throw InvalidArgument("--columns is given, but neither file is a CSV that it is for");
+    throw InvalidArgument("--columns is given, but neither file is a CSV that it applies to");
   if (units && !a.has_units() && !b.has_units())
-    throw InvalidArgument("units or an order of quaternions are given, but neither file is a CSV or a trajectory");
+    throw InvalidArgument("units or a quaternion order are given, but neither file is a CSV or a trajectory");
   a.reading = {files.columns, files.units};
   b.reading = {files.columns_b.empty() ? files.columns : files.columns_b, files.units};
   if (!a.table || !b.table || !files.columns_b.empty()) return;
@@ -109,7 +111,7 @@ void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
 Result<CompareInput> ReadReports(const SideFile& a, const SideFile& b) {
   if (a.kind != b.kind) {
     return ComparisonRefused(FailureCode::kNotAlike,
-                             fmt::format("'{}' is {}, '{}' is {}: a report is compared with a report", a.path,
+                             fmt::format("'{}' is {}, '{}' is {}: a report can only be compared with a report", a.path,
                                          NameOf(a.kind), b.path, NameOf(b.kind)));
   }
   const Result<ReadReport> of_a = ReportFromJson(a.text, a.path), of_b = ReportFromJson(b.text, b.path);

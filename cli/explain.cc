@@ -9,9 +9,9 @@
 namespace gaitwright::cli {
 
 void Explain::AddTo(Verb verb) {
-  verb.AddSwitch("--explain", asked,
-                 "Print each plan that the search for a sound plan tried, with its speed, its cycle and why it was "
-                 "refused.");
+  verb.AddSwitch(
+      "--explain", asked,
+      "Print each plan that the search tried, with its speed, its cycle time and the reason for its refusal.");
 }
 
 std::string Explain::Json() const {

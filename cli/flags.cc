@@ -19,7 +19,8 @@ namespace {
 
 const OptionField& FieldOf(const OptionFields& fields, std::string_view key) {
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
-  if (field == fields.end()) throw InvalidArgument(fmt::format("there is no option '{}' to make a flag of", key));
+  if (field == fields.end())
+    throw InvalidArgument(fmt::format("internal error: there is no option '{}' for a flag", key));
   return *field;
 }
 
@@ -45,6 +46,13 @@ std::string AcceptedOf(const OptionField& field) {
   return fmt::format("{} to {}", field.lowest, field.highest);
 }
 
+OptionFields BasicsFirst(OptionFields fields, bool all) {
+  const auto advanced =
+      std::stable_partition(fields.begin(), fields.end(), [](const OptionField& field) { return !field.advanced; });
+  if (!all) fields.erase(advanced, fields.end());
+  return fields;
+}
+
 void PrintOptions(const OptionFields& fields, bool as_json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const OptionField& field : fields) {
@@ -54,6 +62,7 @@ void PrintOptions(const OptionFields& fields, bool as_json) {
                     {"default", value},
                     {"unit", field.unit},
                     {"accepted", range},
+                    {"advanced", field.advanced},
                     {"meaning", field.meaning}});
     if (!as_json) fmt::print("{} = {}{}  ({})\n    {}\n", field.key, value, unit, range, field.meaning);
   }
@@ -61,8 +70,14 @@ void PrintOptions(const OptionFields& fields, bool as_json) {
 }
 
 void AddOptionList(Verb verb, const OptionFields& fields, const bool& json) {
-  const auto ask = [fields, &json] { throw ListedOptions(fields, json); };
-  verb.AddSwitch("--list-options", ask, "Print every key of --set with its unit, range and default.")
+  const auto ask = [fields, &json](const std::string& which) {
+    if (which != "true" && which != "all")
+      throw InvalidArgument(fmt::format("'{}' is not accepted; accepted: all", which));
+    throw ListedOptions(BasicsFirst(fields, which == "all"), json);
+  };
+  verb.AddSwitchReader("--list-options", ask,
+                       "Print the basic keys of --set with their units, ranges and defaults; --list-options=all "
+                       "prints the advanced keys too.")
       .SetGroup("Flags of every verb");
 }
 

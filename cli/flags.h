@@ -33,7 +33,7 @@ struct KeyedFlag {
 /// field has that key.
 Flag AddField(Verb verb, std::string_view flag, const OptionFields& fields, std::string_view key);
 
-/// A flag --list-options, which prints what --set can set (with --json, whose place `json` is, as an object) and ends.
+/// A flag --list-options[=all], which prints the basic (or all) options of --set, as JSON if `json`, and ends.
 void AddOptionList(Verb verb, const OptionFields& fields, const bool& json);
 
 /// Applies every `flag` key=value to the fields. @throws InvalidArgument on a key that none has (the nearest is named)

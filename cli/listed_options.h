@@ -9,7 +9,7 @@
 
 namespace gaitwright::cli {
 
-/// Thrown where --list-options is asked for: what it is to print.
+/// Thrown by --list-options: the options to print.
 class ListedOptions : public std::exception {
  public:
   ListedOptions(OptionFields fields, bool as_json) : fields_(std::move(fields)), as_json_(as_json) {}
@@ -21,6 +21,9 @@ class ListedOptions : public std::exception {
   OptionFields fields_;
   bool as_json_;
 };
+
+/// The basic fields, then the advanced ones if `all`; otherwise the order is kept.
+OptionFields BasicsFirst(OptionFields fields, bool all);
 
 /// What a value of the field may be: "0 to 1", "true, false", its words, or "text".
 std::string AcceptedOf(const OptionField& field);

@@ -13,10 +13,9 @@
 int main(int argc, char** argv) {
   using namespace gaitwright::cli;
   CommandLine command_line(
-      "Gaitwright plans gaits for legged robots and proves them in physics.\n"
-      "First words: gaitwright walk --robot a1\n",
-      std::string("Each verb has its own: gaitwright walk --help\nSI units throughout; degrees only where a name says "
-                  "so.\n\n") +
+      "Gaitwright plans gaits for legged robots and proves them in physics.\nStart with: gaitwright walk --robot a1\n",
+      std::string("Each verb has its own help: gaitwright walk --help\nAll units are SI; angles are in degrees only if "
+                  "the name ends in deg.\n\n") +
           kExitStatuses);
   const Verb program = command_line.program();
   int status = kPass;

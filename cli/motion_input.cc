@@ -14,10 +14,10 @@
 namespace gaitwright::cli {
 
 void MotionRobot::AddTo(Verb verb) {
-  verb.SetGroup("Whose motion it is, where the file does not say");
+  verb.SetGroup("Robot of the motion, if the file does not name it");
   const Flag played = AddText(verb, "--plan", "FILE", plan, "The plan that was played; default none.");
   for (const Flag& flag :
-       robot.AddTo(verb, "Robot by name, see 'gaitwright robots'; a plan knows its own; default none."))
+       robot.AddTo(verb, "Robot by name, see 'gaitwright robots'; a plan contains its own robot; default none."))
     played.Exclude(flag);
   verb.SetGroup("Options");
 }
@@ -54,8 +54,8 @@ Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& 
   const MotionFileKind kind = KindOfText(*text);
   if (kind == MotionFileKind::kPlan) {
     if (robot.given()) {
-      throw InvalidArgument(
-          fmt::format("'{}' is a plan and knows its robot: --robot, --urdf, --mjcf and --plan are for logs", path));
+      throw InvalidArgument(fmt::format(
+          "'{}' is a plan and contains its robot; --robot, --urdf, --mjcf and --plan are for logs only", path));
     }
     Result<MotionPlan> plan = PlanFromJson(*text, path);
     return plan ? PlanInput(std::move(*plan)) : plan.failure();
@@ -65,7 +65,7 @@ Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& 
                    FailureCode::kNoMotion,
                    "ReadMotion",
                    fmt::format("'{}' is {}, neither a plan nor a log", path, NameOf(kind)),
-                   {"name a plan.json or log.json, as 'walk' writes them"}};
+                   {"give a plan.json or log.json, as written by 'walk'"}};
   }
   Result<PlaybackLog> log = LogFromJson(*text, path);
   if (!log) return log.failure();
@@ -73,7 +73,7 @@ Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& 
     return Failure{FailureKind::kBadInput,
                    FailureCode::kNoRobot,
                    "ReadMotion",
-                   fmt::format("'{}' is a log of robot '{}', which it does not hold", path, log->robot),
+                   fmt::format("'{}' is a log of robot '{}', but does not contain the robot", path, log->robot),
                    {"--plan FILE, the plan that was played", "--robot " + log->robot}};
   }
   Result<MotionInput> input = NamedInput(robot);

@@ -39,8 +39,8 @@ std::string NotAWholeNumber(const std::string& text, std::int64_t lowest, std::i
   if (error == std::errc::invalid_argument) return fmt::format("'{}' is not a whole number", text);
   const bool beyond = error == std::errc::result_out_of_range;
   if (beyond ? text.front() == '-' : value < lowest)
-    return fmt::format("{} is too little; {} or more is accepted", text, lowest);
-  return beyond || value > highest ? fmt::format("{} is too much; accepted: {} to {}", text, lowest, highest) : "";
+    return fmt::format("{} is too small; accepted: {} or more", text, lowest);
+  return beyond || value > highest ? fmt::format("{} is too large; accepted: {} to {}", text, lowest, highest) : "";
 }
 
 std::vector<double> ParseNumbers(const std::string& flag, const std::string& text, std::size_t count) {
@@ -52,7 +52,7 @@ std::vector<double> ParseNumbers(const std::string& flag, const std::string& tex
   }
   if (numbers.size() != count || text.ends_with(',')) {
     throw InvalidArgument(
-        fmt::format("{}: {} numbers are needed, separated by commas; '{}' has {}", flag, count, text, numbers.size()));
+        fmt::format("{}: expects {} numbers separated by commas; '{}' has {}", flag, count, text, numbers.size()));
   }
   return numbers;
 }

@@ -13,8 +13,8 @@ namespace gaitwright::cli {
 
 void OptionsFile::AddTo(Verb verb) {
   AddText(verb, "--options", "FILE", path,
-          "Options from a YAML file of KEY: VALUE, as 'tune' writes it, with the keys of --set, which wins over it; it "
-          "wins over flags; default: none.");
+          "YAML file of options (KEY: VALUE, the keys of --set), as written by 'tune'. It overrides flags; --set "
+          "overrides it. Default: none.");
 }
 
 void OptionsFile::AddPathTo(Paths& paths) const {
@@ -37,7 +37,7 @@ Result<OptionTexts> OptionsFile::Apply(OptionFields fields, const Common& common
     }
   }
   if (!others.empty() && !common.quiet)
-    fmt::print(stderr, "gaitwright: note: of --options '{}' this verb has no use for {}\n", path, others);
+    fmt::print(stderr, "gaitwright: note: this verb ignores these keys of --options '{}': {}\n", path, others);
   return texts;
 }
 

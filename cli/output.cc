@@ -46,11 +46,11 @@ std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& dr
 }  // namespace
 
 void Outputs::AddTo(Verb verb) {
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out-dir", "FOLDER", folder,
-          "Folder for plan.json, log.json and report.html, made if need be; default out.");
+          "Folder for plan.json, log.json and report.html, created if missing; default out.");
   AddText(verb, "--plot-dir", "FOLDER", plot_folder,
-          "Write the plots into this folder too, as SVG files; default: nowhere.");
+          "Also write the plots into this folder, as SVG files; default: none.");
 }
 
 void Outputs::AddPathsTo(Paths& paths) const {

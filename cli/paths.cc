@@ -34,7 +34,7 @@ void CheckEnding(const NamedPath& output) {
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
   };
   if (output.endings.empty() || has(output.endings) || !has(kOfFormats)) return;
-  throw InvalidArgument(fmt::format("{} '{}' ends in '{}'; {} is written", output.name, output.path, written,
+  throw InvalidArgument(fmt::format("{} '{}' ends in '{}'; accepted: {}", output.name, output.path, written,
                                     JoinWords(output.endings, " or ")));
 }
 
@@ -42,8 +42,8 @@ void CheckOutput(const NamedPath& output, const Paths& paths) {
   CheckWritable(output.name, output.path, WhyNotWritable(output.path));
   for (const NamedPath& input : paths.read) {
     if (input.path.empty() || !IsSameFile(output.path, input.path)) continue;
-    throw InvalidArgument(fmt::format("{} '{}' would be written over {} '{}', which is read: name another file",
-                                      output.name, output.path, input.name, input.path));
+    throw InvalidArgument(fmt::format("{} '{}' would overwrite the input {} '{}'; give another file", output.name,
+                                      output.path, input.name, input.path));
   }
   CheckEnding(output);
 }
@@ -54,10 +54,8 @@ void CheckPlots(const Paths& paths) {
   for (const NamedPath& input : paths.read) {
     const fs::path path(input.path), folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (path.extension() != ".svg" || !IsSameFile(folder.string(), paths.plot_folder)) continue;
-    throw InvalidArgument(
-        fmt::format("plots of --plot-dir '{}' could be written over {} '{}', which is read: name "
-                    "another folder",
-                    paths.plot_folder, input.name, input.path));
+    throw InvalidArgument(fmt::format("plots in --plot-dir '{}' could overwrite the input {} '{}'; give another folder",
+                                      paths.plot_folder, input.name, input.path));
   }
 }
 
@@ -94,7 +92,7 @@ void CheckPaths(const Paths& paths) {
     for (std::size_t k = 0; k < i; ++k) {
       const NamedPath& other = paths.written[k];
       if (other.path.empty() || !IsSameFile(other.path, output.path)) continue;
-      throw InvalidArgument(fmt::format("{} '{}' and {} '{}' are one file for two outputs: give each its own",
+      throw InvalidArgument(fmt::format("{} '{}' and {} '{}' are the same file; give each output its own file",
                                         other.name, other.path, output.name, output.path));
     }
   }

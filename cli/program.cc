@@ -23,10 +23,11 @@ int Guarded(const Common& common, const std::function<int()>& work) {
   } catch (const InvalidArgument& error) {
     return Report({FailureKind::kBadInput, FailureCode::kInvalidArgument, "program", error.what(), {}}, common);
   } catch (const CannotKeep& error) {
-    const std::vector<Suggestion> suggestions = {"make room on the disk", "the same command with --resume goes on"};
+    const std::vector<Suggestion> suggestions = {"free space on the disk",
+                                                 "run the same command with --resume to continue"};
     return Report({FailureKind::kBadInput, FailureCode::kSoFar, "JobJournal", error.what(), suggestions}, common);
   } catch (const std::exception& error) {
-    const std::string message = fmt::format("the program failed, which is its own fault: {}", error.what());
+    const std::string message = fmt::format("internal error: {} (this is a bug; please report it)", error.what());
     return Report({FailureKind::kBadInput, FailureCode::kInternal, "program", message, {}}, common);
   }
 }
@@ -36,12 +37,11 @@ int Guarded(const Common& common, const std::function<int()>& work) {
 void AddCommon(Verb verb, Common& common, std::initializer_list<std::string_view> examples) {
   verb.SetGroup("Flags of every verb");
   verb.AddSwitch("--json", common.json, "Print one JSON object on standard output, and nothing else there.");
-  verb.AddSwitch("--quiet", common.quiet, "Print only the verdict (pass or fail), of a list only the names.");
+  verb.AddSwitch("--quiet", common.quiet, "Print only the verdict (pass or fail); for lists, only the names.");
   AddWholeNumber(verb, "--seed", 0, common.seed,
-                 "Seed of whatever is random, such as --ground-bumps, 0 or more; default 0.");
-  verb.AddValue(
-          "--set", common.sets,
-          "Set one of the many options behind the flags; may be repeated, with each key once. They win over flags.")
+                 "Seed of all random numbers, such as those of --ground-bumps; 0 or more; default 0.");
+  verb.AddValue("--set", common.sets,
+                "Set an option by its key (see --list-options); may be repeated, each key once. Overrides flags.")
       .SetType("KEY=VALUE")
       .Repeat();
   verb.SetGroup("Options");
@@ -71,7 +71,7 @@ void SetWork(Verb verb, const Common& common, int& status, const std::function<i
                    FailureCode::kSeveralProcesses,
                    "program",
                    fmt::format("this verb runs in one process, and MPI has started {}", ranks.count()),
-                   {"start it without mpirun or srun; trials and sweep share their work"}},
+                   {"start it without mpirun or srun; only trials and sweep run in several processes"}},
                   common);
   });
 }

@@ -57,7 +57,7 @@ std::string ExamplesOf(Verb verb) {
   return examples.empty() ? "" : "```text\n" + examples + "```\n\n";
 }
 
-/// Groups of a verb's flags, in order; what every verb has is told once.
+/// Groups of a verb's flags, in order, without the flags that every verb has.
 std::vector<std::string> GroupsOf(Verb verb) {
   std::vector<std::string> groups;
   for (const Flag& flag : verb.flags()) {
@@ -68,12 +68,12 @@ std::vector<std::string> GroupsOf(Verb verb) {
   return groups;
 }
 
-/// What --list-options of a verb would print; empty where it has none.
+/// All options of a verb, basic ones first; empty for a verb without options.
 OptionFields ListedBy(Verb verb) {
   const std::optional<Flag> list = verb.Find("--list-options");
   if (!list) return {};
   try {
-    list->Trigger();
+    list->Trigger("all");
   } catch (const ListedOptions& listed) {
     return listed.fields();
   }
@@ -96,8 +96,9 @@ std::vector<OptionLine> OptionLines(Verb program) {
   for (const Verb& verb : VerbsBelow(program)) {
     for (const OptionField& field : ListedBy(verb)) {
       const std::string value = OptionText(field);
-      const std::string text = fmt::format("{} | {} | {} | {}", value.empty() ? "" : "`" + value + "`", field.unit,
-                                           TableCell(AcceptedOf(field)), TableCell(field.meaning));
+      const std::string text =
+          fmt::format("{} | {} | {} | {} | {}", value.empty() ? "" : "`" + value + "`", field.unit,
+                      TableCell(AcceptedOf(field)), field.advanced ? "advanced" : "basic", TableCell(field.meaning));
       const auto same = [&](const OptionLine& line) { return line.key == field.key && line.text == text; };
       auto line = std::find_if(lines.begin(), lines.end(), same);
       if (line == lines.end()) line = lines.insert(lines.end(), {field.key, text, {}});
@@ -112,8 +113,8 @@ std::vector<OptionLine> OptionLines(Verb program) {
 std::string VerbsPage(Verb program) {
   const std::vector<Verb> verbs = VerbsBelow(program);
   std::string page = std::string(kMade) +
-                     "# Every verb and its flags\n\nThe same as `gaitwright VERB --help`. Flags that every verb has "
-                     "stand at the end.\n\n";
+                     "# Every verb and its flags\n\nAs printed by `gaitwright VERB --help`. Flags that every verb has "
+                     "are at the end.\n\n";
   for (const Verb& verb : verbs) {
     page += fmt::format("## {}\n\n{}.\n\n{}", verb.words(), verb.description(), ExamplesOf(verb));
     for (const std::string& group : GroupsOf(verb)) page += OptionsTable(verb, group);
@@ -130,11 +131,13 @@ std::string OptionsPage(Verb program) {
   }
   std::sort(groups.begin(), groups.end());
   std::string page = std::string(kMade) +
-                     "# Every option\n\nKeys of `--set KEY=VALUE` and of files of options. What `gaitwright VERB "
-                     "--list-options` prints, of all verbs.\n\n";
+                     "# Every option\n\nKeys of `--set KEY=VALUE` and of option files, for all verbs. `gaitwright VERB "
+                     "--list-options` prints the basic options of a verb, `--list-options=all` the advanced ones "
+                     "too.\n\n";
   for (const std::string& group : groups) {
-    page += fmt::format("## {}\n\n| key | default | unit | accepted | meaning | of |\n|---|---|---|---|---|---|\n",
-                        group.empty() ? "Without a group" : group);
+    page += fmt::format(
+        "## {}\n\n| key | default | unit | accepted | level | meaning | verbs |\n|---|---|---|---|---|---|---|\n",
+        group.empty() ? "Without a group" : group);
     for (const OptionLine& line : lines) {
       if (GroupOf(line.key) != group) continue;
       page += fmt::format("| `{}` | {} | {} |\n", line.key, line.text, JoinWords(line.verbs, ", "));

@@ -22,19 +22,17 @@ void AddDraft(const RobotFlags& flags, Failure& failure) {
   std::error_code error;
   if (draft.empty() || std::filesystem::exists(kDraft, error)) return;
   if (!WriteFileAtomically(kDraft, draft)) return;
-  failure.suggestions.push_back(
-      fmt::format("a draft of the robot.yaml that is needed was written to '{}': correct it and put it beside the URDF "
-                  "as robot.yaml",
-                  kDraft));
+  failure.suggestions.push_back(fmt::format(
+      "a draft of the required robot.yaml was written to '{}': correct it and save it beside the URDF as robot.yaml",
+      kDraft));
 }
 
 }  // namespace
 
 std::vector<Flag> RobotFlags::AddTo(Verb verb, const std::string& text) {
   const Flag named = AddText(verb, "--robot", "NAME", name, text);
-  const Flag urdf = AddText(verb, "--urdf", "FILE", file, "A URDF or xacro file of your own; default none.");
-  const Flag mjcf =
-      AddText(verb, "--mjcf", "FILE", file, "An MJCF file of your own, as MuJoCo reads it; default none.");
+  const Flag urdf = AddText(verb, "--urdf", "FILE", file, "Your own URDF or xacro file; default none.");
+  const Flag mjcf = AddText(verb, "--mjcf", "FILE", file, "Your own MJCF (MuJoCo) file; default none.");
   named.Exclude(urdf).Exclude(mjcf);
   urdf.Exclude(mjcf);
   AddLoadingTo(verb);
@@ -42,7 +40,7 @@ std::vector<Flag> RobotFlags::AddTo(Verb verb, const std::string& text) {
 }
 
 void RobotFlags::AddLoadingTo(Verb verb) {
-  verb.AddSwitch("--strict", loading.strict, "Refuse a robot description in which anything is to be mended.");
+  verb.AddSwitch("--strict", loading.strict, "Refuse a robot description that would need a repair.");
   const auto add = [&](const char* flag, const char* type, auto& target, const char* help) {
     verb.AddReader(
             flag,
@@ -56,8 +54,10 @@ void RobotFlags::AddLoadingTo(Verb verb) {
         .SetType(type)
         .Repeat();
   };
-  add("--package", "NAME=DIR", loading.packages, "Where package://NAME and $(find NAME) are; default: looked for.");
-  add("--xacro-arg", "NAME=VALUE", loading.xacro_arguments, "An argument of a xacro file; default: the file's own.");
+  add("--package", "NAME=DIR", loading.packages,
+      "Folder of package NAME, for package://NAME and $(find NAME); default: searched for.");
+  add("--xacro-arg", "NAME=VALUE", loading.xacro_arguments,
+      "Value of an argument of a xacro file; default: as in the file.");
 }
 
 std::string RobotFlags::folder() const { return std::filesystem::path(file).parent_path().string(); }

@@ -30,12 +30,12 @@ Result<MotionToShow> ShownPlan(MotionPlan plan) {
 Result<MotionPlan> PlayedPlan(const PlaybackLog& log, const std::string& path, const std::string& plan_path) {
   const std::string beside = (std::filesystem::path(path).parent_path() / "plan.json").string();
   if (plan_path.empty() && !std::filesystem::exists(beside)) {
-    return Failure{
-        FailureKind::kBadInput,
-        FailureCode::kNoPlan,
-        kShowStage,
-        fmt::format("'{}' is a log, which does not hold the ground and the plan, and there is no '{}'", path, beside),
-        {"--plan FILE, the plan that was played"}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kNoPlan,
+                   kShowStage,
+                   fmt::format("'{}' is a log, which does not contain the ground and the plan, and '{}' does not exist",
+                               path, beside),
+                   {"--plan FILE, the plan that was played"}};
   }
   const std::string& from = plan_path.empty() ? beside : plan_path;
   Result<MotionPlan> plan = LoadPlan(from);
@@ -44,7 +44,7 @@ Result<MotionPlan> PlayedPlan(const PlaybackLog& log, const std::string& path, c
         FailureKind::kBadInput,
         FailureCode::kOtherPlan,
         kShowStage,
-        fmt::format("'{}' is not the plan that '{}' was played from: its motion has hash {}, the log says {}", from,
+        fmt::format("'{}' is not the plan that '{}' was played from: its motion has hash {}, but the log has {}", from,
                     path, MotionHash(*plan), log.plan_hash),
         {"--plan FILE, the plan that was played"}};
   }
@@ -66,12 +66,12 @@ Result<MotionToShow> ReadMotionToShow(const std::string& path, const std::string
     return plan ? ShownPlan(std::move(*plan)) : plan.failure();
   }
   if (kind != MotionFileKind::kLog) {
-    return Failure{
-        FailureKind::kBadInput,
-        FailureCode::kNoMotion,
-        kShowStage,
-        fmt::format("'{}' is {}, neither a plan nor a log", path, NameOf(kind)),
-        {"name a plan.json or log.json, as 'walk' writes them", "a motion of other software: gaitwright import FILE"}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kNoMotion,
+                   kShowStage,
+                   fmt::format("'{}' is {}, neither a plan nor a log", path, NameOf(kind)),
+                   {"give a plan.json or log.json, as written by 'walk'",
+                    "for a motion from other software: gaitwright import FILE"}};
   }
   Result<PlaybackLog> log = LogFromJson(*text, path);
   if (!log) return log.failure();
@@ -88,9 +88,9 @@ void CheckShown(const std::vector<MotionToShow>& motions, const std::string& pla
                 const std::string& mesh_folder) {
   const bool any_log = std::any_of(motions.begin(), motions.end(), [](const auto& m) { return m.log.has_value(); });
   if (!plan_path.empty() && !any_log)
-    throw InvalidArgument(fmt::format("--plan '{}' is for a log, and what is shown is a plan itself", plan_path));
+    throw InvalidArgument(fmt::format("--plan '{}' is for logs, but a plan is shown", plan_path));
   if (!mesh_folder.empty() && !std::filesystem::is_directory(mesh_folder))
-    throw InvalidArgument(fmt::format("--meshes '{}' is no folder", mesh_folder));
+    throw InvalidArgument(fmt::format("--meshes '{}' is not a folder", mesh_folder));
 }
 
 }  // namespace gaitwright::cli

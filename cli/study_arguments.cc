@@ -30,14 +30,14 @@ void CheckGivenOnce(const StudyAxis& axis, const StudyArguments& a, const std::v
       given.emplace_back("--push");
   }
   if (given.empty()) return;
-  throw InvalidArgument(fmt::format("{} gives what --over {} varies: leave one of them out", given.front(), axis.key));
+  throw InvalidArgument(fmt::format("{} sets what --over {} varies; leave one of them out", given.front(), axis.key));
 }
 
 }  // namespace
 
 void StudyArguments::AddTo(Verb verb, const std::string& over_help) {
   walk.AddTo(verb);
-  verb.SetGroup("What is varied");
+  verb.SetGroup("Varied options");
   verb.AddValue("--over", over, over_help).SetType("KEY=VALUES").Repeat().Require();
   verb.SetGroup("Options");
 }
@@ -45,10 +45,10 @@ void StudyArguments::AddTo(Verb verb, const std::string& over_help) {
 void StudyArguments::AddWorkTo(Verb verb) {
   play.AddTo(verb);
   options.AddTo(verb);
-  verb.SetGroup("How it is run");
+  verb.SetGroup("Execution");
   AddWholeNumber(verb, "--threads", 0, threads,
-                 "Threads that work; the result is the same for any; default 0: one for each core.");
-  verb.AddSwitch("--resume", resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
+                 "Number of threads, which does not change the result; default 0: one per core.");
+  verb.AddSwitch("--resume", resume, "Continue an interrupted run; the result equals that of an uninterrupted one.");
 }
 
 OptionFields StudyArguments::Fields() { return Joined({walk.Fields(), play.Fields()}); }
@@ -75,10 +75,10 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
   for (const StudyAxis& axis : axes) {
     CheckGivenOnce(axis, *this, common.sets);
     if (axis.key == "step_length" && !walk.extent.steps)
-      throw InvalidArgument("--over step_length is of counted steps: give --steps too");
+      throw InvalidArgument("--over step_length is for counted steps: give --steps too");
     if (!walk.request.sequence.empty() && IsOfCommand(axis.key)) {
       throw InvalidArgument(
-          fmt::format("--over {}: the speeds of a --sequence stand in its parts; vary other options", axis.key));
+          fmt::format("--over {}: the parts of a --sequence set their own speeds; vary other options", axis.key));
     }
   }
   return texts;

@@ -27,14 +27,14 @@ std::optional<Failure> InVain(const Disturbances& disturbances, const PlayReques
     return Failure{FailureKind::kBadInput, FailureCode::kInVain, "LoadDisturbances", message, {hint}};
   };
   if (const std::vector<std::string> twice = DrawnInPlaceOf(disturbances, varied); !twice.empty()) {
-    return failure(fmt::format("the disturbances draw {}, which --over varies", QuotedList(twice)),
+    return failure(fmt::format("the disturbances sample {}, which --over varies", QuotedList(twice)),
                    "leave one of them out");
   }
   std::vector<std::string> open = DrawnOptions(disturbances);
   open.insert(open.end(), varied.begin(), varied.end());
   for (const Disturbance& figure : disturbances.figures) {
     if (const std::optional<IdleOption> idle = FirstIdle(request, {ActsAs(figure)}, open)) {
-      return failure(fmt::format("the disturbances draw '{}', which has no effect {}", figure.key, idle->why),
+      return failure(fmt::format("the disturbances sample '{}', which has no effect {}", figure.key, idle->why),
                      idle->hint);
     }
   }
@@ -45,7 +45,8 @@ std::optional<Failure> InVain(const Disturbances& disturbances, const PlayReques
 
 void DisturbanceArguments::AddTo(Verb verb, const std::string& otherwise) {
   AddText(verb, "--disturbances", "FILE", file,
-          "What is sampled, as YAML, see docs/trials.md; 'standard' for the standard set; default: " + otherwise + ".");
+          "Disturbances to sample, as a YAML file (see docs/trials.md) or 'standard' for the standard set; default: " +
+              otherwise + ".");
 }
 
 void DisturbanceArguments::AddPathTo(Paths& paths) const {

@@ -50,7 +50,7 @@ std::string UnexpectedWord(Verb program, Verb verb, const std::string& word) {
     return fmt::format("{} has no flag '{}'{}", verb.words(), flag, NearestFlag(flag, verb));
   }
   const std::vector<std::string> verbs = VerbNames(verb);
-  if (verbs.empty()) return fmt::format("{} does not know what to do with '{}'", verb.words(), word);
+  if (verbs.empty()) return fmt::format("{}: unexpected argument '{}'", verb.words(), word);
   const std::string list = QuotedList(verbs);
   return verb == program ? fmt::format("there is no verb '{}'{}; there are {}", word, NearestHint(word, verbs), list)
                          : fmt::format("there is no '{} {}'; there is {}", verb.words(), word, list);

@@ -41,8 +41,8 @@ class Flag {
   std::string type() const;  ///< "" for a switch
   std::string description() const;
 
-  /// Runs the action of a switch as if it were given, whether it returns or throws.
-  void Trigger() const;
+  /// Runs the action of a switch as if it were given with this value, whether it returns or throws.
+  void Trigger(const std::string& value = "true") const;
 
  private:
   CLI::Option* option_;
@@ -68,6 +68,9 @@ class Verb {
   /// A flag without a value.
   Flag AddSwitch(std::string_view names, bool& target, std::string_view help) const;
   Flag AddSwitch(std::string_view names, std::function<void()> action, std::string_view help) const;
+  /// A switch that may have a value after '='. `read` gets it, or "true" without one, and may throw as for AddReader.
+  Flag AddSwitchReader(std::string_view names, std::function<void(const std::string&)> read,
+                       std::string_view help) const;
 
   void SetGroup(std::string_view group) const;  ///< of the flags that are added after this
   void RequireVerbs(std::size_t lowest, std::size_t highest) const;

@@ -35,19 +35,19 @@ struct AuditSettings {
 /// --derate torque=0.8,speed=0.9
 void Derate(const std::string& text, AuditOptions& options) {
   ApplySets("--derate", SplitAtCommas(text),
-            {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
-             {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}},
-             {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, "", {}},
-             {"jerk", &options.derate_jerk, "1", 0.01, 1.0, "", {}},
-             {"continuous", &options.derate_continuous, "1", 0.01, 1.0, "", {}}});
+            {{"torque", &options.derate_torque, "1", 0.01, 1.0, ""},
+             {"speed", &options.derate_speed, "1", 0.01, 1.0, ""},
+             {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, ""},
+             {"jerk", &options.derate_jerk, "1", 0.01, 1.0, ""},
+             {"continuous", &options.derate_continuous, "1", 0.01, 1.0, ""}});
 }
 
 void CheckAuditFlags(const AuditSettings& a) {
   if (!a.approach.empty() && a.start.empty())
-    throw InvalidArgument("--approach needs --start-posture FILE: the way begins where the robot was measured");
+    throw InvalidArgument("--approach needs --start-posture FILE: the motion begins at the measured posture");
   for (const Flag& flag : a.only_with_preflight) {
     if (flag.given() && !a.preflight)
-      throw InvalidArgument(fmt::format("{} is for --preflight; add that, or leave it out", flag.name()));
+      throw InvalidArgument(fmt::format("{} is for --preflight only; add --preflight or leave it out", flag.name()));
   }
   Paths paths;
   paths.Read("the plan", a.plan);
@@ -61,16 +61,15 @@ void CheckAuditFlags(const AuditSettings& a) {
 /// Why no way is written where one was asked for.
 std::string NoWayText(const std::string& path) {
   return fmt::format(
-      "every joint is within its tolerance of the first command: no way there is needed, and '{}' is not written",
-      path);
+      "every joint is within its tolerance of the first command: no approach is needed, and '{}' is not written", path);
 }
 
 /// A sentence on the way to the plan's first posture.
 std::string ApproachText(const RobotModel& model, const Approach& approach) {
   return fmt::format(
-      "a way of {:.2f} s to the first posture is planned{}, with the base held in the air; '{}' goes farthest, {:.3g} "
-      "{}",
-      approach.plan.duration_s(), approach.via_standing ? " by the standing posture" : "", approach.farthest,
+      "an approach of {:.2f} s to the first posture is planned{}, with the base held in the air; joint '{}' moves "
+      "farthest, {:.3g} {}",
+      approach.plan.duration_s(), approach.via_standing ? " via the standing posture" : "", approach.farthest,
       approach.farthest_by, PositionUnit(model, model.DofIndex(approach.farthest)));
 }
 
@@ -177,32 +176,33 @@ int RunAudit(AuditSettings& a) {
 }
 
 void AddStartAndPreflight(Verb verb, AuditSettings& a) {
-  verb.SetGroup("Before it goes on a robot");
+  verb.SetGroup("Before running on a robot");
   AddText(
       verb, "--start-posture", "FILE", a.start,
-      "Measured joint positions (YAML, see docs/audit.md), which the first command is held against; default: none.");
+      "Measured joint positions (YAML, see docs/audit.md) that are compared with the first command; default: none.");
   AddText(verb, "--approach", "FILE", a.approach,
-          "Write a safe way from the measured posture to the plan's first one, as a plan, where a joint is beyond its "
-          "tolerance; default: nowhere.");
+          "If a joint is beyond its tolerance, write a plan that moves safely from the measured posture to the first "
+          "one; default: none.");
   verb.AddSwitch("--preflight", a.preflight,
-                 "Make the page that an engineer signs: margins, trials, assumptions, go or no-go; default: no.");
+                 "Make the sign-off page: margins, trials, assumptions and go or no-go; default: no.");
   a.only_with_preflight = {AddText(verb, "--trials-result", "FILE", a.trials,
-                                   "The result of 'trials' of this plan, for --preflight; default: none."),
+                                   "Result file of 'trials' of this plan, for --preflight; default: none."),
                            AddText(verb, "--report", "FILE", a.report,
-                                   "Write the page of --preflight to this file, as HTML to be printed on A4; default: "
-                                   "nowhere.")};
+                                   "Write the page of --preflight to this HTML file (for A4 paper); default: none.")};
 }
 
 }  // namespace
 
 void AddAudit(Verb program, int& status) {
   auto a = std::make_shared<AuditSettings>();
-  const Verb verb = program.AddVerb("audit", "Check a plan densely against the laws, without a simulator");
-  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.").Require();
+  const Verb verb =
+      program.AddVerb("audit", "Check a plan densely against physics and the robot's limits, without a simulator");
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as written by 'plan' and 'walk'.").Require();
   AddText(verb, "--derate", "KEY=SHARE", a->derate,
-          "Hold the plan against these shares of the limits, as torque=0.8,speed=0.9; also acceleration, jerk and "
+          "Check against these shares of the limits, such as torque=0.8,speed=0.9; also acceleration, jerk and "
           "continuous; from 0.01 to 1, default 1.");
-  verb.AddSwitch("--margins", a->margins, "Print how near each law comes to its limit at each place; default: no.");
+  verb.AddSwitch("--margins", a->margins,
+                 "Print the smallest margin of each check for each joint, foot or pair; default: no.");
   AddStartAndPreflight(verb, *a);
   AddCommon(verb, a->common,
             {"audit plan.json", "audit plan.json --derate torque=0.8,speed=0.9", "audit plan.json --margins",

@@ -118,8 +118,8 @@ int RunBench(BenchSettings& a) {
     return Report({FailureKind::kBadInput,
                    FailureCode::kNoSuchCase,
                    "bench",
-                   fmt::format("no case holds '{}'", a.filter),
-                   {"a case is ROBOT-NUMBER-GROUND, such as hyq-1-gap"}},
+                   fmt::format("no case name contains '{}'", a.filter),
+                   {"a case name is ROBOT-NUMBER-GROUND, such as hyq-1-gap"}},
                   a.common);
   }
   std::vector<CentroidalOutcome> outcomes;
@@ -140,19 +140,19 @@ int RunBench(BenchSettings& a) {
 void AddBench(Verb program, int& status) {
   auto a = std::make_shared<BenchSettings>();
   const Verb verb = program.AddVerb("bench", "Run a set of problems and print a table");
-  const Verb centroidal = verb.AddVerb("centroidal", "Single rigid bodies over given schedules on uneven ground");
-  AddText(centroidal, "--problems", "FILE", a->problems, "A set of your own; default the one that comes with this.");
+  const Verb centroidal =
+      verb.AddVerb("centroidal", "Plan single rigid bodies with given contact schedules on uneven ground");
+  AddText(centroidal, "--problems", "FILE", a->problems, "Your own set of cases; default: the built-in set.");
   AddText(centroidal, "--only", "TEXT", a->filter,
-          "Only cases whose ROBOT-NUMBER-GROUND, such as hyq-1-gap, holds this.");
-  AddNumber(centroidal, "--distance", "M", a->distance_m, "How far; default as the set says.");
-  AddNumber(centroidal, "--duration", "S", a->duration_s, "In what time; default as the set says.");
-  AddNumber(centroidal, "--friction", "MU", a->friction, "Of all ground; default as the set says.");
-  centroidal.AddSwitch("--as-asked", a->as_asked, "Do not ease cases that have no motion.");
+          "Run only cases whose name (ROBOT-NUMBER-GROUND, such as hyq-1-gap) contains this.");
+  AddNumber(centroidal, "--distance", "M", a->distance_m, "Distance to walk; default: as in the set.");
+  AddNumber(centroidal, "--duration", "S", a->duration_s, "Duration of the motion; default: as in the set.");
+  AddNumber(centroidal, "--friction", "MU", a->friction, "Friction coefficient of all ground; default: as in the set.");
+  centroidal.AddSwitch("--as-asked", a->as_asked, "Do not make infeasible cases easier.");
   centroidal.AddSwitch("--audit", a->audit,
-                       "Have each motion audited at 1 kHz as the plan of a robot, and plan it anew until it passes.");
+                       "Audit each motion at 1 kHz as a robot's plan, and plan it again until it passes.");
   AddText(centroidal, "--timing", "WHICH", a->timing_choice,
-          "Then find times of contacts that cost less: 'fixed' in the same total time, 'free' in one up to 1.5 times "
-          "shorter or longer.")
+          "Then optimise the contact times: 'fixed' keeps the total time, 'free' changes it by a factor of up to 1.5.")
       .AcceptOnly({"fixed", "free"});
   AddOptionList(centroidal, a->Fields(), a->common.json);
   AddCommon(centroidal, a->common,

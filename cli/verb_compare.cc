@@ -81,25 +81,25 @@ int RunCompare(CompareSettings& a) {
 
 void AddCompare(Verb program, int& status) {
   auto a = std::make_shared<CompareSettings>();
-  const Verb verb =
-      program.AddVerb("compare", "Set two plans, logs or reports side by side, or a robot's log and its plan");
+  const Verb verb = program.AddVerb("compare", "Compare two plans, logs or reports, or a robot's log with its plan");
   AddText(verb, "A", "FILE", a->files.a,
-          "A plan, a log, a report (what 'walk --json' and 'play --json' print), a CSV of a motion or a joint "
-          "trajectory of ROS.")
+          "A plan, a log, a report (output of 'walk --json' or 'play --json'), a CSV of a motion or a ROS joint "
+          "trajectory.")
       .Require();
-  AddText(verb, "B", "FILE", a->files.b, "What it is compared with; differences are B - A.").Require();
+  AddText(verb, "B", "FILE", a->files.b, "The file to compare with A; differences are B - A.").Require();
   const OptionFields fields = a->Fields();
   AddField(verb, "--align", fields, "align");
   AddField(verb, "--tolerance", fields, "tolerance");
   verb.AddSwitch("--require-same", a->require_same,
-                 "Exit with status 3 where anything is beyond its tolerance; default: 0 when compared.");
+                 "Exit with status 3 if any difference is beyond its tolerance; default: status 0.");
   AddText(verb, "--report", "FILE", a->report,
-          "Write the comparison to this file, as one HTML page with both motions in its plots; default: nowhere.");
-  verb.SetGroup("How a CSV is read");
+          "Write the comparison to this HTML file, with plots of both motions; default: none.");
+  verb.SetGroup("Reading a CSV");
   AddText(verb, "--columns", "FILE", a->files.columns,
-          "YAML that says how the columns of a CSV are called, see docs/import.md; default: by their header.");
+          "YAML file that maps the columns of a CSV, see docs/import.md; default: by the CSV's header.");
   AddText(verb, "--columns-b", "FILE", a->files.columns_b,
-          "The same of B alone, where both are CSVs with other names or units; default: the file of --columns.");
+          "YAML file that maps the columns of B, if A and B are CSVs with different names or units; default: the file "
+          "of --columns.");
   AddField(verb, "--quaternion-order", fields, "quaternion_order");
   AddField(verb, "--angle-unit", fields, "angle_unit");
   AddField(verb, "--length-unit", fields, "length_unit");

@@ -38,13 +38,13 @@ struct DoSettings {
 
 void CheckDo(const DoSettings& a) {
   if (a.text.empty() == a.task_file.empty())
-    throw InvalidArgument("what to do is given either as TEXT or by --task-plan FILE");
+    throw InvalidArgument("give the task either as TEXT or by --task-plan FILE");
   if (a.asks_model() != !a.interpreter.model.empty())
-    throw InvalidArgument("--interpreter and --model go together: where the language model is, and which");
+    throw InvalidArgument("--interpreter (the endpoint) and --model (the model's name) must be given together");
   if (!(a.interpreter.longest_s >= 0.1 && a.interpreter.longest_s <= 3600.0))
     throw InvalidArgument(
         fmt::format("--interpreter-timeout {} is out of its range: 0.1 to 3600 s", a.interpreter.longest_s));
-  if (a.asks_model() && a.text.empty()) throw InvalidArgument("--interpreter goes with TEXT, not with --task-plan");
+  if (a.asks_model() && a.text.empty()) throw InvalidArgument("--interpreter is for TEXT, not for --task-plan");
   Paths paths;
   paths.Read("--task-plan", a.task_file);
   a.outputs.AddPathsTo(paths);
@@ -87,10 +87,10 @@ void ShowTasks(const Interpretation& tasks, const DoSettings& a) {
 bool GoesOn(const DoSettings& a, const Interpretation& tasks) {
   if (!AsksBeforeDoing(a)) {
     if (!a.yes && tasks.by == "language model")
-      throw InvalidArgument("what a language model understood is done only after it was looked at: give --yes");
+      throw InvalidArgument("a plan from a language model needs your confirmation: give --yes");
     return true;
   }
-  fmt::print(stderr, "Shall it be done? [y/N] ");
+  fmt::print(stderr, "Do this? [y/N] ");
   std::string answer;
   std::getline(std::cin, answer);
   return answer == "y" || answer == "Y" || answer == "yes";
@@ -157,24 +157,25 @@ int RunDo(DoSettings& a) {
 
 void AddDo(Verb program, int& status) {
   auto a = std::make_shared<DoSettings>();
-  const Verb verb = program.AddVerb("do", "Do what an instruction in words asks for, in English or Chinese");
+  const Verb verb = program.AddVerb("do", "Carry out an instruction in English or Chinese");
   a->outputs.folder = "out";
   verb.AddValue("TEXT", a->text, "The instruction, such as \"walk two steps, then raise the right arm\".")
       .SetType("TEXT");
   AddText(verb, "--task-plan", "FILE", a->task_file, "A task plan as JSON instead of TEXT, see --schema.");
   verb.SetGroup("Robot and ground");
   a->robot.AddTo(verb);
-  AddText(verb, "--terrain", "NAME", a->terrain, "Ground by name or file, with places that have names; default flat.");
-  verb.SetGroup("How words are understood");
+  AddText(verb, "--terrain", "NAME", a->terrain,
+          "Ground by name or file; places with names can be destinations; default flat.");
+  verb.SetGroup("Interpretation");
   AddText(verb, "--interpreter", "URL", a->interpreter.url,
-          "A language model behind an OpenAI-compatible endpoint; its key is taken from GAITWRIGHT_API_KEY or "
-          "OPENAI_API_KEY; default: the built-in grammar.");
-  AddText(verb, "--model", "NAME", a->interpreter.model, "Its name there, with --interpreter.");
+          "OpenAI-compatible endpoint of a language model, with its key in GAITWRIGHT_API_KEY or OPENAI_API_KEY; "
+          "default: the built-in grammar.");
+  AddText(verb, "--model", "NAME", a->interpreter.model, "Name of the language model, with --interpreter.");
   AddNumber(verb, "--interpreter-timeout", "s", a->interpreter.longest_s,
-            "Longest that one of its answers is waited for, 0.1 to 3600; default 60.");
-  verb.AddSwitch("--yes", a->yes, "Do it without asking; default: asks on a terminal.");
-  verb.AddSwitch("--tasks-only", a->only_tasks, "Print the task plan as JSON and end.");
-  verb.AddSwitch("--schema", a->schema, "Print the JSON schema of task plans and end.");
+            "Time limit for one answer of the language model, 0.1 to 3600; default 60.");
+  verb.AddSwitch("--yes", a->yes, "Carry it out without asking; default: ask on a terminal.");
+  verb.AddSwitch("--tasks-only", a->only_tasks, "Print the task plan as JSON and exit.");
+  verb.AddSwitch("--schema", a->schema, "Print the JSON schema of task plans and exit.");
   verb.SetGroup("Options");
   a->play.AddTo(verb);
   a->outputs.AddTo(verb);

@@ -105,20 +105,17 @@ int RunExport(ExportSettings& a) {
 
 void AddExport(Verb program, int& status) {
   auto a = std::make_shared<ExportSettings>();
-  const Verb verb = program.AddVerb("export", "Write a plan or a log for other programs: CSV, ROS, NumPy, plots");
-  AddText(verb, "MOTION", "FILE", a->motion,
-          "A plan or a log, as 'plan', 'walk' and 'play' write them; its content says which.")
-      .Require();
+  const Verb verb = program.AddVerb("export", "Convert a plan or a log for other programs: CSV, ROS, NumPy, plots");
+  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as written by 'plan', 'walk' and 'play'.").Require();
   AddText(verb, "--format", "NAME", a->format,
           "csv, joint-trajectory-yaml, joint-trajectory-json (trajectory_msgs/JointTrajectory of ROS 2), npz (NumPy) "
           "or svg (plots); default csv.");
   AddNumber(verb, "--rate-hz", "Hz", a->rate_hz,
-            "Rows per second, from 0.1 to 10000, of a log at most its own; default 0: the motion's own rate, of a plan "
-            "at least 200.");
+            "Rows per second, from 0.1 to 10000, for a log at most its own rate; default 0: the motion's own rate, for "
+            "a plan at least 200.");
   AddText(
       verb, "--out", "PATH", a->out,
-      "Write to this file, plots into this folder; default motion.csv, trajectory.yaml, trajectory.json, motion.npz "
-      "or plots.");
+      "Output file, or folder of plots; default motion.csv, trajectory.yaml, trajectory.json, motion.npz or plots.");
   a->robot.AddTo(verb);
   AddCommon(verb, a->common,
             {"export plan.json --format csv --rate-hz 500 --out motion.csv",

@@ -30,8 +30,9 @@ int RunGaits(const GaitsSettings& a) {
   if (!gaits) return Report(gaits.failure(), a.common);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   if (!a.common.json && !a.common.quiet) {
-    fmt::print("duty: share of the cycle that a foot is on the ground; phases: when each foot touches down\n\n");
-    fmt::print("{:<8} {:>4}  {:>4}  {:<31}  what it is\n", "gait", "feet", "duty", "phases");
+    fmt::print(
+        "duty: share of the cycle during which a foot is on the ground; phases: when each foot touches down\n\n");
+    fmt::print("{:<8} {:>4}  {:>4}  {:<31}  description\n", "gait", "feet", "duty", "phases");
   }
   for (const GaitEntry& entry : *gaits) {
     Gait gait = entry.gait;
@@ -61,8 +62,8 @@ int RunGaits(const GaitsSettings& a) {
 
 void AddGaits(Verb program, int& status) {
   auto a = std::make_shared<GaitsSettings>();
-  const Verb verb = program.AddVerb("gaits", "List the gaits, or those of a file");
-  AddText(verb, "FILE", "", a->file, "A .yaml file of gaits; default: those that come with the program.");
+  const Verb verb = program.AddVerb("gaits", "List the built-in gaits, or the gaits of a file");
+  AddText(verb, "FILE", "", a->file, "A YAML file of gaits; default: the built-in gaits.");
   AddCommon(verb, a->common, {"gaits", "gaits --json"});
   SetWork(verb, a->common, status, [a] { return RunGaits(*a); });
 }

@@ -45,7 +45,7 @@ int WriteClassInputs(const GradeSettings& a, const Rubric& rubric) {
   }
   if (files.empty())
     throw InvalidArgument(
-        fmt::format("--write-inputs: '{}' has no part of kind 'answers', which inputs are for", a.rubric));
+        fmt::format("--write-inputs: '{}' has no part of kind 'answers', so there are no inputs to write", a.rubric));
   const auto written = WriteFilesTogether(files);
   if (!written) return Report(written.failure(), a.common);
   PrintClassInputs(files, a.common);
@@ -108,14 +108,14 @@ int RunGrade(const GradeSettings& a) {
   Paths paths;
   paths.Read("--rubric", a.rubric);
   if (a.inputs.empty()) {
-    if (a.folder.empty()) throw InvalidArgument("DIR is missing: the folder that has a folder for each student");
+    if (a.folder.empty()) throw InvalidArgument("DIR is missing: the folder with one folder for each student");
     paths.Write("the table", a.InOut("grades.csv"));
     paths.Write("the page", a.InOut("index.html"));
   } else if (!a.folder.empty()) {
-    throw InvalidArgument(fmt::format("--write-inputs marks nothing, and needs no DIR: '{}'", a.folder));
+    throw InvalidArgument(fmt::format("--write-inputs marks nothing; leave out DIR '{}'", a.folder));
   }
   if (!a.common.sets.empty())
-    throw InvalidArgument("--set: 'grade' has no options; the rubric says how motions are played");
+    throw InvalidArgument("--set: 'grade' has no options; the rubric sets how motions are played");
   CheckPaths(paths);
   Result<Rubric> rubric = LoadRubric(a.rubric);
   if (!rubric) return Report(rubric.failure(), a.common);
@@ -127,18 +127,19 @@ int RunGrade(const GradeSettings& a) {
 void AddGrade(Verb program, int& status) {
   auto a = std::make_shared<GradeSettings>();
   const Verb verb = program.AddVerb("grade", "Mark a class's submissions against a rubric");
-  AddText(verb, "DIR", "DIR", a->folder, "A folder with a folder for each student.");
-  AddText(verb, "--rubric", "FILE", a->rubric, "What is handed in and what it is worth, a YAML: see docs/grading.md.")
+  AddText(verb, "DIR", "DIR", a->folder, "Folder that has one folder for each student.");
+  AddText(verb, "--rubric", "FILE", a->rubric, "Rubric: expected files and their marks, as YAML; see docs/grading.md.")
       .Require();
-  verb.SetGroup("How code is run");
+  verb.SetGroup("Running code");
   AddText(verb, "--python", "PROGRAM", a->python,
-          "The Python that submissions are run with; default: /usr/bin/python3, else the one on PATH.");
-  verb.AddSwitch("--unconfined", a->unconfined,
-                 "Run submissions where the machine cannot confine them; they may then do all that your user may.");
-  verb.SetGroup("What is written");
-  AddText(verb, "--out-dir", "DIR", a->out, "Folder of grades.csv and the pages, made if need be; default grades.");
+          "Python interpreter for submissions; default: /usr/bin/python3, else the one on PATH.");
+  verb.AddSwitch(
+      "--unconfined", a->unconfined,
+      "Run submissions without confinement, with all rights of your user; for machines that cannot confine them.");
+  verb.SetGroup("Output");
+  AddText(verb, "--out-dir", "DIR", a->out, "Folder for grades.csv and the pages, created if missing; default grades.");
   AddText(verb, "--write-inputs", "DIR", a->inputs,
-          "Write the inputs of the parts of kind 'answers' for this seed, to be handed out, and mark nothing.");
+          "Only write the inputs of 'answers' parts for this seed, to hand out to students.");
   AddCommon(verb, a->common,
             {"grade submissions --rubric rubric.yaml --seed 7",
              "grade --rubric rubric.yaml --seed 7 --write-inputs handout"});

@@ -83,27 +83,28 @@ int RunImport(ImportSettings& a) {
 
 void AddImport(Verb program, int& status) {
   auto a = std::make_shared<ImportSettings>();
-  const Verb verb = program.AddVerb("import", "Make a plan of a motion that others made, and audit it");
+  const Verb verb = program.AddVerb("import", "Turn a motion of other software into a plan, and audit it");
   AddText(verb, "FILE", "FILE", a->request.file,
-          "The motion: a CSV with named columns, or one of OCS2 (.csv, .tsv, .txt); a joint trajectory of ROS, or "
-          "footsteps (.yaml, .yml, .json).")
+          "The motion: a CSV with named columns or from OCS2 (.csv, .tsv, .txt); a ROS joint trajectory or footsteps "
+          "(.yaml, .yml, .json).")
       .Require();
   verb.SetGroup("Robot and ground");
   a->robot.AddTo(verb);
   AddText(verb, "--terrain", "NAME", a->request.terrain,
-          "Ground that it goes over, by name or a file, see 'gaitwright terrains'; default flat.");
-  verb.SetGroup("How the file is read");
+          "Ground of the motion, by name or file, see 'gaitwright terrains'; default flat.");
+  verb.SetGroup("Reading the file");
   AddText(verb, "--columns", "FILE", a->request.columns_file,
-          "A YAML that says how the CSV's columns are called, see docs/import.md; default: as its first line says.");
+          "YAML file that maps the CSV's columns, see docs/import.md; default: by its first line.");
   const OptionFields fields = a->request.Fields();
   AddField(verb, "--quaternion-order", fields, "quaternion_order");
   AddField(verb, "--angle-unit", fields, "angle_unit");
   AddField(verb, "--length-unit", fields, "length_unit");
   AddField(verb, "--time-unit", fields, "time_unit");
   AddText(verb, "--goal", "x,y,yaw", a->goal,
-          "Where it was to end, in m, m and rad from its start; default: where it ends.");
-  verb.SetGroup("What is written");
-  AddText(verb, "--out", "FILE", a->out, "The plan, its folder made if need be; default imported.json.");
+          "Intended end pose, in m, m and rad from the start; default: where the motion ends.");
+  verb.SetGroup("Output");
+  AddText(verb, "--out", "FILE", a->out,
+          "Plan file to write; its folder is created if missing; default imported.json.");
   AddCommon(verb, a->common,
             {"import motion.csv --robot a1 --out theirs.json", "import motion.csv --set velocities=derived --json"});
   AddOptionList(verb, a->request.Fields(), a->common.json);

@@ -62,7 +62,7 @@ int RunLive(LiveSettings& a) {
   const Result<OptionTexts> options = a.options.Apply(fields, a.common);
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, fields);
-  if (a.for_s < 0.0) throw InvalidArgument(fmt::format("--for is {} s; accepted: 0, until Ctrl-C, or more", a.for_s));
+  if (a.for_s < 0.0) throw InvalidArgument(fmt::format("--for is {} s; accepted: 0 (until Ctrl-C) or more", a.for_s));
   CheckController(a.play.controller);
   if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
   Paths paths;
@@ -80,7 +80,7 @@ int RunLive(LiveSettings& a) {
   (*server)->Greet(LiveGreeting(**live, meshes));
   const std::string url = (*server)->url();
   fmt::print("{}\n", a.common.json ? fmt::format("{{\"url\": \"{}\"}}", url)
-                                   : (a.common.quiet ? url : url + "  open it in a browser; Ctrl-C ends"));
+                                   : (a.common.quiet ? url : url + "  open it in a browser; press Ctrl-C to end"));
   std::fflush(stdout);
   if (!a.no_open) OpenInBrowser(url);
   LiveListener listener;
@@ -101,23 +101,20 @@ int RunLive(LiveSettings& a) {
 
 void AddLive(Verb program, int& status) {
   auto a = std::make_shared<LiveSettings>();
-  const Verb verb =
-      program.AddVerb("live", "Serve a page on a robot in physics that walks, is pushed and tuned as you watch");
+  const Verb verb = program.AddVerb("live", "Serve a web page where you steer, push and tune a simulated robot");
   verb.SetGroup("Robot");
   a->robot.AddTo(verb);
-  AddText(
-      verb, "--controller", "NAME", a->play.controller,
-      "stabilised, joint-pd or recovering, which steps when it is pushed while it stands, and lets stabilised walk; "
-      "default stabilised.");
-  verb.SetGroup("Where the page is");
-  AddText(
-      verb, "--host", "ADDRESS", a->address.host,
-      "Address of this machine to listen at; the default 127.0.0.1 is reached from this machine alone, with another "
-      "one whoever reaches it moves the robot.");
-  AddWholeNumber(verb, "--port", 0, a->address.port, "Port; 0 takes any that is free; default 8017.");
+  AddText(verb, "--controller", "NAME", a->play.controller,
+          "stabilised, joint-pd or recovering (takes recovery steps when pushed while standing, else as stabilised); "
+          "default stabilised.");
+  verb.SetGroup("Web page");
+  AddText(verb, "--host", "ADDRESS", a->address.host,
+          "Network address to listen on; the default 127.0.0.1 is local; with any other, everyone who reaches it can "
+          "move the robot.");
+  AddWholeNumber(verb, "--port", 0, a->address.port, "Port; 0 uses any free port; default 8017.");
   verb.AddSwitch("--no-open", a->no_open, "Do not open the page in this desktop's browser.");
-  AddNumber(verb, "--for", "s", a->for_s, "End after so long; default 0: by Ctrl-C.");
-  verb.AddSwitch("--debug", a->debug, "Print each change of contact, planned and measured, on standard error.");
+  AddNumber(verb, "--for", "s", a->for_s, "End after this time; default 0: run until Ctrl-C.");
+  verb.AddSwitch("--debug", a->debug, "Print each planned and measured contact change on standard error.");
   a->options.AddTo(verb);
   AddCommon(
       verb, a->common,

@@ -96,10 +96,10 @@ void AddPlan(Verb program, int& status) {
   const Verb verb = program.AddVerb("plan", "Plan a walk, audit it and write it to a file");
   a->walk.AddTo(verb);
   a->options.AddTo(verb);
-  verb.SetGroup("What is written");
-  const Flag out =
-      AddText(verb, "--out", "FILE", a->out, "The file to write, its folder made if need be; default plan.json.");
-  AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out; default: where --out says.")
+  verb.SetGroup("Output");
+  const Flag out = AddText(verb, "--out", "FILE", a->out,
+                           "Plan file to write; its folder is created if missing; default plan.json.");
+  AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out; default: as --out.")
       .Exclude(out);
   a->explain.AddTo(verb);
   AddCommon(verb, a->common,

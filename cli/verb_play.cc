@@ -68,17 +68,16 @@ void AddPlay(Verb program, int& status) {
   auto a = std::make_shared<PlaySettings>();
   const Verb verb = program.AddVerb("play", "Play a plan in physics and score it");
   a->outputs = {"", "", "", "", ""};
-  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.").Require();
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as written by 'plan' and 'walk'.").Require();
   a->play.AddTo(verb);
   a->options.AddTo(verb);
-  verb.SetGroup("Playback, and what the plan does not know");
-  a->disturbances.AddTo(verb, "none; with it, this is the trial that --seed names");
-  verb.SetGroup("What is written");
-  AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this file, as JSON; default: nowhere.");
-  AddText(verb, "--report", "FILE", a->outputs.report,
-          "Write the report to this file, as one HTML page; default: nowhere.");
+  verb.SetGroup("Playback and disturbances");
+  a->disturbances.AddTo(verb, "none; with it, this plays the trial of --seed");
+  verb.SetGroup("Output");
+  AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this JSON file; default: none.");
+  AddText(verb, "--report", "FILE", a->outputs.report, "Write the report to this HTML file; default: none.");
   AddText(verb, "--plot-dir", "FOLDER", a->outputs.plot_folder,
-          "Write the plots into this folder, as SVG files; default: nowhere.");
+          "Write the plots into this folder, as SVG files; default: none.");
   AddCommon(
       verb, a->common,
       {"play plan.json --report report.html", "play plan.json --push 0,20,0 --push-at 1.5 --friction 0.6 --json"});

@@ -76,10 +76,10 @@ int RunReference(Verb program, const ReferenceSettings& a) {
 
 void AddReference(Verb program, int& status) {
   auto a = std::make_shared<ReferenceSettings>();
-  const Verb verb = program.AddVerb("reference", "List the JSON schemas of all files and results, print or write them");
-  const Flag schema = AddText(verb, "--schema", "NAME", a->schema, "Print this schema; default: a list of all.");
+  const Verb verb = program.AddVerb("reference", "List, print or write the JSON schemas of all files and results");
+  const Flag schema = AddText(verb, "--schema", "NAME", a->schema, "Print this schema; default: list all schemas.");
   AddText(verb, "--out-dir", "FOLDER", a->folder,
-          "Write all schemas and the pages of verbs and options into this folder; default: nowhere.")
+          "Write all schemas and the pages of verbs and options into this folder; default: none.")
       .Exclude(schema);
   AddCommon(verb, a->common, {"reference", "reference --schema motion-plan"});
   SetWork(verb, a->common, status, [a, program] { return RunReference(program, *a); });

@@ -46,12 +46,11 @@ void CheckRenderPaths(const RenderSettings& a) {
   paths.Write("--figure", a.figure, {".svg", ".pdf"});
   CheckPaths(paths);
   if (!a.wants_page() && a.figure.empty())
-    throw InvalidArgument("nothing to render is named: --png, --gif, --mp4 or --figure, each with a file");
+    throw InvalidArgument("nothing to render: give --png, --gif, --mp4 or --figure with a file");
   if (a.wants_page() && !HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which makes pictures");
   if (const std::string ending = EndingOf(a.figure); !a.figure.empty() && ending != ".svg" && ending != ".pdf")
-    throw InvalidArgument(
-        fmt::format("--figure '{}' ends in '{}'; that is to say which is written: .svg or .pdf", a.figure, ending));
+    throw InvalidArgument(fmt::format("--figure '{}' ends in '{}'; accepted: .svg or .pdf", a.figure, ending));
 }
 
 /// Nothing that is said is passed over: a flag of pictures or figures that are not made is refused.
@@ -70,7 +69,7 @@ void CheckRenderFlags(const RenderSettings& a, Verb verb) {
       {{"--cycles"}, figure, "--figure"}};
   for (const Use& use : uses) {
     for (const std::string& flag : use.flags)
-      if (!use.used && verb.Given(flag)) throw InvalidArgument(fmt::format("{} goes with {}", flag, use.with));
+      if (!use.used && verb.Given(flag)) throw InvalidArgument(fmt::format("{} is for {} only", flag, use.with));
   }
 }
 
@@ -142,23 +141,26 @@ int RunRender(RenderSettings& a) {
 }
 
 void AddPictureFlags(Verb verb, RenderSettings& a) {
-  verb.SetGroup("How pictures are made");
-  AddNumber(verb, "--at", "s", a.at_s, "Time of the still picture, on the plan's clock; default: its start.");
+  verb.SetGroup("Pictures");
+  AddNumber(verb, "--at", "s", a.at_s, "Time of the still picture, on the plan's clock; default: the start.");
   AddNumber(verb, "--from-s", "s", a.picture.from_s,
-            "Where moving pictures, and the figure's cycles, begin; default: at the start, and at the first step.");
-  AddNumber(verb, "--to-s", "s", a.picture.to_s, "Where moving pictures end; default: at the end.");
-  AddNumber(verb, "--speed", "factor", a.picture.speed, "Of the motion in moving pictures; default 1.");
-  AddNumber(verb, "--fps", "1/s", a.picture.frames_per_s, "Pictures a second of moving pictures; default 30.");
-  AddWholeNumber(verb, "--width", 64, a.picture.width_px, "Of a picture in pixels; default 1280.");
-  AddWholeNumber(verb, "--height", 64, a.picture.height_px, "Of a picture in pixels; default 720.");
+            "Start time of films and of the figure; default: the start of the motion for films, the first step for the "
+            "figure.");
+  AddNumber(verb, "--to-s", "s", a.picture.to_s, "End time of films; default: the end of the motion.");
+  AddNumber(verb, "--speed", "factor", a.picture.speed,
+            "Playback speed of films, as a multiple of real time; default 1.");
+  AddNumber(verb, "--fps", "1/s", a.picture.frames_per_s, "Frames per second of films; default 30.");
+  AddWholeNumber(verb, "--width", 64, a.picture.width_px, "Width of pictures in pixels; default 1280.");
+  AddWholeNumber(verb, "--height", 64, a.picture.height_px, "Height of pictures in pixels; default 720.");
   AddText(verb, "--view", "NAME", a.picture.view,
-          fmt::format("One of {}; default corner.", JoinWords(ViewNames(), ", ")));
+          fmt::format("Camera view: one of {}; default corner.", JoinWords(ViewNames(), ", ")));
   verb.AddValue("--hide", a.picture.hidden,
-                fmt::format("What is left out: {}; default: nothing.", JoinWords(OverlayNames(), ", ")))
+                fmt::format("Parts to hide: {}; default: none.", JoinWords(OverlayNames(), ", ")))
       .SetType("NAME,...")
       .SplitAt(',');
-  verb.AddSwitch("--dark", a.picture.dark, "Light on dark; default: dark on light.");
-  AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles, "Cycles of the gait in the figure, at most 1000; default 10.");
+  verb.AddSwitch("--dark", a.picture.dark, "Light lines on dark ground; default: dark on light.");
+  AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles,
+                 "Number of gait cycles in the figure, at most 1000; default 10.");
 }
 
 }  // namespace
@@ -166,18 +168,18 @@ void AddPictureFlags(Verb verb, RenderSettings& a) {
 void AddRender(Verb program, int& status) {
   auto a = std::make_shared<RenderSettings>();
   const Verb verb = program.AddVerb("render", "Make pictures, films and the figure of a gait from a plan or a log");
-  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.").Require();
+  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as written by 'plan', 'walk' and 'play'.").Require();
   AddText(verb, "--plan", "FILE", a->plan, "The plan that a log was played from; default: plan.json beside the log.");
   AddText(verb, "--meshes", "FOLDER", a->meshes,
-          "Folder of the URDF, from which its visual meshes are found; default: none, what touches is drawn.");
-  verb.SetGroup("What is written, by a headless Chromium");
+          "Folder of the URDF, to find its visual meshes; default: none, and collision shapes are drawn.");
+  verb.SetGroup("Output that needs a headless Chromium");
   AddText(verb, "--png", "FILE", a->png, "A still picture.");
-  AddText(verb, "--gif", "FILE", a->gif, "A moving picture for any page; needs ffmpeg.");
-  AddText(verb, "--mp4", "FILE", a->mp4, "A film; needs ffmpeg.");
-  verb.SetGroup("What is written, without it");
+  AddText(verb, "--gif", "FILE", a->gif, "Animated GIF; needs ffmpeg.");
+  AddText(verb, "--mp4", "FILE", a->mp4, "MP4 film; needs ffmpeg.");
+  verb.SetGroup("Output that needs no browser");
   AddText(verb, "--figure", "FILE", a->figure,
-          "Support polygons, ZMP and centre of mass over some cycles, for print: .svg, or .pdf where rsvg-convert is "
-          "installed.");
+          "Figure of support polygons, ZMP and centre of mass over some cycles, for print: .svg, or .pdf (needs "
+          "rsvg-convert).");
   AddPictureFlags(verb, *a);
   AddCommon(verb, a->common,
             {"render out/log.json --png trot.png --at 1.5 --view side",

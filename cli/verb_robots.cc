@@ -41,16 +41,17 @@ struct RobotsSettings {
 /// The text that the flags name a robot by.
 const std::string& RobotText(const RobotsSettings& a) {
   if (a.robot.empty() && a.file.empty())
-    throw InvalidArgument("ROBOT is required: a name of the list, or the path of a URDF, xacro or MJCF file");
+    throw InvalidArgument(
+        "ROBOT is required: a name from 'gaitwright robots', or the path of a URDF, xacro or MJCF file");
   return a.file.empty() ? a.robot : a.file;
 }
 
 /// A robot by name, or its description by position or by flag.
 void AddRobotTo(const Verb& verb, RobotsSettings& a) {
-  const Flag named =
-      AddText(verb, "ROBOT", "NAME", a.robot, "A name of the list, or the path of a URDF, xacro or MJCF file.");
-  const Flag urdf = AddText(verb, "--urdf", "FILE", a.file, "A URDF or xacro file, as with other verbs; default none.");
-  const Flag mjcf = AddText(verb, "--mjcf", "FILE", a.file, "An MJCF file, as with other verbs; default none.");
+  const Flag named = AddText(verb, "ROBOT", "NAME", a.robot,
+                             "A name from 'gaitwright robots', or the path of a URDF, xacro or MJCF file.");
+  const Flag urdf = AddText(verb, "--urdf", "FILE", a.file, "A URDF or xacro file, as for other verbs; default none.");
+  const Flag mjcf = AddText(verb, "--mjcf", "FILE", a.file, "An MJCF file, as for other verbs; default none.");
   named.Exclude(urdf).Exclude(mjcf);
   urdf.Exclude(mjcf);
   a.loading.AddLoadingTo(verb);
@@ -97,7 +98,7 @@ nlohmann::ordered_json SelfCollisionJson(const CollisionChecker& collision) {
 
 std::string SelfCollisionText(const CollisionChecker& collision) {
   std::string text =
-      fmt::format("self-collision: {} pairs of shapes are checked; not checked are\n", collision.num_pairs());
+      fmt::format("self-collision: {} pairs of shapes are checked; these are not:\n", collision.num_pairs());
   for (const LeftOutPair& pair : collision.left_out())
     text += fmt::format("  {} and {}: {}\n", pair.link_a, pair.link_b, pair.reason);
   return text;
@@ -156,8 +157,8 @@ std::optional<std::string> WhyNoWalk(const RobotModel& model) {
   if (!planned) return planned.failure().message;
   if (planned->audit.pass()) return std::nullopt;
   const Violation& first = planned->audit.violations.front();
-  return fmt::format("the plan of a metre breaks the law '{}' at {:.2f} s: {}, {} where {} is the limit",
-                     LawName(first.law), first.at_s, first.where, AuditFigure(first.value, first.unit),
+  return fmt::format("the plan of a 1 m walk fails the check '{}' at {:.2f} s: {}, {} (limit {})", LawName(first.law),
+                     first.at_s, first.where, AuditFigure(first.value, first.unit),
                      AuditFigure(first.limit, first.unit));
 }
 
@@ -296,29 +297,28 @@ int CheckOneRobot(const RobotsSettings& a) {
 
 void AddRobots(Verb program, int& status) {
   auto a = std::make_shared<RobotsSettings>();
-  const Verb verb = program.AddVerb("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
-  const Verb show = verb.AddVerb("show", "Explain one robot: legs, feet, posture, limits");
+  const Verb verb = program.AddVerb("robots", "List the robots; 'robots show X' prints what was derived from a URDF");
+  const Verb show = verb.AddVerb("show", "Show one robot: legs, feet, posture, limits");
   AddRobotTo(show, *a);
   show.SetGroup("Draw it standing");
-  AddText(show, "--png", "FILE", a->png, "A picture of it, by a headless Chromium; default: none.");
+  AddText(show, "--png", "FILE", a->png,
+          "Write a picture of the robot to this file (needs a headless Chromium); default: none.");
   std::vector<std::string> views = ViewNames();
   views.insert(views.begin(), kDrawing);
   a->picture.view = kDrawing;
-  AddText(show, "--page", "FILE", a->page, "A page on which it can be turned and looked at in 3D; default: none.");
-  AddText(
-      show, "--view", "NAME", a->picture.view,
-      fmt::format("Of the picture: drawing (views to scale with soles, joint axes and centre of mass), or in 3D one "
-                  "of {}; default drawing.",
-                  JoinWords(ViewNames(), ", ")))
+  AddText(show, "--page", "FILE", a->page, "Write an HTML page that shows the robot in 3D; default: none.");
+  AddText(show, "--view", "NAME", a->picture.view,
+          fmt::format("View of the picture: drawing (views to scale with soles, joint axes and centre of mass), or in "
+                      "3D one of {}; default drawing.",
+                      JoinWords(ViewNames(), ", ")))
       .AcceptOnly(views);
   AddCommon(verb, a->common, {"robots", "robots show a1"});
   AddCommon(show, a->common, {"robots show a1", "robots show nao --json", "robots show nao --png nao.png"});
-  const Verb check =
-      verb.AddVerb("check", "Look for faults in a robot description: a line a finding, status 1 on errors");
+  const Verb check = verb.AddVerb("check", "Check a robot description: one line per finding, exit status 1 on errors");
   AddRobotTo(check, *a);
   AddText(check, "--against", "FILE", a->against,
-          "Another description of the same robot, to compare with; default none.");
-  AddText(check, "--repaired", "FILE", a->repaired, "Write the URDF with all that was mended; default none.");
+          "Another description of the same robot to compare with; default none.");
+  AddText(check, "--repaired", "FILE", a->repaired, "Write the repaired URDF to this file; default none.");
   AddCommon(check, a->common, {"robots check a1", "robots check nao --json", "robots check go1 --repaired go1.urdf"});
   verb.RequireVerbs(0, 1);
   SetWork(verb, a->common, status, [a, verb, show, check] {

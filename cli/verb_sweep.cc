@@ -61,7 +61,7 @@ Result<Study> SweepStudy(SweepSettings& a) {
   if (!options) return options.failure();
   for (const std::string& key : KeysOf(axes)) {
     if (std::any_of(options->begin(), options->end(), [&](const auto& option) { return option.first == key; }))
-      throw InvalidArgument(fmt::format("--options gives what --over {} varies: leave one of them out", key));
+      throw InvalidArgument(fmt::format("--options sets what --over {} varies; leave one of them out", key));
   }
   Result<RobotModel> model = a.study.FinishFor(axes);
   if (!model) return model.failure();
@@ -88,7 +88,7 @@ struct SweepInputs {
 
 Result<SweepInputs> ReadSweepInputs(SweepSettings& a) {
   if (a.trials == 0 && !a.study.disturbances.file.empty())
-    throw InvalidArgument("--disturbances says what trials sample: give --trials too");
+    throw InvalidArgument("--disturbances is for trials: give --trials too");
   Result<Study> study = SweepStudy(a);
   if (!study) return study.failure();
   std::string trials;
@@ -181,32 +181,33 @@ int RunSweep(SweepSettings& a) {
 void AddSweepFlags(Verb verb, SweepSettings& a) {
   a.study.AddTo(
       verb,
-      "An option and its values, may be repeated: KEY=FROM:TO:COUNT or KEY=a,b,c for a grid, KEY=FROM:TO with "
-      "--samples. KEY is speed, lateral_speed, yaw_rate, step_length or one of --list-options; default: none.");
-  verb.SetGroup("What is varied");
+      "An option and its values: KEY=FROM:TO:COUNT or KEY=a,b,c for a grid, KEY=FROM:TO with --samples; may be "
+      "repeated. KEY is speed, lateral_speed, yaw_rate, step_length or a key of --list-options=all; default: none.");
+  verb.SetGroup("Varied options");
   AddWholeNumber(verb, "--samples", 1, a.samples,
-                 "So many points of a Halton sequence (see --seed) in place of a grid; default: a grid.");
-  verb.SetGroup("What is done at each point");
-  AddWholeNumber(verb, "--trials", 0, a.trials,
-                 "Randomised playbacks of each point whose plan passes its audit, the same for all; default 0.");
+                 "Number of points of a Halton sequence (see --seed), instead of a grid; default: a grid.");
+  verb.SetGroup("Work at each point");
+  AddWholeNumber(
+      verb, "--trials", 0, a.trials,
+      "Randomised playbacks for each point whose plan passes its audit; all points get the same; default 0.");
   a.study.disturbances.AddTo(verb);
-  AddText(verb, "--metrics", "KEYS", a.metrics,
-          "Metrics to be told of, with commas between; default " + a.metrics + ".");
+  AddText(verb, "--metrics", "KEYS", a.metrics, "Comma-separated metrics to report; default " + a.metrics + ".");
   a.study.AddWorkTo(verb);
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a.out,
-          "Write the map to this file, as CSV; while it runs FILE.so-far keeps what it has; default sweep.csv.");
-  AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
-  AddText(verb, "--map", "FILE", a.map, "Write the picture of the map to this file, as SVG; default: nowhere.");
+          "Write the map to this CSV file; FILE.so-far keeps intermediate results during the run; default sweep.csv.");
+  AddText(verb, "--report", "FILE", a.report, "Write the report to this HTML file; default: none.");
+  AddText(verb, "--map", "FILE", a.map, "Write a picture of the map to this SVG file; default: none.");
   AddText(verb, "--best", "FILE", a.best,
-          "Write the plan of the best point, by survival and then score, to this file; default: nowhere.");
+          "Write the plan of the best point (by survival, then score) to this file; default: none.");
 }
 
 }  // namespace
 
 void AddSweep(Verb program, int& status) {
   auto a = std::make_shared<SweepSettings>();
-  const Verb verb = program.AddVerb("sweep", "Walk over a range of options: where does the gait stand, and why not?");
+  const Verb verb = program.AddVerb(
+      "sweep", "Plan and play a walk over ranges of options, and map where it stays up and why it fails");
   AddSweepFlags(verb, *a);
   AddCommon(verb, a->common,
             {"sweep --distance 0.3 --over speed=0.2:0.4:2 --quiet",

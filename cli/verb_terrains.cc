@@ -120,12 +120,12 @@ Json ObstacleJson(const Obstacle& obstacle) {
 }
 
 void PrintParts(const Terrain& terrain) {
-  fmt::print("surfaces, where they overlap the highest holds\n");
+  fmt::print("surfaces (the highest counts where they overlap)\n");
   for (const TerrainPatch& patch : terrain.patches) {
     const Vector3 origin = patch.X_WT.translation(), normal = patch.X_WT.linear().col(2);
     fmt::print("  {}: through ({:.3f}, {:.3f}, {:.3f}) m, normal ({:.3f}, {:.3f}, {:.3f}), {}, friction {}\n",
                patch.name, origin.x(), origin.y(), origin.z(), normal.x(), normal.y(), normal.z(),
-               patch.outline_T.empty() ? "without end" : fmt::format("{} corners", patch.outline_T.size()),
+               patch.outline_T.empty() ? "infinite" : fmt::format("{} corners", patch.outline_T.size()),
                patch.friction);
   }
   for (const HeightField& field : terrain.height_fields) {
@@ -228,10 +228,11 @@ void AddTerrains(Verb program, int& status) {
   const Verb verb = program.AddVerb("terrains", "List the grounds; 'terrains show X' describes one");
   const Verb show = verb.AddVerb("show", "Describe one ground: its sizes, surfaces and obstacles");
   AddText(show, "TERRAIN", "NAME", a->terrain,
-          "As of --terrain: a name of the list, with parameters or without, or a file; see docs/terrain-format.md.")
+          "A name from 'gaitwright terrains', with or without parameters, or a file, as for --terrain; see "
+          "docs/terrain-format.md.")
       .Require();
-  a->robot.AddTo(show, "The robot whose sizes are taken where none are given; default a1.");
-  AddText(show, "--picture", "FILE", a->picture, "Draw it into this SVG file, from above and from the side.");
+  a->robot.AddTo(show, "Robot whose size sets the default dimensions; default a1.");
+  AddText(show, "--picture", "FILE", a->picture, "Draw the ground into this SVG file, from above and from the side.");
   AddCommon(verb, a->common, {"terrains", "terrains show stairs"});
   AddCommon(show, a->common,
             {"terrains show stairs --robot nao", "terrains show rough:amplitude_m=0.03,seed=2 --picture rough.svg"});

@@ -72,7 +72,7 @@ void PrintTrials(const TrialsSettings& a, const TrialRun& run, bool enough) {
   fmt::print("{}\nresult  {}\n", RobustnessText(report), a.out);
   if (!a.report.empty()) fmt::print("report  {}\n", a.report);
   if (run.beyond > 0)
-    fmt::print("so far  {} more trials are in {}; --resume goes on with them\n", run.beyond, a.SoFar());
+    fmt::print("so far  {} more trials are in {}; --resume continues with them\n", run.beyond, a.SoFar());
 }
 
 /// The run, with its journal beside the result and a bar on a terminal.
@@ -115,7 +115,7 @@ void CheckTrialsPaths(const TrialsSettings& a) {
 
 void CheckShare(const TrialsSettings& a) {
   if (a.require_survival && (*a.require_survival < 0.0 || *a.require_survival > 1.0)) {
-    throw InvalidArgument(fmt::format("--require-survival is {}; it is a share, from 0 to 1", *a.require_survival));
+    throw InvalidArgument(fmt::format("--require-survival is {}; accepted: 0 to 1", *a.require_survival));
   }
 }
 
@@ -169,32 +169,35 @@ int RunTrials(TrialsSettings& a) {
 }
 
 void AddTrialsFlags(Verb verb, TrialsSettings& a) {
-  AddText(verb, "PLAN", "FILE", a.plan, "A plan file, as 'plan' and 'walk' write it.").Require();
+  AddText(verb, "PLAN", "FILE", a.plan, "A plan file, as written by 'plan' and 'walk'.").Require();
   verb.SetGroup("Trials");
-  AddWholeNumber(verb, "-n,--trials", 1, a.trials.trials, "How many; default 500.");
+  AddWholeNumber(verb, "-n,--trials", 1, a.trials.trials, "Number of trials; default 500.");
   a.disturbances.AddTo(verb);
-  verb.AddSwitch("--show-disturbances", a.show, "Print what would be sampled, as such a file, and do nothing else.");
+  verb.AddSwitch("--show-disturbances", a.show, "Print the disturbances that would be sampled, as YAML, and exit.");
   AddField(verb, "--until-width", a.trials.Fields(), "until_width");
-  AddWholeNumber(verb, "--until-least", 1, a.trials.until_least, "Not before so many trials; default 50.");
+  AddWholeNumber(verb, "--until-least", 1, a.trials.until_least,
+                 "Smallest number of trials before they may stop early; default 50.");
   AddWholeNumber(verb, "--threads", 0, a.trials.threads,
-                 "Threads that play; the result is the same for any; default 0: one for each core.");
+                 "Number of threads, which does not change the result; default 0: one per core.");
   AddNumber(verb, "--require-survival", "SHARE", a.require_survival,
-            "Exit status 3 where the share that survived is under this, from 0 to 1; default: none is required, and "
-            "--quiet prints how many survived.");
+            "Exit with status 3 if the survival rate is below this share (0 to 1); default: not required, and --quiet "
+            "prints the number of survivors.");
   a.play.AddTo(verb);
   a.options.AddTo(verb);
-  verb.SetGroup("What is written");
+  verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a.out,
-          "Write the result to this file, as JSON; while it runs FILE.so-far keeps what it has; default trials.json.");
-  AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
-  verb.AddSwitch("--resume", a.resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
+          "Write the result to this JSON file; FILE.so-far keeps intermediate results during the run; default "
+          "trials.json.");
+  AddText(verb, "--report", "FILE", a.report, "Write the report to this HTML file; default: none.");
+  verb.AddSwitch("--resume", a.resume, "Continue an interrupted run; the result equals that of an uninterrupted one.");
 }
 
 }  // namespace
 
 void AddTrials(Verb program, int& status) {
   auto a = std::make_shared<TrialsSettings>();
-  const Verb verb = program.AddVerb("trials", "Play a plan many times under sampled disturbances: does it survive?");
+  const Verb verb =
+      program.AddVerb("trials", "Play a plan many times under sampled disturbances, and report how often it survives");
   AddTrialsFlags(verb, *a);
   AddCommon(verb, a->common,
             {"trials plan.json -n 2 --quiet", "trials plan.json -n 2 --out two.json --report two.html --threads 1",

@@ -96,12 +96,11 @@ int RunTune(TuneSettings& a) {
 }
 
 void AddTuneFlags(Verb verb, TuneSettings& a) {
-  a.study.AddTo(
-      verb,
-      "An option and its range, as KEY=FROM:TO, may be repeated. KEY is one of --list-options that is a number, "
-      "but none of play.*, sensors.* and score.*; default: none.");
+  a.study.AddTo(verb,
+                "An option and its range, as KEY=FROM:TO; may be repeated. KEY is a numeric key of --list-options=all, "
+                "except play.*, sensors.* and score.*; default: none.");
   const OptionFields fields = a.tune.Fields();
-  verb.SetGroup("How it is searched");
+  verb.SetGroup("Search");
   AddField(verb, "--evaluations", fields, "evaluations");
   AddField(verb, "--trials", fields, "trials");
   AddField(verb, "--finalists", fields, "finalists");
@@ -111,20 +110,19 @@ void AddTuneFlags(Verb verb, TuneSettings& a) {
   AddField(verb, "--smooth-above", fields, "smooth_above");
   a.study.disturbances.AddTo(verb);
   a.study.AddWorkTo(verb);
-  verb.SetGroup("What is written");
-  AddText(
-      verb, "--out", "FILE", a.out,
-      "Write the tuned options to this file, for --options of walk, plan, play and trials; while it runs FILE.so-far "
-      "keeps what it has; default tuned.yaml.");
-  AddText(verb, "--result", "FILE", a.result, "Write what --json prints to this file; default: nowhere.");
-  AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
+  verb.SetGroup("Output");
+  AddText(verb, "--out", "FILE", a.out,
+          "Write the tuned options to this file, for --options of walk, plan, play and trials; FILE.so-far keeps "
+          "intermediate results during the run; default tuned.yaml.");
+  AddText(verb, "--result", "FILE", a.result, "Write the JSON result to this file; default: none.");
+  AddText(verb, "--report", "FILE", a.report, "Write the report to this HTML file; default: none.");
 }
 
 }  // namespace
 
 void AddTune(Verb program, int& status) {
   auto a = std::make_shared<TuneSettings>();
-  const Verb verb = program.AddVerb("tune", "Find better values of options, and prove it on trials never used");
+  const Verb verb = program.AddVerb("tune", "Find better values of options, and test them on held-out trials");
   AddTuneFlags(verb, *a);
   AddCommon(verb, a->common,
             {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 2 --trials 1 --held-out 6"});

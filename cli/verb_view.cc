@@ -70,12 +70,13 @@ int RunView(const ViewSettings& a) {
 
 void AddView(Verb program, int& status) {
   auto a = std::make_shared<ViewSettings>();
-  const Verb verb = program.AddVerb("view", "Make a page that shows a plan or a log in 3D, or two side by side");
-  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.").Require();
-  AddText(verb, "BESIDE", "FILE", a->beside, "A second one, shown beside it under the same clock; default none.");
+  const Verb verb = program.AddVerb("view", "Make an HTML page that shows a plan or a log in 3D, or two side by side");
+  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as written by 'plan', 'walk' and 'play'.").Require();
+  AddText(verb, "BESIDE", "FILE", a->beside,
+          "A second plan or log, shown beside the first on the same clock; default none.");
   AddText(verb, "--plan", "FILE", a->plan, "The plan that a log was played from; default: plan.json beside the log.");
   AddText(verb, "--meshes", "FOLDER", a->meshes,
-          "Folder of the URDF, from which its visual meshes are found; default: none, what touches is drawn.");
+          "Folder of the URDF, to find its visual meshes; default: none, and collision shapes are drawn.");
   AddText(verb, "--out", "FILE", a->out, "Write the page to this file; default view.html.");
   AddCommon(verb, a->common,
             {"view plan.json", "view out/log.json --out trot.html", "view out/log.json plan.json --out two.html"});

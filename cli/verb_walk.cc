@@ -67,8 +67,7 @@ int RunWalk(WalkSettings& a) {
 
 void AddWalk(Verb program, int& status) {
   auto a = std::make_shared<WalkSettings>();
-  const Verb verb =
-      program.AddVerb("walk", "Plan, audit, play and score a walk in one go, and write the report: the main job");
+  const Verb verb = program.AddVerb("walk", "Plan, audit, play and score a walk, and write the report");
   a->outputs.folder = "out";
   a->walk.AddTo(verb);
   a->play.AddTo(verb);

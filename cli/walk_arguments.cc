@@ -38,62 +38,56 @@ void WalkArguments::AddTo(Verb verb) {
   verb.SetGroup("Robot and ground");
   robot.AddTo(verb);
   AddText(verb, "--terrain", "NAME", request.terrain,
-          "Ground by name, with parameters or without, as stairs:rise_m=0.05,count=2, see 'gaitwright terrains'; or a "
-          "file of one (YAML, CSV, PNG, OBJ, STL); default flat.");
+          "Ground by name, with optional parameters, such as stairs:rise_m=0.05,count=2, see 'gaitwright terrains'; or "
+          "a file (YAML, CSV, PNG, OBJ, STL); default flat.");
   AddCommandTo(verb);
-  verb.SetGroup("How it is planned");
+  verb.SetGroup("Planning");
   const Flag method = AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
-                              "How the centre of mass is planned: optimised, closed-form, preview or rigid-body; "
-                              "default optimised, and rigid-body for gaits that fly.");
+                              "Planner of the centre of mass: optimised, closed-form, preview or rigid-body; default "
+                              "optimised, and rigid-body for gaits with flight.");
   keyed.push_back({method, "centre_of_mass.method"});
   verb.SetGroup("Options");
 }
 
 void WalkArguments::AddCommandTo(Verb verb) {
-  verb.SetGroup("How fast (any mix of these)");
+  verb.SetGroup("Speed (flags can be combined)");
   WalkCommand& c = request.command;
   const Flag gait =
       AddText(verb, "--gait", "NAME", request.gait,
-              "Gait by name, see 'gaitwright gaits', or a file of gaits: FILE.yaml for its first, FILE.yaml:NAME for "
-              "another one; 'walk' is the slow one for the robot's number of legs; default: the robot's best.");
+              "Gait by name, see 'gaitwright gaits', or from a file: FILE.yaml for its first gait, FILE.yaml:NAME for "
+              "another; 'walk' is the slow gait for the robot's number of legs; default: the robot's best.");
   const Flag ahead = AddNumber(verb, "--speed", "m/s", c.speed_m_s,
-                               "Speed ahead, 0 or more; default 0: where no other speed says where to go the robot's "
-                               "own, see 'gaitwright robots show'.");
+                               "Forward speed, 0 or more; default 0: if no other speed is given, the robot's default "
+                               "speed, see 'gaitwright robots show'.");
   const Flag aside = AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
-                               "Speed to the left, negative to the right; default 0.");
-  const Flag turning = AddNumber(
-      verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s,
-      "Turning to the left, negative to the right; default 0. Alone it turns on the spot, with --distance it bends "
-      "the way at the robot's own speed.");
-  verb.SetGroup("How far (one of --distance, --duration, --goal, --steps)");
-  const Flag distance =
-      AddNumber(verb, "--distance", "m", extent.distance_m,
-                "Length of the way in the commanded direction, along the curve where --yaw-rate bends it, more than 0; "
-                "default 1, or a quarter turn where --yaw-rate stands alone.");
-  const Flag duration = AddNumber(
-      verb, "--duration", "s", extent.duration_s,
-      "Time of walking at the commanded speeds, in whole cycles of the gait, more than 0; default: as --distance "
-      "says.");
-  const Flag pose = AddText(
-      verb, "--goal", "x,y,yaw", goal,
-      "Where to, in m, m and rad from the start: x ahead, y to the left, yaw between -pi and pi. A goal behind is "
-      "walked to backward. Speeds given are the largest on the way.");
-  const Flag count = AddWholeNumber(verb, "--steps", 1, extent.steps,
-                                    "So many footfalls at the commanded speeds, the last ones closing the stance; 1 "
-                                    "or more.");
-  const Flag length =
-      AddNumber(verb, "--step-length", "m", extent.step_length_m,
-                "Advance of the robot in a footfall, with --steps and instead of --speed; 0 steps on the spot, "
-                "negative goes back; default: speed times the time of a footfall.")
-          .Need(count)
-          .Exclude(ahead);
+                               "Lateral speed; positive is to the left; default 0.");
+  const Flag turning = AddNumber(verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s,
+                                 "Yaw rate; positive is to the left; default 0. Given alone, the robot turns on the "
+                                 "spot; with --distance, it walks a curve at its default speed.");
+  verb.SetGroup("Distance (one of --distance, --duration, --goal, --steps)");
+  const Flag distance = AddNumber(verb, "--distance", "m", extent.distance_m,
+                                  "Length of the path in the commanded direction, along the curve with --yaw-rate; "
+                                  "more than 0; default 1, or a quarter turn if --yaw-rate is given alone.");
+  const Flag duration =
+      AddNumber(verb, "--duration", "s", extent.duration_s,
+                "Time to walk at the commanded speeds, in whole gait cycles; more than 0; default: as --distance.");
+  const Flag pose = AddText(verb, "--goal", "x,y,yaw", goal,
+                            "Goal pose in m, m and rad from the start: x forward, y to the left, yaw between -pi and "
+                            "pi. The robot walks backward to a goal behind it. Given speeds are upper limits.");
+  const Flag count =
+      AddWholeNumber(verb, "--steps", 1, extent.steps,
+                     "Number of footfalls at the commanded speeds; the last ones bring the feet together; 1 or more.");
+  const Flag length = AddNumber(verb, "--step-length", "m", extent.step_length_m,
+                                "Forward advance in each footfall, with --steps and instead of --speed; 0 steps on the "
+                                "spot, negative steps backward; default: speed times the time of a footfall.")
+                          .Need(count)
+                          .Exclude(ahead);
   keyed = {{ahead, "speed"}, {aside, "lateral_speed"}, {turning, "yaw_rate"}, {length, "step_length"}};
-  verb.SetGroup("Several gaits one after the other, instead of all these");
-  const Flag parts =
-      AddText(verb, "--sequence", "PARTS", request.sequence,
-              "Parts one after the other in one plan, as 'trot: speed=0.5, distance=1; stand: duration=1; walk', or a "
-              "YAML file of them, see docs/gaits.md. Keys are speed, lateral-speed, yaw-rate; distance, duration or "
-              "steps; step-length; default: none.");
+  verb.SetGroup("Several gaits in sequence, instead of the flags above");
+  const Flag parts = AddText(verb, "--sequence", "PARTS", request.sequence,
+                             "Parts of one plan in sequence, such as 'trot: speed=0.5, distance=1; stand: duration=1; "
+                             "walk', or a YAML file, see docs/gaits.md. Keys are speed, lateral-speed, yaw-rate; "
+                             "distance, duration or steps; step-length; default: none.");
   for (const Flag& other : {gait, ahead, aside, turning, distance, duration, pose, count}) parts.Exclude(other);
 }
 
@@ -114,20 +108,20 @@ void PlayArguments::AddTo(Verb verb) {
     keyed.push_back({option, key});
     return option;
   };
-  verb.SetGroup("Playback, and what the plan does not know");
+  verb.SetGroup("Playback and disturbances");
   AddText(verb, "--controller", "NAME", request.controller,
-          "stabilised (default), joint-pd, or for plans that stand recovering.");
+          "stabilised (default), joint-pd, or recovering (for standing plans).");
   add("--state", "state");
   only_with_sensors =
       verb.AddReader(
               "--sensors", [this](const std::string& kind) { request.sensing.sensors = SensorsOfKind(kind); },
-              "Figures of the sensors that --state measured and estimated have: ideal, good or hobby, see "
-              "docs/sensing.md; --set sensors.* changes single ones; default ideal.")
+              "Sensor quality for --state measured and estimated: ideal, good or hobby, see docs/sensing.md; --set "
+              "sensors.* changes single values; default ideal.")
           .SetType("KIND")
           .Check(NotASensorKind);
   add("--command-delay", "command_delay_s");
   AddText(verb, "--push", "fx,fy,fz", push,
-          "Push on the base in N, world axes: x ahead, y to the left, z up; default none.");
+          "Pushing force on the base in N, in world axes: x forward, y to the left, z up; default none.");
   only_with_push = {add("--push-at", "play.push_at_s"), add("--push-for", "play.push_for_s")};
   add("--ground-slope-deg", "play.ground_slope_deg");
   add("--ground-bumps", "play.ground_bumps_m");
@@ -144,7 +138,7 @@ void PlayArguments::Finish(const std::vector<std::string>& varied) {
     return std::any_of(varied.begin(), varied.end(), [&](const std::string& key) { return key.starts_with(begins); });
   };
   if (only_with_sensors->given() && !varies("state") && request.sensing.state == StateSourceNames().front())
-    throw InvalidArgument("--sensors is for --state measured or estimated: the true state reads no sensor");
+    throw InvalidArgument("--sensors is for --state measured or estimated; the true state uses no sensors");
   if (!push.empty()) {
     const std::vector<double> force = ParseNumbers("--push", push, 3);
     request.play.push_force_W = Vector3(force[0], force[1], force[2]);
@@ -152,10 +146,10 @@ void PlayArguments::Finish(const std::vector<std::string>& varied) {
   const bool pushes = !request.play.push_force_W.isZero(0.0);
   for (const Flag& flag : only_with_push) {
     if (flag.given() && push.empty() && !pushes && !varies("play.push_force"))
-      throw InvalidArgument(flag.name() + " is given without --push: how hard is missing");
+      throw InvalidArgument(flag.name() + " is given without --push, which sets the force");
   }
   if (pushes && request.play.push_for_s == 0.0)
-    throw InvalidArgument("a push that lasts for 0 s does nothing: --push-for is to be above 0");
+    throw InvalidArgument("a push of 0 s has no effect: --push-for must be above 0");
 }
 
 void PlayArguments::CheckActs(const std::vector<std::string>& sets, const std::vector<std::string>& varied,

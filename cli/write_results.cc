@@ -9,8 +9,8 @@ Result<std::vector<std::string>> WriteResults(const std::vector<OutputFile>& fil
   Result<std::vector<std::string>> written = WriteFilesTogether(files);
   if (written) return written;
   Failure failure = written.failure();
-  failure.suggestions.push_back(
-      fmt::format("the same command with --resume once that can be written: '{}' keeps all that is done", so_far));
+  failure.suggestions.push_back(fmt::format(
+      "make the file writable, then run the same command with --resume; '{}' keeps the results so far", so_far));
   return failure;
 }
 

@@ -10,9 +10,9 @@ int main(int argc, char** argv) {
   CLI::App app("A robot learns what it carries: joint PD whose feed-forward adapts", "adaptive_pd");
   std::string robot = "a1";
   double payload_kg = 4.0, rate_per_s = 3.0;
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--payload", payload_kg, "What it carries [kg]")->capture_default_str();
-  app.add_option("--rate", rate_per_s, "How fast it learns [1/s]; 0: not at all")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--payload", payload_kg, "Payload [kg]")->capture_default_str();
+  app.add_option("--rate", rate_per_s, "Adaptation rate [1/s]; 0 disables adaptation")->capture_default_str();
   try {
     app.parse(argc, argv);
     const examples::CarriedPayload adaptive = examples::CarryPayload(robot, payload_kg, rate_per_s);

@@ -11,9 +11,9 @@ int main(int argc, char** argv) {
   std::string robot = "nao";
   int steps = 6;
   double step_length_m = 0.04;
-  app.add_option("--robot", robot, "A biped that comes with the program")->capture_default_str();
-  app.add_option("--steps", steps, "Footfalls, the last one closing the feet")->capture_default_str();
-  app.add_option("--step-length", step_length_m, "How far the robot gets in one [m]")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in biped")->capture_default_str();
+  app.add_option("--steps", steps, "Number of footfalls; the last one closes the stance")->capture_default_str();
+  app.add_option("--step-length", step_length_m, "Forward advance in a footfall [m]")->capture_default_str();
   try {
     app.parse(argc, argv);
     const examples::BipedWalk walk = examples::WalkBiped(robot, steps, step_length_m);

@@ -22,15 +22,17 @@ int main(int argc, char** argv) {
   std::uint16_t port = 0;
   examples::StandInOptions stand_in;
   examples::StreamOptions stream;
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--port", port, "Where the robot listens, on 127.0.0.1; default: a stand-in that is started for it");
-  app.add_option("--period", stream.period_s, "From one command to the next [s]")
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--port", port, "Port of the robot on 127.0.0.1; default: a stand-in is started");
+  app.add_option("--period", stream.period_s, "Time between two commands [s]")
       ->capture_default_str()
       ->check(CLI::Range(2e-4, 0.02));
-  app.add_option("--watchdog", stream.watchdog_s, "Without a state for so long it stops [s]")->capture_default_str();
-  app.add_option("--loses-every", stand_in.loses_every, "One of so many answers of the stand-in gets lost; 0: none")
+  app.add_option("--watchdog", stream.watchdog_s, "Time without a state after which it stops [s]")
       ->capture_default_str();
-  app.add_option("--silent-after", stand_in.silent_after, "Answers after which the stand-in is silent; 0: never")
+  app.add_option("--loses-every", stand_in.loses_every, "Every N-th answer of the stand-in is lost; 0: none")
+      ->capture_default_str();
+  app.add_option("--silent-after", stand_in.silent_after,
+                 "Number of answers after which the stand-in is silent; 0: never")
       ->capture_default_str();
   try {
     app.parse(argc, argv);

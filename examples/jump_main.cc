@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   CLI::App app("A quadruped leaps: how long it is in the air, and how high it gets", "jump");
   std::string robot = "a1";
   double length_m = 0.4;
-  app.add_option("--robot", robot, "A quadruped that comes with the program")->capture_default_str();
-  app.add_option("--length", length_m, "How far ahead [m]")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in quadruped")->capture_default_str();
+  app.add_option("--length", length_m, "Forward distance [m]")->capture_default_str();
   try {
     app.parse(argc, argv);
     const examples::Leap leap = examples::LeapAhead(robot, length_m);

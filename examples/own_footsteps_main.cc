@@ -12,10 +12,10 @@ int main(int argc, char** argv) {
   CLI::App app("Footsteps of one's own, round an arc; the rest is planned over them", "own_footsteps");
   std::string robot = "a1";
   double radius_m = 0.6, turn_rad = 1.2, stride_m = 0.12;
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--radius", radius_m, "Of the arc [m]")->capture_default_str();
-  app.add_option("--turn", turn_rad, "How far round, left positive [rad]")->capture_default_str();
-  app.add_option("--stride", stride_m, "The farthest in a round of all feet [m]")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--radius", radius_m, "Radius of the arc [m]")->capture_default_str();
+  app.add_option("--turn", turn_rad, "Angle of the arc, positive to the left [rad]")->capture_default_str();
+  app.add_option("--stride", stride_m, "Largest advance in a cycle of all feet [m]")->capture_default_str();
   try {
     app.parse(argc, argv);
     const Result<RobotModel> model = LoadNamedRobot(robot);

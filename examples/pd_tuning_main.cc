@@ -38,12 +38,12 @@ int main(int argc, char** argv) {
   std::vector<double> stiffness = {5.0, 10.0, 20.0}, damping = {0.2, 0.6, 1.4},
                       scales = {2.0, 1.0, 0.5, 0.25, 0.15, 0.1, 0.07, 0.05};
   double step_rad = 0.05;
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--joint", joint, "The one whose target jumps")->capture_default_str();
-  app.add_option("--step", step_rad, "By how much [rad]")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--joint", joint, "Joint with the step in its target")->capture_default_str();
+  app.add_option("--step", step_rad, "Size of the step [rad]")->capture_default_str();
   app.add_option("--stiffness", stiffness, "kp, one or more [N m/rad]")->capture_default_str();
   app.add_option("--damping", damping, "kd, each with each kp [N m s/rad]")->capture_default_str();
-  app.add_option("--scales", scales, "Of all gains, for standing")->capture_default_str();
+  app.add_option("--scales", scales, "Factor on all gains, for standing")->capture_default_str();
   app.add_option("--plot", plot, "SVG to write, of the step responses");
   try {
     app.parse(argc, argv);

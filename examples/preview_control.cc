@@ -68,7 +68,7 @@ struct Axes {
 void RefuseSameFile(const char* read_by, const std::string& read, const char* written_by, const std::string& written) {
   if (read.empty() || written.empty() || !IsSameFile(read, written)) return;
   throw InvalidArgument(
-      fmt::format("{} '{}' would be written over {} '{}': name another file", written_by, written, read_by, read));
+      fmt::format("{} '{}' would overwrite {} '{}'; give another file", written_by, written, read_by, read));
 }
 
 Axes Follow(const ZmpTable& reference, double com_height_m, double preview_s) {

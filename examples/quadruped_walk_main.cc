@@ -10,9 +10,9 @@ int main(int argc, char** argv) {
   CLI::App app("A quadruped walks 1 m: planned, audited, played and scored", "quadruped_walk");
   std::string robot = "a1", gait = "trot";
   double speed_m_s = 0.5;
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--gait", gait, "A gait for its number of feet")->capture_default_str();
-  app.add_option("--speed", speed_m_s, "How fast [m/s]")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--gait", gait, "Name of a gait for its number of feet")->capture_default_str();
+  app.add_option("--speed", speed_m_s, "Speed [m/s]")->capture_default_str();
   try {
     app.parse(argc, argv);
     const examples::WalkedQuadruped walk = examples::WalkQuadruped(robot, gait, speed_m_s);

@@ -10,9 +10,9 @@ int main(int argc, char** argv) {
   CLI::App app("A quadruped climbs stairs, and tells on which of them it stepped", "stairs");
   std::string robot = "a1", terrain = "stairs:rise_m=0.07,tread_m=0.25,count=3";
   double distance_m = 4.0;
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--terrain", terrain, "The ground, see docs/terrain-format.md")->capture_default_str();
-  app.add_option("--distance", distance_m, "How far ahead [m]")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--terrain", terrain, "Ground, see docs/terrain-format.md")->capture_default_str();
+  app.add_option("--distance", distance_m, "Forward distance [m]")->capture_default_str();
   try {
     app.parse(argc, argv);
     const examples::Climb climb = examples::ClimbStairs(robot, terrain, distance_m);

@@ -13,13 +13,12 @@ int main(int argc, char** argv) {
   examples::StandInOptions options;
   double leaves_after_s = 1.0;
   constexpr double kWaitsForTheFirst = 60.0;  // [s]
-  app.add_option("--step", options.step_s, "Time that goes by from one command to the next [s]")
+  app.add_option("--step", options.step_s, "Time between two commands [s]")
       ->capture_default_str()
       ->check(CLI::Range(2e-4, 0.02));
-  app.add_option("--load-error", options.load_error, "Share by which loads are not as planned")->capture_default_str();
-  app.add_option("--loses-every", options.loses_every, "One of so many answers gets lost; 0: none")
-      ->capture_default_str();
-  app.add_option("--silent-after", options.silent_after, "Answers after which it is silent; 0: never")
+  app.add_option("--load-error", options.load_error, "Relative error of the loads")->capture_default_str();
+  app.add_option("--loses-every", options.loses_every, "Every N-th answer is lost; 0: none")->capture_default_str();
+  app.add_option("--silent-after", options.silent_after, "Number of answers after which it is silent; 0: never")
       ->capture_default_str();
   app.add_option("--leaves-after", leaves_after_s,
                  "After the first command it ends when nothing has come for so long [s]")

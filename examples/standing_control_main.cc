@@ -13,11 +13,11 @@ int main(int argc, char** argv) {
   double most_n = 500.0;
   std::vector<double> directions_deg = {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0};
   std::vector<std::string> ways = examples::WaysToStand();
-  app.add_option("--robot", robot, "A robot that comes with the program; the ankles' and the hips' ways are of bipeds")
+  app.add_option("--robot", robot, "Name of a built-in robot; the ankle and hip strategies are for bipeds")
       ->capture_default_str();
-  app.add_option("--ways", ways, "Which ways to stand are tried")->capture_default_str();
-  app.add_option("--directions", directions_deg, "From ahead over the left [degree]")->capture_default_str();
-  app.add_option("--most", most_n, "The largest push that is tried [N]")->capture_default_str();
+  app.add_option("--ways", ways, "Standing strategies to try")->capture_default_str();
+  app.add_option("--directions", directions_deg, "Direction, from forward to the left [degree]")->capture_default_str();
+  app.add_option("--most", most_n, "Largest push to try [N]")->capture_default_str();
   app.add_option("--plot", plot, "SVG to write, of the largest pushes by direction");
   try {
     app.parse(argc, argv);

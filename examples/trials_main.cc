@@ -10,10 +10,10 @@ int main(int argc, char** argv) {
   CLI::App app("A walk is tried under disturbances: how often does it survive, and how sure is that?", "trials");
   std::string robot = "a1", disturbances = "examples/disturbances/a1_hobby.yaml";
   int trials = 20, seed = 1;
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--disturbances", disturbances, "File of what is drawn, see docs/trials.md")->capture_default_str();
-  app.add_option("-n,--trials", trials, "How many")->capture_default_str();
-  app.add_option("--seed", seed, "Of the study")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--disturbances", disturbances, "Disturbance file, see docs/trials.md")->capture_default_str();
+  app.add_option("-n,--trials", trials, "Number of trials")->capture_default_str();
+  app.add_option("--seed", seed, "Random seed of the study")->capture_default_str();
   try {
     app.parse(argc, argv);
     const examples::TriedWalk tried = examples::TryWalk(robot, disturbances, trials, seed);

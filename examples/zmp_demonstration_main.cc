@@ -16,10 +16,10 @@ int main(int argc, char** argv) {
   std::string robot = "nao", plot;
   double ahead_m = 0.0, left_m = 0.03;
   std::vector<double> durations_s = {2.0, 1.0, 0.6, 0.4, 0.3, 0.25, 0.2};
-  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
-  app.add_option("--ahead", ahead_m, "How far it shifts its centre of mass ahead [m]")->capture_default_str();
-  app.add_option("--left", left_m, "The same to the left [m]")->capture_default_str();
-  app.add_option("--durations", durations_s, "In what times, one after the other [s]")->capture_default_str();
+  app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
+  app.add_option("--ahead", ahead_m, "Forward shift of the centre of mass [m]")->capture_default_str();
+  app.add_option("--left", left_m, "Shift of the centre of mass to the left [m]")->capture_default_str();
+  app.add_option("--durations", durations_s, "Durations of the shifts, in order [s]")->capture_default_str();
   app.add_option("--plot", plot, "SVG to write, of ZMP, centre of mass and support over time");
   try {
     app.parse(argc, argv);

@@ -13,15 +13,14 @@ namespace gaitwright {
 
 struct ShapeMember;
 
-/// What a file or an object may hold. Its reader takes keys and ranges from here, and its JSON schema is written from
-/// here, so that neither knows a key that the other does not.
+/// Structure of a file or an object. The reader and the JSON schema both use it, so they have the same keys and ranges.
 struct DataShape {
   enum class Kind { kAnything, kObject, kMap, kList, kNumber, kWhole, kText, kTruth };
 
   Kind kind = Kind::kAnything;
   double lowest = -std::numeric_limits<double>::infinity();  ///< of a number
   double highest = std::numeric_limits<double>::infinity();
-  bool over_lowest = false;                         ///< the lowest itself is not accepted
+  bool over_lowest = false;                         ///< the lowest value itself is excluded
   std::vector<std::string> choices = {};            ///< of a text; empty for any
   std::vector<ShapeMember> members;                 ///< of an object, whose keys are known
   std::vector<DataShape> of;                        ///< one: of each value of a map, whose keys are not, or of a list
@@ -34,7 +33,7 @@ struct DataShape {
   std::vector<std::string> Keys() const;
   std::vector<std::string> NeededKeys() const;
   std::vector<std::string> OtherKeys() const;
-  /// The member of that key. @throws InvalidArgument where there is none.
+  /// The member of that key. @throws InvalidArgument if it does not exist.
   const DataShape& At(const std::string& key) const;
 };
 
@@ -48,7 +47,7 @@ struct ShapeMember {
 
 /// Short names for writing shapes down.
 namespace shapes {
-/// Whatever there is; true or false; a text, any or one of those; a number, any or from one to another.
+/// Any value; a truth value; a text, optionally one of several; a number, optionally within a range.
 DataShape Anything();
 DataShape Truth();
 DataShape Text(std::vector<std::string> choices = {});
@@ -76,7 +75,7 @@ ShapeMember Optional(std::string key, DataShape shape, std::string meaning = "")
 
 }  // namespace shapes
 
-/// The JSON schema (draft 2020-12) of it. The same shape gives the same bytes.
+/// The JSON schema (draft 2020-12) of a shape; deterministic to the byte.
 std::string SchemaOf(const DataShape& shape, const std::string& title, const std::string& description);
 
 }  // namespace gaitwright

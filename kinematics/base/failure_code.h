@@ -281,7 +281,7 @@ const std::string& FailureCodeName(FailureCode code);
 /// The names of all codes, in their order.
 const std::vector<std::string>& FailureCodeNames();
 std::optional<FailureCode> FailureCodeOfName(std::string_view name);
-/// The code of a refusal whose reason is a law alone; it has the law's name.
+/// The failure code of a violated law; it has the law's name.
 FailureCode FailureCodeOf(Law law);
 /// Writes its name.
 std::ostream& operator<<(std::ostream& out, FailureCode code);

@@ -188,9 +188,7 @@ Result<std::string> ReadBytes(const std::string& path, std::size_t most) {
   }
   if (bytes.size() > most) {
     return FileFailure(FailureCode::kLargeFile,
-                       fmt::format("'{}' has more than {} bytes, which is the most that is read of such "
-                                   "a file",
-                                   path, most));
+                       fmt::format("'{}' has more than {} bytes; at most that many are read", path, most));
   }
   if (stream.bad()) return FileFailure(FailureCode::kUnreadableFile, fmt::format("cannot read '{}'", path));
   return bytes;
@@ -229,7 +227,7 @@ Result<std::vector<std::string>> WriteFilesTogether(const std::vector<OutputFile
     for (const std::string& other : paths) {
       if (IsSameFile(other, file.path)) {
         return FileFailure(FailureCode::kFileNamedTwice,
-                           fmt::format("'{}' is named for two outputs: give each its own", other));
+                           fmt::format("'{}' is given for two outputs; give each output its own file", other));
       }
     }
     if (auto failure = transaction.Prepare(file)) return *failure;

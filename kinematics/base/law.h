@@ -9,11 +9,11 @@
 
 namespace gaitwright {
 
-/// The laws that a motion is audited by, in the order of reports: a law stands before those that its breach breaks too,
-/// so that the first one named is the cause. Columns that disagree make all else doubtful; then come the laws of
-/// postures, which no forces could mend, then those of forces that the ground cannot give, and last those of torques.
+/// The checks of the audit, in the order of reports: causes come before their consequences, so the first violation is
+/// usually the cause. Inconsistent columns make all other results doubtful; postures come before contact forces, and
+/// contact forces before torques.
 enum class Law {
-  kConsistency,  ///< columns of a plan agree with each other
+  kConsistency,  ///< the columns of a plan are consistent
   kStartPosture,
   kJointPosition,
   kJointVelocity,
@@ -35,7 +35,7 @@ enum class Law {
 /// All laws in their order.
 const std::vector<Law>& AllLaws();
 
-/// As files, JSON and reports have it, such as `zmp_support`.
+/// Name in files, JSON and reports, such as `zmp_support`.
 const std::string& LawName(Law law);
 /// The names of all laws, in their order.
 const std::vector<std::string>& LawNames();
@@ -43,10 +43,10 @@ std::optional<Law> LawOfName(std::string_view name);
 /// Writes its name.
 std::ostream& operator<<(std::ostream& out, Law law);
 
-/// A law that a motion breaks: where it is worst.
+/// A violated law, at its worst place.
 struct Violation {
   Law law = Law::kConsistency;
-  double at_s = 0.0;  ///< when it is worst; NaN where that is not known
+  double at_s = 0.0;  ///< time of the worst value; NaN if unknown
   std::string where;  ///< joint, foot or pair of links
   double value = 0.0, limit = 0.0;
   std::string unit;  ///< of both; "1" for none

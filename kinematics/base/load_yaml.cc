@@ -18,20 +18,20 @@ class BoundsWatch : public YAML::EventHandler {
   explicit BoundsWatch(std::size_t most_values) : most_values_(most_values) {}
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (++documents_ > 1) Refuse(mark, "a second document begins; one is needed");
+    if (++documents_ > 1) Refuse(mark, "a second YAML document begins; exactly one is accepted");
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { Take(mark, anchor, 1); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto known = size_of_.find(anchor);
-    if (known == size_of_.end()) Refuse(mark, "an alias names what it stands in; it would never end");
+    if (known == size_of_.end()) Refuse(mark, "an alias refers to a node that contains it");
     Take(mark, 0, known->second);
   }
   void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
                 const std::string& value) override {
     if (value.size() > kLongestYamlText)
-      Refuse(mark, fmt::format("a text of {} bytes; at most {} are read", value.size(), kLongestYamlText));
-    if (value.find('\0') != std::string::npos) Refuse(mark, "a text holds a byte 0x00");
+      Refuse(mark, fmt::format("a text has {} bytes; at most {} are read", value.size(), kLongestYamlText));
+    if (value.find('\0') != std::string::npos) Refuse(mark, "a text contains a byte 0x00");
     Take(mark, anchor, 1);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
@@ -58,12 +58,12 @@ class BoundsWatch : public YAML::EventHandler {
   void Take(const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t values) {
     values_ += values;
     if (values_ > most_values_)
-      Refuse(mark, fmt::format("more than {} values, with those that aliases repeat", most_values_));
+      Refuse(mark, fmt::format("more than {} values, including those repeated by aliases", most_values_));
     if (anchor != 0) size_of_[anchor] = values;
   }
   void Open(const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (open_.size() >= kDeepestYaml)
-      Refuse(mark, fmt::format("more than {} lists and maps in one another", kDeepestYaml));
+      Refuse(mark, fmt::format("lists and maps are nested more than {} levels deep", kDeepestYaml));
     open_.push_back({anchor, values_});
     Take(mark, 0, 1);
   }
@@ -98,7 +98,7 @@ auto WithYamlErrors(Read read) {
 
 YAML::Node LoadYaml(const std::string& text, const YamlBounds& bounds) {
   if (text.size() > bounds.bytes)
-    throw InvalidArgument(fmt::format("line 1: a text of {} bytes; at most {} are read", text.size(), bounds.bytes));
+    throw InvalidArgument(fmt::format("line 1: the text has {} bytes; at most {} are read", text.size(), bounds.bytes));
   return WithYamlErrors([&] {
     std::istringstream stream(text);
     YAML::Parser parser(stream);

@@ -85,7 +85,7 @@ void SetOption(OptionFields& fields, const std::string& key, const std::string& 
     std::vector<std::string> keys;
     for (const OptionField& f : fields) keys.push_back(f.key);
     throw InvalidArgument(
-        fmt::format("unknown option '{}'{}", key, NearestOrAll(key, keys, "--list-options prints all of them")));
+        fmt::format("unknown option '{}'{}", key, NearestOrAll(key, keys, "--list-options=all prints all of them")));
   }
   std::visit(Setter{*field, text}, field->target);
 }
@@ -114,6 +114,16 @@ void CheckOptions(const OptionFields& fields) {
 
 OptionFields Prefixed(const std::string& prefix, OptionFields fields) {
   for (OptionField& field : fields) field.key = prefix + "." + field.key;
+  return fields;
+}
+
+OptionFields WithBasics(const std::vector<std::string>& basics, OptionFields fields) {
+  for (OptionField& field : fields) field.advanced = true;
+  for (const std::string& key : basics) {
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
+    if (field == fields.end()) throw InvalidArgument(fmt::format("there is no option '{}' to list first", key));
+    field->advanced = false;
+  }
   return fields;
 }
 

@@ -30,6 +30,7 @@ struct OptionField {
   double highest = std::numeric_limits<double>::infinity();
   std::string meaning;
   std::vector<std::string> choices = {};  ///< for text: the values that are accepted; empty for any
+  bool advanced = false;                  ///< listed only when all options are asked for; see WithBasics
 };
 
 using OptionFields = std::vector<OptionField>;
@@ -49,6 +50,10 @@ void CheckOptions(const OptionFields& fields);
 
 /// `fields` with `prefix` + '.' before every key, so that several structs share one namespace.
 OptionFields Prefixed(const std::string& prefix, OptionFields fields);
+
+/// `fields`, all of them advanced but those with a key of `basics`, which users need first.
+/// @throws InvalidArgument when no field has one of these keys.
+OptionFields WithBasics(const std::vector<std::string>& basics, OptionFields fields);
 
 /// Options as they are written down: key and text.
 using OptionTexts = std::vector<std::pair<std::string, std::string>>;

@@ -37,14 +37,14 @@ Result<OptionTexts> LoadOptionsFile(const std::string& path, OptionFields fields
                    FailureCode::kOptionsFile,
                    "LoadOptionsFile",
                    fmt::format("'{}', {}", path, message),
-                   {"a line is KEY: VALUE, with the keys of --list-options"}};
+                   {"write each line as KEY: VALUE, with the keys of --list-options=all"}};
   };
   try {
     const YAML::Node root = LoadYaml(*text);
-    if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no options: a map of keys is needed");
+    if (!root.IsMap() || root.size() == 0) return bad("line 1: contains no options; a map of keys is needed");
     return ReadEntries(root, fields);
   } catch (const YAML::Exception& error) {
-    return bad(fmt::format("line {}: is no YAML from here on", error.mark.line + 1));
+    return bad(fmt::format("line {}: not valid YAML from here on", error.mark.line + 1));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }

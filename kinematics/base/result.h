@@ -13,7 +13,7 @@
 
 namespace gaitwright {
 
-/// Thrown for what a caller can get wrong: the message names the offender, its value and what is accepted.
+/// Thrown for a wrong argument of the caller: the message names the argument, its value and the accepted values.
 class InvalidArgument : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -25,14 +25,14 @@ enum class FailureKind {
   kInfeasible,  ///< no plan exists within the limits (exit status 2)
 };
 
-/// Why a stage has no value to give: one plain sentence and what would help.
+/// Reason why a stage has no result: one sentence, and hints.
 struct Failure {
   FailureKind kind = FailureKind::kBadInput;
   FailureCode code = FailureCode::kInternal;
   std::string stage;  ///< the stage that failed, such as `LoadRobot`
   std::string message;
-  std::vector<Suggestion> suggestions;      ///< what would help, the most promising first
-  std::optional<Violation> violation = {};  ///< the law that forbids it, where that is the reason
+  std::vector<Suggestion> suggestions;      ///< hints, the most promising first
+  std::optional<Violation> violation = {};  ///< the violated law, if that is the reason
 
   bool operator==(const Failure&) const = default;
 };

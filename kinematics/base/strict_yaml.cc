@@ -33,7 +33,7 @@ void RefuseYaml(const YAML::Node& node, const std::string& message) {
 
 std::string TextOf(const YAML::Node& node, const std::string& what) {
   if (!node.IsScalar()) RefuseYaml(node, fmt::format("{} is {}; one word or text is needed", what, KindOf(node)));
-  if (!IsPlainText(node.Scalar())) RefuseYaml(node, what + " holds a control character or what is no text in UTF-8");
+  if (!IsPlainText(node.Scalar())) RefuseYaml(node, what + " contains a control character or is not valid UTF-8");
   return node.Scalar();
 }
 

@@ -7,20 +7,20 @@
 
 namespace gaitwright {
 
-/// How sure it is that a suggestion helps.
+/// How certain it is that a suggestion helps.
 enum class Certainty {
-  kPlanned,    ///< a plan that follows it was made and passes its audit
-  kEstimated,  ///< a calculation says so; no whole plan was made
+  kPlanned,    ///< a plan with it was computed and passes its audit
+  kEstimated,  ///< estimated without a whole plan
   kUntried,
 };
 /// `planned`, `estimated` or `untried`, as JSON and Python have it.
 const char* CertaintyName(Certainty certainty);
 
-/// What would help where something is refused.
+/// A hint for a refused request.
 struct Suggestion {
   /// The flag or option to give, without dashes: `speed`, `gait`, `pipeline.allow_limits`. Empty for advice in words.
   std::string what;
-  /// The value to give it, in the option's unit; nothing where that is not known.
+  /// Value to set, in the option's unit; empty if unknown.
   std::variant<std::monostate, double, std::string> value;
   Certainty certainty = Certainty::kUntried;
   std::string text;  ///< for people, such as "--speed 0.4" or "another gait"

@@ -16,10 +16,11 @@ std::string LowerCase(std::string text);
 /// written to any file.
 bool IsPlainText(const std::string& text);
 
-/// The UTF-8 of a text in another encoding: UTF-16 by its byte order mark, else Latin-1. Nothing where it is UTF-8.
+/// The UTF-8 of a text in another encoding: UTF-16 by its byte order mark, else Latin-1. Nothing if it is UTF-8
+/// already.
 std::optional<std::string> InUtf8(const std::string& text);
 
-/// A text as messages show it: its first 60 bytes or so, with dots where it goes on.
+/// A text for messages: its first 60 bytes or so, with dots if it is longer.
 std::string Shortened(const std::string& text);
 
 }  // namespace gaitwright

@@ -24,11 +24,11 @@ std::error_code Denied(const fs::path& path, int what) {
 
 std::string WhyNotWritable(const std::string& path) {
   const fs::path target(path);
-  if (!target.has_filename()) return "it is the name of a folder; name a file";
+  if (!target.has_filename()) return "it is the name of a folder; give a file";
   std::error_code error;
   if (fs::exists(target, error)) {
-    if (fs::is_directory(target, error)) return "it is a folder; name a file";
-    if (!fs::is_regular_file(target, error)) return "it is there and no regular file";
+    if (fs::is_directory(target, error)) return "it is a folder; give a file";
+    if (!fs::is_regular_file(target, error)) return "it exists and is not a regular file";
     error = Denied(target, W_OK);
   }
   return error ? error.message() : WhyNoNewFiles(target.parent_path().string());
@@ -40,7 +40,7 @@ std::string WhyNoNewFiles(const std::string& folder) {
   while (!at.empty() && !fs::exists(at, error) && !error) at = at.parent_path();
   if (at.empty()) at = ".";
   const bool is_folder = fs::is_directory(at, error);
-  if (!is_folder && !error) return fmt::format("'{}' is a file, not a folder; name a folder", at.string());
+  if (!is_folder && !error) return fmt::format("'{}' is a file, not a folder; give a folder", at.string());
   if (!error) error = Denied(at, W_OK | X_OK);
   return error ? fmt::format("{}, in the folder '{}'", error.message(), at.string()) : "";
 }

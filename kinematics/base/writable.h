@@ -5,13 +5,12 @@
 
 namespace gaitwright {
 
-/// Why WriteFilesTogether could not write this file, as far as that is seen without making or changing anything, in
-/// words that follow "cannot be written: "; "" where nothing speaks against it. A file that is there must be a regular
-/// one that this user may write; its folder, or the nearest one above that is there, must take new files of this user.
-/// A disk that is full is not seen.
+/// Reason why WriteFilesTogether could not write this file, as text after "cannot be written: "; "" if it can. Nothing
+/// is created or changed by this check. An existing file must be a regular file that this user may write; its folder,
+/// or the nearest existing one above it, must allow new files. A full disk is not detected.
 std::string WhyNotWritable(const std::string& path);
 
-/// The same of new files in a folder, which may have to be made; "" is the present one.
+/// Reason why new files could not be written in a folder, which may not exist yet; "" is the present one.
 std::string WhyNoNewFiles(const std::string& folder);
 
 }  // namespace gaitwright

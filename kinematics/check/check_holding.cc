@@ -202,10 +202,10 @@ void CheckHolding(const RobotModel& model, std::vector<Finding>& findings) {
       of_dof[d] = {
           share > 1.0 ? FindingLevel::kError : FindingLevel::kWarning, FailureCode::kWeakMotor,
           fmt::format("joint '{}'", joint.name), 0,
-          fmt::format("to hold the robot still {} it has to give {:.3g} {} at the least, {:.0f} % of its limit of "
-                      "{:.3g} {}{}",
-                      stance.words, effort, unit, 100.0 * share, limit, unit,
-                      share > kBeforeGear ? "; the limit may be that of the motor before its gear" : "")};
+          fmt::format(
+              "to hold the robot still {}, it needs at least {:.3g} {}, which is {:.0f} % of its limit of {:.3g} {}{}",
+              stance.words, effort, unit, 100.0 * share, limit, unit,
+              share > kBeforeGear ? "; the limit may be that of the motor without its gear" : "")};
     }
   }
   for (Finding& finding : of_dof) {

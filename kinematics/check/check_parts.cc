@@ -97,24 +97,22 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
     const bool collides = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
                                       [&](const Shape& shape) { return shape.body == static_cast<int>(b); });
     if (body.mass <= 0.0) {
-      if (collides) add(FindingLevel::kWarning, FailureCode::kShapeWithoutMass, "it has a collision shape and no mass");
+      if (collides) add(FindingLevel::kWarning, FailureCode::kShapeWithoutMass, "it has a collision shape but no mass");
       continue;
     }
     if (!collides && body.mass > kHeavyWithoutShape * model.total_mass_kg)
       add(FindingLevel::kInfo, FailureCode::kMassWithoutShape,
-          fmt::format("it has {:.3g} kg and no collision shape: nothing can touch it", body.mass));
+          fmt::format("it has {:.3g} kg but no collision shape, so nothing can touch it", body.mass));
     const double gyration = std::sqrt(0.5 * body.I_C.trace() / body.mass);
     const KnownSize size = SizeOfBody(model, static_cast<int>(b));
     if (gyration > size.widest_gyration && body.mass > kOfNoAccount * model.total_mass_kg) {
       add(FindingLevel::kWarning, FailureCode::kLargeInertia,
-          fmt::format(
-              "its radius of gyration is {:.3g} m at {:.3g} kg, too much for {}; the inertia may be in another "
-              "unit, or about another point than the centre of mass",
-              gyration, body.mass,
-              size.shaped
-                  ? fmt::format("shapes that are {:.3g} m across", size.diameter)
-                  : fmt::format("a link of that mass whose shapes do not tell its size: at most {:.3g} m is likely",
-                                size.widest_gyration)));
+          fmt::format("its radius of gyration is {:.3g} m at {:.3g} kg, too large for {}; the inertia may be in a "
+                      "wrong unit, or not about the centre of mass",
+                      gyration, body.mass,
+                      size.shaped ? fmt::format("shapes that are {:.3g} m across", size.diameter)
+                                  : fmt::format("a link of that mass without usable shapes: at most {:.3g} m is likely",
+                                                size.widest_gyration)));
     } else if (gyration < kNarrowest * size.diameter && body.mass > kOfAccount * model.total_mass_kg) {
       add(FindingLevel::kWarning, FailureCode::kSmallInertia,
           fmt::format(
@@ -142,16 +140,17 @@ void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
     if (!std::isfinite(effort)) {
       if (IsPassive(model, dof))
         add(of_leg ? FindingLevel::kWarning : FindingLevel::kInfo, FailureCode::kNoMotor,
-            of_leg ? "its torque limit is 0: it has no motor" : "its torque limit is 0: it is held as it stands");
+            of_leg ? "its torque limit is 0: it has no motor"
+                   : "its torque limit is 0: it is held in its standing position");
       else if (of_leg)
-        add(FindingLevel::kInfo, FailureCode::kUnknownEffort, "its torque limit is not known, so that none is checked");
+        add(FindingLevel::kInfo, FailureCode::kUnknownEffort, "its torque limit is unknown and not checked");
       continue;
     }
     if (joint.is_prismatic()) continue;
     if (effort > kStrongest * lift)
       add(FindingLevel::kWarning, FailureCode::kStrongMotor,
-          fmt::format("its torque limit is {:.4g} N m; to lift the whole robot at the length of its legs takes {:.3g}",
-                      effort, lift));
+          fmt::format("its torque limit is {:.4g} N m; lifting the whole robot at its leg length takes {:.3g}", effort,
+                      lift));
     if (std::isfinite(speed) && speed > kFastest)
       add(FindingLevel::kWarning, FailureCode::kFastMotor,
           fmt::format("its speed limit is {:.4g} rad/s; few joints reach 60", speed));

@@ -61,8 +61,8 @@ void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Findin
   const char* unit = a.is_prismatic() ? "m" : "rad";
   findings.push_back(
       {FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
-       fmt::format("its range is {:.4g} to {:.4g} {} and that of its mirror '{}' {:.4g} to {:.4g} {}{}", a.lower,
-                   a.upper, unit, b.name, b.lower, b.upper, unit, sense < 0 ? ", where signs are opposite" : "")});
+       fmt::format("its range is {:.4g} to {:.4g} {}, but its mirror '{}' has {:.4g} to {:.4g} {}{}", a.lower, a.upper,
+                   unit, b.name, b.lower, b.upper, unit, sense < 0 ? ", where signs are opposite" : "")});
 }
 
 /// Left and right of a pair of legs that mirror each other.
@@ -125,11 +125,10 @@ void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
     if (ahead > kShorter * behind) return;
   }
   if (model.legs.empty()) return;
-  findings.push_back(
-      {FindingLevel::kWarning, FailureCode::kFacesBack, "robot", 0,
-       fmt::format("its feet reach {:.0f} mm ahead of the ankles and {:.0f} mm behind them, as if it faced "
-                   "the other way; if it does, give 'ahead' and 'up' in robot.yaml",
-                   1e3 * ahead, 1e3 * behind)});
+  findings.push_back({FindingLevel::kWarning, FailureCode::kFacesBack, "robot", 0,
+                      fmt::format("its feet reach {:.0f} mm in front of the ankles and {:.0f} mm behind them, as if it "
+                                  "faced backward; if so, set 'ahead' and 'up' in robot.yaml",
+                                  1e3 * ahead, 1e3 * behind)});
 }
 
 /// The whole robot's mass against the length of its legs: an A1 has 200 kg for each cubic metre of legs' lengths, the
@@ -138,11 +137,10 @@ void CheckSize(const RobotModel& model, std::vector<Finding>& findings) {
   constexpr double kLightest = 3.0, kHeaviest = 2e4;  // [kg/m^3]
   const double length = model.leg_length_m(), density = model.total_mass_kg / (length * length * length);
   if (!(length > 0.0) || (density >= kLightest && density <= kHeaviest)) return;
-  findings.push_back(
-      {FindingLevel::kWarning, FailureCode::kOddSize, "robot", 0,
-       fmt::format("it has {:.3g} kg and legs of {:.3g} m, too {} for its size; where the file's lengths "
-                   "are not in m, give 'scale' in robot.yaml",
-                   model.total_mass_kg, length, density < kLightest ? "light" : "heavy")});
+  findings.push_back({FindingLevel::kWarning, FailureCode::kOddSize, "robot", 0,
+                      fmt::format("it has {:.3g} kg and legs of {:.3g} m, too {} for its size; if the file's lengths "
+                                  "are not in m, set 'scale' in robot.yaml",
+                                  model.total_mass_kg, length, density < kLightest ? "light" : "heavy")});
 }
 
 void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
@@ -154,7 +152,7 @@ void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
     const double z = LowestPoint(scratch, shape).z();
     if (z >= -kSunk || !told.insert(shape.link).second) continue;
     findings.push_back({FindingLevel::kWarning, FailureCode::kInTheGround, fmt::format("link '{}'", shape.link), 0,
-                        fmt::format("it is {:.1f} mm in the ground as the robot stands", -1e3 * z)});
+                        fmt::format("it is {:.1f} mm below the ground in the standing posture", -1e3 * z)});
   }
   const CollisionChecker collision(model);
   for (const LeftOutPair& pair : collision.left_out()) {

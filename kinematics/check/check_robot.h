@@ -7,10 +7,9 @@
 
 namespace gaitwright {
 
-/// What is doubtful about a robot that was loaded, though no law forbids it: numbers that a drawing office would ask
-/// about. Inertia against mass and size; left against right; mass without shape and shape without mass; limits of
-/// torque and speed that no motor has; joints that are too weak to hold it; parts in the ground or in each other as it
-/// stands. The model's own findings come first.
+/// Implausible data of a loaded robot: inertia that does not fit mass and size; differences between left and right;
+/// mass without shape and shape without mass; torque and speed limits that no motor has; joints too weak to hold the
+/// robot; parts below the ground or inside each other in the standing posture. The model's own findings come first.
 std::vector<Finding> CheckRobot(const RobotModel& model);
 
 }  // namespace gaitwright

@@ -47,7 +47,7 @@ class Comparison {
     Transmissions();
     for (const std::string& name : b_.dof_names) {
       if (std::find(a_.dof_names.begin(), a_.dof_names.end(), name) == a_.dof_names.end())
-        Add(fmt::format("joint '{}'", name), "it is there alone");
+        Add(fmt::format("joint '{}'", name), "it exists only in the other robot");
     }
     return findings_;
   }
@@ -65,7 +65,7 @@ class Comparison {
 
   void Numbers(const std::string& part, const char* what, double of_a, double of_b, const char* unit) {
     if (NumbersDiffer(of_a, of_b))
-      Add(part, fmt::format("its {} is {:.4g}{} here and {:.4g}{} there", what, of_a, unit, of_b, unit));
+      Add(part, fmt::format("its {} is {:.4g}{} here and {:.4g}{} in the other robot", what, of_a, unit, of_b, unit));
   }
 
   /// Where the origin of b's base frame is in that of a: the median of what the joints of both tell.
@@ -86,7 +86,8 @@ class Comparison {
 
   void Places(const std::string& part, const char* what, const Vector3& p_a, const Vector3& p_b) {
     const double distance = (p_b + offset_ - p_a).norm();
-    if (distance > length_) Add(part, fmt::format("its {} is {:.4g} mm off there", what, 1e3 * distance));
+    if (distance > length_)
+      Add(part, fmt::format("its {} differs by {:.4g} mm in the other robot", what, 1e3 * distance));
   }
 
   void Bodies(const BodyPair& pair) {
@@ -100,7 +101,8 @@ class Comparison {
     const Matrix3 I_b = pair.X_OB.linear() * pair.b.I_C * pair.X_OB.linear().transpose();
     const double size = std::max(I_a.norm(), I_b.norm());
     if ((I_b - I_a).norm() > kAlikeInertia * size + pair.a.mass * length_ * length_)
-      Add(pair.part, fmt::format("its link's inertia is {:.3g} % off there", 100.0 * (I_b - I_a).norm() / size));
+      Add(pair.part,
+          fmt::format("its link's inertia differs by {:.3g} % in the other robot", 100.0 * (I_b - I_a).norm() / size));
   }
 
   void Joints(std::size_t j, std::size_t other) {
@@ -109,7 +111,7 @@ class Comparison {
     Places(part, "place", X_a.translation(), X_b.translation());
     const Vector3 u_a = X_a.linear() * a_.joints[j].axis_J, u_b = X_b.linear() * b_.joints[other].axis_J;
     const double angle = std::atan2(u_a.cross(u_b).norm(), u_a.dot(u_b));
-    if (angle > kAlikeAngle) Add(part, fmt::format("its axis is {:.3g} rad off there", angle));
+    if (angle > kAlikeAngle) Add(part, fmt::format("its axis differs by {:.3g} rad in the other robot", angle));
     Bodies({part, a_.bodies[j + 1], b_.bodies[other + 1], X_a, X_b});
   }
 
@@ -121,14 +123,14 @@ class Comparison {
       const auto of_b = find(b_.transmissions, of_a.name);
       const std::string part = fmt::format("transmission '{}'", of_a.name);
       if (of_b == b_.transmissions.end()) {
-        Add(part, "it is here alone");
+        Add(part, "it exists only in this robot");
       } else if (of_a.ratios.rows() != of_b->ratios.rows() || !of_a.ratios.isApprox(of_b->ratios, 1e-9)) {
-        Add(part, "its ratios are others here than there");
+        Add(part, "its ratios differ between the two robots");
       }
     }
     for (const Transmission& of_b : b_.transmissions) {
       if (find(a_.transmissions, of_b.name) == a_.transmissions.end())
-        Add(fmt::format("transmission '{}'", of_b.name), "it is there alone");
+        Add(fmt::format("transmission '{}'", of_b.name), "it exists only in the other robot");
     }
   }
 
@@ -136,11 +138,12 @@ class Comparison {
     const std::string& name = a_.dof_names[static_cast<std::size_t>(dof)];
     const std::string part = fmt::format("joint '{}'", name);
     const auto other = std::find(b_.dof_names.begin(), b_.dof_names.end(), name);
-    if (other == b_.dof_names.end()) return Add(part, "it is here alone");
+    if (other == b_.dof_names.end()) return Add(part, "it exists only in this robot");
     const int there = static_cast<int>(other - b_.dof_names.begin());
     const bool slides = a_.LeaderOf(dof).is_prismatic();
     if (slides != b_.LeaderOf(there).is_prismatic())
-      return Add(part, slides ? "it slides here and turns there" : "it turns here and slides there");
+      return Add(part, slides ? "it is prismatic here and revolute in the other robot"
+                              : "it is revolute here and prismatic in the other robot");
     const char* unit = slides ? " m" : " rad";
     Numbers(part, "lower limit", a_.dof_lower(dof), b_.dof_lower(there), unit);
     Numbers(part, "upper limit", a_.dof_upper(dof), b_.dof_upper(there), unit);

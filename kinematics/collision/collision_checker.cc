@@ -131,11 +131,12 @@ struct CollisionChecker::Scene {
       for (std::size_t k = 0; k < touching.size(); ++k) touched[k] += Touch(touching[k]) ? 1 : 0;
     }
     for (std::size_t k = 0; k < touching.size(); ++k) {
-      LeaveOut(touching[k], false,
-               touched[k] == kPostures
-                   ? fmt::format("always touching: in all of {} postures over the joints' ranges", kPostures)
-                   : fmt::format("touching in the standing posture: and in {} of {} others over the joints' ranges",
-                                 touched[k], kPostures));
+      LeaveOut(
+          touching[k], false,
+          touched[k] == kPostures
+              ? fmt::format("always touching: in all of {} postures over the joints' ranges", kPostures)
+              : fmt::format("touching in the standing posture, and in {} of {} other postures over the joints' ranges",
+                            touched[k], kPostures));
     }
   }
 };
@@ -147,7 +148,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
     has_shapes[static_cast<std::size_t>(shape.body)] = true;
     const auto geometry = FclGeometry(shape);
     if (geometry == nullptr) {
-      scene_->notes.push_back(fmt::format("link '{}': its mesh takes no part in self-collision", shape.link));
+      scene_->notes.push_back(fmt::format("link '{}': its mesh is not used for self-collision", shape.link));
       continue;
     }
     scene_->parts.push_back({&shape, BoundingRadius(shape), fcl::CollisionObjectd(geometry)});

@@ -16,7 +16,7 @@ struct Overlap {
   double depth_m = 0.0;
 };
 
-/// Two links that are not held against each other, and why.
+/// Two links that are not checked for collision, with the reason.
 struct LeftOutPair {
   std::string link_a, link_b;
   bool adjacent = false;  ///< a joint joins them; else they touch as the robot stands
@@ -25,9 +25,9 @@ struct LeftOutPair {
   bool operator==(const LeftOutPair&) const = default;
 };
 
-/// Finds parts of a robot that touch each other. Pairs that say nothing are left out: shapes of one body, of bodies
-/// that a joint joins (or joints whose axes meet in one point, or bodies without shapes between them), and pairs that
-/// already touch in the standing posture, whether or not they do so wherever the joints may be.
+/// Finds self-collisions of a robot. These pairs are not checked: shapes of one body, bodies that are connected by a
+/// joint (or by joints whose axes meet in one point, or by bodies without shapes), and pairs that already touch in the
+/// standing posture.
 class CollisionChecker {
  public:
   explicit CollisionChecker(const RobotModel& model);
@@ -35,10 +35,10 @@ class CollisionChecker {
   CollisionChecker(CollisionChecker&&) noexcept;
   CollisionChecker& operator=(CollisionChecker&&) noexcept;
 
-  /// All pairs that touch at the scratch's pose, with their depths. Meant for motions: a pair is looked at again only
-  /// once its parts may have moved as far as they were apart, so poses that differ little cost little; the answer does
-  /// not depend on it. Needs ForwardKinematics.
-  /// Conservative advancement: Mirtich, Impulse-based Dynamic Simulation, 1996, section 2.3.
+  /// All pairs that touch at the scratch's pose, with their depths. For motions: a pair is checked again only when its
+  /// parts may have moved by their distance, so small changes of the pose are cheap; the result does not depend on
+  /// this. Needs ForwardKinematics. Conservative advancement: Mirtich, Impulse-based Dynamic Simulation, 1996, section
+  /// 2.3.
   const std::vector<Overlap>& Overlaps(const DynamicsScratch& scratch);
 
   /// The pair that is nearest of all, if nearer than `within_m` by a tenth of a millimetre, as links without names

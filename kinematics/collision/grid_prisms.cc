@@ -15,8 +15,8 @@ GridPrisms::GridPrisms(const GridSolid& grid) : grid_(grid) {
   if (grid.columns < 2 || grid.rows < 2 || !(grid.resolution_m > 0.0) ||
       grid.height_m.size() != static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows)) {
     throw InvalidArgument(
-        fmt::format("grid '{}' has {} heights for {} columns and {} rows at {} m; needed are 2 of each or more, a "
-                    "height for each node and a positive resolution",
+        fmt::format("grid '{}' has {} heights for {} columns and {} rows at {} m; it needs 2 or more columns and rows, "
+                    "one height for each node and a positive resolution",
                     grid.name, grid.height_m.size(), grid.columns, grid.rows, grid.resolution_m));
   }
   highest_m_ = *std::max_element(grid_.height_m.begin(), grid_.height_m.end());

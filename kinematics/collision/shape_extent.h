@@ -14,7 +14,7 @@ Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape);
 /// them: those of the foot's link, and any of its body that reaches as low as it does, to 2 mm, as the box of an ankle
 /// that its sole was derived from.
 bool IsShapeOfFoot(const Foot& foot, const Shape& shape);
-/// The same for any foot of the robot.
+/// Whether the shape belongs to any foot of the robot.
 bool IsShapeOfAFoot(const RobotModel& model, const Shape& shape);
 
 }  // namespace gaitwright

@@ -172,7 +172,8 @@ int ShapeScene::num_solids() const { return static_cast<int>(solids_->names.size
 
 const std::string& ShapeScene::SolidName(int solid) const {
   if (solid < 0 || solid >= num_solids())
-    throw InvalidArgument(fmt::format("ShapeScene: there is no solid {}; there are {}", solid, num_solids()));
+    throw InvalidArgument(
+        fmt::format("ShapeScene: solid {} does not exist; the number of solids is {}", solid, num_solids()));
   return solids_->names[static_cast<std::size_t>(solid)];
 }
 

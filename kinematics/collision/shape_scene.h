@@ -9,8 +9,8 @@
 
 namespace gaitwright {
 
-/// The solid under heights at the nodes of a grid along x and y of W. Each cell is two triangles, parted by the
-/// diagonal from its lowest x and y to its highest, and what is straight below them.
+/// The solid under heights at the nodes of a grid along x and y of W. Each cell is two triangles, divided by the
+/// diagonal from its lowest x and y to its highest, and the volume below them.
 struct GridSolid {
   std::string name;
   Vector2 origin_W = Vector2::Zero();  ///< of the first node [m]
@@ -27,7 +27,7 @@ struct HalfSpace {
   double offset_m = 0.0;
 };
 
-/// A shape made ready to be held against a scene again and again. Not for two threads at once.
+/// A shape prepared for repeated queries of a scene. Not thread-safe.
 class PreparedShape {
  public:
   explicit PreparedShape(const Shape& shape);
@@ -49,16 +49,15 @@ class PreparedShape {
 
 /// The solid of a scene that is nearest to a shape.
 struct NearestSolid {
-  double distance_m = 0.0;  ///< negative by the depth, or 0, when they touch; at most what was asked within
-  int solid = -1;           ///< its number; -1 when there is none within
+  double distance_m = 0.0;  ///< negative by the depth, or 0, when they touch; at most the queried range
+  int solid = -1;           ///< its number; -1 if there is none within the range
 };
 
-/// Solids that stand still, asked about by shapes that move. Solids are numbered: shapes, then grids, then half spaces.
-/// Distances are FCL's (Pan, Chitta and Manocha, ICRA 2012), never too large, to 1e-5 m, with a tree of boxes before
-/// them; depths are those of FCL's portal refinement, which may be too large where a shape is deep in a solid, and at
-/// most the shortest way out through a side of a box or of a mesh of up to 32 vertices.
-/// A mesh without vertices touches nothing. Const use from one thread at a time; the same answers whatever was asked
-/// before.
+/// Static solids, queried by moving shapes. Solids are numbered: shapes, then grids, then half spaces. Distances are
+/// FCL's (Pan, Chitta and Manocha, ICRA 2012), never too large, to 1e-5 m, with a tree of boxes before them; depths are
+/// those of FCL's portal refinement, which may be too large where a shape is deep in a solid, and at most the shortest
+/// way out through a side of a box or of a mesh of up to 32 vertices. A mesh without vertices touches nothing. Const
+/// use from one thread at a time; results do not depend on earlier queries.
 class ShapeScene {
  public:
   /// @param fixed_W  shapes with X_BS read as X_WS; `link` is the solid's name.
@@ -68,7 +67,7 @@ class ShapeScene {
   ShapeScene(ShapeScene&&) noexcept;
   ShapeScene& operator=(ShapeScene&&) noexcept;
 
-  /// Whether a shape at a pose touches any solid. Poses are X_WS; X_BS of the shape is not looked at.
+  /// Whether a shape at a pose touches any solid. Poses are X_WS; X_BS of the shape is ignored.
   bool Touches(const PreparedShape& shape, const Pose& X_WS) const;
   bool Touches(const Shape& shape, const Pose& X_WS) const;
 

@@ -137,8 +137,8 @@ Result<std::string> FindPackage(const std::string& name, const std::string& fold
       FailureKind::kBadInput,
       FailureCode::kNoPackage,
       "FindPackage",
-      fmt::format("the package '{}' is not found: no folder in or above '{}' has that name or a package.xml "
-                  "with it, nor has one in {}, {} or the current folder",
+      fmt::format("the package '{}' is not found: no folder in or above '{}', in {}, in {} or in the current folder "
+                  "has that name or a package.xml with it",
                   Shortened(name), from.string(), VariableForMessage("ROS_PACKAGE_PATH"),
                   VariableForMessage("AMENT_PREFIX_PATH")),
       {names.empty() ? fmt::format("give its folder as {}=DIR", Shortened(name))

@@ -20,9 +20,9 @@ using PackageFolders = std::vector<std::pair<std::string, std::string>>;
 ///   3. the folders of the environment variable ROS_PACKAGE_PATH, with packages to two folders below them, and the
 ///      folders share/NAME of AMENT_PREFIX_PATH;
 ///   4. the current folder, as in 2, without the folders above it.
-/// @param accepts  whether a folder that is found is the one; every folder is where it is empty.
-/// @return the absolute path of the first folder that is accepted. Failure `no_package`: none is; the message says
-/// where it was looked for and that a folder can be given.
+/// @param accepts  whether a found folder is accepted; all are if empty.
+/// @return the absolute path of the first folder that is accepted. Failure `no_package`: there is none; the message
+/// lists the searched folders and how to give one.
 Result<std::string> FindPackage(const std::string& name, const std::string& folder, const PackageFolders& given = {},
                                 const std::function<bool(const std::string&)>& accepts = {});
 

@@ -13,10 +13,11 @@ namespace gaitwright {
 /// A robot of a MuJoCo model (MJCF) as the texts that LoadRobotFromText takes.
 struct ConvertedMjcf {
   std::string urdf;
-  std::string yaml;                  ///< name, standing posture, gains, rotor inertias: what a URDF cannot say
+  std::string yaml;                  ///< name, standing posture, gains, rotor inertias: data that a URDF cannot contain
   std::string yaml_without_posture;  ///< for a keyframe in which the feet do not stand on level ground: then the
                                      ///< posture is refused (code `robot_yaml`), and can be derived instead
-  std::vector<std::string> notes;    ///< what was left out or taken otherwise, each with its file, line and element
+  std::vector<std::string>
+      notes;  ///< elements that were left out or converted differently, each with file, line and element
 };
 
 /// Triangles of a mesh file, in its own frame and unit.

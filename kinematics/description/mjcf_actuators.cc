@@ -69,9 +69,11 @@ MjcfForce ReadMjcfForce(MjcfContext& context, const MjcfAttributes& attributes, 
 int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, const MjcfTree& tree) {
   for (const char* key : {"tendon", "cranksite"}) {
     if (!attributes.Has(key)) continue;
-    context.Note(attributes.owner(), fmt::format("it drives '{}' by '{}', which is not supported; left out: the joints "
-                                                 "that it moves have no motor here",
-                                                 ShownMjcf(attributes.Text(key)), key));
+    context.Note(
+        attributes.owner(),
+        fmt::format(
+            "it drives '{}' by '{}', which is not supported; left out, so the joints that it moves have no motor here",
+            ShownMjcf(attributes.Text(key)), key));
     return -1;
   }
   const std::string key = attributes.Has("joint") ? "joint" : "jointinparent";
@@ -120,7 +122,7 @@ double MjcfEffortOf(MjcfContext& context, const MjcfJoint& joint, const MjcfDriv
   for (const double effort : drive.effort) least = effort > 0.0 ? std::min(least, effort) : least;
   if (least != drive.effort.minCoeff() || least != drive.effort.maxCoeff())
     context.Note(joint.owner,
-                 fmt::format("its actuators differ by axis; an effort limit of {} is taken for all", least));
+                 fmt::format("its actuators differ by axis; an effort limit of {} is used for all", least));
   return least;
 }
 
@@ -150,24 +152,23 @@ std::vector<double> MjcfEfforts(MjcfContext& context, const MjcfTree& tree, cons
       std::any_of(drives.begin(), drives.end(), [](const MjcfDrive& drive) { return drive.actuators > 0; });
   if (!any)
     context.Note(context.document.Owner(context.document.root()),
-                 "the model has no actuator of a joint: effort limits are not known");
+                 "the model has no joint actuators, so effort limits are unknown");
   for (std::size_t j = 0; j < drives.size(); ++j) {
     const MjcfJoint& joint = tree.joints[j];
     if (!tree.Moves(static_cast<int>(j)) || follows[j]) continue;
     if (any && drives[j].actuators == 0) {
       efforts[j] = 0.0;
-      context.Note(joint.owner,
-                   fmt::format("it has no actuator, so that it has no motor here; where one drives it, say "
-                               "so in robot.yaml: limits: {{'{}': {{{}: ...}}}}",
-                               joint.is_scalar() ? joint.name : joint.name + "_x",
-                               joint.type == MjcfJointType::kSlide ? "effort_n" : "effort_nm"));
+      context.Note(joint.owner, fmt::format("it has no actuator, so it has no motor here; if a motor drives it, add to "
+                                            "robot.yaml: limits: {{'{}': {{{}: ...}}}}",
+                                            joint.is_scalar() ? joint.name : joint.name + "_x",
+                                            joint.type == MjcfJointType::kSlide ? "effort_n" : "effort_nm"));
       continue;
     }
     const double own = any && drives[j].is_bounded ? MjcfEffortOf(context, joint, drives[j]) : kMjcfUnknownEffort;
     efforts[j] = std::min(own, joint.force_limit.value_or(kMjcfUnknownEffort));
     if (efforts[j] <= 0.0) efforts[j] = kMjcfUnknownEffort;
     if (any && efforts[j] == kMjcfUnknownEffort)
-      context.Note(joint.owner, "its actuators have no force limit: its effort limit is not known");
+      context.Note(joint.owner, "its actuators have no force limit, so its effort limit is unknown");
   }
   return efforts;
 }

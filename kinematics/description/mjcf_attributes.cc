@@ -42,7 +42,7 @@ double MjcfNumber(const std::string& word, const std::string& where) {
     RefuseMjcf(FailureCode::kMjcfNumber, fmt::format("{}: '{}' is not a finite number", where, ShownMjcf(word)));
   if (std::abs(value) > kLargestMjcfNumber)
     RefuseMjcf(FailureCode::kMjcfNumber,
-               fmt::format("{}: {} is absurd; at most {} is accepted", where, word, kLargestMjcfNumber));
+               fmt::format("{}: {} is too large; at most {} is accepted", where, word, kLargestMjcfNumber));
   return value;
 }
 
@@ -60,7 +60,7 @@ std::string MjcfAttributes::Name(const std::string& key) const {
                fmt::format("{}: '{}' has {} bytes; at most {} are read", owner_, key, name.size(), kLongestMjcfName));
   if (!IsPlainText(name) || name.find_first_of("\t\r\n") != std::string::npos)
     RefuseMjcf(FailureCode::kMjcfName,
-               fmt::format("{}: '{}' holds what is no text in UTF-8, or a control character", owner_, key));
+               fmt::format("{}: '{}' is not valid UTF-8 or contains a control character", owner_, key));
   return name;
 }
 
@@ -71,7 +71,7 @@ std::vector<double> MjcfAttributes::Numbers(const std::string& key, std::size_t 
     numbers.push_back(MjcfNumber(word, fmt::format("{}: '{}'", owner_, key)));
   if (numbers.size() < least || numbers.size() > most) {
     const std::string needed = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
-    RefuseMjcf(FailureCode::kMjcfNumber, fmt::format("{}: '{}' is '{}', which holds {} numbers; {} are needed", owner_,
+    RefuseMjcf(FailureCode::kMjcfNumber, fmt::format("{}: '{}' is '{}', which has {} numbers; {} are needed", owner_,
                                                      key, ShownMjcf(Text(key)), numbers.size(), needed));
   }
   return numbers;
@@ -107,7 +107,7 @@ bool MjcfAttributes::IsLimited(const std::string& flag, const std::string& range
   const std::vector<double> ends = Numbers(range, 2, 2);
   const bool has_range = !ends.empty() && (ends[0] != 0.0 || ends[1] != 0.0);
   if (said == "auto" && !(autolimits && has_range)) return false;
-  if (!has_range) RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: it is limited, and has no '{}'", owner_, range));
+  if (!has_range) RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: it is limited but has no '{}'", owner_, range));
   if (ends[0] >= ends[1])
     RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: the lower end {} of its '{}' is not below the upper end {}",
                                                     owner_, ends[0], range, ends[1]));

@@ -104,7 +104,7 @@ Matrix3 MjcfRotation(const MjcfAttributes& attributes, const MjcfCompiler& compi
     const Quaternion quaternion(q[0], q[1], q[2], q[3]);
     if (quaternion.norm() < kShortestMjcfAxis)
       RefuseMjcf(FailureCode::kMjcfOrientation,
-                 fmt::format("{}: 'quat' is zero, which is no rotation", attributes.owner()));
+                 fmt::format("{}: 'quat' is zero, which is not a rotation", attributes.owner()));
     return quaternion.normalized().toRotationMatrix();
   }
   if (const auto a = attributes.Numbers("axisangle", 4, 4); !a.empty()) {

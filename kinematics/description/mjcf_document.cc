@@ -86,13 +86,12 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
                            name, kLargestMjcf));
   }
   if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
-    RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it is not XML: it holds the character 0x00", name));
+    RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it is not XML: it contains the character 0x00", name));
   if (HasManyMjcfAttributes(text))
     RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: an element has over {} attributes; at most that many are read",
                                                     name, kMostMjcfAttributes));
   if (!IsPlainText(text))
-    RefuseMjcf(FailureCode::kNotText,
-               fmt::format("{}: it holds what is no text in UTF-8, or a control character", name));
+    RefuseMjcf(FailureCode::kNotText, fmt::format("{}: it is not valid UTF-8 or contains a control character", name));
   files_.push_back(std::make_unique<File>());
   File& file = *files_.back();
   file.name = name;
@@ -100,7 +99,8 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
   if (file.xml.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
     RefuseMjcf(FailureCode::kNotXml,
                fmt::format("{}, line {}: it is not XML: {}", name, file.xml.ErrorLineNum(), file.xml.ErrorName()));
-  if (file.xml.RootElement() == nullptr) RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it has no element", name));
+  if (file.xml.RootElement() == nullptr)
+    RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it contains no element", name));
   return *file.xml.RootElement();
 }
 
@@ -113,8 +113,8 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
     RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: over {} files are included; at most that many are read",
                                                     Owner(include), kMostMjcfFiles));
   if (!read_text)
-    RefuseMjcf(FailureCode::kNoFile, fmt::format("{}: the file '{}' does not come with the text of the model",
-                                                 Owner(include), Shortened(named)));
+    RefuseMjcf(FailureCode::kNoFile,
+               fmt::format("{}: the file '{}' was not given with the model's text", Owner(include), Shortened(named)));
   std::string name = std::filesystem::path(named).lexically_normal().string();
   Result<std::string> text = read_text(name);
   if (!text && include.GetDocument() != &files_.front()->xml) {
@@ -139,7 +139,7 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
 void MjcfDocument::Include(const tinyxml2::XMLElement& parent, int depth, const TextReader& read_text) {
   if (depth > kDeepestMjcf) {
     RefuseMjcf(FailureCode::kLargeMjcf,
-               fmt::format("{}: elements stand over {} deep in one another; at most that many are read", Owner(parent),
+               fmt::format("{}: elements are nested over {} levels deep; at most that many are read", Owner(parent),
                            kDeepestMjcf));
   }
   for (const auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {

@@ -38,7 +38,7 @@ class MjcfCoupler {
     if (first < 0) RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has no 'joint1'", attributes.owner()));
     if (!tree_.IsRobotJoint(first) && (second < 0 || !tree_.IsRobotJoint(second))) return;  // noted with its body
     if (!tree_.Moves(first) || (second >= 0 && !tree_.Moves(second))) {
-      context_.Note(attributes.owner(), "it couples a joint that is left out; so is the equality");
+      context_.Note(attributes.owner(), "it couples a joint that is left out; the equality is left out too");
       return;
     }
     if (!JointAt(first).is_scalar() || (second >= 0 && !JointAt(second).is_scalar()) || first == second)
@@ -87,15 +87,15 @@ class MjcfCoupler {
   bool IsDriven(int joint) const { return drives_[static_cast<std::size_t>(joint)].actuators > 0; }
 
   void RefuseSecond(const MjcfAttributes& attributes, int joint) const {
-    RefuseMjcf(FailureCode::kMjcfEquality, fmt::format("{}: joint '{}' is coupled by another equality already",
+    RefuseMjcf(FailureCode::kMjcfEquality, fmt::format("{}: joint '{}' is already coupled by another equality",
                                                        attributes.owner(), JointAt(joint).name));
   }
 
   void Lock(const MjcfAttributes& attributes, int joint, double position) {
     if (!CouplingOf(joint).moves_alone()) RefuseSecond(attributes, joint);
     CouplingOf(joint).locked = position;
-    context_.Note(attributes.owner(), fmt::format("joint '{}' stands still at {}: it becomes a fixed joint",
-                                                  JointAt(joint).name, position));
+    context_.Note(attributes.owner(),
+                  fmt::format("joint '{}' is held at {} and becomes a fixed joint", JointAt(joint).name, position));
   }
 
   /// Whether following `leader` leads back to `joint`.
@@ -118,7 +118,7 @@ class MjcfCoupler {
     if (!CouplingOf(follower).moves_alone()) RefuseSecond(attributes, follower);
     if (LeadsTo(leader, follower))
       RefuseMjcf(FailureCode::kMjcfEquality,
-                 fmt::format("{}: the joints follow one another in a circle", attributes.owner()));
+                 fmt::format("{}: the joints follow one another in a cycle", attributes.owner()));
     CouplingOf(follower) = {leader, multiplier, offset, std::nullopt};
     if (IsDriven(follower))
       context_.Note(attributes.owner(), fmt::format("joint '{}' follows '{}'; its own actuators are left out",
@@ -146,7 +146,7 @@ std::vector<MjcfCoupling> ReadMjcfCouplings(MjcfContext& context, const MjcfTree
     } else if (tag != "connect" && tag != "weld") {
       RefuseMjcf(
           FailureCode::kMjcfEquality,
-          fmt::format("{}: an equality <{}> is not supported: equalities of joints are", attributes.owner(), tag));
+          fmt::format("{}: an equality <{}> is not supported; only joint equalities are", attributes.owner(), tag));
     }
   }
   LockMjcfLoops(context, tree, masses, coupler.couplings());

@@ -37,7 +37,8 @@ void ReadMjcfSize(const MjcfAttributes& attributes, bool from_to, MjcfGeom& geom
   if (size.empty()) RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it has no 'size'", geom.owner));
   for (std::size_t i = 0; i < needed; ++i) {
     if (size[i] <= 0.0)
-      RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: 'size' holds {}; it must be positive", geom.owner, size[i]));
+      RefuseMjcf(FailureCode::kMjcfGeom,
+                 fmt::format("{}: 'size' contains {}; it must be positive", geom.owner, size[i]));
     geom.size[static_cast<Eigen::Index>(i)] = size[i];
   }
 }
@@ -86,7 +87,7 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   if (geom.type == MjcfGeomType::kMesh && geom.mesh.empty())
     RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it is a mesh, and has no 'mesh'", geom.owner));
   if (geom.type != MjcfGeomType::kMesh && !geom.mesh.empty()) {
-    context.Note(geom.owner, fmt::format("the mesh is taken in place of the {} that MuJoCo fits to it", type));
+    context.Note(geom.owner, fmt::format("the mesh is used instead of the {} that MuJoCo fits to it", type));
     geom.type = MjcfGeomType::kMesh;
   }
   const bool from_to = attributes.Has("fromto") && geom.type != MjcfGeomType::kMesh;
@@ -101,7 +102,7 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   constexpr double kLastShown = 2.0;
   geom.is_shown = geom.group <= kLastShown;
   if (geom.collides && attributes.Has("friction") && !context.friction_is_noted) {
-    context.Note(geom.owner, "'friction' is left out here and in other geoms: the ground has it");
+    context.Note(geom.owner, "'friction' is ignored here and in other geoms; the ground sets the friction");
     context.friction_is_noted = true;
   }
   geom.is_shell = attributes.Flag("shellinertia", false);
@@ -134,7 +135,7 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     mesh.scale = attributes.Three("scale", Vector3::Ones());
     mesh.p_ref = attributes.Three("refpos", Vector3::Zero());
     if (mesh.scale.cwiseAbs().minCoeff() == 0.0)
-      RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its scale is 0, which leaves nothing of it", mesh.owner));
+      RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its scale is 0", mesh.owner));
     if (const auto q = attributes.Numbers("refquat", 4, 4); !q.empty()) {
       const Quaternion quaternion(q[0], q[1], q[2], q[3]);
       if (quaternion.norm() < 1e-9)
@@ -187,10 +188,9 @@ void LetHiddenMjcfGeomsCollide(MjcfContext& context, std::vector<std::vector<Mjc
   };
   if (any([](const MjcfGeom& geom) { return geom.collides; })) return;
   if (!any([](const MjcfGeom& geom) { return !geom.is_shown; })) return;
-  context.Note(
-      context.document.Owner(context.document.root()),
-      "no geom of the robot can touch another by 'contype' and 'conaffinity', and no <pair> names one; the geoms "
-      "that are not shown, of group 3 and up, are taken for its collision geometry");
+  context.Note(context.document.Owner(context.document.root()),
+               "no geom of the robot can touch another by 'contype' and 'conaffinity' or <pair>; geoms of group 3 and "
+               "up, which are not shown, are used as collision geometry");
   for (std::vector<MjcfGeom>& of_body : geoms) {
     for (MjcfGeom& geom : of_body) geom.collides = !geom.is_shown;
   }

@@ -104,7 +104,7 @@ MjcfVolume MjcfInertias::VolumeOfMesh(const MjcfGeom& geom) {
                                                         geom.owner, geom.mesh, mesh.failure().message));
     std::optional<MjcfVolume> volume = VolumeOfMjcfMesh(*mesh);
     if (!volume) {
-      context_.Note(asset.owner, "its triangles do not enclose a volume; for inertia the box around it is taken");
+      context_.Note(asset.owner, "its triangles do not enclose a volume; its bounding box is used for the inertia");
       volume = MjcfBoxAround(*mesh);
     }
     of_file_[asset.file] = *volume;

@@ -17,8 +17,7 @@ double MjcfLoss(MjcfContext& context, const MjcfAttributes& attributes, const st
   if (numbers.front() < 0.0)
     RefuseMjcf(FailureCode::kMjcfJoint,
                fmt::format("{}: its {} is {}; zero or more is accepted", attributes.owner(), key, numbers.front()));
-  if (numbers.size() > 1)
-    context.Note(attributes.owner(), fmt::format("of '{}' the first number is taken; the others are left out", key));
+  if (numbers.size() > 1) context.Note(attributes.owner(), fmt::format("only the first number of '{}' is used", key));
   return numbers.front();
 }
 
@@ -30,11 +29,10 @@ void ReadMjcfRange(MjcfContext& context, const MjcfAttributes& attributes, MjcfJ
     if (joint.is_scalar())
       joint.range = {unit * ends[0], unit * ends[1]};
     else
-      context.Note(attributes.owner(), "the range of a ball joint is left out: it turns without limit");
+      context.Note(attributes.owner(), "the range of a ball joint is ignored; it turns without limit");
   } else if (attributes.Has("range") && !autolimits && !attributes.Has("limited")) {
     context.Note(attributes.owner(),
-                 "its range is left out: <compiler> has autolimits=\"false\", and the joint no "
-                 "'limited'");
+                 "its range is ignored: <compiler> has autolimits=\"false\", and the joint has no 'limited'");
   }
   if (!attributes.IsLimited("actuatorfrclimited", "actuatorfrcrange", autolimits)) return;
   joint.force_limit = MjcfEitherSide(context, attributes, "actuatorfrcrange");
@@ -43,11 +41,9 @@ void ReadMjcfRange(MjcfContext& context, const MjcfAttributes& attributes, MjcfJ
 /// Springs and the like, which the robot model has no place for.
 void NoteMjcfSprings(MjcfContext& context, const MjcfAttributes& attributes) {
   if (const double stiffness = MjcfLoss(context, attributes, "stiffness"); stiffness > 0.0)
-    context.Note(attributes.owner(), fmt::format("its spring of stiffness {} is left out", stiffness));
+    context.Note(attributes.owner(), fmt::format("its spring of stiffness {} is ignored", stiffness));
   if (const auto spring = attributes.Numbers("springdamper", 2, 2); !spring.empty() && spring[0] > 0.0)
-    context.Note(attributes.owner(),
-                 "'springdamper' is left out, with the spring and the damping that MuJoCo makes of "
-                 "it");
+    context.Note(attributes.owner(), "'springdamper' is ignored, with its spring and damping");
 }
 
 }  // namespace
@@ -57,9 +53,9 @@ double MjcfEitherSide(MjcfContext& context, const MjcfAttributes& attributes, co
   const double smaller = std::min(std::abs(ends[0]), std::abs(ends[1]));
   const double bound = smaller > 0.0 ? smaller : std::max(std::abs(ends[0]), std::abs(ends[1]));
   if (ends[0] != -ends[1])
-    context.Note(attributes.owner(), fmt::format("'{}' is '{}', which differs in size on both sides; {} is taken for "
-                                                 "both",
-                                                 key, attributes.Text(key), bound));
+    context.Note(attributes.owner(),
+                 fmt::format("'{}' is '{}', which differs in size between both sides; {} is used for both", key,
+                             attributes.Text(key), bound));
   return bound;
 }
 

@@ -74,9 +74,9 @@ std::vector<std::pair<std::string, double>> ReadMjcfPosture(MjcfContext& context
   std::size_t needed = 0;
   for (const MjcfJoint& joint : tree.joints) needed += joint.num_positions();
   if (qpos.size() != needed) {
-    context.Note(attributes.owner(), fmt::format("its qpos holds {} numbers, and the joints have {}; the keyframe is "
-                                                 "left out",
-                                                 qpos.size(), needed));
+    context.Note(
+        attributes.owner(),
+        fmt::format("its qpos has {} numbers, but the joints need {}; the keyframe is ignored", qpos.size(), needed));
     return {};
   }
   const std::vector<MjcfRange> ranges = MjcfRanges(tree, couplings);
@@ -92,11 +92,11 @@ std::vector<std::pair<std::string, double>> ReadMjcfPosture(MjcfContext& context
     } else if (const auto position = MjcfWithin(ranges[j], qpos[at])) {
       posture.emplace_back(joint.name, *position);
     } else {
-      context.Note(attributes.owner(), fmt::format("the position {} of joint '{}' is outside of its range; left out",
+      context.Note(attributes.owner(), fmt::format("the position {} of joint '{}' is outside its range and is ignored",
                                                    qpos[at], joint.name));
     }
   }
-  context.Note(attributes.owner(), "its positions of joints are the standing posture");
+  context.Note(attributes.owner(), "its joint positions are used as the standing posture");
   return posture;
 }
 

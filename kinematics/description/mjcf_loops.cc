@@ -114,27 +114,25 @@ void LockMjcfLoops(MjcfContext& context, const MjcfTree& tree, const std::vector
     const int one = EndOfMjcfTie(attributes, tree, "1"), other = EndOfMjcfTie(attributes, tree, "2");
     const auto is_robots = [&](int body) { return body >= 0 && tree.in_robot[static_cast<std::size_t>(body)]; };
     if (!is_robots(one) && !is_robots(other)) {
-      context.Note(attributes.owner(), "it is no part of the robot; left out");
+      context.Note(attributes.owner(), "it is not part of the robot; left out");
       continue;
     }
     if (!is_robots(one) || !is_robots(other))
       RefuseMjcf(FailureCode::kMjcfLoop,
-                 fmt::format("{}: it ties the robot to the world or to another body; a robot that walks is "
-                             "free",
+                 fmt::format("{}: it ties the robot to the world or to another body; a walking robot must be free",
                              attributes.owner()));
     const std::vector<int> bodies = LoopOfMjcf(tree, one, other);
     const std::vector<int> joints = JointsOfMjcf(tree, bodies);
     if (!IsSmallMjcfPart(tree, masses, bodies))
-      RefuseMjcf(FailureCode::kMjcfLoop,
-                 fmt::format("{}: it closes a loop of the joints {}, and the joints must form a tree; where "
-                             "the loop only carries a motor's torque on, leave it and its rods out and put "
-                             "the actuator on the joint that it moves",
-                             attributes.owner(), NamesOfMjcfJoints(tree, joints)));
+      RefuseMjcf(
+          FailureCode::kMjcfLoop,
+          fmt::format("{}: it closes a loop of the joints {}, but the joints must form a tree; if the loop only "
+                      "transmits a motor's torque, remove it and its rods and put the actuator on the driven joint",
+                      attributes.owner(), NamesOfMjcfJoints(tree, joints)));
     for (const int j : joints) LockMjcfJoint(j, tree.joints[static_cast<std::size_t>(j)].ref, couplings);
     if (!joints.empty())
       context.Note(attributes.owner(),
-                   fmt::format("it closes a loop of the joints {}, which stand still here as the file "
-                               "draws them",
+                   fmt::format("it closes a loop of the joints {}, which are fixed here in the file's posture",
                                NamesOfMjcfJoints(tree, joints)));
   }
 }

@@ -69,7 +69,7 @@ void NoteUnknownMjcfAttributes(MjcfContext& context, const XMLElement& element) 
     if (std::find(known->second.begin(), known->second.end(), a->Name()) != known->second.end()) continue;
     const std::string name = ShownMjcf(a->Name());
     context.Note(context.document.Owner(element),
-                 fmt::format("the attribute '{}' is not known{}; left out", name, NearestHint(name, known->second)));
+                 fmt::format("the attribute '{}' is unknown{}; left out", name, NearestHint(name, known->second)));
   }
 }
 
@@ -88,10 +88,10 @@ void NoteMjcfOption(MjcfContext& context, const XMLElement& option) {
   if ((gravity - Vector3(0.0, 0.0, -kGravity)).norm() > kGravityAlike)
     context.Note(attributes.owner(),
                  fmt::format("gravity is '{}'; 0 0 -{} is used", attributes.Text("gravity"), kGravity));
-  if (!attributes.Three("wind", Vector3::Zero()).isZero(0.0)) context.Note(attributes.owner(), "wind is left out");
+  if (!attributes.Three("wind", Vector3::Zero()).isZero(0.0)) context.Note(attributes.owner(), "wind is ignored");
   for (const char* key : {"density", "viscosity"}) {
     if (attributes.Number(key, 0.0) != 0.0)
-      context.Note(attributes.owner(), fmt::format("'{}' of the medium is left out", key));
+      context.Note(attributes.owner(), fmt::format("'{}' of the medium is ignored", key));
   }
   for (const XMLElement* flag : context.document.Children(option)) {
     if (std::string_view(flag->Name()) != "flag") continue;
@@ -99,7 +99,7 @@ void NoteMjcfOption(MjcfContext& context, const XMLElement& option) {
                             "gravity", "clampctrl", "actuation"}) {
       const char* text = flag->Attribute(key);
       if (text != nullptr && std::string_view(text) == "disable")
-        context.Note(context.document.Owner(*flag), fmt::format("'{}' is disabled; here it holds", key));
+        context.Note(context.document.Owner(*flag), fmt::format("'{}' is disabled in the file but active here", key));
     }
   }
 }
@@ -117,8 +117,7 @@ void NoteMjcfContacts(MjcfContext& context) {
     context.Note(context.document.Owner(*element),
                  is_exclude
                      ? fmt::format("bodies {} may touch each other here", MjcfPairText(*element, "body1", "body2"))
-                     : fmt::format("the contact of {} has no settings of its own here",
-                                   MjcfPairText(*element, "geom1", "geom2")));
+                     : fmt::format("contact settings of {} are ignored", MjcfPairText(*element, "geom1", "geom2")));
   }
 }
 
@@ -126,7 +125,7 @@ void NoteMjcfContacts(MjcfContext& context) {
 
 void MjcfContext::Note(const std::string& owner, const std::string& what) {
   if (has_many_notes()) return;
-  notes.push_back(notes.size() < kMostMjcfNotes ? owner + ": " + what : "there are more notes than are kept");
+  notes.push_back(notes.size() < kMostMjcfNotes ? owner + ": " + what : "there are more notes, which are not listed");
 }
 
 void NoteMjcfOthers(MjcfContext& context) {
@@ -134,7 +133,7 @@ void NoteMjcfOthers(MjcfContext& context) {
     const std::string tag = section->Name();
     if (!context.has_many_notes() && std::find(kMjcfSections.begin(), kMjcfSections.end(), tag) == kMjcfSections.end())
       context.Note(context.document.Owner(*section),
-                   fmt::format("this section is not known{}; left out", NearestHint(tag, kMjcfSections)));
+                   fmt::format("this section is unknown{}; left out", NearestHint(tag, kMjcfSections)));
     if (tag == "option") NoteMjcfOption(context, *section);
     if (tag == "compiler") NoteUnknownMjcfAttributes(context, *section);
     if (tag == "worldbody" || tag == "default") NoteUnknownMjcfAttributesBelow(context, *section);

@@ -25,12 +25,12 @@ MjcfUrdfShape AroundMjcfEllipsoid(MjcfContext& context, const MjcfGeom& geom) {
   const double shortest = geom.size[order[0]], middle = geom.size[order[1]], longest = geom.size[order[2]];
   constexpr double kFlat = 0.8;
   if (shortest < kFlat * middle) {
-    context.Note(geom.owner, "the box around it is taken in place of the ellipsoid");
+    context.Note(geom.owner, "its bounding box is used instead of the ellipsoid");
     return MjcfBox(2.0 * geom.size, geom.X_BG);
   }
   constexpr double kRound = 1e-3;
   if (longest - middle < kRound * longest) return {"sphere", {{"radius", MjcfText(longest)}}, geom.X_BG};
-  context.Note(geom.owner, "the capsule around it is taken in place of the ellipsoid");
+  context.Note(geom.owner, "its bounding capsule is used instead of the ellipsoid");
   Pose X_BS = geom.X_BG;
   X_BS.linear() = geom.X_BG.linear() * MjcfRotationOfZ(Vector3::Unit(order[2]));
   return MjcfRound("capsule", middle, 2.0 * (longest - middle), X_BS);
@@ -38,10 +38,10 @@ MjcfUrdfShape AroundMjcfEllipsoid(MjcfContext& context, const MjcfGeom& geom) {
 
 /// Why a mesh file cannot be used; "" where it can.
 std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset) {
-  if (asset.file.empty()) return "its mesh stands in the model and in no file";
+  if (asset.file.empty()) return "its mesh is in the model itself and not in a file";
   const std::string kind = LowerCase(std::filesystem::path(asset.file).extension().string());
   if (kind == ".stl" || kind == ".obj" || kind == ".dae") return "";
-  return fmt::format("its mesh '{}' is of a kind that is not read; there are '.stl', '.obj', '.dae'",
+  return fmt::format("its mesh '{}' has an unsupported format; accepted: '.stl', '.obj', '.dae'",
                      ShownMjcf(asset.file));
 }
 

@@ -83,8 +83,8 @@ void DriveMjcfJointsByTendons(MjcfContext& context, const MjcfTree& tree, std::v
     ++drive.actuators;
     drive.effort.x() += own * tension;
     context.Note(tie.owner,
-                 fmt::format("it carries the torque of motors to joint '{}', which has none of its own: up to "
-                             "{:.4g}; that they turn with it is left out",
+                 fmt::format("it transmits up to {1:.4g} of motor torque to joint '{0}', which has no motor; "
+                             "the motors' own motion is ignored",
                              tree.joints[carried].name, own * tension));
   }
 }

@@ -73,7 +73,7 @@ class MjcfTreeReader {
     if (body.name == "world" || (!body.name.empty() && !tree_.body_named.emplace(body.name, index).second))
       RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: there are two bodies of that name", body.owner));
     if (attributes.Number("gravcomp", 0.0) != 0.0)
-      context_.Note(body.owner, "'gravcomp' is left out: the body has its whole weight");
+      context_.Note(body.owner, "'gravcomp' is ignored: the body has its whole weight");
     tree_.bodies.push_back(std::move(body));
     ReadContents({part.element, Pose::Identity(), context_.defaults.ChildClass(*part.element, part.childclass)}, index);
   }
@@ -88,7 +88,7 @@ class MjcfTreeReader {
     } else if (tag == "joint" || tag == "freejoint") {
       AddJoint(ReadMjcfJoint(context_, part), body);
     } else if (!kMjcfPassedOver.contains(tag)) {
-      context_.Note(context_.document.Owner(*part.element), "an element that is not read is left out");
+      context_.Note(context_.document.Owner(*part.element), "an unsupported element is left out");
     }
   }
 
@@ -96,7 +96,7 @@ class MjcfTreeReader {
     MjcfBody& of = tree_.bodies[static_cast<std::size_t>(body)];
     if (joint.type == MjcfJointType::kFree && of.parent >= 0)
       RefuseMjcf(FailureCode::kMjcfJoint,
-                 fmt::format("{}: a free joint stands in body '{}'; only a body of the world may have one", joint.owner,
+                 fmt::format("{}: body '{}' has a free joint; only a body of the world may have one", joint.owner,
                              ShownMjcf(of.name)));
     if (tree_.joints.size() >= kMostMjcfJoints)
       RefuseMjcf(FailureCode::kLargeMjcf,
@@ -113,7 +113,7 @@ class MjcfTreeReader {
   void Refuse(const XMLElement& element, const std::string& tag, int body) {
     const std::string owner = context_.document.Owner(element);
     if (body < 0 && tag == "replicate" && !HasBody(element)) {
-      context_.Note(owner, "it is no part of the robot; left out");
+      context_.Note(owner, "it is not part of the robot; left out");
       return;
     }
     RefuseMjcf(FailureCode::kMjcfElement,
@@ -150,15 +150,15 @@ void ChooseMjcfRobot(MjcfContext& context, MjcfTree& tree) {
     ++size[static_cast<std::size_t>(root[b])];
   }
   if (tree.bodies.empty())
-    RefuseMjcf(FailureCode::kMjcfBodies, "the model has no body: its <worldbody> holds no robot");
+    RefuseMjcf(FailureCode::kMjcfBodies, "the model has no body: its <worldbody> contains no robot");
   tree.root = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     tree.in_robot.push_back(root[b] == tree.root);
     if (tree.bodies[b].parent < 0 && root[b] != tree.root)
-      context.Note(tree.bodies[b].owner,
-                   fmt::format("it is no part of the robot, whose first body is '{}'; left out with all that it "
-                               "carries and what drives it",
-                               tree.bodies[static_cast<std::size_t>(tree.root)].name));
+      context.Note(
+          tree.bodies[b].owner,
+          fmt::format("it is not part of the robot, whose first body is '{}'; left out with its children and actuators",
+                      tree.bodies[static_cast<std::size_t>(tree.root)].name));
   }
 }
 
@@ -170,12 +170,13 @@ void NoteMjcfBase(MjcfContext& context, const MjcfTree& tree) {
     const MjcfJoint& joint = tree.joints[static_cast<std::size_t>(j)];
     is_free = is_free || joint.type == MjcfJointType::kFree;
     if (joint.type != MjcfJointType::kFree)
-      context.Note(joint.owner, "it joins the robot's first body to the world; left out: the base floats freely");
+      context.Note(joint.owner,
+                   "it joins the robot's first body to the world; left out, because the base floats freely");
   }
   if (is_free && base.joints.size() > 1)
-    RefuseMjcf(FailureCode::kMjcfJoint, fmt::format("{}: it has a free joint and other joints", base.owner));
+    RefuseMjcf(FailureCode::kMjcfJoint, fmt::format("{}: it has a free joint as well as other joints", base.owner));
   if (base.joints.empty())
-    context.Note(base.owner, "it has no free joint, so that MuJoCo holds it fast in the world; here the base floats");
+    context.Note(base.owner, "it has no free joint, so MuJoCo fixes it to the world; here the base floats");
 }
 
 }  // namespace

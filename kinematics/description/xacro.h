@@ -11,7 +11,7 @@
 
 namespace gaitwright {
 
-/// A xacro file with what a user gives for it.
+/// A xacro file with the user's arguments.
 struct XacroRequest {
   std::string path;
   std::map<std::string, std::string> arguments;  ///< values of `$(arg NAME)`
@@ -19,7 +19,7 @@ struct XacroRequest {
   bool strict = false;                           ///< files in another encoding than UTF-8 are refused, not converted
 };
 
-/// What an expansion takes from outside of the text.
+/// External inputs of an expansion.
 struct XacroSources {
   /// The text of an included file or YAML file. The path is absolute, or relative as that of the first text is.
   std::function<Result<std::string>(const std::string& path)> read;

@@ -69,7 +69,7 @@ void XacroExpander::GiveBlocks(const XacroMacro& macro, const Element& expanded,
   }
   if (block != nullptr) {
     throw XacroProblem{FailureCode::kMacroParameter,
-                       fmt::format("the macro '{}' ({}) takes {} blocks, and <{}> in the call is one more", macro.name,
+                       fmt::format("the macro '{}' ({}) takes {} blocks; <{}> in the call is one too many", macro.name,
                                    PlaceOf(*macro.body), blocks, block->Name())};
   }
 }
@@ -99,13 +99,13 @@ void XacroExpander::CallMacro(const Element& element, const std::string& name, N
   const auto [macro, seen] = scope.FindMacro(name, budget_);
   if (macro == nullptr) {
     std::string hint = NearestOrAll(name, scope.MacroNames());
-    if (hint.empty()) hint = "; a macro stands before its call, here or in an included file";
+    if (hint.empty()) hint = "; define a macro before its call, here or in an included file";
     throw XacroProblem{FailureCode::kUnknownMacro,
                        fmt::format("the macro '{}' is not defined{}", Shortened(name), hint)};
   }
   if (calls_.size() >= kMostMacroCalls) {
     throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("more than {} macros in one another; does '{}' call itself without end?",
+                       fmt::format("more than {} nested macro calls; check whether '{}' calls itself without end",
                                    kMostMacroCalls, macro->name)};
   }
   budget_.Spend(kStepsOfCall);

@@ -54,7 +54,7 @@ XacroValue XacroExpander::Resolve(const std::string& name, XacroProperty& proper
     const auto first = std::find(resolving_.begin(), resolving_.end(), name);
     const std::vector<std::string> circle(first, resolving_.end());
     throw XacroProblem{FailureCode::kXacroRecursion,
-                       fmt::format("the property '{}' is defined by itself, by way of {} ({})", Shortened(name),
+                       fmt::format("the property '{}' is defined by itself, through {} ({})", Shortened(name),
                                    QuotedList(circle), PlaceOf(*property.where))};
   }
   property.resolving = true;

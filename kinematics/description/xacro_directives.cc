@@ -186,7 +186,7 @@ void XacroExpander::DefineMacro(const Element& element, Node&, XacroScope& scope
   CheckXacroName(macro.name);
   if (DirectiveOf(macro.name) != nullptr)
     throw XacroProblem{FailureCode::kBadName,
-                       fmt::format("'{}' cannot be the name of a macro: xacro has it", macro.name)};
+                       fmt::format("'{}' cannot be the name of a macro: it is a xacro directive", macro.name)};
   macro.parameters = ParseXacroParameters(element.Attribute("params") == nullptr ? "" : element.Attribute("params"));
   macro.body = &element;
   macro.bare = std::string(element.Name()) == "macro";

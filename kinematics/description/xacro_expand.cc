@@ -55,7 +55,7 @@ XMLElement& XacroExpander::AppendElement(const std::string& name, Node& out) {
   const std::size_t depth = DepthInResult(&out);
   if (depth > kDeepestXacroElement)
     throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("the result has more than {} elements in one another", kDeepestXacroElement)};
+                       fmt::format("the result has more than {} nested elements", kDeepestXacroElement)};
   budget_.Write(2 * name.size() + 8 + 8 * depth);
   XMLElement* made = out.GetDocument()->NewElement(name.c_str());
   out.InsertEndChild(made);

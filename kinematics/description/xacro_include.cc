@@ -27,7 +27,7 @@ std::string ReasonNotXacroXml(const std::string& text, tinyxml2::XMLDocument& do
   if (text.find('\0') != std::string::npos) return ": it has a byte 0x00";
   if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
     return fmt::format(":{}: it is not XML: {}", document.ErrorLineNum(), document.ErrorName());
-  return document.RootElement() == nullptr ? ": it has no element" : "";
+  return document.RootElement() == nullptr ? ": it contains no element" : "";
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ class XacroParser {
     explicit Deeper(int& depth) : level(depth) {
       if (level >= kDeepestXacroExpression) {
         throw XacroProblem{FailureCode::kXacroLimit,
-                           fmt::format("more than {} expressions in one another", kDeepestXacroExpression)};
+                           fmt::format("more than {} nested expressions", kDeepestXacroExpression)};
       }
       ++level;
     }

@@ -38,7 +38,7 @@ std::size_t XacroPieceEnd(const std::string& text, std::size_t at) {
   if (end == std::string::npos) {
     throw XacroProblem{
         FailureCode::kXacroSyntax,
-        fmt::format("'{}' has no closing '{}'; a '${}' that is meant so is written '$${}'", Shortened(text.substr(at)),
+        fmt::format("'{}' has no closing '{}'; write a literal '${}' as '$${}'", Shortened(text.substr(at)),
                     text[at + 1] == '{' ? '}' : ')', text[at + 1], text[at + 1])};
   }
   return end;

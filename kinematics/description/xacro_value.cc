@@ -28,7 +28,7 @@ void CheckXacroSize(std::size_t items, int depth) {
                        fmt::format("a list of {} items; at most {} are kept", items, kMostXacroItems)};
   if (depth > kDeepestXacroValue) {
     throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("more than {} lists and dictionaries in one another", kDeepestXacroValue)};
+                       fmt::format("more than {} nested lists and dictionaries", kDeepestXacroValue)};
   }
 }
 
@@ -133,10 +133,10 @@ void XacroBudget::Write(std::size_t bytes) {
 
 XacroBudget::Level::Level(XacroBudget& budget) : budget_(budget) {
   if (budget.level_ >= kDeepestXacroLevel) {
-    throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("more than {} elements, macros and expressions in one another; does "
-                                   "one use itself?",
-                                   kDeepestXacroLevel)};
+    throw XacroProblem{
+        FailureCode::kXacroLimit,
+        fmt::format("more than {} nested elements, macros and expressions; check whether one uses itself",
+                    kDeepestXacroLevel)};
   }
   ++budget.level_;
 }

@@ -17,7 +17,7 @@ Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, int f
 std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, int foot,
                                    const Vector3& normal_W = Vector3::UnitZ());
 
-/// The same where the contact frame is known.
+/// Contact points for a known contact frame.
 std::vector<Vector3> ContactPoints(const Foot& foot, const Pose& X_WF);
 
 /// Adds to `tau` (size nv) the generalised forces J^T f of a force at a point fixed in a body at this moment.
@@ -28,8 +28,8 @@ void AddPointForce(const RobotModel& model, const DynamicsScratch& scratch, int 
 void AddPointWrench(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_WQ,
                     const Vector6& force_and_moment_W, VectorX& tau);
 
-/// Adds to `tau` (size nv) `share` times the generalised forces that hold all bodies up against gravity where
-/// ForwardKinematics put them: what InverseDynamics gives at rest.
+/// Adds to `tau` (size nv) `share` times the generalised forces that hold all bodies against gravity at the poses of
+/// ForwardKinematics, as InverseDynamics gives at rest.
 void AddHeldWeight(const RobotModel& model, const DynamicsScratch& scratch, double share, VectorX& tau);
 
 }  // namespace gaitwright

@@ -51,8 +51,8 @@ struct ThreeTurns {
 };
 
 /// (x1, x2, x3) with R = R(axis 1, x1) R(axis 2, x2) R(axis 3, x3), for any three unit axes, orthogonal or not. Empty
-/// where they cannot make R, which perpendicular neighbours always can.
-/// @param any  angles to keep where two of the axes have come into line.
+/// if they cannot represent R; perpendicular neighbours always can.
+/// @param any  angles to keep if two of the axes are aligned.
 ThreeTurns DecomposeRotation(const std::array<Vector3, 3>& axes, const Matrix3& R, const Vector3& any);
 
 }  // namespace gaitwright

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// Where a descent came to rest.
+/// Result of a descent.
 struct DampedSearch {
   VectorX coordinates;
   bool converged = false;
@@ -22,8 +22,8 @@ struct DampedSearch {
 DampedSearch DescendToPose(const LegChain& chain, const Pose& X_BF, const VectorX& lower, const VectorX& upper,
                            const VectorX& start);
 
-/// The same from a guess, then from the standing posture, then from seeded places within the limits (a full turn where
-/// there are none), until one converges; otherwise the one that came nearest.
+/// Searches from a guess, then from the standing posture, then from seeded random positions within the limits (a full
+/// turn for joints without limits), until one converges; otherwise the result with the smallest error.
 /// @param starts  how many of them at most. A random place leads to a random pose of a leg of six or seven joints in
 ///                six of ten cases, so a hundred miss one pose in ten thousand.
 DampedSearch SearchPose(const LegChain& chain, const Pose& X_BF, const VectorX& lower, const VectorX& upper,

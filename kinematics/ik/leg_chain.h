@@ -31,11 +31,12 @@ struct LegChain {
 
   /// X_BF. @param coordinates size of dofs.
   Pose FootPose(const VectorX& coordinates) const;
-  /// The same with [v_BF in B; w_BF in F] = J times the coordinates' rates. `screws` (6 x links) is scratch.
+  /// As above, with the Jacobian [v_BF in B; w_BF in F] = J times the coordinates' rates. `screws` (6 x links) is
+  /// scratch.
   Pose FootPose(const VectorX& coordinates, Jacobian& screws, Jacobian& J) const;
 
   int num_coordinates() const { return static_cast<int>(dofs.size()); }
-  /// Every joint has a coordinate of its own and turns.
+  /// Every joint is revolute with an independent coordinate.
   bool IsPlain() const;
 
   std::string foot_name;
@@ -47,7 +48,7 @@ struct LegChain {
   Pose X_BF_zero = Pose::Identity();
   double length_m = 0.0;  ///< to scale positions by
 
-  /// What is controlled: 0..2 position in B, 3..5 rotation about the axes of F.
+  /// Controlled rows: 0..2 position in B, 3..5 rotation about the axes of F.
   std::array<int, 6> rows{};
   int num_rows = 0;
 

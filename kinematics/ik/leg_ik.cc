@@ -85,7 +85,7 @@ LegIk::LegIk(const RobotModel& model, int leg, Method method) : chain_(model, le
   form_ = FitForm(chain_, method);
   if (!form_) {
     throw InvalidArgument(
-        fmt::format("foot '{}': its leg of {} joints does not have the geometry of the {} form; it fits '{}'",
+        fmt::format("foot '{}': its leg of {} joints does not have the geometry of the {} form; use '{}'",
                     chain_.foot_name, chain_.links.size(), NameOf(method), NameOf(MethodOf(model, leg))));
   }
   const Vector6 a = PositionsOf(chain_, chain_.lower), b = PositionsOf(chain_, chain_.upper);
@@ -99,8 +99,8 @@ LegIk::LegIk(const RobotModel& model, int leg, Method method) : chain_(model, le
 
 void LegIk::Check(const Pose& X_BF_target, const VectorX& guess) const {
   if (guess.size() != chain_.num_coordinates()) {
-    throw InvalidArgument(fmt::format("foot '{}': the guess has {} joints, the leg {}", chain_.foot_name, guess.size(),
-                                      chain_.num_coordinates()));
+    throw InvalidArgument(fmt::format("foot '{}': the guess has {} joints, but the leg has {}", chain_.foot_name,
+                                      guess.size(), chain_.num_coordinates()));
   }
   if (!guess.allFinite() || !X_BF_target.matrix().allFinite()) {
     throw InvalidArgument(
@@ -215,14 +215,14 @@ Failure LegIk::OutOfReach(const ReachGap& gap) const {
       hint = "raise the base or lift the foot less";
       break;
     case ReachGap::Kind::kTurned:
-      how = fmt::format("it is turned {:.1f} deg farther than the leg allows there", kDegrees * gap.angle_rad);
-      hint = "turn the foot less against the base";
+      how = fmt::format("it is rotated {:.1f} deg farther than the leg allows there", kDegrees * gap.angle_rad);
+      hint = "rotate the foot less relative to the base";
       break;
     default:
       how = fmt::format("it is too far from the hip by {:.1f} mm", mm);
   }
   if (gap.kind != ReachGap::Kind::kTurned && gap.angle_rad > 1e-6) {
-    how += fmt::format(" and turned {:.1f} deg off", kDegrees * gap.angle_rad);
+    how += fmt::format(" and rotated by {:.1f} deg", kDegrees * gap.angle_rad);
   }
   return {FailureKind::kInfeasible,
           FailureCode::kOutOfReach,

@@ -25,16 +25,16 @@ struct DampedSearch;
 ///
 /// The method follows from the model's geometry alone; see FitThreeJointForm and FitSixJointForm for the two closed
 /// forms. Any other leg, and one whose joints share coordinates among themselves, is solved by damped least squares.
-/// A file's rounded angles do not stop a closed form: what they leave is taken away by the same least squares.
+/// Rounded angles in the file do not prevent a closed form: the remaining error is removed by least squares.
 ///
-/// Coordinates are the dofs that move the leg, as they are: position of a joint = multiplier * dof + offset, and its
-/// limits hold for every joint that the dof moves. A dof that moves another leg too (NAO's hip yaw-pitch) is solved for
-/// this leg alone: `shared_dofs` lists it, and two such legs agree only if their targets do.
+/// Coordinates are the dofs that move the leg: position of a joint = multiplier * dof + offset, and its limits hold
+/// for every joint that the dof moves. A dof that moves another leg too (NAO's hip yaw-pitch) is solved for this leg
+/// alone: `shared_dofs` lists it, and two such legs agree only if their targets do.
 ///
 /// Among several solutions within the limits: first those whose knee bends as the guess's does (as the standing
 /// posture's where the guess is straight), then the nearest to the guess.
 ///
-/// Everything is fixed when made, so one object serves many threads.
+/// Immutable, so one object can be used by several threads.
 class LegIk {
  public:
   enum class Method {
@@ -51,17 +51,17 @@ class LegIk {
 
   /// @throws InvalidArgument when the model has no such leg.
   LegIk(const RobotModel& model, int leg);
-  /// The same by a given method. @throws InvalidArgument when the leg's geometry does not fit it.
+  /// As above, with a given method. @throws InvalidArgument when the leg's geometry does not fit it.
   LegIk(const RobotModel& model, int leg, Method method);
 
   /// @param X_BF_target  [m]; its rotation must be one (not checked).
-  /// @param guess        by dofs() [rad] or [m].
-  /// A closed form finds every solution there is. kDamped may miss one, chiefly where the leg is singular close to its
-  /// limits, and then fails (from random guesses about one pose in ten thousand); a guess that is near helps.
-  /// Failure kInfeasible: `out_of_reach` says by how much and to which side, `joint_limit` names the joint, its
-  /// position and its limit. @throws InvalidArgument for a guess of another size and for what is not finite.
+  /// @param guess        by dofs() [rad] or [m]. A closed form finds all solutions. kDamped may miss one, chiefly where
+  /// the leg is singular close to its limits, and then fails (from random guesses about one pose in ten thousand); a
+  /// guess that is near helps. Failure kInfeasible: `out_of_reach` says by how much and to which side, `joint_limit`
+  /// names the joint, its position and its limit. @throws InvalidArgument for a guess of wrong size and for values that
+  /// are not finite.
   Result<Solution> Solve(const Pose& X_BF_target, const VectorX& guess) const;
-  /// The same from the standing posture.
+  /// Solves from the standing posture.
   Result<Solution> Solve(const Pose& X_BF_target) const { return Solve(X_BF_target, chain_.standing); }
 
   /// X_BF at joint positions by dofs().

@@ -39,7 +39,7 @@ std::shared_ptr<const RobotModel> WithReserve(const RobotModel& model, double re
 
 double CheckedReserve(double reserve) {
   if (reserve >= 0.0 && reserve <= 0.2) return reserve;
-  throw InvalidArgument(fmt::format("the reserve of a leg's workspace is {}; it must lie in [0, 0.2]", reserve));
+  throw InvalidArgument(fmt::format("the margin of a leg's workspace is {}; accepted: 0 to 0.2", reserve));
 }
 
 std::uint64_t Mixed(std::uint64_t x) {

@@ -12,15 +12,15 @@
 
 namespace gaitwright {
 
-/// What a leg reaches, for many questions: is a pose of its foot in the base within its joints' limits, with a reserve?
+/// Workspace of a leg for many queries: whether a pose of its foot in the base is within the joint limits, with a
+/// margin.
 ///
 /// Answers hold for cells of a grid of poses: positions in cubes of the leg length / kCellsPerLeg, and of soles and
-/// lines their yaw, roll and pitch in steps of kAngle. A cell is reached when inverse kinematics brings the foot to its
-/// middle, and a reserve farther from the hip too, within limits that are the reserve narrower on both sides, and near
-/// those limits to its corners as well. The reserve is never so much that the standing posture is left out. A cell is
-/// worked out when first asked for and then kept, so later questions cost a look-up. The standing posture is the middle
-/// of a cell, and those of left and right are mirrored about it. Answers do not depend on the order of questions. Not
-/// for several threads at once.
+/// lines their yaw, roll and pitch in steps of kAngle. A cell is reachable if inverse kinematics reaches its centre,
+/// and a point farther from the hip by the margin, within joint limits reduced by the margin on both sides; near those
+/// limits its corners too. The margin is limited so that the standing posture stays reachable. A cell is computed at
+/// its first query and cached. The standing posture is the middle of a cell, and those of left and right are mirrored
+/// about it. Results do not depend on the order of queries. Not thread-safe.
 class LegWorkspace {
  public:
   static constexpr double kCellsPerLeg = 40.0;
@@ -35,8 +35,8 @@ class LegWorkspace {
   bool Reaches(const Pose& X_BF);
 
   /// The balls of the leg's shapes (LegBalls) when its foot is there, to the change of posture within a cell. They are
-  /// worked out when first asked for and then kept.
-  /// @param balls  replaced; empty for a leg without shapes.  @return false where the foot cannot be.
+  /// computed at the first query and cached.
+  /// @param balls  replaced; empty for a leg without shapes.  @return false if the foot cannot be there.
   bool BallsAt(const Pose& X_BF, std::vector<Ball>& balls);
 
   /// How many cells have been worked out.

@@ -3,7 +3,7 @@
 
 namespace gaitwright {
 
-/// How far a foot's target lies outside of what its leg can reach by its geometry, joint limits apart.
+/// Distance of a foot's target from the leg's geometric reach, without joint limits.
 struct ReachGap {
   enum class Kind {
     kNone,         ///< within reach

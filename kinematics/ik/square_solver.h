@@ -8,7 +8,7 @@
 namespace gaitwright {
 
 /// Square systems A x = b of one size, solved again and again by Gaussian elimination with partial pivoting, without
-/// allocating: Eigen's own allocates inside where it works by blocks, which pays only for sizes far beyond a robot's.
+/// allocating: Eigen's own solver allocates for its blocked algorithm, which is faster only for much larger sizes.
 /// Golub, Van Loan, Matrix Computations, 2013, algorithm 3.4.1.
 class SquareSolver {
  public:
@@ -17,7 +17,7 @@ class SquareSolver {
   /// The matrix to be filled before Factor, size n x n; Factor destroys it.
   MatrixX& matrix() { return matrix_; }
 
-  /// Takes apart what is in matrix(). A singular matrix makes solutions that are not finite.
+  /// Factorises matrix(). A singular matrix gives solutions that are not finite.
   void Factor();
 
   /// x of A x = b, both of size n; x is resized. Factor first. b and x must be different vectors.

@@ -132,7 +132,8 @@ void WholeBodyIk::ChooseRows() {
     if (take(all, of_base_alone ? kOfBaseAlone : kDependent)) {
       chosen.push_back(row);
     } else {
-      notes_.push_back(fmt::format("whole-body IK: {} yields, the legs have no freedom left for it", row.name));
+      notes_.push_back(
+          fmt::format("whole-body IK: {} is not tracked, because the legs have no degree of freedom left", row.name));
     }
   }
   rows_ = chosen;
@@ -281,7 +282,7 @@ Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
   return {FailureKind::kInfeasible,
           FailureCode::kOutOfReach,
           "WholeBodyIk",
-          fmt::format("foot '{}' cannot reach its target: {:.1f} mm are missing (the centre of mass is {:.1f} mm off)",
+          fmt::format("foot '{}' cannot reach its target: it is {:.1f} mm short (the centre of mass is {:.1f} mm off)",
                       model_->feet[worst].name, 1e3 * distance, 1e3 * com_gap),
           {"lower the speed or the step length, or lower the centre of mass"}};
 }

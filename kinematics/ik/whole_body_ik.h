@@ -13,7 +13,8 @@
 
 namespace gaitwright {
 
-/// What a foot shall do at one time. The controlled frame is F of Foot: the middle of a sole, the centre of a sphere.
+/// Desired motion of a foot at one time. The controlled frame is F of Foot: the middle of a sole, the centre of a
+/// sphere.
 ///
 /// A sphere rolls on its radius r: with normal n its centre moves by r w x n more than the material point under it, so
 /// v_WF and a_WF are those of the material contact point (zero in stance, the swing's otherwise), and the position
@@ -31,7 +32,7 @@ struct FootTarget {
 
 /// Where joints that no task takes shall be: those outside the legs, and in legs with freedoms to spare.
 struct PostureTarget {
-  VectorX q, v, a;  ///< of all independent joints, size n; all empty for where a first guess has them, at rest
+  VectorX q, v, a;  ///< of all independent joints, size n; all empty to use the initial guess, at rest
 };
 
 /// What the whole body shall do at one time.
@@ -45,13 +46,13 @@ struct BodyTarget {
 
 /// Joint motion from the motion of centre of mass, base orientation and feet, for one model.
 ///
-/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are taken from the
-/// top while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18
-/// rows: its yaw follows from the coupled hip). Rows lie along the axes of the base's heading, those of a foot's
-/// rotation along the axes of its F, so that what yields is the same wherever the robot turns to. Freedoms that are
-/// still left are held where the target's posture has them: joints outside the legs first, then those that carry
-/// several legs. So the system is square: positions are solved to 1e-10, velocities and accelerations are its exact
-/// derivatives. Once made it allocates nothing, failures excepted.
+/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are used from the
+/// top while they are independent of those above and degrees of freedom are left; the rest is dropped (NAO has 17
+/// degrees of freedom for 18 rows: its yaw follows from the coupled hip). Rows lie along the axes of the base's
+/// heading, those of a foot's rotation along the axes of its F, so the dropped rows do not depend on the robot's
+/// heading. Remaining degrees of freedom are held at the target's posture: joints outside the legs first, then those
+/// that carry several legs. So the system is square: positions are solved to 1e-10, velocities and accelerations are
+/// its exact derivatives. It allocates nothing after construction, except for failures.
 ///
 /// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its
 /// target.

@@ -8,10 +8,10 @@
 
 namespace gaitwright {
 
-/// A motor of the robot, and what it may give: the one owner of limits of speed and effort. Most motors drive one
-/// joint; those of a Transmission drive several together. A robot has as many motors as independent coordinates, so
-/// that vectors by motor have the size of vectors by coordinate: motor d drives coordinate d alone, or is the motor of
-/// the transmission of d that stands where d stands among its joints.
+/// A motor of the robot with its speed and effort limits; the only place of these limits. Most motors drive one joint;
+/// those of a Transmission drive several together. A robot has as many motors as independent coordinates, so that
+/// vectors by motor have the size of vectors by coordinate: motor d drives coordinate d alone, or is the motor of the
+/// transmission of d that stands where d stands among its joints.
 ///
 /// Limits hold for the motor, never for a joint of a transmission:
 ///   |Effort(tau)| <= effort_limit,   |Speed(v)| <= velocity_limit.
@@ -25,8 +25,8 @@ struct Actuator {
 
   std::string name;                      ///< the joint's name for the motor of one joint
   std::vector<Term> terms;               ///< one for a motor of one joint
-  double effort_limit = Motor::kNone;    ///< [N m] or [N]; infinite where it is not known
-  double velocity_limit = Motor::kNone;  ///< [rad/s] or [m/s]; infinite where it is not known
+  double effort_limit = Motor::kNone;    ///< [N m] or [N]; infinite if unknown
+  double velocity_limit = Motor::kNone;  ///< [rad/s] or [m/s]; infinite if unknown
   bool slides = false;
   Motor motor;
   int transmission = -1;  ///< index into RobotModel::transmissions; -1 for the motor of one joint
@@ -44,7 +44,7 @@ struct Actuator {
 Actuator ActuatorOf(const RobotModel& model, int index);
 std::vector<Actuator> ActuatorsOf(const RobotModel& model);
 
-/// A motor by its index, and the share of its limit that it uses, 1 at the limit; -1 and 0 where no limit is known.
+/// Index of a motor and the used share of its limit, 1 at the limit; -1 and 0 if no limit is known.
 struct LargestUse {
   int motor = -1;
   double share = 0.0;
@@ -54,9 +54,8 @@ LargestUse LargestEffortUse(const RobotModel& model, const VectorX& tau);
 /// The motor that speeds of the joints bring nearest to its speed limit.
 LargestUse LargestSpeedUse(const RobotModel& model, const VectorX& v);
 
-/// Torques of the joints when each motor that is asked for more than its effort limit gives that limit, and the others
-/// give what they are asked for: R^T clamp(R^-T tau). The torques of a transmission so change at all its joints when
-/// one of its motors is at its limit. ClampedSpeeds likewise: R^-1 clamp(R v).
+/// Joint torques with each motor's effort limited: R^T clamp(R^-T tau). If a motor of a transmission is at its limit,
+/// the torques of all its joints change. ClampedSpeeds limits speeds in the same way: R^-1 clamp(R v).
 VectorX ClampedEfforts(const RobotModel& model, const VectorX& tau);
 VectorX ClampedSpeeds(const RobotModel& model, const VectorX& v);
 

@@ -34,16 +34,15 @@ void ApplyLegs(const std::vector<LegOverride>& given, RobotModel& model) {
     Leg& leg = model.legs[LegOf(model, said.foot, said.line)];
     const std::vector<std::string> names = JointNames(model, leg);
     if (!said.joints.empty() && said.joints != names) {
-      RefuseYamlLine(said.line,
-                     fmt::format("the joints of leg '{}' are {}, from the base to the foot; the file says {}; to "
-                                 "end the leg elsewhere name another foot",
-                                 leg.name, QuotedList(names), QuotedList(said.joints)));
+      RefuseYamlLine(said.line, fmt::format("the joints of leg '{}' are {}, from the base to the foot, but the file "
+                                            "has {}; to end the leg elsewhere, name another foot",
+                                            leg.name, QuotedList(names), QuotedList(said.joints)));
     }
     if (!said.knee.empty()) {
       const auto at = std::find(names.begin(), names.end(), said.knee);
       if (at == names.end()) {
-        RefuseYamlLine(said.line, fmt::format("knee '{}' is no joint of leg '{}'; there are {}", said.knee, leg.name,
-                                              QuotedList(names)));
+        RefuseYamlLine(said.line, fmt::format("knee '{}' is not a joint of leg '{}'; its joints are {}", said.knee,
+                                              leg.name, QuotedList(names)));
       }
       leg.knee_joint = leg.joints[static_cast<std::size_t>(at - names.begin())];
       if (leg.knee_sign == 0.0) leg.knee_sign = 1.0;
@@ -51,7 +50,7 @@ void ApplyLegs(const std::vector<LegOverride>& given, RobotModel& model) {
     if (said.knee_sign == 0.0) continue;
     if (leg.knee_joint < 0) {
       RefuseYamlLine(said.line,
-                     fmt::format("leg '{}' has no knee that could bend to a side; name it: 'knee'", leg.name));
+                     fmt::format("leg '{}' has no joint that was recognised as a knee; name it with 'knee'", leg.name));
     }
     const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
     if (said.knee_sign > 0.0 ? knee.upper <= 0.0 : knee.lower >= 0.0) {

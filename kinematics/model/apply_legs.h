@@ -7,9 +7,9 @@
 
 namespace gaitwright {
 
-/// Puts in what a user says of legs. Both throw InvalidArgument with the line: no such foot or joint (with those that
-/// there are), joints that are not the chain to the foot, a leg without a knee whose knee's side is given, a leg in two
-/// pairs.
+/// Applies the user's overrides of legs. Both functions throw InvalidArgument with the line for an unknown foot or
+/// joint (with the known ones), joints that are not the chain to the foot, a knee side for a leg without a knee, or a
+/// leg in two pairs.
 void ApplyLegs(const std::vector<LegOverride>& given, RobotModel& model);
 
 /// Mirrors by pairs of feet in place of those that were derived.

@@ -19,11 +19,11 @@ int DrivenDof(const RobotModel& model, const std::string& name, const RobotYaml:
     if (joint.name != name) continue;
     const std::string& leader = model.dof_names[static_cast<std::size_t>(joint.dof)];
     if (joint.is_mimic)
-      RefuseYamlLine(drive.line, fmt::format("transmission '{}' drives joint '{}', which mimics another; give '{}', "
-                                             "which leads it",
-                                             drive.name, name, leader));
+      RefuseYamlLine(drive.line,
+                     fmt::format("transmission '{}' drives joint '{}', which mimics another joint; name '{}' instead",
+                                 drive.name, name, leader));
     if (const Transmission* other = model.TransmissionOf(joint.dof))
-      RefuseYamlLine(drive.line, fmt::format("transmission '{}' drives joint '{}', which transmission '{}' drives too",
+      RefuseYamlLine(drive.line, fmt::format("transmission '{}' drives joint '{}', which transmission '{}' also drives",
                                              drive.name, name, other->name));
     return joint.dof;
   }
@@ -37,19 +37,19 @@ void CheckSaidOnce(const RobotYaml& yaml, const std::string& joint, const RobotY
   const bool rotors = std::any_of(drive.motors.begin(), drive.motors.end(), has_rotor);
   for (const RobotYaml::JointLimits& limits : yaml.limits) {
     if (limits.joint == joint && (limits.effort || limits.velocity))
-      RefuseYamlLine(limits.line, fmt::format("joint '{}' has a limit of effort or speed, and transmission '{}' drives "
-                                              "it; give effort and speed of its motors there",
+      RefuseYamlLine(limits.line, fmt::format("joint '{}' has a limit of effort or speed, but transmission '{}' drives "
+                                              "it; set effort and speed of the motors there",
                                               joint, drive.name));
   }
   for (const RobotYaml::JointMotor& motor : yaml.motors) {
     if (motor.joint != joint) continue;
     if (motor.corner_speed || motor.no_load_speed || motor.continuous_effort)
-      RefuseYamlLine(motor.line, fmt::format("joint '{}' has a curve or a continuous effort under 'motors', and "
-                                             "transmission '{}' drives it; give those of its motors there",
+      RefuseYamlLine(motor.line, fmt::format("joint '{}' has a curve or a continuous effort under 'motors', but "
+                                             "transmission '{}' drives it; set those of the motors there",
                                              joint, drive.name));
     if (motor.rotor_inertia && rotors)
-      RefuseYamlLine(motor.line, fmt::format("joint '{}' has a rotor under 'motors', and the motors of transmission "
-                                             "'{}' have theirs; give one or the other",
+      RefuseYamlLine(motor.line, fmt::format("joint '{}' has a rotor under 'motors', but the motors of transmission "
+                                             "'{}' have rotors too; set only one of them",
                                              joint, drive.name));
   }
 }
@@ -125,9 +125,9 @@ void ApplyTransmissions(const RobotYaml& yaml, RobotModel& model) {
       ApplyTransmission(yaml, drive, model, taken);
       continue;
     }
-    model.findings.push_back({FindingLevel::kWarning, FailureCode::kTransmission,
-                              fmt::format("transmission '{}'", drive.name), 0,
-                              fmt::format("it is left out, since its joint '{}' moves nothing and was fixed", fixed)});
+    model.findings.push_back(
+        {FindingLevel::kWarning, FailureCode::kTransmission, fmt::format("transmission '{}'", drive.name), 0,
+         fmt::format("it is left out, because its joint '{}' moves nothing and was fixed", fixed)});
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// Puts the transmissions of a robot.yaml into a model whose limits and motors are known; their limits take the place
-/// of the joints' own. A transmission of which a joint was fixed in loading is left out, with a finding.
+/// Adds the transmissions of a robot.yaml to a model with known limits and motors; their limits replace the joints'
+/// limits. A transmission with a joint that was fixed during loading is left out, with a finding.
 /// @throws InvalidArgument with the line for a joint that does not exist, mimics another or has a transmission already;
 /// ratios that are singular, with figures; a motor's name that is taken; limits of effort or speed, or traits of a
 /// motor, that the file gives such a joint elsewhere.

@@ -34,16 +34,17 @@ auto& JointNamed(Model& model, const std::string& name, int line) {
 int DofNamed(const RobotModel& model, const std::string& name, int line) {
   const Joint& joint = JointNamed(model, name, line);
   if (!joint.is_mimic) return joint.dof;
-  RefuseYamlLine(line, fmt::format("joint '{}' mimics another; give '{}', which leads it", name,
+  RefuseYamlLine(line, fmt::format("joint '{}' mimics another joint; name '{}' instead", name,
                                    model.dof_names[static_cast<std::size_t>(joint.dof)]));
 }
 
 void CheckUnits(const Joint& joint, bool sliding, bool any, int line) {
   if (!any || sliding == joint.is_prismatic()) return;
-  RefuseYamlLine(line, fmt::format("joint '{}' {}", joint.name,
-                                   sliding ? "turns; its keys end in _rad, _rad_s, _rad_s2, _rad_s3, _nm, _nm_rad, "
-                                             "_nm_s_rad, _kg_m2"
-                                           : "slides; its keys end in _m, _m_s, _m_s2, _m_s3, _n, _n_m, _n_s_m, _kg"));
+  RefuseYamlLine(
+      line, fmt::format(
+                "joint '{}' {}", joint.name,
+                sliding ? "is revolute; its keys end in _rad, _rad_s, _rad_s2, _rad_s3, _nm, _nm_rad, _nm_s_rad, _kg_m2"
+                        : "is prismatic; its keys end in _m, _m_s, _m_s2, _m_s3, _n, _n_m, _n_s_m, _kg"));
 }
 
 /// Height of a foot's lowest point in the base frame, in the standing posture [m].
@@ -64,8 +65,8 @@ void CheckLevel(const RobotYaml& yaml, const RobotModel& model) {
     const double above = height(foot) - height(*lowest);
     if (above <= kLevelFeet || yaml.standing.empty()) continue;
     RefuseYamlLine(yaml.standing.front().line,
-                   fmt::format("in the posture of 'standing' foot '{}' is {:.1f} mm above foot '{}'; at most {} mm is "
-                               "accepted: all feet stand on level ground",
+                   fmt::format("in the posture of 'standing', foot '{}' is {:.1f} mm above foot '{}'; at most {} mm is "
+                               "accepted, because all feet stand on level ground",
                                foot.name, 1e3 * above, lowest->name, 1e3 * kLevelFeet));
   }
   if (!yaml.standing_base_height_m) return;
@@ -73,8 +74,8 @@ void CheckLevel(const RobotYaml& yaml, const RobotModel& model) {
   if (std::abs(*yaml.standing_base_height_m - stands) <= kLevelFeet) return;
   RefuseYamlLine(
       yaml.height_line,
-      fmt::format("'standing_base_height_m' is {}, but in the standing posture the base is {:.4f} m over the "
-                  "feet, {:.1f} mm off; give 'standing' for the legs so that they fit, or leave the height out",
+      fmt::format("'standing_base_height_m' is {}, but in the standing posture the base is {:.4f} m above the feet "
+                  "({:.1f} mm off); set 'standing' for the legs to match, or leave the height out",
                   *yaml.standing_base_height_m, stands, 1e3 * std::abs(*yaml.standing_base_height_m - stands)));
 }
 
@@ -85,8 +86,8 @@ void ApplyMotor(const RobotYaml::JointMotor& given, RobotModel& model) {
   CheckUnits(joint, given.sliding, given.has_units, given.line);
   Motor& motor = model.motors[static_cast<std::size_t>(dof)];
   if (given.corner_speed.has_value() != given.no_load_speed.has_value()) {
-    RefuseYamlLine(given.line, fmt::format("the motor of '{}' has one end of its torque-speed curve; give both the "
-                                           "corner velocity and the no-load velocity, or none",
+    RefuseYamlLine(given.line, fmt::format("the motor of '{}' has only one end of its torque-speed curve; give both "
+                                           "the corner velocity and the no-load velocity, or neither",
                                            given.joint));
   }
   motor.corner_speed = given.corner_speed.value_or(motor.corner_speed);
@@ -98,9 +99,9 @@ void ApplyMotor(const RobotYaml::JointMotor& given, RobotModel& model) {
   }
   motor.continuous_effort = given.continuous_effort.value_or(motor.continuous_effort);
   if (given.continuous_effort && motor.continuous_effort > model.dof_effort_limit(dof)) {
-    RefuseYamlLine(given.line, fmt::format("the motor of '{}' has a continuous effort of {}, over the joint's limit of "
-                                           "{}",
-                                           given.joint, motor.continuous_effort, model.dof_effort_limit(dof)));
+    RefuseYamlLine(given.line,
+                   fmt::format("the motor of '{}' has a continuous effort of {}, above the joint's limit of {}",
+                               given.joint, motor.continuous_effort, model.dof_effort_limit(dof)));
   }
   motor.thermal_s = given.thermal_s.value_or(motor.thermal_s);
   motor.rotor_inertia = given.rotor_inertia.value_or(motor.rotor_inertia);
@@ -116,9 +117,10 @@ void ApplyAxes(const RobotYaml& yaml, RobotModel& model) {
   const BaseAxes axes = yaml.up ? BaseAxes{*yaml.ahead, *yaml.up} : DeriveBaseAxes(model);
   if (axes.are_usual()) return;
   TurnBase(axes, model);
-  model.notes.push_back(fmt::format("base: of its link '{}' {} is ahead and {} up ({}); states have x ahead and z up",
-                                    model.frames.front().name, NameOfAxis(axes.ahead), NameOfAxis(axes.up),
-                                    yaml.up ? "robot.yaml" : "as its limbs mirror each other and hang"));
+  model.notes.push_back(
+      fmt::format("base: axis {1} of link '{0}' points forward and {2} up ({3}); in states, x points forward and z up",
+                  model.frames.front().name, NameOfAxis(axes.ahead), NameOfAxis(axes.up),
+                  yaml.up ? "robot.yaml" : "derived from its mirrored, hanging limbs"));
 }
 
 void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
@@ -126,8 +128,9 @@ void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
     Joint& joint = JointNamed(model, given.joint, given.line);
     CheckUnits(joint, given.sliding, given.lower || given.upper || given.velocity || given.effort, given.line);
     if (joint.type == JointType::kContinuous && given.lower.has_value() != given.upper.has_value()) {
-      RefuseYamlLine(given.line, fmt::format("joint '{}' is continuous; give both a lower and an upper limit, or none",
-                                             joint.name));
+      RefuseYamlLine(
+          given.line,
+          fmt::format("joint '{}' is continuous; give both a lower and an upper limit, or neither", joint.name));
     }
     if (joint.type == JointType::kContinuous && given.lower) joint.type = JointType::kRevolute;
     joint.lower = given.lower.value_or(joint.lower);
@@ -137,7 +140,7 @@ void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
     if (given.velocity) joint.velocity_limit_is_placeholder = false;
     if (given.effort) joint.effort_limit_is_placeholder = false;
     if (joint.lower > joint.upper) {
-      RefuseYamlLine(given.line, fmt::format("joint '{}': its lower limit {} is over its upper limit {}", joint.name,
+      RefuseYamlLine(given.line, fmt::format("joint '{}': its lower limit {} is above its upper limit {}", joint.name,
                                              joint.lower, joint.upper));
     }
   }
@@ -183,7 +186,7 @@ void ApplyRests(const RobotYaml& yaml, RobotModel& model) {
     }
     const auto of_link = [&](const Foot& foot) { return foot.link == rest.link; };
     if (std::any_of(model.feet.begin(), model.feet.end(), of_link))
-      RefuseYamlLine(rest.line, fmt::format("link '{}' is a foot, or a rest already", rest.link));
+      RefuseYamlLine(rest.line, fmt::format("link '{}' is already a foot or a support link of lying", rest.link));
     const std::optional<Foot> found = FindRest(model, rest.link, yaml.sole_give_m);
     if (!found) RefuseYamlLine(rest.line, fmt::format("link '{}' has no flat bottom to lie on", rest.link));
     model.feet.push_back(*found);

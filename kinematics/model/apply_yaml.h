@@ -10,13 +10,14 @@ namespace gaitwright {
 /// for a turning one and the reverse, values that contradict each other.
 void ApplyLimits(const RobotYaml& yaml, RobotModel& model);
 
-/// Turns the base's frame where x is not ahead in the root link or z not up, by the file or by what the tree tells.
+/// Rotates the base frame if x does not point forward in the root link or z not up, according to the file or the
+/// derived axes.
 void ApplyAxes(const RobotYaml& yaml, RobotModel& model);
 
 /// Puts in the motors, those without words in the file included, and what joints take of themselves.
 void ApplyMotors(const RobotYaml& yaml, RobotModel& model);
 
-/// Standing positions by coordinate; NaN where none is given. Refuses one outside its joint's limits.
+/// Standing positions by coordinate; NaN if not given. Refuses one outside its joint's limits.
 VectorX GivenPosture(const RobotYaml& yaml, const RobotModel& model);
 
 /// Puts in gains, own speed and base height. Refuses a height that is not the one of the standing posture, and a
@@ -27,7 +28,7 @@ void ApplyStanding(const RobotYaml& yaml, RobotModel& model);
 /// bottom, or is that of a foot.
 void ApplyRests(const RobotYaml& yaml, RobotModel& model);
 
-/// One line for each thing that was derived or taken from the file, with what it was taken from; for people.
+/// One line of text for each derived quantity, with its source.
 std::vector<std::string> DerivationNotes(const RobotYaml& yaml, const RobotModel& model);
 
 }  // namespace gaitwright

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// Which axes of its root link a URDF has ahead of the robot and up.
+/// Axes of a URDF's root link that point forward and up.
 struct BaseAxes {
   Vector3 ahead = Vector3::UnitX(), up = Vector3::UnitZ();
 
@@ -21,13 +21,13 @@ const std::vector<std::string>& AxisNames();
 Vector3 AxisNamed(int index);
 std::string NameOfAxis(const Vector3& axis);
 
-/// What the tree at joint positions zero tells: a robot whose limbs mirror each other from y to minus y has x ahead and
-/// z up, as the conventions want it. One whose limbs do so along another axis alone, or along x too and bend about x,
-/// or bend about x alone, has that axis across, its limbs hang down, and its feet are longer ahead than behind. Names
-/// play no part; a robot with x up and y across is not seen as such. Needs bodies, joints and collision shapes.
+/// Derives the axes from the tree at joint positions zero: a robot whose limbs mirror each other about y = 0 has x
+/// forward and z up, as usual. If its limbs mirror each other only along another axis, or also along x and bend about
+/// x, or bend only about x, that axis is lateral; limbs hang down, and feet are longer in front than behind. Names are
+/// not used; a robot with x up and y lateral is not recognised. Needs bodies, joints and collision shapes.
 BaseAxes DeriveBaseAxes(const RobotModel& model);
 
-/// The same robot with a base frame that has x ahead and z up: everything on the base is turned.
+/// Rotates everything on the base, so that the base frame has x forward and z up.
 void TurnBase(const BaseAxes& axes, RobotModel& model);
 
 }  // namespace gaitwright

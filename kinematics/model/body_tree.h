@@ -17,7 +17,7 @@ std::vector<int> ChainTo(const RobotModel& model, int body);
 /// Those chains of two joints or more that lead to a body without children.
 std::vector<std::vector<int>> Limbs(const RobotModel& model);
 
-/// Whether moving `ancestor` moves `body`: it is that body or on the way to it.
+/// Whether moving `ancestor` moves `body`: it is that body or one of its ancestors.
 bool Carries(const RobotModel& model, int ancestor, int body);
 
 /// Of each body (nb), whether a joint of a leg moves it: not what legs carry besides.

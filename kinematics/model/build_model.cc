@@ -116,9 +116,9 @@ class Builder {
     if (const auto solid = placeholder_inertias_ ? SolidInertia(shapes, inertial.mass) : std::nullopt) {
       I = *solid;
       used_.push_back({link.name, I});
-      model_.findings.push_back({FindingLevel::kWarning, FailureCode::kPlaceholderInertia,
-                                 fmt::format("link '{}'", link.name), 0,
-                                 "its inertia is that of all links, a placeholder; that of its shapes is used"});
+      model_.findings.push_back(
+          {FindingLevel::kWarning, FailureCode::kPlaceholderInertia, fmt::format("link '{}'", link.name), 0,
+           "its inertia equals that of all links, which is a placeholder; the inertia of its shapes is used"});
     } else if (auto mended = Mended(link, given, X_LI.translation(), shapes)) {
       I = mended->I;
       if (!mended->was.empty()) used_.push_back({link.name, I});
@@ -342,7 +342,7 @@ urdf::ModelInterfaceSharedPtr ParseTree(const std::string& tree_text, std::strin
   } catch (const std::exception& error) {
     reason = error.what();
   }
-  if (reason.empty()) reason = "urdfdom gives no reason";
+  if (reason.empty()) reason = "urdfdom reported no reason";
   return urdf;
 }
 
@@ -363,7 +363,7 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
     return Failure{FailureKind::kBadInput,
                    FailureCode::kNoMass,
                    "LoadRobot",
-                   fmt::format("robot '{}': its {} links weigh {} kg together; a robot needs mass, {} kg or more", name,
+                   fmt::format("robot '{}': its {} links have a total mass of {} kg; {} kg or more is needed", name,
                                model.frames.size(), model.total_mass_kg, kLightestRobot),
                    {"give its links an <inertial>"}};
   }
@@ -372,17 +372,19 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
   const std::vector<std::string> idle = IdleJoints(model);
   if (idle.empty()) return model;
   if (strict) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kNoInertia,
-                   "LoadRobot",
-                   fmt::format("joint '{}' moves nothing: all beyond it has no inertia about its axis", idle.front()),
-                   {"give a link beyond it an <inertial>, or make the joint fixed"}};
+    return Failure{
+        FailureKind::kBadInput,
+        FailureCode::kNoInertia,
+        "LoadRobot",
+        fmt::format("joint '{}' moves nothing: the links beyond it have no inertia about its axis", idle.front()),
+        {"give a link beyond it an <inertial>, or make the joint fixed"}};
   }
   const std::vector<std::string> fixed = FixJoints(*urdf, idle);
   model = Builder(*urdf, parts, name, scale).Take();
   for (const std::string& joint : fixed) {
-    model.findings.push_back({FindingLevel::kWarning, FailureCode::kNoInertia, fmt::format("joint '{}'", joint), 0,
-                              "it moves nothing, since all beyond it has no inertia about its axis: taken as fixed"});
+    model.findings.push_back(
+        {FindingLevel::kWarning, FailureCode::kNoInertia, fmt::format("joint '{}'", joint), 0,
+         "it moves nothing, because the links beyond it have no inertia about its axis; it is fixed"});
   }
   return model;
 }

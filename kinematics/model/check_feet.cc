@@ -54,10 +54,11 @@ std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const std::string& link = feet[i].link;
     if (ends[i] == 0) {
-      return Refused(feet[i],
-                     fmt::format("foot '{}' is on the base, with no joint between; a foot is at the end of a chain of "
-                                 "at least one moving joint",
-                                 link));
+      return Refused(
+          feet[i],
+          fmt::format(
+              "foot '{}' is fixed to the base; a foot must be at the end of a chain of at least one moving joint",
+              link));
     }
     for (std::size_t j = 0; j < i; ++j) {
       const std::string& other = feet[j].link;
@@ -67,9 +68,10 @@ std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector
       }
       const bool before = Carries(model, ends[i], ends[j]);
       if (!before && !Carries(model, ends[j], ends[i])) continue;
-      return Refused(feet[i],
-                     fmt::format("foot '{}' is on the way to foot '{}': one leg cannot have two feet; name the last",
-                                 before ? link : other, before ? other : link));
+      return Refused(
+          feet[i],
+          fmt::format("foot '{}' is on the chain to foot '{}'; one leg cannot have two feet; name only the last one",
+                      before ? link : other, before ? other : link));
     }
   }
   return std::nullopt;
@@ -94,8 +96,8 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
       if (EndsBeyond(model, gone->link, foot)) {
         model.findings.push_back({FindingLevel::kWarning, FailureCode::kMissingMesh,
                                   fmt::format("link '{}'", gone->link), 0,
-                                  fmt::format("{}: it ends a leg, whose foot is taken from the shape of link '{}' "
-                                              "instead; say in robot.yaml, feet, what it is",
+                                  fmt::format("{}: it ends a leg, and the foot was derived from the shape of link '{}' "
+                                              "instead; set the foot in robot.yaml (feet)",
                                               gone->why, foot.link)});
       }
       continue;
@@ -105,8 +107,8 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
     if (leg != model.legs.end() && leg->joints.size() < kSoleJoints && IsContactFrame(model, foot, missing)) {
       model.findings.push_back(
           {FindingLevel::kWarning, FailureCode::kMissingMesh, fmt::format("link '{}'", gone->link), 0,
-           fmt::format("{}: it ends a leg, and the origin of link '{}', which is fixed to it, is taken for a point "
-                       "foot; give its radius in robot.yaml: feet: [{{link: '{}', radius_m: R}}, ...]",
+           fmt::format("{}: it ends a leg, and the origin of link '{}', which is fixed to it, is used as a point foot; "
+                       "set its radius in robot.yaml: feet: [{{link: '{}', radius_m: R}}, ...]",
                        gone->why, foot.link, foot.link)});
       continue;
     }
@@ -117,11 +119,12 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
         FailureKind::kBadInput,
         FailureCode::kUnknownFoot,
         "LoadRobot",
-        fmt::format("link '{}': its collision shape cannot be had: {}; it ends a leg, and nothing else tells "
-                    "how that foot meets the ground",
+        fmt::format("link '{}': its collision shape cannot be loaded: {}; it ends a leg, and nothing else describes "
+                    "the foot's contact",
                     gone->link, gone->why),
-        {"put the mesh there",
-         fmt::format("say it in robot.yaml: feet: [{}], R in m; of a foot with a sole, its corners: 'sole_m'", feet)}};
+        {"add the missing mesh file",
+         fmt::format("describe the foot in robot.yaml: feet: [{}], with R in m; for a sole, give its corners: 'sole_m'",
+                     feet)}};
   }
   return std::nullopt;
 }

@@ -11,7 +11,7 @@ namespace {
 void CheckNumbers(const RobotModel& model, const char* name, const VectorX& numbers, int size) {
   if (numbers.size() != size)
     throw InvalidArgument(fmt::format("{} has {} numbers; '{}' needs {}", name, numbers.size(), model.name, size));
-  if (!numbers.allFinite()) throw InvalidArgument(fmt::format("{} holds what is no finite number", name));
+  if (!numbers.allFinite()) throw InvalidArgument(fmt::format("{} contains a value that is not finite", name));
 }
 
 }  // namespace

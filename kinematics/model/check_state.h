@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// Checks a state that somebody gave (see RobotModel for its order).
+/// Checks a given state (see RobotModel for its order).
 /// @throws InvalidArgument naming what is wrong: q or v of another size, a number that is not finite, a quaternion of
 /// length 0.
 void CheckState(const RobotModel& model, const VectorX& q, const VectorX& v);

@@ -34,7 +34,8 @@ Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshS
       }
       if (!hull) {
         Failure failure = hull.failure();
-        failure.message = fmt::format("link '{}': its collision shape cannot be had: {}", shape.link, failure.message);
+        failure.message =
+            fmt::format("link '{}': its collision shape cannot be loaded: {}", shape.link, failure.message);
         failure.stage = "LoadRobot";
         return failure;
       }
@@ -66,7 +67,7 @@ void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource&
         for (const Vector3& v : hull->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
       }
       model.findings.push_back({FindingLevel::kWarning, FailureCode::kVisualFoot, fmt::format("link '{}'", shape.link),
-                                0, "its foot has no collision geometry: what is seen of it stands on the ground"});
+                                0, "its foot has no collision geometry; its visual geometry is used for contact"});
       model.collision_shapes.push_back(std::move(shape));
     }
   }

@@ -18,8 +18,8 @@ using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string&
 Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
                                          std::vector<MissingMesh>& missing);
 
-/// A foot that has no collision shape meets the ground with what is seen of it.
-/// @param named  feet that the user names; empty where they are to be found.
+/// Uses the visual shapes of a foot without collision shape for contact.
+/// @param named  feet that the user names; empty if they are to be derived.
 void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource& source, RobotModel& model,
                        std::vector<MeshHull>& meshes);
 

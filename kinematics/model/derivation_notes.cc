@@ -28,10 +28,10 @@ void NoteLeg(const RobotYaml& yaml, const RobotModel& model, const Leg& leg, std
   const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
   notes.push_back(fmt::format("foot '{}': {}; {}", foot.name,
                               yaml.feet.empty()
-                                  ? fmt::format("at the end of {} joints that reach lowest", leg.joints.size())
+                                  ? fmt::format("at the end of the {} joints that reach lowest", leg.joints.size())
                                   : "named in robot.yaml",
                               foot.derived_from));
-  notes.push_back(fmt::format("leg '{}': {:.4f} m long, from its first pitch joint over its joints to the contact",
+  notes.push_back(fmt::format("leg '{}': {:.4f} m long, from its first pitch joint along its joints to the contact",
                               leg.name, leg.length_m));
   if (leg.knee_joint < 0) return;
   const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
@@ -45,28 +45,29 @@ void NoteLeg(const RobotYaml& yaml, const RobotModel& model, const Leg& leg, std
 }
 
 void NoteMirrors(const RobotYaml& yaml, const RobotModel& model, std::vector<std::string>& notes) {
-  const char* from = yaml.mirror_pairs ? "robot.yaml" : "their feet stand alike to both sides of the base";
+  const char* from = yaml.mirror_pairs ? "robot.yaml" : "their feet are symmetric about the base";
   for (std::size_t i = 0; i < model.legs.size(); ++i) {
     const int mirror = model.legs[i].mirror;
     if (mirror > static_cast<int>(i)) {
       notes.push_back(fmt::format("legs '{}' and '{}' mirror each other: {}", model.legs[i].name,
                                   model.legs[static_cast<std::size_t>(mirror)].name, from));
     } else if (mirror < 0) {
-      notes.push_back(fmt::format("leg '{}' mirrors no other", model.legs[i].name));
+      notes.push_back(fmt::format("leg '{}' has no mirrored leg", model.legs[i].name));
     }
   }
 }
 
 void NoteStanding(const RobotYaml& yaml, const RobotModel& model, std::vector<std::string>& notes) {
-  notes.push_back(yaml.standing.empty() ? "standing posture: from the legs' lengths and limits"
-                                        : fmt::format("standing posture: {} from robot.yaml, the others from the legs' "
-                                                      "lengths and limits",
-                                                      JointsOf(yaml.standing)));
+  notes.push_back(
+      yaml.standing.empty()
+          ? "standing posture: derived from the legs' lengths and limits"
+          : fmt::format("standing posture: {} from robot.yaml, the other joints from the legs' lengths and limits",
+                        JointsOf(yaml.standing)));
   notes.push_back(fmt::format("base height {:.4f} m: {}", model.standing_base_height_m,
-                              yaml.standing_base_height_m ? "from robot.yaml, and the feet agree"
-                                                          : "over the lowest foot of the standing posture"));
+                              yaml.standing_base_height_m ? "from robot.yaml, consistent with the feet"
+                                                          : "above the lowest foot of the standing posture"));
   const double pendulum = std::sqrt(kGravity * model.leg_length_m());
-  notes.push_back(fmt::format("own speed {:.3f} m/s: {}", model.nominal_speed_m_s,
+  notes.push_back(fmt::format("default speed {:.3f} m/s: {}", model.nominal_speed_m_s,
                               yaml.nominal_speed_m_s ? "from robot.yaml"
                                                      : fmt::format("{:.2f} of sqrt(g * leg length) = {:.3f} m/s",
                                                                    model.nominal_speed_m_s / pendulum, pendulum)));
@@ -78,33 +79,32 @@ void NoteLimits(const RobotYaml& yaml, const RobotModel& model, std::vector<std:
     std::string driven;
     for (const int dof : transmission.dofs)
       driven += fmt::format("{}'{}'", driven.empty() ? "" : ", ", model.dof_names[static_cast<std::size_t>(dof)]);
-    notes.push_back(
-        fmt::format("limits of speed and effort of {}: those of the motors of transmission '{}' "
-                    "(robot.yaml), not the URDF's",
-                    driven, transmission.name));
+    notes.push_back(fmt::format(
+        "speed and effort limits of {}: from the motors of transmission '{}' (robot.yaml), not from the URDF", driven,
+        transmission.name));
   }
   for (const Actuator& motor : ActuatorsOf(model)) {
     if (!motor.shared()) continue;
     if (!std::isfinite(motor.effort_limit))
-      notes.push_back(fmt::format("motor '{}': its effort limit is not known", motor.name));
+      notes.push_back(fmt::format("motor '{}': its effort limit is unknown", motor.name));
     if (!std::isfinite(motor.velocity_limit))
-      notes.push_back(fmt::format("motor '{}': its speed limit is not known", motor.name));
+      notes.push_back(fmt::format("motor '{}': its speed limit is unknown", motor.name));
   }
   for (const Joint& joint : model.joints) {
     if (model.TransmissionOf(joint.dof) != nullptr) continue;
     if (joint.effort_limit_is_placeholder)
       notes.push_back(
-          fmt::format("joint '{}': effort limit {} is a placeholder and not used", joint.name, joint.effort_limit));
+          fmt::format("joint '{}': effort limit {} is a placeholder and is not used", joint.name, joint.effort_limit));
     if (joint.velocity_limit_is_placeholder)
-      notes.push_back(
-          fmt::format("joint '{}': velocity limit {} is a placeholder and not used", joint.name, joint.velocity_limit));
+      notes.push_back(fmt::format("joint '{}': velocity limit {} is a placeholder and is not used", joint.name,
+                                  joint.velocity_limit));
   }
   for (const Actuator& motor : ActuatorsOf(model)) {
     if (!motor.motor.has_curve() || std::isfinite(motor.effort_limit)) continue;
-    notes.push_back(fmt::format(
-        "{} '{}': its torque-speed curve has no peak to fall from, and limits nothing under the no-load speed; give "
-        "its effort in '{}' of robot.yaml",
-        motor.shared() ? "motor" : "joint", motor.name, motor.shared() ? "transmissions" : "limits"));
+    notes.push_back(
+        fmt::format("{} '{}': its torque-speed curve has no peak torque, so it limits nothing below the no-load speed; "
+                    "set its effort in '{}' of robot.yaml",
+                    motor.shared() ? "motor" : "joint", motor.name, motor.shared() ? "transmissions" : "limits"));
   }
 }
 
@@ -118,11 +118,12 @@ std::vector<std::string> DerivationNotes(const RobotYaml& yaml, const RobotModel
   NoteLimits(yaml, model, notes);
   if (yaml.sole_give_m &&
       std::none_of(model.feet.begin(), model.feet.end(), [](const Foot& f) { return f.has_sole(); }))
-    notes.push_back("'sole_give_m' of robot.yaml changes nothing: no foot has a sole");
-  notes.push_back(yaml.gains.empty() ? "gains: from the inertia that each joint has to command"
-                                     : fmt::format("gains of {}: from robot.yaml; the others from the inertia that "
-                                                   "each joint has to command",
-                                                   JointsOf(yaml.gains)));
+    notes.push_back("'sole_give_m' of robot.yaml has no effect: no foot has a sole");
+  notes.push_back(
+      yaml.gains.empty()
+          ? "gains: derived from the inertia that each joint moves"
+          : fmt::format("gains of {}: from robot.yaml; the others derived from the inertia that each joint moves",
+                        JointsOf(yaml.gains)));
   return notes;
 }
 

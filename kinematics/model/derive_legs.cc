@@ -91,14 +91,14 @@ Failure NoLegs(const RobotModel& model, std::size_t found) {
   };
   const std::string name_feet = "name the feet in robot.yaml: feet: [{link: NAME}, ...]";
   if (model.joints.empty())
-    return refused(": no joint of its URDF moves, and a leg is a chain of joints that do",
-                   "make the joints of the legs revolute, continuous or prismatic in the URDF: a robot.yaml cannot");
-  if (Limbs(model).empty())
     return refused(
-        fmt::format(": its limbs have one joint each, as '{}' is, and a leg that steps needs two at the least",
-                    model.joints.front().name),
-        name_feet + " for a robot that stands; to walk it needs more joints in the URDF");
-  return refused("; two or more chains of joints that end at the bottom are needed", name_feet);
+        ": its URDF has no moving joints, and a leg is a chain of moving joints",
+        "make the joints of the legs revolute, continuous or prismatic in the URDF; a robot.yaml cannot do this");
+  if (Limbs(model).empty())
+    return refused(fmt::format(": each of its limbs has one joint, such as '{}', and a stepping leg needs at least two",
+                               model.joints.front().name),
+                   name_feet + " for a robot that only stands; walking needs more joints in the URDF");
+  return refused("; two or more chains of joints that end at the ground are needed", name_feet);
 }
 
 /// The body of a foot that is named.
@@ -178,7 +178,7 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
                    FailureCode::kManyLegs,
                    "LoadRobot",
                    fmt::format("robot '{}' has {} legs; at most {} are accepted", model.name, ends.size(), kMostLegs),
-                   {"name those that walk in robot.yaml: feet: [{link: NAME}, ...]"}};
+                   {"name the walking legs in robot.yaml: feet: [{link: NAME}, ...]"}};
   }
   for (std::size_t i = 0; i < ends.size(); ++i) {
     Leg leg;

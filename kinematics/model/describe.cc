@@ -106,9 +106,9 @@ std::string MotorText(const Motor& motor, const Joint& joint) {
     if (known) text += (text.empty() ? "" : ", ") + words;
   };
   add(motor.has_curve(),
-      fmt::format("full effort up to {:g}, none from {:g} on", motor.corner_speed, motor.no_load_speed));
+      fmt::format("full effort up to {:g}, zero from {:g} on", motor.corner_speed, motor.no_load_speed));
   add(std::isfinite(motor.continuous_effort),
-      fmt::format("{:g} without end, as mean over {:g} s", motor.continuous_effort, motor.thermal_s));
+      fmt::format("{:g} continuously, as mean over {:g} s", motor.continuous_effort, motor.thermal_s));
   add(motor.rotor_inertia > 0.0, fmt::format("rotor inertia {:g}", motor.rotor_inertia));
   add(std::isfinite(motor.acceleration_limit), fmt::format("acceleration to {:g}", motor.acceleration_limit));
   add(std::isfinite(motor.jerk_limit), fmt::format("jerk to {:g}", motor.jerk_limit));
@@ -123,7 +123,7 @@ std::string MotorTexts(const RobotModel& model) {
     const std::string words = MotorText(model.MotorOf(d), model.LeaderOf(d));
     if (!words.empty()) text += fmt::format("  {:<20} {}\n", model.dof_names[static_cast<std::size_t>(d)], words);
   }
-  return text.empty() ? text : "\nmotors and joints     (rad, rad/s, N m, kg m^2; sliding: m, m/s, N, kg)\n" + text;
+  return text.empty() ? text : "\nmotors and joints     (rad, rad/s, N m, kg m^2; prismatic: m, m/s, N, kg)\n" + text;
 }
 
 Json TransmissionJson(const RobotModel& model, const Transmission& transmission) {
@@ -166,17 +166,17 @@ std::string TransmissionTexts(const RobotModel& model) {
   }
   return text.empty()
              ? text
-             : "\ntransmissions         (limits of joints above are the box around what the motors give)\n" + text;
+             : "\ntransmissions         (joint limits above are the bounding box of the motors' limits)\n" + text;
 }
 
 }  // namespace
 
 std::string DescribeRobot(const RobotModel& model) {
-  std::string text = fmt::format("{}: {:.3f} kg, {} motors, {} legs of {:.3f} m, own speed {:.2f} m/s\n", model.name,
-                                 model.total_mass_kg, model.num_dofs(), model.legs.size(), model.leg_length_m(),
-                                 model.nominal_speed_m_s);
+  std::string text = fmt::format("{}: {:.3f} kg, {} motors, {} legs of {:.3f} m, default speed {:.2f} m/s\n",
+                                 model.name, model.total_mass_kg, model.num_dofs(), model.legs.size(),
+                                 model.leg_length_m(), model.nominal_speed_m_s);
   if (!model.description.empty()) text += model.description + "\n";
-  text += fmt::format("stands with its base '{}' {:.4f} m over the ground\n\nlegs\n", model.bodies[0].name,
+  text += fmt::format("stands with its base '{}' {:.4f} m above the ground\n\nlegs\n", model.bodies[0].name,
                       model.standing_base_height_m);
   for (const Leg& leg : model.legs) {
     text += fmt::format("  {}: {}\n    joints {}\n", leg.name, FootText(model.feet[static_cast<std::size_t>(leg.foot)]),
@@ -187,7 +187,7 @@ std::string DescribeRobot(const RobotModel& model) {
     }
   }
   text +=
-      "\njoint                 stands at   lower    upper    speed   effort  (rad, rad/s, N m; sliding: m, m/s, N)\n";
+      "\njoint                 standing    lower    upper    speed   effort  (rad, rad/s, N m; prismatic: m, m/s, N)\n";
   for (int d = 0; d < model.num_dofs(); ++d) {
     text += fmt::format("  {:<20} {:8.3f} {:8.3f} {:8.3f} {:8.2f} {:8.2f}\n",
                         model.dof_names[static_cast<std::size_t>(d)], model.standing_joints[d], model.dof_lower(d),

@@ -7,11 +7,11 @@
 
 namespace gaitwright {
 
-/// What a robot is and what was derived from what, for people.
+/// Text that describes a robot and the derived data with their sources.
 std::string DescribeRobot(const RobotModel& model);
 
-/// The same as a JSON object: name, mass, legs with their feet and soles (corners in the sole frame), mirror pairs,
-/// standing posture, limits and gains by joint (null: none, or to be derived), notes. Its units are in its keys.
+/// The description as a JSON object: name, mass, legs with their feet and soles (corners in the sole frame), mirror
+/// pairs, standing posture, limits and gains by joint (null: none, or to be derived), notes. Its units are in its keys.
 std::string RobotJson(const RobotModel& model);
 
 }  // namespace gaitwright

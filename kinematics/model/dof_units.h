@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// Whether an independent joint slides rather than turns.
+/// Whether an independent joint is prismatic.
 inline bool Slides(const RobotModel& model, int dof) {
   const int joint = model.dof_joint[static_cast<std::size_t>(dof)];
   return model.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;

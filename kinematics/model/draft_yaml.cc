@@ -85,13 +85,10 @@ std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
   const std::vector<LimbEnd> ends = EndsOf(*model, limbs.empty() ? LimbsOfOneJoint(*model) : limbs);
   if (ends.empty()) return "";
   std::string text = fmt::format(
-      "# A draft of robot.yaml: put it beside the URDF under that name, and say what is so.\n"
-      "# The robot was refused: {}\n"
-      "\n"
-      "# The ends of all limbs, lowest first. Keep those that the robot stands on. A type (sole, line, sphere, point), "
-      "a\n"
-      "# radius_m or the corners of a sole (sole_m) are needed where the shapes of the link do not tell them.\n"
-      "feet:\n",
+      "# A draft of robot.yaml: correct it and save it beside the URDF under that name.\n# The robot was refused: "
+      "{}\n\n# The ends of all limbs, lowest first. Keep those that the robot stands on. Give a type (sole, line, "
+      "sphere, point),\n# a radius_m or the corners of a sole (sole_m) if the shapes of the link do not show "
+      "them.\nfeet:\n",
       why.message);
   for (const LimbEnd& end : ends) {
     const double lowest_m = ends.front().lowest_m;
@@ -102,17 +99,11 @@ std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
   }
   if (limbs.empty())
     text +=
-        "# Each has one joint: the robot can stand on them, and no walk is planned for it, since a foot that is lifted "
-        "and\n"
-        "# put ahead needs two joints at the least.\n";
+        "# Each limb has one joint: the robot can stand on them, but cannot walk, because a stepping foot needs at "
+        "least two\n# joints.\n";
   text +=
-      "\n"
-      "# The axes of the root link that point ahead and up, where they are not x and z:\n"
-      "# ahead: x\n"
-      "# up: z\n"
-      "\n"
-      "# Positions of joints in standing [rad], where those that are worked out are no good:\n"
-      "# standing: {}\n";
+      "\n# The axes of the root link that point forward and up, if they are not x and z:\n# ahead: x\n# up: z\n\n# "
+      "Joint positions of the standing posture [rad], to replace derived ones:\n# standing: {}\n";
   return text;
 }
 

@@ -7,14 +7,14 @@
 
 namespace gaitwright {
 
-/// A robot.yaml to begin with, for a URDF whose legs or feet cannot be worked out: all limbs by the links at their
-/// ends, those that come down lowest as feet, the others as comments, with the joints of each and how low it comes.
-/// @param why  the reason that the robot was refused for, which heads it.
-/// Where no limb has two joints these are the limbs of one, on which a robot stands and does not walk.
-/// @return the text; empty for a URDF in which no joint moves, or that is none.
+/// Draft of a robot.yaml for a URDF whose legs or feet cannot be derived: all limbs by the links at their ends, those
+/// that come down lowest as feet, the others as comments, with the joints of each and how low it comes.
+/// @param why  the reason of the refusal, for the head of the draft. If no limb has two joints, limbs of one joint are
+/// listed, on which a robot can stand but not walk.
+/// @return the text; empty for a URDF without moving joints, or an invalid one.
 std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why);
 
-/// Whether a robot was refused for what a robot.yaml can tell.
+/// Whether the missing data of a refusal can be given in a robot.yaml.
 bool WantsRobotYaml(const Failure& failure);
 
 }  // namespace gaitwright

@@ -150,7 +150,7 @@ void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, F
     farthest = frame.X_BF.translation().norm();
     foot.X_BF.translation() = frame.X_BF.translation();
     foot.link = frame.name;
-    foot.derived_from = fmt::format("a point at the frame of link '{}', since no shape is there", frame.name);
+    foot.derived_from = fmt::format("a point at the frame of link '{}', which has no shape", frame.name);
   }
   foot.type = foot.radius > 0.0 ? FootType::kSphere : FootType::kPoint;
 }
@@ -182,8 +182,7 @@ bool FindWheel(const RobotModel& model, const std::vector<const Shape*>& shapes,
   foot.radius = widest;
   foot.link = shapes.front()->link;
   foot.type = FootType::kSphere;
-  foot.derived_from =
-      fmt::format("a wheel that is held still, round its axle '{}', from {}", axle.name, NameOfShapes(shapes));
+  foot.derived_from = fmt::format("a locked wheel around its axle '{}', from {}", axle.name, NameOfShapes(shapes));
   return true;
 }
 
@@ -197,15 +196,11 @@ void CheckGiveIsIdle(const RobotModel& model, const Leg& leg, const std::vector<
   const bool own = given != nullptr && given->sole_give_m.has_value();
   const int line = own ? given->line : choices.sole_give_line;
   if (leg.joints.size() >= kSoleJoints && FindSole(model, leg, shapes, standing, std::nullopt, foot)) {
-    RefuseYamlLine(line,
-                   fmt::format("'sole_give_m' leaves foot '{}' no sole: no area of its shapes lies within {} m of "
-                               "their lowest point; without it there is one",
-                               name, own ? *given->sole_give_m : *choices.sole_give_m));
+    RefuseYamlLine(line, fmt::format("'sole_give_m' leaves foot '{}' without a sole: no area of its shapes lies within "
+                                     "{} m of their lowest point; a sole is found without this key",
+                                     name, own ? *given->sole_give_m : *choices.sole_give_m));
   }
-  if (own)
-    RefuseYamlLine(line, fmt::format("foot '{}' has 'sole_give_m', and no sole is found in its shapes that it could "
-                                     "change",
-                                     name));
+  if (own) RefuseYamlLine(line, fmt::format("foot '{}' has 'sole_give_m', but no sole is found in its shapes", name));
 }
 
 /// A foot whose sole the user gives.
@@ -234,8 +229,9 @@ void TakeType(const FootOverride& given, Foot& foot) {
   foot.derived_from += "; its type from robot.yaml";
   if (foot.type == FootType::kPoint) foot.radius = 0.0;
   if (foot.type == FootType::kSphere && foot.radius <= 0.0) {
-    RefuseYamlLine(given.line,
-                   fmt::format("foot '{}' of type sphere needs 'radius_m': no sphere ends it in the URDF", given.link));
+    RefuseYamlLine(
+        given.line,
+        fmt::format("foot '{}' of type sphere needs 'radius_m': the URDF has no sphere at its end", given.link));
   }
 }
 

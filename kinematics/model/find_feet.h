@@ -19,9 +19,8 @@ double FarthestExtent(const RobotModel& model, int body);
 Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices, const FootOverride* given,
               const VectorX& standing);
 
-/// A part of the robot that is no foot and that it may lie on: the flat bottom of a link's shapes in the standing
-/// posture, with the sole's give of FindFlatBottom. Nothing where it has none. @throws InvalidArgument for a link that
-/// is not there.
+/// A support surface for lying that is not a foot: the flat bottom of a link's shapes in the standing posture, with the
+/// sole's give of FindFlatBottom. Nothing if there is none. @throws InvalidArgument for an unknown link.
 std::optional<Foot> FindRest(const RobotModel& model, const std::string& link, std::optional<double> give_m = {});
 
 }  // namespace gaitwright

@@ -86,7 +86,7 @@ std::vector<std::string> HangLimbs(const RobotModel& model, const VectorX& given
   }
   for (const int limb : limbs) {
     const int aside = TurnAside(model, limb, given, joints);
-    done.push_back(fmt::format("all beyond joint '{}' hangs{}", model.joints[static_cast<std::size_t>(limb)].name,
+    done.push_back(fmt::format("the limb beyond joint '{}' hangs{}", model.joints[static_cast<std::size_t>(limb)].name,
                                aside < 0 ? ""
                                          : fmt::format(", {} rad away from the body by '{}'", kAside,
                                                        model.joints[static_cast<std::size_t>(aside)].name)));

@@ -49,13 +49,13 @@ void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model
     std::optional<Shape> box;
     if (body >= 0 && !HasShapeOrFoot(model, body)) box = InertiaBox(model, body);
     if (!box || box->size.maxCoeff() > model.leg_length_m()) {
-      model.notes.push_back(fmt::format("link '{}': {}; what it touches is not known", mesh.link, mesh.why));
+      model.notes.push_back(fmt::format("link '{}': {}; its contacts are unknown", mesh.link, mesh.why));
       continue;
     }
     box->size *= kCore;
     model.findings.push_back(
         {FindingLevel::kWarning, FailureCode::kMissingMesh, fmt::format("link '{}'", mesh.link), 0,
-         fmt::format("{}: the core of its inertia's box, {:.3f} x {:.3f} x {:.3f} m, stands for it", mesh.why,
+         fmt::format("{}: the core of its inertia's box, {:.3f} x {:.3f} x {:.3f} m, is used instead", mesh.why,
                      box->size.x(), box->size.y(), box->size.z())});
     model.collision_shapes.push_back(std::move(*box));
   }

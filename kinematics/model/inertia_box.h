@@ -13,9 +13,9 @@ std::optional<Shape> InertiaBox(const RobotModel& model, int body);
 
 /// Gives the bodies whose collision meshes are missing, and which have no other collision shape and no foot, their
 /// inertia boxes at half their size; each is a warning. A body with weight at its ends, as an ankle with its motors,
-/// has a box that reaches beyond it, into the ground or into the other leg, and what is guessed shall refuse no walk.
-/// Boxes that are longer than the legs, which no link is, are left out, and so is what stands for part of a body: there
-/// it is noted that nothing is known.
+/// has a box that is larger than the body and could reach into the ground or the other leg; half the size avoids that a
+/// guess refuses a walk. Boxes longer than the legs are not plausible and left out, and so are boxes for a part of a
+/// body; a note says that the shape is unknown.
 void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model);
 
 }  // namespace gaitwright

@@ -5,9 +5,9 @@
 
 namespace gaitwright {
 
-/// What an independent coordinate takes of its motor's torque for itself, beyond what moves the bodies:
+/// Motor torque of an independent coordinate that is lost in the joint:
 ///   tau_lost = rotor_inertia * a + damping * v + friction * sign(v).
-/// Units are those of a joint that turns; of one that slides kg, N s/m and N.
+/// Units are those of a revolute joint; for a prismatic joint kg, N s/m and N.
 struct JointLosses {
   double rotor_inertia = 0.0;  ///< of rotor and gear, as felt at the joint [kg m^2]
   double damping = 0.0;        ///< [N m s/rad]

@@ -15,9 +15,10 @@ struct PastLimit {
   bool operator==(const PastLimit&) const = default;
 };
 
-/// Whether positions that are given as radians likely are in degrees: some joint that turns is more than 0.5 rad past
-/// its limits, and all that turn would be within theirs, to 0.1 rad, as degrees. Then the one that is farthest past.
-/// @param rows  positions of the independent joints [rad], [m]; what is no number is passed over.
+/// Whether positions given in radians are probably in degrees: a revolute joint is more than 0.5 rad beyond its limits,
+/// and as degrees all revolute joints would be within their limits, to 0.1 rad. Returns the joint that is farthest
+/// beyond its limit.
+/// @param rows  positions of the independent joints [rad], [m]; values that are not numbers are ignored.
 std::optional<PastLimit> LikelyDegrees(const RobotModel& model, const std::vector<VectorX>& rows);
 
 }  // namespace gaitwright

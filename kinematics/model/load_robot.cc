@@ -101,10 +101,9 @@ Result<BuiltTree> BuildWithToesHeld(const std::string& tree, const RobotTexts& t
   built = BuildTree(WithFixedJoints(tree, toes), texts, yaml.scale, source);
   if (!built) return built;
   for (const std::string& toe : toes) {
-    built->model.findings.push_back(
-        {FindingLevel::kInfo, FailureCode::kToeHeld, fmt::format("joint '{}'", toe), 0,
-         "it moves a toe, which is held: both links of the foot are one sole; name the feet in robot.yaml to have the "
-         "toe move"});
+    built->model.findings.push_back({FindingLevel::kInfo, FailureCode::kToeHeld, fmt::format("joint '{}'", toe), 0,
+                                     "it moves a toe, which is locked here, so both links of the foot form one sole; "
+                                     "name the feet in robot.yaml to let the toe move"});
   }
   return built;
 }
@@ -130,7 +129,8 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   if (rerooted) {
     model.findings.push_back(
         {FindingLevel::kInfo, FailureCode::kRootOfLimb, fmt::format("link '{}'", rerooted->former), 0,
-         fmt::format("it is the root of the file and the end of a limb: link '{}' is the base", rerooted->root)});
+         fmt::format("it is the root of the file but the end of a limb; link '{}' is used as the base",
+                     rerooted->root)});
   }
   model.name = yaml.name.empty() ? texts.name : yaml.name;
   model.description = yaml.description;
@@ -176,7 +176,7 @@ void NoteMissingPictures(const std::string& folder, const PackageFolders& packag
   for (const Shape& shape : model.visual_shapes) {
     if (shape.type != ShapeType::kMesh) continue;
     const Result<std::string> file = FindMeshFile(shape.mesh_file, folder, packages);
-    if (!file) model.notes.push_back(fmt::format("link '{}': no picture: {}", shape.link, file.failure().message));
+    if (!file) model.notes.push_back(fmt::format("link '{}': not drawn: {}", shape.link, file.failure().message));
   }
 }
 
@@ -208,7 +208,7 @@ Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::st
     for (const MeshHull& mesh : meshes) {
       if (mesh.file == file) return mesh.vertices;
     }
-    return BadInput(FailureCode::kNoFile, fmt::format("the mesh '{}' does not come with the text of the robot", file));
+    return BadInput(FailureCode::kNoFile, fmt::format("the mesh '{}' was not given with the robot's text", file));
   };
   return LoadGuarded({urdf_text, yaml_text, name, strict}, source);
 }
@@ -238,11 +238,10 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
     Result<RobotModel> other =
         LoadGuarded({description->urdf, description->yaml_without_posture, name, loading.strict}, source);
     if (other) {
-      other->findings.push_back({FindingLevel::kInfo, FailureCode::kMjcf, "robot", 0,
-                                 stands
-                                     ? "a leg is straight in its keyframe, from which no foot can be lifted: a posture "
-                                       "is worked out"
-                                     : "its keyframe is no posture in which it stands: one is worked out"});
+      other->findings.push_back(
+          {FindingLevel::kInfo, FailureCode::kMjcf, "robot", 0,
+           stands ? "a leg is straight in its keyframe, so no foot could be lifted; a posture is derived instead"
+                  : "the robot does not stand in its keyframe's posture; a posture is derived instead"});
     }
     if (other || !stands) model = std::move(other);
   }
@@ -276,7 +275,7 @@ Result<RobotModel> LoadNamedRobot(const std::string& name) {
   const std::vector<std::string> names = RobotNames();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     return BadInput(FailureCode::kUnknownRobot,
-                    fmt::format("there is no robot '{}'; there are {}; a URDF of your own goes with --urdf FILE", name,
+                    fmt::format("there is no robot '{}'; there are {}; give your own URDF with --urdf FILE", name,
                                 QuotedList(names)));
   }
   return LoadRobot((fs::path(RobotsFolder()) / name / "robot.urdf").string());

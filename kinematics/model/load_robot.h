@@ -10,14 +10,14 @@
 
 namespace gaitwright {
 
-/// The robot of a URDF, xacro or MJCF file. What is wrong in it and has one plain meaning is mended, and told in the
-/// model's findings. Its collision meshes are read (see FindMeshFile). One that is unreadable is a failure that names
-/// the file and the link; so is a missing one that alone tells the shape of a foot. Another missing one, and a missing
-/// visual mesh, is a note. The robot.yaml overrides what derivation cannot know.
+/// The robot of a URDF, xacro or MJCF file. Errors with one clear meaning are repaired and listed in the model's
+/// findings. Its collision meshes are read (see FindMeshFile). An unreadable mesh is a failure that names the file and
+/// the link, and so is a missing mesh that alone defines the shape of a foot. Any other missing mesh is a note. The
+/// robot.yaml overrides derived data.
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const RobotLoading& loading);
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 
-/// The same from texts. @param name used where the robot.yaml gives none. @param meshes the hulls of the URDF's
+/// Loads a robot from texts. @param name used where the robot.yaml gives none. @param meshes the hulls of the URDF's
 /// collision meshes, as RobotModel::meshes has them.
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
                                      const std::string& name = "robot", const std::vector<MeshHull>& meshes = {},
@@ -27,7 +27,7 @@ Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::st
 /// one that comes with the program (see DataPath). An unknown name is a failure that lists what exists.
 Result<RobotModel> LoadNamedRobot(const std::string& name);
 
-/// The same robot, which may also lie on a link: `rests` of its robot.yaml. Failure as of LoadRobotFromText.
+/// The robot with an additional link to lie on: `rests` of its robot.yaml. Failure as of LoadRobotFromText.
 Result<RobotModel> WithRest(const RobotModel& model, const std::string& link);
 
 /// That folder.

@@ -35,7 +35,7 @@ std::string BrokenInertiaLaw(const Matrix3& I, double mass) {
   const double slack = std::max(kRounding, kRelativeRounding * moments.cwiseAbs().maxCoeff());
   if (moments[0] < -slack) return fmt::format("has the negative principal moment {:.3g} kg m^2", moments[0]);
   if (moments[0] + moments[1] < moments[2] - slack) {
-    return fmt::format("breaks the triangle inequality: {:.4g} + {:.4g} < {:.4g} kg m^2", moments[0], moments[1],
+    return fmt::format("violates the triangle inequality: {:.4g} + {:.4g} < {:.4g} kg m^2", moments[0], moments[1],
                        moments[2]);
   }
   return "";
@@ -52,10 +52,10 @@ std::optional<MendedInertia> MendInertia(const Matrix3& I, double mass, const st
   const Matrix3 nearest = NearestOfABody(I);
   if (I.isZero(0.0) || (nearest - I).norm() >= kFarOff * I.norm()) {
     if (const auto solid = SolidInertia(shapes, mass); solid && mass > 0.0)
-      return MendedInertia{*solid, broken, "that of its shapes"};
+      return MendedInertia{*solid, broken, "the inertia of its shapes"};
     if (I.isZero(0.0)) return std::nullopt;  // a point mass
   }
-  return MendedInertia{nearest, broken, "the nearest that a body can have"};
+  return MendedInertia{nearest, broken, "the nearest physical inertia"};
 }
 
 }  // namespace gaitwright

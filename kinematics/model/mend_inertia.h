@@ -12,15 +12,15 @@ namespace gaitwright {
 /// The inertia that is used for one that no body has.
 struct MendedInertia {
   Matrix3 I;         ///< about the centre of mass [kg m^2]
-  std::string was;   ///< what is wrong with the given one; "" where it is wrong by rounding alone
-  std::string used;  ///< what is used: "the nearest that a body can have", "that of its shapes"
+  std::string was;   ///< error of the given inertia; "" if only by rounding
+  std::string used;  ///< replacement: "the nearest physical inertia" or "the inertia of its shapes"
 };
 
 /// Principal moments, smallest first [kg m^2].
 Vector3 PrincipalMoments(const Matrix3& I);
 
-/// Which law of bodies a tensor breaks: "" where none is, by more than rounding (1e-9 kg m^2 or 1e-6 of its largest
-/// moment): a negative principal moment, a moment larger than the sum of the other two, or 0 with a mass.
+/// Physical condition that a tensor violates, "" for none, beyond rounding (1e-9 kg m^2 or 1e-6 of its largest moment):
+/// a negative principal moment, a moment larger than the sum of the other two, or 0 with a mass.
 std::string BrokenInertiaLaw(const Matrix3& I, double mass);
 
 /// The inertia in place of one that no body of that mass has; nothing for one that a body has.

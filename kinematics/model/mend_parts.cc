@@ -56,7 +56,7 @@ bool ThickenShape(XMLElement& shape, const PartNotes& notes) {
   }
   if (thickened)
     notes.Add(FindingLevel::kInfo, FailureCode::kZeroSize, shape,
-              fmt::format("a {} has the size 0: taken as {} m", shape.Name(), kThin));
+              fmt::format("a {} has size 0: {} m is used", shape.Name(), kThin));
   return thickened;
 }
 
@@ -97,19 +97,19 @@ bool MendInertial(XMLElement& link, const PartNotes& notes) {
   XMLElement* mass = inertial->FirstChildElement("mass");
   XMLElement* inertia = inertial->FirstChildElement("inertia");
   if (mass == nullptr && inertia == nullptr) {
-    notes.Add(FindingLevel::kInfo, FailureCode::kEmptyInertial, *inertial, "its <inertial> holds nothing: left out");
+    notes.Add(FindingLevel::kInfo, FailureCode::kEmptyInertial, *inertial, "its <inertial> is empty: left out");
     link.DeleteChild(inertial);
     return true;
   }
   bool mended = false;
   if (mass == nullptr) {
     inertial->InsertNewChildElement("mass")->SetAttribute("value", "0");
-    notes.Add(FindingLevel::kWarning, FailureCode::kNoMass, *inertial, "it has an inertia and no mass: taken as 0 kg");
+    notes.Add(FindingLevel::kWarning, FailureCode::kNoMass, *inertial, "it has an inertia but no mass: 0 kg is used");
     mended = true;
   }
   if (inertia == nullptr) {
     inertia = inertial->InsertNewChildElement("inertia");
-    notes.Add(FindingLevel::kWarning, FailureCode::kNoInertia, *inertial, "it has a mass and no inertia");
+    notes.Add(FindingLevel::kWarning, FailureCode::kNoInertia, *inertial, "it has a mass but no inertia");
   }
   for (const char* name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
     if (inertia->Attribute(name) != nullptr) continue;
@@ -136,7 +136,7 @@ bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& not
   if (held) {
     joint.SetAttribute("type", "revolute");
     notes.Add(FindingLevel::kInfo, FailureCode::kLimitedContinuous, joint,
-              "of type 'continuous' with limits of its position in the file: they are used");
+              "it has type 'continuous' but position limits in the file: they are used");
   }
   const bool turns = type == "continuous" || type == "spherical";
   XMLElement* limit = joint.FirstChildElement("limit");
@@ -149,14 +149,14 @@ bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& not
   if (type == "revolute" && lacks("lower") && lacks("upper")) {
     joint.SetAttribute("type", "continuous");
     notes.Add(FindingLevel::kInfo, FailureCode::kMissingLimit, joint,
-              "its position has no limits in the file: none are used");
+              "its position has no limits in the file: it is unlimited");
     mended = true;
   } else if (!turns && (lacks("lower") || lacks("upper"))) {
     notes.Add(FindingLevel::kInfo, FailureCode::kMissingLimit, joint,
-              fmt::format("its position has no {} limit in the file: none is used", lacks("lower") && lacks("upper")
-                                                                                        ? "lower or upper"
-                                                                                    : lacks("lower") ? "lower"
-                                                                                                     : "upper"));
+              fmt::format("its position has no {} limit in the file: it is unlimited there",
+                          lacks("lower") && lacks("upper") ? "lower or upper"
+                          : lacks("lower")                 ? "lower"
+                                                           : "upper"));
     if (lacks("lower")) limit->SetAttribute("lower", (std::string("-") + kNoLimit).c_str());
     if (lacks("upper")) limit->SetAttribute("upper", kNoLimit);
     mended = true;
@@ -189,7 +189,7 @@ bool MendJoint(XMLElement& joint, const std::string& part, bool at_root, std::ve
     joint.SetAttribute("type", "fixed");
     notes.Add(
         FindingLevel::kInfo, FailureCode::kFloatingRoot, joint,
-        fmt::format("of type '{}' at the root: the robot's base is free by itself, and this joint is that", type));
+        fmt::format("it has type '{}' at the root: it becomes fixed, because the robot's base is free anyway", type));
     return true;
   }
   if (type == "revolute" || type == "prismatic" || type == "continuous" || type == "spherical")

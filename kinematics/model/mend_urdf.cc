@@ -95,7 +95,7 @@ class Mender {
       const auto [known, is_new] = first.try_emplace(TextOr(link->Attribute("name")), link);
       if (is_new || Printed(*link) != Printed(*known->second)) continue;
       Add(FailureCode::kDoubleName, "link", *link,
-          fmt::format("it is given twice alike, in the lines {} and {}", known->second->GetLineNum(),
+          fmt::format("it is given twice identically, in lines {} and {}", known->second->GetLineNum(),
                       link->GetLineNum()));
       robot_.DeleteChild(link);
     }
@@ -119,7 +119,7 @@ class Mender {
         !std::includes(names.begin(), names.end(), held.begin(), held.end());
     if (misspelt || loose.size() > kMost || loose.size() == ElementsOf(robot_, "link").size()) return;
     for (XMLElement* link : loose) {
-      Add(FailureCode::kLooseLink, "link", *link, "no joint holds it: left out");
+      Add(FailureCode::kLooseLink, "link", *link, "no joint connects it: left out");
       robot_.DeleteChild(link);
     }
   }
@@ -135,7 +135,7 @@ class Mender {
       while (names.contains(fmt::format("{}_{}", name, number))) ++number;
       const std::string renamed = fmt::format("{}_{}", name, number);
       Add(FailureCode::kDoubleName, "joint", *joint,
-          fmt::format("it is the second of that name: called '{}'", renamed));
+          fmt::format("it is the second of that name: renamed to '{}'", renamed));
       joint->SetAttribute("name", renamed.c_str());
       names.insert(renamed);
     }

@@ -8,9 +8,9 @@
 
 namespace gaitwright {
 
-/// A URDF in which is mended what is wrong but has one plain meaning.
+/// A URDF with repairs of errors that have one clear meaning.
 struct MendedUrdf {
-  std::string text;               ///< the given text itself where nothing was mended
+  std::string text;               ///< the given text if nothing was repaired
   std::vector<Finding> findings;  ///< one for each thing that was mended
 };
 

@@ -214,7 +214,7 @@ Transform TransformOf(const XMLElement& element) {
     const std::vector<double> s = numbers(3);
     made.scale(Vector3(s[0], s[1], s[2]));
   } else if (kind == "lookat" || kind == "skew" || kind == "instance_controller") {
-    Refuse(element, "is not read; apply it to the points and export anew");
+    Refuse(element, "is not supported; apply it to the points and export again");
   }
   return made;
 }

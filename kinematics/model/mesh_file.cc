@@ -118,7 +118,7 @@ Result<Mesh> ReadMesh(const std::string& path) {
     return Refused(FailureCode::kNoFile, fmt::format("there is no file '{}'", path));
   if (std::find(kKinds.begin(), kKinds.end(), Kind(path)) == kKinds.end()) {
     return Refused(FailureCode::kMeshKind,
-                   fmt::format("'{}' is a mesh of a kind that is not read; there are {}", path, QuotedList(kKinds)));
+                   fmt::format("'{}' is a mesh in an unsupported format; accepted: {}", path, QuotedList(kKinds)));
   }
   const Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
   if (!bytes) return bytes.failure();
@@ -189,11 +189,11 @@ Result<std::string> FindMeshFile(const std::string& name, const std::string& fol
   }
   if (!tried.empty())
     return Refused(FailureCode::kNoFile,
-                   fmt::format("the mesh '{}' is not there; looked for {}", name, QuotedList(tried)));
+                   fmt::format("the mesh '{}' does not exist; searched for {}", name, QuotedList(tried)));
   return Refused(
       FailureCode::kNoFile,
       reason.empty()
-          ? fmt::format("the mesh '{}' cannot be looked for; a path, 'file://' or 'package://NAME/' can", name)
+          ? fmt::format("the mesh '{}' cannot be searched for; use a path, 'file://' or 'package://NAME/'", name)
           : fmt::format("the mesh '{}' is not found: {}", name, reason));
 }
 

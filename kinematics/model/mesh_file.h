@@ -25,7 +25,7 @@ Result<Mesh> ReadMesh(const std::string& path);
 /// 1024 directions spread over the sphere, whose hull is smaller by at most 0.2 % of the mesh's radius.
 std::vector<Vector3> HullPoints(std::vector<Vector3> points);
 
-/// Where the file is that a URDF names: a path relative to `folder` (the URDF's; "" the present one) or absolute,
+/// Path of a file that a URDF names: a path relative to `folder` (the URDF's; "" the present one) or absolute,
 /// `file://PATH`, or `package://NAME/PATH`, where FindPackage looks for folders of the package and the first that holds
 /// the file is taken. Failure `no_file`: there is none; the message lists where it was looked for.
 Result<std::string> FindMeshFile(const std::string& name, const std::string& folder,

@@ -69,7 +69,7 @@ void AddFace(const std::vector<int>& corners, Mesh& mesh) {
 
 void CheckMeshSize(std::size_t points, std::size_t triangles) {
   if (points > kMostMeshPoints || triangles > kMostMeshTriangles) {
-    throw InvalidArgument(fmt::format("more than {} points or {} triangles, which is the most that is read",
+    throw InvalidArgument(fmt::format("more than {} points or {} triangles; at most that many are read",
                                       kMostMeshPoints, kMostMeshTriangles));
   }
 }

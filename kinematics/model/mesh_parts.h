@@ -8,14 +8,14 @@
 
 namespace gaitwright {
 
-/// Bounds of what is read as a mesh: of its points, of its triangles, of the corners of one face.
+/// Bounds of a mesh: number of points, of triangles, of corners of one face.
 inline constexpr std::size_t kMostMeshPoints = 2000000, kMostMeshTriangles = 2000000, kMostFaceCorners = 500;
 
-/// The mesh of a file's bytes. @throws InvalidArgument where it is none, with the place and what is accepted.
+/// The mesh of an STL file's bytes. @throws InvalidArgument for invalid data, with the place and what is accepted.
 Mesh ParseStl(const std::string& bytes);
-/// Likewise of Wavefront's OBJ: what is `v` and `f`, the rest is passed over.
+/// The mesh of a Wavefront OBJ: `v` and `f` lines; other lines are ignored.
 Mesh ParseObj(const std::string& text);
-/// Likewise of Collada: the geometries of its scene with triangles, lists of polygons, strips and fans.
+/// The mesh of a Collada file: the geometries of its scene with triangles, polygon lists, strips and fans.
 Mesh ParseCollada(const std::string& text);
 
 /// Adds a face of three corners or more as triangles, by cutting off ears where it is not convex (Meisters, 1975).

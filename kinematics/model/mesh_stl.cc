@@ -71,7 +71,7 @@ bool TakeLine(const std::string& line, const std::string& place, std::vector<Vec
   for (const char* known : {"", "solid", "facet", "outer", "endloop", "endfacet", "endsolid"}) {
     if (word == known) return word == "endfacet";
   }
-  throw InvalidArgument(fmt::format("{}: '{}' is no word of an STL", place, Shortened(word)));
+  throw InvalidArgument(fmt::format("{}: '{}' is not an STL keyword", place, Shortened(word)));
 }
 
 Mesh ParseText(const std::string& text) {
@@ -100,7 +100,7 @@ Mesh ParseStl(const std::string& bytes) {
   const std::size_t count = bytes.size() >= kHead ? Word(bytes, kHead - 4) : 0;
   if (bytes.size() >= kHead && bytes.size() == kHead + kFacet * count) return ParseBinary(bytes, count);
   if (Trimmed(bytes.substr(0, kHead)).starts_with("solid")) return ParseText(bytes);
-  throw InvalidArgument(fmt::format("its head tells of {} triangles, which take {} bytes; there are {}", count,
+  throw InvalidArgument(fmt::format("its header announces {} triangles, which need {} bytes; the file has {}", count,
                                     kHead + kFacet * count, bytes.size()));
 }
 

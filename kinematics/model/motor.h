@@ -5,11 +5,11 @@
 
 namespace gaitwright {
 
-/// What moves an independent coordinate, beyond its limits of position, speed and peak effort: what a robot.yaml may
-/// say of it under `motors`. Units are those of a joint that turns; of one that slides N, m/s and kg.
+/// Motor of an independent coordinate, beyond its limits of position, speed and peak effort: the data under `motors` in
+/// robot.yaml. Units are those of a revolute joint; for a prismatic joint N, m/s and kg.
 ///
-/// Torque-speed curve: the peak effort up to `corner_speed`, from there on falling in a line to nothing at
-/// `no_load_speed`, for torque in the direction of motion; braking has the whole peak.
+/// Torque-speed curve: the peak effort up to `corner_speed`, from there linearly down to zero at `no_load_speed`, for
+/// torque in the direction of motion; braking has the full peak.
 struct Motor {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 
@@ -24,7 +24,7 @@ struct Motor {
   bool has_curve() const { return no_load_speed < kNone; }
 
   /// Largest torque along the motion at a speed, from 0 to `peak`.
-  /// @param speed  magnitude of the speed in the torque's direction; negative where it brakes.
+  /// @param speed  magnitude of the speed in the torque's direction; negative if it brakes.
   double EffortAt(double speed, double peak) const {
     if (!has_curve() || speed <= corner_speed) return peak;
     return speed >= no_load_speed ? 0.0 : peak * (no_load_speed - speed) / (no_load_speed - corner_speed);

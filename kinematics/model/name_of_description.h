@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// What a robot is called that comes as a file: the file's name without its endings. `robot.urdf` tells nothing: then
-/// it is the name of its folder, and in folders such as `urdf` that of <robot name> in the text.
+/// Name of a robot from a file: the file's name without its endings. For an unspecific name such as `robot.urdf`, it is
+/// the name of the folder, and in folders such as `urdf` the <robot name> of the text.
 std::string NameOfDescription(const std::string& path, const std::string& urdf);
 
 }  // namespace gaitwright

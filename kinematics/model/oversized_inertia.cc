@@ -38,11 +38,10 @@ std::optional<MendedInertia> MendOversizedInertia(const Matrix3& I, double mass,
   if (!(gyration >= kFarOut * extent_m)) return std::nullopt;
   const auto solid = SolidInertia(shapes, mass);
   if (!solid) return std::nullopt;
-  return MendedInertia{
-      *solid,
-      fmt::format("is that of {:.3g} kg at {:.3g} m from its centre, {:.3g} times its size of {:.3g} m", mass, gyration,
-                  gyration / extent_m, extent_m),
-      "that of its shapes"};
+  return MendedInertia{*solid,
+                       fmt::format("equals {:.3g} kg at {:.3g} m from its centre, {:.3g} times its size of {:.3g} m",
+                                   mass, gyration, gyration / extent_m, extent_m),
+                       "the inertia of its shapes"};
 }
 
 }  // namespace gaitwright

@@ -91,14 +91,13 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
         ExpandXacro({path, loading.xacro_arguments, {loading.packages.begin(), loading.packages.end()}});
     if (!expanded) return expanded.failure();
     description.urdf = std::move(*expanded);
-    note(FailureCode::kXacro, "the file is a xacro file: expanded");
+    note(FailureCode::kXacro, "the file is a xacro file and was expanded");
   } else if (RootOf(*text) == "sdf") {
-    return Failure{
-        FailureKind::kBadInput,
-        FailureCode::kNotUrdf,
-        "LoadRobot",
-        fmt::format("'{}' is an SDF file, as Gazebo has them; a URDF, a xacro file or an MJCF is read", path),
-        {"most makers publish a URDF beside it"}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kNotUrdf,
+                   "LoadRobot",
+                   fmt::format("'{}' is an SDF (Gazebo) file; accepted: URDF, xacro or MJCF", path),
+                   {"most makers publish a URDF beside it"}};
   }
   return description;
 }

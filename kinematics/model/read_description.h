@@ -12,7 +12,7 @@ namespace gaitwright {
 
 /// How a robot description is read.
 struct RobotLoading {
-  std::string yaml_path = {};  ///< "" takes `robot.yaml` beside the description where there is one, "none" takes none
+  std::string yaml_path = {};  ///< "" uses `robot.yaml` beside the description if it exists, "none" uses none
   bool strict = false;         ///< what would be mended (see MendUrdf and MendInertia) is refused
   std::map<std::string, std::string> packages = {};         ///< folders by name, before those that are found
   std::map<std::string, std::string> xacro_arguments = {};  ///< values by name
@@ -26,9 +26,9 @@ struct RobotDescription {
   std::vector<Finding> findings;     ///< on how the file was read
 };
 
-/// Reads a URDF, a xacro file, which is expanded, or an MJCF, which is converted; which it is, its content tells. Where
-/// not `strict` a text in another encoding than UTF-8 is read too. Failure: as of ReadFile, ExpandXacro and
-/// ConvertMjcf; `not_urdf` for an SDF.
+/// Reads a URDF, a xacro file, which is expanded, or an MJCF, which is converted; the content decides. Unless `strict`,
+/// a text in another encoding than UTF-8 is read too. Failure: as of ReadFile, ExpandXacro and ConvertMjcf; `not_urdf`
+/// for an SDF.
 Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoading& loading);
 
 }  // namespace gaitwright

@@ -30,7 +30,7 @@ struct Joint {
   double effort_limit = 0.0;                   ///< [N m] or [N]
   bool velocity_limit_is_placeholder = false;  ///< reported, never used to fail a plan
   bool effort_limit_is_placeholder = false;
-  double damping = 0.0;   ///< of its own, against any motion [N m s/rad]
+  double damping = 0.0;   ///< viscous damping [N m s/rad]
   double friction = 0.0;  ///< dry, against any motion [N m]
 
   /// Index of the independent joint coordinate that moves it; position = multiplier * q_joint[dof] + offset.
@@ -81,7 +81,7 @@ struct MeshHull {
   bool operator==(const MeshHull&) const = default;
 };
 
-/// A collision mesh that was not where the URDF says: what its link touches there is not known.
+/// A missing collision mesh of the URDF; contacts of its link are unknown.
 struct MissingMesh {
   std::string link;
   std::string why;  ///< names the file
@@ -111,7 +111,7 @@ struct Foot {
   Pose X_BF = Pose::Identity();
   double radius = 0.0;          ///< sphere [m]
   std::vector<Vector2> sole_F;  ///< sole, line: corners in F's xy plane, counter-clockwise [m]
-  std::string derived_from;     ///< what its type and size were taken from, for people
+  std::string derived_from;     ///< source of its type and size, as text
 
   bool has_sole() const { return type == FootType::kSole || type == FootType::kLine; }
 };
@@ -122,7 +122,7 @@ struct Leg {
   int foot = 0;             ///< index into feet
   std::vector<int> joints;  ///< indices into joints, base first
   int mirror = -1;          ///< index of the leg on the other side, or -1
-  double length_m = 0.0;    ///< from the hip joint to the contact, straight, slides drawn out
+  double length_m = 0.0;    ///< from the hip joint to the contact, with the leg straight and prismatic joints extended
   int hip_joint = -1;       ///< index into joints: the first of those that bend the leg in its own plane
   int knee_joint = -1;      ///< index into joints, or -1
   double knee_sign = 0.0;   ///< sign of the knee's bend in the standing posture
@@ -132,9 +132,9 @@ struct Leg {
 ///
 /// State vectors have one order everywhere:
 ///   q = [p_WB (3), quaternion of R_WB as x y z w (4), independent joints (n)], size 7 + n
-///   v = [v_WB in W (3), w_WB in W (3), joint rates (n)], size 6 + n;   a likewise
-/// Mimic joints follow their dof and have no coordinate of their own.
-/// Invariant: joints[i] carries bodies[i + 1]; parents come before children; masses and inertias are physical.
+///   v = [v_WB in W (3), w_WB in W (3), joint rates (n)], size 6 + n;   a in the same order
+/// Mimic joints follow their dof and have no coordinate of their own. Invariant: joints[i] carries bodies[i + 1];
+/// parents come before children; masses and inertias are physical.
 struct RobotModel {
   std::string name, description;
   std::vector<Body> bodies;
@@ -142,7 +142,7 @@ struct RobotModel {
   std::vector<Frame> frames;  ///< one for each URDF link
   std::vector<Shape> collision_shapes;
   std::vector<Shape> visual_shapes;
-  std::vector<Foot> feet;  ///< those of the legs in their order, then rests: other links that it may lie on
+  std::vector<Foot> feet;  ///< feet of the legs in order, then rests: other links to lie on
   std::vector<Leg> legs;   ///< legs[i].foot == i; front before rear, left before right
 
   VectorX standing_joints;              ///< nominal posture of the independent joints, size n
@@ -153,14 +153,14 @@ struct RobotModel {
   std::vector<std::string> dof_names;  ///< of the joint that leads each independent coordinate, size n
   std::vector<int> dof_joint;          ///< index of that joint, size n
 
-  /// Gains from robot.yaml, by dof; zero where they are to be derived from the effective inertia.
+  /// Gains from robot.yaml, by dof; zero if they are to be derived from the effective inertia.
   VectorX stiffness, damping;               ///< [N m/rad], [N m s/rad]
   std::vector<Motor> motors;                ///< by dof; see MotorOf
   std::vector<Transmission> transmissions;  ///< of motors that drive several joints together; see AddTransmission
 
-  std::vector<Finding> findings;     ///< what was wrong or doubtful in the description, and what is used
-  std::vector<std::string> notes;    ///< what was derived, from what, and what was odd; for people
-  std::string urdf_text, yaml_text;  ///< what it was made from, with
+  std::vector<Finding> findings;     ///< wrong or doubtful data in the description, and replacements
+  std::vector<std::string> notes;    ///< derived data with sources and irregularities, as text
+  std::string urdf_text, yaml_text;  ///< texts that it was made from, with
   std::vector<MeshHull> meshes;      ///< those of the collision shapes, each file once, in the order of the URDF
   std::vector<MissingMesh> missing_meshes;
   std::string hash;  ///< of all three
@@ -170,10 +170,9 @@ struct RobotModel {
   int nv() const { return 6 + num_dofs(); }
   double weight_n() const { return total_mass_kg * kGravity; }
 
-  /// Limits of an independent coordinate: of position and speed the tightest of all joints that it moves, of effort
-  /// that of the joint that leads; infinite where they are placeholders. What a plan or a playback is held against are
-  /// the limits of the motors (Actuator): those of a joint that a transmission drives are the box around what its
-  /// motors give.
+  /// Limits of an independent coordinate: position and speed: the tightest of all joints that it moves; effort: that of
+  /// the leading joint; infinite for placeholders. Plans and playbacks are checked against the limits of the motors
+  /// (Actuator); the limits of a joint of a transmission are the bounding box of its motors' limits.
   double dof_lower(int dof) const;
   double dof_upper(int dof) const;
   double dof_velocity_limit(int dof) const;
@@ -182,12 +181,11 @@ struct RobotModel {
   /// The joint that leads an independent coordinate.
   const Joint& LeaderOf(int dof) const;
 
-  /// What is known of an independent coordinate's motor; one without further limits where nothing is known of it. Of a
-  /// joint that a transmission drives the limits of acceleration and jerk alone: its motors are those of
-  /// TransmissionOf.
+  /// Motor data of an independent coordinate; without limits if unknown. For a joint of a transmission only the limits
+  /// of acceleration and jerk: its motors are those of TransmissionOf.
   const Motor& MotorOf(int dof) const;
 
-  /// The transmission that drives an independent coordinate; null where it has a motor of its own.
+  /// The transmission that drives an independent coordinate; null if it has its own motor.
   const Transmission* TransmissionOf(int dof) const;
 
   /// Longest leg, hip to contact, straight [m]; the length that limits scale with.

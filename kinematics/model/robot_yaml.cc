@@ -69,7 +69,7 @@ std::vector<Vector2> ParseSole(const YAML::Node& node) {
                fmt::format("'sole_m' has an area of {:.3g} m^2; {} or more is needed", Area(hull), kSmallestSole));
   const double share = std::abs(ShareOfHull(corners));
   if (std::abs(share - 1.0) > 1e-9) {
-    RefuseYaml(node, fmt::format("'sole_m' is not convex: it fills {:.0f} % of its hull; give the corners of the hull",
+    RefuseYaml(node, fmt::format("'sole_m' is not convex: it covers {:.0f} % of its hull; give the corners of the hull",
                                  100.0 * share));
   }
   return hull;
@@ -89,12 +89,12 @@ FootOverride ParseFoot(const YAML::Node& node) {
   const bool flat = foot.type == FootType::kSole || foot.type == FootType::kLine;
   const std::string who = fmt::format("foot '{}'", foot.link);
   if (flat && foot.sole_m.empty()) RefuseYaml(node, who + " of type sole or line needs its corners: 'sole_m'");
-  if (foot.type && !flat && !foot.sole_m.empty()) RefuseYaml(node, who + " is no sole or line, and has 'sole_m'");
+  if (foot.type && !flat && !foot.sole_m.empty()) RefuseYaml(node, who + " is not a sole or line but has 'sole_m'");
   if (foot.radius_m > 0.0 && (foot.type.value_or(FootType::kSphere) != FootType::kSphere || !foot.sole_m.empty())) {
-    RefuseYaml(node, who + " is no sphere, and has 'radius_m'");
+    RefuseYaml(node, who + " is not a sphere but has 'radius_m'");
   }
   if (foot.sole_give_m && (foot.type || foot.radius_m > 0.0 || !foot.sole_m.empty())) {
-    RefuseYaml(node, who + " has 'sole_give_m', which is for a sole that is found in the link's shapes, and its own " +
+    RefuseYaml(node, who + " has 'sole_give_m', which is for soles found in the link's shapes, but also its own " +
                          (foot.type             ? "'type'"
                           : foot.sole_m.empty() ? "'radius_m'"
                                                 : "'sole_m'"));
@@ -173,8 +173,8 @@ RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
   motor.thermal_s = map.InRange("thermal_s");
   if (motor.thermal_s && !motor.continuous_effort)
     throw InvalidArgument(
-        fmt::format("line {}: the motor of '{}' has 'thermal_s', over which a continuous effort is "
-                    "taken, and no 'continuous_nm' or 'continuous_n'",
+        fmt::format("line {}: the motor of '{}' has 'thermal_s', the averaging time of the continuous effort, but no "
+                    "'continuous_nm' or 'continuous_n'",
                     motor.line, motor.joint));
   motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg");
   motor.acceleration_limit = keys.Take("acceleration_rad_s2", "acceleration_m_s2");
@@ -210,8 +210,8 @@ void ParseAxes(const YamlMap& map, RobotYaml& yaml) {
   yaml.up = ParseAxis(map, "up");
   if (!yaml.ahead && !yaml.up) return;
   const YAML::Node& node = *map.Find(yaml.ahead ? "ahead" : "up");
-  if (!yaml.ahead || !yaml.up) RefuseYaml(node, "'ahead' and 'up' go together");
-  if (yaml.ahead->dot(*yaml.up) != 0.0) RefuseYaml(node, "'ahead' and 'up' are two axes, across each other");
+  if (!yaml.ahead || !yaml.up) RefuseYaml(node, "'ahead' and 'up' must be given together");
+  if (yaml.ahead->dot(*yaml.up) != 0.0) RefuseYaml(node, "'ahead' and 'up' must be two perpendicular axes");
 }
 
 RobotYaml Parse(const YAML::Node& root) {
@@ -258,8 +258,8 @@ RobotYaml ParseRobotYaml(const std::string& text) {
     root = LoadYaml(text);
   } catch (const YAML::Exception& error) {
     throw InvalidArgument(
-        fmt::format("robot.yaml, line {}, column {}: this is not YAML; look for a bracket or quote "
-                    "that is not closed, a tab, or a wrong indent",
+        fmt::format("robot.yaml, line {}, column {}: this is not YAML; check for an unclosed bracket or quote, a tab, "
+                    "or a wrong indent",
                     error.mark.line + 1, error.mark.column + 1));
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(fmt::format("robot.yaml, {}", error.what()));

@@ -10,8 +10,7 @@
 
 namespace gaitwright {
 
-/// What a robot.yaml says; everything may be left out. Each item has the line it stands on; docs/robot-yaml.md tells
-/// what the keys mean.
+/// Content of a robot.yaml; all of it is optional. Each item has its line; docs/robot-yaml.md explains the keys.
 struct RobotYaml : LegChoices {
   /// A value of a joint, in the units of `sliding` joints (m, N) or turning ones (rad, N m).
   struct JointPosition {
@@ -33,17 +32,17 @@ struct RobotYaml : LegChoices {
     bool sliding = false;
     int line = 0;
   };
-  /// What is given of a joint's motor and of what the joint itself takes; see Motor and Joint.
+  /// Given data of a joint's motor and losses; see Motor and Joint.
   struct JointMotor {
     std::string joint;
     std::optional<double> corner_speed, no_load_speed, continuous_effort, thermal_s, rotor_inertia;
     std::optional<double> acceleration_limit, jerk_limit, damping, friction;
-    bool has_units = false;  ///< any key tells whether the joint slides
+    bool has_units = false;  ///< a key shows whether the joint is prismatic
     bool sliding = false;
     int line = 0;
   };
 
-  /// A motor of a transmission, with its row of ratios; units are those of a motor that slides where `sliding`.
+  /// A motor of a transmission, with its row of ratios; units are those of a linear motor if `sliding`.
   struct SharedMotor {
     std::string name;
     std::vector<double> ratios;
@@ -77,9 +76,9 @@ struct RobotYaml : LegChoices {
   int height_line = 0;  ///< of standing_base_height_m
 };
 
-/// Reads the text of a robot.yaml. @throws InvalidArgument with the line, on what is no YAML, an unknown key (names the
-/// nearest), a key that stands there twice, a wrong kind of value, a number that is not finite or out of its range, a
-/// sole that is no convex polygon, a foot whose keys contradict its type.
+/// Reads the text of a robot.yaml. @throws InvalidArgument with the line, for invalid YAML, an unknown key (names the
+/// nearest), a duplicate key, a wrong kind of value, a number that is not finite or out of range, a sole that is not a
+/// convex polygon, or a foot whose keys contradict its type.
 RobotYaml ParseRobotYaml(const std::string& text);
 
 }  // namespace gaitwright

@@ -18,10 +18,10 @@ namespace {
 /// What the motor of one joint and a motor of a transmission have both: curve, warmth and rotor.
 std::vector<ShapeMember> TurningMotorKeys(const std::string& of_rotor) {
   const DataShape positive = Positive(kLargestValue);
-  return {Optional("corner_velocity_rad_s", positive, "Up to there the motor gives its whole effort."),
-          Optional("no_load_velocity_rad_s", positive, "There it gives none."),
-          Optional("continuous_nm", positive, "Root mean square of effort that it bears without end."),
-          Optional("thermal_s", positive, "Time over which that mean is taken; 10 unless given."),
+  return {Optional("corner_velocity_rad_s", positive, "Speed up to which the motor gives its full effort."),
+          Optional("no_load_velocity_rad_s", positive, "Speed at which the motor gives no effort."),
+          Optional("continuous_nm", positive, "Continuous effort, as root mean square."),
+          Optional("thermal_s", positive, "Averaging time of the continuous effort; default 10."),
           Optional("rotor_inertia_kg_m2", positive, of_rotor)};
 }
 
@@ -35,47 +35,53 @@ std::vector<ShapeMember> SlidingMotorKeys() {
 }  // namespace
 
 DataShape FootYamlShape() {
-  return Object({{"link", Text(), "The link at the end of a chain of moving joints."},
-                 Optional("type", Text(FootTypeNames()), "Derived from the link's shapes unless given."),
-                 Optional("radius_m", Positive(kLongestPart), "Of a sphere."),
-                 Optional("sole_m", List(Numbers(2), 3, kMaxSoleCorners),
-                          "Corners [x, y] in the link's plane, convex, in order around it."),
-                 Optional("sole_give_m", Number(0.0, kLargestSoleGive), "In place of that of all feet.")});
+  return Object(
+      {{"link", Text(), "Link at the end of a chain of moving joints."},
+       Optional("type", Text(FootTypeNames()), "Type of the foot; derived from the link's shapes by default."),
+       Optional("radius_m", Positive(kLongestPart), "Radius of a spherical foot."),
+       Optional("sole_m", List(Numbers(2), 3, kMaxSoleCorners),
+                "Corners [x, y] in the link's plane, convex, in order around it."),
+       Optional("sole_give_m", Number(0.0, kLargestSoleGive),
+                "Compression of the sole's rubber for this foot, instead of the value for all feet.")});
 }
 
 DataShape LegYamlShape() {
-  return Object({Optional("joints", List(Text()), "The chain from the base to the foot, as a check."),
-                 Optional("knee", Text(), "The joint that bends the leg."),
-                 Optional("knee_side", Text({"plus", "minus"}), "The sign of the knee's position.")});
+  return Object({Optional("joints", List(Text()), "Joints from the base to the foot, as a check."),
+                 Optional("knee", Text(), "Joint that bends the leg."),
+                 Optional("knee_side", Text({"plus", "minus"}), "Sign of the knee's position.")});
 }
 
 DataShape LimitsYamlShape() {
   const DataShape any = Number(-kLargestValue, kLargestValue), positive = Positive(kLargestValue);
-  return Object(
-      {Optional("lower_rad", any, "Of a joint that turns."), Optional("upper_rad", any, "Of a joint that turns."),
-       Optional("velocity_rad_s", positive, "Of a joint that turns."),
-       Optional("effort_nm", positive, "Of a joint that turns."), Optional("lower_m", any, "Of one that slides."),
-       Optional("upper_m", any, "Of one that slides."), Optional("velocity_m_s", positive, "Of one that slides."),
-       Optional("effort_n", positive, "Of one that slides.")});
+  return Object({Optional("lower_rad", any, "Lower limit of a revolute joint."),
+                 Optional("upper_rad", any, "Upper limit of a revolute joint."),
+                 Optional("velocity_rad_s", positive, "Speed limit of a revolute joint."),
+                 Optional("effort_nm", positive, "Effort limit of a revolute joint."),
+                 Optional("lower_m", any, "Lower limit of a prismatic joint."),
+                 Optional("upper_m", any, "Upper limit of a prismatic joint."),
+                 Optional("velocity_m_s", positive, "Speed limit of a prismatic joint."),
+                 Optional("effort_n", positive, "Effort limit of a prismatic joint.")});
 }
 
 DataShape GainsYamlShape() {
   const DataShape positive = Positive(kLargestValue);
-  return Object({Optional("stiffness_nm_rad", positive, "Of a joint that turns."),
-                 Optional("damping_nm_s_rad", positive, "Of a joint that turns."),
-                 Optional("stiffness_n_m", positive, "Of one that slides."),
-                 Optional("damping_n_s_m", positive, "Of one that slides.")});
+  return Object({Optional("stiffness_nm_rad", positive, "Stiffness of a revolute joint."),
+                 Optional("damping_nm_s_rad", positive, "Damping gain of a revolute joint."),
+                 Optional("stiffness_n_m", positive, "Stiffness of a prismatic joint."),
+                 Optional("damping_n_s_m", positive, "Damping gain of a prismatic joint.")});
 }
 
 DataShape MotorYamlShape() {
   const DataShape positive = Positive(kLargestValue);
-  std::vector<ShapeMember> keys = TurningMotorKeys("Of rotor and gear, as felt at the joint.");
+  std::vector<ShapeMember> keys = TurningMotorKeys("Inertia of rotor and gear, reflected to the joint.");
   keys.insert(keys.end(), {Optional("acceleration_rad_s2", positive, "Largest acceleration."),
                            Optional("jerk_rad_s3", positive, "Largest jerk."),
-                           Optional("damping_nm_s_rad", positive, "The joint's own damping."),
-                           Optional("friction_nm", positive, "The joint's dry friction.")});
+                           Optional("damping_nm_s_rad", positive, "Viscous damping of the joint."),
+                           Optional("friction_nm", positive, "Dry friction of the joint.")});
   std::vector<ShapeMember> sliding = SlidingMotorKeys();
-  sliding.front().meaning = "The same of a joint that slides, as all that follow.";
+  sliding.front().meaning =
+      "Speed up to which the motor of a prismatic joint gives its full effort; as the keys below, for prismatic joints "
+      "only.";
   sliding.insert(sliding.end(), {Optional("acceleration_m_s2", positive), Optional("jerk_m_s3", positive),
                                  Optional("damping_n_s_m", positive), Optional("friction_n", positive)});
   keys.insert(keys.end(), sliding.begin(), sliding.end());
@@ -84,45 +90,47 @@ DataShape MotorYamlShape() {
 
 DataShape TransmissionMotorYamlShape() {
   const DataShape positive = Positive(kLargestValue);
-  std::vector<ShapeMember> keys = {{"name", Text(), "What reports call it."},
+  std::vector<ShapeMember> keys = {{"name", Text(), "Name of the motor in reports."},
                                    {"ratios", List(Number(-kLargestRatio, kLargestRatio), 2, kMostShared),
-                                    "Speed of the motor for a speed of 1 of each joint, in the order of 'joints'."},
+                                    "Motor speed for unit speed of each joint, in the order of 'joints'."},
                                    Optional("effort_nm", positive, "Largest torque; not checked unless given."),
                                    Optional("velocity_rad_s", positive, "Largest speed; not checked unless given.")};
   const auto add = [&](const std::vector<ShapeMember>& more) { keys.insert(keys.end(), more.begin(), more.end()); };
-  add(TurningMotorKeys("Of rotor and gear, as felt at the motor's own shaft."));
-  add({Optional("effort_n", positive, "Largest force of a motor that slides, as all that follow."),
+  add(TurningMotorKeys("Inertia of rotor and gear at the motor's shaft."));
+  add({Optional("effort_n", positive, "Largest force of a linear motor; as the keys below, for linear motors only."),
        Optional("velocity_m_s", positive)});
   add(SlidingMotorKeys());
   return Object(keys);
 }
 
 DataShape TransmissionYamlShape() {
-  return Object({{"name", Text(), "What messages call it."},
-                 {"joints", List(Text(), 2, kMostShared), "The joints that its motors drive together."},
-                 {"motors", List(TransmissionMotorYamlShape(), 2, kMostShared), "As many as joints."}});
+  return Object({{"name", Text(), "Name of the transmission in messages."},
+                 {"joints", List(Text(), 2, kMostShared), "Joints that the motors drive together."},
+                 {"motors", List(TransmissionMotorYamlShape(), 2, kMostShared), "Motors, one for each joint."}});
 }
 
 DataShape RobotYamlShape() {
   const DataShape axis = Text(AxisNames()), by_joint = Number(-kLargestValue, kLargestValue);
-  return Object({Optional("name", Text(), "What the robot is called."),
-                 Optional("description", Text(), "A sentence about it."),
-                 Optional("scale", Number(1e-3, 1e3), "By which the URDF's lengths are multiplied."),
-                 Optional("up", axis, "Axis of the root link, with 'ahead'."),
-                 Optional("ahead", axis, "Axis of the root link, with 'up'."),
-                 Optional("limits", MapOf(LimitsYamlShape()), "By joint, in place of the URDF's."),
-                 Optional("feet", List(FootYamlShape(), 1), "All feet."),
-                 Optional("sole_give_m", Number(0.0, kLargestSoleGive),
-                          "What of a foot's shapes is no higher than that over their lowest point is its sole."),
-                 Optional("legs", MapOf(LegYamlShape()), "By the foot's link: what differs in its leg."),
-                 Optional("mirror_pairs", List(List(Text(), 2, 2)), "All pairs of feet that mirror each other."),
-                 Optional("standing", MapOf(by_joint), "By joint: its position in the standing posture [rad], [m]."),
-                 Optional("standing_base_height_m", Positive(kLongestPart), "Of the root link over level ground."),
-                 Optional("nominal_speed_m_s", Positive(kFastestWalk), "Of a walk that does not say its own."),
-                 Optional("gains", MapOf(GainsYamlShape()), "By joint: gains of its motor."),
-                 Optional("motors", MapOf(MotorYamlShape()), "By joint: what its motor can and takes."),
-                 Optional("transmissions", List(TransmissionYamlShape()), "Motors that drive several joints together."),
-                 Optional("rests", List(Text()), "Links that the robot may lie on.")});
+  return Object(
+      {Optional("name", Text(), "Name of the robot."), Optional("description", Text(), "One-sentence description."),
+       Optional("scale", Number(1e-3, 1e3), "Factor on all lengths of the URDF."),
+       Optional("up", axis, "Axis of the root link that points up; needs 'ahead'."),
+       Optional("ahead", axis, "Axis of the root link that points forward; needs 'up'."),
+       Optional("limits", MapOf(LimitsYamlShape()), "Limits by joint, which replace the URDF's."),
+       Optional("feet", List(FootYamlShape(), 1), "All feet."),
+       Optional("sole_give_m", Number(0.0, kLargestSoleGive),
+                "Compression of the rubber of all soles: parts of a foot's shapes up to this height above their lowest "
+                "point belong to the sole."),
+       Optional("legs", MapOf(LegYamlShape()), "Overrides for a leg, by the foot's link."),
+       Optional("mirror_pairs", List(List(Text(), 2, 2)), "All pairs of feet that mirror each other."),
+       Optional("standing", MapOf(by_joint), "Positions of joints in the standing posture, by joint [rad], [m]."),
+       Optional("standing_base_height_m", Positive(kLongestPart),
+                "Height of the root link above level ground in the standing posture."),
+       Optional("nominal_speed_m_s", Positive(kFastestWalk), "Default walking speed."),
+       Optional("gains", MapOf(GainsYamlShape()), "Gains of motors, by joint."),
+       Optional("motors", MapOf(MotorYamlShape()), "Data of motors, by joint."),
+       Optional("transmissions", List(TransmissionYamlShape()), "Motors that drive several joints together."),
+       Optional("rests", List(Text()), "Links that the robot may lie on.")});
 }
 
 }  // namespace gaitwright

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What a robot.yaml may hold.
+/// Structure of a robot.yaml.
 DataShape RobotYamlShape();
 
 }  // namespace gaitwright

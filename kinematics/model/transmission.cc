@@ -17,25 +17,24 @@ void CheckTransmission(const Transmission& t, const RobotModel& model) {
   const Eigen::Index n = t.size();
   if (n == 0 || static_cast<Eigen::Index>(t.motors.size()) != n || t.ratios.rows() != n || t.ratios.cols() != n) {
     throw InvalidArgument(
-        fmt::format("transmission '{}' has {} joints, {} motors and a matrix of {} x {} ratios; "
-                    "motors and ratios must be as many as the joints",
+        fmt::format("transmission '{}' has {} joints, {} motors and a matrix of {} x {} ratios; it needs one motor and "
+                    "one row and column of ratios for each joint",
                     t.name, n, t.motors.size(), t.ratios.rows(), t.ratios.cols()));
   }
   for (const int dof : t.dofs) {
     if (dof < 0 || dof >= model.num_dofs())
-      throw InvalidArgument(fmt::format("transmission '{}' names coordinate {}; robot '{}' has 0 to {}", t.name, dof,
-                                        model.name, model.num_dofs() - 1));
+      throw InvalidArgument(fmt::format("transmission '{}' names coordinate {}; robot '{}' has coordinates 0 to {}",
+                                        t.name, dof, model.name, model.num_dofs() - 1));
     if (const Transmission* other = model.TransmissionOf(dof))
-      throw InvalidArgument(fmt::format("joint '{}' of transmission '{}' is driven by transmission '{}' already",
+      throw InvalidArgument(fmt::format("joint '{}' of transmission '{}' is already driven by transmission '{}'",
                                         model.dof_names[static_cast<std::size_t>(dof)], t.name, other->name));
   }
   const double regularity = Regularity(t.ratios);
   if (!(regularity >= kLeastRegularity)) {
-    throw InvalidArgument(
-        fmt::format("the ratios of transmission '{}' are singular: its motors cannot move its joints independently. "
-                    "With rows and columns of length 1 the least singular value is {:.2g} of the largest; {:g} or "
-                    "more is needed",
-                    t.name, regularity, kLeastRegularity));
+    throw InvalidArgument(fmt::format(
+        "the ratios of transmission '{}' are singular: its motors cannot move its joints independently. With rows and "
+        "columns scaled to length 1, the smallest singular value is {:.2g} of the largest; {:g} or more is needed",
+        t.name, regularity, kLeastRegularity));
   }
 }
 

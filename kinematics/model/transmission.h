@@ -14,8 +14,8 @@ struct RobotModel;
 /// One of the motors of a transmission. All its figures are the motor's own, not a joint's.
 struct TransmissionMotor {
   std::string name;
-  double effort_limit = Motor::kNone;    ///< [N m]; infinite where it is not known
-  double velocity_limit = Motor::kNone;  ///< [rad/s]; infinite where it is not known
+  double effort_limit = Motor::kNone;    ///< [N m]; infinite if unknown
+  double velocity_limit = Motor::kNone;  ///< [rad/s]; infinite if unknown
   bool slides = false;                   ///< its units are N, m/s and kg
   Motor motor = {};                      ///< curve, warmth and rotor; limits of acceleration and jerk are the joints'
 };
@@ -51,9 +51,9 @@ double Regularity(const MatrixX& ratios);
 /// Least Regularity that a transmission may have.
 inline constexpr double kLeastRegularity = 1e-3;
 
-/// Adds a transmission to a model. Limits of speed and effort of its joints become the box around what the motors give:
-/// the largest speed and effort of each joint that any speeds and efforts of the motors give. Code that looks at a
-/// joint alone so never takes it for weaker than it is; what the motors give together, Actuator says.
+/// Adds a transmission to a model. Speed and effort limits of its joints become the bounding box of the motors' limits:
+/// the largest speed and effort of each joint for any motor speeds and efforts. Code that uses a single joint's limits
+/// thus never underestimates them; Actuator has the joint limits of the motors.
 /// @throws InvalidArgument for sizes that do not fit, a joint that another transmission drives, or a Regularity below
 /// kLeastRegularity.
 void AddTransmission(Transmission transmission, RobotModel& model);

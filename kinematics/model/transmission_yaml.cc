@@ -25,8 +25,8 @@ void ParseTraits(const YamlMap& map, UnitKeys& keys, const YAML::Node& node, Rob
   motor.thermal_s = map.InRange("thermal_s");
   motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg");
   if (motor.corner_speed.has_value() != motor.no_load_speed.has_value()) {
-    RefuseYaml(node, fmt::format("motor '{}' has one end of its torque-speed curve; give both the corner velocity and "
-                                 "the no-load velocity, or none",
+    RefuseYaml(node, fmt::format("motor '{}' has only one end of its torque-speed curve; give both the corner velocity "
+                                 "and the no-load velocity, or neither",
                                  motor.name));
   }
   if (motor.corner_speed && *motor.corner_speed >= *motor.no_load_speed) {
@@ -35,11 +35,11 @@ void ParseTraits(const YamlMap& map, UnitKeys& keys, const YAML::Node& node, Rob
                                  motor.name, *motor.corner_speed, *motor.no_load_speed));
   }
   if (motor.continuous_effort && motor.effort && *motor.continuous_effort > *motor.effort) {
-    RefuseYaml(node, fmt::format("motor '{}' has a continuous effort of {}, over its limit of {}", motor.name,
+    RefuseYaml(node, fmt::format("motor '{}' has a continuous effort of {}, above its limit of {}", motor.name,
                                  *motor.continuous_effort, *motor.effort));
   }
   if (motor.thermal_s && !motor.continuous_effort) {
-    RefuseYaml(node, fmt::format("motor '{}' has 'thermal_s', over which a continuous effort is taken, and no "
+    RefuseYaml(node, fmt::format("motor '{}' has 'thermal_s', the averaging time of the continuous effort, but no "
                                  "'continuous_nm' or 'continuous_n'",
                                  motor.name));
   }
@@ -60,7 +60,7 @@ RobotYaml::SharedMotor ParseSharedMotor(const YAML::Node& node, const RobotYaml:
   for (const YAML::Node& ratio : ratios) {
     motor.ratios.push_back(NumberOf(ratio, "a number of 'ratios'", -kLargestRatio, kLargestRatio));
     if (const double size = std::abs(motor.ratios.back()); size > 0.0 && size < 1.0 / kLargestRatio)
-      RefuseYaml(ratio, fmt::format("a number of 'ratios' is {}; 0 or a size of {:g} or more is needed",
+      RefuseYaml(ratio, fmt::format("a number of 'ratios' is {}; accepted: 0, or a magnitude of {:g} or more",
                                     motor.ratios.back(), 1.0 / kLargestRatio));
   }
   motor.effort = keys.Take("effort_nm", "effort_n");
@@ -85,13 +85,15 @@ RobotYaml::SharedDrive ParseTransmission(const YAML::Node& node) {
       RefuseYaml(joint, fmt::format("{} names joint '{}' twice", who, drive.joints.back()));
   }
   if (joints.size() < 2 || joints.size() > kMostShared) {
-    RefuseYaml(*map.Find("joints"), fmt::format("{} has {} joints; 2 to {} are accepted, since the motor of one joint "
-                                                "is described by 'limits' and 'motors'",
-                                                who, joints.size(), kMostShared));
+    RefuseYaml(
+        *map.Find("joints"),
+        fmt::format(
+            "{} has {} joints; 2 to {} are accepted; describe the motor of a single joint by 'limits' and 'motors'",
+            who, joints.size(), kMostShared));
   }
   const std::vector<YAML::Node> motors = ListOf(*map.Find("motors"), "'motors'");
   if (motors.size() != joints.size()) {
-    RefuseYaml(*map.Find("motors"), fmt::format("{} has {} motors and {} joints; it needs as many motors as joints",
+    RefuseYaml(*map.Find("motors"), fmt::format("{} has {} motors but {} joints; it needs one motor for each joint",
                                                 who, motors.size(), joints.size()));
   }
   for (const YAML::Node& motor : motors) drive.motors.push_back(ParseSharedMotor(motor, drive));

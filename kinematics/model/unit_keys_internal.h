@@ -24,7 +24,8 @@ struct UnitKeys {
   bool Sliding(const YAML::Node& node, const std::string& who) const {
     if (turning && sliding) {
       const std::string kind = who.substr(0, who.find(' '));
-      RefuseYaml(node, fmt::format("{} has keys of a turning {} and of a sliding one; it is one of both", who, kind));
+      RefuseYaml(node,
+                 fmt::format("{} has keys of both a revolute {} and a prismatic one; use only one kind", who, kind));
     }
     return sliding;
   }

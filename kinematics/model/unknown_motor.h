@@ -5,15 +5,15 @@
 
 namespace gaitwright {
 
-/// The most that is taken of a motor of which nothing is said [N m, rad/s; of a joint that slides N, m/s].
+/// Assumed limits of an unknown motor [N m, rad/s; for a prismatic joint N, m/s].
 struct MotorBounds {
   double effort, speed;
 };
 
-/// Bounds of a dof by the robot's mass m and leg length l: of a joint that turns 2 m g l and 20 sqrt(g / l), of one
-/// that slides 10 m g and 10 sqrt(g l); infinite for a model without legs. Robots whose motors are known have up to 0.8
-/// m g l (Mini Cheetah) and 12 sqrt(g / l) (Laikago). They limit no plan; they keep a robot that falls a machine,
-/// whatever it is commanded to do.
+/// Bounds of a dof by the robot's mass m and leg length l: for a revolute joint 2 m g l and 20 sqrt(g / l), for a
+/// prismatic one 10 m g and 10 sqrt(g l); infinite for a model without legs. Robots whose motors are known have up to
+/// 0.8 m g l (Mini Cheetah) and 12 sqrt(g / l) (Laikago). They limit no plan; they bound the torque of a falling robot,
+/// so that it is not thrown upward.
 MotorBounds BoundsOfUnknownMotor(const RobotModel& model, int dof);
 
 }  // namespace gaitwright

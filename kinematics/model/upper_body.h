@@ -8,22 +8,22 @@
 
 namespace gaitwright {
 
-/// A limb that is no leg: the chain from the trunk to its farthest end.
+/// A limb that is not a leg: the chain from the trunk to its farthest end.
 struct Limb {
   std::vector<int> dofs;  ///< independent joints, trunk first, each once
   int end_body = 0;
   Vector3 p_BE = Vector3::Zero();  ///< its end E in that body: the body's centre of mass [m]
 };
 
-/// What a robot has beside its legs and what carries them.
+/// Limbs of a robot other than its legs.
 struct UpperBody {
   std::optional<Limb> left_arm, right_arm, head;
 
-  /// The arm of a side; nothing where there is none.
+  /// The arm of a side, if there is one.
   const std::optional<Limb>& arm(bool left) const { return left ? left_arm : right_arm; }
 };
 
-/// Finds arms and a head by where they are in the standing posture; names play no part.
+/// Finds arms and a head by their position in the standing posture; names are not used.
 ///
 ///   arm    of what no leg carries, the largest part all of whose ends are on one side of the body, with two joints or
 ///          more; of several on a side that which reaches farthest

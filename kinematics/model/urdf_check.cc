@@ -61,8 +61,8 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
     if (end == nullptr) Refuse(FailureCode::kUrdfMissing, fmt::format("{}: it has no <{}>", owner, tag));
     ends[i] = Attribute(*end, "link", owner);
     if (!tree.links.contains(ends[i])) {
-      Refuse(FailureCode::kUnknownLink,
-             fmt::format("{}: its {} '{}' is no link{}", owner, tag, ends[i], NearestOrAll(ends[i], tree.link_names)));
+      Refuse(FailureCode::kUnknownLink, fmt::format("{}: its {} '{}' is not a link{}", owner, tag, ends[i],
+                                                    NearestOrAll(ends[i], tree.link_names)));
     }
   }
   if (tree.parent_of.contains(ends[1])) {
@@ -73,7 +73,7 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   tree.parent_of[ends[1]] = ends[0];
   tree.joint_of[ends[1]] = name;
   if (type == "spherical" && joint.FirstChildElement("mimic") != nullptr)
-    Refuse(FailureCode::kBadMimic, fmt::format("{}: a spherical joint mimics none", owner));
+    Refuse(FailureCode::kBadMimic, fmt::format("{}: a spherical joint cannot mimic another joint", owner));
   if (type != "fixed") CheckMotion(joint, type, owner);
 }
 
@@ -100,8 +100,7 @@ void RefuseXacro(const XMLElement& robot) {
   for (const XMLElement* child = robot.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     if (std::string_view(child->Name()).starts_with("xacro:"))
       Refuse(FailureCode::kXacro,
-             fmt::format("line {} has <{}>: this is a xacro file, from which a URDF is yet to be made, by "
-                         "'xacro FILE > robot.urdf'",
+             fmt::format("line {} has <{}>: this is a xacro file; convert it with 'xacro FILE > robot.urdf'",
                          child->GetLineNum(), child->Name()));
   }
 }
@@ -112,12 +111,12 @@ void CheckText(const std::string& urdf_text) {
            fmt::format("the URDF has {} bytes; at most {} are read", urdf_text.size(), kLargestUrdf));
   }
   if (const std::size_t at = urdf_text.find('\0'); at != std::string::npos)
-    Refuse(FailureCode::kNotXml, fmt::format("the URDF is not XML: byte {} is 0x00, which is no text", at + 1));
+    Refuse(FailureCode::kNotXml, fmt::format("the URDF is not XML: byte {} is 0x00", at + 1));
   for (std::size_t at = urdf_text.find("&#"); at != std::string::npos; at = urdf_text.find("&#", at + 1)) {
     const std::size_t digits = urdf_text.find_first_not_of("xX0", at + 2);
     if (digits != std::string::npos && digits > at + 2 && urdf_text[digits] == ';')
       Refuse(FailureCode::kNotXml,
-             fmt::format("the URDF is not XML: byte {} begins '&#0;', which is no character", at + 1));
+             fmt::format("the URDF is not XML: byte {} begins '&#0;', which is not a character", at + 1));
   }
 }
 

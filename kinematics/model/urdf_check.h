@@ -8,13 +8,13 @@
 
 namespace gaitwright {
 
-/// Reads a URDF for what is wrong with it before urdfdom, which passes over much, sees it: not XML, another root
-/// element, names that are missing, double or unknown, a link with two parents (a loop), several roots or a detached
-/// cycle, numbers that are not finite or absurd, a negative mass, a zero axis, a missing or inverted limit, a mimic of
-/// an unknown or fixed joint, of itself, in a circle or with multiplier 0, an unsupported joint type, a size that is
-/// not positive, a mesh without a file.
-/// @param strict  an inertia that no body has is refused too; else it is mended later.
-/// @return the first thing wrong, naming the offender, or nothing.
+/// Checks a URDF before urdfdom, which ignores many errors, reads it: not XML, another root element, names that are
+/// missing, double or unknown, a link with two parents (a loop), several roots or a detached cycle, numbers that are
+/// not finite or far too large, a negative mass, a zero axis, a missing or inverted limit, a mimic of an unknown or
+/// fixed joint, of itself, in a cycle or with multiplier 0, an unsupported joint type, a size that is not positive, a
+/// mesh without a file.
+/// @param strict  a non-physical inertia is refused too; else it is repaired later.
+/// @return the first error, naming the element, or nothing.
 std::optional<Failure> CheckUrdf(const std::string& urdf_text, bool strict = false);
 
 }  // namespace gaitwright

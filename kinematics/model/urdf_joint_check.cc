@@ -16,10 +16,9 @@ using tinyxml2::XMLElement;
 /// The URDF gives a limit that is left out the value 0; a joint cannot be meant to stop there unsaid.
 double PositionLimit(const XMLElement& limit, const char* name, const std::string& owner) {
   if (limit.Attribute(name) == nullptr) {
-    Refuse(FailureCode::kMissingLimit,
-           fmt::format("{}: its <limit> has no '{}', which the URDF format takes for 0: say it, as lower=\"...\" "
-                       "upper=\"...\", or make the joint continuous",
-                       owner, name));
+    Refuse(FailureCode::kMissingLimit, fmt::format("{}: its <limit> has no '{}', which the URDF format reads as 0; add "
+                                                   "lower=\"...\" upper=\"...\", or make the joint continuous",
+                                                   owner, name));
   }
   return Number(limit, name, owner);
 }
@@ -39,7 +38,7 @@ void CheckLimit(const XMLElement& joint, const std::string& type, const std::str
   const double lower = PositionLimit(*limit, "lower", owner), upper = PositionLimit(*limit, "upper", owner);
   if (lower > upper)
     Refuse(FailureCode::kBadLimit,
-           fmt::format("{}: its lower limit {} is over its upper limit {}", owner, lower, upper));
+           fmt::format("{}: its lower limit {} is above its upper limit {}", owner, lower, upper));
 }
 
 /// Numbers of an element of a joint that may be left out; negative ones are refused where `positive`.
@@ -65,7 +64,7 @@ void CheckMimic(const XMLElement& mimic, const std::map<std::string, std::string
   if (target == name) Refuse(FailureCode::kBadMimic, fmt::format("{}: it mimics itself; name another joint", owner));
   if (!types.contains(target)) {
     Refuse(FailureCode::kUnknownMimic,
-           fmt::format("{}: it mimics '{}', which is no joint{}", owner, target, NearestOrAll(target, others)));
+           fmt::format("{}: it mimics '{}', which is not a joint{}", owner, target, NearestOrAll(target, others)));
   }
   if (types.at(target) == "fixed") {
     Refuse(FailureCode::kBadMimic,
@@ -113,7 +112,7 @@ void CheckMimics(const XMLElement& robot) {
       path += fmt::format(" mimics '{}'", at);
       if (!seen.insert(at).second) {
         Refuse(FailureCode::kBadMimic,
-               fmt::format("joint '{}': {}: a circle; one of them must mimic none", follower, path));
+               fmt::format("joint '{}': {}: a cycle; one of them must not mimic another", follower, path));
       }
       if (!leader.contains(at)) break;
       path += ", which";

@@ -44,9 +44,7 @@ void CheckMesh(const XMLElement& mesh, const std::string& owner) {
   }
   if (mesh.Attribute("scale") == nullptr) return;
   for (const double s : Numbers(mesh.Attribute("scale"), 3, owner + ", mesh scale", kHeaviest)) {
-    if (s == 0.0)
-      Refuse(FailureCode::kUrdfGeometry,
-             fmt::format("{}: its mesh has the scale 0, which leaves nothing of it", owner));
+    if (s == 0.0) Refuse(FailureCode::kUrdfGeometry, fmt::format("{}: its mesh has scale 0", owner));
   }
 }
 
@@ -89,7 +87,7 @@ std::string Attribute(const XMLElement& element, const char* name, const std::st
                                                element.Name(), std::strlen(text), kLongestAttribute));
   }
   if (!IsPlainText(text)) {
-    Refuse(FailureCode::kNotText, fmt::format("{}: '{}' of <{}> holds what is no text in UTF-8, or a control character",
+    Refuse(FailureCode::kNotText, fmt::format("{}: '{}' of <{}> is not valid UTF-8 or contains a control character",
                                               owner, name, element.Name()));
   }
   return text;
@@ -106,13 +104,14 @@ std::vector<double> Numbers(const std::string& text, std::size_t count, const st
       Refuse(FailureCode::kUrdfNumber, fmt::format("{}: '{}' is not a finite number", owner, word));
     }
     if (std::abs(value) > largest) {
-      Refuse(FailureCode::kUrdfNumber, fmt::format("{}: {} is absurd; at most {} is accepted", owner, word, largest));
+      Refuse(FailureCode::kUrdfNumber,
+             fmt::format("{}: {} is too large; at most {} is accepted", owner, word, largest));
     }
     numbers.push_back(value);
   }
   if (numbers.size() != count) {
     Refuse(FailureCode::kUrdfNumber,
-           fmt::format("{}: '{}' holds {} numbers, {} are needed", owner, text, numbers.size(), count));
+           fmt::format("{}: '{}' has {} numbers; {} are needed", owner, text, numbers.size(), count));
   }
   return numbers;
 }

@@ -8,14 +8,14 @@
 
 namespace gaitwright {
 
-/// Where the axis of a wrench may be moved to, level, so that contacts inside their friction cones still give it: all
-/// shifts d in x and y [m] for which there are forces f_i in K_i with
+/// Horizontal shifts of a wrench's axis for which contacts inside their friction cones can still provide it: all shifts
+/// d in x and y [m] for which there are forces f_i in K_i with
 ///   sum_i f_i = F,   sum_i (p_i - p) x f_i = M + d x F.
-/// The convex hull of such shifts, exact to 1e-4 m on the side that is nearest to no shift at all. Empty when there are
-/// none. On level ground with friction enough it is the support polygon seen from the ZMP; on contacts in no plane,
-/// where there is no ZMP, it stands in for that: a slice of the contact wrench cone. Caron, Pham and Nakamura, RSS 2015
-/// and T-RO 33(1), 2017. Where contacts can press against each other, as between two walls, it has sides without end,
-/// of which 10 m are returned. By linear programming over rays of the second-order cones, made as they are needed.
+/// The convex hull of such shifts, exact to 1e-4 m on the side that is nearest to no shift at all. Empty if there are
+/// none. On level ground with enough friction it is the support polygon relative to the ZMP; for non-coplanar contacts,
+/// which have no ZMP, it replaces the support polygon: a slice of the contact wrench cone. Caron, Pham and Nakamura,
+/// RSS 2015 and T-RO 33(1), 2017. Where contacts can press against each other, as between two walls, it is unbounded,
+/// and 10 m are returned. By linear programming over rays of the second-order cones, made as they are needed.
 /// @throws InvalidArgument unless the force points up and there is a contact, with friction above 0 each.
 Polygon WrenchShifts(const std::vector<ContactPoint>& contacts, const PointWrench& wrench);
 

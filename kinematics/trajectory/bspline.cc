@@ -78,7 +78,7 @@ QuinticBasis EvaluateQuinticBasis(int control_points, double u) {
 CubicBasis EvaluateCubicBasis(const std::vector<double>& breaks, double t) {
   constexpr int kDegree = 3;
   if (breaks.size() < 2 || std::adjacent_find(breaks.begin(), breaks.end(), std::greater_equal<>()) != breaks.end())
-    throw InvalidArgument("a cubic B-spline needs two breaks or more, each later than the one before");
+    throw InvalidArgument("a cubic B-spline needs two or more knots in rising order");
   t = std::clamp(t, breaks.front(), breaks.back());
   const int intervals = static_cast<int>(breaks.size()) - 1;
   const auto after = std::upper_bound(breaks.begin(), breaks.end() - 1, t);

@@ -7,7 +7,7 @@
 namespace gaitwright {
 
 /// The basis functions that are not zero at one place of a clamped B-spline: the spline there is the sum of value[i]
-/// times control point first + i, likewise its derivatives.
+/// times control point first + i; derivatives in the same way.
 template <std::size_t degree>
 struct BsplineBasis {
   int first = 0;

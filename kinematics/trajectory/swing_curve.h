@@ -13,9 +13,8 @@ struct Motion1 {
 };
 
 /// Minimum-jerk step from 0 to 1 over u in [0, 1] and its derivatives by u: 10 u^3 - 15 u^4 + 6 u^5; constant outside.
-/// Flash and Hogan, J. Neuroscience 5(7), 1985.
-/// Of a `cruise` over 0, up to 1, that share of the time in the middle goes by at constant rate; before and after, the
-/// two halves of the minimum-jerk step.
+/// Flash and Hogan, J. Neuroscience 5(7), 1985. With `cruise` above 0 (below 1), this share of the time in the middle
+/// has constant rate, with the two halves of the minimum-jerk step before and after.
 Motion1 SmoothStep(double u, double cruise = 0.0);
 
 /// Bump 64 u^3 (1 - u)^3 from 0 to 1 at u = 1/2 and back, with zero rate and acceleration at both ends; 0 outside.
@@ -31,10 +30,10 @@ struct FrameMotion {
 /// Control points at each end of a swing's detour, which are zero: it starts and ends at rest on its footholds.
 inline constexpr int kFixedSwingPoints = 3;
 
-/// A swing: a minimum-jerk move, or one that cruises, from start to end (SmoothStep) with a bump of `lift_m` along z,
-/// which for one that cruises is a parabola over the way, as of a body in flight; at rest (zero velocity and
-/// acceleration) at both ends. The rotation is the shortest one, about a fixed axis. Where `detour_W` has control
-/// points, a quintic B-spline takes the bump's place: three points of zero, these, three points of zero.
+/// A swing: a minimum-jerk move, or one with constant speed in the middle (`cruise`), from start to end (SmoothStep),
+/// with a bump of `lift_m` along z, which is a parabola with `cruise`, as of a body in flight; at rest (zero velocity
+/// and acceleration) at both ends. The rotation is the shortest one, about a fixed axis. If `detour_W` has control
+/// points, a quintic B-spline replaces the bump: three points of zero, these, three points of zero.
 struct SwingCurve {
   double start_s = 0.0, end_s = 1.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();

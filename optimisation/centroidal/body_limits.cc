@@ -97,11 +97,10 @@ class Limits {
         FailureKind::kInfeasible,
         FailureCode::kTooLittleFriction,
         "PlanRigidBody",
-        fmt::format(
-            "{:.2f} m from rest to rest in {:.2f} s take more than a friction of {:.3g}, with which a body goes "
-            "{:.2f} m at most",
-            way, t, friction / use, most),
-        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "more time", "a shorter way"}};
+        fmt::format("moving {:.2f} m from rest to rest in {:.2f} s needs more friction than {:.3g}, which allows at "
+                    "most {:.2f} m",
+                    way, t, friction / use, most),
+        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "more time", "a shorter distance"}};
   }
 
  private:
@@ -129,8 +128,8 @@ class Limits {
     std::vector<Suggestion> suggestions = {"a shorter cycle", "a larger duty factor"};
     if (most_s > 0.0) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.2f} s at most", most_s));
     return {FailureKind::kInfeasible, FailureCode::kFlightTooLong, "PlanRigidBody",
-            fmt::format("a flight of {:.2f} s at {:.2f} s takes a lift-off at {:.2f} m/s; legs that push with {:.0f} N "
-                        "over {:.2f} m and {:.2f} s, a body of {:.1f} kg, give {:.2f} m/s at most",
+            fmt::format("a flight of {:.2f} s at {:.2f} s needs a lift-off speed of {:.2f} m/s; legs that push with "
+                        "{:.0f} N over {:.2f} m and {:.2f} s give a body of {:.1f} kg at most {:.2f} m/s",
                         flight_s, from.end_s, takes, from.most_n, from.highest_m - from.lowest_m,
                         from.end_s - from.start_s, problem_.mass_kg, std::max(0.0, gives)),
             suggestions};

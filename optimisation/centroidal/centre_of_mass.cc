@@ -83,13 +83,13 @@ Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Ve
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kZmpSupport,
                    "PlanCentreOfMass",
-                   fmt::format("in phase {} the ZMP would at {:.2f} s be {:.1f} mm outside its support",
+                   fmt::format("in phase {}, the ZMP at {:.2f} s would be {:.1f} mm outside its support",
                                ZmpPhaseAt(problem, worst_s), worst_s, 1e3 * worst),
-                   {"stand longer at the ends, or take smaller or slower steps"},
+                   {"stand longer at the start and end, or use shorter or slower steps"},
                    Violation{Law::kZmpSupport, worst_s, "zero-moment point", worst, 0.0, "m"}};
   }
   plan.trajectory = PendulumMotion(problem, p_WZ);
-  plan.summary = fmt::format("{} samples, least ZMP margin {:.1f} mm", problem.samples, 1e3 * plan.margin_min_m);
+  plan.summary = fmt::format("{} samples, smallest ZMP margin {:.1f} mm", problem.samples, 1e3 * plan.margin_min_m);
   return plan;
 }
 

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// How the centre of mass is planned, and what the ZMP is to keep.
+/// Planner of the centre of mass, and requirements on the ZMP.
 struct CentreOfMassOptions {
   std::string method = "optimised";
   double zmp_margin_m = 0.0;
@@ -20,61 +20,38 @@ struct CentreOfMassOptions {
   double preview_jerk_weight = 1e-6;
 
   OptionFields Fields() {
-    return {
-        {"method",
-         &method,
-         "",
-         0.0,
-         0.0,
-         "How the ZMP is found: by optimisation over its supports, in closed form or by preview control; or, with "
-         "momentum "
-         "and contact forces, the motion of a rigid body, as gaits that leave the ground are planned in any case.",
-         {"optimised", "closed-form", "preview", "rigid-body"}},
-        {"zmp_margin_m",
-         &zmp_margin_m,
-         "m",
-         0.0,
-         0.2,
-         "Least distance of the planned ZMP to the edge of a support that has area; next to a support without, the way "
-         "there.",
-         {}},
-        {"centre_weight",
-         &centre_weight,
-         "1/(m^2 s)",
-         1e-6,
-         1e6,
-         "Weight of the squared distance of the ZMP to its preferred point, over time.",
-         {}},
-        {"knot_spacing_s",
-         &knot_spacing_s,
-         "s",
-         0.02,
-         1.0,
-         "Longest time between two knots of the ZMP; a phase has at least one between its ends.",
-         {}},
-        {"preview_s",
-         &preview_s,
-         "s",
-         0.1,
-         5.0,
-         "How far preview control looks ahead; with it a plan stands that much longer at both ends.",
-         {}},
-        {"preview_jerk_weight",
-         &preview_jerk_weight,
-         "s^6/m^2",
-         1e-12,
-         1.0,
-         "Weight of the squared jerk in preview control, against 1 for the squared ZMP error.",
-         {}},
-        {"smooth_weight", &smooth_weight, "s/m^2", 0.0, 1e6, "Weight of the squared rate of the ZMP, over time.", {}}};
+    return WithBasics(
+        {"method", "zmp_margin_m"},
+        {{"method",
+          &method,
+          "",
+          0.0,
+          0.0,
+          "Planner of the centre of mass: optimised ZMP, closed form, preview control, or rigid body with contact "
+          "forces. Gaits with flight always use rigid-body.",
+          {"optimised", "closed-form", "preview", "rigid-body"}},
+         {"zmp_margin_m", &zmp_margin_m, "m", 0.0, 0.2,
+          "Smallest distance from the planned ZMP to the edge of its support region, or to the ends of a line "
+          "support."},
+         {"centre_weight", &centre_weight, "1/(m^2 s)", 1e-6, 1e6,
+          "Cost weight of the squared distance between the ZMP and its preferred point, integrated over time."},
+         {"knot_spacing_s", &knot_spacing_s, "s", 0.02, 1.0,
+          "Longest time between two knots of the ZMP spline; each phase that is long enough has an inner knot."},
+         {"preview_s", &preview_s, "s", 0.1, 5.0,
+          "Horizon of preview control; the plan stands longer by this time at both ends."},
+         {"preview_jerk_weight", &preview_jerk_weight, "s^6/m^2", 1e-12, 1.0,
+          "Cost weight of the squared jerk in preview control; the squared ZMP error has weight 1."},
+         {"smooth_weight", &smooth_weight, "s/m^2", 0.0, 1e6,
+          "Cost weight of the squared rate of the ZMP, integrated over time."}});
   }
 };
 
 /// The centre of mass of the pendulum under a ZMP in its supports that makes it start and end at rest.
-///   optimised    OptimiseZmp: near its preferred points and smooth; where that finds none, the closed form if it keeps
-///                to the supports
-///   closed-form  at its preferred points, moved in the first and last phase as little as makes the ends meet
-///   preview      PreviewZmp, moved likewise
+///   optimised    OptimiseZmp: near its preferred points and smooth; if it fails, the closed form if that stays in the
+///                supports
+///   closed-form  at its preferred points, moved in the first and last phase as little as needed to start and end at
+///                rest
+///   preview      PreviewZmp, moved in the same way
 /// Failure kInfeasible names the phase in which the ZMP would leave its region, and by how much.
 Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const CentreOfMassOptions& options);
 

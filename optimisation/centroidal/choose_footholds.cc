@@ -98,14 +98,14 @@ class Chooser {
       if (way_.time_s[k] >= stance.start_s) first = way_.p_WC[k];
       if (way_.time_s[k] >= stance.end_s) last = way_.p_WC[k];
     }
-    return {FailureKind::kInfeasible,
-            FailureCode::kOutOfReach,
-            "ChooseFootholds",
-            fmt::format(
-                "foot {}, on the ground from {:.2f} to {:.2f} s while the body goes {:.2f} m, stays {:.3f} m out of "
-                "its workspace at {:.2f} s on the best way found, whatever the forces",
-                stance.foot, stance.start_s, stance.end_s, (last - first).norm(), misfit.largest_m, misfit.at_s),
-            {"give it more time, a shorter way or shorter stances"}};
+    return {
+        FailureKind::kInfeasible,
+        FailureCode::kOutOfReach,
+        "ChooseFootholds",
+        fmt::format("foot {}, on the ground from {:.2f} to {:.2f} s while the body moves {:.2f} m, stays {:.3f} m "
+                    "outside its workspace at {:.2f} s on the best path found, for any forces",
+                    stance.foot, stance.start_s, stance.end_s, (last - first).norm(), misfit.largest_m, misfit.at_s),
+        {"allow more time, a shorter path or shorter stances"}};
   }
 
   /// All patches there are covered by others.
@@ -125,18 +125,18 @@ class Chooser {
       return Failure{FailureKind::kInfeasible,
                      FailureCode::kGoalOutOfReach,
                      "ChooseFootholds",
-                     fmt::format("at the goal foot {} is {:.3f} m out of its workspace wherever it stands", ground.foot,
+                     fmt::format("at the goal, foot {} is {:.3f} m outside its workspace on every patch", ground.foot,
                                  ground.out_of_reach_m),
-                     {"another height or tilt of the body there"}};
+                     {"choose another height or tilt of the body at the goal"}};
     }
     if (ground.needed_friction <= ground.friction) return std::nullopt;
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kGoalNotHeld,
                    "ChooseFootholds",
-                   fmt::format("no forces hold the body at rest at the goal: the ground that its feet reach from there "
-                               "is too steep for a friction of {:.2f}; {:.2f} is needed",
+                   fmt::format("no contact forces can hold the body at rest at the goal: the ground within reach is "
+                               "too steep for a friction of {:.2f}; {:.2f} is needed",
                                ground.friction, ground.needed_friction),
-                   {"a goal on ground less steep, or more friction"}};
+                   {"choose a goal on less steep ground, or more friction"}};
   }
 
   /// Whether friction holds a body at rest on the ground that feet stand on at the end.
@@ -282,11 +282,14 @@ bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double ed
 }
 
 OptionFields ChooseFootholdsOptions::Fields() {
-  return {{"edge_margin_m", &edge_margin_m, "m", 0.0, 1.0, "Least distance of a foothold to an edge.", {}},
-          {"spacing_s", &spacing_s, "s", 0.01, 1.0, "Between the places of the body that are looked at.", {}},
-          {"misfit_m", &misfit_m, "m", 0.0, 1.0, "How far out of reach a foothold may be with nothing else tried.", {}},
-          {"hopeless_m", &hopeless_m, "m", 0.0, 10.0, "How far out of reach a foothold may stay at most.", {}},
-          {"max_trials", &max_trials, "1", 1, 1000, "Most ways that are fitted.", {}}};
+  return {{"edge_margin_m", &edge_margin_m, "m", 0.0, 1.0, "Smallest distance of a foothold to an edge of its patch."},
+          {"spacing_s", &spacing_s, "s", 0.01, 1.0,
+           "Distance between the positions of the body at which reach is checked."},
+          {"misfit_m", &misfit_m, "m", 0.0, 1.0,
+           "Distance out of reach up to which no other patch is tried for a foothold."},
+          {"hopeless_m", &hopeless_m, "m", 0.0, 10.0,
+           "Largest distance out of reach that a foothold may keep; the problem is infeasible beyond it."},
+          {"max_trials", &max_trials, "1", 1, 1000, "Maximum number of paths of the body that are fitted."}};
 }
 
 Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
@@ -301,8 +304,8 @@ Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyP
         FailureKind::kInfeasible,
         FailureCode::kNoPatches,
         "ChooseFootholds",
-        fmt::format("ground '{}' has no patch with room for a foot {:.3f} m from its edges", terrain.name, margin),
-        {"give it patches, or lower edge_margin_m"}};
+        fmt::format("ground '{}' has no patch with space for a foot {:.3f} m from its edges", terrain.name, margin),
+        {"add patches to the ground, or lower edge_margin_m"}};
   }
   return Chooser(terrain, problem, options).Run();
 }

@@ -61,7 +61,7 @@ VectorX CostByDurations(const RigidBodyProblem& problem, const RigidBodyOptions&
                         const RigidBodyNumbers& numbers) {
   constexpr double kStep = 1e-7;
   const std::optional<double> here = Lagrangian(problem, options, numbers);
-  if (!IsRetimable(problem) || !here) throw InvalidArgument("CostByDurations: these numbers are of another problem");
+  if (!IsRetimable(problem) || !here) throw InvalidArgument("CostByDurations: the variables belong to another problem");
   const std::vector<double> switches = SwitchTimes(problem);
   VectorX slope(static_cast<Eigen::Index>(switches.size()) - 1);
   for (std::size_t phase = 0; phase + 1 < switches.size(); ++phase) {

@@ -7,22 +7,22 @@
 
 namespace gaitwright {
 
-/// Switches of contact nearer to each other than this are one [s].
+/// Contact switches closer than this in time are one [s].
 constexpr double kSameSwitch_s = 1e-4;
 
-/// The times at which any contact or rest of a problem begins or ends, in order, those that are nearly the same taken
-/// together; the first is 0 and the last the end. Between two of them is a phase.
+/// The times at which any contact or rest of a problem begins or ends, in order, with nearly equal times merged; the
+/// first is 0 and the last the end. A phase lies between two of them.
 std::vector<double> SwitchTimes(const RigidBodyProblem& problem);
 
-/// Times of one schedule by those of another: straight between switches, each of which has its own in the other.
-/// @param from, to  SwitchTimes, as many of both.
+/// Map of times from one schedule to another: linear between corresponding switches.
+/// @param from, to  SwitchTimes, equal in number.
 class TimeMap {
  public:
   TimeMap(std::vector<double> from, std::vector<double> to);
 
   /// The time of the other schedule.
   double At(double time_s) const;
-  /// The same of a switch, whose time is exactly that of all that are one with it.
+  /// As above for a switch; merged switches get exactly the same time.
   double SwitchAt(double time_s) const;
 
  private:
@@ -31,12 +31,12 @@ class TimeMap {
   std::vector<double> from_, to_;
 };
 
-/// The problem with switches at other times: stances, its duration and the way of its first guess go with them. How far
-/// contacts roll stays spread evenly over their stances. Only for problems without inner momentum and limits of motors,
-/// which follow from how legs move at given times (IsRetimable).
+/// The problem with switches at other times: stances, duration and initial path move with them. Rolling of contacts
+/// stays evenly spread over their stances. Only for problems without leg angular momentum and motor limits, which
+/// belong to given times (IsRetimable).
 RigidBodyProblem Retimed(RigidBodyProblem problem, const TimeMap& map);
 
-/// Whether nothing in it belongs to given times but its stances and its way.
+/// Whether only its stances and its path depend on time.
 bool IsRetimable(const RigidBodyProblem& problem);
 
 }  // namespace gaitwright

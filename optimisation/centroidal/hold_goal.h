@@ -8,21 +8,21 @@
 
 namespace gaitwright {
 
-/// The least friction, up to `most`, with which forces at contacts on ground of these normals add up to one that is
-/// straight up, as a body at rest needs; infinite where that does not do. On ground that all slopes the same way it is
-/// the tangent of the least slope; between walls that face each other, or astride a ridge, less does.
+/// The smallest friction, up to `most`, with which contact forces on ground with these normals can add up to a vertical
+/// force, as needed at rest; infinite if `most` is not enough. On parallel slopes it is the tangent of the smallest
+/// slope; between facing walls or astride a ridge it is less.
 double LeastHoldingFriction(const std::vector<Vector3>& normals_W, double most = 10.0);
 
-/// What the feet that are on the ground at the end find there, with the body where it is to be.
+/// Ground of the final stance feet, for the body at its goal.
 struct GoalGround {
-  int foot = -1;                ///< that is farthest out of its workspace wherever it stands; -1 where all reach ground
-  double out_of_reach_m = 0.0;  ///< by how much
-  double friction = 0.0;        ///< the greatest of the ground within reach
-  double needed_friction = 0.0;  ///< that holds the body at rest there; 0 where it is not to be at rest
+  int foot = -1;                 ///< the foot farthest out of its workspace on every patch; -1 if all reach ground
+  double out_of_reach_m = 0.0;   ///< by how much
+  double friction = 0.0;         ///< largest friction of the ground within reach
+  double needed_friction = 0.0;  ///< friction that holds the body at rest there; 0 if it need not be at rest
 };
 
-/// Looks at each patch for each foot, and at all ways of standing one foot on one patch. @param tolerance_m  how far
-/// out of reach a foothold may be and count as reached.
+/// Checks each patch for each foot, and all combinations of feet and patches. @param tolerance_m  distance out of reach
+/// up to which a foothold counts as reached.
 GoalGround LookAtGoal(const Terrain& terrain, const RigidBodyProblem& problem, double edge_margin_m,
                       double tolerance_m);
 

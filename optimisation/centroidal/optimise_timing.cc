@@ -41,12 +41,12 @@ VectorX ShortestOf(const RigidBodyProblem& problem, const std::vector<double>& s
   return shortest;
 }
 
-Failure NoTiming(const VectorX& durations, const char* which, const char* than, double total_s) {
+Failure NoTiming(const VectorX& durations, const char* which, const char* of_total, double total_s) {
   return {FailureKind::kInfeasible,
           FailureCode::kNoTiming,
           "OptimiseTiming",
-          fmt::format("{} phases take {:g} s together at their {}, and {} {:g} s", durations.size(), durations.sum(),
-                      which, than, total_s),
+          fmt::format("{} phases take {:g} s in all at their {} durations; the {} accepted total is {:g} s",
+                      durations.size(), durations.sum(), which, of_total, total_s),
           {"change shortest_s, shortest_swing_s, longest_s, least_total or most_total"}};
 }
 
@@ -81,22 +81,22 @@ class TimingSearch {
       return Failure{FailureKind::kBadInput,
                      FailureCode::kNoDuration,
                      "OptimiseTiming",
-                     fmt::format("a phase cannot last at least {:g} s and at most {:g} s", bounds_.lower.maxCoeff(),
-                                 options_.longest_s),
+                     fmt::format("the shortest phase duration, {:g} s, is above the longest, {:g} s",
+                                 bounds_.lower.maxCoeff(), options_.longest_s),
                      {"lower shortest_s or shortest_swing_s, or raise longest_s"}};
     }
     constexpr double kDigits = 1e-9;
     if (bounds_.lower.sum() > (1.0 + kDigits) * bounds_.most_total_s)
-      return NoTiming(bounds_.lower, "shortest", "there are", bounds_.most_total_s);
+      return NoTiming(bounds_.lower, "shortest", "longest", bounds_.most_total_s);
     if (bounds_.upper.sum() < (1.0 - kDigits) * bounds_.least_total_s)
-      return NoTiming(bounds_.upper, "longest", "are to take", bounds_.least_total_s);
+      return NoTiming(bounds_.upper, "longest", "shortest", bounds_.least_total_s);
     if (IsRetimable(best_.problem)) return std::nullopt;
-    return Failure{
-        FailureKind::kBadInput,
-        FailureCode::kTiedToTime,
-        "OptimiseTiming",
-        "inner momentum, limits of motors and clearances belong to given times, so that these cannot be variables",
-        {"leave them out, and find them anew at the times that are found"}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kTiedToTime,
+                   "OptimiseTiming",
+                   "leg angular momentum, motor limits and clearances are given for fixed times, so the timing cannot "
+                   "be optimised",
+                   {"leave them out, and compute them again for the optimised times"}};
   }
 
   /// The switches of phases of such durations; the end is in bounds to the last digit.
@@ -156,7 +156,7 @@ class TimingSearch {
       switches_ = to;
     }
     if (plan) return plan;
-    failure.message += fmt::format("; at other times of contacts {:.3g} stays unmet", at.summary.violations);
+    failure.message += fmt::format("; with other contact times, a violation of {:.3g} remains", at.summary.violations);
     return failure;
   }
 
@@ -243,29 +243,25 @@ class TimingSearch {
 }  // namespace
 
 OptionFields TimingOptions::Fields() {
-  return {
-      {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase.", {}},
-      {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase.", {}},
-      {"shortest_swing_s",
-       &shortest_swing_s,
-       "s",
-       0.0,
-       100.0,
-       "Shortest that a foot's swing becomes; one that is given shorter becomes no shorter.",
-       {}},
-      {"least_total", &least_total, "1", 0.01, 1.0, "Least total time, of the one that is given.", {}},
-      {"most_total", &most_total, "1", 1.0, 100.0, "Greatest total time, of the one that is given.", {}},
-      {"first_change", &first_change, "1", 0.01, 0.9, "Most share of a duration that the first step changes.", {}},
-      {"most_change", &most_change, "1", 0.01, 0.9, "Most share of a duration that any step changes.", {}},
-      {"least_gain", &least_gain, "1", 1e-6, 1.0, "Share of the cost that a step must gain for another one.", {}},
-      {"max_solves",
-       &max_solves,
-       "1",
-       0,
-       1000,
-       "Most motions that are planned on the way, and as many before where there is none yet.",
-       {}},
-  };
+  return WithBasics(
+      {"shortest_s", "longest_s", "max_solves"},
+      {
+          {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase."},
+          {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase."},
+          {"shortest_swing_s", &shortest_swing_s, "s", 0.0, 100.0,
+           "Shortest duration of a foot's swing; a swing that starts out shorter keeps its duration as the limit."},
+          {"least_total", &least_total, "1", 0.01, 1.0, "Shortest total time, as a share of the given total time."},
+          {"most_total", &most_total, "1", 1.0, 100.0, "Longest total time, as a multiple of the given total time."},
+          {"first_change", &first_change, "1", 0.01, 0.9,
+           "Largest relative change of a phase's duration in the first step of the optimiser."},
+          {"most_change", &most_change, "1", 0.01, 0.9,
+           "Largest relative change of a phase's duration in any step of the optimiser."},
+          {"least_gain", &least_gain, "1", 1e-6, 1.0,
+           "Relative decrease of the cost below which the optimisation ends."},
+          {"max_solves", &max_solves, "1", 0, 1000,
+           "Maximum number of motions planned while the cost falls; the search for a first feasible motion may use as "
+           "many."},
+      });
 }
 
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning,

@@ -6,9 +6,9 @@
 namespace gaitwright {
 
 /// Tuning
-///   phases of the gait become a hurry or a wait     raise shortest_s, lower longest_s
+///   phases of the gait become too short or long     raise shortest_s, lower longest_s
 ///   legs cannot swing as fast as that               raise shortest_swing_s
-///   there is no haste, or time to gain              raise most_total, lower least_total
+///   the total time is too short or too long         raise most_total, lower least_total
 ///   cost could fall further                         lower least_gain, raise max_solves
 ///   motions from one step to the next are refused   lower first_change, most_change
 struct TimingOptions {
@@ -25,39 +25,36 @@ struct TimingOptions {
   OptionFields Fields();
 };
 
-/// A motion at times that suit it.
+/// A motion with optimised timing.
 struct TimedPlan {
-  RigidBodyProblem problem;  ///< with its stances at these times
+  RigidBodyProblem problem;  ///< with its stances at the optimised times
   RigidBodyPlan plan;
-  double first_cost = 0.0;  ///< of the first motion, at the times that were given or those that mended it
-  bool mended = false;      ///< there was no motion at the times that were given
-  int steps = 0;            ///< from one set of durations to a better one
-  int solves = 0;           ///< that this took, refused ones too, without that of the first motion
+  double first_cost = 0.0;  ///< of the first motion, at the given times or the first feasible ones
+  bool mended = false;      ///< the given times had no feasible motion
+  int steps = 0;            ///< improvements of the durations
+  int solves = 0;           ///< number of solves, including refused ones, without the first motion
 };
 
-/// Makes the durations of a motion's phases (SwitchTimes) variables, within bounds, with the total time given or free,
-/// and finds ones of less cost nearby. Contacts begin and end in the order that they have, and those that do so
-/// together stay together. Each step goes along the slope of the least cost by the durations (cost_by_durations.h) with
-/// a curvature learnt from former steps (damped BFGS; Nocedal and Wright, 2006, procedure 18.2), no farther than a
-/// share of each duration that follows how well former steps did, and is planned from the last motion; it is taken only
-/// if the motion keeps all laws, at 1 kHz too, and costs less, so that what has a motion keeps one and costs no more.
-/// Where there is no motion at the times that are given, steps go along the slope of what is paid for the violation of
-/// laws, until there is one.
-/// Legs have no mass here, so that nothing else keeps swings from being hurried: none becomes shorter than
-/// shortest_swing_s, or than it is given where that is less; each phase of it keeps its share of that at least.
-/// At the end, where the times that were found ask for more breaks, these are placed anew if the motion over them costs
-/// no more.
+/// Optimises the durations of a motion's phases (SwitchTimes) within bounds, with fixed or free total time, by a local
+/// search. The order of contact switches is kept, and simultaneous ones stay simultaneous. Each step follows the
+/// derivative of the optimal cost by the durations (cost_by_durations.h) with a curvature from former steps (damped
+/// BFGS; Nocedal and Wright, 2006, procedure 18.2), limited by a trust region relative to each duration, and is planned
+/// from the last motion; it is accepted only if the motion satisfies all constraints, also at 1 kHz, and costs less. If
+/// the given times have no feasible motion, steps follow the derivative of the constraint penalty until there is one.
+/// Legs have no mass here, so swing durations need a bound: none becomes shorter than shortest_swing_s, or than its
+/// given duration if that is less; each of its phases keeps at least its share of that. At the end, if the optimised
+/// times need more nodes, these are placed again, provided that the motion over them costs no more.
 ///
-/// The cost is an integral over time: with the total time free, less of it may mean less of what is weighed by time,
-/// and more of it weaker forces; costs of different totals are of motions that take as long as they do.
+/// The cost is an integral over time: with free total time, a shorter time reduces terms that are integrated over
+/// time, and a longer time reduces forces; compare costs of different total times with care.
 ///
-/// Failures: those of PlanRigidBody, where other times do not mend them; kInfeasible `no_timing` where the shortest
-/// phases together are longer than the greatest total, or the longest shorter than the least; kBadInput `no_duration`
-/// where a shortest duration is longer than the longest, `tied_to_time` for inner momentum or limits of motors, which
-/// belong to given times and are to be found anew for others.
-/// @throws InvalidArgument as CheckRigidBodyProblem, and for options that are none.
-/// @param first  if given: the motion at the times that are given, of the same options. It is planned anew where some
-///               of these times are out of bounds and brought to the nearest ones that are not.
+/// Failures: those of PlanRigidBody, if other times do not help; kInfeasible `no_timing` if the sum of the shortest
+/// durations exceeds the longest total, or the sum of the longest is below the shortest total; kBadInput `no_duration`
+/// if a shortest duration exceeds the longest, `tied_to_time` for leg angular momentum or motor limits, which belong to
+/// given times.
+/// @throws InvalidArgument as CheckRigidBodyProblem, and for invalid options.
+/// @param first  if given: the motion at the given times, with the same options. It is planned again if some of these
+///               times are out of bounds and are moved to the bounds.
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning = {},
                                  const TimingOptions& options = {}, const RigidBodyPlan* first = nullptr);
 

@@ -109,7 +109,7 @@ class Assembler {
     }
     const MatrixX A = normals * knot.basis.leftCols(knot.size);
     const VectorX b = -normals * knot.origin_W;
-    out_.constraints.push_back({fmt::format("in {} the ZMP would at {:.2f} s be {{:.1f}} mm outside its support",
+    out_.constraints.push_back({fmt::format("in {}, the ZMP at {:.2f} s would be {{:.1f}} mm outside its support",
                                             PhaseText(knot.phase), knot.time_s),
                                 Linear(A, b), lower, upper, VariablesOf(knot)});
   }
@@ -119,9 +119,9 @@ class Assembler {
     const EndResponse response = RespondAtEnds(problem_);
     const Vector2 start = problem_.start_W - response.dcm_start_by_end * problem_.end_W;
     const Vector2 end = (1.0 - response.com_end_by_end) * problem_.end_W - response.com_end_by_start * problem_.start_W;
-    AddEnd(fmt::format("in {} the ZMP cannot make the pendulum start at rest, by {{:.1f}} mm", PhaseText(0)),
+    AddEnd(fmt::format("in {}, the ZMP misses a start of the pendulum at rest by {{:.1f}} mm", PhaseText(0)),
            response.dcm_start, start);
-    AddEnd(fmt::format("in {} the ZMP cannot make the pendulum end at rest, by {{:.1f}} mm",
+    AddEnd(fmt::format("in {}, the ZMP misses an end of the pendulum at rest by {{:.1f}} mm",
                        PhaseText(problem_.phases.size() - 1)),
            response.com_end, end);
   }
@@ -182,7 +182,7 @@ Result<OptimisedZmp> OptimiseZmp(const ZmpProblem& problem, const ZmpWeights& we
                    FailureCode::kZmpSupport,
                    "PlanCentreOfMass",
                    fmt::format(fmt::runtime(last.worst_constraint), 1e3 * last.violation),
-                   {"stand longer at the ends, or take smaller or slower steps"},
+                   {"stand longer at the start and end, or use shorter or slower steps"},
                    Violation{Law::kZmpSupport, std::nan(""), "zero-moment point", last.violation, 0.0, "m"}};
   }
   return OptimisedZmp{zmp->Sample(Clamped(*zmp, last.x)), zmp->Margins(), zmp->num_variables, last.brief};

@@ -152,16 +152,13 @@ ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, con
 }
 
 OptionFields PatchSearchOptions::Fields() {
-  return {{"near_m", &near_m, "m", 0.0, 10.0, "How far away a patch is tried for a foot.", {}},
-          {"better", &better, "1", 0.0, 1.0, "Share of the violations that is better.", {}},
-          {"screening_steps",
-           &screening_steps,
-           "1",
-           1,
-           10000,
-           "Steps after which a hopeless solve that compares patches is given up.",
-           {}},
-          {"most_steps", &most_steps, "1", 1, 100000, "Steps after which no other patches are tried.", {}}};
+  return {{"near_m", &near_m, "m", 0.0, 10.0, "Largest distance from a foot at which another patch is tried for it."},
+          {"better", &better, "1", 0.0, 1.0,
+           "Share of the former sum of violations that a change of patches must stay below to be accepted."},
+          {"screening_steps", &screening_steps, "1", 1, 10000,
+           "Iterations after which an infeasible solve that compares patches is stopped."},
+          {"most_steps", &most_steps, "1", 1, 100000,
+           "Total number of iterations after which no other patches are tried."}};
 }
 
 Result<PlanOverPatches> PlanOverTerrain(const Terrain& terrain, const RigidBodyProblem& problem,

@@ -20,33 +20,33 @@ struct PatchSearchOptions {
   OptionFields Fields();
 };
 
-/// A motion with the footholds that it was found for.
+/// A motion with its footholds.
 struct PlanOverPatches {
   ChosenFootholds choice;
   RigidBodyPlan plan;
-  int choices = 0;  ///< of patches that were planned for
+  int choices = 0;  ///< number of patch choices that were planned
 };
 
-/// Stances that take another patch together.
+/// Stances that change to another patch together.
 struct PatchChange {
-  double rank = 0.0;  ///< how far away that is over the trouble that they are in
+  double rank = 0.0;  ///< distance of the patch divided by the violation
   std::vector<std::size_t> stances = {};
   int patch = 0;
 };
 
-/// For a plan with laws unmet: what stances in trouble, out of region or reach or beyond friction, could take other
-/// patches within `near_m`, alone or with those that last as long; the lowest rank first.
+/// For a plan with violated constraints: changes of violated stances (region, reach or friction) to other patches
+/// within `near_m`, alone or together with stances of the same time; the lowest rank first.
 std::vector<PatchChange> PatchChanges(const Terrain& terrain, const PlanOverPatches& plan, double edge_margin_m,
                                       double near_m);
 
-/// The footholds of a plan with such a change, and a way fitted to them.
+/// The footholds of a plan with such a change, and a path fitted to them.
 ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, const PatchChange& change,
                         double edge_margin_m);
 
-/// Chooses footholds and plans the motion over them. Where laws stay unmet, stances that are worst off take other
-/// patches near to where their feet would be, one at a time or with those that last as long, as long as the sum of what
-/// is violated falls by that. Failures as those of ChooseFootholds and PlanRigidBody, of the best patches found.
-/// @param last  if given: the best patches and where their plan stood.
+/// Chooses footholds and plans the motion over them. If constraints stay violated, the worst stances change to other
+/// patches nearby, one at a time or together with stances of the same time, as long as the sum of violations falls.
+/// Failures as of ChooseFootholds and PlanRigidBody, for the best patches found.
+/// @param last  if given: receives the best patches and the last state of their plan.
 Result<PlanOverPatches> PlanOverTerrain(const Terrain& terrain, const RigidBodyProblem& problem,
                                         const ChooseFootholdsOptions& choosing = {},
                                         const RigidBodyOptions& planning = {}, const PatchSearchOptions& search = {},

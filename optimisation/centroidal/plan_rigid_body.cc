@@ -27,7 +27,7 @@ std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
   const double needed = LeastHoldingFriction(normals_W);
   if (needed <= friction) return "";
   return fmt::format(
-      "; at the goal all feet are on ground that takes a friction of {:.2f} to hold still on, and {:.2f} may be used",
+      "; at the goal, all feet are on ground that needs a friction of {:.2f} to stand on, but {:.2f} may be used",
       needed, friction);
 }
 
@@ -35,24 +35,23 @@ std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
 std::string UnmetOf(const ConstrainedSolution& at) {
   std::string unmet;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, at.unmet.size()); ++i)
-    unmet += fmt::format("{}{}{} by {:.3g}", i == 0 ? "" : ", ", at.unmet[i].first, i == 0 ? " stays unmet" : "",
+    unmet += fmt::format("{}{}{} by {:.3g}", i == 0 ? "" : ", ", at.unmet[i].first, i == 0 ? " stays violated" : "",
                          at.unmet[i].second);
   return fmt::format("{}{} after {} iterations; {:.3g} in all{}", unmet, at.unmet.size() > 3 ? " and more" : "",
-                     at.iterations, at.violations, at.least ? ", which small changes of the motion do not lower" : "");
+                     at.iterations, at.violations, at.least ? ", which small changes of the motion do not reduce" : "");
 }
 
 /// What would help where a law of that name stays unmet.
 std::string ReliefOf(const std::string& worst) {
   if (worst.starts_with("reach"))
-    return "less travel in a stance: a lower speed, a shorter cycle, or footholds nearer to each other";
+    return "reduce the travel in a stance: lower speed, shorter cycle, or footholds closer together";
   if (worst.starts_with("friction") || worst.starts_with("motors"))
-    return "weaker pushes: a larger duty factor, a lower speed or more time; or more friction";
+    return "reduce the forces: larger duty factor, lower speed or more time; or raise the friction";
   if (worst.starts_with("rise") || worst.starts_with("free flight"))
-    return "shorter flights: a shorter cycle or a larger duty factor";
-  if (worst.starts_with("clearance")) return "ground or obstacles farther from the body, or the body higher";
-  if (worst.starts_with("region")) return "footholds on larger or other patches";
-  if (worst.starts_with("turning"))
-    return "feet that stand longer, so that they can turn the body: a larger duty factor";
+    return "shorten the flights: shorter cycle or larger duty factor";
+  if (worst.starts_with("clearance")) return "move ground or obstacles farther from the body, or raise the body";
+  if (worst.starts_with("region")) return "put footholds on larger or other patches";
+  if (worst.starts_with("turning")) return "let feet stand longer, so that they can turn the body: larger duty factor";
   return "more time";
 }
 
@@ -60,15 +59,15 @@ Failure Unmet(const RigidBodyProblem& problem, const std::string& worst, const s
   return {FailureKind::kInfeasible,
           FailureCode::kUnmetLaw,
           "PlanRigidBody",
-          "no motion was found that keeps all laws: " + unmet + TooSteepAtGoal(problem),
-          {ReliefOf(worst), "a nearer goal, or footholds elsewhere"}};
+          "no motion was found that satisfies all constraints: " + unmet + TooSteepAtGoal(problem),
+          {ReliefOf(worst), "choose a closer goal, or other footholds"}};
 }
 
 Failure FaultsBetween(const RigidBodySummary& summary) {
   return {FailureKind::kInfeasible,
           FailureCode::kFaultsBetween,
           "PlanRigidBody",
-          fmt::format("between breaks {} is missed by {:.3g} after {} refinements", summary.faults.Worst(),
+          fmt::format("between nodes, {} is violated by {:.3g} after {} refinements", summary.faults.Worst(),
                       summary.faults.Largest(), summary.refinements),
           {"raise max_refinements or reach_margin_m"}};
 }
@@ -235,7 +234,8 @@ std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const Rigi
   if (const auto at = Hopeless(without_swings, lenient, options.hopeless)) {
     Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
     failure.code = FailureCode::kNotCarried;
-    failure.message = "no forces carry the body along, however it turns: " + UnmetOf(*at) + TooSteepAtGoal(problem);
+    failure.message = "no contact forces can move the body along its path, for any rotation: " + UnmetOf(*at) +
+                      TooSteepAtGoal(problem);
     return failure;
   }
   if (options.method == "interior-point") return std::nullopt;  // looks in the same way when it plans
@@ -246,44 +246,59 @@ std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const Rigi
 }
 
 OptionFields RigidBodyOptions::Fields() {
-  return {
-      {"method",
-       &method,
-       "",
-       0.0,
-       0.0,
-       "How constraints are kept: by an interior-point method, or by an augmented Lagrangian over Ceres, after which "
-       "the former is tried where some are not.",
-       {"interior-point", "ceres"}},
-      {"spacing_s", &spacing_s, "s", 0.005, 1.0, "Most between two breaks of forces.", {}},
-      {"least_intervals", &least_intervals, "1", 2, 100, "Least intervals between breaks in a stance.", {}},
-      {"grid_s", &grid_s, "s", 0.0, 0.1, "Breaks between switches of contact are at multiples of it; 0: anywhere.", {}},
-      {"friction_sides", &friction_sides, "1", 4, 64, "Sides of the pyramid inside a cone of friction.", {}},
-      {"force_margin", &force_margin, "m g", 0.0, 0.1, "By which forces are kept from their bounds.", {}},
-      {"reach_margin_m", &reach_margin_m, "m", 0.0, 0.1, "By which feet are kept inside their workspace.", {}},
-      {"swing_lead_s", &swing_lead_s, "s", 0.0, 1.0, "How long beyond a stance its foothold must be within reach.", {}},
-      {"tolerance", &tolerance, "1", 1e-10, 1e-2, "Largest violation of a law, in m, rad, rad/s and m g.", {}},
-      {"fault_tolerance", &fault_tolerance, "1", 1e-6, 1.0, "Largest fault at 1 kHz, in m and m g, not refined.", {}},
-      {"max_refinements",
-       &max_refinements,
-       "1",
-       0,
-       10,
-       "Most times that breaks are put half as far apart, or feet looked at more often.",
-       {}},
-      {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0, "Relative change of the cost that counts as none.", {}},
-      {"price", &price, "1", 1e-3, 1e6, "First price of a law's violation, in half the cost.", {}},
-      {"most_price", &most_price, "1", 1e-3, 1e6, "Greatest price of a law's violation.", {}},
-      {"screening", &screening, "1", 1, 10000, "Steps after which a hopeless solve is given up.", {}},
-      {"hopeless", &hopeless, "1", 0.0, 1e6, "Sum of violations that is hopeless after so many steps.", {}},
-      {"max_iterations", &max_iterations, "1", 1, 10000, "Most steps of a solve.", {}},
-      {"force_rate", &weights.force_rate, "s", 0.0, 1e3, "Weight of the rate of forces.", {}},
-      {"momentum", &weights.momentum, "s", 0.0, 1e3, "Weight of the angular momentum.", {}},
-      {"tilt", &weights.tilt, "1/(rad^2 s)", 0.0, 1e3, "Weight of the base's angles.", {}},
-      {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e6, "Weight of the feet's places.", {}},
-      {"way", &weights.way, "1/(m^2 s)", 0.0, 1e3, "Weight of the body's drift aside of its way.", {}},
-      {"swing_jerk", &weights.swing_jerk, "1/m^2", 0.0, 1e3, "Weight of the jerk of free swings.", {}},
-  };
+  return WithBasics(
+      {"method", "spacing_s", "max_iterations"},
+      {
+          {"method",
+           &method,
+           "",
+           0.0,
+           0.0,
+           "Solver: an interior-point method, or an augmented Lagrangian with Ceres, followed by interior-point if "
+           "constraints stay violated.",
+           {"interior-point", "ceres"}},
+          {"spacing_s", &spacing_s, "s", 0.005, 1.0, "Longest time between two nodes of the contact forces."},
+          {"least_intervals", &least_intervals, "1", 2, 100,
+           "Smallest number of intervals between force nodes in a stance."},
+          {"grid_s", &grid_s, "s", 0.0, 0.1,
+           "Time grid on which force nodes between contact switches lie; 0 allows any time."},
+          {"friction_sides", &friction_sides, "1", 4, 64,
+           "Number of sides of the pyramid that approximates the friction cone from inside."},
+          {"force_margin", &force_margin, "m g", 0.0, 0.1,
+           "Margin of contact forces to their bounds, in units of the robot's weight."},
+          {"reach_margin_m", &reach_margin_m, "m", 0.0, 0.1, "Margin of the feet to the boundary of their workspace."},
+          {"swing_lead_s", &swing_lead_s, "s", 0.0, 1.0,
+           "Time before and after a stance during which its foothold must be within reach."},
+          {"tolerance", &tolerance, "1", 1e-10, 1e-2,
+           "Largest constraint violation that is accepted, in m, rad, rad/s and units of weight (m g)."},
+          {"fault_tolerance", &fault_tolerance, "1", 1e-6, 1.0,
+           "Largest constraint violation between nodes (checked at 1 kHz, in m and m g) that needs no refinement."},
+          {"max_refinements", &max_refinements, "1", 0, 10,
+           "Maximum number of refinements, each of which halves the node spacing or adds reach checks."},
+          {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0,
+           "Relative change of the cost below which the solve has converged."},
+          {"price", &price, "1", 1e-3, 1e6,
+           "Initial penalty weight on constraint violation, in units of half the cost."},
+          {"most_price", &most_price, "1", 1e-3, 1e6,
+           "Maximum penalty weight on constraint violation, in units of half the cost."},
+          {"screening", &screening, "1", 1, 10000,
+           "Iterations of the early infeasibility check: after these the solve stops if violations exceed `hopeless`."},
+          {"hopeless", &hopeless, "1", 0.0, 1e6,
+           "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
+          {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations of a solve."},
+          {"force_rate", &weights.force_rate, "s", 0.0, 1e3,
+           "Cost weight of the squared rate of the contact forces (in m g)."},
+          {"momentum", &weights.momentum, "s", 0.0, 1e3,
+           "Cost weight of the squared angular momentum divided by the mean inertia."},
+          {"tilt", &weights.tilt, "1/(rad^2 s)", 0.0, 1e3,
+           "Cost weight of the squared deviation of the base's orientation from level and its wanted heading."},
+          {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e6,
+           "Cost weight of the squared distance of stance feet from their nominal positions."},
+          {"way", &weights.way, "1/(m^2 s)", 0.0, 1e3,
+           "Cost weight of the squared lateral deviation of the centre of mass from its path."},
+          {"swing_jerk", &weights.swing_jerk, "1/m^2", 0.0, 1e3,
+           "Cost weight of the squared jerk of swings whose path is free."},
+      });
 }
 
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options,

@@ -15,9 +15,9 @@ namespace gaitwright {
 
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
-///   friction that only just suffices          raise friction_sides
-///   much is spent on what has no motion        lower screening, hopeless
-///   a motion that all but keeps its laws      raise most_price
+///   friction that is barely sufficient        raise friction_sides
+///   infeasible problems take long             lower screening, hopeless
+///   a motion that nearly keeps constraints    raise most_price
 struct RigidBodyOptions {
   std::string method = "interior-point";
   double spacing_s = 0.08;
@@ -37,68 +37,67 @@ struct RigidBodyOptions {
   double hopeless = 0.1;
   int max_iterations = 100;
   RigidBodyWeights weights = {};
-  bool turns_by_forces = true;  ///< else it may turn as it likes, which is no motion but tells what forces cannot do
+  bool turns_by_forces = true;  ///< else rotation is free: a relaxation that tests the forces
 
   OptionFields Fields();
 };
 
-/// How a motion was found.
+/// Solver data of a motion.
 struct RigidBodySummary {
   int variables = 0, constraints = 0;   ///< of the last solve
   int iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
-  bool settled = true;      ///< else the motion is one that keeps all laws, but not the least costly one
-  bool gave_up = false;     ///< the method asked for kept not all laws, so that the interior-point method went on
+  bool settled = true;      ///< else the motion satisfies all constraints but is not optimal
+  bool gave_up = false;     ///< the requested solver left constraints violated, so the interior-point method continued
   double violation = 0.0;   ///< largest, in m, rad, rad/s and m g
   double violations = 0.0;  ///< sum of all
-  bool least = false;       ///< that sum does not get less by small changes of the motion
-  std::string worst;        ///< the law with that violation, where and when
-  std::string unmet;        ///< what a refusal says of all that is violated
+  bool least = false;       ///< small changes of the motion do not reduce this sum
+  std::string worst;        ///< the constraint with that violation, with place and time
+  std::string unmet;        ///< text of all violations for a refusal
   RigidBodyFaults faults;   ///< at 1 kHz
 };
 
-/// A stance and a time at which its foot was out of reach between those at which it was looked at.
+/// A stance, and a time between checked ones at which its foot was out of reach.
 struct MissedReach {
   std::size_t stance;
   double time_s;
 };
 
-/// The numbers that a motion was found as, from which one like it can be found.
+/// The solver variables of a motion, as a warm start for similar problems.
 struct RigidBodyNumbers {
   std::vector<double> breaks_s;
   std::vector<MissedReach> missed;
-  VectorX x;            ///< RigidBodyUnknowns over these breaks
+  VectorX x;            ///< RigidBodyUnknowns over these nodes
   VectorX multipliers;  ///< of the rows over them (ConstrainedSolution)
 };
 
-/// A motion of a rigid body and how it was found.
+/// A motion of a rigid body, with solver data.
 struct RigidBodyPlan {
   RigidBodyMotion motion;
   RigidBodySummary summary;
   RigidBodyNumbers numbers;
 };
 
-/// The motion of least cost (rigid_body_cost.h) that keeps the laws of the problem: balance of forces exactly and that
-/// of torques by the stated tolerance, friction, footholds in their regions and within reach; these a little before and
-/// after their stances too, since a foot at rest on the ground cannot leave it at once: swing_lead_s = v / (2 a) for a
-/// body of speed v and feet of acceleration a. Where its faults at 1 kHz, between breaks too, are over fault_tolerance,
-/// it is planned anew: where feet alone are out of reach, from there on with those times looked at too, else with
-/// breaks half as far apart. Failure kInfeasible `unmet_law` names what stays unmet, where and
-/// by how much, `faults_between` what breaks cannot be near enough for; `last` then holds where it stood.
+/// The motion of least cost (rigid_body_cost.h) under the problem's constraints: force balance exactly, torque balance
+/// within the tolerance, friction, footholds in their regions and within reach. Reach also holds shortly before and
+/// after a stance, because a foot at rest cannot leave the ground at once: swing_lead_s = v / (2 a) for a body speed v
+/// and a foot acceleration a. If violations at 1 kHz, also between nodes, exceed fault_tolerance, it is planned again:
+/// with additional reach checks if only reach is violated, else with half the node spacing. Failure kInfeasible
+/// `unmet_law` names the violated constraints with place and size, `faults_between` those violated between nodes after
+/// all refinements; `last` then has the last state.
 /// @throws InvalidArgument as CheckRigidBodyProblem.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
 
-/// Looks before PlanRigidBody whether forces could carry the body along at all, were it to turn as it likes, swing its
-/// feet anyhow and go to the ends of its reach and cones: for a tenth of the time. @return kInfeasible `not_carried`
-/// with what stays unmet, where and by how much, where violations come to more than `hopeless` in all; nothing where
-/// there may be a motion. Where another method than interior-point is to plan, the problem as it is is looked at by
-/// that too, and `unmet_law` said where violations come to five times as much.
+/// Checks before PlanRigidBody, at a tenth of its cost, whether forces could carry the body at all with free rotation,
+/// free swings and the full reach and friction cones. @return kInfeasible `not_carried` with the violated constraints
+/// if violations exceed `hopeless` in all; nothing if a motion may exist. If the planner is not interior-point, the
+/// full problem is checked by that method too, with `unmet_law` if violations exceed five times as much.
 std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
 
-/// The same from the numbers of a motion of a problem like this one: the same stances at times of their own, and breaks
-/// at those times. Breaks stay where they are, so that faults between them other than of reach are refused.
-/// @throws InvalidArgument also for breaks that are not those of this problem's times, or another count of numbers.
+/// As above, warm-started from a motion of a similar problem: the same stances at other times, with nodes at those
+/// times. Nodes are not refined, so violations between them other than of reach are refused.
+/// @throws InvalidArgument also for nodes that do not fit this problem's times, or another number of variables.
 Result<RigidBodyPlan> PlanRigidBodyFrom(const RigidBodyProblem& problem, const RigidBodyOptions& options,
                                         const RigidBodyNumbers& from, RigidBodyPlan* last = nullptr);
 

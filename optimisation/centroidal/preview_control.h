@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// The cart-table model and how its ZMP error is weighed against jerk.
+/// The cart-table model, with the cost weights of ZMP error and jerk.
 struct PreviewSetup {
   double com_height_m = 0.814;
   double step_s = 0.005;
@@ -24,7 +24,7 @@ struct PreviewGains {
   std::vector<double> preview;      ///< f_1 ... f_N
 };
 
-/// Gains from the discrete algebraic Riccati equation of the model with its error summed, solved by structured
+/// Gains from the discrete algebraic Riccati equation of the model with integrated error, solved by structured
 /// doubling.
 /// @throws InvalidArgument unless every number of the setup is positive and finite, and the preview at most 10,000
 /// steps.
@@ -37,9 +37,9 @@ struct PreviewMotion {
   std::vector<double> com_m, com_rate_m_s, com_acceleration_m_s2, zmp_m;
 };
 
-/// Follows a ZMP reference (one value a step) from rest at `com_m`; beyond its end, and beyond each
-/// preview, the reference keeps its last value.
-/// Where the reference moves within a preview of the start, the ZMP starts off it: stand still at first.
+/// Tracks a ZMP reference (one value per step) from rest at `com_m`; beyond its end, and beyond each preview, the
+/// reference keeps its last value. If the reference moves within the first preview horizon, the ZMP does not start on
+/// it; stand still at first.
 PreviewMotion FollowZmp(const PreviewSetup& setup, const std::vector<double>& reference_m, double com_m);
 
 }  // namespace gaitwright

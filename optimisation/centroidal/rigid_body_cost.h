@@ -8,32 +8,32 @@
 
 namespace gaitwright {
 
-/// What makes one motion of a rigid body better than another: the integral over time of
+/// Cost of a motion of a rigid body: the integral over time of
 ///   force_rate |f_i'|^2 + momentum |l|^2 + tilt |angles - wanted|^2 + stance |foot - nominal place|^2
 ///     + way |across . (p_WC - that of the way)|^2,
 /// forces in m g, l the angular momentum over the mean inertia, feet on the ground from the centre of mass in the
-/// wanted heading, across level and normal to that; and swing_jerk times the integral of |p'''|^2 of feet in free
+/// wanted heading, across horizontal and normal to that; and swing_jerk times the integral of |p'''|^2 of feet in free
 /// swings over the share of each.
 ///
 /// Tuning
 ///   forces change fast, feet land hard          raise force_rate
 ///   the base rolls and pitches                  raise momentum, tilt
-///   feet stand far from where they like to      raise stance
-///   the body drifts aside                       raise way
+///   feet stand far from nominal positions       raise stance
+///   the body drifts sideways                    raise way
 ///   free swings waver                           raise swing_jerk
 struct RigidBodyWeights {
   double force_rate = 1e-3;  ///< [s]
   double momentum = 1e-2;    ///< [s]
   double tilt = 1.0;         ///< [1/(rad^2 s)]
   double stance = 1.0;       ///< [1/(m^2 s)]
-  double way = 0.0;          ///< [1/(m^2 s)]; of a way that is more than a first guess
+  double way = 0.0;          ///< [1/(m^2 s)]; for a path that is more than an initial guess
   double swing_jerk = 1e-5;  ///< [1/m^2]
 };
 
-/// The angles that are wanted at a time: level, the heading on an even way from start to goal.
+/// The wanted angles at a time: level, with a heading that changes evenly from start to goal.
 Vector3 WantedAngles(const RigidBodyProblem& problem, double time_s);
 
-/// The rows of this cost, by the trapezoid rule over the breaks.
+/// The rows of this cost, by the trapezoid rule over the nodes.
 std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
                                     const RigidBodyWeights& weights);
 

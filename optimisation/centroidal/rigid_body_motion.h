@@ -9,9 +9,9 @@
 
 namespace gaitwright {
 
-/// A motion of a rigid body over one interval between breaks, in which everything is a polynomial but the angles.
+/// A motion of a rigid body over one interval between nodes, in which everything except the angles is a polynomial.
 struct RigidBodyInterval {
-  /// On a point of contact of a stance, linear over the interval.
+  /// Force on a contact point of a stance, linear over the interval.
   struct Force {
     std::size_t stance = 0;
     Vector3 p_W = Vector3::Zero();                             ///< point of contact at the start [m]
@@ -25,15 +25,15 @@ struct RigidBodyInterval {
   std::vector<Force> forces;
 };
 
-/// A planned motion of a rigid body: what follows from its start and its forces, the centre of mass and the momentum
-/// exactly, the angles by the classical rule of Runge and Kutta.
+/// A planned motion of a rigid body, computed from its start and its forces: centre of mass and momentum exactly,
+/// angles by the classical Runge-Kutta method.
 struct RigidBodyMotion {
   double mass_kg = 1.0;
   Matrix3 inertia_B = Matrix3::Identity();
   InnerMomentum inner;
   std::vector<RigidBodyInterval> intervals;
   std::vector<Pose> X_WF;  ///< foothold of each stance
-  /// Control points of each of the problem's swings that is free; of others none [m].
+  /// Control points of each free swing of the problem; none for other swings [m].
   std::vector<std::vector<Vector3>> detours_W = {};
 
   double duration_s() const { return intervals.empty() ? 0.0 : intervals.back().end_s; }
@@ -44,34 +44,33 @@ struct RigidBodySample {
   double time_s = 0.0;
   std::size_t interval = 0;
   Vector3 p_WC, v_WC, a_WC, angles_rad, w_WB_B;
-  Vector3 momentum_W, torque_W;  ///< of the box, and what changes it: of the forces less what moves inside
+  Vector3 momentum_W, torque_W;  ///< of the box, and its rate: moment of forces minus rate of leg momentum
   std::vector<Vector3> force_W;  ///< on each of the interval's points of contact [N]
 };
 
-/// The motion that a vector of unknowns describes. Its end differs from the goal by what the constraints on turning are
-/// violated.
+/// The motion of a vector of unknowns. Its end differs from the goal by the violation of the rotation constraints.
 RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, const VectorX& x);
 
 /// Samples at even times, `step_s` apart, the last at the end.
 std::vector<RigidBodySample> Sample(const RigidBodyMotion& motion, double step_s);
 
-/// How far a motion is from what it should be, over samples of it.
+/// Violations of a motion, over its samples.
 struct RigidBodyFaults {
   double force_balance = 0.0;   ///< largest |m a - sum f - m g| / (m g)
-  double torque_balance = 0.0;  ///< largest |d(I w)/dt - sum (p_i - p) x f_i| / (m g), of the turning sampled [m]
+  double torque_balance = 0.0;  ///< largest |d(I w)/dt - sum (p_i - p) x f_i| / (m g), for the sampled rotation [m]
   double friction = 0.0;        ///< largest tangential force beyond friction, over m g
-  double unilateral = 0.0;      ///< largest pull, or push beyond the greatest force, over m g
-  double reach_m = 0.0;         ///< farthest that a foot on the ground is out of its workspace
-  double foothold_m = 0.0;      ///< farthest that a foothold is out of its region
-  double goal = 0.0;            ///< farthest from the goal at the end [m], [rad]
+  double unilateral = 0.0;      ///< largest pull, or push beyond the force limit, over m g
+  double reach_m = 0.0;         ///< largest distance of a stance foot out of its workspace
+  double foothold_m = 0.0;      ///< largest distance of a foothold out of its region
+  double goal = 0.0;            ///< largest distance from the goal at the end [m], [rad]
 
   /// The largest of all.
   double Largest() const;
-  /// What that is of, in words.
+  /// Name of the largest violation.
   std::string Worst() const;
 };
 
-/// Faults at samples `step_s` apart; those of forces and feet against the problem.
+/// Violations at samples `step_s` apart; forces and feet are checked against the problem.
 RigidBodyFaults FaultsOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion, double step_s);
 
 }  // namespace gaitwright

@@ -28,7 +28,10 @@ void CheckMotors(const RigidStance& stance, std::size_t points, std::size_t numb
     if (limits.by_force.cols() != static_cast<Eigen::Index>(3 * points) || limits.lower.size() != rows ||
         limits.upper.size() != rows || !limits.by_force.allFinite() ||
         !(limits.lower.array() <= limits.upper.array()).all())
-      throw InvalidArgument(fmt::format("rigid body: the motors of stance {} have limits that are none", number));
+      throw InvalidArgument(
+          fmt::format("rigid body: the motor limits of stance {} have wrong sizes, a value that is not finite, or a "
+                      "lower limit above the upper one",
+                      number));
   }
 }
 
@@ -49,8 +52,10 @@ void CheckRests(const RigidBodyProblem& problem) {
   for (const RigidRest& rest : problem.rests) {
     if (!(rest.start_s > since_s && rest.end_s > rest.start_s && rest.end_s < problem.duration_s) ||
         !rest.p_WC.allFinite() || !rest.angles_rad.allFinite()) {
-      throw InvalidArgument(fmt::format("rigid body: no rest lasts from {} s to {} s on a way of {} s", rest.start_s,
-                                        rest.end_s, problem.duration_s));
+      throw InvalidArgument(
+          fmt::format("rigid body: the rest from {} s to {} s does not fit a motion of {} s or its other rests, or its "
+                      "pose is not finite",
+                      rest.start_s, rest.end_s, problem.duration_s));
     }
     since_s = rest.end_s;
   }
@@ -58,15 +63,19 @@ void CheckRests(const RigidBodyProblem& problem) {
 
 void CheckBody(const RigidBodyProblem& problem) {
   if (!(problem.mass_kg > 0.0) || !std::isfinite(problem.mass_kg))
-    throw InvalidArgument(fmt::format("rigid body: a mass of {} kg", problem.mass_kg));
+    throw InvalidArgument(fmt::format("rigid body: the mass is {} kg; it must be finite and above 0", problem.mass_kg));
   if (!(problem.duration_s > 0.0) || !std::isfinite(problem.duration_s))
-    throw InvalidArgument(fmt::format("rigid body: a duration of {} s", problem.duration_s));
+    throw InvalidArgument(
+        fmt::format("rigid body: the duration is {} s; it must be finite and above 0", problem.duration_s));
   if (!(problem.rise_max_m_s >= 0.0) || !std::isfinite(problem.rise_max_m_s))
-    throw InvalidArgument(fmt::format("rigid body: a greatest rise of {} m/s", problem.rise_max_m_s));
+    throw InvalidArgument(fmt::format(
+        "rigid body: the largest rising speed is {} m/s; it must be finite and not negative", problem.rise_max_m_s));
   const Vector3 principal = Eigen::SelfAdjointEigenSolver<Matrix3>(problem.inertia_B).eigenvalues();
   if (!problem.inertia_B.allFinite() || !problem.inertia_B.isApprox(problem.inertia_B.transpose()) ||
       !(principal.minCoeff() > 0.0) || principal.sum() < 2.0 * principal.maxCoeff() * (1.0 - 1e-9))
-    throw InvalidArgument("rigid body: the inertia is none that a body can have");
+    throw InvalidArgument(
+        "rigid body: the inertia matrix is not physical (not symmetric positive definite, or violates the triangle "
+        "inequality)");
   CheckFinite(problem.start, "start");
   CheckFinite(problem.goal, "goal");
   CheckRests(problem);
@@ -90,7 +99,7 @@ void CheckWay(const BodyWay& way) {
   if (n < 2 || way.p_WC.size() != n || way.angles_rad.size() != n ||
       std::adjacent_find(way.time_s.begin(), way.time_s.end(), std::greater_equal<>()) != way.time_s.end())
     throw InvalidArgument(
-        "rigid body: the first guess of its way needs a place and angles for each of its times in turn");
+        "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
 }
 
 void CheckInnerMotion(const RigidBodyProblem& problem) {
@@ -99,10 +108,11 @@ void CheckInnerMotion(const RigidBodyProblem& problem) {
   const std::vector<Vector3>& torque = problem.inner_torque_W;
   if (momentum.size() == 1 || torque.size() != momentum.size() ||
       !std::all_of(momentum.begin(), momentum.end(), finite) || !std::all_of(torque.begin(), torque.end(), finite))
-    throw InvalidArgument("rigid body: its inner momentum takes two finite values or more with their rates, or none");
+    throw InvalidArgument(
+        "rigid body: the leg angular momentum needs two or more finite values with their rates, or none");
   for (const RigidStance& stance : problem.stances) {
     if (stance.moved_W.size() == 1 || !std::all_of(stance.moved_W.begin(), stance.moved_W.end(), finite))
-      throw InvalidArgument("rigid body: contacts that move take two finite places or more, or none");
+      throw InvalidArgument("rigid body: moving contacts need two or more finite positions, or none");
   }
 }
 
@@ -117,8 +127,9 @@ void CheckStances(const RigidBodyProblem& problem) {
     }
     double& from = free_from[static_cast<std::size_t>(stance.foot)];
     if (!(stance.start_s >= from && stance.end_s > stance.start_s && stance.end_s <= problem.duration_s)) {
-      throw InvalidArgument(fmt::format("rigid body: stance {} lasts from {} to {} s; foot {} is free from {} to {} s",
-                                        s, stance.start_s, stance.end_s, stance.foot, from, problem.duration_s));
+      throw InvalidArgument(
+          fmt::format("rigid body: stance {} lasts from {} to {} s, but foot {} is free only from {} to {} s", s,
+                      stance.start_s, stance.end_s, stance.foot, from, problem.duration_s));
     }
     from = stance.end_s;
     if (!(stance.friction > 0.0)) throw InvalidArgument(fmt::format("rigid body: stance {} has no friction", s));
@@ -130,7 +141,7 @@ void CheckStances(const RigidBodyProblem& problem) {
     ends = ends || stance.end_s >= problem.duration_s;
   }
   if (!starts || !ends)
-    throw InvalidArgument(fmt::format("rigid body: no foot holds it at the {}", starts ? "end" : "start"));
+    throw InvalidArgument(fmt::format("rigid body: no foot is on the ground at the {}", starts ? "end" : "start"));
 }
 
 void CheckShares(const RigidSwing& swing) {
@@ -140,8 +151,9 @@ void CheckShares(const RigidSwing& swing) {
   };
   if (std::any_of(swing.shares.begin(), swing.shares.end(), outside) ||
       std::any_of(swing.planes.begin(), swing.planes.end(), no_plane))
-    throw InvalidArgument(
-        fmt::format("rigid body: the swing from stance {} has a share or a plane that is none", swing.from));
+    throw InvalidArgument(fmt::format(
+        "rigid body: the swing from stance {} has a phase fraction outside 0 to 1, or a plane that is not finite",
+        swing.from));
 }
 
 void CheckSwings(const RigidBodyProblem& problem) {
@@ -150,7 +162,10 @@ void CheckSwings(const RigidBodyProblem& problem) {
     if (swing.from >= n || swing.to >= n || problem.stances[swing.from].foot != problem.stances[swing.to].foot ||
         !(problem.stances[swing.to].start_s > problem.stances[swing.from].end_s) || !std::isfinite(swing.lift_m) ||
         !(swing.cruise >= 0.0 && swing.cruise < 1.0))
-      throw InvalidArgument(fmt::format("rigid body: no foot swings from stance {} to {}", swing.from, swing.to));
+      throw InvalidArgument(
+          fmt::format("rigid body: the swing from stance {} to {} needs two stances of one foot in order, a finite "
+                      "lift and a cruise share of 0 to below 1",
+                      swing.from, swing.to));
     if (swing.free && (swing.detour_W.empty() || swing.detour_W.size() % 2 != 0))
       throw InvalidArgument(
           fmt::format("rigid body: the free swing from stance {} has {} control points; accepted: an "
@@ -165,8 +180,9 @@ void CheckClearances(const RigidBodyProblem& problem) {
   for (const RigidClearance& clearance : problem.clearances) {
     if (!(clearance.time_s >= 0.0 && clearance.time_s <= problem.duration_s) || !clearance.p_CQ_B.allFinite() ||
         !std::isfinite(clearance.offset_m) || !(std::abs(clearance.normal_W.norm() - 1.0) < kUnit)) {
-      throw InvalidArgument(fmt::format("rigid body: no plane keeps a point of the {} clear at {} s on a way of {} s",
-                                        clearance.of, clearance.time_s, problem.duration_s));
+      throw InvalidArgument(
+          fmt::format("rigid body: a clearance plane for a point of the {} at {} s does not fit a motion of {} s",
+                      clearance.of, clearance.time_s, problem.duration_s));
     }
   }
 }
@@ -248,7 +264,7 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
   CheckBody(problem);
   for (std::size_t f = 0; f < problem.feet.size(); ++f) {
     if (problem.feet[f].contacts_F.empty() || !(problem.feet[f].force_max_n > 0.0))
-      throw InvalidArgument(fmt::format("rigid body: foot {} can carry nothing", f));
+      throw InvalidArgument(fmt::format("rigid body: foot {} cannot carry any load", f));
   }
   CheckStances(problem);
   CheckSwings(problem);

@@ -9,15 +9,15 @@
 
 namespace gaitwright {
 
-/// Where feet are farthest out of reach by more than `tolerance_m` at 1 kHz, each stance's worst.
+/// For each stance, the time at which its foot is farthest out of reach at 1 kHz, if by more than `tolerance_m`.
 std::vector<MissedReach> MissedReaches(const RigidBodyProblem& problem, const RigidBodyMotion& motion,
                                        double tolerance_m);
 
-/// The problem as rows over its unknowns, without a start; reach is looked at where it was missed too.
+/// The problem as rows over its unknowns, without an initial guess; reach is also checked at missed times.
 ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
                                  const RigidBodyOptions& options, const std::vector<MissedReach>& missed);
 
-/// Unknowns to begin with: along the problem's way, or over its footholds, the weight shared by all that carry.
+/// Initial unknowns: along the problem's path, or above its footholds, with the weight shared by all stance feet.
 VectorX GuessRigidBody(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns);
 
 }  // namespace gaitwright

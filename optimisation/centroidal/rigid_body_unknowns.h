@@ -8,10 +8,10 @@
 
 namespace gaitwright {
 
-/// Where a foot is on the ground, or on its way between two footholds:
+/// Position of a foot on the ground, or between two footholds:
 ///   constant + sum_i axes_i * (x[start_i], x[start_i + 1]).
 struct FootPlace {
-  /// Two unknowns by the first of them, and where they move it.
+  /// Two unknowns, by the index of the first, with their directions.
   struct Part {
     int start;
     Eigen::Matrix<double, 3, 2> axes;
@@ -20,7 +20,7 @@ struct FootPlace {
   Vector3 constant = Vector3::Zero();
   std::vector<Part> parts = {};
 
-  /// Where it is.
+  /// Its position.
   Vector3 At(const VectorX& x) const;
   /// Adds factor * other.
   FootPlace& Add(double factor, const FootPlace& other);
@@ -29,38 +29,36 @@ struct FootPlace {
   void AddTo(const Eigen::MatrixBase<Derived>& by, MatrixX& J, Eigen::Index row) const {
     for (const Part& part : parts) J.block(row, part.start, by.rows(), 2) += by * part.axes;
   }
-  /// The same in a term's own numbers.
+  /// The same in a term's local variables.
   FootPlace SeenBy(SeenUnknowns& seen) const;
 };
 
-/// The force on one point of contact of a stance over the interval between two breaks: linear from one to the other.
+/// The force on one contact point of a stance over the interval between two nodes, linear in time.
 struct ContactForce {
   std::size_t stance = 0, point = 0;
   AffineVector from, to;  ///< [m g]
 };
 
-/// A force at a break that friction and its greatest value bound.
+/// A force at a node, bounded by friction and its limit.
 struct BoundForce {
   std::size_t stance = 0, point = 0, at_break = 0;
   AffineVector force;  ///< [m g]
 };
 
-/// What a motion of a rigid body is described by, as numbers of one vector. The centre of mass is a cubic B-spline over
-/// breaks, all switches of contact among them, with its ends and their rates given, so that the force on the whole is
-/// continuous and linear between breaks. So are the forces on points of contact, zero where a stance begins or ends in
-/// between; one at each break is not unknown, but what the others leave of the force on the whole. Where all feet on
-/// the ground are exchanged at once, either lot carries the whole. Then there are the angles of the base and the
-/// angular momentum at breaks, their ends given, the footholds on their planes, and at last the control points of free
-/// swings. Where the body rests it is given.
-/// Units: m, rad, forces in m g, angular momentum over the mean inertia [rad/s]. Keeps a reference to the problem.
+/// The vector of unknowns of a rigid body's motion. The centre of mass is a cubic B-spline over nodes, which include
+/// all contact switches, with given ends and end rates, so the total force is continuous and linear between nodes.
+/// Forces on contact points are linear too, and zero when a stance begins or ends in between; one force at each node is
+/// not an unknown but the remainder of the total force. If all stance feet change at once, each set carries the total.
+/// Further unknowns are the base angles and the angular momentum at nodes, with given ends, the footholds on their
+/// planes, and the control points of free swings. During rests, the body's state is given. Units: m, rad, forces in m
+/// g, angular momentum over the mean inertia [rad/s]. Keeps a reference to the problem.
 class RigidBodyUnknowns {
  public:
-  /// @param spacing_s  most between two breaks; each stance has `least_intervals` or more.
-  /// @param grid_s     breaks between switches are at multiples of it where they come to differ; 0 for anywhere.
+  /// @param spacing_s  largest node spacing; each stance has `least_intervals` or more.
+  /// @param grid_s     nodes between switches lie at multiples of it; 0 allows any time.
   RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals, double grid_s = 0.0);
 
-  /// Over given breaks. @throws InvalidArgument unless they rise from 0 to the end with all switches of contact among
-  /// them.
+  /// Over given nodes. @throws InvalidArgument unless they rise from 0 to the end and include all contact switches.
   RigidBodyUnknowns(const RigidBodyProblem& problem, std::vector<double> breaks_s);
 
   int size() const { return size_; }
@@ -68,30 +66,30 @@ class RigidBodyUnknowns {
   std::size_t intervals() const { return breaks_s_.size() - 1; }
   double mean_inertia() const { return mean_inertia_; }
 
-  /// Its place at a time.
+  /// Its position at a time.
   AffineVector CentreOfMass(double time_s) const;
   /// Its velocity at a time.
   AffineVector Velocity(double time_s) const;
-  /// The force on the whole that this centre of mass needs, p'' - g [m g].
+  /// The total force that this centre of mass needs, p'' - g [m g].
   AffineVector WholeForce(std::size_t at_break) const;
   const AffineVector& Angles(std::size_t at_break) const { return angles_[at_break]; }
   const AffineVector& Momentum(std::size_t at_break) const { return momentum_[at_break]; }
   const FootPlace& Foothold(std::size_t stance) const { return footholds_[stance]; }
   /// A point of contact of a stance.
   FootPlace ContactPoint(std::size_t stance, std::size_t point) const;
-  /// A foot at a share of a swing of the problem.
+  /// A foot at a fraction of a swing of the problem.
   FootPlace InSwing(std::size_t swing, double share) const;
-  /// Its second derivative by the share, of a free swing.
+  /// Its second derivative by the fraction, for a free swing.
   FootPlace InSwingAcceleration(std::size_t swing, double share) const;
   /// The first of the unknowns of a free swing's control points, three for each.
   int Detour(std::size_t swing) const { return detours_[swing]; }
-  /// The forces over the interval after a break.
+  /// The forces over the interval after a node.
   const std::vector<ContactForce>& Forces(std::size_t interval) const { return forces_[interval]; }
-  /// All forces at breaks that are not zero.
+  /// All forces at nodes that are not zero.
   const std::vector<BoundForce>& BoundForces() const { return bound_forces_; }
-  /// The breaks where nothing carries.
+  /// The nodes without contact.
   const std::vector<std::size_t>& FreeBreaks() const { return free_breaks_; }
-  /// Unknowns of control point, -1 where it is given.
+  /// Unknowns of a control point, -1 if it is given.
   int ControlPoint(std::size_t i) const { return control_[i].parts.empty() ? -1 : control_[i].parts.front().start; }
 
  private:
@@ -102,10 +100,10 @@ class RigidBodyUnknowns {
   void AddFootholds();
   void AddDetours();
   void AddForces();
-  /// The forces of some points at a break, together the force on the whole.
+  /// The forces of some points at a node, which add up to the total force.
   std::vector<BoundForce> Carry(const std::vector<std::size_t>& stances, std::size_t at_break);
   AffineVector Next();
-  /// The rest that one of some breaks is in; null for none.
+  /// The rest that contains a node; null for none.
   const RigidRest* RestTouching(std::size_t first, std::size_t last) const;
 
   const RigidBodyProblem& problem_;

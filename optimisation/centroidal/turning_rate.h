@@ -6,10 +6,10 @@
 namespace gaitwright {
 
 /// d(angles)/dt of a body with angular momentum l: E^-1 I^-1 R^T l.
-/// @param inverse_B  of the inertia in B; over the mean inertia where l is.
+/// @param inverse_B  of the inertia in B; divided by the mean inertia if l is.
 Vector3 AngleRates(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
 
-/// The same with its derivatives.
+/// As above with its derivatives.
 struct TurningRate {
   Vector3 rate;
   Matrix3 by_angles, by_momentum;

@@ -114,8 +114,8 @@ class Placer {
     narrow_ = Failure{FailureKind::kInfeasible,
                       FailureCode::kZmpSupport,
                       "PlanCentreOfMass",
-                      fmt::format("in phase {} the support at {:.2f} s has no place that is {:.1f} mm from its edge",
-                                  phase, time_s, 1e3 * margin_m_),
+                      fmt::format("in phase {}, the support at {:.2f} s has no point {:.1f} mm inside its edge", phase,
+                                  time_s, 1e3 * margin_m_),
                       {"lower centre_of_mass.zmp_margin_m"},
                       Violation{Law::kZmpSupport, time_s, "zero-moment point", margin_m_, 0.0, "m"}};
   }

@@ -10,17 +10,17 @@
 
 namespace gaitwright {
 
-/// A time at which the ZMP is chosen: p = origin + basis x, with x the knot's own `size` variables from `first` on.
-/// Where the region has area, x is the place in it; on a line, the fraction of its length; a knot that is given has
-/// none.
+/// A time at which the ZMP is a variable: p = origin + basis x, with x the knot's own `size` variables from `first` on.
+/// In a region with area, x is the position in it; on a line, the fraction of its length; a given knot has no
+/// variables.
 struct ZmpKnot {
   double time_s = 0.0;
-  std::size_t phase = 0;  ///< whose region it is held in
+  std::size_t phase = 0;  ///< phase whose region constrains it
   int first = 0, size = 0;
   Vector2 origin_W = Vector2::Zero();
-  Eigen::Matrix2d basis = Eigen::Matrix2d::Zero();  ///< its first `size` columns count
-  Polygon region_W;                                 ///< where it may be
-  double margin_m = 0.0;                            ///< by which that is inside of a support with area
+  Eigen::Matrix2d basis = Eigen::Matrix2d::Zero();  ///< only the first `size` columns are used
+  Polygon region_W;                                 ///< its region
+  double margin_m = 0.0;                            ///< margin of the region inside a support with area
 
   /// The ZMP at this knot for the unknowns x, in W [m].
   Vector2 At(const VectorX& x) const {
@@ -31,29 +31,29 @@ struct ZmpKnot {
 /// A sample of the grid between two knots: p = constant + left p_left + right p_right.
 struct ZmpBlend {
   std::size_t left = 0, right = 0;  ///< knots
-  double share = 0.0;               ///< of the way from left to right
+  double share = 0.0;               ///< fraction between left and right
   Eigen::Matrix2d by_left, by_right;
   Vector2 constant_W;
 };
 
-/// The ZMP as a function of few numbers: piecewise linear between knots in coordinates that move with the region, so
-/// that between two knots in a region whose corners move alike, or on a line, it stays there by construction. Where
-/// one region goes over into another they share the knot, which is held in the smaller of the two; where neither holds
-/// the other, the ZMP jumps. The first and the last knot are given: the preferred points of standing at rest.
+/// The ZMP as a function of few variables: piecewise linear between knots in coordinates that move with the region, so
+/// it stays in a region whose corners move alike, or on a line, by construction. If one region follows another, they
+/// share the knot, which is constrained to the smaller of the two; if neither contains the other, the ZMP jumps. The
+/// first and the last knot are given: the preferred points of standing at rest.
 struct ZmpKnots {
   std::vector<ZmpKnot> knots;                              ///< by phase, then time
-  std::vector<std::pair<std::size_t, std::size_t>> spans;  ///< pairs of knots with nothing but a straight piece between
+  std::vector<std::pair<std::size_t, std::size_t>> spans;  ///< pairs of knots with a straight piece in between
   std::vector<ZmpBlend> samples;
   int num_variables = 0;
 
   /// The ZMP on the grid.
   std::vector<Vector2> Sample(const VectorX& x) const;
-  /// By sample: what the margin between two knots comes to, 0 next to one that another support's line holds [m].
+  /// By sample: margin between two knots, 0 next to a knot on another support's line [m].
   std::vector<double> Margins() const;
 };
 
-/// Places the knots: every `spacing_s` or nearer, at least one between the ends of a phase that lasts long enough.
-/// Failure kInfeasible names the phase whose support is not wide enough for the margin at both sides.
+/// Places the knots: at most `spacing_s` apart, with at least one inside each phase that is long enough. Failure
+/// kInfeasible names the phase whose support is not wide enough for the margin on both sides.
 Result<ZmpKnots> PlaceZmpKnots(const ZmpProblem& problem, double margin_m, double spacing_s);
 
 }  // namespace gaitwright

@@ -11,7 +11,7 @@ namespace gaitwright {
 /// A vector in space that depends on unknown vectors alone, each by one number:
 ///   constant + sum_i coefficient_i * (x[start_i], x[start_i + 1], x[start_i + 2]).
 struct AffineVector {
-  /// An unknown vector by the first of its three numbers, and what it counts.
+  /// An unknown vector, by the index of the first of its three numbers, and its factor.
   struct Part {
     int start;
     double coefficient;

@@ -13,12 +13,13 @@ namespace {
 /// @throws InvalidArgument unless there are `size` of both ends, one or more, and no lower one is above its upper one.
 void CheckInterval(const std::string& what, const VectorX& lower, const VectorX& upper, Eigen::Index size) {
   if (size == 0 || lower.size() != size || upper.size() != size) {
-    throw InvalidArgument(fmt::format("Solve: {}: {} lower and {} upper ends; as many, one or more, are needed", what,
-                                      lower.size(), upper.size()));
+    throw InvalidArgument(fmt::format("Solve: {}: {} lower and {} upper bounds; equal numbers, one or more, are needed",
+                                      what, lower.size(), upper.size()));
   }
   for (Eigen::Index i = 0; i < size; ++i) {
     if (!(lower[i] <= upper[i]))
-      throw InvalidArgument(fmt::format("Solve: {}: end {} is {} below and {} above", what, i, lower[i], upper[i]));
+      throw InvalidArgument(
+          fmt::format("Solve: {}: bounds {} are {} (lower) and {} (upper)", what, i, lower[i], upper[i]));
   }
 }
 
@@ -34,7 +35,7 @@ std::vector<int> CheckedVariables(const std::vector<int>& variables, int count) 
     throw InvalidArgument(fmt::format("Solve: a list of variables names {} twice", *twice));
   for (const int v : {sorted.front(), sorted.back()}) {
     if (v < 0 || v >= count)
-      throw InvalidArgument(fmt::format("Solve: a list of variables names {}; there are 0 to {}", v, count - 1));
+      throw InvalidArgument(fmt::format("Solve: a list of variables names {}; accepted: 0 to {}", v, count - 1));
   }
   return variables;
 }

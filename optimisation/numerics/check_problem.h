@@ -7,11 +7,11 @@
 
 namespace gaitwright {
 
-/// The list of variables as given, or all. @throws InvalidArgument for one named twice or that there is not.
+/// The list of variables as given, or all. @throws InvalidArgument for a duplicate or unknown variable.
 std::vector<int> CheckedVariables(const std::vector<int>& variables, int count);
 
-/// @throws InvalidArgument for a start that is empty or not finite, for intervals of the wrong size or with their ends
-/// swapped, and for a list of variables that names one twice or one that there is not.
+/// @throws InvalidArgument for a start that is empty or not finite, for bounds of wrong size or in wrong order, and for
+/// a list with duplicate or unknown variables.
 void CheckConstrainedProblem(const ConstrainedProblem& problem);
 
 }  // namespace gaitwright

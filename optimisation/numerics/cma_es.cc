@@ -28,10 +28,10 @@ CmaEs::CmaEs(const VectorX& start, std::uint64_t seed, const CmaEsOptions& optio
   CmaEsOptions checked = options;
   CheckOptions(checked.Fields());
   const Eigen::Index n = start.size();
-  if (n == 0) throw InvalidArgument("CmaEs: there are no unknowns; one or more is needed");
+  if (n == 0) throw InvalidArgument("CmaEs: there are no unknowns; one or more are needed");
   for (const double value : start) {
     if (!(value >= 0.0 && value <= 1.0))
-      throw InvalidArgument(fmt::format("CmaEs: a coordinate of the start is {}; 0 to 1 is accepted", value));
+      throw InvalidArgument(fmt::format("CmaEs: a coordinate of the start is {}; accepted: 0 to 1", value));
   }
   if (population_ == 0) population_ = 4 + static_cast<int>(3.0 * std::log(static_cast<double>(n)));
   population_ = std::max(population_, 2);
@@ -91,12 +91,12 @@ std::vector<std::size_t> CmaEs::Ranked(const std::vector<std::optional<double>>&
 void CmaEs::Tell(const std::vector<std::optional<double>>& values) {
   if (values.size() != static_cast<std::size_t>(drawn_.cols())) {
     throw InvalidArgument(
-        fmt::format("CmaEs: {} values are given for {} points that were asked for", values.size(), drawn_.cols()));
+        fmt::format("CmaEs: {} values are given for {} requested points", values.size(), drawn_.cols()));
   }
   bool any = false;
   for (const std::optional<double>& value : values) {
     if (value && !std::isfinite(*value))
-      throw InvalidArgument(fmt::format("CmaEs: a value is {}; give none for a point that has none", *value));
+      throw InvalidArgument(fmt::format("CmaEs: a value is {}; give no value for an infeasible point", *value));
     any = any || value.has_value();
   }
   if (any) {

@@ -19,8 +19,9 @@ struct CmaEsOptions {
   double spread = 0.2;
 
   OptionFields Fields() {
-    return {{"population", &population, "1", 0.0, 1000.0, "Points of a generation; 0: 4 + 3 ln n, of n unknowns.", {}},
-            {"spread", &spread, "1", 1e-6, 1.0, "Standard deviation of the first generation.", {}}};
+    return {{"population", &population, "1", 0.0, 1000.0,
+             "Number of points in a generation; 0 uses 4 + 3 ln n for n unknowns."},
+            {"spread", &spread, "1", 1e-6, 1.0, "Standard deviation of the first generation."}};
   }
 };
 
@@ -34,10 +35,9 @@ struct CmaEsOptions {
 ///       search.Tell(values of the points);
 ///     }
 ///
-/// Only the order of values counts. A point without a value ranks behind all that have one; a generation without any
-/// value leaves the mean where it is and halves the spread. What is drawn beyond a bound is mirrored at it.
-/// Deterministic for a seed. Hansen, The CMA evolution strategy: a tutorial, arXiv:1604.00772, table 1 with positive
-/// weights alone.
+/// Only the order of values matters. A point without a value ranks last; a generation without any value keeps the mean
+/// and halves the spread. Points beyond a bound are mirrored at it. Deterministic for a seed. Hansen, The CMA evolution
+/// strategy: a tutorial, arXiv:1604.00772, table 1 with positive weights only.
 class CmaEs {
  public:
   /// @param start  first mean. @throws InvalidArgument unless it has a coordinate, all are in [0, 1] and the options
@@ -52,8 +52,8 @@ class CmaEs {
 
   /// The next generation, within the bounds.
   std::vector<VectorX> Ask();
-  /// The values of the last generation, in its order; lower is better. @throws InvalidArgument unless there are as many
-  /// as points that were asked for, and each is finite.
+  /// The values of the last generation, in its order; lower is better. @throws InvalidArgument unless there is one
+  /// finite value for each requested point.
   void Tell(const std::vector<std::optional<double>>& values);
 
  private:

@@ -335,19 +335,20 @@ class Solver {
     return {FailureKind::kInfeasible,
             FailureCode::kUnmetConstraint,
             "Solve",
-            fmt::format("constraint '{}' stays unmet by {:.3g} after {} updates and {} iterations",
+            fmt::format("constraint '{}' stays violated by {:.3g} after {} updates and {} iterations",
                         solution_.worst_constraint, solution_.violation, solution_.outer, solution_.iterations),
-            {"relax that constraint, or start elsewhere"}};
+            {"relax this constraint, or use another initial guess"}};
   }
 
   Failure Unsettled() const {
-    return {FailureKind::kInfeasible,
-            FailureCode::kUnsettledCost,
-            "Solve",
-            fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} updates and {} "
-                        "iterations",
-                        solution_.cost, solution_.outer, solution_.iterations),
-            {"raise max_outer, max_inner or max_steps, or start elsewhere"}};
+    return {
+        FailureKind::kInfeasible,
+        FailureCode::kUnsettledCost,
+        "Solve",
+        fmt::format(
+            "all constraints are satisfied, but the cost, {:.6g}, has not converged after {} updates and {} iterations",
+            solution_.cost, solution_.outer, solution_.iterations),
+        {"raise max_outer, max_inner or max_steps, or use another initial guess"}};
   }
 
   const ConstrainedProblem& problem_;

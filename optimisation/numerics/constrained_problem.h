@@ -12,24 +12,24 @@
 
 namespace gaitwright {
 
-/// Rows of the cost. Where they depend on a few variables only, naming those keeps a large problem sparse: `function`
-/// then sees these alone, in this order, and its Jacobian has a column for each.
+/// Rows of the cost. If they depend on a few variables only, naming these keeps a large problem sparse: `function` then
+/// gets only these, in this order, and its Jacobian has one column for each.
 struct Residual {
   Residual(VectorFunction of, std::vector<int> variables_seen = {})
       : function(std::move(of)), variables(std::move(variables_seen)) {}
 
   VectorFunction function;
   std::vector<int> variables;  ///< empty for all
-  bool affine = false;         ///< its Jacobian is the same everywhere
+  bool affine = false;         ///< its Jacobian is constant
 };
 
-/// lower <= c(x) <= upper by rows; an equality where both are the same, one-sided with an infinite end.
+/// lower <= c(x) <= upper by rows; equal bounds make an equality, an infinite bound a one-sided constraint.
 struct Constraint {
   std::string name;
   VectorFunction function;
   VectorX lower, upper;
   std::vector<int> variables = {};  ///< that `function` sees, as in Residual; empty for all
-  bool affine = false;              ///< its Jacobian is the same everywhere
+  bool affine = false;              ///< its Jacobian is constant
 };
 
 /// min |r(x)|^2 subject to constraints and bounds. Solved by dense factorisation up to 60 variables, by sparse beyond.
@@ -58,43 +58,26 @@ struct ConstrainedOptions {
 
   OptionFields Fields() {
     return {
-        {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest violation of a constraint that counts as none.", {}},
-        {"stiffness",
-         &stiffness,
-         "1",
-         1e-6,
-         1e6,
-         "First penalty, in units of the curvature of the cost over that of the constraints.",
-         {}},
-        {"cost_tolerance",
-         &cost_tolerance,
-         "1",
-         1e-14,
-         1.0,
-         "Change of the cost between two updates, relative to 1 + cost, that counts as none.",
-         {}},
-        {"trust_radius", &trust_radius, "1", 1e-3, 1e12, "First trust region, in units of the scaled variables.", {}},
-        {"inner_tolerance",
-         &inner_tolerance,
-         "1",
-         1e-12,
-         0.1,
-         "Relative change of the penalised cost at which the first update is due; later ones are finer.",
-         {}},
-        {"patience",
-         &patience,
-         "1",
-         0,
-         100,
-         "Steps in a row that may raise the penalised cost; with any, penalties grow only where steps have settled.",
-         {}},
-        {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
-        {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}},
-        {"max_steps", &max_steps, "1", 1, 10000000, "Most steps in all, after which there is no further update.", {}}};
+        {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
+        {"stiffness", &stiffness, "1", 1e-6, 1e6,
+         "Initial penalty, in units of the curvature of the cost divided by the curvature of the constraints."},
+        {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
+         "Change of the cost between two updates, relative to 1 + cost, below which the solve has converged."},
+        {"trust_radius", &trust_radius, "1", 1e-3, 1e12,
+         "Initial radius of the trust region, in units of the scaled variables."},
+        {"inner_tolerance", &inner_tolerance, "1", 1e-12, 0.1,
+         "Relative change of the penalised cost below which the first update is made; later updates use smaller "
+         "values."},
+        {"patience", &patience, "1", 0, 100,
+         "Consecutive steps that may raise the penalised cost; above 0, penalties grow only after steps have "
+         "converged."},
+        {"max_outer", &max_outer, "1", 1, 1000, "Maximum number of updates of the multipliers."},
+        {"max_inner", &max_inner, "1", 1, 10000, "Maximum number of steps between two updates."},
+        {"max_steps", &max_steps, "1", 1, 10000000, "Maximum number of steps in all; no update follows after them."}};
   }
 };
 
-/// What a solution is and how it came about.
+/// A solution with its statistics.
 struct ConstrainedSolution {
   VectorX x;
   double cost = 0.0;                                       ///< |r|^2
@@ -112,12 +95,12 @@ struct ConstrainedSolution {
 
 /// Augmented Lagrangian over Ceres. With y = c + lambda / rho, each constraint adds the residual
 ///   sqrt(rho) (y - clamp(y, lower, upper)),   then lambda = rho (y - clamp(y)).
-/// The first rho matches the curvature of the constraints to that of the cost, which makes the path the same whatever
-/// the cost's scale; rho grows where the violation does not fall. A solve that stops without having moved is repeated
-/// with a finer tolerance before anything is updated. Failure kInfeasible names the constraint that stays unmet and by
-/// how much, or says that the cost does not settle. @throws InvalidArgument as CheckConstrainedProblem, and where a
-/// function is not finite at the start. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
-/// @param last  if given: where it stood at the end, whether that is a solution or not.
+/// The first rho matches the curvature of the constraints to that of the cost, which makes the iterates independent of
+/// the cost's scale; rho grows if the violation does not fall. A solve that stops without a step is repeated with a
+/// smaller tolerance before any update. Failure kInfeasible names the violated constraint and the amount, or that the
+/// cost does not converge. @throws InvalidArgument as CheckConstrainedProblem, and if a function is not finite at the
+/// start. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
+/// @param last  if given: the last iterate, also if it is not a solution.
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {},
                                   ConstrainedSolution* last = nullptr);
 

@@ -323,30 +323,38 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kUnmetConstraint,
                    "SolveElastic",
-                   fmt::format("constraint '{}' stays unmet by {:.3g} after {} iterations", solution_.worst_constraint,
-                               solution_.violation, solution_.iterations),
-                   {"relax that constraint, or start elsewhere"}};
+                   fmt::format("constraint '{}' stays violated by {:.3g} after {} iterations",
+                               solution_.worst_constraint, solution_.violation, solution_.iterations),
+                   {"relax this constraint, or use another initial guess"}};
   }
-  return Failure{FailureKind::kInfeasible,
-                 FailureCode::kUnsettledCost,
-                 "SolveElastic",
-                 fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} iterations",
-                             solution_.cost, solution_.iterations),
-                 {"raise max_iterations, or start elsewhere"}};
+  return Failure{
+      FailureKind::kInfeasible,
+      FailureCode::kUnsettledCost,
+      "SolveElastic",
+      fmt::format("all constraints are satisfied, but the cost, {:.6g}, has not converged after {} iterations",
+                  solution_.cost, solution_.iterations),
+      {"raise max_iterations, or use another initial guess"}};
 }
 
 }  // namespace
 
 OptionFields ElasticOptions::Fields() {
-  return {{"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest violation of a constraint that counts as none.", {}},
-          {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0, "Relative change of the cost that counts as none.", {}},
-          {"price", &price, "1", 1e-6, 1e9, "First price of a violation, in units of half the cost.", {}},
-          {"most_price", &most_price, "1", 1e-6, 1e9, "Greatest price of a violation.", {}},
-          {"first_gap", &first_gap, "1", 1e-12, 1e3, "First product of a distance to a bound and its multiplier.", {}},
-          {"give", &give, "1", 1e-14, 1.0, "By which an equality gives way to a multiplier of one, within a step.", {}},
-          {"screening", &screening, "1", 1, 10000, "Steps after which it is given up where it is hopeless.", {}},
-          {"hopeless", &hopeless, "1", 0.0, 1e12, "Sum of violations that is hopeless after so many steps.", {}},
-          {"max_iterations", &max_iterations, "1", 1, 10000, "Most steps.", {}}};
+  return {
+      {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
+      {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
+       "Relative change of the cost below which the solve has converged."},
+      {"price", &price, "1", 1e-6, 1e9, "Initial penalty weight on constraint violation, in units of half the cost."},
+      {"most_price", &most_price, "1", 1e-6, 1e9,
+       "Maximum penalty weight on constraint violation, in units of half the cost."},
+      {"first_gap", &first_gap, "1", 1e-12, 1e3,
+       "Initial barrier parameter: product of the distance to a bound and its multiplier."},
+      {"give", &give, "1", 1e-14, 1.0,
+       "Regularisation of equalities in a step: change of an equality for a unit change of its multiplier."},
+      {"screening", &screening, "1", 1, 10000,
+       "Iterations of the early infeasibility check: after these the solve stops if violations exceed `hopeless`."},
+      {"hopeless", &hopeless, "1", 0.0, 1e12,
+       "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
+      {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
 }
 
 Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options,
@@ -355,7 +363,7 @@ Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, cons
   CheckOptions(checked.Fields());
   CheckConstrainedProblem(problem);
   if (problem.lower.size() + problem.upper.size() > 0)
-    throw InvalidArgument("SolveElastic: bounds are to be given as constraints");
+    throw InvalidArgument("SolveElastic: bounds are not supported; give them as constraints");
   ElasticSolver solver(problem, checked);
   Result<ConstrainedSolution> solution = solver.Run();
   if (last != nullptr) *last = solver.solution();

@@ -23,18 +23,18 @@ struct ElasticOptions {
   OptionFields Fields();
 };
 
-/// Solves a constrained problem by a primal-dual interior-point method for large problems with many inequalities:
-/// steps do not stop at each change of the active set as those of Solve do. Inequalities are elastic: with a price k,
+/// Solves a constrained problem by a primal-dual interior-point method for large problems with many inequalities: steps
+/// do not stop at each change of the active set, unlike those of Solve. Inequalities are elastic: with a penalty weight
+/// k,
 ///   min |r(x)|^2 / 2 + k sum t   subject to   c(x) = 0,   g(x) + s = t,   s, t >= 0,
-/// which has a solution whether the constraints have one or not, so that it ends where the violations' sum is least (a
-/// local least; the least of all where constraints are affine), and the same solution where a price above all
-/// multipliers is paid. Each step solves Newton's equations with the squares of the Jacobians for curvature, twice with
-/// one factorisation (Mehrotra's predictor and corrector), and is shortened until a merit function falls. Where it
-/// settles with constraints unmet the price is raised tenfold up to most_price. Failure kInfeasible names the
-/// constraint that stays unmet most and by how much, or says that the cost does not settle. @throws InvalidArgument as
-/// Solve, and for bounds, which are to be given as constraints. Nocedal and Wright, Numerical Optimization, 2006,
-/// chapters 17.2 and 19.
-/// @param last  if given: where it stood at the end, whether that is a solution or not; `outer` counts the prices.
+/// which has a solution also for infeasible constraints: it ends at a local minimum of the sum of violations (global
+/// for affine constraints), and at the solution of the original problem if the penalty weight exceeds all multipliers.
+/// Each step solves Newton's equations with the squares of the Jacobians for curvature, twice with one factorisation
+/// (Mehrotra's predictor and corrector), and is shortened until a merit function falls. If it converges with violated
+/// constraints, the penalty weight is raised tenfold up to most_price. Failure kInfeasible names the most violated
+/// constraint and the amount, or that the cost does not converge. @throws InvalidArgument as Solve, and for bounds,
+/// which must be given as constraints. Nocedal and Wright, Numerical Optimization, 2006, chapters 17.2 and 19.
+/// @param last  if given: the last iterate, also if it is not a solution; `outer` counts the penalty weights.
 Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options = {},
                                          ConstrainedSolution* last = nullptr);
 

@@ -18,7 +18,7 @@ constexpr std::array<std::uint64_t, kMostHaltonCoordinates> kPrimes = {2,  3,  5
 }  // namespace
 
 double RadicalInverse(std::uint64_t index, std::uint64_t base) {
-  if (base < 2) throw InvalidArgument(fmt::format("RadicalInverse: base is {}; 2 or more is accepted", base));
+  if (base < 2) throw InvalidArgument(fmt::format("RadicalInverse: the base is {}; it must be 2 or more", base));
   double inverse = 0.0, digit = 1.0;
   for (; index > 0; index /= base) {
     digit /= static_cast<double>(base);
@@ -29,7 +29,7 @@ double RadicalInverse(std::uint64_t index, std::uint64_t base) {
 
 VectorX HaltonPoint(std::uint64_t index, int coordinates, std::uint64_t seed) {
   if (coordinates < 1 || coordinates > kMostHaltonCoordinates) {
-    throw InvalidArgument(fmt::format("HaltonPoint: {} coordinates are asked for; 1 to {} are accepted", coordinates,
+    throw InvalidArgument(fmt::format("HaltonPoint: the number of coordinates is {}; accepted: 1 to {}", coordinates,
                                       kMostHaltonCoordinates));
   }
   SplitMix shifts(seed);

@@ -16,9 +16,9 @@ double RadicalInverse(std::uint64_t index, std::uint64_t base);
 inline constexpr int kMostHaltonCoordinates = 20;
 
 /// Point number `index`, from 0, of a sequence that fills the unit cube evenly: coordinate k is the radical inverse of
-/// index + 1 in the k-th prime. Seed 0 is the plain sequence; another seed turns each coordinate by a shift of its own
-/// (Cranley and Patterson, SIAM J. Numer. Anal. 13(6), 1976), which keeps it even.
-/// Halton, Numerische Mathematik 2, 1960, doi:10.1007/BF01386213.
+/// index + 1 in the k-th prime. Seed 0 is the plain sequence; another seed adds a different shift to each coordinate,
+/// modulo 1 (Cranley and Patterson, SIAM J. Numer. Anal. 13(6), 1976), which keeps it even. Halton, Numerische
+/// Mathematik 2, 1960, doi:10.1007/BF01386213.
 /// @return numbers in [0, 1).  @throws InvalidArgument unless there are 1 to kMostHaltonCoordinates coordinates.
 VectorX HaltonPoint(std::uint64_t index, int coordinates, std::uint64_t seed = 0);
 

@@ -43,8 +43,8 @@ void CheckMeasured(const std::vector<VectorX>& points, const std::vector<double>
   const int needed = CoefficientsOfQuadratic(static_cast<int>(n));
   if (n == 0 || points.size() != values.size() || points.size() < static_cast<std::size_t>(needed)) {
     throw InvalidArgument(
-        fmt::format("FitQuadratic: {} points of {} unknowns and {} values; as many values as points are accepted, and "
-                    "at least {} of them",
+        fmt::format("FitQuadratic: {} points of {} unknowns and {} values; one value for each point and at least {} "
+                    "points are needed",
                     points.size(), n, values.size(), needed));
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -200,7 +200,7 @@ VectorX HighestOf(const QuadraticSurface& surface, const VectorX& low, const Vec
   const bool fits = n > 0 && high.size() == n && surface.slope.size() == n && surface.curvature.rows() == n &&
                     surface.curvature.cols() == n;
   if (!fits || !low.allFinite() || !high.allFinite() || !(low.array() < high.array()).all())
-    throw InvalidArgument("HighestOf: sizes differ, or a lower bound is not below its upper one");
+    throw InvalidArgument("HighestOf: sizes differ, or a lower bound is not below its upper bound");
   SurfaceCost cost(surface, low, high);
   VectorX best = 0.5 * (low + high);
   for (const VectorX& start : Starts(low, high)) {

@@ -17,11 +17,11 @@ struct QuadraticSurface {
   double At(const VectorX& x) const { return constant + slope.dot(x) + 0.5 * x.dot(curvature * x); }
 };
 
-/// A surface through measured values, and how well it foretells what it was not fitted to.
+/// A surface fitted to measured values, and its cross-validated quality.
 struct FittedSurface {
   QuadraticSurface surface;
-  /// 1 - sum of squared errors over that about the mean, each value foretold by the fit to all others: 1 foretells
-  /// exactly, 0 no better than the mean. 0 where there are no more values than coefficients, or all are equal.
+  /// 1 - sum of squared errors over that about the mean, each value predicted by the fit to all others: 1 is exact, 0
+  /// no better than the mean. 0 if there are no more values than coefficients, or all are equal.
   double foretold = 0.0;
 };
 
@@ -29,8 +29,8 @@ struct FittedSurface {
 int CoefficientsOfQuadratic(int unknowns);
 
 /// The quadratic surface with the least squared error at the points (Box and Wilson, J. Royal Stat. Soc. B 13(1),
-/// 1951). Exact for values of a quadratic function. What is left out of the fit once is foretold by the leverage,
-/// e / (1 - h) (Allen, Technometrics 16(1), 1974).
+/// 1951). Exact for values of a quadratic function. The leave-one-out errors follow from the leverage, e / (1 - h)
+/// (Allen, Technometrics 16(1), 1974).
 /// @throws InvalidArgument unless there are as many values as points, as many points as coefficients, all points have
 /// one size of 1 or more, and everything is finite.
 FittedSurface FitQuadratic(const std::vector<VectorX>& points, const std::vector<double>& values);

@@ -32,7 +32,7 @@ std::vector<double> SmoothWithin(const std::vector<double>& wanted, const std::v
                                  double firm) {
   constexpr int kMostSets = 100;
   if (wanted.size() < 3 || bounds.size() != wanted.size())
-    throw InvalidArgument("SmoothWithin: three numbers or more, and bounds for each");
+    throw InvalidArgument("SmoothWithin: three or more numbers are needed, with bounds for each");
   const auto count = static_cast<Eigen::Index>(wanted.size());
   VectorX low(count), high(count);
   for (Eigen::Index k = 0; k < count; ++k) {

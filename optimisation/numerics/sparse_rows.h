@@ -24,7 +24,7 @@ class SparseRows {
   /// The constraint that a row belongs to; null for a residual.
   const Constraint* ConstraintOf(Eigen::Index row) const { return owner_[static_cast<std::size_t>(row)]; }
 
-  /// Finds the rows' values. The Jacobian stays that of the place where it was found last, at first the start.
+  /// Computes the rows' values. The Jacobian stays that of its last computation, initially the start.
   void Evaluate(const VectorX& x);
   /// Finds the Jacobian where Evaluate has found the values last.
   void Differentiate();
@@ -32,7 +32,7 @@ class SparseRows {
   VectorX Gradient(const VectorX& by) const;
   /// J * by.
   VectorX Moved(const VectorX& by) const;
-  /// Factors the matrix for a weight by row; those of residuals are taken as 1. @return false where it is not positive.
+  /// Factors the matrix for a weight by row; those of residuals are 1. @return false if it is not positive definite.
   bool Factor(const VectorX& weights, double damping);
   /// Solves with the factors.
   VectorX Solved(const VectorX& right) const { return cholesky_.solve(right); }

@@ -11,13 +11,13 @@
 
 namespace gaitwright {
 
-/// Finds where the body and the upper legs come too near to what is solid along a motion, and what a rigid body is to
-/// keep to so that they do not: half-spaces that hold the solid, with the nearest point of the part taken to be fixed
-/// in the body. Of the legs that is true for small changes only, so that it is to be looked at again. Links that end in
-/// a foot are left to the swings.
+/// Finds where the body and the upper legs come too near to solids along a motion, and the constraints of a rigid body
+/// that avoid this: half-spaces that contain the solid, for the nearest point of the part, assumed fixed in the body.
+/// For legs this holds for small changes only, so it must be checked again. Links that end in a foot are handled by the
+/// swings.
 ///
-/// Wanted is a clearance of 0.07 of the leg's length, as much as a robot that is played comes off its plan, or as much
-/// as a part has when the robot stands at the start or the end. A motion lacks what is missing of a quarter of that.
+/// The required clearance is 0.07 leg lengths, the usual deviation of a playback from its plan, or the clearance of
+/// the part in standing at the start or the end if that is less. A motion fails below a quarter of that.
 class BodyClearance {
  public:
   BodyClearance(const RobotModel& model, const Terrain& terrain);

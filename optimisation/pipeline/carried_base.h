@@ -6,9 +6,9 @@
 
 namespace gaitwright {
 
-/// Where the base is about when the centre of mass moves so, before any pass over the whole body: with the centre of
-/// mass at its place in the standing posture, turned as the body is.
-/// @param body, motion  outlive what is returned.
+/// Approximate base motion for a motion of the centre of mass, before any whole-body pass: with the centre of mass at
+/// its position of the standing posture, rotated with the body.
+/// @param body, motion  must outlive the result.
 BaseMotion CarriedBase(const RobotModel& model, const BodyPath& body, const CentroidalTrajectory& motion);
 
 }  // namespace gaitwright

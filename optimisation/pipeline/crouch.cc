@@ -53,8 +53,8 @@ std::vector<double> SpeedByTorque(const std::vector<PushOff>& at) {
 std::string MotorText(const RobotModel& model, int index, bool speed) {
   if (index < 0) return "no motor";
   const Actuator motor = ActuatorOf(model, index);
-  return speed ? fmt::format("'{}' turns at {:.3g} rad/s at most", motor.name, motor.velocity_limit)
-               : fmt::format("'{}' holds {:.3g} N m at most", motor.name, motor.effort_limit);
+  return speed ? fmt::format("'{}' is limited to {:.3g} rad/s", motor.name, motor.velocity_limit)
+               : fmt::format("'{}' is limited to {:.3g} N m", motor.name, motor.effort_limit);
 }
 
 Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const PushOff& best, double gives,
@@ -64,9 +64,9 @@ Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const Pus
                                          "a larger duty factor (--set gait.duty_factor)"};
   if (longest_s > 0.005) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
   return {FailureKind::kInfeasible, by_speed ? FailureCode::kLegsTooSlow : FailureCode::kLegsTooWeak, "CrouchFor",
-          fmt::format("a flight of {:.3f} s at {:.2f} s takes a lift-off at {:.2f} m/s and {:.2f} m/s before the push "
-                      "ends; with flat soles and a level body the legs of '{}' give {:.2f} m/s at most, with the "
-                      "centre of mass {:.3f} m up, where {}",
+          fmt::format("a flight of {:.3f} s at {:.2f} s needs a lift-off speed of {:.2f} m/s and {:.2f} m/s before the "
+                      "push ends; with flat soles and a level body, the legs of '{}' give at most {:.2f} m/s with the "
+                      "centre of mass at {:.3f} m, where {}",
                       flight.duration_s, flight.start_s, takes, kLeastSpeed * takes, model.name, gives, best.com_m,
                       MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
           suggestions};
@@ -127,11 +127,11 @@ Result<std::optional<Crouch>> AtHeight(const RobotModel& model, double com_heigh
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kHeight,
                    "CrouchFor",
-                   fmt::format("the centre of mass of '{}' cannot be carried {:.3f} m up: {}, level and on flat feet, "
-                               "it is from {:.3f} to {:.3f} m",
+                   fmt::format("the centre of mass of '{}' cannot be at a height of {:.3f} m: {}, with a level body on "
+                               "flat feet, {:.3f} to {:.3f} m are possible",
                                model.name, com_height_m, needed ? "with legs fast enough for the flights" : "with legs",
                                lowest_m, highest_m),
-                   {"another pipeline.com_height_m, 0 for the robot's own"}};
+                   {"set another pipeline.com_height_m; 0 uses the robot's default"}};
   }
   // Between two postures that differ by 1 % of the leg joints are as good as straight in height.
   const auto above = below == at.begin() ? below : below - 1;

@@ -9,13 +9,13 @@
 
 namespace gaitwright {
 
-/// How a robot is carried whose legs are too straight in standing to throw it up (near stretched legs joints turn fast
-/// for little speed of the body), or that is to be carried at another height.
+/// Lowered posture of a robot whose standing legs are too straight for a take-off (with nearly stretched legs, joints
+/// turn fast for a small speed of the body), or that has a given height.
 struct Crouch {
   RobotModel model;                ///< the robot, its standing posture that of crouching
   Vector3 p_SB = Vector3::Zero();  ///< from where the base is over its feet in standing to where it is now, level [m]
   double highest_m = 0.0;          ///< of the centre of mass over a foothold, at lift-off and touch-down; 0: any
-  double flight_s = 0.0;           ///< the longest flight, where that is what it is for
+  double flight_s = 0.0;           ///< the longest flight, if the crouch is for flights
   double fastest_m_s = 0.0;        ///< that the motors let the body rise or sink there; 0: any
 };
 

@@ -6,11 +6,11 @@
 
 namespace gaitwright {
 
-/// Whether a motion over a schedule is planned as that of a rigid body, since a pendulum on its feet cannot do it:
-/// asked for, or with a time at which none of the feet that carry goes on to.
+/// Whether a motion is planned as that of a rigid body, because it is requested or because the pendulum model is not
+/// sufficient: at some time all stance feet change at once.
 bool IsDynamic(const ContactSchedule& schedule, const CentreOfMassOptions& options);
 
-/// The same of a gait's steady cycle.
+/// As above, for a gait's steady cycle.
 bool IsDynamic(const Gait& gait, const CentreOfMassOptions& options);
 
 }  // namespace gaitwright

@@ -7,15 +7,15 @@
 
 namespace gaitwright {
 
-/// What the motors of the legs give at a height: base level, feet flat where they stand, all joints beside the legs as
-/// in standing.
+/// Limits of the leg motors at a height, with level base, flat feet at their standing positions, and all other joints
+/// as in standing.
 struct PushOff {
   VectorX q;               ///< the posture; its centre of mass over the place that it is over in standing
   double com_m = 0.0;      ///< height of the centre of mass over the ground
   double speed_m_s = 0.0;  ///< the fastest that it rises while the feet stand
-  double gain_m_s2 = 0.0;  ///< the most with which it gathers speed upward; below 0 where it cannot be held
-  int fastest = -1;        ///< the motor (ActuatorOf) that limits the speed; -1 where none does
-  int strongest = -1;      ///< the motor that limits what it gathers
+  double gain_m_s2 = 0.0;  ///< largest upward acceleration; below 0 if the weight cannot be held
+  int fastest = -1;        ///< the motor (ActuatorOf) that limits the speed; -1 if none does
+  int strongest = -1;      ///< the motor that limits the acceleration
 };
 
 /// Postures by height, from straight legs down to the lowest in which joints keep `reserve` of their range to their

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// Share of a joint's range that a plan keeps free at either end where that is possible.
+/// Margin of a plan to both ends of a joint's range, if possible, as a share of the range.
 inline constexpr double kRangeMargin = 0.01;
 
 /// How far joints and motors (Actuator) are past their limits, summed in shares of the limits: 0 where all are kept.

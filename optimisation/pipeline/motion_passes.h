@@ -15,13 +15,12 @@
 
 namespace gaitwright {
 
-/// One pass: what was tried and how far its ZMP is from its reference.
+/// One pass of the fixed-point iteration, with the distance of its ZMP from the reference.
 ///
-/// A pass is settled when the feet rolled, and the base leaned over planar legs, as the pass itself had taken them to.
-/// One that is not has footholds and swings aimed with rolls that are not its own, so that its motion does not end
-/// where it should, whatever its ZMP does: any settled pass is better. Among unsettled ones the newest is, being aimed
-/// with the freshest rolls; among settled ones that whose ZMP is nearest to its reference. One of a rigid body is
-/// settled when it is clear of the ground.
+/// A pass has converged if the rolling of the feet, and the lean of the base over planar legs, equal those assumed by
+/// the pass. Otherwise its footholds and swings use outdated rolls and its motion does not end correctly, so a
+/// converged pass is preferred. Among unconverged passes the latest is best; among converged ones that with the
+/// smallest ZMP error. A pass of a rigid body has converged if it is clear of the ground.
 struct MotionPass {
   CentroidalTrajectory centroidal;
   std::vector<SwingTrajectory> swings;
@@ -48,7 +47,7 @@ struct Carriage {
   double lean_rad = 0.0;      ///< forward
 };
 
-/// What all passes share; outlives them.
+/// Shared data of all passes; must outlive them.
 struct MotionTask {
   const RobotModel& model;
   const Terrain& terrain;
@@ -66,7 +65,8 @@ class MotionPasses {
   /// One pass without corrections, enough to see which limits are kept.
   Result<MotionPass> RunOnce() { return MakePass(); }
 
-  /// Passes until the ZMP is on its reference; where the first ones are farther past limits than `hopeless`, no more.
+  /// Runs passes until the ZMP reaches its reference; stops early if the first ones exceed limits by more than
+  /// `hopeless`.
   Result<MotionPass> Run(int& passes, double hopeless);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// A failure of a rigid body, whose message says "foot 0", with the names of a robot's feet instead.
+/// Replaces "foot 0" in the message of a rigid body's failure by the name of the robot's foot.
 Failure WithNamesOfFeet(const RobotModel& model, Failure failure);
 
 }  // namespace gaitwright

@@ -32,66 +32,29 @@ struct PipelineOptions {
   bool allow_limits = false;
 
   OptionFields Fields() {
-    return {
-        {"grid_step_s", &grid_step_s, "s", 0.001, 0.01, "Step of the plan's uniform grid.", {}},
-        {"max_passes",
-         &max_passes,
-         "1",
-         1.0,
-         20.0,
-         "Most passes in which the multibody ZMP is brought onto its reference; up to twice as many while it still "
-         "comes "
-         "nearer and is not near enough for the audit.",
-         {}},
-        {"max_body_passes", &max_body_passes, "1", 1.0, 50.0, "Most passes over a rigid body and its legs.", {}},
-        {"zmp_tolerance_m",
-         &zmp_tolerance_m,
-         "m",
-         1e-6,
-         0.1,
-         "The passes end when the multibody ZMP is this near to its reference everywhere.",
-         {}},
-        {"residual",
-         &residual,
-         "1",
-         1e-6,
-         0.02,
-         "The passes over a rigid body end when contacts give all but this much of the force, and of the moment in "
-         "metres, over the weight.",
-         {}},
-        {"com_height_m",
-         &com_height_m,
-         "m",
-         0.0,
-         5.0,
-         "Height of the centre of mass over the ground; 0 takes that of standing, lowered as far as legs or flights "
-         "need.",
-         {}},
-        {"zmp_inward",
-         &zmp_inward,
-         "1",
-         0.0,
-         kMostInward,
-         "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width; twice "
-         "as "
-         "far where joints would be past their limits otherwise. In the middle, at 0, pushes to both sides are held "
-         "alike; inward of it ankles and hips bend and work less.",
-         {}},
-        {"end_as_standing",
-         &end_as_standing,
-         "1",
-         0.0,
-         1.0,
-         "Places the last footholds so that feet that roll end where they are in standing, as a motion needs that "
-         "another one follows. Where they end on what is level, of a pendulum's motion.",
-         {}},
-        {"allow_limits",
-         &allow_limits,
-         "1",
-         0.0,
-         1.0,
-         "Hand out a plan that is past limits or fails its audit otherwise too, with warnings, for looking at.",
-         {}}};
+    return WithBasics(
+        {"grid_step_s", "com_height_m", "zmp_inward", "allow_limits"},
+        {{"grid_step_s", &grid_step_s, "s", 0.001, 0.01, "Time step of the plan's uniform grid."},
+         {"max_passes", &max_passes, "1", 1.0, 20.0,
+          "Maximum number of passes that correct the multibody ZMP; up to twice as many while the error still falls "
+          "and would fail the audit."},
+         {"max_body_passes", &max_body_passes, "1", 1.0, 50.0,
+          "Maximum number of passes that alternate between the rigid-body plan and the leg motions."},
+         {"zmp_tolerance_m", &zmp_tolerance_m, "m", 1e-6, 0.1,
+          "Largest distance between the multibody ZMP and its reference at which the passes end."},
+         {"residual", &residual, "1", 1e-6, 0.02,
+          "Largest unbalanced force (and moment, in metres) divided by the weight at which the rigid-body passes end."},
+         {"com_height_m", &com_height_m, "m", 0.0, 5.0,
+          "Height of the centre of mass above the ground; 0 uses the standing height, lowered if the legs or flights "
+          "need it."},
+         {"zmp_inward", &zmp_inward, "1", 0.0, kMostInward,
+          "Inward offset of the preferred ZMP in single support, as a share of the sole's width; doubled if joints "
+          "would exceed their limits."},
+         {"end_as_standing", &end_as_standing, "1", 0.0, 1.0,
+          "Places the last footholds so that rolling feet end in the standing posture, ready for a following motion. "
+          "Applies to pendulum plans that end on level ground."},
+         {"allow_limits", &allow_limits, "1", 0.0, 1.0,
+          "Returns a plan that exceeds limits or fails its audit, with warnings, for inspection."}});
   }
 };
 

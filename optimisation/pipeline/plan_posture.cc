@@ -252,7 +252,7 @@ Result<MotionPlan> WithGesture(const RobotModel& model, const MotionPlan& plan, 
   CheckPostureMotion(model, gesture);
   const WholeBodyTrajectory& w = plan.whole_body;
   if (!(from_s >= w.start_s - kTime && from_s + gesture.duration_s() <= w.end_s() + kTime)) {
-    throw InvalidArgument(fmt::format("gesture '{}' lasts from {} to {} s; the plan lasts from {} to {} s",
+    throw InvalidArgument(fmt::format("gesture '{}' lasts from {} to {} s, but the plan lasts from {} to {} s",
                                       gesture.name, from_s, from_s + gesture.duration_s(), w.start_s, w.end_s()));
   }
   MotionPlan moved = plan;

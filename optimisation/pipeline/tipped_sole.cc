@@ -50,12 +50,12 @@ std::optional<Failure> TippedSole(const RobotModel& model, const Terrain& terrai
       FailureKind::kInfeasible,
       FailureCode::kTippedSole,
       "PlanMotion",
-      fmt::format("at {:.2f} s the sole of '{}' would have its edge {:.1f} mm in the ground: no joint of its leg ({} "
-                  "joints) rolls it, so that it tips by {:.3f} rad as the body sways, and it is {:.3f} m wide",
+      fmt::format("at {:.2f} s the edge of the sole of '{}' would be {:.1f} mm below the ground: its leg ({} joints) "
+                  "has no ankle roll joint, so the sole tilts by {:.3f} rad as the body sways, and it is {:.3f} m wide",
                   worst.at_s, foot.name, 1e3 * worst.depth_m,
                   model.legs[static_cast<std::size_t>(worst.foot)].joints.size(), worst.tilt_rad, SoleWidth(foot)),
-      {"give the leg an ankle joint that rolls the sole",
-       "where a limb that is an arm is taken for a leg, name the feet in robot.yaml (feet: [...])"}};
+      {"give the leg an ankle roll joint",
+       "if an arm was mistaken for a leg, name the feet in robot.yaml (feet: [...])"}};
 }
 
 }  // namespace gaitwright

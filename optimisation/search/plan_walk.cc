@@ -43,9 +43,9 @@ OptionFields RequestFields(WalkRequest& request) {
   if (!request.gait.empty()) request.gait = file_name(request.gait);
   request.terrain = file_name(request.terrain);
   if (!SequenceFileOf(request.sequence).empty()) request.sequence = file_name(request.sequence);
-  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best.", {}},
-                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}},
-                  {"sequence", &request.sequence, "", 0.0, 0.0, "The parts asked for; empty for a single one.", {}}},
+  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best."},
+                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for."},
+                  {"sequence", &request.sequence, "", 0.0, 0.0, "The parts asked for; empty for a single one."}},
                  request.Fields()});
 }
 

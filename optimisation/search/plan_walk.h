@@ -20,13 +20,9 @@ struct SearchOptions {
   int max_plans = 400;
 
   OptionFields Fields() {
-    return {{"max_plans",
-             &max_plans,
-             "",
-             1,
-             100000,
-             "Largest number of candidates (pace, cycle, flight) that are planned before a walk is refused.",
-             {}}};
+    return WithBasics(
+        {}, {{"max_plans", &max_plans, "1", 1, 100000,
+              "Largest number of candidates (pace, cycle, flight) that are planned before a walk is refused."}});
   }
 };
 

@@ -10,15 +10,15 @@
 
 namespace gaitwright {
 
-/// Where the base is at a time, X_WB; a function that is empty where that is not known.
+/// Pose X_WB of the base at a time; an empty function if unknown.
 using BaseMotion = std::function<Pose(double time_s)>;
 
-/// How far a sphere's contact point is off its swing's curve by what the sphere rolls in the air:
+/// Offset of a sphere's contact point from its swing curve due to rolling in the air:
 ///   off(u) = rolled(u) - SmoothStep(u, cruise) rolled(1),
-/// since the way is the curve and what has rolled since lift-off, and the curve ends short by the whole of that.
+/// because the path is the curve plus the roll since lift-off, and the curve ends short by the total roll.
 class SwingRoll {
  public:
-  SwingRoll() = default;  ///< of a foot that does not roll, or of which that is not known: none
+  SwingRoll() = default;  ///< of a foot that does not roll, or whose roll is unknown: zero
   /// @param off_W  at even fractions of the swing from 0 to 1 [m]; two or more, or none.
   explicit SwingRoll(std::vector<Vector3> off_W) : off_W_(std::move(off_W)) {}
 
@@ -39,11 +39,11 @@ struct ReachSide {
 std::vector<ReachSide> SidesInWorld(const std::vector<WorkspaceSide>& workspace_B, const Vector3& p_W,
                                     const Matrix3& R_WB, double beyond_m);
 
-/// What is known of the whole body's motion before swings are planned, as of a former pass over it.
+/// Known motion of the whole body before swings are planned, from a previous pass.
 struct FormerMotion {
   BaseMotion base;
-  std::function<SwingRoll(const SwingTrajectory& swing)> roll;      ///< empty where that is not known
-  std::vector<SwingTrajectory> swings = {};                         ///< whose detours are kept where they do
+  std::function<SwingRoll(const SwingTrajectory& swing)> roll;      ///< empty if unknown
+  std::vector<SwingTrajectory> swings = {};                         ///< whose detours are reused if possible
   std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< of a swing; empty for the usual one
   std::function<double(const SwingTrajectory& swing)> cruise = {};  ///< of a swing; empty for none
   /// Where a foot can be at a time, convex; empty where legs tell by `base`, or are left to the audit.

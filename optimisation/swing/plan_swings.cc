@@ -116,8 +116,8 @@ class SwingPlanner {
     std::string message = fmt::format("the swing of foot '{}' at {:.2f} s cannot clear the ground by {:.3f} m", foot,
                                       swing.start_s, choice_.clearance_m);
     if (hit_) {
-      message += fmt::format(": at {:.2f} s '{}' is {:.3f} m from '{}'; asked are {:.3f} m", hit_->at_s, hit_->part,
-                             hit_->distance_m, hit_->solid, std::max(hit_->asked_m, 0.0));
+      message += fmt::format(": at {:.2f} s, '{}' is {:.3f} m from '{}'; the required clearance is {:.3f} m",
+                             hit_->at_s, hit_->part, hit_->distance_m, hit_->solid, std::max(hit_->asked_m, 0.0));
     }
     return {FailureKind::kInfeasible,
             FailureCode::kNoClearance,

@@ -28,24 +28,17 @@ struct SwingOptions {
   int samples = 30;
 
   OptionFields Fields() {
-    return {
-        {"height_m",
-         &height_m,
-         "m",
-         0.0,
-         1.0,
-         "Lift of the foot over the straight line between its footholds; 0 takes 0.12 of the leg length, or as much "
-         "as the leg can do with its sole level and within the speed limits of its joints.",
-         {}},
-        {"clearance_m",
-         &clearance_m,
-         "m",
-         0.0,
-         0.5,
-         "Least height of the whole sole over ground and obstacles in mid swing; 0 takes a quarter of the lift.",
-         {}},
-        {"control_points", &control_points, "1", 9, 30, "Control points of a swing that takes a detour.", {}},
-        {"samples", &samples, "1", 20, 40, "Places of such a swing at which its clearance is asked for.", {}}};
+    return WithBasics(
+        {"height_m", "clearance_m"},
+        {{"height_m", &height_m, "m", 0.0, 1.0,
+          "Lift of the foot above the straight line between its footholds; 0 uses 0.12 leg lengths, or less if the leg "
+          "cannot follow."},
+         {"clearance_m", &clearance_m, "m", 0.0, 0.5,
+          "Smallest height of the whole sole above ground and obstacles in mid swing; 0 uses a quarter of the lift."},
+         {"control_points", &control_points, "1", 9, 30,
+          "Number of control points of a swing path that avoids an obstacle."},
+         {"samples", &samples, "1", 20, 40,
+          "Number of points at which the clearance of an avoiding swing path is checked."}});
   }
 };
 

@@ -10,8 +10,9 @@
 
 namespace gaitwright {
 
-/// By leg: the normal, in the base frame B, of the plane that its foot stays in, where all joints of the leg turn about
-/// one direction or slide across it. Nothing where the foot can leave such a plane, or where it is not upright.
+/// By leg: the normal, in the base frame B, of the plane in which its foot moves, if all joints of the leg rotate about
+/// one direction or translate perpendicular to it. Nothing if the foot can leave such a plane, or if the plane is not
+/// vertical.
 std::vector<std::optional<Vector3>> PlanesOfLegs(const RobotModel& model);
 
 /// Leans the swings of feet that stay in a plane of the base as the base leans at their half time: with n the plane's

@@ -232,14 +232,15 @@ Result<ConstrainedSolution> LeastJerk(const ConstrainedProblem& problem, bool ha
 
 /// By what the best of all ways misses its clearance, or strays out of reach.
 Failure Unmet(double by_m, double out_m) {
-  const std::string why = out_m < by_m
-                              ? fmt::format("no swing keeps within reach; it strays by {:.1f} mm", 1e3 * out_m)
-                              : fmt::format("no swing keeps the clearance; it is missed by {:.1f} mm", 1e3 * by_m);
+  const std::string why =
+      out_m < by_m
+          ? fmt::format("no swing stays within reach; the smallest violation is {:.1f} mm", 1e3 * out_m)
+          : fmt::format("no swing has the required clearance; the smallest violation is {:.1f} mm", 1e3 * by_m);
   return {FailureKind::kInfeasible,
           out_m < by_m ? FailureCode::kOutOfReach : FailureCode::kNoClearance,
           "RefineSwing",
           why,
-          {"ask for less clearance, give it more time, or place the footholds farther from edges"}};
+          {"lower the clearance, allow more time, or place the footholds farther from edges"}};
 }
 
 void Check(const RefineChoice& choice) {

@@ -13,7 +13,7 @@
 
 namespace gaitwright {
 
-/// Height of the ground at a point in plan view [m]; -infinity where there is none.
+/// Height of the ground at a point in plan view [m]; -infinity without ground.
 using GroundHeight = std::function<double(const Vector2& p_W)>;
 
 /// Points of a foot's underside in its contact frame: the sole's corners, edges and middle, or a sphere's lower side.

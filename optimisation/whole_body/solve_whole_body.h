@@ -21,20 +21,12 @@ struct WholeBodyOptions {
   double friction_use = 0.9;
 
   OptionFields Fields() {
-    return {{"load_ramp_s",
-             &load_ramp_s,
-             "s",
-             0.0,
-             1.0,
-             "Longest time in which a foot takes up its load after touch-down and gives it up before lift-off.",
-             {}},
-            {"friction_use",
-             &friction_use,
-             "1",
-             0.05,
-             1.0,
-             "Share of the ground's friction that planned contact forces may use.",
-             {}}};
+    return WithBasics(
+        {"friction_use"},
+        {{"load_ramp_s", &load_ramp_s, "s", 0.0, 1.0,
+          "Longest time over which a foot takes up its load after touch-down or gives it up before lift-off."},
+         {"friction_use", &friction_use, "1", 0.05, 1.0,
+          "Share of the friction coefficient that planned contact forces may use."}});
   }
 };
 

@@ -42,7 +42,7 @@ Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOpt
 }
 
 void Auditor::NamePlaces() {
-  places_.columns = findings_.Place(Law::kConsistency, "columns, as a share of what they may be off", "1");
+  places_.columns = findings_.Place(Law::kConsistency, "columns, as a share of their tolerance", "1");
   places_.base_force = findings_.Place(Law::kDynamics, "base force", "N");
   places_.base_moment = findings_.Place(Law::kDynamics, "base moment", "N m");
   places_.zmp = findings_.Place(Law::kZmpSupport, "zero-moment point", "m");
@@ -170,9 +170,9 @@ AuditReport Auditor::Run() {
 void Auditor::NoteUnknown(AuditReport& report) const {
   for (const Actuator& motor : ActuatorsOf(model_)) {
     if (motor.shared() && !std::isfinite(motor.effort_limit))
-      report.notes.push_back(fmt::format("motor '{}': its torque limit is not known", motor.name));
+      report.notes.push_back(fmt::format("motor '{}': its torque limit is unknown", motor.name));
     if (motor.shared() && !std::isfinite(motor.velocity_limit))
-      report.notes.push_back(fmt::format("motor '{}': its speed limit is not known", motor.name));
+      report.notes.push_back(fmt::format("motor '{}': its speed limit is unknown", motor.name));
   }
   for (const Joint& joint : model_.joints) {
     if (model_.TransmissionOf(joint.dof) != nullptr) continue;
@@ -182,13 +182,12 @@ void Auditor::NoteUnknown(AuditReport& report) const {
       report.notes.push_back(fmt::format("joint '{}': its speed limit is a placeholder", joint.name));
   }
   for (const MissingMesh& mesh : model_.missing_meshes)
-    report.notes.push_back(fmt::format("link '{}': {}; what it touches is not looked at", mesh.link, mesh.why));
+    report.notes.push_back(fmt::format("link '{}': {}; its contacts are not checked", mesh.link, mesh.why));
   for (const MotionPart& part : plan_.parts) {
     if (!Hangs(part.gait)) continue;
-    report.notes.push_back(
-        fmt::format("from {:.3g} to {:.3g} s the base is held from outside, as on a stand; what "
-                    "holds it is not looked at",
-                    part.start_s, part.end_s));
+    report.notes.push_back(fmt::format(
+        "from {:.3g} to {:.3g} s the base is held externally, as on a stand; the holding forces are not checked",
+        part.start_s, part.end_s));
   }
 }
 
@@ -198,9 +197,11 @@ namespace {
 std::optional<std::string> WhyRowsMisfit(const RobotModel& model, const WholeBodyTrajectory& w) {
   if (w.size() < 2) return "it has fewer than two samples";
   const auto columns = [&](const char* name, const std::vector<VectorX>& list, int size) -> std::optional<std::string> {
-    if (list.size() != w.q.size()) return fmt::format("it has {} rows of {}, {} of q", list.size(), name, w.q.size());
+    if (list.size() != w.q.size())
+      return fmt::format("it has {} rows of {}, but {} of q", list.size(), name, w.q.size());
     for (const VectorX& row : list) {
-      if (row.size() != size) return fmt::format("its {} has {} numbers, the robot {}", name, row.size(), size);
+      if (row.size() != size)
+        return fmt::format("its {} has {} numbers, but the robot needs {}", name, row.size(), size);
     }
     return std::nullopt;
   };
@@ -209,10 +210,10 @@ std::optional<std::string> WhyRowsMisfit(const RobotModel& model, const WholeBod
   if (auto why = columns("a", w.a, model.nv())) return why;
   if (auto why = columns("tau", w.tau, model.num_dofs())) return why;
   if (w.wrenches.size() != w.q.size())
-    return fmt::format("it has {} rows of contact wrenches, {} of q", w.wrenches.size(), w.q.size());
+    return fmt::format("it has {} rows of contact wrenches, but {} of q", w.wrenches.size(), w.q.size());
   for (const auto& row : w.wrenches) {
     if (row.size() != model.feet.size())
-      return fmt::format("it has {} feet, the robot {}", row.size(), model.feet.size());
+      return fmt::format("it has {} feet, but the robot has {}", row.size(), model.feet.size());
   }
   return std::nullopt;
 }
@@ -223,7 +224,7 @@ std::optional<std::string> WhyMisfit(const RobotModel& model, const MotionPlan& 
   const double step = plan.whole_body.step_s;
   if (!(step > 0.0)) return fmt::format("its rows are {} s apart; more than 0 is needed", step);
   if (!(plan.duration_s() <= kLongest))
-    return fmt::format("it lasts {:.6g} s; at most {:.0f} s are audited", plan.duration_s(), kLongest);
+    return fmt::format("it lasts {:.6g} s; at most {:.0f} s can be audited", plan.duration_s(), kLongest);
   try {
     CheckSchedule(plan.schedule, static_cast<int>(model.feet.size()));
   } catch (const InvalidArgument& error) {

@@ -13,7 +13,7 @@
 
 namespace gaitwright {
 
-/// How densely a plan is looked at, and with what reserve. `start` and `margins` are what is asked for beside the laws.
+/// Sampling rate and margins of the audit. `start` and `margins` request additional checks and results.
 struct AuditOptions {
   double rate_hz = 1000.0;
   double derate_torque = 1.0, derate_speed = 1.0, derate_acceleration = 1.0, derate_jerk = 1.0;
@@ -21,54 +21,39 @@ struct AuditOptions {
   double jerk_over_s = 0.01;
   double start_tolerance_rad = 0.05, start_tolerance_m = 0.005, start_tilt_rad = 0.1;
   double start_speed_rad_s = 0.1, start_speed_m_s = 0.02;
-  bool margins = false;               ///< report how near each law comes to its limit, self-collision and body included
-  std::optional<StartPosture> start;  ///< measured before the first command: law start_posture
+  bool margins = false;               ///< report the margin of each check, including self-collision and body clearance
+  std::optional<StartPosture> start;  ///< measured before the first command, for the check start_posture
 
   OptionFields Fields() {
     const auto share = [](const char* key, double* target, const char* what) {
-      return OptionField{key, target, "1", 0.01, 1.0, std::string("Share of the joints' ") + what + " a plan may use."};
+      return OptionField{key, target, "1", 0.01, 1.0, std::string("Share of the ") + what + " that a plan may use."};
     };
-    return {{"rate_hz", &rate_hz, "Hz", 10.0, 10000.0, "Rate at which the plan is sampled.", {}},
-            share("derate_torque", &derate_torque, "torque limits, and of torque on their curves over speed, that"),
-            share("derate_speed", &derate_speed, "speed limits, and of speed on their curves, that"),
-            share("derate_acceleration", &derate_acceleration, "limits of acceleration that"),
-            share("derate_jerk", &derate_jerk, "limits of jerk that"),
-            share("derate_continuous", &derate_continuous, "continuous torques that"),
-            {"jerk_over_s", &jerk_over_s, "s", 1e-4, 0.1, "Time over which jerk is the change of acceleration.", {}},
-            {"start_tolerance_rad",
-             &start_tolerance_rad,
-             "rad",
-             0.0,
-             1.0,
-             "How far a joint may be from the first command.",
-             {}},
-            {"start_tolerance_m", &start_tolerance_m, "m", 0.0, 0.1, "The same of a joint that slides.", {}},
-            {"start_tilt_rad",
-             &start_tilt_rad,
-             "rad",
-             0.0,
-             1.0,
-             "How far the measured base may be tilted from the first command's.",
-             {}},
-            {"start_speed_rad_s",
-             &start_speed_rad_s,
-             "rad/s",
-             0.0,
-             10.0,
-             "Speed that the first command may ask of a joint, or of the base's turning; what is measured is at rest.",
-             {}},
-            {"start_speed_m_s",
-             &start_speed_m_s,
-             "m/s",
-             0.0,
-             10.0,
-             "The same of a joint that slides, and of the base.",
-             {}}};
+    return WithBasics(
+        {"rate_hz", "derate_torque", "derate_speed"},
+        {{"rate_hz", &rate_hz, "Hz", 10.0, 10000.0, "Rate at which the plan is sampled for the checks."},
+         share("derate_torque", &derate_torque, "joints' torque limits (also of torque-speed curves)"),
+         share("derate_speed", &derate_speed, "joints' speed limits (also of torque-speed curves)"),
+         share("derate_acceleration", &derate_acceleration, "joints' acceleration limits"),
+         share("derate_jerk", &derate_jerk, "joints' jerk limits"),
+         share("derate_continuous", &derate_continuous, "joints' continuous torque limits"),
+         {"jerk_over_s", &jerk_over_s, "s", 1e-4, 0.1,
+          "Time interval over which jerk is computed as the change of acceleration."},
+         {"start_tolerance_rad", &start_tolerance_rad, "rad", 0.0, 1.0,
+          "Largest deviation of a revolute joint's measured position from the first command."},
+         {"start_tolerance_m", &start_tolerance_m, "m", 0.0, 0.1,
+          "Largest deviation of a prismatic joint's measured position from the first command."},
+         {"start_tilt_rad", &start_tilt_rad, "rad", 0.0, 1.0,
+          "Largest tilt of the measured base relative to the first command."},
+         {"start_speed_rad_s", &start_speed_rad_s, "rad/s", 0.0, 10.0,
+          "Largest angular speed of a revolute joint or the base in the first command; the measured robot is at rest."},
+         {"start_speed_m_s", &start_speed_m_s, "m/s", 0.0, 10.0,
+          "Largest linear speed of a prismatic joint or the base in the first command; the measured robot is at "
+          "rest."}});
   }
 };
 
-/// Checks a plan against the laws, densely between its nodes, with the model's own dynamics; who made the plan is of no
-/// account. Each law that is broken is reported once for each joint, foot or pair, where it is worst.
+/// Checks a plan densely between its nodes, with the model's own dynamics and independently of the planner. Each failed
+/// check is reported once for each joint, foot or pair, at its worst place.
 ///
 ///   dynamics       what the motion needs less what contacts and torques give: 0.02 m g of force, 0.02 m g h of moment;
 ///                  at a joint no more than 5 % of its effort limit either
@@ -93,8 +78,8 @@ struct AuditOptions {
 ///                  curve, continuous_torque at most what it bears without end (JointWatch). Speeds and torques are
 ///                  those of the motors, which a transmission shares among joints (Actuator), and name them; what joint
 ///                  and rotor take is added (MotorEffort). Limits that are not known are none
-/// In a part that hangs (HangingGait) the base is held from outside, by forces that are not looked at; it must stand
-/// still. A plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
+/// In a hanging part (HangingGait), the base is held externally by forces that are not checked; it must not move. A
+/// plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
 ///
 /// Failure only when the plan does not fit the robot at all, or lasts over an hour.
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);

@@ -232,7 +232,7 @@ void Auditor::CheckFootholds() {
   }
   for (const Foothold& foothold : plan_.footsteps.footholds) {
     if (foothold.foot < 0 || foothold.foot >= feet)
-      findings_.Note(Law::kConsistency, "foothold of a foot that is not there", foothold.touchdown_s, foothold.foot,
+      findings_.Note(Law::kConsistency, "foothold of a foot that does not exist", foothold.touchdown_s, foothold.foot,
                      feet - 1.0, "1");
   }
 }

@@ -25,7 +25,7 @@ nlohmann::ordered_json MarginsJson(const std::vector<AuditMargin>& margins) {
 
 std::string MarginsText(const std::vector<AuditMargin>& margins) {
   if (margins.empty()) return "";
-  std::string text = "margins, the least of each law and place:\n";
+  std::string text = "margins, the smallest of each check and place:\n";
   for (const AuditMargin& m : margins) {
     text += fmt::format("  {:<18} {:>5}  at {:6.3f} s  {}: {} (limit {:.4g})\n", LawName(m.law),
                         m.share ? fmt::format("{:.0f} %", 100.0 * *m.share) : "", m.at_s, m.where,

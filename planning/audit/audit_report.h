@@ -9,12 +9,12 @@
 
 namespace gaitwright {
 
-/// How places of the law start_posture end that are speeds.
+/// Ending of place names of the check start_posture that are speeds.
 inline constexpr char kStartSpeed[] = ", speed";
-/// The one place of it that is no joint's and no speed: the base's tilt.
+/// Place name of start_posture for the tilt of the base.
 inline constexpr char kStartTilt[] = "base tilt";
 
-/// How near a plan comes to the limit of a law at one place, whether or not it keeps it.
+/// Margin of a plan to the limit of a check at one place; negative for a violation.
 struct AuditMargin {
   Law law = Law::kConsistency;
   double at_s = 0.0;  ///< when it is nearest
@@ -30,16 +30,16 @@ struct AuditMargin {
 /// What the audit found; it does not know who made the plan.
 struct AuditReport {
   std::vector<Violation> violations;  ///< by law in a fixed order, then worst first
-  std::vector<std::string> notes;     ///< limits that are placeholders and laws that could not be applied
-  std::vector<std::string> remarks;   ///< what is likely amiss where a law is broken, with its cure
+  std::vector<std::string> notes;     ///< limits that are placeholders, and checks that could not be applied
+  std::vector<std::string> remarks;   ///< likely causes of failed checks, with remedies
   int samples = 0;
   double rate_hz = 1000.0;
-  std::vector<AuditMargin> margins;  ///< by law in the same order, then least first; as far as asked for
+  std::vector<AuditMargin> margins;  ///< by check in the same order, then smallest first; if requested
 
   bool pass() const { return violations.empty(); }
 };
 
-/// The margins of the law that has least to spare at each place, one a law: the first of each in a report's list.
+/// The smallest margin of each check: the first of each in a report's list.
 std::vector<AuditMargin> TightestOfEachLaw(const std::vector<AuditMargin>& margins);
 
 /// A figure with its unit, four digits; "1" is shown as nothing.

@@ -50,10 +50,10 @@ void Auditor::CheckStartTilt(const Quaternion& R_WB) {
   findings_.Hold(place, plan_.whole_body.start_s, tilt, limit, limit - tilt);
   const double w_first = TiltBetween(q, Quaternion(R_WB.x(), R_WB.y(), R_WB.z(), R_WB.w()));
   if (tilt <= kFarFromUpright || w_first > limit) return;
-  remarks_.push_back(
-      fmt::format("the start posture's quaternion seems to have w first: as w, x, y, z it is {:.3g} rad from the first "
-                  "command's tilt, as x, y, z, w {:.3g} rad; write it as base_quaternion_xyzw: [x, y, z, w]",
-                  w_first, tilt));
+  remarks_.push_back(fmt::format(
+      "the start posture's quaternion seems to have w first: read as w, x, y, z, its tilt is {:.3g} rad from the first "
+      "command's, read as x, y, z, w {:.3g} rad; write it as base_quaternion_xyzw: [x, y, z, w]",
+      w_first, tilt));
 }
 
 /// A robot that was measured stands or hangs still: a first command that moves is a jump too.

@@ -71,7 +71,7 @@ void Auditor::CheckSwings() {
     if (swing.foot >= 0 && swing.foot < feet) {
       swings[static_cast<std::size_t>(swing.foot)].push_back(&swing);
     } else {
-      findings_.Note(Law::kConsistency, "swing of a foot that is not there", swing.start_s, swing.foot, feet - 1.0,
+      findings_.Note(Law::kConsistency, "swing of a foot that does not exist", swing.start_s, swing.foot, feet - 1.0,
                      "1");
     }
   }

@@ -17,11 +17,11 @@
 
 namespace gaitwright {
 
-/// One pass over a plan. Each Check... is one law, or a few that look at the same thing.
+/// One pass over a plan. Each Check... function is one check, or several that use the same data.
 class Auditor {
  public:
   Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
-  /// Checks all laws at all samples.
+  /// Runs all checks at all samples.
   AuditReport Run();
 
  private:
@@ -32,7 +32,7 @@ class Auditor {
   bool InMiddle(int foot, double time_s, bool of_stance) const;
   bool SwingsThroughout(int foot, double time_s) const;
 
-  /// What a foot stands on, or stood on last: its foothold's surface; the highest ground where that names none.
+  /// Surface under a foot, present or last: that of its foothold, or the highest ground if the foothold names none.
   struct Footing {
     int foothold = -1;
     Vector3 normal_W = Vector3::UnitZ();

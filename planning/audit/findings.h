@@ -10,20 +10,20 @@
 
 namespace gaitwright {
 
-/// Keeps the worst of each law at each place, and how near to its limit each place comes.
+/// Keeps the worst value of each check at each place, and its margin.
 class Findings {
  public:
-  /// Names a place that a law is looked at. @return its number for Hold and Near, which allocate nothing.
+  /// Adds a place of a check. @return its number for Hold and Near, which allocate nothing.
   int Place(Law law, const std::string& where, const std::string& unit);
 
-  /// What a place has at a time. `room` is how far it is inside of its limit, negative beyond; it breaks its law where
-  /// that is less than -slack or no number. A limit that is infinite is none.
+  /// Value of a place at a time. `room` is the margin to the limit, negative beyond; the check fails if it is less than
+  /// -slack or NaN. An infinite limit is ignored.
   void Hold(int place, double at_s, double value, double limit, double room, double slack = 0.0) {
     Near(place, at_s, value, limit, room);
     if (!(room >= -slack)) Break(place, at_s, value, limit);
   }
 
-  /// The same without a verdict.
+  /// As Hold, without a verdict.
   void Near(int place, double at_s, double value, double limit, double room) {
     Closest& closest = places_[static_cast<std::size_t>(place)];
     if (!(room < closest.room)) return;
@@ -35,12 +35,12 @@ class Findings {
   /// Gives a place another name, such as that of the pair that is nearest now.
   void Rename(int place, const std::string& where) { names_[static_cast<std::size_t>(place)].where = where; }
 
-  /// Notes a value that is past its limit; the one farthest past it is kept for each law and place.
+  /// Records a value beyond its limit; the worst is kept for each check and place.
   void Note(Law law, const std::string& where, double at_s, double value, double limit, const char* unit);
 
   /// Violations by law in the order of AllLaws, then worst first.
   std::vector<Violation> Sorted() const;
-  /// The places that came near a limit at all, by law, then the one with the least to spare first.
+  /// Margins of all places with a finite limit, by check, then the smallest first.
   std::vector<AuditMargin> Margins() const;
 
  private:

@@ -25,20 +25,20 @@ struct WayOut {
   Vector3 normal_W = Vector3::UnitZ();  ///< along which it comes away fastest
 };
 
-/// How near a robot's parts may come to what is solid [m]; negative lets them sink in.
+/// Smallest distance of a robot's parts to solids [m]; negative allows penetration.
 struct GroundLimits {
   std::vector<double> foot_m;  ///< by foot
   double body_m = 0.0;         ///< of all other parts
 };
 
-/// Holds a robot's shapes against all solids of a terrain along a motion. A sphere foot is its ball; other shapes of a
-/// foot that reach beyond the foot's own surface, as a sole's box may by its roundings, are given what they reach.
-/// Meant for motions: a part is looked at again only once it may have moved as far as it was clear, so poses that
-/// differ little cost little; the answer does not depend on it. Conservative advancement: Mirtich, Impulse-based
+/// Computes distances between a robot's shapes and all solids of a terrain along a motion. A sphere foot is its ball;
+/// other shapes of a foot that reach beyond the foot's own surface, as a sole's box may by its roundings, are given
+/// what they reach. Meant for motions: a part is checked again only when it may have moved by its distance, so small
+/// changes of the pose are cheap; the result does not depend on this. Conservative advancement: Mirtich, Impulse-based
 /// Dynamic Simulation, 1996, section 2.3.
 class GroundWatch {
  public:
-  /// @throws InvalidArgument for a terrain that is none (SolidsOf).
+  /// @throws InvalidArgument for an invalid terrain (SolidsOf).
   GroundWatch(const RobotModel& model, const Terrain& terrain);
 
   /// The parts nearer than their limits at the scratch's pose, in the order of the model's shapes. Needs

@@ -142,7 +142,7 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
     }
     if (without.empty()) continue;
     const bool none = static_cast<int>(without.size()) == model.num_dofs();
-    lines.push_back(fmt::format("{} not applied{}: no robot.yaml gives {} {}", LawName(known.law),
+    lines.push_back(fmt::format("{} not applied{}: robot.yaml does not give {} {}", LawName(known.law),
                                 none ? "" : fmt::format(" to {}", QuotedList(without)), none ? "any" : "their",
                                 known.what));
   }
@@ -151,10 +151,9 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
     if (motor.motor.has_curve() && !std::isfinite(motor.effort_limit)) endless.push_back(motor.name);
   }
   if (!endless.empty()) {
-    lines.push_back(
-        fmt::format("torque_speed not applied to {} under the no-load speed: the peak torque that the "
-                    "curve falls from is a placeholder",
-                    QuotedList(endless)));
+    lines.push_back(fmt::format(
+        "torque_speed not applied to {} below the no-load speed: the peak torque of the curve is a placeholder",
+        QuotedList(endless)));
   }
   return lines;
 }

@@ -11,13 +11,13 @@
 
 namespace gaitwright {
 
-/// Holds each joint's motion and each motor's speed and effort against their limits, sample by sample: laws
+/// Checks each joint's motion and each motor's speed and effort against their limits, sample by sample: the checks
 /// joint_position, joint_acceleration and joint_jerk of the joints; joint_velocity, joint_torque, torque_speed and
 /// continuous_torque of the motors (Actuator), which have the names of their joints but for those of transmissions.
 ///
-/// Jerk is the change of acceleration over `jerk_over_s`, since rows that are joined piece by piece have jumps of jerk
-/// at each of them that no motor sees. Continuous effort is the root mean square over the motor's `thermal_s`, or over
-/// the whole plan where that is shorter; its time is the end of the worst window.
+/// Jerk is the change of acceleration over `jerk_over_s`, because the interpolation between rows has jumps of jerk
+/// that no motor sees. Continuous effort is the root mean square over the motor's `thermal_s`, or over the whole plan
+/// where that is shorter; its time is the end of the worst window.
 class JointWatch {
  public:
   /// @param samples  how many there will be.
@@ -29,7 +29,7 @@ class JointWatch {
   void Finish(double time_s);
 
  private:
-  /// A coordinate, the motor of the same index, the places of their laws and what is remembered of them.
+  /// A coordinate, the motor of the same index, the places of their checks and their state.
   struct Watched {
     double lower, upper, speed, acceleration, jerk, effort, continuous;  // as derated; infinite for none
     double position_scale_lower, position_scale_upper;
@@ -53,8 +53,8 @@ class JointWatch {
   std::size_t count_ = 0;
 };
 
-/// What the model does not say of its motors, so that laws could not be applied to them; one line a law, and one for
-/// curves whose peak is a placeholder.
+/// Unknown motor data, because of which checks could not be applied; one line per check, and one for curves whose peak
+/// is a placeholder.
 std::vector<std::string> UnknownOfMotors(const RobotModel& model);
 
 }  // namespace gaitwright

@@ -7,13 +7,13 @@
 
 namespace gaitwright {
 
-/// What a motor has to give for a motion: the torque that the bodies take, and what its joint and its rotor take
-/// themselves. With damping d and dry friction c of the joints that a coordinate moves (a joint that mimics by its
-/// ratio: d r^2, c |r|) and the rotor's inertia I as felt at the joint, the motor of one joint gives
+/// Motor torque for a motion: the torque for the bodies plus the losses of joint and rotor. With damping d and dry
+/// friction c of the joints that a coordinate moves (a joint that mimics by its ratio: d r^2, c |r|) and the rotor's
+/// inertia I as felt at the joint, the motor of one joint gives
 ///   tau_motor = tau + d v + c clamp(v / 0.01, -1, 1) + I a.
 /// A motor of a transmission gives its part of these torques at all joints that it drives, and J (R a) for its own
-/// rotor J. Friction comes on evenly up to a speed of 0.01 rad/s (m/s), since a joint at rest may lean on it either
-/// way. All three are zero where nothing is known of them.
+/// rotor J. Friction comes on evenly up to a speed of 0.01 rad/s (m/s), because friction of a joint at rest can act in
+/// either direction. All three are zero if unknown.
 class MotorEffort {
  public:
   explicit MotorEffort(const RobotModel& model);

@@ -28,8 +28,8 @@ Quaternion ReadQuaternion(const YAML::Node& node) {
   for (std::size_t i = 0; i < 4; ++i) c[i] = NumberOf(xyzw[i], fmt::format("'{}'", kQuaternion));
   const Quaternion R_WB(c[3], c[0], c[1], c[2]);
   if (std::abs(R_WB.norm() - 1.0) > 1e-3) {
-    RefuseYaml(node,
-               fmt::format("'{}' has a length of {:.4g}; that of a rotation is 1, to 0.001", kQuaternion, R_WB.norm()));
+    RefuseYaml(node, fmt::format("'{}' has a length of {:.4g}; a unit quaternion is needed (length 1 within 0.001)",
+                                 kQuaternion, R_WB.norm()));
   }
   return R_WB.normalized();
 }
@@ -40,7 +40,7 @@ int DofOf(const RobotModel& model, const YamlMap::Entry& entry) {
   if (at != model.dof_names.end()) return static_cast<int>(at - model.dof_names.begin());
   for (const Joint& joint : model.joints) {
     if (joint.name != entry.key) continue;
-    RefuseYaml(entry.key_node, fmt::format("joint '{}' follows '{}' and has no position of its own; leave it out",
+    RefuseYaml(entry.key_node, fmt::format("joint '{}' mimics '{}' and has no independent position; leave it out",
                                            joint.name, model.dof_names[static_cast<std::size_t>(joint.dof)]));
   }
   RefuseYaml(entry.key_node, fmt::format("robot '{}' has no joint '{}'{}", model.name, entry.key,
@@ -51,15 +51,15 @@ void CheckPosition(const RobotModel& model, int dof, const YamlMap::Entry& entry
   constexpr double kRounding = 1e-6;  // [rad] or [m]
   const std::string unit = PositionUnit(model, dof);
   if (q < model.dof_lower(dof) - kRounding || q > model.dof_upper(dof) + kRounding) {
-    RefuseYaml(entry.value, fmt::format("joint '{}' is at {:.6g} {}, outside of its limits of {:.6g} to {:.6g}; {}",
-                                        entry.key, q, unit, model.dof_lower(dof), model.dof_upper(dof),
-                                        degrees ? "all joints would be within theirs as degrees: write them in rad"
-                                                : "mend the measurement or the limits"));
+    RefuseYaml(entry.value,
+               fmt::format("joint '{}' is at {:.6g} {}, outside its limits of {:.6g} to {:.6g}; {}", entry.key, q, unit,
+                           model.dof_lower(dof), model.dof_upper(dof),
+                           degrees ? "all joints would be within their limits as degrees: write them in rad"
+                                   : "correct the measurement or the limits"));
   }
   if (std::abs(q) > kFarthestMeasured) {
-    RefuseYaml(entry.value,
-               fmt::format("joint '{}' is at {:.6g} {}; a joint without limits is measured within -{} to {}", entry.key,
-                           q, unit, kFarthestMeasured, kFarthestMeasured));
+    RefuseYaml(entry.value, fmt::format("joint '{}' is at {:.6g} {}; accepted for a joint without limits: -{} to {}",
+                                        entry.key, q, unit, kFarthestMeasured, kFarthestMeasured));
   }
 }
 
@@ -69,7 +69,7 @@ void RefuseMissing(const RobotModel& model, const YAML::Node& node, const std::v
     if (!given[d]) missing.push_back(model.dof_names[d]);
   }
   if (missing.empty()) return;
-  RefuseYaml(node, fmt::format("{} of robot '{}' {} missing; every joint is needed, with its position in rad (m)",
+  RefuseYaml(node, fmt::format("{} of robot '{}' {} missing; give the position of every joint in rad (m)",
                                QuotedList(missing), model.name, missing.size() == 1 ? "is" : "are"));
 }
 
@@ -93,8 +93,8 @@ void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& n
 /// The joints under a key of their own.
 DataShape NestedShape() {
   using namespace shapes;
-  return Object({{kJoints, MapOf(Number(), 1), "By joint, all that do not follow another [rad], [m]."},
-                 Optional(kQuaternion, Numbers(4), "Of the base, as measured.")});
+  return Object({{kJoints, MapOf(Number(), 1), "Position of every joint that is not coupled to another [rad], [m]."},
+                 Optional(kQuaternion, Numbers(4), "Measured orientation of the base.")});
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::st
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   } catch (const YAML::Exception& error) {
-    return bad(fmt::format("line {}: is no YAML from here on; see docs/audit.md", error.mark.line + 1));
+    return bad(fmt::format("line {}: not valid YAML from here on; see docs/audit.md", error.mark.line + 1));
   }
 }
 

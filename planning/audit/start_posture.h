@@ -12,7 +12,7 @@ namespace gaitwright {
 /// Where a robot's joints are before it is sent its first command, as measured.
 struct StartPosture {
   VectorX joints;                  ///< of the independent joints [rad], [m]
-  std::optional<Quaternion> R_WB;  ///< of the base, where an IMU says it; its heading is of no account
+  std::optional<Quaternion> R_WB;  ///< of the base, if an IMU measured it; its heading is ignored
 };
 
 /// How far from zero a joint without limits may be measured, some hundred turns [rad], [m].

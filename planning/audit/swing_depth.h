@@ -7,16 +7,15 @@
 
 namespace gaitwright {
 
-/// How much of what holds for a foot that stands holds for it at a fraction u of its swing: 1 at both ends, less and
-/// less over the first and the last tenth of it, then 0.
+/// Weight of the stance rules at a fraction u of a swing: 1 at both ends, falling to 0 over the first and the last
+/// tenth.
 inline double SwingEndShare(double u) {
   constexpr double kEnds = 0.1;
   return std::clamp(1.0 - std::min(u, 1.0 - u) / kEnds, 0.0, 1.0);
 }
 
-/// How deep a foot may be in the ground at a fraction of its swing [m]: as in stance where it leaves it and comes back,
-/// since a ball rests on its foothold's plane and not on what is curved or tilted beside it; then no more than
-/// rounding.
+/// Allowed penetration of a foot at a fraction of its swing [m]: as in stance at both ends, because a ball stands on
+/// its foothold's plane and not on curved or tilted ground beside it; otherwise only rounding.
 inline double SwingDepth(double u) {
   return tolerance::kTouching + (tolerance::kPosition - tolerance::kTouching) * SwingEndShare(u);
 }

@@ -17,16 +17,16 @@ struct BaseOverFeet {
 
 /// The base over its feet: in plan view where the feet's places in the standing posture fit best to where they are
 /// (least squares over rotation and translation: Umeyama, TPAMI 13(4), 1991), tilted like the plane that fits best
-/// through them. Where they do not give a tilt, as two feet side by side do not fore and aft, it is zero.
+/// through them. A tilt that the feet do not determine, such as the pitch over two feet side by side, is zero.
 /// @param standing  contact frames by foot, X_BF, as StandingFeet gives them.
-/// @param X_WF      where they are, by foot.
+/// @param X_WF      present contact frames, by foot.
 BaseOverFeet FitBase(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF);
 
-/// The same at a heading that is known. Allocates nothing.
+/// As above, with a given heading. Allocates nothing.
 BaseOverFeet FitBase(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF, double yaw_rad);
 
-/// The heading that the feet have been turned to, on the average, from where they stand: that of a base whose feet are
-/// put down in turn as it goes, where their places alone would turn it to and fro with every step.
+/// Mean yaw of the feet relative to the standing posture. For a base whose feet step one after the other, the feet's
+/// positions alone would turn the base to and fro with every step.
 double MeanHeading(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF);
 
 }  // namespace gaitwright

@@ -72,17 +72,17 @@ std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScrat
       soles += fmt::format("{}{{link: '{}', sole_m: [[X, Y], ...]}}", soles.empty() ? "" : ", ", foot);
     return Cannot(
         FailureCode::kNoSupport,
-        fmt::format("robot '{}' cannot stand still: its feet {} have neither collision nor visual geometry, "
-                    "so that each is taken for a point, and no sole is known",
+        fmt::format("robot '{}' cannot stand still: its feet {} have neither collision nor visual geometry, so each is "
+                    "a point without a sole",
                     model.name, QuotedList(bare)),
         {fmt::format("give the corners of each sole, in m in the link's frame, in robot.yaml: feet: [{}]", soles)});
   }
   return Cannot(FailureCode::kNoSupport,
-                fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a line {:.1f} mm "
-                            "wide, and it takes {:.1f} mm to stand on; plans start and end standing",
+                fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a strip {:.1f} mm "
+                            "wide, but standing needs {:.1f} mm; plans start and end standing",
                             model.name, QuotedList(names), model.feet.size() == 2 ? "two points" : "points in line",
                             1e3 * width, 1e3 * least),
-                {"give it soles (robot.yaml, feet: sole_m) or a third foot"});
+                {"give the robot soles (robot.yaml, feet: sole_m) or a third foot"});
 }
 
 /// The hip of a leg at joint positions zero, in the base frame O.
@@ -114,12 +114,11 @@ std::optional<Failure> HasHalvesOfLegs(const RobotModel& model) {
         continue;
       return Cannot(
           FailureCode::kParallelLegs,
-          fmt::format("legs '{}' and '{}' of robot '{}' turn about one axis on one side of its base: they are "
-                      "the halves of one leg with two motors at its hip, and the joint that closes the loop "
-                      "between their ends is not in the description",
+          fmt::format("legs '{}' and '{}' of robot '{}' share a hip axis on one side of the base: they seem to be two "
+                      "halves of one leg, and the joint that closes their loop is missing in the description",
                       model.legs[i].name, model.legs[j].name, model.name),
-          {"legs with closed loops are not planned; name one half of each leg in robot.yaml, feet, if its "
-           "knee has a motor"});
+          {"legs with closed loops are not supported; name one half of each leg in robot.yaml (feet), if its knee has "
+           "a motor"});
     }
   }
   return std::nullopt;
@@ -144,7 +143,7 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
   PointJacobian(model, scratch, foot.body, foot.X_BF.translation(), whole);
   whole.topRows<3>() /= std::max(leg.length_m, 1e-6);
   Demand demand;
-  demand.names = {"moving its foot ahead", "moving its foot up"};
+  demand.names = {"moving its foot forward", "moving its foot up"};
   std::vector<int> rows = {0, 2};
   if (walk != Walk::kAhead) {
     rows.push_back(1);
@@ -152,15 +151,15 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
   }
   if (!foot.sole_F.empty()) {
     rows.push_back(4);
-    demand.names.emplace_back("a joint to keep its sole level ahead");
+    demand.names.emplace_back("a joint to keep its sole level in pitch");
   }
   if (foot.type == FootType::kSole && walk != Walk::kAhead) {
     rows.push_back(3);
-    demand.names.emplace_back("a joint to keep its sole level sideways");
+    demand.names.emplace_back("a joint to keep its sole level in roll");
   }
   if (!foot.sole_F.empty() && walk == Walk::kTurning) {
     rows.push_back(5);
-    demand.names.emplace_back("a joint to turn its sole to the side");
+    demand.names.emplace_back("a joint to yaw its sole");
   }
   demand.J.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(dofs.size()));
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -189,13 +188,13 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
   Eigen::Index lacking = 0;
   svd.U.col(needed - 1).cwiseAbs().maxCoeff(&lacking);
   return Cannot(FailureCode::kFreedoms,
-                fmt::format("leg '{}' cannot {}: {} of {} freedoms of its foot can be moved from the standing "
-                            "posture, and {} is lacking; its own joints are {}",
+                fmt::format("leg '{}' cannot {}: it can move {} of {} degrees of freedom of its foot from the standing "
+                            "posture, and it lacks {}; its joints are {}",
                             leg.name, What(walk), count, needed, demand.names[static_cast<std::size_t>(lacking)],
                             QuotedList(names)),
-                {"give the leg a joint for it, or free one that is fixed or follows another",
-                 "where the root link's axes do not point forward, left and up, give 'up' and 'ahead' in robot.yaml",
-                 "where a limb that is an arm is taken for a leg, name the feet in robot.yaml (feet: [...])"});
+                {"give the leg such a joint, or free one that is fixed or mimics another",
+                 "if the root link's axes do not point forward, left and up, set 'up' and 'ahead' in robot.yaml",
+                 "if an arm was mistaken for a leg, name the feet in robot.yaml (feet: [...])"});
 }
 
 std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScratch& scratch, Walk walk) {
@@ -216,13 +215,14 @@ std::optional<Failure> LacksMotor(const RobotModel& model) {
     passive.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
   }
   if (passive.empty()) return std::nullopt;
-  return Cannot(FailureCode::kPassiveJoint,
-                fmt::format("leg '{}' cannot be held: {} {} no motor (effort limit 0), and the file does not tell "
-                            "which spring or rod holds {}",
-                            model.legs[static_cast<std::size_t>(leg)].name, QuotedList(passive),
-                            passive.size() == 1 ? "has" : "have", passive.size() == 1 ? "it" : "them"),
-                {"where a stiff spring holds it, make the joint 'fixed'; where a motor drives it, give its torque "
-                 "(robot.yaml, limits: effort_nm, or transmissions where rods drive several joints)"});
+  return Cannot(
+      FailureCode::kPassiveJoint,
+      fmt::format(
+          "leg '{}' cannot be held: {} {} no motor (effort limit 0), and the file names no spring or rod that holds {}",
+          model.legs[static_cast<std::size_t>(leg)].name, QuotedList(passive), passive.size() == 1 ? "has" : "have",
+          passive.size() == 1 ? "it" : "them"),
+      {"if a stiff spring holds it, make the joint 'fixed'; if a motor drives it, give its torque (robot.yaml, limits: "
+       "effort_nm, or transmissions if rods drive several joints)"});
 }
 
 DynamicsScratch Standing(const RobotModel& model) {

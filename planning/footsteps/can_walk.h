@@ -8,14 +8,14 @@
 
 namespace gaitwright {
 
-/// Why a robot cannot walk whatever it is asked, or nothing. Failure kInfeasible:
+/// Reason why a robot cannot walk for any command, or nothing. Failure kInfeasible:
 ///   `parallel_legs`  two legs turn about one axis on one side of the base: halves of one leg, whose loop is left open
 ///   `passive_joint`  a joint of a leg has no motor: see IsPassive
 ///   `no_support`  in its standing posture what its feet touch has no area: two point feet cannot stand still
 ///   `freedoms`    names a leg whose joints cannot move its foot in some direction there, or not keep its sole level,
 ///                 what it lacks, and the joints that it has
-/// A foot's moving sideways, a sole's rolling and its turning about the upright axis may be lacking: then it walks
-/// straight ahead and back.
+/// Lateral motion of a foot, and roll and yaw of a sole, are optional: without them the robot walks only forward and
+/// backward.
 std::optional<Failure> WhyCannotWalk(const RobotModel& model);
 
 /// Why a robot that can walk cannot step sideways, or nothing. Failure kInfeasible `freedoms` names a leg that has no

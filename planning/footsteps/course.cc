@@ -82,10 +82,10 @@ std::optional<Failure> CheckExtent(const WalkCommand& c) {
   if (c.extent == Extent::kDuration && c.duration_s <= 0.0)
     return BadCommand(fmt::format("the duration is {} s; it must be more than 0", c.duration_s));
   if (c.extent == Extent::kSteps && c.steps < 1)
-    return BadCommand(fmt::format("{} steps are asked for; one or more are accepted", c.steps));
+    return BadCommand(fmt::format("the number of steps is {}; it must be 1 or more", c.steps));
   if (c.extent == Extent::kSteps && c.speed_m_s > 0.0 && c.step_length_m != 0.0) {
     return BadCommand(
-        fmt::format("counted steps are to be {} m long and to go ahead at {} m/s; give the length or the speed",
+        fmt::format("counted steps have a length of {} m and a forward speed of {} m/s; give only one of them",
                     c.step_length_m, c.speed_m_s));
   }
   if (std::abs(c.goal_yaw_rad) >= std::numbers::pi)
@@ -99,9 +99,10 @@ std::optional<Failure> CheckCommand(const WalkCommand& c) {
   constexpr double kMost = 1e6;  // of any number, in its unit
   for (const double value : {c.speed_m_s, c.lateral_speed_m_s, c.yaw_rate_rad_s, c.distance_m, c.duration_s, c.goal_x_m,
                              c.goal_y_m, c.goal_yaw_rad, c.step_length_m}) {
-    if (!std::isfinite(value)) return BadCommand(fmt::format("the command holds {}; finite numbers are needed", value));
+    if (!std::isfinite(value))
+      return BadCommand(fmt::format("the command contains {}; finite numbers are needed", value));
     if (std::abs(value) > kMost)
-      return BadCommand(fmt::format("the command holds {}; at most {} up or down is accepted", value, kMost));
+      return BadCommand(fmt::format("the command contains {}; at most +-{} is accepted", value, kMost));
   }
   if (c.speed_m_s < 0.0) {
     return BadCommand(fmt::format(
@@ -146,10 +147,11 @@ Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkC
       course = OfSteps(model, gait, command);
       break;
   }
-  if (!(course.duration_s > 0.0)) return BadCommand("the command goes nowhere: it ends where it starts");
+  if (!(course.duration_s > 0.0)) return BadCommand("the command has no effect: it ends where it starts");
   if (course.duration_s > kLongest) {
-    return BadCommand(fmt::format("the walk would take {:.6g} s; at most {} s go into one plan: go less far or faster",
-                                  course.duration_s, kLongest));
+    return BadCommand(
+        fmt::format("the walk would take {:.6g} s; a plan lasts at most {} s; reduce the distance or raise the speed",
+                    course.duration_s, kLongest));
   }
   if (command.extent == Extent::kGoal || command.extent == Extent::kDistance) {
     course.ramp_s = std::min(RampTime(model, gait, command, ramp), course.duration_s);

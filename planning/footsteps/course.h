@@ -28,8 +28,8 @@ std::optional<Failure> CheckCommand(const WalkCommand& command);
 /// Speed of the command along its direction that is used: given, or the robot's own [m/s].
 double CommandedSpeed(const RobotModel& model, const WalkCommand& command);
 
-/// Speeds that a command walks at, per second: those given. The robot's own speed ahead stands in where no speed says
-/// where to go, and where a distance is to be walked at a yaw rate alone.
+/// Speeds of a command, per second: those given. The robot's default forward speed is used if no speed is given, or a
+/// distance with only a yaw rate.
 PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& command);
 
 /// The course of a command at a gait.
@@ -42,8 +42,8 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& comman
 /// Failure kBadInput when it goes nowhere or lasts over 600 s.
 Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const SpeedRamp& ramp);
 
-/// Speeds sideways and turning that go with a speed ahead where the command gives none [m/s, rad/s]: those at which
-/// feet keep apart.
+/// Lateral speed and yaw rate that suit a forward speed, if the command gives none [m/s, rad/s]; small enough that feet
+/// do not collide.
 PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkCommand& command);
 
 }  // namespace gaitwright

@@ -170,13 +170,13 @@ class Explanation {
   std::optional<std::string> ReasonOf(const Hurdle& hurdle) {
     if (hurdle.kind == Hurdle::Kind::kGap) return GapReason(hurdle);
     if (hurdle.kind == Hurdle::Kind::kStep) return StepReason(hurdle);
-    return fmt::format("slope of {:.0f} degrees at {}; footholds lie on up to {:.0f} degrees", kDegrees * hurdle.size,
+    return fmt::format("slope of {:.0f} degrees at {}; footholds need at most {:.0f} degrees", kDegrees * hurdle.size,
                        PlaceText(hurdle.place_W), scene_.checker.options().slope_deg);
   }
 
   std::optional<std::string> GapReason(const Hurdle& gap) {
     if (gap.size == kInfinity)
-      return fmt::format("the ground ends at {}; there is none on the way from there", PlaceText(gap.place_W));
+      return fmt::format("the ground ends at {}; there is no ground on the path beyond it", PlaceText(gap.place_W));
     if (tried_gap_m_ <= gap.size && gap.size < 1.02 * tried_gap_m_) return std::nullopt;
     tried_gap_m_ = gap.size;
     const double reach = Limits(gap.station_m).WidestGap(std::min(gap.size, 2.0 * leg_m_));
@@ -256,7 +256,7 @@ class Explanation {
   /// What most footholds or stances beyond fail by.
   std::string CommonReason() const {
     const PlanarPose base = RouteAt(scene_.query.route, graph_.Progress(farthest_));
-    std::string most = "nothing but steps back";
+    std::string most = "only backward steps are possible";
     int count = 0;
     const auto take = [&](int n, const std::string& what) {
       if (n <= count) return;
@@ -267,8 +267,8 @@ class Explanation {
     const bool no_stance = count == 0 || stances_[0] == 0;
     if (no_stance && count == 0)
       for (std::size_t i = 1; i < footholds_.size(); ++i) take(footholds_[i], Describe(static_cast<FootholdFault>(i)));
-    take(refusals_.riser, "a riser in the way of the feet");
-    return fmt::format("robot '{}' finds no footholds beyond {}: most are refused for this: {}", scene_.model.name,
+    take(refusals_.riser, "a riser blocks the feet");
+    return fmt::format("robot '{}' finds no footholds beyond {}; most frequent reason: {}", scene_.model.name,
                        PlaceText({base.x_m, base.y_m}), most);
   }
 

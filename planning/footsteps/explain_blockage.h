@@ -8,11 +8,11 @@ namespace gaitwright {
 
 /// A search that found nothing.
 struct Blockage {
-  int farthest = -1;  ///< stance of the most progress that was looked at; -1 for none
+  int farthest = -1;  ///< checked stance with the most progress; -1 for none
   bool out_of_budget = false;
 };
 
-/// What a search looked at.
+/// Inputs of a search.
 struct SearchScene {
   const RobotModel& model;
   const GroundIndex& ground;

@@ -20,17 +20,14 @@ struct FootholdOptions {
   double roughness = 0.05;
 
   OptionFields Fields() {
-    return {
-        {"margin_m", &margin_m, "m", 0.0, 0.2, "Least distance of a foothold from edges, risers and obstacles.", {}},
-        {"least_on", &least_on, "1", 0.1, 1.0, "Least share of a sole that is on its surface by the margin.", {}},
-        {"slope_deg", &slope_deg, "deg", 0.0, 60.0, "Steepest ground under a foot.", {}},
-        {"roughness",
-         &roughness,
-         "1",
-         0.0,
-         0.5,
-         "Most that a height field may depart from the plane of a sole, as a share of the leg length.",
-         {}}};
+    return WithBasics(
+        {"margin_m", "slope_deg"},
+        {{"margin_m", &margin_m, "m", 0.0, 0.2, "Smallest distance of a foothold from edges, risers and obstacles."},
+         {"least_on", &least_on, "1", 0.1, 1.0,
+          "Smallest share of the sole's area that lies on its surface, inside the margin."},
+         {"slope_deg", &slope_deg, "deg", 0.0, 60.0, "Largest slope of the ground under a foot."},
+         {"roughness", &roughness, "1", 0.0, 0.5,
+          "Largest deviation of a height field from the plane of a sole, as a share of the leg length."}});
   }
 };
 
@@ -56,7 +53,7 @@ struct Placing {
   bool ok() const { return fault == FootholdFault::kNone; }
 };
 
-/// Puts feet down on the ground and says whether they may stand there.
+/// Places feet on the ground and checks whether they can stand there.
 ///
 ///   point, sphere  on the highest ground; edges and risers keep away by the margin, and by a sphere's radius more;
 ///                  risers also by what it rolls towards them while it stands
@@ -86,7 +83,7 @@ class FootholdChecker {
   /// edges. Turned like `at`, at most `radius_m` away. Appends.
   void Near(int foot, const PlanarPose& at, double radius_m, std::vector<PlanarPose>& places) const;
 
-  /// Corners of what a foot covers in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon
+  /// Corners of a foot's outline in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon
   /// around a sphere; a point for a point.
   Polygon OutlineAt(int foot, const PlanarPose& at) const;
 

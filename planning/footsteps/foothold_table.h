@@ -20,8 +20,8 @@ struct FootholdChoice {
   bool goal = false;         ///< the foot stands there as at the end of the route
 };
 
-/// The footholds of a route: for each foot and step along the route a few, found when first asked for. A place that is
-/// found from several steps is one foothold.
+/// The footholds of a route: several for each foot and step along the route, computed at the first query. A place found
+/// from several steps is one foothold.
 class FootholdTable {
  public:
   /// How often each fault was met while footholds of a foot and step were looked for.
@@ -33,16 +33,16 @@ class FootholdTable {
 
   /// Indices of the footholds near a foot's place at step `step` of the route, best first.
   const std::vector<int>& Near(int foot, int step);
-  /// The foot standing at the start of the route, or why it cannot; no foothold is made where it cannot.
+  /// The foot's foothold at the start of the route, or the reason why it cannot stand there.
   Placing Start(int foot, int& index);
 
   /// Where the foot belongs at a station: its place in the standing posture under the base there.
   PlanarPose PlaceAt(int foot, double station_m) const;
-  /// The same at a step of the route.
+  /// The foot's nominal pose at a step of the route.
   const PlanarPose& PlaceAtStep(int foot, int step) const {
     return places_[static_cast<std::size_t>(foot)][static_cast<std::size_t>(step)];
   }
-  /// Faults met by Near(foot, step); all zero where it was never asked for.
+  /// Faults met by Near(foot, step); all zero without such a query.
   Faults FaultsAt(int foot, int step) const;
 
   const FootholdChoice& operator[](int index) const { return choices_[static_cast<std::size_t>(index)]; }
@@ -60,7 +60,7 @@ class FootholdTable {
   };
 
   void Fill(int foot, int step, Cell& cell);
-  /// What is offered around a foot's own place.
+  /// Candidate footholds around a foot's nominal position.
   struct Offer {
     std::size_t most = 0;  ///< footholds
     int parts = 0;         ///< of the lattice's unit; 0 for a few places beside it only

@@ -12,9 +12,9 @@
 
 namespace gaitwright {
 
-/// Stances as the search knows them: a foothold of each foot, and the group that steps next.
+/// Stances of the search: a foothold of each foot, and the group that steps next.
 ///
-/// Stances are numbered as they come up; the same feet and group are one stance.
+/// Stances are numbered in order of creation; equal footholds and group are one stance.
 class FootstepGraph {
  public:
   /// A step of the group that is next.
@@ -35,7 +35,7 @@ class FootstepGraph {
 
   /// All steps of the group that is next, whether or not the stances that they lead to hold; see Holds.
   void Steps(int stance, std::vector<Edge>& edges, Refusals* refusals = nullptr);
-  /// Whether the robot can stand so; looked at once.
+  /// Whether the robot can stand in this stance; computed once.
   bool Holds(int stance) { return FaultOf(stance) == StanceFault::kNone; }
   StanceFault FaultOf(int stance);
 

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// The way of the base in plan view, by station: a length along it that grows from 0 with time at full speed.
+/// The path of the base in plan view, by station: a length along it that grows from 0 with time at full speed.
 struct FootstepRoute {
   std::vector<PlanarPose> pose;
   std::vector<double> station_m;  ///< as many, rising from 0
@@ -20,8 +20,8 @@ struct FootstepRoute {
 /// The pose at a station, linearly between those given and clamped at the ends.
 PlanarPose RouteAt(const FootstepRoute& route, double station_m);
 
-/// The route along a twist. Its length is that of the way in plan view, or of `turn_radius_m` turned by its yaw where
-/// that is more.
+/// The route along a twist. Its length is that of the path in plan view, or `turn_radius_m` times its yaw if that is
+/// longer.
 FootstepRoute RouteAlong(const PlanarTwist& twist, double turn_radius_m);
 
 /// Speeds that a route is gone at: along and across the body, and turning; all positive.
@@ -30,8 +30,8 @@ struct RouteSpeeds {
 };
 
 /// The route through poses: stations grow by speed ahead times the time that the slowest of ahead, lateral and turning
-/// takes. Yaws are made to follow each other without jumps of a full turn. @throws InvalidArgument without a pose, with
-/// poses that are not finite or a speed that is not positive.
+/// takes. Yaws are unwrapped. @throws InvalidArgument without a pose, with poses that are not finite or a speed that is
+/// not positive.
 FootstepRoute RouteThrough(const std::vector<PlanarPose>& poses, const RouteSpeeds& speeds);
 
 }  // namespace gaitwright

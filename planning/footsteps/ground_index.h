@@ -40,15 +40,15 @@ class GroundIndex {
   /// @param cell_m  size of the grid's cells, about that of a foot's surroundings.
   GroundIndex(const Terrain& terrain, double cell_m);
 
-  /// The highest ground at a point; patch -1 where there is none.
+  /// The highest ground at a point; patch -1 without ground.
   GroundPoint At(const Vector2& p_W) const;
 
   /// Indices of the patches, height fields apart, that may touch a box, each once, in rising order.
   void PatchesIn(const Vector2& lowest_W, const Vector2& highest_W, std::vector<int>& found) const;
-  /// The same of the obstacles.
+  /// Obstacles in a box.
   void ObstaclesIn(const Vector2& lowest_W, const Vector2& highest_W, std::vector<int>& found) const;
 
-  /// An upper bound of the ground's height in a box; -infinity where there is none.
+  /// An upper bound of the ground's height in a box; -infinity without ground.
   double HighestIn(const Vector2& lowest_W, const Vector2& highest_W) const;
 
   const std::vector<GroundSurface>& surfaces() const { return surfaces_; }

@@ -12,7 +12,7 @@ namespace gaitwright {
 /// back over. The ground is solid below its surfaces. Scratch is kept; not for several threads at once.
 class LegRoom {
  public:
-  /// @param margin_m  that legs keep from the ground [m]; near the foot, half of what they have over its own plane.
+  /// @param margin_m  distance of the legs from the ground [m]; near the foot, half of their height above its plane.
   LegRoom(const RobotModel& model, const GroundIndex& ground, double margin_m);
 
   /// @param workspace  of the leg.
@@ -20,7 +20,7 @@ class LegRoom {
   /// @return true also where the leg does not reach, which is another matter.
   bool IsClear(LegWorkspace& workspace, const Foot& foot, const Pose& X_WF, const Pose& X_WB);
 
-  /// Whether any ground about the foot is higher than where it stands, so that the leg may meet it.
+  /// Whether any ground around the foot is higher than the foot, so that the leg may collide with it.
   bool MayMeet(const Pose& X_WF) const;
 
  private:

@@ -9,14 +9,14 @@
 
 namespace gaitwright {
 
-/// Footholds of a schedule along a path of the base: where each foot stands in the standing posture, carried along by
-/// the base to where it is at the middle of the stance (Raibert, Legged Robots That Balance, 1986). First footholds are
-/// those of standing at the start, last ones those of standing at the path's end, as far as the foot swings at all.
-/// With two feet the one on the side of a side-step or turn leads by half a cycle, so that the feet are kept apart.
+/// Footholds of a schedule along a path of the base: each foot's standing position, moved with the base to its pose at
+/// the middle of the stance (Raibert, Legged Robots That Balance, 1986). First footholds are those of standing at the
+/// start, last ones those of standing at the path's end, as far as the foot swings at all. With two feet the one on the
+/// side of a side-step or turn leads by half a cycle, so that the feet are kept apart.
 FootstepPlan PlaceAlongPath(const RobotModel& model, const Gait& gait, const ContactSchedule& schedule,
                             const BasePath& path, const PlanarTwist& twist);
 
-/// What a robot does on a stretch of a path: a gait along a twist, or standing still.
+/// Motion on a part of a path: a gait along a twist, or standing still.
 struct PathStretch {
   double start_s = 0.0, end_s = 0.0;
   bool stands = false;
@@ -24,8 +24,8 @@ struct PathStretch {
   PlanarTwist twist;     ///< of the gait's command
 };
 
-/// The same along several stretches, each of which ends where the next one starts. A stance that lasts through one that
-/// stands still is that of standing there.
+/// Footholds along several consecutive stretches. A stance that spans a stretch of standing still has the standing
+/// footholds there.
 FootstepPlan PlaceAlongPath(const RobotModel& model, const ContactSchedule& schedule, const BasePath& path,
                             const std::vector<PathStretch>& stretches);
 

@@ -59,7 +59,7 @@ BasePath PathOfSteps(const PlanarTwist& step, int steps_to_goal, double footfall
 }
 
 std::string StandingStillNote(const WalkCommand& command, int num_feet) {
-  return fmt::format("{} of {} feet take a step, so that the walk ends where it starts: {} steps or more go ahead",
+  return fmt::format("{} of {} feet take a step, so the walk ends where it starts; {} or more steps move the robot",
                      std::min(command.steps, num_feet), num_feet, num_feet);
 }
 
@@ -169,10 +169,9 @@ std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkel
       FailureKind::kInfeasible,
       FailureCode::kFootholdOutOfReach,
       "PlanFootsteps",
-      fmt::format("foot '{}' cannot reach its foothold at {:.2f} s: it is {:.3f} m from its hip, the leg reaches "
-                  "{:.3f} m",
-                  model.feet[static_cast<std::size_t>(foothold.foot)].name, worst.at_s, worst.distance_m,
-                  worst.limit_m),
+      fmt::format(
+          "foot '{}' cannot reach its foothold at {:.2f} s: it is {:.3f} m from its hip, but the leg reaches {:.3f} m",
+          model.feet[static_cast<std::size_t>(foothold.foot)].name, worst.at_s, worst.distance_m, worst.limit_m),
       {"lower the speed or the step length"}};
 }
 

@@ -16,7 +16,7 @@
 
 namespace gaitwright {
 
-/// How a walk begins and ends, how far a foot may go, and on uneven ground where it may stand and how that is sought.
+/// Start and end of a walk, reach of the feet and, for uneven ground, foothold rules and search.
 struct FootstepOptions {
   double initial_stand_s = 0.8;
   double final_stand_s = 0.8;
@@ -35,33 +35,21 @@ struct FootstepOptions {
 
  private:
   OptionFields OwnFields() {
-    return {{"initial_stand_s", &initial_stand_s, "s", 0.1, 10.0, "Time on all feet before the first step.", {}},
-            {"final_stand_s", &final_stand_s, "s", 0.1, 10.0, "Time on all feet after the last step.", {}},
-            {"ramp_cycles",
-             &ramp.cycles,
-             "1",
-             0.0,
-             10.0,
-             "Cycles in which the base gains its speed and loses it, at the least.",
-             {}},
-            {"ramp_acceleration",
-             &ramp.acceleration_m_s2,
-             "m/s^2",
-             0.0,
-             100.0,
-             "Most with which it does so; 0 for any.",
-             {}},
-            {"reach",
-             &reach,
-             "1",
-             0.5,
-             1.0,
-             "Farthest that a foothold may be from its hip, as a share of the straight leg.",
-             {}}};
+    return WithBasics({"initial_stand_s", "final_stand_s"},
+                      {{"initial_stand_s", &initial_stand_s, "s", 0.1, 10.0,
+                        "Time that the robot stands on all feet before the first step."},
+                       {"final_stand_s", &final_stand_s, "s", 0.1, 10.0,
+                        "Time that the robot stands on all feet after the last step."},
+                       {"ramp_cycles", &ramp.cycles, "1", 0.0, 10.0,
+                        "Smallest number of gait cycles over which the base speeds up, and over which it slows down."},
+                       {"ramp_acceleration", &ramp.acceleration_m_s2, "m/s^2", 0.0, 100.0,
+                        "Largest acceleration of the base when it speeds up or slows down; 0 sets no limit."},
+                       {"reach", &reach, "1", 0.5, 1.0,
+                        "Largest distance of a foothold from its hip, as a share of the straight leg's length."}});
   }
 };
 
-/// What is settled before motion is continuous.
+/// Discrete part of a plan, before the continuous motion.
 struct FootstepSkeleton {
   BasePath path;
   ContactSchedule schedule;
@@ -69,28 +57,28 @@ struct FootstepSkeleton {
   PlanarPose goal;
   std::vector<MotionPart> parts;
   std::vector<std::string> warnings;
-  FootstepSearchStats search;  ///< all zero on level ground, where nothing is searched
+  FootstepSearchStats search;  ///< all zero on level ground, which needs no search
 };
 
 /// Base path, contact schedule and footholds for a command.
 ///
 /// On level ground without end or obstacles footholds follow the base along its path (PlaceAlongPath), or a command of
 /// counted footfalls (PlaceCounted). On all other ground the command's course in plan view is the route of a search
-/// (SearchFootsteps); a goal that cannot be walked to straight is reached around what is in the way (RouteOf). Steps
-/// aim at the stride of the gait at the commanded speed: there are as many footfalls as it takes, also for a command of
-/// a duration or of counted ones. Failures: kBadInput for a command that makes no sense, contradicts itself, goes
-/// nowhere or takes over 600 s, and for a gait too fast for the grid; kInfeasible for a foothold
-/// out of reach (names foot, time and distance), and where there are no footholds (names place and reason).
+/// (SearchFootsteps); a goal without a free direct path is reached around obstacles (RouteOf). Steps aim at the stride
+/// of the gait at the commanded speed: there are as many footfalls as it takes, also for a command of a duration or of
+/// counted ones. Failures: kBadInput for an invalid or contradictory command, one that has no effect or takes over 600
+/// s, and for a gait too fast for the grid; kInfeasible for a foothold out of reach (names foot, time and distance),
+/// and where there are no footholds (names place and reason).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options);
 
-/// The same along a way of the base that is known, such as one around obstacles: the command gives the speeds alone.
+/// As PlanFootsteps, along a given path of the base, such as one around obstacles: the command gives only the speeds.
 /// @param way  poses in plan view from (0, 0, 0) on, dense enough to be joined by straight lines.
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                             const WalkCommand& command, const std::vector<PlanarPose>& way,
                                             const FootstepOptions& options);
 
-/// Why footholds do not serve: the one farthest out of reach of its leg, by name, time and distance.
+/// Reason why footholds are infeasible: the one farthest out of reach of its leg, by name, time and distance.
 std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share);
 
 /// Puts footholds that were planned on the level plane at height zero onto it.

@@ -66,8 +66,8 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
   if (!course.counted()) return course;
   const int ahead = StepsAhead(part.gait, part.command.steps);
   if (ahead < 1) {
-    return BadPart(fmt::format("{} footfalls only close the stance of {} feet; {} or more go ahead", part.command.steps,
-                               part.gait.num_feet(), part.gait.num_feet()));
+    return BadPart(fmt::format("{} footfalls only close the stance of {} feet; {} or more move the robot",
+                               part.command.steps, part.gait.num_feet(), part.gait.num_feet()));
   }
   course.twist = {ahead * course.twist.x_m, ahead * course.twist.y_m, ahead * course.twist.yaw_rad};
   course.full_s = ahead * part.gait.cycle_s / part.gait.num_feet();
@@ -215,7 +215,7 @@ Result<FootstepSkeleton> PlanSequence(const RobotModel& model, const Terrain& te
     if (!course) return OfPart(k, parts[k].gait.name, course.failure());
     courses.push_back(std::move(*course));
   }
-  if (KindOfGround(terrain) != GroundKind::kFlat) return BadPart("a sequence of gaits is planned on level ground only");
+  if (KindOfGround(terrain) != GroundKind::kFlat) return BadPart("a sequence of gaits is supported on level ground only");
   Couple(courses);
   return AlongCourses(model, terrain, std::move(courses), options);
 }

@@ -7,8 +7,7 @@
 
 namespace gaitwright {
 
-/// A part of a walk: a gait and where it is to lead from where the part before does, or StandingGait with a command of
-/// a duration.
+/// A part of a walk: a gait with a command relative to the end of the part before, or StandingGait with a duration.
 struct WalkPart {
   Gait gait;
   WalkCommand command;
@@ -16,8 +15,8 @@ struct WalkPart {
   bool operator==(const WalkPart&) const = default;
 };
 
-/// Base path, contact schedule and footholds of parts one after the other, from standing to standing. Of one part alone
-/// those of PlanFootsteps.
+/// Base path, contact schedule and footholds of consecutive parts, from standing to standing. For a single part, those
+/// of PlanFootsteps.
 ///
 /// Before a part that stands still the last swings bring the feet beside each other, and the base is at rest for so
 /// long. Where two gaits follow each other the base goes on: it changes from one speed to the other within a ramp of
@@ -30,7 +29,7 @@ struct WalkPart {
 Result<FootstepSkeleton> PlanSequence(const RobotModel& model, const Terrain& terrain,
                                       const std::vector<WalkPart>& parts, const FootstepOptions& options);
 
-/// The same failure, with its part before what it says: "part 2, 'bound': ...".
+/// The failure with the name of the part before its message: "part 2, 'bound': ...".
 Failure OfPart(std::size_t index, const std::string& gait, Failure failure);
 
 }  // namespace gaitwright

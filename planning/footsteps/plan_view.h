@@ -22,7 +22,7 @@ bool ApartBy(const Polygon& a, const Polygon& b, double gap_m);
 /// become the square around them.
 Polygon Widened(const Polygon& outline, double margin_m);
 
-/// Share of the outline that a part of it holds: of the area, or of the length where it has none.
+/// Share of the outline that a part covers: of the area, or of the length for a line.
 double ShareOf(const Polygon& part, const Polygon& outline);
 
 /// How far an outline about the origin goes in a direction, at least zero [m].

@@ -54,9 +54,9 @@ Failure Refused(const std::vector<PlanarPose>& way, const FirstBlocked& blocked)
   return {FailureKind::kInfeasible,
           FailureCode::kWayBlocked,
           "RouteOf",
-          fmt::format("the way is blocked after {:.2f} of {:.2f} m: {}", LengthOf(free), LengthOf(way),
+          fmt::format("the path is blocked after {:.2f} of {:.2f} m: {}", LengthOf(free), LengthOf(way),
                       blocked.hindrance.text),
-          {"give a goal, which is reached around what is in the way", "go less far"}};
+          {"give a goal (--goal), which the robot reaches around obstacles", "go less far"}};
 }
 
 BaseRoute AlongCourse(const RobotModel& model, std::vector<PlanarPose> way, const BaseRouteOptions& options) {
@@ -64,7 +64,7 @@ BaseRoute AlongCourse(const RobotModel& model, std::vector<PlanarPose> way, cons
   route.length_m = LengthOf(way);
   route.cost_m = TravelCost(way, {options.lateral, options.backward, options.turn * model.leg_length_m()});
   route.statistics.direct = true;
-  route.summary = fmt::format("direct way of {:.2f} m", route.length_m);
+  route.summary = fmt::format("direct route of {:.2f} m", route.length_m);
   route.waypoints = std::move(way);
   return route;
 }

@@ -9,13 +9,12 @@
 
 namespace gaitwright {
 
-/// Where the base goes on a terrain for a command, from the origin facing x.
-///   goal                       along the course's constant twist where that is free, else around what is in the way
+/// Route of the base on a terrain for a command, from the origin facing x.
+///   goal                       along the course's constant twist if that is free, else around obstacles
 ///   distance, duration, steps  along the course; never around anything
-/// `statistics.direct` tells whether it is the course.
-/// @param course  of the command, as MakeCourse gives it.
-/// Failures, kInfeasible: those of PlanBaseRoute; `start_blocked`; and `way_blocked` for a course that is not free,
-/// which names what is in the way and how far the robot could go.
+/// `statistics.direct` is true if it is the course.
+/// @param course  of the command, as MakeCourse gives it. Failures, kInfeasible: those of PlanBaseRoute;
+/// `start_blocked`; and `way_blocked` for a course that is not free, which names the obstacle and the free distance.
 Result<BaseRoute> RouteOf(const RobotModel& model, const Terrain& terrain, const WalkCommand& command,
                           const Course& course, const BaseRouteOptions& options);
 

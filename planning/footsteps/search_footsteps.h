@@ -13,7 +13,7 @@
 
 namespace gaitwright {
 
-/// What the search allows, prefers and may spend.
+/// Limits, cost weights and budget of the search.
 ///
 /// Tuning
 ///   finds nothing where there must be a way   more `max_expansions`, a larger `offset`, a smaller `reserve`
@@ -47,25 +47,25 @@ struct FootstepSearchOptions {
   OptionFields Fields();
 };
 
-/// What is searched for: footfalls of a gait from standing at the start of a route to standing at its end.
+/// A search problem: footfalls of a gait from standing at the start of a route to standing at its end.
 struct FootstepQuery {
   Gait gait;
   FootstepRoute route;
   double stride_m = 0.0;  ///< stations that the base passes in a cycle of the gait at full speed
-  /// Whether the body may be at a pose of the base, over ground of a height; any where there is none.
+  /// Whether the body may be at a pose of the base, above ground of a height; empty allows any.
   std::function<bool(const PlanarPose& base, double ground_m)> body_free = {};
 };
 
 /// Feet that step together.
 using Footfalls = std::vector<PlacedFoot>;
 
-/// What a search spent and found.
+/// Statistics of a search.
 struct FootstepSearchStats {
   int expanded = 0, generated = 0;
   int expanded_to_first = 0;  ///< until the first solution
-  int stances = 0;            ///< that were looked at for reach and room
+  int stances = 0;            ///< that were checked for reach and clearance
   double first_cost = 0.0;
-  double cost = 0.0;   ///< of what is returned, about the number of group steps; see SearchFootsteps
+  double cost = 0.0;   ///< of the result, about the number of group steps; see SearchFootsteps
   double bound = 0.0;  ///< no sequence of this graph costs less than cost / bound
 };
 
@@ -80,11 +80,12 @@ struct FootstepSequence {
 std::vector<std::vector<int>> FootGroups(const Gait& gait);
 
 /// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its weight
-/// starts at `first_bound`, is doubled whenever `patience` runs out, and falls again once a way is found.
+/// starts at `first_bound`, is doubled after `patience` expansions without a solution, and falls again after the first
+/// solution.
 ///
 /// A state is a foothold of each foot and the group that steps next. For each foot and station of the route there are
-/// few footholds: where the foot stands in the standing posture under the base there, places of a lattice around it,
-/// and on each surface near the place nearest to it. Each step of a group costs
+/// few footholds: the foot's standing position under the base, points of a lattice around it, and the nearest point of
+/// each surface near it. Each step of a group costs
 ///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2
 ///                         + height |dz| / leg + risk r,     plus phase (e + e^2), e = |lead - wanted| / L,
 /// and where all feet leap at once, landing times the tilt of the base over them [rad];
@@ -106,7 +107,7 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                          const FootholdOptions& footholds, const FootstepSearchOptions& options);
 
-/// Whether SearchFootsteps finds any; says no more, and so is quicker where there are none.
+/// Whether SearchFootsteps finds a solution; faster than the search itself if there is none.
 bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                     const FootholdOptions& footholds, const FootstepSearchOptions& options);
 

@@ -49,9 +49,9 @@ std::array<Vector3, 8> CornersOf(const Pose& X_WB, const Vector3& low, const Vec
 
 std::string Describe(StanceFault fault) {
   static const std::array<std::string, 7> kWords = {"none",
-                                                    "feet crossed or nearer to each other than their sizes",
+                                                    "feet crossed or overlapping",
                                                     "out of reach of a leg",
-                                                    "the body too steep",
+                                                    "the body tilted too far",
                                                     "body too near to the ground",
                                                     "a thigh or shank too near to the ground",
                                                     "body too near to an obstacle"};

@@ -16,7 +16,7 @@
 
 namespace gaitwright {
 
-/// Why a robot cannot stand with its feet where they are.
+/// Reason why a robot cannot stand with given footholds.
 enum class StanceFault { kNone, kFeetClose, kReach, kTilt, kBodyLow, kLegLow, kBodyObstacle };
 
 /// How often each fault was met, by its number.
@@ -28,8 +28,8 @@ std::string Describe(StanceFault fault);
 /// The feet with soles that stand alone at times in a gait.
 std::vector<int> LoneSoles(const RobotModel& model, const Gait& gait);
 
-/// Says whether a robot can stand with its feet somewhere. Keeps the workspaces of the legs, so that later questions
-/// are cheap; not for several threads at once. Model and ground must outlive it.
+/// Checks whether a robot can stand with given footholds. Caches the workspaces of the legs, so later queries are
+/// cheap; not thread-safe. Model and ground must outlive it.
 class StanceChecker {
  public:
   StanceChecker(const RobotModel& model, const GroundIndex& ground, const FootstepQuery& query,

@@ -5,17 +5,17 @@
 
 namespace gaitwright {
 
-/// What a robot can do at a gait, a stride and options, by trial on made ground: what a refusal is measured against.
-/// To a hundredth of the leg length.
+/// Limits of a robot for a gait, a stride and options, found by trial on synthetic ground, for messages of refusals.
+/// Accurate to a hundredth of the leg length.
 class StepLimits {
  public:
-  /// @param heading_rad  of the way, against the body's own.
+  /// @param heading_rad  of the path, relative to the body.
   StepLimits(const RobotModel& model, const FootstepQuery& query, const FootholdOptions& footholds,
              const FootstepSearchOptions& options, double heading_rad);
 
-  /// The widest gap across the way that is crossed, at most `most_m` [m].
+  /// The widest gap that can be crossed, at most `most_m` [m].
   double WidestGap(double most_m) const;
-  /// The highest step up, or down, across the way that is taken, at most `most_m` [m].
+  /// The highest step up or down that can be taken, at most `most_m` [m].
   double HighestStep(double most_m, bool up) const;
 
  private:

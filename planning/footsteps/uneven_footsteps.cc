@@ -155,8 +155,8 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
       return Failure{FailureKind::kBadInput,
                      FailureCode::kCommand,
                      "PlanFootsteps",
-                     fmt::format("{} footfalls only close the stance of {} feet; {} or more go ahead", command.steps,
-                                 gait.num_feet(), gait.num_feet()),
+                     fmt::format("{} footfalls only close the stance of {} feet; {} or more move the robot",
+                                 command.steps, gait.num_feet(), gait.num_feet()),
                      {}};
     }
     twist = {ahead * twist.x_m, ahead * twist.y_m, ahead * twist.yaw_rad};

@@ -5,16 +5,16 @@
 
 namespace gaitwright {
 
-/// Steps of the base that counted footfalls make on level ground, the last ones closing the stance; none, or fewer,
-/// where they only close it.
+/// Steps of the base for counted footfalls on level ground, where the last ones close the stance; 0 or less if they
+/// only close it.
 int StepsAhead(const Gait& gait, int footfalls);
 
 /// A command of a distance without speeds as counted footfalls: as few cycles of the gait as reach that far with
-/// strides of at most stride_m, all of one length. Any other command as it is, and any where stride_m is not over 0.
+/// strides of at most stride_m, all of one length. Any other command is unchanged, and any if stride_m is not above 0.
 WalkCommand CountedByStride(const Gait& gait, double stride_m, const WalkCommand& command);
 
-/// What to search for a command: its course in plan view, at the stride of the gait at the commanded speed. Failures as
-/// of MakeCourse; kBadInput also for fewer counted footfalls than go ahead.
+/// Search problem of a command: its course in plan view, at the stride of the gait at the commanded speed. Failures as
+/// of MakeCourse; kBadInput also for too few counted footfalls to move.
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                   const FootstepOptions& options);
 

@@ -5,10 +5,10 @@
 
 namespace gaitwright {
 
-/// What a file of gaits may hold: gaits by name.
+/// Structure of a gait file: gaits by name.
 DataShape GaitFileShape();
 
-/// What a file of a sequence may hold: a list of parts.
+/// Structure of a sequence file: a list of parts.
 DataShape SequenceFileShape();
 
 }  // namespace gaitwright

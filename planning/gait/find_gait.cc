@@ -55,11 +55,10 @@ Result<GaitEntry> EntryOfFile(const FileAndName& wanted, int feet) {
     if (entry.gait.num_feet() == feet) return entry;
     if (wanted.gait.empty() && gaits->size() > 1) {
       return BadGait(
-          fmt::format("'{}': its first gait '{}' is for {} feet, the robot has {}; name another one as "
-                      "FILE:NAME",
+          fmt::format("'{}': its first gait '{}' is for {} feet, but the robot has {}; name another gait as FILE:NAME",
                       wanted.file, entry.gait.name, entry.gait.num_feet(), feet));
     }
-    return BadGait(fmt::format("'{}': gait '{}' is for {} feet, the robot has {}", wanted.file, entry.gait.name,
+    return BadGait(fmt::format("'{}': gait '{}' is for {} feet, but the robot has {}", wanted.file, entry.gait.name,
                                entry.gait.num_feet(), feet));
   }
   return BadGait(fmt::format("'{}' has no gait '{}'; there {} {}", wanted.file, wanted.gait,
@@ -69,7 +68,7 @@ Result<GaitEntry> EntryOfFile(const FileAndName& wanted, int feet) {
 Result<GaitEntry> FindEntry(const std::string& name, int feet) {
   const FileAndName file = SplitName(name);
   if (file.is_file()) return EntryOfFile(file, feet);
-  if (feet < 2) return BadGait(fmt::format("the robot has {} feet; gaits take two or more", feet));
+  if (feet < 2) return BadGait(fmt::format("the robot has {} feet; gaits need two or more", feet));
   Result<std::vector<GaitEntry>> gaits = BuiltInGaits();
   if (!gaits) return gaits.failure();
   const std::vector<GaitEntry> generated = GeneratedGaits(feet);
@@ -84,7 +83,7 @@ Result<GaitEntry> FindEntry(const std::string& name, int feet) {
     names.push_back(entry.gait.name);
   }
   if (other_feet > 0) {
-    return BadGait(fmt::format("gait '{}' is for {} feet, the robot has {}; for these there are {}", name, other_feet,
+    return BadGait(fmt::format("gait '{}' is for {} feet, but the robot has {}; choose one of {}", name, other_feet,
                                feet, QuotedList(names)));
   }
   return BadGait(fmt::format("there is no gait '{}' for {} feet; there are {}", name, feet, QuotedList(names)));
@@ -154,11 +153,11 @@ Result<double> ScaledCycle(const RobotModel& model, const std::string& name, con
 std::optional<Failure> CheckGaitOptions(const GaitOptions& options) {
   constexpr double kLeastCycle = 0.05, kLeast = 0.05;  // as in files
   if (options.cycle_s != 0.0 && options.cycle_s < kLeastCycle) {
-    return BadGait(fmt::format("option 'gait.cycle_s' is {} s; accepted: {} to 20, or 0 for the gait's own",
+    return BadGait(fmt::format("option 'gait.cycle_s' is {} s; accepted: {} to 20, or 0 for the gait's default",
                                options.cycle_s, kLeastCycle));
   }
   if (options.duty_factor != 0.0 && options.duty_factor < kLeast) {
-    return BadGait(fmt::format("option 'gait.duty_factor' is {}; accepted: {} to 0.99, or 0 for the gait's own",
+    return BadGait(fmt::format("option 'gait.duty_factor' is {}; accepted: {} to 0.99, or 0 for the gait's default",
                                options.duty_factor, kLeast));
   }
   return std::nullopt;

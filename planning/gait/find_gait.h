@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-/// What of a gait is changed for one walk.
+/// Changes of a gait for one walk.
 struct GaitOptions {
   double cycle_s = 0.0;
   double duty_factor = 0.0;
@@ -18,30 +18,16 @@ struct GaitOptions {
   double cycle_step_s = 0.0;
 
   OptionFields Fields() {
-    return {
-        {"cycle_s", &cycle_s, "s", 0.0, 20.0, "Time of a cycle; 0 takes the gait's own.", {}},
-        {"duty_factor",
-         &duty_factor,
-         "1",
-         0.0,
-         0.99,
-         "Share of the cycle a foot is on the ground; 0 takes the gait's own.",
-         {}},
-        {"stance_travel",
-         &stance_travel,
-         "1",
-         0.05,
-         1.0,
-         "Farthest that the body moves over a foot, as a share of the leg length; faster walking shortens the cycle.",
-         {}},
-        {"cycle_step_s",
-         &cycle_step_s,
-         "s",
-         0.0,
-         0.05,
-         "The cycle is rounded to a whole number of these, so that a gait repeats itself on the plan's grid; 0 leaves "
-         "it.",
-         {}}};
+    return WithBasics(
+        {"cycle_s", "duty_factor"},
+        {{"cycle_s", &cycle_s, "s", 0.0, 20.0, "Duration of a gait cycle; 0 uses the gait's default."},
+         {"duty_factor", &duty_factor, "1", 0.0, 0.99,
+          "Share of the cycle during which a foot is on the ground; 0 uses the gait's default."},
+         {"stance_travel", &stance_travel, "1", 0.05, 1.0,
+          "Largest travel of the body over a stance foot, as a share of the leg length; higher speeds shorten the "
+          "cycle."},
+         {"cycle_step_s", &cycle_step_s, "s", 0.0, 0.05,
+          "The cycle is rounded to a multiple of this time, so that it fits the plan's grid; 0 does not round."}});
   }
 };
 
@@ -50,18 +36,18 @@ struct GaitOptions {
 /// made for any number of feet, see GeneratedGaits. Failure kBadInput lists what exists for this number of feet.
 Result<Gait> FindGait(const RobotModel& model, const std::string& name, double speed_m_s, const GaitOptions& options);
 
-/// The file that such a name stands for; empty where it is a gait by name.
+/// The file of such a name; empty for a gait name.
 std::string GaitFileOf(const std::string& name);
 
-/// Shortest cycle that the gait may be given for a robot [s]: half of its own where that scales with the leg, else the
-/// one that is given.
+/// Shortest cycle that the gait may be given for a robot [s]: half of its default if that scales with the leg, else the
+/// given one.
 Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
 
-/// Longest cycle that the gait may be given for a robot [s]: twice its own where that scales with the leg, else the one
-/// that is given.
+/// Longest cycle that the gait may be given for a robot [s]: twice its default if that scales with the leg, else the
+/// given one.
 Result<double> LongestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
 
-/// The farthest that a gait goes in a cycle where no speed is asked for [m]; 0 where it has no stride of its own.
+/// Largest stride of a gait if no speed is given [m]; 0 if the gait has no default stride.
 Result<double> OwnStride(const RobotModel& model, const std::string& name);
 
 }  // namespace gaitwright

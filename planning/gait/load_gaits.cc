@@ -21,13 +21,14 @@ DataShape ByFootShape(double lowest, double highest) {
 DataShape GaitShape() {
   using namespace shapes;
   return Object(
-      {{"feet", Whole(1, 64), "Number of feet; lists by foot are in the robot's order."},
-       Optional("description", Text(), "A line for the list of gaits."),
-       Optional("cycle_s", Number(0.05, 20.0), "Time of a cycle, kept whatever the speed."),
-       Optional("cycle_per_leg_time", Number(0.1, 100.0), "Cycle over sqrt(leg length / g), for robots of any size."),
-       {"duty_factor", ByFootShape(0.05, 0.99), "Share of the cycle that a foot is on the ground."},
+      {{"feet", Whole(1, 64), "Number of feet; lists with one entry per foot are in the robot's order."},
+       Optional("description", Text(), "One-line description for the list of gaits."),
+       Optional("cycle_s", Number(0.05, 20.0), "Duration of a cycle at any speed."),
+       Optional("cycle_per_leg_time", Number(0.1, 100.0),
+                "Cycle time divided by sqrt(leg length / g), for robots of any size."),
+       {"duty_factor", ByFootShape(0.05, 0.99), "Share of the cycle during which a foot is on the ground."},
        {"phase", ByFootShape(0.0, 0.9999999), "Share of the cycle at which a foot touches down."},
-       Optional("stride_per_leg", Number(0.05, 10.0), "Most leg lengths in a cycle without a speed.")},
+       Optional("stride_per_leg", Number(0.05, 10.0), "Largest stride in leg lengths, used if no speed is given.")},
       {{"cycle_s", "cycle_per_leg_time"}});
 }
 
@@ -94,7 +95,7 @@ GaitEntry Wave(int num_feet) {
 GaitEntry Alternating(int num_feet) {
   GaitEntry sets;
   sets.gait.name = "alternating";
-  sets.gait.description = "two sets of feet in turn, neighbours in different ones";
+  sets.gait.description = "two alternating sets of feet, with neighbours in different sets";
   sets.gait.cycle_s = 0.0;
   sets.cycle_per_leg_time = 3.4;  // as the tripod
   sets.gait.duty_factor.assign(static_cast<std::size_t>(num_feet), 0.6);
@@ -115,11 +116,11 @@ Result<std::vector<GaitEntry>> LoadGaits(const std::string& path) {
   std::vector<GaitEntry> gaits;
   try {
     const YAML::Node root = LoadYaml(*text);
-    if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no gaits: a map of names to gaits is needed");
+    if (!root.IsMap() || root.size() == 0) return bad("line 1: contains no gaits; a map of names to gaits is needed");
     const YamlMap map(root, "the file");
     for (const YamlMap::Entry& entry : map.entries()) gaits.push_back(ParseGait(entry.key, entry.value));
   } catch (const YAML::Exception& error) {
-    return bad(fmt::format("line {}: is no YAML from here on; see docs/gaits.md", error.mark.line + 1));
+    return bad(fmt::format("line {}: not valid YAML from here on; see docs/gaits.md", error.mark.line + 1));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }

@@ -13,12 +13,12 @@ namespace gaitwright {
 struct GaitEntry {
   Gait gait;                        ///< cycle_s is 0 when it scales with the leg
   double cycle_per_leg_time = 0.0;  ///< cycle over sqrt(leg length / g)
-  double stride_per_leg = 0.0;      ///< farthest in a cycle where no speed is asked for, over the leg length; 0 for any
+  double stride_per_leg = 0.0;      ///< largest stride if no speed is given, divided by the leg length; 0 for any
 };
 
-/// Reads and validates a file of gaits, see docs/gaits.md. Failure kBadInput with file and line for text that is no
-/// YAML, names and keys that stand twice, unknown keys (the nearest is named), values of the wrong kind, numbers that
-/// are not finite, not whole where feet are counted, or out of range, and lists whose length is not that of the feet.
+/// Reads and validates a file of gaits, see docs/gaits.md. Failure kBadInput with file and line for invalid YAML,
+/// duplicate names and keys, unknown keys (the nearest is named), values of the wrong kind, numbers that are not
+/// finite, not whole for counts of feet, or out of range, and lists whose length is not the number of feet.
 Result<std::vector<GaitEntry>> LoadGaits(const std::string& path);
 
 /// The gaits that come with the program.

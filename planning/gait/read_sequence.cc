@@ -24,13 +24,13 @@ bool Has(const OptionTexts& texts, const std::string& key) {
 /// What a command can be given as.
 OptionFields FieldsOf(WalkCommand& c) {
   constexpr double kFast = 50.0, kFar = 10000.0, kLong = 600.0, kMany = 100000.0, kStride = 10.0;
-  return {{"speed", &c.speed_m_s, "m/s", 0.0, kFast, "Speed ahead.", {}},
-          {"lateral-speed", &c.lateral_speed_m_s, "m/s", -kFast, kFast, "Speed to the left.", {}},
-          {"yaw-rate", &c.yaw_rate_rad_s, "rad/s", -kFast, kFast, "Turning to the left.", {}},
-          {"distance", &c.distance_m, "m", 0.0, kFar, "Length of the way.", {}},
-          {"duration", &c.duration_s, "s", 0.0, kLong, "Time of walking or standing.", {}},
-          {"steps", &c.steps, "1", 1.0, kMany, "Footfalls.", {}},
-          {"step-length", &c.step_length_m, "m", -kStride, kStride, "Advance of the robot in a footfall.", {}}};
+  return {{"speed", &c.speed_m_s, "m/s", 0.0, kFast, "Forward speed."},
+          {"lateral-speed", &c.lateral_speed_m_s, "m/s", -kFast, kFast, "Lateral speed; positive is to the left."},
+          {"yaw-rate", &c.yaw_rate_rad_s, "rad/s", -kFast, kFast, "Yaw rate; positive is to the left."},
+          {"distance", &c.distance_m, "m", 0.0, kFar, "Distance to walk."},
+          {"duration", &c.duration_s, "s", 0.0, kLong, "Time to walk or stand."},
+          {"steps", &c.steps, "1", 1.0, kMany, "Number of footfalls."},
+          {"step-length", &c.step_length_m, "m", -kStride, kStride, "Forward advance of the robot in each footfall."}};
 }
 
 /// How far a command goes. @throws InvalidArgument where that is said twice, or not at all.
@@ -39,18 +39,18 @@ void SetExtent(const OptionTexts& texts, WalkCommand& c) {
   for (const char* key : {"distance", "duration", "steps"}) {
     if (Has(texts, key)) given.emplace_back(key);
   }
-  if (given.size() > 1) throw InvalidArgument(fmt::format("{} each say how far: give one of them", QuotedList(given)));
+  if (given.size() > 1)
+    throw InvalidArgument(fmt::format("{} each set the distance; give only one of them", QuotedList(given)));
   const bool somewhere = c.speed_m_s != 0.0 || c.lateral_speed_m_s != 0.0;
   if (Has(texts, "step-length") && (!Has(texts, "steps") || c.speed_m_s != 0.0))
-    throw InvalidArgument("'step-length' goes with 'steps' and instead of 'speed'");
-  if (Has(texts, "distance") && c.distance_m == 0.0)
-    throw InvalidArgument("a distance of 0 goes nowhere: it must be more than 0");
+    throw InvalidArgument("'step-length' is for use with 'steps', instead of 'speed'");
+  if (Has(texts, "distance") && c.distance_m == 0.0) throw InvalidArgument("the distance is 0; it must be more than 0");
   if (Has(texts, "duration")) {
     c.extent = WalkCommand::Extent::kDuration;
   } else if (Has(texts, "steps")) {
     c.extent = WalkCommand::Extent::kSteps;
     if (!somewhere && c.yaw_rate_rad_s == 0.0 && !Has(texts, "step-length"))
-      throw InvalidArgument("'steps' alone do not say how far: give 'step-length' or 'speed' too");
+      throw InvalidArgument("'steps' alone do not set a distance: also give 'step-length' or 'speed'");
   } else if (!Has(texts, "distance")) {
     c.distance_m = somewhere || c.yaw_rate_rad_s == 0.0 ? 1.0 : 0.0;
   }
@@ -62,9 +62,9 @@ AskedPart PartOf(const std::string& gait, const OptionTexts& texts) {
   if (part.stands()) {
     for (const auto& [key, text] : texts) {
       if (key != "duration")
-        throw InvalidArgument(fmt::format("'{}' is nothing that standing still has; it takes 'duration'", key));
+        throw InvalidArgument(fmt::format("'{}' does not apply to standing still; it accepts 'duration' only", key));
     }
-    if (texts.empty()) throw InvalidArgument("how long it stands is missing: give 'duration'");
+    if (texts.empty()) throw InvalidArgument("the time to stand is missing: give 'duration'");
   }
   OptionFields fields = FieldsOf(part.command);
   for (const auto& [key, text] : texts) SetOption(fields, key, text);
@@ -78,7 +78,7 @@ AskedPart ParsePart(const std::string& text) {
   if (equals == std::string::npos) return PartOf(text, {});
   const std::size_t colon = text.rfind(':', equals);
   if (colon == std::string::npos || colon == 0)
-    throw InvalidArgument(fmt::format("'{}' has no gait before it; 'GAIT: key=value, key=value' is needed", text));
+    throw InvalidArgument(fmt::format("'{}' has no gait before it; write 'GAIT: key=value, key=value'", text));
   std::string parameters = text.substr(colon + 1);
   std::erase_if(parameters, [](char c) { return c == ' ' || c == '\t' || c == '\n'; });
   return PartOf(Trimmed(text.substr(0, colon)), ParseParameters(parameters));
@@ -90,7 +90,7 @@ std::vector<AskedPart> ParseParts(const std::string& text) {
     const std::size_t end = std::min(text.find(';', at), text.size());
     const std::string part = Trimmed(text.substr(at, end - at));
     const std::string name = fmt::format("part {}", parts.size() + 1);
-    if (part.empty()) throw InvalidArgument(name + " is empty; parts stand between semicolons");
+    if (part.empty()) throw InvalidArgument(name + " is empty; separate parts with semicolons");
     try {
       parts.push_back(ParsePart(part));
     } catch (const InvalidArgument& error) {
@@ -133,13 +133,13 @@ Result<std::vector<AskedPart>> ReadFileOfParts(const std::string& path) {
   if (!text) return text.failure();
   try {
     const YAML::Node root = LoadYaml(*text);
-    if (!root.IsSequence() || root.size() == 0) return bad("line 1: holds no sequence: a list of parts is needed");
+    if (!root.IsSequence() || root.size() == 0) return bad("line 1: contains no sequence; a list of parts is needed");
     std::vector<AskedPart> parts;
     const std::string folder = std::filesystem::path(path).parent_path().string();
     for (const YAML::Node& node : root) parts.push_back(ParseNode(node, folder));
     return parts;
   } catch (const YAML::Exception& error) {
-    return bad(fmt::format("line {}: is no YAML from here on; see docs/gaits.md", error.mark.line + 1));
+    return bad(fmt::format("line {}: not valid YAML from here on; see docs/gaits.md", error.mark.line + 1));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }
@@ -149,7 +149,7 @@ Result<std::vector<AskedPart>> ReadFileOfParts(const std::string& path) {
 
 DataShape SequenceFileShape() {
   WalkCommand command;
-  DataShape part = shapes::Object({{"gait", shapes::Text(), "A gait as --gait takes it, or 'stand'."}});
+  DataShape part = shapes::Object({{"gait", shapes::Text(), "A gait, as for --gait, or 'stand'."}});
   for (const OptionField& field : FieldsOf(command)) part.members.push_back(shapes::Field(field));
   return shapes::List(part, 1);
 }

@@ -9,8 +9,7 @@
 
 namespace gaitwright {
 
-/// A part of a sequence as it is asked for: a gait by name and where it is to lead, or standing still for the command's
-/// duration.
+/// A requested part of a sequence: a gait by name with a command, or standing still for the command's duration.
 struct AskedPart {
   std::string gait;  ///< as FindGait takes it; "stand" for standing still
   WalkCommand command;
@@ -29,12 +28,12 @@ struct AskedPart {
 ///     - {gait: stand, duration: 1}
 ///
 /// Keys are those of the flags: speed, lateral-speed [m/s], yaw-rate [rad/s]; one of distance [m], duration [s] and
-/// steps, with step-length [m]. Without any of these a part goes 1 m, or makes a quarter turn where its yaw rate stands
-/// alone. Gaits of files are named as FindGait takes them, in a file from its own folder.
-/// Failure kBadInput names the part, or file and line, and what is accepted.
+/// steps, with step-length [m]. Without any of these, a part moves 1 m, or makes a quarter turn if only its yaw rate is
+/// given. Gaits of files are named as FindGait takes them, in a file from its own folder. Failure kBadInput names the
+/// part, or file and line, and what is accepted.
 Result<std::vector<AskedPart>> ReadSequence(const std::string& text);
 
-/// The file that such a text names; empty where it is the parts themselves.
+/// The file that such a text names; empty if the text contains the parts.
 std::string SequenceFileOf(const std::string& text);
 
 }  // namespace gaitwright

@@ -87,7 +87,7 @@ std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
         FailureKind::kBadInput,
         FailureCode::kGait,
         "ScheduleContacts",
-        fmt::format("in gait '{}' the {} of foot {} lasts {:.3g} s, less than two steps of the plan's grid of {:.3g} s",
+        fmt::format("in gait '{}', the {} of foot {} lasts {:.3g} s, less than two steps of the plan's grid ({:.3g} s)",
                     gait.name, swing ? "swing" : "stance", i, share * gait.cycle_s, grid_s),
         {fmt::format("a cycle of {:.3g} s or more (gait.cycle_s)", kLeast * grid_s / share),
          fmt::format("a {} duty factor (gait.duty_factor)", swing ? "smaller" : "larger")}};

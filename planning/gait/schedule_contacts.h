@@ -31,8 +31,8 @@ struct GaitStint {
   int first_foot = -1;  ///< the foot that swings first; -1 for the gait's own
 };
 
-/// What a schedule of several stints has before the first lift-off and after the last touch-down, where it does not
-/// begin or end with standing still, and its grid.
+/// Standing times of a schedule of several stints before the first lift-off and after the last touch-down, unless it
+/// begins or ends with standing still, and its grid.
 struct ScheduleEnds {
   double initial_stand_s = 0.8, final_stand_s = 0.8;
   double grid_s = 0.005;
@@ -44,10 +44,10 @@ struct JoinedSchedule {
   std::vector<double> start_s;  ///< by stint: where standing still begins, or a gait's feet begin to lift
 };
 
-/// The schedule of several gaits one after the other. From standing each begins as ScheduleContacts has it. A gait that
-/// follows another one begins with the foot that lets it begin first: once all feet are down, and have been for as long
-/// as both gaits keep them there, whichever is shorter, so that all of them are down for a while or only for a moment.
-/// Failure kBadInput as of ScheduleContacts, and where there is no gait.
+/// The schedule of several consecutive gaits. From standing each begins as ScheduleContacts has it. A gait that follows
+/// another one begins with the foot that lets it begin first: once all feet are down, and have been for as long as both
+/// gaits keep them there, whichever is shorter, so that all of them are down for a while or only for a moment. Failure
+/// kBadInput as of ScheduleContacts, and without a gait.
 Result<JoinedSchedule> JoinSchedules(const std::vector<GaitStint>& stints, const ScheduleEnds& ends);
 
 }  // namespace gaitwright

@@ -20,22 +20,21 @@ PlanarTwist TwistTo(const PlanarPose& pose);
 /// Progress in [0, 1] at a time: smooth start and stop over `ramp_s` each, constant rate between.
 double ProgressAt(double time_s, double duration_s, double ramp_s);
 
-/// The same with a stop that takes another time than the start; both shortened alike where they do not fit in.
+/// As above, with different start and stop times; both are shortened by the same factor if they do not fit.
 double ProgressAt(double time_s, double duration_s, double start_ramp_s, double stop_ramp_s);
 
 /// The base path that follows the twist from start_s for duration_s, sampled every 10 ms until end_s.
 BasePath MakeBasePath(const PlanarTwist& twist, double start_s, double duration_s, double ramp_s, double end_s);
 
-/// A twist from one pose on, in a time of its own: part of a path.
+/// A twist from a pose with start time and duration: part of a path.
 struct PathPiece {
   PlanarTwist twist;
   double start_s = 0.0, duration_s = 0.0;
   double start_ramp_s = 0.0, stop_ramp_s = 0.0;  ///< in which its speed is gained and lost
 };
 
-/// The base path along pieces one after the other, each of which starts from where the one before leads, sampled every
-/// 10 ms until end_s. One that starts when the one before is slowing down takes over from it: where both ramps are
-/// one, speeds that are alike stay as they are.
+/// The base path along consecutive pieces, sampled every 10 ms until end_s. A piece that starts during the stop ramp of
+/// the piece before is blended with it: if both ramps coincide, equal speeds stay constant.
 BasePath MakeBasePath(const std::vector<PathPiece>& pieces, double end_s);
 
 /// A pose given from another one, in W.

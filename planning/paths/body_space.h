@@ -8,8 +8,7 @@
 
 namespace gaitwright {
 
-/// How much room a walking robot is given, and what ground it may use; lengths in leg lengths, so that they fit any
-/// robot.
+/// Space that a walking robot needs, and ground that it may use; lengths in leg lengths, for robots of any size.
 ///
 /// Tuning
 ///   refused at a doorway that it fits through    less margin, less step_ahead and step_aside
@@ -27,44 +26,27 @@ struct BodySpaceOptions {
   double max_tilt_deg = 35.0;
 
   OptionFields Fields() {
-    return {
-        {"step_ahead",
-         &step_ahead,
-         "leg lengths",
-         0.0,
-         1.0,
-         "Half a usual step: room that legs need ahead and behind.",
-         {}},
-        {"step_aside", &step_aside, "leg lengths", 0.0, 1.0, "The same to their sides.", {}},
-        {"foothold_ahead",
-         &foothold_ahead,
-         "leg lengths",
-         0.0,
-         1.0,
-         "How far ahead of its standing place and behind a foot may have to be put.",
-         {}},
-        {"foothold_aside", &foothold_aside, "leg lengths", 0.0, 1.0, "The same to its sides.", {}},
-        {"step_height", &step_height, "leg lengths", 0.0, 1.0, "Highest step; what is higher is walked around.", {}},
-        {"margin", &margin, "leg lengths", 0.0, 1.0, "Room kept to everything.", {}},
-        {"sway",
-         &sway,
-         "1",
-         0.0,
-         2.0,
-         "How far the body of a biped sways to each side, as a share of half the way between its feet.",
-         {}},
-        {"max_slope_deg",
-         &max_slope_deg,
-         "deg",
-         0.0,
-         60.0,
-         "Steepest ground that feet are put on, if it does not slip sooner.",
-         {}},
-        {"max_tilt_deg", &max_tilt_deg, "deg", 0.0, 60.0, "Steepest that the plane through the feet may lie.", {}}};
+    return WithBasics(
+        {"margin"},
+        {{"step_ahead", &step_ahead, "leg lengths", 0.0, 1.0,
+          "Room that the legs need in front and behind: half of a usual step."},
+         {"step_aside", &step_aside, "leg lengths", 0.0, 1.0, "Room that the legs need on each side."},
+         {"foothold_ahead", &foothold_ahead, "leg lengths", 0.0, 1.0,
+          "Largest forward or backward distance of a foothold from the foot's standing position."},
+         {"foothold_aside", &foothold_aside, "leg lengths", 0.0, 1.0,
+          "Largest lateral distance of a foothold from the foot's standing position."},
+         {"step_height", &step_height, "leg lengths", 0.0, 1.0,
+          "Highest step that the route may climb; it goes around anything higher."},
+         {"margin", &margin, "leg lengths", 0.0, 1.0, "Clearance between the robot and all obstacles."},
+         {"sway", &sway, "1", 0.0, 2.0,
+          "Lateral sway of a biped's body, as a share of half the distance between its feet."},
+         {"max_slope_deg", &max_slope_deg, "deg", 0.0, 60.0,
+          "Largest slope of the ground under the feet; low friction may lower it."},
+         {"max_tilt_deg", &max_tilt_deg, "deg", 0.0, 60.0, "Largest slope of the plane through the feet."}});
   }
 };
 
-/// The room that a robot needs where it walks.
+/// Space that a robot needs for walking.
 ///
 /// = Notation =
 ///   G  the base's frame put down on the plane through its feet: x ahead, z along the plane's normal
@@ -82,8 +64,7 @@ struct BodySpace {
 };
 
 /// From the robot's own shapes and feet in the standing posture, half a step of its feet, the sway of a body over two
-/// feet, and a margin. The boxes begin
-/// at the height of a step: what is lower is stepped over or onto.
+/// feet, and a margin. The boxes begin at the height of a step; lower obstacles are stepped over or onto.
 /// @throws InvalidArgument when an option is out of its range.
 BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options);
 

@@ -22,14 +22,14 @@ struct CoarseProblem {
 /// A way over a grid, and what had to be passed through for it.
 struct CoarseWay {
   std::vector<PlanarPose> poses;       ///< from the start to the goal, facing one of eight ways but for the goal
-  std::optional<Hindrance> hindrance;  ///< the first on the way, if it was let through any
+  std::optional<Hindrance> hindrance;  ///< the first on the path, if it passes any
   bool complete = false;               ///< it passes none
 };
 
-/// The cheapest way over a grid of a quarter of the leg's length and eight headings: a guide for finer search, since it
-/// is looked at only at the grid's poses. Where it is much longer than the straight way, one over a grid of a tenth,
-/// which finds narrower openings, replaces it if that is notably cheaper. Where there is none, it is made to pass what
-/// hinders it for as short as can be, and says what that is. A* (Hart, Nilsson and Raphael, 1968).
+/// The cheapest path over a grid of a quarter of the leg's length and eight headings: a guide for a finer search,
+/// because only the grid's poses are checked. If it is much longer than the straight line, a path over a grid of a
+/// tenth, which finds narrower openings, replaces it if it is clearly cheaper. If there is none, the path passes
+/// obstacles for the shortest possible distance and reports the first one. A* (Hart, Nilsson and Raphael, 1968).
 CoarseWay FindCoarseWay(PoseCheck& check, const CoarseProblem& problem);
 
 }  // namespace gaitwright

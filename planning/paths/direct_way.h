@@ -12,8 +12,8 @@ namespace gaitwright {
 enum class DirectWay {
   kTwist,     ///< a constant twist of the body: an arc
   kStraight,  ///< straight, turning evenly
-  kAhead,     ///< turns to face the other, goes ahead, turns
-  kBackward   ///< the same with the back towards it
+  kAhead,     ///< turns towards the goal, walks forward, turns
+  kBackward   ///< turns away from the goal, walks backward, turns
 };
 
 inline constexpr DirectWay kDirectWays[] = {DirectWay::kTwist, DirectWay::kStraight, DirectWay::kAhead,
@@ -28,7 +28,7 @@ struct Spacing {
 /// Waypoints of a direct way, a first and b last. The yaw of b is taken as the nearest to that before it.
 std::vector<PlanarPose> WaypointsOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const Spacing& spacing);
 
-/// What a direct way costs, see TravelCost.
+/// Cost of a direct route, see TravelCost.
 double CostOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
 /// A way with more waypoints between those that it has, and none twice.

@@ -12,10 +12,10 @@
 
 namespace gaitwright {
 
-/// Where feet can stand, on a grid through the origin of W, looked up once for each cell that is asked for.
+/// Possible footholds on a grid through the origin of W; each queried cell is computed once.
 class FootholdMap {
  public:
-  /// What a cell is for a foot.
+  /// Kind of a cell.
   enum class Kind : std::uint8_t {
     kUnknown,
     kFoothold,
@@ -29,7 +29,7 @@ class FootholdMap {
     float height_m = 0.0F, by_x = 0.0F, by_y = 0.0F;  ///< of the ground, and its slope
   };
 
-  /// @param obstacles  what no foot is put on; it and the terrain must outlive the map.
+  /// @param obstacles  obstacles without footholds; they and the terrain must outlive the map.
   FootholdMap(const Terrain& terrain, const ShapeScene& obstacles, const BodySpace& space);
 
   /// The cell that holds a point.
@@ -61,7 +61,7 @@ class FootholdMap {
   PreparedShape foot_;
   std::vector<Eigen::AlignedBox2d> extents_;  ///< of the patches in plan view; empty for planes without end
   std::unordered_map<std::int64_t, std::unique_ptr<Tile>> tiles_;
-  int last_column_ = 0, last_row_ = 0;  ///< of the tile asked for last
+  int last_column_ = 0, last_row_ = 0;  ///< of the last queried tile
   Tile* last_ = nullptr;
   std::vector<std::pair<int, int>> disc_;  ///< cells under a foot about its own
 };

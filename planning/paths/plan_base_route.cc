@@ -28,7 +28,7 @@ TravelWeights WeightsOf(const BaseRouteOptions& options, const BodySpace& space)
 void CheckPose(const char* name, const PlanarPose& pose) {
   for (const double value : {pose.x_m, pose.y_m, pose.yaw_rad}) {
     if (!std::isfinite(value))
-      throw InvalidArgument(fmt::format("PlanBaseRoute: the {} holds {}; finite numbers are needed", name, value));
+      throw InvalidArgument(fmt::format("PlanBaseRoute: the {} contains {}; finite numbers are needed", name, value));
   }
 }
 
@@ -125,8 +125,8 @@ std::vector<PlanarPose> FreeDirectWay(PoseCheck& check, const PlanarPose& start,
 
 std::string Summary(const BaseRoute& route) {
   const RouteStatistics& s = route.statistics;
-  if (s.direct) return fmt::format("direct way of {:.2f} m", route.length_m);
-  return fmt::format("way of {:.2f} m, cost {:.2f} m (first {:.2f} m), {} iterations, {} states, {} poses checked",
+  if (s.direct) return fmt::format("direct route of {:.2f} m", route.length_m);
+  return fmt::format("route of {:.2f} m, cost {:.2f} m (first {:.2f} m), {} iterations, {} states, {} poses checked",
                      route.length_m, route.cost_m, s.first_smooth_cost_m, s.iterations, s.states, s.poses_checked);
 }
 
@@ -157,18 +157,18 @@ std::vector<PlanarPose> Thinned(const std::vector<PlanarPose>& guide, int iterat
 Failure NoWay(const CoarseWay& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
   if (guide.complete) {
     return Blocked(FailureCode::kWayNotFound,
-                   fmt::format("no way to the goal was found in {} iterations, though a coarse search finds one of "
+                   fmt::format("no route to the goal was found in {} iterations, although a coarse search finds one of "
                                "{:.1f} m; {} poses were reached",
                                report.iterations, LengthOf(guide.poses), report.states),
-                   {fmt::format("raise the iterations (now {})", options.iterations)});
+                   {fmt::format("raise footsteps.route.iterations (now {})", options.iterations)});
   }
-  const std::string what = guide.hindrance ? "where least is in the way, " + guide.hindrance->text
+  const std::string what = guide.hindrance ? "at the least blocked place, " + guide.hindrance->text
                                            : "the room between them is too narrow for a coarse search";
   return Blocked(
       FailureCode::kWayBlocked,
-      fmt::format("start and goal are free, but everything between them is blocked: {}; {} poses were reached", what,
+      fmt::format("start and goal are free, but all routes between them are blocked: {}; {} poses were reached", what,
                   report.states),
-      {"move the goal, or what is in the way"});
+      {"move the goal or the obstacle"});
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace gaitwright {
 
-/// How a route of the base is found.
+/// Options of the route search.
 ///
 /// Tuning
 ///   `way_not_found` where there is a way    more iterations
@@ -27,13 +27,18 @@ struct BaseRouteOptions {
   BodySpaceOptions space;
 
   OptionFields Fields() {
-    return Joined({{{"iterations", &iterations, "1", 0.0, 1e6, "Samples of RRT* where no direct way is free.", {}},
-                    {"seed", &seed, "1", 0.0, 2147483647.0, "Of those samples.", {}},
-                    {"lateral", &lateral, "1", 1.0, 100.0, "What a metre sideways costs, in metres ahead.", {}},
-                    {"backward", &backward, "1", 1.0, 100.0, "What a metre backward costs, in metres ahead.", {}},
-                    {"turn", &turn, "leg lengths", 0.01, 100.0, "What a radian of turning costs, in ways ahead.", {}},
-                    {"spacing_m", &spacing_m, "m", 0.005, 0.5, "Farthest that waypoints are apart.", {}}},
-                   Prefixed("space", space.Fields())});
+    return Joined(
+        {WithBasics(
+             {"iterations", "seed"},
+             {{"iterations", &iterations, "1", 0.0, 1e6, "Number of RRT* samples if no direct route is free."},
+              {"seed", &seed, "1", 0.0, 2147483647.0, "Random seed of the RRT* samples."},
+              {"lateral", &lateral, "1", 1.0, 100.0, "Cost of a metre of lateral motion, in metres of forward motion."},
+              {"backward", &backward, "1", 1.0, 100.0,
+               "Cost of a metre of backward motion, in metres of forward motion."},
+              {"turn", &turn, "leg lengths", 0.01, 100.0,
+               "Cost of a radian of turning, as the equivalent forward distance."},
+              {"spacing_m", &spacing_m, "m", 0.005, 0.5, "Longest distance between two waypoints."}}),
+         Prefixed("space", space.Fields())});
   }
 };
 
@@ -43,9 +48,9 @@ struct RouteStatistics {
   int iterations = 0;   ///< of RRT*
   int states = 0;       ///< in its tree
   long poses_checked = 0;
-  double first_cost_m = 0.0;         ///< of RRT*'s first solution as it was found, and
+  double first_cost_m = 0.0;         ///< of RRT*'s first solution before smoothing, and
   double first_smooth_cost_m = 0.0;  ///< smoothed
-  double last_cost_m = 0.0;          ///< of its last solution as it was found
+  double last_cost_m = 0.0;          ///< of its last solution before smoothing
 };
 
 /// A way of the base in plan view.
@@ -58,10 +63,10 @@ struct BaseRoute {
   std::string summary;  ///< one line
 };
 
-/// A route of the base from start to goal on a terrain, free as PoseCheck judges it, with the body mostly facing along
-/// the way. A direct way where one is free that costs hardly more than the cheapest; RRT* otherwise, each notable
-/// improvement of which is smoothed, and the cheapest outcome taken: with one seed, more iterations never cost more. A
-/// pure function of its arguments.
+/// A route of the base from start to goal on a terrain, free according to PoseCheck, with the body mostly facing along
+/// the path. A free direct route is used if it costs hardly more than the cheapest; otherwise RRT*, each notable
+/// improvement of which is smoothed, and the cheapest result: with one seed, more iterations never cost more. A pure
+/// function of its arguments.
 ///
 /// Failures, kInfeasible, each naming the obstacle or surface and the place:
 ///   `start_blocked`, `goal_blocked`  the robot cannot stand there

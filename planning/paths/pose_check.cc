@@ -247,17 +247,17 @@ Hindrance PoseCheck::NoFoothold(const PlanarPose& at, const Footing& footing) {
   Hindrance hindrance{ground.patch < 0 ? "" : SurfaceName(terrain_, ground.patch), at, ""};
   const double slope_deg = kDegrees * std::acos(std::clamp(ground.normal_W.z(), -1.0, 1.0));
   if (footing.too_high >= 0) {
-    hindrance.text = fmt::format("{} finds '{}' more than a step of {:.3f} m above or below the other feet's ground",
+    hindrance.text = fmt::format("{}: '{}' is more than a step of {:.3f} m above or below the ground of the other feet",
                                  place, hindrance.what, space_.step_height_m);
   } else if (ground.patch < 0) {
-    hindrance.text = fmt::format("there is no ground for {}, which reaches {:.2f} m from its place; {}", place,
-                                 space_.reach_ahead_m, GapAlong(terrain_, p_W, at.yaw_rad));
+    hindrance.text = fmt::format("there is no ground for {}, which reaches {:.2f} m from its nominal position; {}",
+                                 place, space_.reach_ahead_m, GapAlong(terrain_, p_W, at.yaw_rad));
   } else if (map_.At(p_W).kind == FootholdMap::Kind::kTooSteep) {
     hindrance.text = fmt::format(
-        "'{}' is too steep for {}: {:.1f} deg; at most {:.1f} deg are walked on, and {:.1f} deg do not slip",
+        "'{}' is too steep for {}: {:.1f} deg; the slope limit is {:.1f} deg and the friction limit {:.1f} deg",
         hindrance.what, place, slope_deg, kDegrees * space_.max_slope_rad, kDegrees * std::atan(ground.friction));
   } else {
-    hindrance.text = fmt::format("'{}' holds no place that is free and large enough for {}", hindrance.what, place);
+    hindrance.text = fmt::format("'{}' has no free place large enough for {}", hindrance.what, place);
   }
   return hindrance;
 }
@@ -286,7 +286,7 @@ std::optional<Hindrance> PoseCheck::WhyNot(const PlanarPose& at) {
     }
   }
   const std::string name = field.empty() ? scene_.SolidName(std::max(deepest.solid, 0)) : field;
-  return Hindrance{name, at, fmt::format("'{}' is in the way of the robot {}", name, place)};
+  return Hindrance{name, at, fmt::format("'{}' blocks the robot {}", name, place)};
 }
 
 }  // namespace gaitwright

@@ -15,7 +15,7 @@ namespace gaitwright {
 
 /// What keeps a robot from standing somewhere.
 struct Hindrance {
-  std::string what;  ///< name of the obstacle or surface; empty where it is the lack of ground
+  std::string what;  ///< name of the obstacle or surface; empty for missing ground
   PlanarPose at;     ///< of the base
   std::string text;  ///< for people: a clause that names it and the place
 };
@@ -24,8 +24,8 @@ struct Hindrance {
 /// on, and each foot finds ground within its reach, of tolerable slope and within a step's height of the plane through
 /// all of them. With two feet or fewer that plane is level, as for FitBase.
 ///
-/// Keeps what it has looked up of the ground, so that asking again is cheap; the answer does not depend on it. The
-/// terrain must outlive it.
+/// Caches ground queries, so repeated queries are cheap; the result does not depend on this. The terrain must outlive
+/// it.
 class PoseCheck {
  public:
   PoseCheck(const RobotModel& model, const Terrain& terrain, const BodySpaceOptions& options);
@@ -38,7 +38,7 @@ class PoseCheck {
   /// Every pose on the straight way from a, which is known to be free, to b included; so densely that no point of the
   /// room moves farther than its margin between two.
   bool IsFreeBetween(const PlanarPose& a, const PlanarPose& b);
-  /// The same along waypoints, the first of which is known to be free.
+  /// Whether a path along waypoints is free; the first one is known to be free.
   bool IsFreeAlong(const std::vector<PlanarPose>& way);
 
   /// Why a pose is not free; nothing when it is.
@@ -52,7 +52,7 @@ class PoseCheck {
   struct Footing {
     int lacking = -1;       ///< foot that finds no ground, or
     int too_high = -1;      ///< that finds it too high or low, or
-    bool tilted = false;    ///< all of which lie on too steep a plane
+    bool tilted = false;    ///< all of which are on too steep a plane
     double height_m = 0.0;  ///< of the plane at the base's origin
     Vector2 slope_G = Vector2::Zero();
     double rise_m = 0.0;  ///< of sloping ground within the legs' box, where the plane is level

@@ -24,10 +24,11 @@ struct RrtStarProblem {
 /// Where samples are drawn. What finds a better route changes it while the search goes on.
 struct SampleFocus {
   std::vector<PlanarPose> route;  ///< half of the samples are near to it; empty for none
-  double cost = 0.0;  ///< of the best solution: no sample whose ways to start and goal are longer; 0 for none
+  double cost =
+      0.0;  ///< of the best solution, which bounds the samples by their distances to start and goal; 0 for none
 };
 
-/// What a search did.
+/// Statistics of a search.
 struct RrtStarReport {
   int iterations = 0, states = 0;
 };

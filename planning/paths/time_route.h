@@ -9,7 +9,7 @@ namespace gaitwright {
 
 /// How fast a route is followed.
 struct RouteTiming {
-  double speed_m_s = 0.0;          ///< ahead and backward, most; > 0
+  double speed_m_s = 0.0;          ///< largest, forward and backward; > 0
   double lateral_speed_m_s = 0.0;  ///< most; > 0
   double yaw_rate_rad_s = 0.0;     ///< most; > 0
   double ramp_s = 0.5;             ///< in which the full speed is gained or lost; 0 for at once
@@ -19,8 +19,8 @@ struct RouteTiming {
 
 /// The base path that follows waypoints at no more than the speeds given, sampled every 10 ms where it moves. It starts
 /// and ends at rest, gains and loses speed smoothly, and slows where the motion of the body changes its direction: to
-/// where a change would be no more than three tenths of the full speeds. At each time it is on the route, which is
-/// linear between the waypoints.
+/// where a change would be no more than three tenths of the full speeds. It stays on the route, which is linear between
+/// the waypoints.
 /// @throws InvalidArgument when there are no waypoints, or a speed is not > 0.
 BasePath TimeRoute(const std::vector<PlanarPose>& waypoints, const RouteTiming& timing);
 

@@ -7,20 +7,20 @@
 
 namespace gaitwright {
 
-/// What a metre costs in each direction of the body; ahead it costs 1.
+/// Cost of a metre in each direction of the body; forward it is 1.
 struct TravelWeights {
   double lateral = 2.5;
   double backward = 1.5;
-  double turn_m_rad = 0.25;  ///< metres ahead that a radian of turning costs
+  double turn_m_rad = 0.25;  ///< cost of a radian of turning, in metres of forward motion
 };
 
-/// Cost of going straight from a to b while turning evenly, in metres ahead:
-///   integral of sqrt((w v_x)^2 + (lateral v_y)^2 + (turn_m_rad yaw')^2), v in the body's frame,
-/// w being 1 ahead and `backward` behind. Simpson's rule over at most half a radian. No less than the distance.
-/// Yaws are taken as they are, without wrapping.
+/// Cost of a straight motion from a to b with constant yaw rate, in metres of forward motion:
+///   integral of sqrt((w v_x)^2 + (lateral v_y)^2 + (turn_m_rad yaw')^2),
+/// v in the body's frame, w being 1 ahead and `backward` behind. Simpson's rule over at most half a radian. No less
+/// than the distance. Yaws are not wrapped.
 double TravelCost(const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
-/// The same summed along waypoints.
+/// Cost of a path, summed along waypoints.
 double TravelCost(const std::vector<PlanarPose>& way, const TravelWeights& weights);
 
 /// Length of a way in plan view [m].

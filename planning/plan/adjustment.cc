@@ -14,7 +14,7 @@ std::string AdjustmentText(const Adjustment& adjustment) {
       {"gait.cycle_s", "cycle"},    {"gait.duty_factor", "duty factor"}};
   const auto known = names.find(adjustment.what);
   const std::string unit = adjustment.unit == "1" ? "" : " " + adjustment.unit;
-  return fmt::format("a {} of {:.3g}{} instead of {:.3g}{}, which fails for '{}'{}",
+  return fmt::format("a {} of {:.3g}{} instead of {:.3g}{}, which fails with '{}'{}",
                      known == names.end() ? adjustment.what : known->second, adjustment.given, unit, adjustment.asked,
                      unit, FailureCodeName(adjustment.why),
                      adjustment.part.empty() ? "" : fmt::format(" (part {})", adjustment.part));

@@ -40,19 +40,19 @@ struct Kind {
 
 const std::vector<Kind>& Kinds() {
   static const std::vector<Kind> kinds = {
-      {{"flat", "level ground without end"}, Make<terrain::FlatGround>},
+      {{"flat", "infinite level ground"}, Make<terrain::FlatGround>},
       {{"slope", "a slope up, a plateau and a slope down"}, Make<terrain::SlopeGround>},
       {{"stairs", "stairs up, a landing and stairs down"}, Make<terrain::StairsGround>},
-      {{"block", "a block to step onto and off again"}, Make<terrain::BlockGround>},
-      {{"gap", "a trench without a bottom across the way"}, Make<terrain::GapGround>},
-      {{"stepping-stones", "stones over a depth, moved by chance"}, Make<terrain::StonesGround>},
-      {{"beam", "a beam over a depth"}, Make<terrain::BeamGround>},
-      {{"rough", "smooth bumps and hollows, made by chance"}, Make<terrain::RoughGround>},
-      {{"cinder-blocks", "blocks one or two layers high, tilted by chance"}, Make<terrain::CinderGround>},
+      {{"block", "a block to step onto and off"}, Make<terrain::BlockGround>},
+      {{"gap", "a bottomless trench across the path"}, Make<terrain::GapGround>},
+      {{"stepping-stones", "stepping stones above a pit, at random offsets"}, Make<terrain::StonesGround>},
+      {{"beam", "a beam above a pit"}, Make<terrain::BeamGround>},
+      {{"rough", "smooth random bumps and hollows"}, Make<terrain::RoughGround>},
+      {{"cinder-blocks", "blocks one or two layers high, randomly tilted"}, Make<terrain::CinderGround>},
       {{"ramp", "a ramp up to high ground"}, Make<terrain::RampGround>},
-      {{"corridor", "a way between two walls"}, Make<terrain::CorridorGround>},
+      {{"corridor", "a corridor between two walls"}, Make<terrain::CorridorGround>},
       {{"doorway", "a wall with a doorway under a lintel"}, Make<terrain::DoorwayGround>},
-      {{"maze", "walls with one way through, made by chance"}, Make<terrain::MazeGround>}};
+      {{"maze", "a random maze of walls with one route through"}, Make<terrain::MazeGround>}};
   return kinds;
 }
 

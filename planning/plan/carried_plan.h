@@ -15,9 +15,9 @@ PlanarPose BaseInPlan(const VectorX& q);
 VectorX CarriedState(const Pose& X, VectorX q);
 VectorX CarriedRates(const Pose& X, VectorX v);
 
-/// The same motion elsewhere and at another time: all that moves is turned about z and moved by X, and begins `later_s`
-/// later. The ground stays where it is, so that the motion fits it only where the ground is the same there.
-/// @param X  turns about z alone.
+/// A plan moved in space and time: the motion is transformed by X, and begins `later_s` later. The ground is not moved,
+/// so the motion fits it only if the ground is the same there.
+/// @param X  rotates about z only.
 MotionPlan CarriedPlan(const Pose& X, double later_s, MotionPlan plan);
 
 }  // namespace gaitwright

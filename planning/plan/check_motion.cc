@@ -13,7 +13,7 @@ template <class Row>
 void CheckColumn(const RobotModel& model, const WholeBodyTrajectory& motion, const char* name,
                  const std::vector<Row>& rows, int size) {
   if (rows.size() != motion.q.size()) {
-    throw InvalidArgument(fmt::format("the plan has {} rows of q but {} of {}", motion.q.size(), rows.size(), name));
+    throw InvalidArgument(fmt::format("the plan has {} rows of q, but {} of {}", motion.q.size(), rows.size(), name));
   }
   for (const Row& row : rows) {
     if (static_cast<int>(row.size()) == size) continue;

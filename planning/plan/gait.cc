@@ -120,10 +120,10 @@ void CheckSchedule(const ContactSchedule& schedule, int num_feet) {
       throw InvalidArgument(fmt::format("contact phase {} lasts from {} s to {} s", i, phase.start_s, phase.end_s));
     }
     if ((phase.stance & ~AllFeet(num_feet)) != 0) {
-      throw InvalidArgument(fmt::format("contact phase {} names a foot beyond the {} there are", i, num_feet));
+      throw InvalidArgument(fmt::format("contact phase {} names a foot beyond the robot's {} feet", i, num_feet));
     }
     if (i > 0 && schedule.phases[i - 1].end_s != phase.start_s) {
-      throw InvalidArgument(fmt::format("contact phase {} starts at {} s, the one before ends at {} s", i,
+      throw InvalidArgument(fmt::format("contact phase {} starts at {} s, but the one before ends at {} s", i,
                                         phase.start_s, schedule.phases[i - 1].end_s));
     }
   }

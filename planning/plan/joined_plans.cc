@@ -22,7 +22,7 @@ constexpr double kTime = 1e-6;  // to which times of plans agree [s]
 std::size_t RowAt(const WholeBodyTrajectory& w, double time_s) {
   const double row = std::round((time_s - w.start_s) / w.step_s);
   if (!(row >= 0.0 && row < w.size()) || std::abs(w.start_s + row * w.step_s - time_s) > kTime) {
-    throw InvalidArgument(fmt::format("{} s is no row of a plan from {} to {} s in steps of {} s", time_s, w.start_s,
+    throw InvalidArgument(fmt::format("{} s is not a row of a plan from {} to {} s in steps of {} s", time_s, w.start_s,
                                       w.end_s(), w.step_s));
   }
   return static_cast<std::size_t>(row);
@@ -174,11 +174,11 @@ std::optional<Failure> WhyNotJoined(const MotionPlan& before, double before_s, c
                                     double after_s) {
   if (before.robot_hash != after.robot_hash) return Misfit("the motions are of different robots");
   if (std::abs(before.whole_body.step_s - after.whole_body.step_s) > 1e-9)
-    return Misfit(
-        fmt::format("the motions are in steps of {} and {} s", before.whole_body.step_s, after.whole_body.step_s));
+    return Misfit(fmt::format("the motions have different time steps, {} and {} s", before.whole_body.step_s,
+                              after.whole_body.step_s));
   if (!SameStance(before, before_s, after, after_s)) {
-    return Misfit(
-        fmt::format("at {} s of the one and {} s of the other, other feet are on the ground", before_s, after_s));
+    return Misfit(fmt::format("at {} s of the first and {} s of the second motion, different feet are on the ground",
+                              before_s, after_s));
   }
   return std::nullopt;
 }

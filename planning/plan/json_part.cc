@@ -66,7 +66,7 @@ class BoundsWatch {
       case Json::parse_event_t::array_start:
         Count();
         if (open_.size() >= kDeepestJson)
-          throw InvalidArgument(fmt::format("it has more than {} lists and objects in one another", kDeepestJson));
+          throw InvalidArgument(fmt::format("its lists and objects are nested more than {} levels deep", kDeepestJson));
         open_.emplace_back();
         break;
       case Json::parse_event_t::object_end:
@@ -84,13 +84,13 @@ class BoundsWatch {
  private:
   void Count() {
     if (++values_ > kMostJsonValues)
-      throw InvalidArgument(fmt::format("it has more than {} values; so many are read at most", kMostJsonValues));
+      throw InvalidArgument(fmt::format("it has more than {} values; at most that many are read", kMostJsonValues));
   }
   void SeeKey(const std::string& key) {
     std::set<std::string>& keys = open_.back();
-    if (!keys.insert(key).second) throw InvalidArgument(fmt::format("the key '{}' stands twice in one object", key));
+    if (!keys.insert(key).second) throw InvalidArgument(fmt::format("the key '{}' is in one object twice", key));
     if (keys.size() > kMostJsonKeys)
-      throw InvalidArgument(fmt::format("an object has more than {} keys; so many are read at most", kMostJsonKeys));
+      throw InvalidArgument(fmt::format("an object has more than {} keys; at most that many are read", kMostJsonKeys));
   }
 
   std::vector<std::set<std::string>> open_;  // the keys of the objects that are not yet closed; none of lists
@@ -163,7 +163,7 @@ double JsonPart::Number() const {
   if (!json_->is_number()) NeedsA("a number");
   const double number = json_->get<double>();
   if (!(std::abs(number) <= kLargestNumber))
-    Refuse(fmt::format("is {}; at most {} up or down is accepted", number, kLargestNumber));
+    Refuse(fmt::format("is {}; at most +-{} is accepted", number, kLargestNumber));
   return number;
 }
 
@@ -201,7 +201,7 @@ bool JsonPart::Truth() const {
 std::string JsonPart::Text() const {
   if (!json_->is_string()) NeedsA("a text");
   std::string text = json_->get<std::string>();
-  if (text.find('\0') != std::string::npos) Refuse("holds a byte 0x00, which is no text");
+  if (text.find('\0') != std::string::npos) Refuse("contains a byte 0x00");
   return text;
 }
 
@@ -255,12 +255,12 @@ Json ParseJsonOnce(const std::string& text) {
 std::string WhyNoJson(const std::string& text) {
   if (text.empty()) return "it is empty";
   BreakFinder finder;
-  if (Json::sax_parse(text, &finder)) return "it is no JSON";
+  if (Json::sax_parse(text, &finder)) return "it is not JSON";
   const std::string place = finder.last_key.empty() ? "" : fmt::format(", after the key '{}'", finder.last_key);
   if (finder.byte > text.size()) return fmt::format("its JSON is cut short at byte {}{}", text.size(), place);
   const std::string word = WordAt(text, finder.byte - 1);
   if (IsNoFiniteNumber(word))
-    return fmt::format("'{}' holds {} (byte {}); every number must be finite", finder.last_key, word, finder.byte);
+    return fmt::format("'{}' contains {} (byte {}); every number must be finite", finder.last_key, word, finder.byte);
   return fmt::format("its JSON is broken at byte {}{}", finder.byte, place);
 }
 

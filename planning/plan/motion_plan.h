@@ -13,12 +13,12 @@
 
 namespace gaitwright {
 
-/// What is asked of the robot, as numbers: how fast, and by `extent` how far.
+/// A walking command: speeds and, by `extent`, the distance.
 struct WalkCommand {
   enum class Extent { kDistance, kGoal, kSteps, kDuration };
 
   Extent extent = Extent::kDistance;
-  double speed_m_s = 0.0;          ///< along the body's x, > 0; 0 for the robot's own where nothing else says where to
+  double speed_m_s = 0.0;          ///< along the body's x, > 0; 0 uses the robot's default if no other speed is given
   double lateral_speed_m_s = 0.0;  ///< along the body's y, left positive
   double yaw_rate_rad_s = 0.0;     ///< left positive
   double distance_m = 0.0;         ///< kDistance: length of the path; with a yaw rate alone 0 means a quarter turn
@@ -37,7 +37,7 @@ struct PlanarPose {
   bool operator==(const PlanarPose&) const = default;
 };
 
-/// The path of the base in plan view over time: dense enough that linear interpolation serves.
+/// The path of the base in plan view over time: dense enough for linear interpolation.
 struct BasePath {
   std::vector<double> time_s;
   std::vector<PlanarPose> pose;
@@ -63,8 +63,7 @@ struct FootstepPlan {
 /// Puts footholds in the order of touch-down, then foot.
 void SortFootholds(FootstepPlan& plan);
 
-/// Index of the foothold of `foot` that holds at `time_s`, the last before it, or before all the first; -1 when there
-/// is none.
+/// Index of the foothold of `foot` at `time_s`: the last one before it, or the first one; -1 if there is none.
 int FootholdAt(const FootstepPlan& plan, int foot, double time_s);
 
 /// Centre of mass, its derivatives and the zero-moment point on a uniform grid, columns by sample.
@@ -120,15 +119,15 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
-/// A part of a motion: one gait, or standing still, and what was asked of it.
+/// A part of a motion: one gait, or standing still, with its command.
 struct MotionPart {
   Gait gait;  ///< StandingGait for standing still
   WalkCommand command;
-  PlanarPose goal;                    ///< where the base was to end, in W, whatever the plan does
+  PlanarPose goal;                    ///< commanded end of the base, in W
   double start_s = 0.0, end_s = 0.0;  ///< each part ends where the next one starts
 };
 
-/// A time at which a motion waits until what was to be reached by then is measured: the end of a phase.
+/// A time at which a motion waits until the planned state is measured: the end of a phase.
 struct PlanGate {
   double at_s = 0.0;
   std::string phase;            ///< that ends there, such as "lift front"
@@ -145,7 +144,7 @@ struct MotionPlan {
 
   std::string robot;                 ///< name
   std::string robot_hash;            ///< RobotModel::hash
-  std::string urdf_text, yaml_text;  ///< of the robot, so that the plan is whole by itself; and
+  std::string urdf_text, yaml_text;  ///< of the robot, so that the plan is self-contained; and
   std::vector<MeshHull> meshes;      ///< the hulls of its collision meshes, which the texts do not hold
   Provenance provenance;
   std::vector<MotionPart> parts;  ///< one or more, in order
@@ -163,8 +162,7 @@ struct MotionPlan {
   double duration_s() const { return whole_body.end_s() - whole_body.start_s; }
 };
 
-/// The part that holds at a time: of two that meet there the later one, beyond the ends the first or the last; null
-/// where there are none.
+/// The part at a time: of two that meet there the later one, beyond the ends the first or the last; null without parts.
 const MotionPart* PartAt(const std::vector<MotionPart>& parts, double time_s);
 
 /// The names of the parts' gaits, as "trot, stand, bound".

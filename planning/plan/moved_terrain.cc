@@ -26,8 +26,8 @@ Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain) {
           FailureKind::kInfeasible,
           FailureCode::kTurnedField,
           "MovedTerrain",
-          fmt::format("height field '{}' cannot be turned: after a turn, a robot cannot go on over it", field.name),
-          {"go over it before turning, or on a ground of patches"}};
+          fmt::format("height field '{}' cannot be rotated, so the robot cannot walk on it after a turn", field.name),
+          {"cross it before turning, or use a ground of patches"}};
     }
     field.origin_W += X.translation().head<2>();
     for (double& height_m : field.height_m) height_m += up_m;

@@ -6,9 +6,9 @@
 
 namespace gaitwright {
 
-/// The same ground moved, and turned about z: what a robot that is elsewhere, or higher, has before it.
-/// @param X  turns about z alone.
-/// Failure kInfeasible `turned_field` for a height field that would be turned, since its grid lies along x and y.
+/// A ground that is moved and rotated about z: the ground as seen by a robot at another pose.
+/// @param X  rotates about z only. Failure kInfeasible `turned_field` for a height field that would be turned, since
+/// its grid lies along x and y.
 Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain);
 
 }  // namespace gaitwright

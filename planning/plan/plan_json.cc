@@ -225,7 +225,7 @@ Failure Refused(const std::string& source, const std::string& why, const std::ve
 Failure OtherSchema(const std::string& source, int schema) {
   return Refused(
       source, fmt::format("it has schema {}; this program reads schema {}", schema, MotionPlan::kSchema),
-      {schema > MotionPlan::kSchema ? "read it with the newer program that wrote it" : "make the plan anew"});
+      {schema > MotionPlan::kSchema ? "read it with the newer program that wrote it" : "make the plan again"});
 }
 
 Json AdjustmentList(const std::vector<Adjustment>& adjustments) {
@@ -286,7 +286,7 @@ Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& sour
   }
   try {
     if (!j.is_object() || !j.contains("format") || j.at("format") != kPlanFormat)
-      return Refused(source, "it is no motion plan");
+      return Refused(source, "it is not a motion plan");
     const JsonPart whole(j);
     const int schema = whole.At("schema").Whole(0, std::numeric_limits<int>::max());
     if (schema != MotionPlan::kSchema) return OtherSchema(source, schema);

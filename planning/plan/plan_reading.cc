@@ -58,7 +58,7 @@ void CheckOutline(const JsonPart& part, const std::vector<Vector2>& outline) {
   const double share = ShareOfHull(outline);
   if (std::abs(share - 1.0) <= kRounding) return;
   if (std::abs(share + 1.0) <= kRounding) part.Refuse("runs clockwise; counter-clockwise is needed");
-  part.Refuse(fmt::format("fills {:.4g} of its convex hull; it must be convex", std::abs(share)));
+  part.Refuse(fmt::format("covers {:.4g} of its convex hull; it must be convex", std::abs(share)));
 }
 
 TerrainPatch ToPatch(const JsonPart& part) {
@@ -67,12 +67,13 @@ TerrainPatch ToPatch(const JsonPart& part) {
       part.At("name").Text(), part.At("pose").ToPose(), {}, part.At("friction").NumberIn(0.0, kMostFriction)};
   const double upright = patch.X_WT.linear()(2, 2);
   if (!(upright > 0.0))
-    part.Refuse(fmt::format("faces down: the z of its normal is {:.3g}; it must be over 0", upright));
+    part.Refuse(fmt::format("faces down: the z of its normal is {:.3g}; it must be above 0", upright));
   for (const JsonPart& corner : part.At("outline_m").List()) patch.outline_T.emplace_back(corner.Vector(2));
   const std::size_t corners = patch.outline_T.size();
   if (corners == 1 || corners == 2) {
     part.At("outline_m")
-        .Refuse(fmt::format("has {} corners; none makes a plane without end, three or more an outline", corners));
+        .Refuse(
+            fmt::format("has {} corners; accepted: none (an infinite plane), or three or more (an outline)", corners));
   }
   if (corners > 2) CheckOutline(part.At("outline_m"), patch.outline_T);
   return patch;
@@ -87,7 +88,7 @@ HeightField ToHeightField(const JsonPart& part) {
                     part.At("rows").Whole(2, kMostNodesAlong),
                     part.At("heights_m").Numbers(),
                     part.At("friction").NumberIn(0.0, kMostFriction)};
-  if (field.resolution_m == 0.0) part.At("resolution_m").Refuse("is 0; it must be over 0");
+  if (field.resolution_m == 0.0) part.At("resolution_m").Refuse("is 0; it must be above 0");
   const std::size_t nodes = static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
   if (field.height_m.size() != nodes) {
     part.At("heights_m")
@@ -114,7 +115,7 @@ Obstacle ToObstacle(const JsonPart& part) {
   }
   const VectorX size = part.At(needed).Vector(obstacle.type == ShapeType::kBox ? 3 : 2);
   if (!(size.minCoeff() > 0.0))
-    part.At(needed).Refuse(fmt::format("has a size of {}; it must be over 0", size.minCoeff()));
+    part.At(needed).Refuse(fmt::format("has a size of {}; it must be above 0", size.minCoeff()));
   obstacle.size_m.head(size.size()) = size;
   return obstacle;
 }
@@ -140,15 +141,15 @@ Terrain ToTerrain(const JsonPart& part) {
 Gait ToGait(const JsonPart& part, int feet) {
   part.Object(PlanGaitShape());
   const double cycle_s = part.At("cycle_s").Number();
-  if (!(cycle_s > 0.0)) part.At("cycle_s").Refuse(fmt::format("is {}; it must be over 0", cycle_s));
+  if (!(cycle_s > 0.0)) part.At("cycle_s").Refuse(fmt::format("is {}; it must be above 0", cycle_s));
   for (const JsonPart& phase : part.At("phase").List()) {
-    if (phase.NumberIn(0.0, 1.0) == 1.0) phase.Refuse("is 1; a phase is less than 1");
+    if (phase.NumberIn(0.0, 1.0) == 1.0) phase.Refuse("is 1; a phase must be less than 1");
   }
   const std::vector<JsonPart> shares = part.At("duty_factor").List();
   const auto never = [](const JsonPart& share) { return share.NumberIn(0.0, 1.0) == 0.0; };
   const auto lifted = std::find_if(shares.begin(), shares.end(), never);
   if (lifted != shares.end() && !std::all_of(shares.begin(), shares.end(), never))
-    lifted->Refuse("is 0; a foot that never stands has no gait, but where all hang");
+    lifted->Refuse("is 0; a foot that never stands is accepted only if no foot ever stands");
   // A gait is one of legs: what a robot lies on has no part in it.
   const std::size_t legs = std::min(shares.size(), static_cast<std::size_t>(feet));
   const auto by_foot = [&](const char* key) {
@@ -179,7 +180,7 @@ Adjustment ToAdjustment(const JsonPart& part) {
   part.Object(AdjustmentsShape().of.front());
   const std::string why = part.At("why").Text();
   const auto code = FailureCodeOfName(why);
-  if (!code) part.At("why").Refuse(fmt::format("is '{}', which is no code of a refusal", why));
+  if (!code) part.At("why").Refuse(fmt::format("is '{}', which is not a failure code", why));
   return {part.At("what").Text(), part.At("asked").Number(), part.At("given").Number(), part.At("unit").Text(), *code,
           part.At("part").Text()};
 }
@@ -217,7 +218,7 @@ SwingTrajectory ToSwing(const JsonPart& part, int feet) {
   if (part.Has("detour_m")) swing.detour_W = ToPoints(part.At("detour_m"));
   if (part.Has("cruise")) swing.cruise = part.At("cruise").Number();
   if (swing.cruise < 0.0 || swing.cruise >= 1.0)
-    part.Refuse(fmt::format("cruises for a share of {} of its time; 0 to less than 1 are accepted", swing.cruise));
+    part.Refuse(fmt::format("cruises for a share of {} of its time; accepted: 0 to less than 1", swing.cruise));
   return swing;
 }
 
@@ -237,7 +238,7 @@ std::vector<VectorX> ToRows(const JsonPart& list, std::size_t count) {
     const std::vector<double> values = row.Numbers();
     rows.push_back(Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size())));
     if (rows.back().size() != rows.front().size())
-      row.Refuse(fmt::format("has {} numbers, the first row {}", rows.back().size(), rows.front().size()));
+      row.Refuse(fmt::format("has {} numbers, but the first row has {}", rows.back().size(), rows.front().size()));
   }
   if (rows.empty() || (count > 0 && rows.size() != count))
     list.Refuse(fmt::format("has {} rows; {} are needed", rows.size(), std::max<std::size_t>(count, 1)));

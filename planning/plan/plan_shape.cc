@@ -21,14 +21,14 @@ DataShape RowsShape() { return List(Numbers(), 1); }
 }  // namespace
 
 DataShape MeshShape() {
-  return Object({{"file", Text(), "As the URDF names it."},
-                 {"vertices_m", PointsShape(1), "Of its convex hull, before the URDF's scale."}});
+  return Object({{"file", Text(), "Name in the URDF."},
+                 {"vertices_m", PointsShape(1), "Points of its convex hull, before the URDF's scale is applied."}});
 }
 
 DataShape PlanarPoseShape() { return Object({{"x_m", Number()}, {"y_m", Number()}, {"yaw_rad", Number()}}); }
 
 DataShape CommandShape() {
-  return Object({{"extent", Text(PlanExtents()), "What says how far."},
+  return Object({{"extent", Text(PlanExtents()), "Name of the value that sets the distance."},
                  {"speed_m_s", Number(0.0, kLargestNumber)},
                  {"lateral_speed_m_s", Number()},
                  {"yaw_rate_rad_s", Number()},
@@ -44,7 +44,7 @@ DataShape CommandShape() {
 DataShape PlanPatchShape() {
   return Object({{"name", Text()},
                  {"pose", PoseShape()},
-                 {"outline_m", List(Numbers(2)), "In the pose's plane; empty: without end."},
+                 {"outline_m", List(Numbers(2)), "Corners in the pose's plane; empty for an infinite plane."},
                  {"friction", Number(0.0, kMostFriction)}});
 }
 
@@ -52,9 +52,9 @@ DataShape PlanHeightFieldShape() {
   return Object({{"name", Text()},
                  {"origin_m", Numbers(2), "The first node."},
                  {"resolution_m", Positive(kLargestNumber)},
-                 {"columns", Whole(2, kMostNodesAlong), "Along x."},
-                 {"rows", Whole(2, kMostNodesAlong), "Along y."},
-                 {"heights_m", Numbers(), "Of node (column, row) at number row * columns + column."},
+                 {"columns", Whole(2, kMostNodesAlong), "Number of points along x."},
+                 {"rows", Whole(2, kMostNodesAlong), "Number of points along y."},
+                 {"heights_m", Numbers(), "Height of node (column, row) at index row * columns + column."},
                  {"friction", Number(0.0, kMostFriction)}});
 }
 
@@ -62,8 +62,9 @@ DataShape PlanObstacleShape() {
   return Object({{"name", Text()},
                  {"type", Text(ObstacleTypeNames())},
                  {"pose", PoseShape()},
-                 Optional("size_m", List(Positive(kLargestNumber), 2, 3), "Edges of a box; radius and length."),
-                 Optional("vertices_m", PointsShape(4), "Of a mesh.")},
+                 Optional("size_m", List(Positive(kLargestNumber), 2, 3),
+                          "Edge lengths of a box; radius and length of other shapes."),
+                 Optional("vertices_m", PointsShape(4), "Vertices of a mesh.")},
                 {{"size_m", "vertices_m"}});
 }
 
@@ -81,31 +82,31 @@ DataShape PlanGaitShape() {
   return Object({{"name", Text()},
                  {"description", Text()},
                  {"cycle_s", Positive(kLargestNumber)},
-                 {"phase", List(Number(0.0, 1.0)), "By foot, less than 1."},
-                 {"duty_factor", List(Number(0.0, 1.0)), "By foot."}});
+                 {"phase", List(Number(0.0, 1.0)), "One value for each foot, less than 1."},
+                 {"duty_factor", List(Number(0.0, 1.0)), "One value for each foot."}});
 }
 
 DataShape PlanPartShape() {
   return Object({{"start_s", Number()},
                  {"end_s", Number()},
-                 {"command", CommandShape(), "What was asked."},
-                 {"goal", PlanarPoseShape(), "Where the base was to end."},
+                 {"command", CommandShape(), "Command of the part."},
+                 {"goal", PlanarPoseShape(), "Commanded end pose of the base."},
                  {"gait", PlanGaitShape()}});
 }
 
 DataShape PlanGateShape() {
   return Object({{"at_s", Number()},
                  {"phase", Text()},
-                 {"joints_within", Number(0.0, kWidestGate), "Of every joint to its place [rad], [m]."},
-                 {"contact", Whole(), "Bits of the feet that carry force."},
+                 {"joints_within", Number(0.0, kWidestGate), "Tolerance of the position of every joint [rad], [m]."},
+                 {"contact", Whole(), "Bit mask of the feet that carry force."},
                  {"longest_s", Number(0.0, kLongestWait)}});
 }
 
 DataShape FootholdShape() {
   return Object({{"foot", FootIndexShape()},
-                 {"pose", PoseShape(), "At touch-down."},
-                 {"roll_m", Numbers(3), "How far a sphere rolls until lift-off."},
-                 {"patch", Whole(), "Number of the surface: patches first, then height fields."},
+                 {"pose", PoseShape(), "Pose of the foot at touch-down."},
+                 {"roll_m", Numbers(3), "Distance that a spherical foot rolls until lift-off."},
+                 {"patch", Whole(), "Index of the surface: patches first, then height fields."},
                  {"touchdown_s", Number()},
                  {"liftoff_s", Number()}});
 }
@@ -116,19 +117,20 @@ DataShape SwingShape() {
                  {"end_s", Number()},
                  {"start_pose", PoseShape()},
                  {"end_pose", PoseShape()},
-                 {"lift_m", Number(), "Over the straight line between the ends, at half time."},
-                 {"clearance_m", OrNull(Number()), "Of the whole sole in mid swing; null: no ground under it."},
-                 Optional("detour_m", List(Numbers(3)), "Control points in place of the bump."),
-                 Optional("cruise", Number(0.0, 1.0), "Share of the time at constant speed.")});
+                 {"lift_m", Number(), "Height above the straight line between the ends, at half time."},
+                 {"clearance_m", OrNull(Number()),
+                  "Smallest height of the whole sole in mid swing; null without ground under it."},
+                 Optional("detour_m", List(Numbers(3)), "Control points that replace the default curve."),
+                 Optional("cruise", Number(0.0, 1.0), "Share of the swing's time at constant speed.")});
 }
 
 DataShape AdjustmentsShape() {
-  return List(Object({{"what", Text(), "The flag or option that sets it, without dashes."},
+  return List(Object({{"what", Text(), "Flag or option that sets the value, without dashes."},
                       {"asked", Number()},
                       {"given", Number()},
                       {"unit", Text()},
-                      {"why", Text(FailureCodeNames()), "Code for which the plan with the requested value is refused."},
-                      {"part", Text(), "Of a sequence: its number and gait; else empty."}}));
+                      {"why", Text(FailureCodeNames()), "Failure code of the plan with the requested value."},
+                      {"part", Text(), "Number and gait of the part of a sequence; else empty."}}));
 }
 
 DataShape ProvenanceShape() {
@@ -139,32 +141,33 @@ DataShape ProvenanceShape() {
 }
 
 DataShape PlanShape() {
-  return Object({{"format", Text({kPlanFormat})},
-                 {"schema", Whole(MotionPlan::kSchema, MotionPlan::kSchema)},
-                 {"robot", Text()},
-                 {"robot_hash", Text()},
-                 {"provenance", ProvenanceShape()},
-                 {"parts", List(PlanPartShape(), 1), "One for each gait or stand, in order."},
-                 {"goal", PlanarPoseShape(), "That of the last part."},
-                 {"warnings", List(Text()), "Limits that the plan knowingly does not keep, and the like."},
-                 {"terrain", PlanTerrainShape()},
-                 {"schedule", List(List(Number(), 3, 3)), "[start_s, end_s, stance], bit i of stance being foot i."},
-                 {"footholds", List(FootholdShape())},
-                 {"swings", List(SwingShape())},
-                 {"urdf", Text(), "The text that the robot was made from."},
-                 {"robot_yaml", Text(), "The text of its robot.yaml, or empty."},
-                 {"start_s", Number(-kLongestTime, kLongestTime)},
-                 {"step_s", Positive(kLongestStep), "Of the grid of all rows."},
-                 {"omega_rad_s", Number(), "The pendulum's frequency."},
-                 {"centroidal", List(Numbers(11), 1), "Centre of mass, its velocity and acceleration, ZMP (2)."},
-                 {"q", RowsShape(), "[p_WB, quaternion xyzw, joints]."},
-                 {"v", RowsShape(), "[v_WB, w_WB, joint rates]."},
-                 {"a", RowsShape(), "Their rates."},
-                 {"tau_nm", RowsShape(), "Feed-forward torques by joint."},
-                 {"contact_wrenches", RowsShape(), "Force and moment of each foot."},
-                 Optional("adjustments", AdjustmentsShape(), "Where the plan differs from the request."),
-                 Optional("meshes", List(MeshShape())),
-                 Optional("gates", List(PlanGateShape()), "Where the motion waits for what is measured.")});
+  return Object(
+      {{"format", Text({kPlanFormat})},
+       {"schema", Whole(MotionPlan::kSchema, MotionPlan::kSchema)},
+       {"robot", Text()},
+       {"robot_hash", Text()},
+       {"provenance", ProvenanceShape()},
+       {"parts", List(PlanPartShape(), 1), "Parts in order, one for each gait or stand."},
+       {"goal", PlanarPoseShape(), "Goal of the last part."},
+       {"warnings", List(Text()), "Warnings, such as limits that the plan knowingly exceeds."},
+       {"terrain", PlanTerrainShape()},
+       {"schedule", List(List(Number(), 3, 3)), "Phases as [start_s, end_s, stance]; bit i of stance is foot i."},
+       {"footholds", List(FootholdShape())},
+       {"swings", List(SwingShape())},
+       {"urdf", Text(), "Text of the robot description."},
+       {"robot_yaml", Text(), "Text of the robot's robot.yaml, or empty."},
+       {"start_s", Number(-kLongestTime, kLongestTime)},
+       {"step_s", Positive(kLongestStep), "Time step of all rows."},
+       {"omega_rad_s", Number(), "The pendulum's frequency."},
+       {"centroidal", List(Numbers(11), 1), "Centre of mass, its velocity and acceleration, ZMP (2)."},
+       {"q", RowsShape(), "[p_WB, quaternion xyzw, joints]."},
+       {"v", RowsShape(), "[v_WB, w_WB, joint rates]."},
+       {"a", RowsShape(), "Time derivatives of v."},
+       {"tau_nm", RowsShape(), "Feed-forward torques by joint."},
+       {"contact_wrenches", RowsShape(), "Force and moment of each foot."},
+       Optional("adjustments", AdjustmentsShape(), "Differences between the plan and the request."),
+       Optional("meshes", List(MeshShape())),
+       Optional("gates", List(PlanGateShape()), "Times at which the motion waits for a measured condition.")});
 }
 
 }  // namespace gaitwright

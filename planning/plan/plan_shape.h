@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What a plan's file may hold.
+/// Structure of a plan file.
 DataShape PlanShape();
 /// The list of adjustments: where a plan differs from the request.
 DataShape AdjustmentsShape();

@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// Distance from the edge of a surface that the part of a sole on it keeps [m], where nothing else is asked for.
+/// Default distance of a sole's supported part from the edge of its surface [m].
 inline constexpr double kEdgeMargin = 0.005;
 
 /// The part of a sole that is on a patch, by a margin to its edge: where the ground can push.
@@ -19,10 +19,10 @@ Polygon PartOnPatch(const std::vector<Vector2>& sole_F, const Pose& X_WF, const 
 /// corner where a slope begins.
 bool LiesOn(const TerrainPatch& patch, const Pose& X_WF, double most_tilt_rad = 1e-3);
 
-/// The corners of a sole that the ground touches, to two millimetres: what carries a sole that rests across surfaces.
+/// The corners of a sole in contact with the ground, to two millimetres, for a sole that lies across surfaces.
 Polygon TouchingCorners(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain);
 
-/// Share of a height field's resolution at which soles are held against it.
+/// Sampling distance of soles on a height field, as a share of its resolution.
 inline constexpr double kSoleSampling = 0.7;
 
 /// A sole's corners, and a lattice over it that is at most so wide, up to 25 by 25.
@@ -36,14 +36,14 @@ Polygon TouchingPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const
 /// although TouchingPart is wide: the load has to be inside of it.
 Polygon SteadyPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain, double resolution_m);
 
-/// Where the ground can push a foot at its foothold: of a sole the part on its surface, or TouchingCorners where it
-/// rests across several; of a line the same, up to a segment; of a point or sphere the contact point. In the contact
-/// frame's xy plane [m], counter-clockwise: corners in W are X_WF * (x, y, 0). Empty where nothing is on, or when the
-/// terrain has no such surface.
+/// Support region of a foot at its foothold: for a sole the part on its surface, or TouchingCorners if it lies across
+/// several; of a line the same, up to a segment; of a point or sphere the contact point. In the contact frame's xy
+/// plane [m], counter-clockwise: corners in W are X_WF * (x, y, 0). Empty if no part is supported, or if the terrain
+/// has no such surface.
 Polygon SupportOf(const Foot& foot, const Foothold& foothold, const Terrain& terrain, double margin_m = kEdgeMargin);
 
-/// The same of all footholds of a plan, in their order, by kEdgeMargin; of a foot without a sole, or where nothing is
-/// that far from an edge, all of it.
+/// Support regions of all footholds of a plan, in order, with kEdgeMargin; for a foot without a sole, or if no part is
+/// that far from an edge, the whole foot.
 std::vector<Polygon> SupportsOf(const RobotModel& model, const Terrain& terrain, const FootstepPlan& footsteps);
 
 }  // namespace gaitwright

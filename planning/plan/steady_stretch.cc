@@ -46,7 +46,7 @@ bool Within(const Seam& seam, const Seam& limit) {
 
 std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within) {
   if (part >= plan.parts.size())
-    throw InvalidArgument(fmt::format("there is no part {} in a plan of {}", part, plan.parts.size()));
+    throw InvalidArgument(fmt::format("part {} does not exist in a plan of {} parts", part, plan.parts.size()));
   constexpr double kTime = 1e-6;
   const MotionPart& asked = plan.parts[part];
   const WholeBodyTrajectory& w = plan.whole_body;

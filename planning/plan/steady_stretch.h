@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// A stretch of a plan in which a gait repeats itself: after each cycle the robot does the same again, farther along.
+/// A part of a plan in which a gait is periodic: each cycle repeats the motion, farther along.
 struct SteadyStretch {
   double start_s = 0.0, cycle_s = 0.0;
   int cycles = 0;  ///< whole ones, one or more
@@ -16,7 +16,7 @@ struct SteadyStretch {
   double end_s() const { return start_s + cycles * cycle_s; }
 };
 
-/// How far states a cycle apart may differ and be the same: so little that a seam between them breaks no law.
+/// Tolerance of periodicity: small enough that a seam between states one cycle apart passes the audit.
 inline constexpr Seam kSteady = {
     .height_m = 2e-4, .tilt_rad = 1e-3, .joints = 1e-3, .base_rates = 5e-3, .joint_rates = 0.05};
 
@@ -25,7 +25,7 @@ bool Within(const Seam& seam, const Seam& limit);
 
 /// The longest such stretch of a part, from a moment at which as many feet stand as ever do; nothing where it has none,
 /// as where its cycle is no multiple of the plan's time step, or where it gains speed to its end.
-/// @throws InvalidArgument for a part that there is not.
+/// @throws InvalidArgument for a part that does not exist.
 std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within = kSteady);
 
 /// The last moment of a plan, whole cycles after the start of a steady stretch of it, at which all is as it was there,

@@ -9,16 +9,15 @@
 
 namespace gaitwright {
 
-/// By foot, the points through which it can push where it is now, in W [m]; those of feet off the ground are not looked
-/// at.
+/// Contact points by foot, in W [m]; those of feet off the ground are ignored.
 using ContactsByFoot = std::vector<std::vector<Vector3>>;
 
 /// The plane in which the ZMP of a stance is reckoned: through one foot's points, through the line of two and level
 /// across it, or fitted to more (least squares).
 GroundPlane PlaneThrough(const ContactsByFoot& contacts, FootSet stance);
 
-/// The same at a time of a schedule, without a jump where one stance goes over into another: both have there the plane
-/// of the feet that stand before and after, and in between it goes evenly from the one to the other.
+/// The support plane at a time of a schedule, continuous at stance changes: at a change it is the plane of the feet
+/// that stand before and after, with linear interpolation in between.
 GroundPlane SupportPlaneAt(const ContactSchedule& schedule, double time_s, const ContactsByFoot& contacts);
 
 /// The plane over which a pendulum's height counts: through the footholds of all feet, those of feet in the air evenly

@@ -55,7 +55,7 @@ TerrainPatch PatchThrough(const std::string& name, const std::vector<Vector3>& c
   }
   const double share = ShareOfHull(patch.outline_T);
   if (std::abs(share - 1.0) > kRounding)
-    refuse(fmt::format("fills {:.4g} of its convex hull; it must be convex", std::abs(share)));
+    refuse(fmt::format("covers {:.4g} of its convex hull; it must be convex", std::abs(share)));
   return patch;
 }
 

@@ -17,8 +17,8 @@ struct TerrainPatch {
   double friction = 0.8;
 };
 
-/// Ground by heights at the nodes of a grid along x and y of W, solid below. Each cell is two triangles, parted by the
-/// diagonal from its lowest x and y to its highest. Outside of the grid it is no ground.
+/// Ground by heights at the nodes of a grid along x and y of W, solid below. Each cell is two triangles, divided by the
+/// diagonal from its lowest x and y to its highest. There is no ground outside the grid.
 struct HeightField {
   std::string name;
   Vector2 origin_W = Vector2::Zero();  ///< of the first node [m]
@@ -80,7 +80,7 @@ struct GroundPoint {
   double friction = 0.0;
 };
 
-/// The highest ground at (x, y); patch -1 where there is none.
+/// The highest ground at (x, y); patch -1 without ground.
 GroundPoint GroundAt(const Terrain& terrain, const Vector2& p_W);
 
 /// The friction of a surface by its number; 0 of one that is not there.
@@ -92,7 +92,7 @@ inline constexpr double kSolidDepth = 1.0;
 /// The corners of the solid under a bounded patch in W: its outline, and the same kSolidDepth straight down.
 std::vector<Vector3> SolidUnder(const TerrainPatch& patch);
 
-/// What an obstacle may be, and how files call it: "box", "cylinder", "mesh".
+/// Types of obstacles, with their names in files: "box", "cylinder", "mesh".
 const std::vector<ShapeType>& ObstacleTypes();
 const std::vector<std::string>& ObstacleTypeNames();
 /// The name of one of them. @throws InvalidArgument for any other type.

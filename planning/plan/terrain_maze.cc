@@ -87,9 +87,10 @@ MazeGround::MazeGround(const TerrainScale& scale)
     : Walls(scale, 1.3 * std::hypot(scale.body_length_m, scale.body_width_m)) {}
 
 OptionFields MazeGround::Fields() {
-  return With({{"columns", &columns, "1", 1, 60, "Cells along the way; entrance and exit are in the middle row.", {}},
-               {"rows", &rows, "1", 1, 60, "Cells across the way.", {}},
-               SeedField(&seed)});
+  return With(
+      {{"columns", &columns, "1", 1, 60, "Number of cells along the x axis; entrance and exit are in the middle row."},
+       {"rows", &rows, "1", 1, 60, "Number of cells along the y axis."},
+       SeedField(&seed)});
 }
 
 Terrain MazeGround::Build() const {

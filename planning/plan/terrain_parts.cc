@@ -14,21 +14,25 @@ double Readable(double value) {
 }
 
 OptionField LengthField(const std::string& key, double* target, double highest, const std::string& meaning) {
-  return {key, target, "m", 0.001, highest, meaning, {}};
+  return {key, target, "m", 0.001, highest, meaning};
 }
 
 OptionField StartField(double* start_m) {
-  return {"start_m", start_m, "m", -100.0, 100.0, "Where it begins, ahead of the robot's base.", {}};
+  return {"start_m", start_m,
+          "m",       -100.0,
+          100.0,     "Distance along the x axis from the robot's base at the start to the start of the feature."};
 }
 
 OptionField FrictionField(double* friction) {
-  return {"friction", friction, "1", 0.01, 5.0, "Coefficient of friction.", {}};
+  return {"friction", friction, "1", 0.01, 5.0, "Friction coefficient of the ground."};
 }
 
-OptionField SeedField(int* seed) { return {"seed", seed, "1", 0, 1000000000, "Of what is left to chance.", {}}; }
+OptionField SeedField(int* seed) {
+  return {"seed", seed, "1", 0, 1000000000, "Seed of the random numbers that draw this terrain."};
+}
 
 OptionField AngleField(double* angle_deg, const std::string& meaning) {
-  return {"angle_deg", angle_deg, "deg", 0.1, 45.0, meaning, {}};
+  return {"angle_deg", angle_deg, "deg", 0.1, 45.0, meaning};
 }
 
 Feature::Feature(const TerrainScale& scale)
@@ -36,7 +40,7 @@ Feature::Feature(const TerrainScale& scale)
 
 OptionFields Feature::With(OptionFields own) {
   own.insert(own.begin(), StartField(&start_m));
-  own.push_back(LengthField("width_m", &width_m, 100.0, "From its right edge to its left one."));
+  own.push_back(LengthField("width_m", &width_m, 100.0, "Width of the feature along the y axis."));
   own.push_back(FrictionField(&friction));
   return own;
 }

@@ -24,11 +24,13 @@ RoughGround::RoughGround(const TerrainScale& scale)
       resolution_m(Readable(0.05 * wavelength_m)) {}
 
 OptionFields RoughGround::Fields() {
-  return With({LengthField("amplitude_m", &amplitude_m, 1.0, "Half the height between the lowest and the highest."),
-               LengthField("wavelength_m", &wavelength_m, 20.0, "Of the bumps."),
-               LengthField("length_m", &length_m, 100.0, "Along the way."),
-               LengthField("resolution_m", &resolution_m, 1.0, "Between the points whose heights are set."),
-               SeedField(&seed)});
+  return With(
+      {LengthField("amplitude_m", &amplitude_m, 1.0,
+                   "Amplitude of the bumps: half the height between the lowest and the highest point."),
+       LengthField("wavelength_m", &wavelength_m, 20.0, "Wavelength of the bumps."),
+       LengthField("length_m", &length_m, 100.0, "Length of the rough ground along the x axis."),
+       LengthField("resolution_m", &resolution_m, 1.0, "Distance between neighbouring points of the height field."),
+       SeedField(&seed)});
 }
 
 Terrain RoughGround::Build() const {
@@ -38,7 +40,7 @@ Terrain RoughGround::Build() const {
   }
   const double cells_x = std::ceil(length_m / resolution_m), cells_y = std::ceil(width_m / resolution_m);
   if (cells_x * cells_y > kMostNodes) {
-    throw InvalidArgument(fmt::format("{} m by {} m at resolution_m {} are {:.0f} points; at most {:.0f} are accepted",
+    throw InvalidArgument(fmt::format("{} m by {} m at resolution_m {} need {:.0f} points; at most {:.0f} are accepted",
                                       length_m, width_m, resolution_m, cells_x * cells_y, kMostNodes));
   }
   HeightField field;

@@ -9,7 +9,7 @@ namespace gaitwright {
 struct TerrainScale {
   double leg_length_m = 0.4;
   double body_length_m = 0.6, body_width_m = 0.4, body_height_m = 0.45;  ///< of its feet and collision shapes
-  double front_m = 0.3;                                                  ///< how far these reach ahead of the origin
+  double front_m = 0.3;                                                  ///< their extent in front of the origin
   double stance_width_m = 0.3;                                           ///< between the outer edges of its feet
   double foot_length_m = 0.04, foot_width_m = 0.04;                      ///< of the longest and the widest foot
 };

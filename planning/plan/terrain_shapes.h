@@ -6,9 +6,9 @@
 
 namespace gaitwright {
 
-/// All that is solid of a terrain, to hold shapes against: the solids under bounded patches (SolidUnder), all that is
-/// below planes without end, what is down to kSolidDepth below height fields, and the obstacles. Their names are those
-/// of the terrain; what has none is called by its kind and its number there, as in "patch 2".
+/// All solids of a terrain for collision checks: the solids under bounded patches (SolidUnder), half spaces below
+/// infinite planes, the volume down to kSolidDepth below height fields, and the obstacles. Their names are those of the
+/// terrain; unnamed ones get their kind and number, such as "patch 2".
 /// @throws InvalidArgument for a height field without a height for each node.
 ShapeScene SolidsOf(const Terrain& terrain);
 

@@ -18,7 +18,7 @@ OptionTexts ParseParameters(const std::string& text) {
     if (equals == std::string::npos || equals == 0)
       throw InvalidArgument(fmt::format("parameter '{}' is not written as 'key=value'", part));
     const std::string key = part.substr(0, equals);
-    if (!seen.insert(key).second) throw InvalidArgument(fmt::format("parameter '{}' stands there twice", key));
+    if (!seen.insert(key).second) throw InvalidArgument(fmt::format("parameter '{}' is given twice", key));
     texts.emplace_back(key, part.substr(equals + 1));
     at = comma + 1;
   }

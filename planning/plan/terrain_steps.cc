@@ -27,9 +27,9 @@ SlopeGround::SlopeGround(const TerrainScale& scale)
     : Feature(scale), length_m(Readable(2.0 * scale.body_length_m)), plateau_m(Landing(scale)) {}
 
 OptionFields SlopeGround::Fields() {
-  return With({AngleField(&angle_deg, "Of both slopes to the level."),
-               LengthField("length_m", &length_m, 100.0, "Of each slope in plan view."),
-               LengthField("plateau_m", &plateau_m, 100.0, "Length of the level between them.")});
+  return With({AngleField(&angle_deg, "Inclination of both slopes."),
+               LengthField("length_m", &length_m, 100.0, "Length of each slope in plan view."),
+               LengthField("plateau_m", &plateau_m, 100.0, "Length of the level plateau between the slopes.")});
 }
 
 Terrain SlopeGround::Build() const {
@@ -45,8 +45,8 @@ Terrain SlopeGround::Build() const {
 RampGround::RampGround(const TerrainScale& scale) : Feature(scale), length_m(Readable(2.0 * scale.body_length_m)) {}
 
 OptionFields RampGround::Fields() {
-  return With({AngleField(&angle_deg, "Of the ramp to the level."),
-               LengthField("length_m", &length_m, 100.0, "Of the ramp in plan view.")});
+  return With({AngleField(&angle_deg, "Inclination of the ramp."),
+               LengthField("length_m", &length_m, 100.0, "Length of the ramp in plan view.")});
 }
 
 Terrain RampGround::Build() const {
@@ -64,10 +64,11 @@ StairsGround::StairsGround(const TerrainScale& scale)
       landing_m(Landing(scale)) {}
 
 OptionFields StairsGround::Fields() {
-  return With({LengthField("rise_m", &rise_m, 1.0, "Height of a step."),
-               LengthField("tread_m", &tread_m, 5.0, "Depth of a step."),
-               {"count", &count, "1", 1, 200, "Steps up, the last one onto the landing, and as many down.", {}},
-               LengthField("landing_m", &landing_m, 100.0, "Length of the landing.")});
+  return With(
+      {LengthField("rise_m", &rise_m, 1.0, "Height of each step."),
+       LengthField("tread_m", &tread_m, 5.0, "Depth of each step."),
+       {"count", &count, "1", 1, 200, "Number of steps up, including the one onto the landing; as many lead down."},
+       LengthField("landing_m", &landing_m, 100.0, "Length of the landing.")});
 }
 
 Terrain StairsGround::Build() const {
@@ -87,8 +88,8 @@ BlockGround::BlockGround(const TerrainScale& scale)
     : Feature(scale), height_m(Readable(0.08 * scale.leg_length_m)), length_m(Landing(scale)) {}
 
 OptionFields BlockGround::Fields() {
-  return With({LengthField("height_m", &height_m, 1.0, "Of its top over the ground."),
-               LengthField("length_m", &length_m, 100.0, "Along the way.")});
+  return With({LengthField("height_m", &height_m, 1.0, "Height of the block's top above the ground."),
+               LengthField("length_m", &length_m, 100.0, "Length of the block along the x axis.")});
 }
 
 Terrain BlockGround::Build() const {

@@ -24,7 +24,7 @@ double Start(const TerrainScale& scale) { return Feature(scale).start_m; }
 GapGround::GapGround(const TerrainScale& scale) : start_m(Start(scale)), width_m(Readable(0.12 * scale.leg_length_m)) {}
 
 OptionFields GapGround::Fields() {
-  return {StartField(&start_m), LengthField("width_m", &width_m, 5.0, "Of the trench, along the way."),
+  return {StartField(&start_m), LengthField("width_m", &width_m, 5.0, "Width of the trench along the x axis."),
           FrictionField(&friction)};
 }
 
@@ -40,12 +40,12 @@ StonesGround::StonesGround(const TerrainScale& scale)
 
 OptionFields StonesGround::Fields() {
   return {StartField(&start_m),
-          LengthField("size_m", &size_m, 5.0, "Edge of a stone."),
-          LengthField("spacing_m", &spacing_m, 5.0, "From a stone's middle to the next one's."),
-          {"jitter_m", &jitter_m, "m", 0.0, 2.0, "Farthest that a stone is moved along x and y.", {}},
-          {"height_jitter_m", &height_jitter_m, "m", 0.0, 1.0, "Farthest that a stone is moved up or down.", {}},
-          {"count", &count, "1", 1, 500, "Stones along the way.", {}},
-          {"rows", &rows, "1", 1, 101, "Rows of stones side by side.", {}},
+          LengthField("size_m", &size_m, 5.0, "Edge length of a stone."),
+          LengthField("spacing_m", &spacing_m, 5.0, "Distance between the centres of neighbouring stones."),
+          {"jitter_m", &jitter_m, "m", 0.0, 2.0, "Largest random shift of a stone along x and y."},
+          {"height_jitter_m", &height_jitter_m, "m", 0.0, 1.0, "Largest random shift of a stone up or down."},
+          {"count", &count, "1", 1, 500, "Number of stones along the x axis."},
+          {"rows", &rows, "1", 1, 101, "Number of parallel rows of stones."},
           SeedField(&seed),
           FrictionField(&friction)};
 }
@@ -79,8 +79,8 @@ BeamGround::BeamGround(const TerrainScale& scale)
       length_m(Readable(3.0 * scale.body_length_m)) {}
 
 OptionFields BeamGround::Fields() {
-  return {StartField(&start_m), LengthField("width_m", &width_m, 100.0, "Of the beam, across the way."),
-          LengthField("length_m", &length_m, 100.0, "Of the beam, along the way."), FrictionField(&friction)};
+  return {StartField(&start_m), LengthField("width_m", &width_m, 100.0, "Width of the beam along the y axis."),
+          LengthField("length_m", &length_m, 100.0, "Length of the beam along the x axis."), FrictionField(&friction)};
 }
 
 Terrain BeamGround::Build() const {
@@ -97,15 +97,15 @@ CinderGround::CinderGround(const TerrainScale& scale)
       rows(OddRows(scale.stance_width_m, block_m)) {}
 
 OptionFields CinderGround::Fields() {
-  return {
-      StartField(&start_m),
-      LengthField("block_m", &block_m, 5.0, "Edge of a block in plan view."),
-      LengthField("height_m", &height_m, 1.0, "Of one layer; a place has one or two."),
-      {"tilt_deg", &tilt_deg, "deg", 0.0, 45.0, "Of the blocks' tops, forward, back, left, right or not at all.", {}},
-      {"count", &count, "1", 1, 200, "Blocks along the way.", {}},
-      {"rows", &rows, "1", 1, 101, "Rows of blocks side by side.", {}},
-      SeedField(&seed),
-      FrictionField(&friction)};
+  return {StartField(&start_m),
+          LengthField("block_m", &block_m, 5.0, "Edge length of a block in plan view."),
+          LengthField("height_m", &height_m, 1.0, "Height of one layer of blocks; each cell has one or two layers."),
+          {"tilt_deg", &tilt_deg, "deg", 0.0, 45.0,
+           "Tilt of the blocks' tops: each is level or tilted forward, backward, left or right."},
+          {"count", &count, "1", 1, 200, "Number of blocks along the x axis."},
+          {"rows", &rows, "1", 1, 101, "Number of parallel rows of blocks."},
+          SeedField(&seed),
+          FrictionField(&friction)};
 }
 
 Terrain CinderGround::Build() const {

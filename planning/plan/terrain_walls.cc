@@ -15,9 +15,10 @@ Walls::Walls(const TerrainScale& scale, double passage)
       thickness_m(Readable(0.2 * scale.leg_length_m)) {}
 
 OptionFields Walls::With(OptionFields own) {
-  OptionFields fields = {StartField(&start_m), LengthField("passage_m", &passage_m, 20.0, "Clear width of the way."),
-                         LengthField("height_m", &height_m, 10.0, "Of the walls, of a doorway the clear height."),
-                         LengthField("thickness_m", &thickness_m, 5.0, "Of the walls.")};
+  OptionFields fields = {
+      StartField(&start_m), LengthField("passage_m", &passage_m, 20.0, "Clear width of the passage."),
+      LengthField("height_m", &height_m, 10.0, "Height of the walls; for a doorway, its clear height."),
+      LengthField("thickness_m", &thickness_m, 5.0, "Thickness of the walls.")};
   fields.insert(fields.end(), own.begin(), own.end());
   fields.push_back(FrictionField(&friction));
   return fields;
@@ -26,7 +27,9 @@ OptionFields Walls::With(OptionFields own) {
 CorridorGround::CorridorGround(const TerrainScale& scale)
     : Walls(scale, 1.8 * scale.body_width_m), length_m(Readable(4.0 * scale.body_length_m)) {}
 
-OptionFields CorridorGround::Fields() { return With({LengthField("length_m", &length_m, 100.0, "Along the way.")}); }
+OptionFields CorridorGround::Fields() {
+  return With({LengthField("length_m", &length_m, 100.0, "Length of the corridor along the x axis.")});
+}
 
 Terrain CorridorGround::Build() const {
   const double end = start_m + length_m, inner = 0.5 * passage_m, outer = inner + thickness_m;
@@ -44,9 +47,9 @@ DoorwayGround::DoorwayGround(const TerrainScale& scale)
 }
 
 OptionFields DoorwayGround::Fields() {
-  return With({LengthField("lintel_m", &lintel_m, 10.0, "Height of the wall over the doorway."),
-               LengthField("length_m", &length_m, 100.0, "Of the whole wall, across the way."),
-               {"offset_m", &offset_m, "m", -50.0, 50.0, "Of the doorway to the left.", {}}});
+  return With({LengthField("lintel_m", &lintel_m, 10.0, "Height of the wall above the doorway."),
+               LengthField("length_m", &length_m, 100.0, "Length of the whole wall along the y axis."),
+               {"offset_m", &offset_m, "m", -50.0, 50.0, "Lateral offset of the doorway; positive is to the left."}});
 }
 
 Terrain DoorwayGround::Build() const {

@@ -50,7 +50,7 @@ VectorX HangingBase(const RobotModel& model, const MotionPlan& plan, const Start
 }
 
 std::string PairText(const Overlap& pair) {
-  return fmt::format("'{}' and '{}' meet, {:.1f} mm deep", pair.link_a, pair.link_b, 1e3 * pair.depth_m);
+  return fmt::format("'{}' and '{}' collide, {:.1f} mm deep", pair.link_a, pair.link_b, 1e3 * pair.depth_m);
 }
 
 /// The postures to go by, the ends included, or why there is no free way.
@@ -71,8 +71,8 @@ Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, c
   if (!bent) bent = check.FirstMeeting(standing, to);
   if (!bent) return std::vector<VectorX>{from, standing, to};
   return Infeasible(FailureCode::kSelfCollision,
-                    fmt::format("no free way to the plan's first posture: on the straight one {}, on that by the "
-                                "standing posture {}",
+                    fmt::format("no collision-free motion to the plan's first posture: on the direct motion, {}; on "
+                                "the motion via the standing posture, {}",
                                 PairText(*straight), PairText(*bent)),
                     {"move the joints by hand to near the standing posture and measure again"});
 }
@@ -189,7 +189,7 @@ MotionPlan EmptyPlan(const RobotModel& model, double step_s, ApproachOptions opt
   plan.terrain = FlatTerrain();
   plan.whole_body.step_s = step_s;
   plan.warnings = {fmt::format(
-      "robot '{}' hangs: its base is taken to be held in the air, and no foot to touch anything", model.name)};
+      "robot '{}' hangs: its base is assumed to be held in the air, and its feet to touch nothing", model.name)};
   return plan;
 }
 
@@ -209,18 +209,19 @@ void Close(const RobotModel& model, const VectorX& q_base, MotionPlan& plan) {
 /// Why an approach of that time is not planned, or nothing.
 std::optional<Failure> TooLong(double time_s, double step_s) {
   const std::vector<Suggestion> suggestions = {
-      "bring the joints nearer to the plan's first posture by hand and measure again",
-      "let it go faster: --set approach.speed_rad_s= and approach.speed_share="};
+      "move the joints by hand closer to the plan's first posture and measure again",
+      "allow more speed: --set approach.speed_rad_s= and approach.speed_share="};
   if (!(time_s <= kLongestApproach)) {
-    return Infeasible(FailureCode::kTooLong,
-                      fmt::format("the way to the plan's first posture takes {:.4g} s; at most {:.0f} s are planned",
-                                  time_s, kLongestApproach),
-                      suggestions);
+    return Infeasible(
+        FailureCode::kTooLong,
+        fmt::format("the motion to the plan's first posture takes {:.4g} s; at most {:.0f} s are accepted", time_s,
+                    kLongestApproach),
+        suggestions);
   }
   if (time_s / step_s <= kMostApproachRows) return std::nullopt;
   return Infeasible(FailureCode::kTooLong,
-                    fmt::format("the way to the plan's first posture takes {:.4g} s, which is {:.4g} rows of the "
-                                "plan's time step of {:.4g} s; at most {:.0f} rows are made",
+                    fmt::format("the motion to the plan's first posture takes {:.4g} s, or {:.4g} rows at the plan's "
+                                "time step of {:.4g} s; at most {:.0f} rows are accepted",
                                 time_s, time_s / step_s, step_s, kMostApproachRows),
                     suggestions);
 }
@@ -244,10 +245,10 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
     if (over->at_rest || tries == kMostTries) {
       const Actuator motor = ActuatorOf(model, over->motor);
       return Infeasible(FailureCode::kTorque,
-                        fmt::format("{} '{}' needs {:.4g} {} {} on the way to the plan's first posture, "
-                                    "with the base held in the air; its share of the limit is {:.4g}",
+                        fmt::format("{} '{}' needs {:.4g} {} {} on the motion to the plan's first posture, with the "
+                                    "base held in the air; its share of the limit is {:.4g}",
                                     motor.shared() ? "motor" : "joint", motor.name, over->effort, motor.effort_unit(),
-                                    over->at_rest ? "only to hold" : "to move however slowly", over->limit));
+                                    over->at_rest ? "only to hold" : "even at low speed", over->limit));
     }
     for (Move& move : moves)
       move.duration_s = std::ceil(kSlower * move.duration_s / plan.whole_body.step_s) * plan.whole_body.step_s;
@@ -261,10 +262,10 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, c
   };
   if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() != model.nq() || !(plan.whole_body.step_s > 0.0) ||
       from.joints.size() != model.num_dofs())
-    return bad(fmt::format("the plan or the start posture is not one of robot '{}'", model.name));
+    return bad(fmt::format("the plan or the start posture does not belong to robot '{}'", model.name));
   for (int d = 0; d < model.num_dofs(); ++d) {
     if (std::abs(from.joints[d]) <= kFarthestMeasured) continue;
-    return bad(fmt::format("joint '{}' is measured at {}; it must be within -{} to {}",
+    return bad(fmt::format("joint '{}' is measured at {}; accepted: -{} to {}",
                            model.dof_names[static_cast<std::size_t>(d)], from.joints[d], kFarthestMeasured,
                            kFarthestMeasured));
   }
@@ -281,8 +282,7 @@ std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& wa
   const Violation& worst = audit->violations.front();
   Failure failure = Infeasible(
       FailureCodeOf(worst.law),
-      fmt::format("the way to the plan's first posture breaks the law '{}': {}, {} at {:.2f} s "
-                  "(limit {:.4g})",
+      fmt::format("the motion to the plan's first posture fails the check '{}': {}, {} at {:.2f} s (limit {:.4g})",
                   LawName(worst.law), worst.where, AuditFigure(worst.value, worst.unit), worst.at_s, worst.limit));
   failure.violation = worst;
   return failure;

@@ -23,42 +23,41 @@ struct ApproachOptions {
   double least_s = 1.0;
 
   OptionFields Fields() {
-    return {{"speed_share", &speed_share, "1", 0.001, 1.0, "Share of the joints' speed limits that is used.", {}},
-            {"speed_rad_s", &speed_rad_s, "rad/s", 0.001, 100.0, "Largest speed of a joint whatever its limit.", {}},
-            {"speed_m_s", &speed_m_s, "m/s", 0.0001, 10.0, "The same of a joint that slides.", {}},
-            {"limit_share",
-             &limit_share,
-             "1",
-             0.01,
-             1.0,
-             "Share of the limits of torque, acceleration and jerk that is used.",
-             {}},
-            {"least_s", &least_s, "s", 0.1, 60.0, "Shortest time of each move.", {}}};
+    return WithBasics(
+        {"speed_share", "least_s"},
+        {{"speed_share", &speed_share, "1", 0.001, 1.0, "Share of the joints' speed limits that the approach uses."},
+         {"speed_rad_s", &speed_rad_s, "rad/s", 0.001, 100.0,
+          "Largest speed of a revolute joint, even if its limit is higher."},
+         {"speed_m_s", &speed_m_s, "m/s", 0.0001, 10.0,
+          "Largest speed of a prismatic joint, even if its limit is higher."},
+         {"limit_share", &limit_share, "1", 0.01, 1.0,
+          "Share of the limits of torque, acceleration and jerk that the approach uses."},
+         {"least_s", &least_s, "s", 0.1, 60.0, "Shortest duration of each move."}});
   }
 };
 
 /// A motion to the first posture of a plan.
 struct Approach {
   MotionPlan plan;            ///< one part, which hangs (HangingGait); passes its audit
-  bool via_standing = false;  ///< it goes by the standing posture, since the straight way is not free
+  bool via_standing = false;  ///< it goes via the standing posture, because the direct motion is not free
   std::string farthest;       ///< the joint that goes farthest
   double farthest_by = 0.0;   ///< and how far [rad] or [m]
 };
 
-/// Whether some joint is farther from the plan's first posture than the audit takes (`start_tolerance_rad`, `_m`).
-/// Without one there is no way to go. True of a plan or posture of other joints, which PlanApproach refuses.
+/// Whether a joint is farther from the plan's first posture than the audit accepts (`start_tolerance_rad`, `_m`), so
+/// that an approach is needed. True for a plan or posture of other joints, which PlanApproach refuses.
 bool HasWayToGo(const RobotModel& model, const MotionPlan& plan, const StartPosture& from, const AuditOptions& audit);
 
-/// A safe way from the measured joints to the first posture of a plan: all joints at once from rest to rest by
+/// A safe motion from the measured joints to the first posture of a plan: all joints at once from rest to rest by
 ///   q(t) = q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5),  u = t / T,
 /// the motion of least jerk (Flash and Hogan, J. Neuroscience 5(7), 1985), whose speed, acceleration and jerk are at
 /// most 1.875 |q1 - q0| / T, 5.7735 |q1 - q0| / T^2 and 60 |q1 - q0| / T^3: so T follows from the limits.
 ///
 /// The robot hangs: its base is held in the air, as on a stand, tilted as measured (level where that is not known), so
-/// that feet may move freely; then it is set down and the plan is begun. The straight way in the space of joints is
-/// held against self-collision; where it is not free, the way by the standing posture is tried, then it is refused
-/// naming the two links. The motion is slowed until torques keep their limits, and audited like any plan, with the
-/// reserve that `audit` keeps: its shares hold for the approach where they are less than the options' own.
+/// that feet may move freely; then it is set down and the plan starts. The straight line in joint space is checked for
+/// self-collision; if it is not free, the motion via the standing posture is tried, otherwise it is refused with the
+/// two links. The motion is slowed until torques are within limits, and audited like any plan, with the derating of
+/// `audit`: its shares apply to the approach if they are smaller than those of the options.
 ///
 /// Failure kBadInput: sizes that disagree, positions that are not finite, a posture that is in itself at one of the
 /// ends. kInfeasible: no free way, one of more than kLongestApproach or kMostApproachRows (before any row is made), a

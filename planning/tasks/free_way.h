@@ -15,7 +15,8 @@ class WayCheck {
   /// @param q_base  size nq; its base is where the robot is, which changes nothing.
   WayCheck(const RobotModel& model, const VectorX& q_base);
 
-  /// The first pair that meets on the straight way, looked at every hundredth of a radian (millimetre), if one does.
+  /// The first pair that collides on the straight line in joint space, checked every hundredth of a radian
+  /// (millimetre), if any.
   /// @param from, to  independent joints, size n.
   std::optional<Overlap> FirstMeeting(const VectorX& from, const VectorX& to);
 

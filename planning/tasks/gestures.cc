@@ -112,7 +112,7 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
       FailureKind::kInfeasible,
       FailureCode::kSelfCollision,
       "RaisedArm",
-      fmt::format("the arm that ends in '{}' rises by {:.3f} m only before '{}' and '{}' meet",
+      fmt::format("the arm that ends in '{}' rises by only {:.3f} m before '{}' and '{}' collide",
                   model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a, free.met->link_b),
       {}};
 }
@@ -138,7 +138,7 @@ Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& rai
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kNoWave,
                    "WaveOf",
-                   fmt::format("no joint of the arm that ends in '{}' moves it sideways",
+                   fmt::format("the arm that ends in '{}' has no joint that moves it sideways",
                                model.bodies[static_cast<std::size_t>(arm.end_body)].name),
                    {}};
   }

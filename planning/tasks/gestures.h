@@ -21,7 +21,7 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
 struct Wave {
   VectorX out, in;  ///< all independent joints, size n
 };
-/// Failure kInfeasible `no_wave` where no joint of the arm moves it sideways.
+/// Failure kInfeasible `no_wave` if no joint of the arm moves it sideways.
 Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& raised);
 
 /// Joints with which a head looks down by an angle, as far as its limits let it, or up for a negative one.

@@ -125,7 +125,7 @@ Failure CannotLie(const std::string& why) {
 Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
   constexpr double kRoom = 0.03, kStep = 0.02, kFarthest = 0.6, kOver = 0.02;  // of a range; of the leg's length
   if (model.feet.size() == model.legs.size())
-    return CannotLie(fmt::format("robot '{}' has nothing flat under its body to lie on", model.name));
+    return CannotLie(fmt::format("robot '{}' has no flat surface under its body to lie on", model.name));
   BodyOverFeet body(model);
   WayCheck check(model, body.standing());
   const Foot& rest = model.feet[model.legs.size()];
@@ -139,7 +139,7 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
   std::string obstacle;  // the first that was met
   const auto is_free = [&](const VectorX& q) {
     const auto pair = check.MeetingAt(q.tail(model.num_dofs()));
-    const std::string met = pair ? fmt::format("'{}' and '{}' would meet", pair->link_a, pair->link_b)
+    const std::string met = pair ? fmt::format("'{}' and '{}' would collide", pair->link_a, pair->link_b)
                                  : LinkInGround(model, body.scratch(), q);
     if (obstacle.empty()) obstacle = met;
     return met.empty();
@@ -169,13 +169,13 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
         return lying;
     }
   }
-  std::string why = "its feet stand too near under its hips";
+  std::string why = "its feet are too close below its hips";
   if (!obstacle.empty()) {
     why = obstacle;
   } else if (tightest >= 0) {
-    why = fmt::format("joint '{}' is in the way", model.dof_names[static_cast<std::size_t>(tightest)]);
+    why = fmt::format("joint '{}' limits the motion", model.dof_names[static_cast<std::size_t>(tightest)]);
   }
-  return CannotLie(fmt::format("the legs of robot '{}' do not fold so far that it lies: {}", model.name, why));
+  return CannotLie(fmt::format("the legs of robot '{}' do not fold far enough to lie down: {}", model.name, why));
 }
 
 PostureMotion LieDown(const RobotModel& model, const PostureKey& from, const Lying& lying) {

@@ -7,10 +7,10 @@
 
 namespace gaitwright {
 
-/// How a robot lies on its first rest (RobotModel::feet) with its feet where they are in standing.
+/// Posture of lying on the first support link (RobotModel::feet), with the feet at their standing positions.
 struct Lying {
-  PostureKey lying;  ///< the rest on the ground
-  PostureKey over;   ///< the same a little above it
+  PostureKey lying;  ///< with the support link on the ground
+  PostureKey over;   ///< the same posture slightly above the ground
 };
 
 /// Looks for the place of the body nearest to that of standing, ahead or behind, at which the rest is on the ground,

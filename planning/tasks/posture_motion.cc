@@ -50,7 +50,7 @@ PostureMotion Stretched(PostureMotion motion, double factor, double grid_step_s)
 }
 
 PostureMotion Chained(const std::vector<PostureMotion>& motions) {
-  if (motions.empty()) throw InvalidArgument("no posture motions to put one after the other");
+  if (motions.empty()) throw InvalidArgument("there are no posture motions to join");
   PostureMotion chain{motions.front().name, {motions.front().keys.front()}};
   for (const PostureMotion& motion : motions) {
     const std::size_t before = chain.keys.size() - 1;
@@ -86,7 +86,7 @@ void CheckPostureMotion(const RobotModel& model, const PostureMotion& motion) {
   const auto refuse = [&](const std::string& what) {
     throw InvalidArgument(fmt::format("posture motion '{}' {}", motion.name, what));
   };
-  if (motion.keys.size() < 2) refuse(fmt::format("has {} keys; it takes two or more", motion.keys.size()));
+  if (motion.keys.size() < 2) refuse(fmt::format("has {} keys; two or more are needed", motion.keys.size()));
   for (std::size_t k = 0; k < motion.keys.size(); ++k) {
     const PostureKey& key = motion.keys[k];
     if (key.joints.size() != model.num_dofs()) {
@@ -95,17 +95,17 @@ void CheckPostureMotion(const RobotModel& model, const PostureMotion& motion) {
     }
     if (!(key.after_s >= 0.0 && std::isfinite(key.after_s)) || !key.shift.allFinite() || !key.turn_rad.allFinite() ||
         !key.joints.allFinite())
-      refuse(fmt::format("has a key {} of numbers that are not finite, or of a time below 0", k));
+      refuse(fmt::format("has key {} with a value that is not finite, or a time below 0", k));
   }
   const auto legs = static_cast<int>(model.legs.size()), feet = static_cast<int>(model.feet.size());
   for (const FootLift& lift : motion.lifts) {
     if (lift.foot < 0 || lift.foot >= legs || lift.from_key >= lift.to_key || lift.to_key >= motion.keys.size() ||
         !(lift.height_m > 0.0 && std::isfinite(lift.height_m)))
-      refuse("lifts a foot that is not there, not between two of its keys, or to no height above 0");
+      refuse("lifts a foot that does not exist, not between two of its keys, or to a height of 0 or less");
   }
   for (const RestStay& stay : motion.rests) {
     if (stay.rest < legs || stay.rest >= feet || stay.from_key >= stay.to_key || stay.to_key >= motion.keys.size())
-      refuse("lies on a rest that is not there, or not between two of its keys");
+      refuse("lies on a support link that does not exist, or not between two of its keys");
   }
 }
 

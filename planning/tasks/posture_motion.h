@@ -11,13 +11,13 @@
 
 namespace gaitwright {
 
-/// How the body is carried at one time, against standing with the feet where they are.
+/// Posture of the body at one time, relative to standing, with the feet fixed.
 struct PostureKey {
   double after_s = 0.0;                ///< time since the key before
-  Vector3 shift = Vector3::Zero();     ///< of the centre of mass: ahead, to the left, up [m]
+  Vector3 shift = Vector3::Zero();     ///< of the centre of mass: forward, to the left, up [m]
   Vector3 turn_rad = Vector3::Zero();  ///< of the base: roll, pitch and yaw, R = Rz Ry Rx
   VectorX joints = VectorX();          ///< of all independent joints, size n; those that no foot needs go there
-  double cruise = 0.0;                 ///< share of the time at constant speed on the way here (SmoothStep)
+  double cruise = 0.0;                 ///< share of the time at constant speed before this key (SmoothStep)
 };
 
 /// A foot that is lifted off its place and put down there again.

@@ -211,7 +211,7 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
     return Failure{FailureKind::kBadInput,
                    FailureCode::kTwoFeet,
                    "BalanceOn",
-                   fmt::format("balancing on one foot takes two feet with soles; robot '{}' has {} feet", model.name,
+                   fmt::format("balancing on one foot needs two feet with soles; robot '{}' has {} feet", model.name,
                                model.feet.size()),
                    {}};
   }

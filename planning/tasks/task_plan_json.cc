@@ -68,7 +68,7 @@ Task ReadTask(const JsonPart& part) {
   if (part.Has("while")) {
     for (const JsonPart& gesture : part.At("while").List()) task.during.push_back(ReadTask(gesture));
   }
-  if (const auto failure = WhyNoTask(task)) part.Refuse(fmt::format("is no task: {}", failure->message));
+  if (const auto failure = WhyNoTask(task)) part.Refuse(fmt::format("is not a task: {}", failure->message));
   return task;
 }
 
@@ -90,7 +90,10 @@ Json ParameterSchema(const ActionRule& action, const ParameterRule& rule) {
   return {{"type", "object"},
           {"properties",
            {{"name", {{"type", "string"}, {"minLength", 1}}},
-            {"number", {{"type", "integer"}, {"minimum", -1}, {"description", "Which of several; -1 the last."}}}}},
+            {"number",
+             {{"type", "integer"},
+              {"minimum", -1},
+              {"description", "Number of the place, if there are several; -1 is the last."}}}}},
           {"required", {"name"}},
           {"additionalProperties", false},
           {"description", rule.meaning}};
@@ -103,7 +106,7 @@ Json ActionSchema(const ActionRule& rule) {
     for (const std::string& key : *keys) properties[key] = ParameterSchema(rule, *FindParameter(key));
   }
   for (const std::string& key : rule.required) required.push_back(key);
-  properties["words"] = {{"type", "string"}, {"description", "The words of the instruction that it comes from."}};
+  properties["words"] = {{"type", "string"}, {"description", "Words of the instruction from which the task was read."}};
   if (!rule.is_gesture) properties["while"] = {{"type", "array"}, {"items", {{"$ref", "#/$defs/gesture"}}}};
   return {{"type", "object"},
           {"description", rule.meaning},

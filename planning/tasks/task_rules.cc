@@ -48,7 +48,7 @@ bool Contains(const std::vector<std::string>& names, const std::string& name) {
 std::optional<Failure> OutOfRange(const Task& task, const ParameterRule& rule, double value) {
   const ParameterRange range = RangeOf(*FindAction(task.action), rule);
   if (value >= range.lowest && value <= range.highest) return std::nullopt;
-  return Bad(FailureCode::kRange, fmt::format("'{}' of '{}' is {:.6g}; {:.6g} to {:.6g} is accepted", rule.key,
+  return Bad(FailureCode::kRange, fmt::format("'{}' of '{}' is {:.6g}; accepted: {:.6g} to {:.6g}", rule.key,
                                               task.action, value, range.lowest, range.highest));
 }
 
@@ -66,7 +66,7 @@ std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, c
     case Kind::kWord:
       if (const auto* word = std::get_if<std::string>(&value)) {
         if (Contains(rule.words, *word)) return std::nullopt;
-        return Bad(FailureCode::kParameter, fmt::format("'{}' of '{}' is '{}'; it is one of {}", rule.key, task.action,
+        return Bad(FailureCode::kParameter, fmt::format("'{}' of '{}' is '{}'; accepted: {}", rule.key, task.action,
                                                         *word, QuotedList(rule.words)));
       }
       return kind("a word");
@@ -76,7 +76,7 @@ std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, c
   const auto* place = std::get_if<PlaceName>(&value);
   if (place == nullptr || place->name.empty()) return kind("a place with a name");
   if (place->number < -1 || place->number > 1000)
-    return Bad(FailureCode::kRange, fmt::format("number {} of place '{}' is none", place->number, place->name));
+    return Bad(FailureCode::kRange, fmt::format("there is no '{1}' number {0}", place->number, place->name));
   return std::nullopt;
 }
 
@@ -99,11 +99,11 @@ std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule)
   }
   if (extents.size() > 1)
     return Bad(FailureCode::kParameter,
-               fmt::format("{} each say how far to walk: one of them is accepted", QuotedList(extents)));
+               fmt::format("{} each set the distance to walk; give only one of them", QuotedList(extents)));
   if (task.Has("pace") && task.Has("speed_m_s"))
-    return Bad(FailureCode::kParameter, "'pace' and 'speed_m_s' each say how fast to walk: one of them is accepted");
+    return Bad(FailureCode::kParameter, "'pace' and 'speed_m_s' each set the speed; give only one of them");
   if (task.Has("step_length_m") && task.action == "walk" && !task.Has("steps"))
-    return Bad(FailureCode::kParameter, "'step_length_m' goes with 'steps'");
+    return Bad(FailureCode::kParameter, "'step_length_m' is for use with 'steps'");
   return std::nullopt;
 }
 
@@ -117,20 +117,20 @@ std::optional<Failure> WhyNoPlace(const PlaceName& place, const TaskScope& scope
         (!one && (place.number == -1 || (place.number >= 1 && place.number <= known.number))))
       return std::nullopt;
     return Bad(FailureCode::kPlace,
-               one ? fmt::format("there is one place '{}' only", place.name)
+               one ? fmt::format("there is only one place '{}'", place.name)
                    : fmt::format("place '{}' needs a number from 1 to {}", place.name, known.number));
   }
   return Bad(FailureCode::kPlace,
-             names.empty() ? fmt::format("there is no place '{}': the ground has none with a name", place.name)
+             names.empty() ? fmt::format("there is no place '{}': the ground has no named places", place.name)
                            : fmt::format("there is no place '{}'{}", place.name, NearestOrAll(place.name, names)));
 }
 
 std::string MissingFor(Needs needs) {
   if (needs == Needs::kArm) return "has no arms";
-  if (needs == Needs::kTwoSoles) return "has not two feet with soles";
-  if (needs == Needs::kManyFeet) return "has not four feet or more";
-  if (needs == Needs::kTurningFeet) return "has no joints that turn its soles to the side";
-  return "has not four feet";
+  if (needs == Needs::kTwoSoles) return "does not have two feet with soles";
+  if (needs == Needs::kManyFeet) return "does not have four or more feet";
+  if (needs == Needs::kTurningFeet) return "has no joints that yaw its soles";
+  return "does not have four feet";
 }
 
 }  // namespace
@@ -142,20 +142,25 @@ const std::vector<std::string>& ExtentKeys() {
 
 const std::vector<ParameterRule>& ParameterRules() {
   static const std::vector<ParameterRule> rules = {
-      {"direction", Kind::kWord, 0, 0, {"forward", "backward", "left", "right"}, "Where to, as the robot looks."},
+      {"direction", Kind::kWord, 0, 0, {"forward", "backward", "left", "right"}, "Direction, seen from the robot."},
       {"distance_m", Kind::kNumber, 0.01, 50.0, {}, "How far [m]."},
       {"steps", Kind::kCount, 1, 200, {}, "Footfalls."},
-      {"step_length_m", Kind::kNumber, 0.01, 1.0, {}, "Advance of the robot in a footfall [m]."},
+      {"step_length_m", Kind::kNumber, 0.01, 1.0, {}, "Forward advance in each footfall [m]."},
       {"duration_s", Kind::kNumber, 0.1, 600.0, {}, "How long [s]."},
-      {"to", Kind::kPlace, 0, 0, {}, "Where to, by name."},
+      {"to", Kind::kPlace, 0, 0, {}, "Destination, by name."},
       {"speed_m_s", Kind::kNumber, 0.001, 3.0, {}, "How fast [m/s]."},
-      {"pace", Kind::kWord, 0, 0, {"slow", "fast"}, "How fast, against the robot's own speed."},
+      {"pace", Kind::kWord, 0, 0, {"slow", "fast"}, "Speed relative to the robot's default speed."},
       {"gait", Kind::kWord, 0, 0, {"walk", "trot", "pace", "bound"}, "In which gait."},
-      {"height", Kind::kWord, 0, 0, {"low"}, "How the body is carried."},
-      {"angle_deg", Kind::kNumber, 1.0, 720.0, {}, "How far it turns or bows [degree]."},
-      {"depth_m", Kind::kNumber, 0.005, 0.5, {}, "How far down [m]."},
+      {"height", Kind::kWord, 0, 0, {"low"}, "Posture of the body."},
+      {"angle_deg", Kind::kNumber, 1.0, 720.0, {}, "Angle of the turn or bow [degree]."},
+      {"depth_m", Kind::kNumber, 0.005, 0.5, {}, "Lowering distance [m]."},
       {"times", Kind::kCount, 1, 20, {}, "How often."},
-      {"side", Kind::kWord, 0, 0, {"left", "right", "both"}, "Which arm; of balancing the foot that stays down."}};
+      {"side",
+       Kind::kWord,
+       0,
+       0,
+       {"left", "right", "both"},
+       "Arm to use; for balancing, the foot that stays on the ground."}};
   return rules;
 }
 
@@ -166,18 +171,18 @@ const std::vector<ActionRule>& ActionRules() {
        {"distance_m", "steps", "duration_s", "to", "speed_m_s", "pace", "gait", "height", "step_length_m"},
        Needs::kNothing,
        false,
-       "Walks; to the left or right sideways.",
+       "Walks; to the left or right means sideways.",
        "stand"},
       {"turn", {"direction"}, {"angle_deg"}, Needs::kTurningFeet, false, "Turns on the spot.", "walk"},
-      {"stand", {}, {"duration_s"}, Needs::kNothing, false, "Stands, or stays as it is.", ""},
+      {"stand", {}, {"duration_s"}, Needs::kNothing, false, "Stands, or stays in its posture.", ""},
       {"stand_up", {}, {}, Needs::kNothing, false, "Gets up from sitting, lying or crouching.", ""},
       {"lie_down", {}, {}, Needs::kManyFeet, false, "Lies down on its belly.", "squat"},
       {"sit", {}, {"duration_s"}, Needs::kFourFeet, false, "Sits as a dog does.", "squat"},
       {"squat", {}, {"depth_m", "times", "duration_s"}, Needs::kNothing, false, "Bends its legs and rises again.", ""},
-      {"bow", {}, {"angle_deg", "times"}, Needs::kNothing, false, "Tips its body ahead and rises again.", "", 60.0},
+      {"bow", {}, {"angle_deg", "times"}, Needs::kNothing, false, "Tilts its body forward and rises again.", "", 60.0},
       {"nod", {}, {"times"}, Needs::kNothing, true, "Nods with its head, or with its body without one.", ""},
-      {"raise_arm", {"side"}, {}, Needs::kArm, true, "Raises an arm and leaves it up.", "nod"},
-      {"lower_arm", {"side"}, {}, Needs::kArm, true, "Brings an arm down.", "nod"},
+      {"raise_arm", {"side"}, {}, Needs::kArm, true, "Raises an arm and keeps it up.", "nod"},
+      {"lower_arm", {"side"}, {}, Needs::kArm, true, "Lowers an arm.", "nod"},
       {"wave", {"side"}, {"times", "duration_s"}, Needs::kArm, true, "Waves.", "nod"},
       {"balance", {"side"}, {"duration_s"}, Needs::kTwoSoles, false, "Stands on one foot for a while.", "stand"},
       {"brace", {}, {}, Needs::kNothing, false, "Crouches quickly, as before a fall.", ""}};
@@ -251,14 +256,14 @@ std::optional<Failure> WhyNoTask(const Task& task) {
   }
   if (auto failure = WhyNoParameters(task, *rule)) return failure;
   if (rule->is_gesture && !task.during.empty())
-    return Bad(FailureCode::kParameter, fmt::format("nothing can be done while '{}' is", task.action));
+    return Bad(FailureCode::kParameter, fmt::format("no task can run at the same time as '{}'", task.action));
   for (const Task& gesture : task.during) {
     if (auto failure = WhyNoTask(gesture)) return failure;
     if (!FindAction(gesture.action)->is_gesture) {
-      return Bad(FailureCode::kParameter,
-                 fmt::format("'{}' cannot be done while '{}' is; gestures can: raise_arm, lower_arm, "
-                             "wave, nod",
-                             gesture.action, task.action));
+      return Bad(
+          FailureCode::kParameter,
+          fmt::format("'{}' cannot run at the same time as '{}'; accepted gestures: raise_arm, lower_arm, wave, nod",
+                      gesture.action, task.action));
     }
   }
   return std::nullopt;
@@ -269,7 +274,7 @@ std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
   const auto cannot = [&](const std::string& why) {
     std::vector<Suggestion> suggestions = {fmt::format("it can {}", fmt::join(scope.Actions(), ", "))};
     if (!rule.instead.empty())
-      suggestions.insert(suggestions.begin(), fmt::format("the nearest that it can do is {}", rule.instead));
+      suggestions.insert(suggestions.begin(), fmt::format("the closest action that it can do is {}", rule.instead));
     return Bad(FailureCode::kCannot, fmt::format("robot '{}' cannot '{}': it {}", scope.robot, task.action, why),
                suggestions);
   };
@@ -285,16 +290,16 @@ std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
   for (const Task& gesture : task.during) {
     if (auto failure = WhyNotDone(gesture, scope)) return failure;
     if (gesture.action == "nod" && !scope.head)
-      return cannot("nods with its body, which is not possible while something else is done");
+      return cannot("nods with its body, which is not possible during another task");
   }
   return std::nullopt;
 }
 
 std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scope) {
-  if (plan.tasks.empty()) return Bad(FailureCode::kEmpty, "there is nothing to do");
+  if (plan.tasks.empty()) return Bad(FailureCode::kEmpty, "the plan contains no task");
   if (plan.tasks.size() > kMostTasks)
     return Bad(FailureCode::kRange,
-               fmt::format("there are {} tasks; at most {} are done", plan.tasks.size(), kMostTasks));
+               fmt::format("there are {} tasks; at most {} are accepted", plan.tasks.size(), kMostTasks));
   for (std::size_t k = 0; k < plan.tasks.size(); ++k) {
     const Task& task = plan.tasks[k];
     std::optional<Failure> failure = WhyNoTask(task);

@@ -90,8 +90,8 @@ void CheckHeights(const Table& table, double scale_m, const char* line) {
       const double height = scale_m * row[c];
       const auto refuse = [&](const std::string& why) {
         throw InvalidArgument(
-            fmt::format("{} {}, cell {}: the height is {:.6g} m, {}; heights are in metres times scale_m", line,
-                        table.lines[r], c + 1, height, why));
+            fmt::format("{} {}, cell {}: the height is {:.6g} m, {}; heights are cell values times scale_m, in metres",
+                        line, table.lines[r], c + 1, height, why));
       };
       if (std::abs(height) > kHighest) refuse(fmt::format("accepted: {} to {} m", -kHighest, kHighest));
       const double before = c > 0 ? row[c - 1] : row[c], above = r > 0 ? table.rows[r - 1][c] : row[c];
@@ -131,13 +131,13 @@ void CheckGiven(const HeightMapOptions& options, const std::string& name) {
 }  // namespace
 
 OptionFields HeightMapOptions::Fields() {
-  return {
-      {"resolution_m", &resolution_m, "m", 0.001, 1.0, "Between neighbouring points; must be given.", {}},
-      {"scale_m", &scale_m, "m", -kHighest, kHighest, "Height of a CSV's unit, usually 1; of a PNG's full white.", {}},
-      {"x_m", &x_m, "m", -kFarthest, kFarthest, "Of its middle.", {}},
-      {"y_m", &y_m, "m", -kFarthest, kFarthest, "Of its middle.", {}},
-      {"z_m", &z_m, "m", -kHighest, kHighest, "Added to all heights.", {}},
-      {"friction", &friction, "1", 0.01, 5.0, "Coefficient of friction.", {}}};
+  return {{"resolution_m", &resolution_m, "m", 0.001, 1.0, "Distance between neighbouring points; required."},
+          {"scale_m", &scale_m, "m", -kHighest, kHighest,
+           "Height of one unit of a CSV file (usually 1), or of full white in a PNG file."},
+          {"x_m", &x_m, "m", -kFarthest, kFarthest, "Position of the map's centre along x."},
+          {"y_m", &y_m, "m", -kFarthest, kFarthest, "Position of the map's centre along y."},
+          {"z_m", &z_m, "m", -kHighest, kHighest, "Offset added to all heights."},
+          {"friction", &friction, "1", 0.01, 5.0, "Friction coefficient of the ground."}};
 }
 
 Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOptions& options) {
@@ -159,8 +159,8 @@ Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOption
       table = ToTable(*image);
     }
     if (table.rows.size() < 2 || table.rows[0].size() < 2) {
-      return RefusedHeights(path, fmt::format("has {} rows of {} cells; two by two is the least", table.rows.size(),
-                                              table.rows.empty() ? 0 : table.rows[0].size()));
+      return RefusedHeights(path, fmt::format("has {} rows of {} cells; at least two by two are needed",
+                                              table.rows.size(), table.rows.empty() ? 0 : table.rows[0].size()));
     }
     CheckHeights(table, given.scale_m, csv ? "line" : "row");
     HeightField field = ToField(table, given);

@@ -57,7 +57,7 @@ Result<Terrain> LoadFile(const FileText& file, const TerrainScale& scale) {
     for (const auto& [key, text] : texts) SetOption(fields, key, text);
   };
   if (file.kind == ".yaml" || file.kind == ".yml") {
-    if (!texts.empty()) throw InvalidArgument("a YAML file has no parameters; they stand in the file");
+    if (!texts.empty()) throw InvalidArgument("a YAML file accepts no parameters; set them in the file");
     return ReadTerrainYaml(file.path, scale);
   }
   if (file.kind == ".csv" || file.kind == ".png") {
@@ -97,8 +97,9 @@ Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale&
   if (TerrainFileOf(name_or_file).empty()) return MakeTerrain(name_or_file, scale);
   const FileText file = Part(name_or_file);
   if (file.kind.empty()) {
-    return Refused(FailureCode::kTerrainKind, fmt::format("'{}' is a terrain of a kind that is not read; there are {}",
-                                                          name_or_file, QuotedList(kKinds)));
+    return Refused(
+        FailureCode::kTerrainKind,
+        fmt::format("'{}' is a terrain file in an unsupported format; accepted: {}", name_or_file, QuotedList(kKinds)));
   }
   std::error_code error;
   if (!fs::is_regular_file(file.path, error))

@@ -43,10 +43,10 @@ Mesh Placed(const Mesh& mesh, const MeshTerrainOptions& options) {
     Vector3& v = placed.vertices[i];
     v = options.scale * v + Vector3(options.x_m, options.y_m, options.z_m);
     if (v.head<2>().cwiseAbs().maxCoeff() <= kFarthest && std::abs(v.z()) <= kHighest) continue;
-    throw InvalidArgument(fmt::format(
-        "has corner {} at ({:.6g}, {:.6g}, {:.6g}) m; accepted: {} m around, {} m up and down; is it in millimetres? "
-        "then write ':scale=0.001'",
-        i + 1, v.x(), v.y(), v.z(), kFarthest, kHighest));
+    throw InvalidArgument(
+        fmt::format("has corner {} at ({:.6g}, {:.6g}, {:.6g}) m; accepted: {} m around the origin, {} m up and down; "
+                    "if it is in millimetres, write ':scale=0.001'",
+                    i + 1, v.x(), v.y(), v.z(), kFarthest, kHighest));
   }
   return placed;
 }
@@ -99,8 +99,9 @@ long Raise(const std::array<Vector3, 3>& c, HeightField& field) {
 HeightField FieldOver(const Mesh& mesh, const Box& box, double lowest, const MeshTerrainOptions& options) {
   const Vector2 cells = (box.sizes() / options.resolution_m).array().ceil().max(1.0);
   if ((cells.x() + 1.0) * (cells.y() + 1.0) > kMostNodes) {
-    throw InvalidArgument(fmt::format("needs {:.0f} by {:.0f} points at resolution_m {}; at most {} in all are made",
-                                      cells.x() + 1.0, cells.y() + 1.0, options.resolution_m, kMostNodes));
+    throw InvalidArgument(
+        fmt::format("needs {:.0f} by {:.0f} points at resolution_m {}; at most {} points in all are accepted",
+                    cells.x() + 1.0, cells.y() + 1.0, options.resolution_m, kMostNodes));
   }
   HeightField field;
   field.name = "height field";
@@ -116,8 +117,8 @@ HeightField FieldOver(const Mesh& mesh, const Box& box, double lowest, const Mes
     if (LooksUp(corners)) looked_at += Raise(corners, field);
     if (looked_at > kMostLooks) {
       throw InvalidArgument(
-          fmt::format("has faces that lie over one another {} times and more, by the {} points of its "
-                      "height field; take away what is hidden, or give a larger resolution_m",
+          fmt::format("has faces that overlap {} times and more at the {} points of its height field; remove hidden "
+                      "faces, or give a larger resolution_m",
                       looked_at / static_cast<long>(field.height_m.size()), field.height_m.size()));
     }
   }
@@ -146,7 +147,7 @@ Terrain Make(const Mesh& mesh, const MeshTerrainOptions& options) {
       if (covered[t] == 0) rest.extend(Vector2(corner.head<2>()));
     }
   }
-  if (!std::isfinite(lowest)) throw InvalidArgument("has no face that looks up; z must be up");
+  if (!std::isfinite(lowest)) throw InvalidArgument("has no face that points up; z must be up");
   if (!rest.isEmpty()) terrain.height_fields.push_back(FieldOver(mesh, rest, lowest, options));
   return terrain;
 }
@@ -154,14 +155,15 @@ Terrain Make(const Mesh& mesh, const MeshTerrainOptions& options) {
 }  // namespace
 
 OptionFields MeshTerrainOptions::Fields() {
-  return {{"scale", &scale, "1", 1e-6, 1e6, "Metres in one unit of the file.", {}},
-          {"least_m", &least_m, "m", 0.001, 10.0, "Width that a flat face must have to be a patch.", {}},
-          {"steepest_deg", &steepest_deg, "deg", 1.0, 80.0, "Slope up to which a flat face is a patch.", {}},
-          {"resolution_m", &resolution_m, "m", 0.001, 1.0, "Of the height field over what is not flat.", {}},
-          {"x_m", &x_m, "m", -kFarthest, kFarthest, "Where the file's origin lies.", {}},
-          {"y_m", &y_m, "m", -kFarthest, kFarthest, "Where the file's origin lies.", {}},
-          {"z_m", &z_m, "m", -kHighest, kHighest, "Where the file's origin lies.", {}},
-          {"friction", &friction, "1", 0.01, 5.0, "Coefficient of friction.", {}}};
+  return {
+      {"scale", &scale, "1", 1e-6, 1e6, "Length of one unit of the file in metres."},
+      {"least_m", &least_m, "m", 0.001, 10.0, "Smallest width of a flat face that becomes a patch."},
+      {"steepest_deg", &steepest_deg, "deg", 1.0, 80.0, "Largest slope of a flat face that becomes a patch."},
+      {"resolution_m", &resolution_m, "m", 0.001, 1.0, "Resolution of the height field over faces that are not flat."},
+      {"x_m", &x_m, "m", -kFarthest, kFarthest, "Position of the file's origin along x."},
+      {"y_m", &y_m, "m", -kFarthest, kFarthest, "Position of the file's origin along y."},
+      {"z_m", &z_m, "m", -kHighest, kHighest, "Position of the file's origin along z."},
+      {"friction", &friction, "1", 0.01, 5.0, "Friction coefficient of the ground."}};
 }
 
 Result<Terrain> TerrainFromMesh(const Mesh& mesh, const MeshTerrainOptions& options, const std::string& name) {

@@ -51,7 +51,7 @@ struct Reading {
 void TakeBytes(png_structp png, png_bytep to, std::size_t count) {
   Reading& reading = *static_cast<Reading*>(png_get_io_ptr(png));
   if (count > reading.file.size() - reading.at) {
-    KeepMessage(png, "it is cut short");
+    KeepMessage(png, "the file is truncated");
     return;
   }
   std::memcpy(to, reading.file.data() + reading.at, count);
@@ -83,7 +83,7 @@ std::string WhyNot(const Reading& reading) {
   const double columns = png_get_image_width(reading.png, reading.info);
   const double rows = png_get_image_height(reading.png, reading.info);
   if (columns * rows > kMostNodes)
-    return fmt::format("has {:.0f} by {:.0f} points; at most {} in all are read", columns, rows, kMostNodes);
+    return fmt::format("has {:.0f} by {:.0f} points; at most {} points in all are read", columns, rows, kMostNodes);
   return "";
 }
 
@@ -93,7 +93,7 @@ Result<GreyImage> ReadGreyPng(const std::string& path) {
   Result<std::string> bytes = ReadBytes(path, kLargestPicture);
   if (!bytes) return RefusedPng(path, fmt::format("cannot be read: {}", bytes.failure().message));
   Reading reading(std::move(*bytes));
-  if (!ReadHead(reading)) return RefusedPng(path, fmt::format("is no PNG that can be read: {}", reading.error));
+  if (!ReadHead(reading)) return RefusedPng(path, fmt::format("is not a readable PNG: {}", reading.error));
   const std::string why = WhyNot(reading);
   if (!why.empty()) return RefusedPng(path, why);
   GreyImage image;

@@ -29,34 +29,38 @@ DataShape HeightShape() { return shapes::Number(-kHighest, kHighest); }
 
 DataShape PatchShape() {
   using namespace shapes;
-  return Object({{"name", Text()},
-                 Optional("corners_m", List(Numbers(3), 3), "In one plane, convex, counter-clockwise from above."),
-                 Optional("height_m", HeightShape(), "Of a level patch without end."),
-                 Optional("friction", FrictionShape(), "Coefficient; 0.8 where it is not given.")},
-                {{"corners_m", "height_m"}});
+  return Object(
+      {{"name", Text()},
+       Optional("corners_m", List(Numbers(3), 3), "Corners in one plane, convex, counter-clockwise seen from above."),
+       Optional("height_m", HeightShape(), "Height of an infinite level patch."),
+       Optional("friction", FrictionShape(), "Friction coefficient; default 0.8.")},
+      {{"corners_m", "height_m"}});
 }
 
 DataShape HeightFieldShape() {
   using namespace shapes;
-  return Object({{"name", Text()},
-                 {"origin_m", Numbers(2), "The point with the lowest x and y."},
-                 {"resolution_m", Number(0.001, 1.0), "Between neighbouring points."},
-                 {"heights_m", List(List(HeightShape(), 2), 2), "As seen from above: the first row has the highest y."},
-                 Optional("friction", FrictionShape(), "Coefficient; 0.8 where it is not given.")});
+  return Object(
+      {{"name", Text()},
+       {"origin_m", Numbers(2), "Position of the point with the lowest x and y."},
+       {"resolution_m", Number(0.001, 1.0), "Distance between neighbouring points."},
+       {"heights_m", List(List(HeightShape(), 2), 2), "Heights as seen from above: the first row has the highest y."},
+       Optional("friction", FrictionShape(), "Friction coefficient; default 0.8.")});
 }
 
 DataShape ObstacleShape() {
   using namespace shapes;
   const DataShape angle = Number(-360.0, 360.0);
-  return Object({{"name", Text()},
-                 {"type", Text(ObstacleTypeNames())},
-                 Optional("size_m", List(Number(0.001, kFarthest), 2, 3), "Edges of a box; radius and length."),
-                 Optional("vertices_m", List(Numbers(3), 4, kMostVertices), "Of a mesh; it is their convex hull."),
-                 Optional("position_m", Numbers(3), "Of the middle; of a mesh of its origin."),
-                 Optional("yaw_deg", angle, "About z, first."),
-                 Optional("pitch_deg", angle, "About y, then."),
-                 Optional("roll_deg", angle, "About x, last.")},
-                {{"size_m", "vertices_m"}});
+  return Object(
+      {{"name", Text()},
+       {"type", Text(ObstacleTypeNames())},
+       Optional("size_m", List(Number(0.001, kFarthest), 2, 3),
+                "Edge lengths of a box; radius and length of other shapes."),
+       Optional("vertices_m", List(Numbers(3), 4, kMostVertices), "Vertices of a mesh; their convex hull is used."),
+       Optional("position_m", Numbers(3), "Position of the centre; for a mesh, of its origin."),
+       Optional("yaw_deg", angle, "Rotation about z, applied first."),
+       Optional("pitch_deg", angle, "Rotation about y, applied second."),
+       Optional("roll_deg", angle, "Rotation about x, applied last.")},
+      {{"size_m", "vertices_m"}});
 }
 
 DataShape MarkerShape() { return shapes::Object({{"name", shapes::Text()}, {"place_m", shapes::Numbers(2)}}); }
@@ -98,7 +102,7 @@ TerrainPatch ParsePatch(const YAML::Node& node) {
   const YamlMap checked(node, "a patch", PatchShape());
   const std::string name = TextOf(node["name"], "name");
   if (static_cast<bool>(node["corners_m"]) == static_cast<bool>(node["height_m"])) {
-    RefuseYaml(node, fmt::format("patch '{}' needs either 'corners_m' or, without end, 'height_m'", name));
+    RefuseYaml(node, fmt::format("patch '{}' needs either 'corners_m' or, if it is infinite, 'height_m'", name));
   }
   if (node["height_m"]) {
     TerrainPatch plane;
@@ -126,12 +130,13 @@ HeightField ParseHeights(const YAML::Node& node) {
     const std::vector<YAML::Node> cells = ListOf(row, "a row of heights_m");
     if (field.rows++ == 0) field.columns = static_cast<int>(cells.size());
     if (static_cast<int>(cells.size()) != field.columns)
-      RefuseYaml(row, fmt::format("a row of heights_m has {} numbers, another {}", cells.size(), field.columns));
+      RefuseYaml(row, fmt::format("rows of heights_m have {} and {} numbers; all must have the same", cells.size(),
+                                  field.columns));
     for (const YAML::Node& cell : cells) field.height_m.push_back(NumberOf(cell, "heights_m", HeightShape()));
   }
   if (field.rows < 2 || field.columns < 2) {
-    RefuseYaml(node["heights_m"],
-               fmt::format("heights_m has {} rows of {} numbers; two by two is the least", field.rows, field.columns));
+    RefuseYaml(node["heights_m"], fmt::format("heights_m has {} rows of {} numbers; at least two by two are needed",
+                                              field.rows, field.columns));
   }
   return field;
 }
@@ -171,7 +176,7 @@ Obstacle ParseObstacle(const YAML::Node& node) {
   const char* needed = mesh ? "vertices_m" : "size_m";
   if (!node[needed] || node[mesh ? "size_m" : "vertices_m"])
     RefuseYaml(node,
-               fmt::format("obstacle '{}' is a {}, which has '{}' and not the other", obstacle.name, type, needed));
+               fmt::format("obstacle '{}' is a {}, which needs '{}' and not the other", obstacle.name, type, needed));
   if (mesh) {
     obstacle.vertices_O = Places(node[needed], needed);
     if (obstacle.vertices_O.size() < 4 || obstacle.vertices_O.size() > kMostVertices)
@@ -195,8 +200,8 @@ void CheckNodes(const YAML::Node& node, const Terrain& terrain) {
   std::size_t nodes = 0;
   for (const HeightField& field : terrain.height_fields) nodes += field.height_m.size();
   if (nodes > static_cast<std::size_t>(kMostNodes)) {
-    RefuseYaml(node, fmt::format("the height fields have {} points up to here; at most {} in all are read", nodes,
-                                 kMostNodes));
+    RefuseYaml(node,
+               fmt::format("the height fields so far have {} points; at most {} in all are read", nodes, kMostNodes));
   }
 }
 
@@ -217,7 +222,7 @@ std::string BesideIt(const std::string& folder, const std::string& text) {
 Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainScale& scale, bool file) {
   std::string text = TextOf(node, file ? "a file" : "builtin");
   if (file && (text.find(".yaml") != std::string::npos || text.find(".yml") != std::string::npos))
-    RefuseYaml(node, fmt::format("'{}' is YAML too; a height map or a mesh is needed", text));
+    RefuseYaml(node, fmt::format("'{}' is also YAML; a height map or a mesh is needed", text));
   if (file) text = BesideIt(folder, text);
   const Result<Terrain> terrain = file ? LoadTerrain(text, scale) : MakeTerrain(text, scale);
   if (!terrain) RefuseYaml(node, terrain.failure().message);
@@ -249,12 +254,13 @@ Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainSc
 
 DataShape TerrainFileShape() {
   using namespace shapes;
-  return Object({Optional("builtin", Text(), "A built-in ground to begin with, as --terrain takes it."),
-                 Optional("files", List(Text()), "Height maps and meshes, with parameters, from this file's folder."),
-                 Optional("patches", List(PatchShape()), "Flat ground."),
-                 Optional("height_fields", List(HeightFieldShape()), "Ground by its heights."),
-                 Optional("obstacles", List(ObstacleShape()), "They must not be touched; no foot is put on them."),
-                 Optional("markers", List(MarkerShape()), "Places with names, for instructions.")});
+  return Object(
+      {Optional("builtin", Text(), "Built-in ground to start from, as for --terrain."),
+       Optional("files", List(Text()), "Height maps and meshes, with parameters; paths are relative to this file."),
+       Optional("patches", List(PatchShape()), "Flat ground."),
+       Optional("height_fields", List(HeightFieldShape()), "Ground as height fields."),
+       Optional("obstacles", List(ObstacleShape()), "Obstacles, which must not be touched."),
+       Optional("markers", List(MarkerShape()), "Named places, for instructions.")});
 }
 
 Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& scale) {
@@ -270,7 +276,7 @@ Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& sca
   try {
     return Parse(LoadYaml(*text), std::filesystem::path(path).parent_path().string(), scale);
   } catch (const YAML::Exception& error) {
-    return bad(fmt::format("line {}: is no YAML from here on; see docs/terrain-format.md", error.mark.line + 1));
+    return bad(fmt::format("line {}: not valid YAML from here on; see docs/terrain-format.md", error.mark.line + 1));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }

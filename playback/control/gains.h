@@ -23,49 +23,26 @@ struct GainOptions {
   double friction_speed_rad_s = 0.1;
 
   OptionFields Fields() {
-    return {
-        {"stance_frequency",
-         &stance_frequency,
-         "1",
-         0.1,
-         30.0,
-         "Natural frequency of a leg joint under its share of the robot, in pendulum frequencies sqrt(g / leg length).",
-         {}},
-        {"stance_damping", &stance_damping, "1", 0.0, 5.0, "Damping ratio of the same.", {}},
-        {"free_frequency_rad_s",
-         &free_frequency_rad_s,
-         "rad/s",
-         1.0,
-         1000.0,
-         "Natural frequency of a joint that is in no leg.",
-         {}},
-        {"free_damping", &free_damping, "1", 0.0, 5.0, "Damping ratio of the same.", {}},
-        {"explicit_step_s",
-         &explicit_step_s,
-         "s",
-         0.0,
-         0.1,
-         "Bounds the gains so that explicit PD is stable at this step even in the air; 0: the step of the playback, "
-         "and "
-         "the age of a state that is sensed, where its actuation is torque, else no bound.",
-         {}},
-        {"stiffness_scale", &stiffness_scale, "1", 0.0, 100.0, "Factor on all stiffness, however it came about.", {}},
-        {"damping_scale", &damping_scale, "1", 0.0, 100.0, "The same for damping.", {}},
-        {"loss_feed_forward",
-         &loss_feed_forward,
-         "1",
-         0.0,
-         1.0,
-         "Share of the joints' damping, dry friction and rotor inertia, as far as robot.yaml or URDF tell them, that "
-         "feed-forward makes up for.",
-         {}},
-        {"friction_speed_rad_s",
-         &friction_speed_rad_s,
-         "rad/s",
-         1e-4,
-         100.0,
-         "Planned speed from which on it makes up for most of the dry friction; times a leg's length for a slide.",
-         {}}};
+    return WithBasics(
+        {"stance_frequency", "stance_damping", "stiffness_scale", "damping_scale"},
+        {{"stance_frequency", &stance_frequency, "1", 0.1, 30.0,
+          "Natural frequency of a leg joint under its share of the robot's weight, in units of sqrt(g / leg length)."},
+         {"stance_damping", &stance_damping, "1", 0.0, 5.0,
+          "Damping ratio of a leg joint under its share of the robot's weight."},
+         {"free_frequency_rad_s", &free_frequency_rad_s, "rad/s", 1.0, 1000.0,
+          "Natural frequency of a joint that belongs to no leg."},
+         {"free_damping", &free_damping, "1", 0.0, 5.0, "Damping ratio of a joint that belongs to no leg."},
+         {"explicit_step_s", &explicit_step_s, "s", 0.0, 0.1,
+          "Time step at which gains must be stable under explicit PD; 0 uses the playback's step plus sensor delay "
+          "with play.actuation=torque, else no limit."},
+         {"stiffness_scale", &stiffness_scale, "1", 0.0, 100.0, "Factor on the stiffness of all joints."},
+         {"damping_scale", &damping_scale, "1", 0.0, 100.0, "Factor on the damping of all joints."},
+         {"loss_feed_forward", &loss_feed_forward, "1", 0.0, 1.0,
+          "Share of known joint damping, dry friction and rotor inertia (from robot.yaml or URDF) that feed-forward "
+          "compensates."},
+         {"friction_speed_rad_s", &friction_speed_rad_s, "rad/s", 1e-4, 100.0,
+          "Planned joint speed above which feed-forward compensates most dry friction; prismatic joints multiply it by "
+          "the leg length."}});
   }
 };
 
@@ -75,7 +52,7 @@ struct Gains {
   VectorX damping;    ///< [N m s/rad] or [N s/m]
 };
 
-/// Joint gains from the effective inertia that each joint has to command; no tuned constant of any robot.
+/// Joint gains derived from the effective inertia that each joint moves, without constants tuned for a robot.
 ///
 ///   in a leg of length L, n legs:  I = m L^2 / n, the leg's share of the robot at a leg's length,
 ///       kp = I w^2,  w = stance_frequency sqrt(g / L),  kd = 2 stance_damping I w;
@@ -86,11 +63,11 @@ struct Gains {
 ///       I_j = 1 / lambda, the row sum of |M^-1|: Gershgorin's bound on coupled joints
 /// A rotor's inertia counts with the rest: it is on the diagonal of M, and is added to a leg joint's I.
 /// RobotModel::stiffness and damping take precedence where they are not zero. `stiffness_scale` and `damping_scale`
-/// multiply what comes out, before the bound.
+/// multiply the result, before the bound.
 ///
-/// Feed-forward carries the weight, so these only have to hold against what the plan did not foresee: a1 gets about
-/// 230 N m/rad and 16 N m s/rad, nao 100 and 6. They are for implicit motors, which no gain makes unstable; damping
-/// this high is what lets a trot, unstable about the line between two feet, settle from step to step without feedback.
+/// Feed-forward carries the weight, so the gains only correct deviations from the plan: a1 gets about 230 N m/rad and
+/// 16 N m s/rad, nao 100 and 6. They are for implicit motors, which no gain makes unstable; damping this high is what
+/// lets a trot, unstable about the line between two feet, settle from step to step without feedback.
 /// @throws InvalidArgument for an option out of its range.
 Gains DeriveGains(const RobotModel& model, const GainOptions& options = {});
 

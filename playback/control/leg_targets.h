@@ -16,10 +16,10 @@ struct FootMotion {
   Vector3 a_extra_WF = Vector3::Zero();  ///< acceleration beyond the plan's, for the feed-forward [m/s^2]
 };
 
-/// Joint targets of single legs in the world's frame: the base is where it is, not where the plan has it.
+/// Joint targets of single legs in the world frame, for the measured base pose instead of the planned one.
 ///
-/// A leg is moved by the motors that it does not share. With fewer of them than the foot has rows, position comes
-/// first, then roll and pitch of a sole; its yaw yields.
+/// A leg is moved by the motors that it does not share. If there are fewer than the foot has rows, position has
+/// priority, then roll and pitch of a sole; its yaw is dropped.
 class LegTargets {
  public:
   explicit LegTargets(const RobotModel& model);

@@ -8,11 +8,11 @@
 
 namespace gaitwright {
 
-/// What motors must give on top of a plan's torques, which know rigid bodies only, for what the joints take for
-/// themselves:  tau += share (J a + d v + f tanh(v / v_s)),
-/// with J the rotor's inertia (of a transmission R^T J R), d the damping and f the dry friction of robot.yaml or URDF,
-/// v and a of the plan, and v_s `friction_speed_rad_s` (times a leg's length for a slide), so that the sign of a
-/// tiny velocity does not shake a joint at rest. Without known losses it adds no torque and takes no time.
+/// Motor torque for joint losses, in addition to a plan's torques, which include rigid bodies only:  tau += share (J a
+/// + d v + f tanh(v / v_s)), with J the rotor's inertia (of a transmission R^T J R), d the damping and f the dry
+/// friction of robot.yaml or URDF, v and a of the plan, and v_s `friction_speed_rad_s` (times a leg's length for a
+/// slide), so that the sign of a tiny velocity does not shake a joint at rest. Without known losses it adds no torque
+/// and takes no time.
 class LossFeedForward {
  public:
   /// @throws InvalidArgument for an option out of its range.

@@ -9,8 +9,8 @@
 
 namespace gaitwright {
 
-/// The part of `stabilised` that looks ahead over a plan with flights: a stance there is too short to settle, and gives
-/// what its feet can; the rest is left to the next ones, and to where they are put down.
+/// Predictive part of `stabilised` for plans with flight: a stance is too short to settle, so each stance gives what
+/// its feet can, and the rest is left to later stances and their footholds.
 class MomentumFeedback {
  public:
   MomentumFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options);
@@ -21,10 +21,10 @@ class MomentumFeedback {
   /// Takes note of how far the robot is from its plan.
   void Update(const Situation& now, const Footing& footing);
 
-  /// The wrench of the feet that shall stand, about the measured centre of mass. Only where it is active; update first.
+  /// The wanted wrench of the stance feet about the measured centre of mass. Only if active; call Update first.
   PointWrench Wanted(const Situation& now) const;
 
-  /// Where the next foothold of a foot is to be, against its plan [m]. Likewise.
+  /// Wanted shift of a foot's next foothold from its plan [m]. Only if active; call Update first.
   Vector2 Step(int foot) const;
 
  private:

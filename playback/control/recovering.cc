@@ -49,7 +49,7 @@ class Recovering final : public Controller {
     if (!stands) throw InvalidArgument("'recovering' needs a plan that stands on all feet from its start to its end");
     const bool other = recovery_.steps && recovery_.steps->robot_hash != plan.robot_hash;
     if (other || recovery_.low.size() != model.num_dofs())
-      throw InvalidArgument("what 'recovering' is to do is of another robot");
+      throw InvalidArgument("the recovery steps of 'recovering' belong to another robot");
     Reset();
   }
 

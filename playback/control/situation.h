@@ -69,16 +69,16 @@ class Swings {
   std::vector<std::vector<GroundUnder>> grounds_;    // by foot; level where a plan has no footholds for it
 };
 
-/// The robot beside its plan at the same time: what feedback works on.
+/// Measured and planned state at the same time, the input of the feedback.
 struct Situation {
   Situation(const RobotModel& model, const MotionPlan& plan)
       : measured(model), planned(model), swings(model, plan), plan_(plan) {}
 
-  /// Forgets what was seen.
+  /// Resets the state.
   void Reset();
   void Update(const RobotModel& model, const ControlInput& input);
 
-  /// The points through which a foot can push where it is, or would be on the ground that it stood on last, in W [m].
+  /// Contact points of a foot at its present pose, or on the ground where it last stood, in W [m].
   void PointsAt(int foot, const BodyState& body, std::vector<Vector3>& points_W) const;
 
   double time_s = 0.0, step_s = 0.001;

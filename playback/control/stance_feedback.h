@@ -19,14 +19,14 @@ class StanceFeedback {
   StanceFeedback(const RobotModel& model, const StabilisedOptions& options);
 
   /// Adds to tau (size n) the torques that turn the planned contact forces into the wanted ones.
-  /// @param ahead  where it is given and active, it says what wrench is wanted.
+  /// @param ahead  if given and active, it sets the wanted wrench.
   void Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* ahead = nullptr);
 
-  /// Vertical acceleration of the centre of mass that is asked for beyond the plan's [m/s^2]. Update first.
+  /// Commanded vertical acceleration of the centre of mass, in addition to the plan's [m/s^2]. Call Update first.
   double lifted_m_s2() const { return lifted_m_s2_; }
 
-  /// Where the robot will be against its plan some time ahead, if the feet that stand now go on standing and the ZMP
-  /// goes on being moved within them.
+  /// Predicted deviation from the plan, if the present stance feet stay on the ground and the ZMP shift continues
+  /// within their support.
   struct Drift {
     Vector2 dcm_W = Vector2::Zero(), com_W = Vector2::Zero();  ///< [m]
   };

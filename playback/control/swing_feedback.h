@@ -23,8 +23,8 @@ class SwingFeedback {
   /// Offsets of the feet that stand, and the ground that they tell of.
   const Footing& UpdateFooting(const Situation& now);
 
-  /// Sets the targets of the legs in the air; those on the ground get their stance gains.
-  /// @param ahead  where it is given and active, it says where feet are put down.
+  /// Sets the targets of swing legs, and the stance gains of stance legs.
+  /// @param ahead  if given and active, it sets the footholds.
   void Update(const Situation& now, const StanceFeedback& stance, JointCommand& command,
               const MomentumFeedback* ahead = nullptr);
 

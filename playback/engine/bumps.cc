@@ -48,8 +48,8 @@ void CheckBumps(const WorldOptions& options) {
   const Vector2 extent = options.bumps_to_W - options.bumps_from_W;
   if (options.ground_bumps_m <= 0.0 || (extent.minCoeff() > 0.0 && (extent / kCell).prod() <= kMostCells)) return;
   throw InvalidArgument(
-      fmt::format("ground_bumps_m: bumpy ground of {:.6g} m by {:.6g} m is too large, {:.6g} m^2 are the most; play a "
-                  "shorter way, or without bumps",
+      fmt::format("ground_bumps_m: bumpy ground of {:.6g} m by {:.6g} m is too large; at most {:.6g} m^2 are accepted; "
+                  "play a shorter walk, or without bumps",
                   extent.x(), extent.y(), kMostCells * kCell * kCell));
 }
 

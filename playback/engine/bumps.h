@@ -20,7 +20,7 @@ struct Bumps {
   double HeightAt(const Vector2& p_W) const;
 };
 
-/// The bumps of a playback that starts with the configuration q; of amplitude zero where there are none.
+/// The bumps of a playback that starts with the configuration q; with amplitude zero if there are none.
 Bumps BumpsOf(const RobotModel& model, const VectorX& q, const WorldOptions& options);
 
 /// @throws InvalidArgument where there are bumps, over more ground than there may be.

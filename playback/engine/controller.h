@@ -11,7 +11,7 @@
 
 namespace gaitwright {
 
-/// What a controller is told at the start of a step. All of it is measured, in playbacks without errors of sensors.
+/// Input of a controller at the start of a step: the measured state, exact in playbacks without sensor errors.
 struct ControlInput {
   double time_s = 0.0;  ///< on the plan's clock; after the plan's end it runs on
   double step_s = 0.001;
@@ -37,9 +37,8 @@ inline bool IsFinite(const JointCommand& command) {
          command.stiffness.allFinite() && command.damping.allFinite();
 }
 
-/// State in, command out: the only thing that the simulator knows of a controller, and the only thing that a user's own
-/// has to be. It must be deterministic, and must not keep time by itself: `time_s` may stand still while a robot
-/// settles.
+/// Interface of controllers: state in, command out. A controller must be deterministic and must not measure time
+/// itself: `time_s` may stand still while a robot settles.
 class Controller {
  public:
   virtual ~Controller() = default;
@@ -47,11 +46,10 @@ class Controller {
   /// Called once per step. @return all vectors of size n = RobotModel::num_dofs(), finite.
   virtual JointCommand Update(const ControlInput& input) = 0;
 
-  /// Called before a playback: forgets what an earlier one left behind.
+  /// Called before a playback: resets state of an earlier playback.
   virtual void Reset() {}
 
-  /// The base at the last update as the controller takes it to be, where it estimates that; nothing where it has the
-  /// true one. For the log.
+  /// Estimate of the base at the last update, for the log; nothing if the controller uses the true state.
   virtual const BaseEstimate* Estimate() const { return nullptr; }
 
   /// For logs and reports, such as "joint-pd".

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// The physics of a playback, and what is unlike the plan.
+/// Physics of a playback, and its differences from the plan.
 ///
 /// Tuning
 ///   slow                              fewer solver_iterations; locked_dofs; a larger step_s
@@ -43,7 +43,7 @@ struct WorldOptions {
 
   /// Independent joints that are held at their first position without a motor, as if welded.
   std::vector<int> locked_dofs = {};
-  /// Bumps reach this far in plan view [m]; beyond there is no bumpy ground. Play takes it from the plan.
+  /// Bumps reach this far in plan view [m]; there is no bumpy ground beyond. Play sets it from the plan.
   Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
 
   /// All of them, by name.
@@ -51,114 +51,72 @@ struct WorldOptions {
 
   /// Those of the time step, the contacts and the ground.
   OptionFields PhysicsFields() {
-    return {
-        {"engine", &engine, "", 0.0, 0.0, "Physics engine: bullet or mujoco.", {"bullet", "mujoco"}},
-        {"step_s", &step_s, "s", 1e-5, 0.01, "Time step.", {}},
-        {"solver_iterations", &solver_iterations, "1", 1, 10000, "Iterations of the contact solver per step.", {}},
-        {"contact_cfm",
-         &contact_cfm,
-         "m/(N s)",
-         0.0,
-         1.0,
-         "Softness of a contact over the time step; a foot sinks in by cfm times force times step over 0.2.",
-         {}},
-        {"actuation",
-         &actuation,
-         "",
-         0.0,
-         0.0,
-         "implicit-pd: stable for every gain; torque: feed-forward plus PD of the state at the start of the step, with "
-         "gains that must know the step.",
-         {"implicit-pd", "torque"}},
-        {"sole_contact",
-         &sole_contact,
-         "",
-         0.0,
-         0.0,
-         "What of a sole touches: spheres of 2 mm at its corners, or its whole plate too, for edges under it; auto: "
-         "the "
-         "plate where the ground has edges, and spheres all over it on height fields.",
-         {"auto", "corners", "plate"}},
-        {"friction", &friction, "1", 0.0, 10.0, "Coefficient everywhere; 0 for the terrain's own.", {}},
-        {"mass_scale", &mass_scale, "1", 0.1, 10.0, "Factor on all masses and inertias, unknown to the plan.", {}},
-        {"inertia_scale", &inertia_scale, "1", 0.1, 10.0, "Factor on all moments of inertia besides, likewise.", {}},
-        {"com_shift_x_m", &com_shift_x_m, "m", -1.0, 1.0, "Moves the base's own centre of mass ahead, likewise.", {}},
-        {"com_shift_y_m", &com_shift_y_m, "m", -1.0, 1.0, "The same, to the left.", {}},
-        {"com_shift_z_m", &com_shift_z_m, "m", -1.0, 1.0, "The same, upward.", {}},
-        {"motor_strength", &motor_strength, "1", 0.01, 10.0, "Factor on the effort limits of all joints.", {}},
-        {"ground_slope_deg",
-         &ground_slope_deg,
-         "deg",
-         -45.0,
-         45.0,
-         "The whole ground turned about a level axis through the start point, unknown to the plan; positive is uphill "
-         "ahead, or in ground_slope_direction_deg.",
-         {}},
-        {"ground_slope_direction_deg",
-         &ground_slope_direction_deg,
-         "deg",
-         -360.0,
-         360.0,
-         "Where that slope goes uphill: 0 is the x axis, 90 the y axis.",
-         {}},
-        {"ground_bumps_m",
-         &ground_bumps_m,
-         "m",
-         0.0,
-         0.5,
-         "Amplitude of bumps unknown to the plan: heights between minus and plus this, zero under the start.",
-         {}},
-        {"bump_wavelength_m",
-         &bump_wavelength_m,
-         "m",
-         0.02,
-         10.0,
-         "Twice the distance between neighbouring bumps.",
-         {}},
-        {"bump_free_radius_m",
-         &bump_free_radius_m,
-         "m",
-         0.0,
-         10.0,
-         "Level ground about the start point, before bumps rise over half a wavelength; 0 takes in the feet at the "
-         "start.",
-         {}},
-        {"seed", &seed, "1", 0, 2147483647, "Of the bumps.", {}}};
+    return WithBasics(
+        {"engine", "step_s", "actuation", "friction", "mass_scale", "motor_strength", "ground_slope_deg",
+         "ground_slope_direction_deg", "ground_bumps_m", "bump_wavelength_m", "seed"},
+        {{"step_s", &step_s, "s", 1e-5, 0.01, "Time step of the physics."},
+         {"solver_iterations", &solver_iterations, "1", 1, 10000,
+          "Iterations of the contact solver in each time step."},
+         {"contact_cfm", &contact_cfm, "m/(N s)", 0.0, 1.0,
+          "Contact softness divided by the time step (CFM); a foot sinks in by CFM x force x step / 0.2."},
+         {"actuation",
+          &actuation,
+          "",
+          0.0,
+          0.0,
+          "Joint drive: implicit-pd is stable for every gain; torque adds explicit PD, whose gains must suit the time "
+          "step, to feed-forward.",
+          {"implicit-pd", "torque"}},
+         {"sole_contact",
+          &sole_contact,
+          "",
+          0.0,
+          0.0,
+          "Contact shape of a sole: 2 mm spheres at its corners, or also its plate; auto chooses by the ground.",
+          {"auto", "corners", "plate"}},
+         {"friction", &friction, "1", 0.0, 10.0,
+          "Friction coefficient of the whole ground; 0 uses the terrain's coefficients."},
+         {"mass_scale", &mass_scale, "1", 0.1, 10.0,
+          "Factor on all masses and inertias, which the plan does not know."},
+         {"inertia_scale", &inertia_scale, "1", 0.1, 10.0,
+          "Additional factor on all moments of inertia, which the plan does not know."},
+         {"com_shift_x_m", &com_shift_x_m, "m", -1.0, 1.0,
+          "Forward shift of the base link's centre of mass, which the plan does not know."},
+         {"com_shift_y_m", &com_shift_y_m, "m", -1.0, 1.0,
+          "Shift of the base link's centre of mass to the left, which the plan does not know."},
+         {"com_shift_z_m", &com_shift_z_m, "m", -1.0, 1.0,
+          "Upward shift of the base link's centre of mass, which the plan does not know."},
+         {"motor_strength", &motor_strength, "1", 0.01, 10.0, "Factor on the effort limits of all joints."},
+         {"ground_slope_deg", &ground_slope_deg, "deg", -45.0, 45.0,
+          "Slope of the whole ground about the start point, which the plan does not know; positive rises in "
+          "ground_slope_direction_deg."},
+         {"ground_slope_direction_deg", &ground_slope_direction_deg, "deg", -360.0, 360.0,
+          "Uphill direction of ground_slope_deg: 0 is the x axis, 90 the y axis."},
+         {"ground_bumps_m", &ground_bumps_m, "m", 0.0, 0.5,
+          "Amplitude of ground bumps that the plan does not know: heights lie within +- this value and are zero at the "
+          "start."},
+         {"bump_wavelength_m", &bump_wavelength_m, "m", 0.02, 10.0,
+          "Wavelength of the ground bumps: twice the distance between neighbouring bumps."},
+         {"bump_free_radius_m", &bump_free_radius_m, "m", 0.0, 10.0,
+          "Radius of level ground around the start, before bumps rise over half a wavelength; 0 uses the extent of the "
+          "feet."},
+         {"seed", &seed, "1", 0, 2147483647, "Random seed of the ground bumps."}});
   }
 
   /// Those of the motors and joints.
   OptionFields ActuatorFields() {
-    return {
-        {"joint_losses",
-         &joint_losses,
-         "",
-         0.0,
-         0.0,
-         "Whether the robot's joint damping, dry friction and rotor inertia act: true or false.",
-         {}},
-        {"motor_curve", &motor_curve, "", 0.0, 0.0, "Whether its torque-speed curves do.", {}},
-        {"thermal_limit",
-         &thermal_limit,
-         "",
-         0.0,
-         0.0,
-         "Whether its motors are held to their continuous effort once they are warm.",
-         {}},
-        {"joint_friction_nm",
-         &joint_friction_nm,
-         "N m",
-         0.0,
-         1000.0,
-         "Dry friction added to every joint with a motor, unknown to the controller; N for one that slides.",
-         {}},
-        {"rotor_inertia_kg_m2",
-         &rotor_inertia_kg_m2,
-         "kg m^2",
-         0.0,
-         100.0,
-         "Rotor inertia added to every motor as felt at its joint, likewise; kg for one that slides.",
-         {}},
-        {"torque_scale", &torque_scale, "1", 0.01, 2.0, "Share of each motor's torque that reaches its joint.", {}}};
+    return WithBasics(
+        {"joint_losses", "motor_curve", "thermal_limit"},
+        {{"joint_losses", &joint_losses, "", 0.0, 0.0, "Simulates joint damping, dry friction and rotor inertia."},
+         {"motor_curve", &motor_curve, "", 0.0, 0.0, "Limits motor torque by the torque-speed curves."},
+         {"thermal_limit", &thermal_limit, "", 0.0, 0.0, "Limits warm motors to their continuous torque."},
+         {"joint_friction_nm", &joint_friction_nm, "N m", 0.0, 1000.0,
+          "Dry friction added to every motorised joint, which the controller does not know; in N for prismatic "
+          "joints."},
+         {"rotor_inertia_kg_m2", &rotor_inertia_kg_m2, "kg m^2", 0.0, 100.0,
+          "Reflected rotor inertia added to every motorised joint, which the controller does not know; in kg for "
+          "prismatic joints."},
+         {"torque_scale", &torque_scale, "1", 0.01, 2.0, "Share of each motor's torque that reaches its joint."}});
   }
 };
 

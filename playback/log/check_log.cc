@@ -29,7 +29,7 @@ void CheckRow(const char* what, std::size_t sample, const Row& row) {
   for (const double value : row) {
     if (!(std::abs(value) <= kMost))
       throw InvalidArgument(
-          fmt::format("row {} of '{}' holds {}; at most {} up or down is accepted", sample, what, value, kMost));
+          fmt::format("row {} of '{}' contains {}; at most +-{} is accepted", sample, what, value, kMost));
   }
 }
 
@@ -64,7 +64,7 @@ void CheckSample(const PlaybackLog& log, std::size_t k, std::size_t feet) {
   const LogSample& sample = log.samples[k];
   CheckIn("time_s", sample.time_s, -kMost, kMost);
   if (k > 0 && !(sample.time_s > log.samples[k - 1].time_s))
-    throw InvalidArgument(fmt::format("row {} of 'time_s' is {:.9g}, which is not after the row before, {:.9g}", k,
+    throw InvalidArgument(fmt::format("row {} of 'time_s' is {:.9g}, which is not after the previous row, {:.9g}", k,
                                       sample.time_s, log.samples[k - 1].time_s));
   CheckRow("q", k, sample.q);
   CheckRow("v", k, sample.v);
@@ -80,8 +80,8 @@ void CheckSample(const PlaybackLog& log, std::size_t k, std::size_t feet) {
   if (!(std::abs(length - 1.0) <= kUnit))
     throw InvalidArgument(fmt::format("row {} of 'q' has a quaternion of length {:.6g}; it must be 1", k, length));
   if ((sample.contact & ~AllFeet(static_cast<int>(feet))) != 0)
-    throw InvalidArgument(
-        fmt::format("row {} of 'contact' is {}, which names a foot beyond the {} there are", k, sample.contact, feet));
+    throw InvalidArgument(fmt::format("row {} of 'contact' is {}, which names a foot beyond the robot's {} feet", k,
+                                      sample.contact, feet));
 }
 
 void CheckStance(const StanceRecord& stance, std::size_t feet) {

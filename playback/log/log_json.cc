@@ -128,7 +128,7 @@ VectorX ToVector(const Json& j) {
 
 /// The list of a key. @throws InvalidArgument where it holds anything else.
 const Json& ListAt(const Json& j, const char* key) {
-  if (!j.at(key).is_array()) throw InvalidArgument(fmt::format("'{}' is no list", key));
+  if (!j.at(key).is_array()) throw InvalidArgument(fmt::format("'{}' is not a list", key));
   return j.at(key);
 }
 
@@ -146,14 +146,15 @@ template <class Take>
 void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, Take take) {
   const Json& rows = ListAt(j, key);
   if (rows.size() != samples.size()) {
-    throw InvalidArgument(fmt::format("'{}' has {} rows, {} are needed", key, rows.size(), samples.size()));
+    throw InvalidArgument(fmt::format("'{}' has {} rows; {} are needed", key, rows.size(), samples.size()));
   }
   Eigen::Index length = 0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const VectorX row = ToVector(rows[k]);
     if (k == 0) length = row.size();
     if (row.size() != length) {
-      throw InvalidArgument(fmt::format("row {} of '{}' has {} numbers, the first has {}", k, key, row.size(), length));
+      throw InvalidArgument(
+          fmt::format("row {} of '{}' has {} numbers, but the first has {}", k, key, row.size(), length));
     }
     take(row, samples[k]);
   }
@@ -185,7 +186,7 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
   }
   const std::vector<JsonPart> contact = JsonPart(j).At("contact").List();
   if (contact.size() != samples.size()) {
-    throw InvalidArgument(fmt::format("'contact' has {} numbers, {} are needed", contact.size(), samples.size()));
+    throw InvalidArgument(fmt::format("'contact' has {} numbers; {} are needed", contact.size(), samples.size()));
   }
   for (std::size_t k = 0; k < samples.size(); ++k) samples[k].contact = contact[k].Natural();
   if (samples.empty()) return;
@@ -194,7 +195,7 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
       s.tau_peak.size() != s.tau.size() || s.effort_use.size() != s.tau.size() ||
       log.saturated_s.size() != s.tau.size()) {
     throw InvalidArgument(
-        "the columns of 'q', 'v', 'tau_nm', 'tau_peak_nm', 'effort_use' and 'saturated_s' do not belong together");
+        "the columns 'q', 'v', 'tau_nm', 'tau_peak_nm', 'effort_use' and 'saturated_s' have inconsistent sizes");
   }
 }
 
@@ -223,7 +224,7 @@ PlaybackLog ReadLog(const Json& j) {
   log.step_s = j.at("step_s").get<double>();
   log.total_mass_kg = j.at("total_mass_kg").get<double>();
   log.friction = j.at("friction").get<double>();
-  if (!j.at("options").is_object()) throw InvalidArgument("'options' is no object of keys and texts");
+  if (!j.at("options").is_object()) throw InvalidArgument("'options' is not an object of keys and texts");
   for (const auto& [key, value] : j.at("options").items()) log.options.emplace_back(key, value.get<std::string>());
   log.saturated_s = ToVector(j.at("saturated_s"));
   for (const Json& stance : ListAt(j, "stances")) log.stances.push_back(ToStance(stance));
@@ -275,7 +276,7 @@ Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& sour
   try {
     const Json j = ParseJsonOnce(text);
     if (!j.is_object() || !j.contains("format") || j.at("format") != kLogFormat) {
-      return Refused(source, "it is no playback log");
+      return Refused(source, "it is not a playback log");
     }
     const int schema = JsonPart(j).At("schema").Whole(0, std::numeric_limits<int>::max());
     if (schema != PlaybackLog::kSchema) {

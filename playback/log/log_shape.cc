@@ -19,13 +19,13 @@ DataShape RowsShape() { return List(Numbers()); }
 DataShape StanceShape() {
   return Object({{"foot", Whole(0, 63)},
                  {"touchdown_s", Number()},
-                 {"liftoff_s", Number(), "The log's end where it still stands."},
+                 {"liftoff_s", Number(), "Time of lift-off; the end of the log if the foot still stands."},
                  {"touchdown_m", Numbers(3)},
                  {"touchdown_speed_m_s", Number(), "Just before."},
                  {"slip_m", Number()},
                  {"peak_normal_n", Number()},
                  {"penetration_m", Number()},
-                 {"friction_use_max", Number(), "Tangential over friction times normal force."}});
+                 {"friction_use_max", Number(), "Tangential force divided by friction times normal force."}});
 }
 
 DataShape BodyContactShape() { return Object({{"time_s", Number()}, {"link", Text()}}); }
@@ -44,29 +44,29 @@ DataShape LogShape() {
                  {"program_version", Text()},
                  {"robot", Text()},
                  {"robot_hash", Text()},
-                 {"plan_hash", Text(), "Of all of the plan that a playback depends on."},
+                 {"plan_hash", Text(), "Hash of all parts of the plan that affect a playback."},
                  {"controller", Text()},
                  {"start_s", In(kLogStart)},
                  {"log_rate_hz", In(kLogRate)},
-                 {"step_s", In(kLogStep), "Of the physics."},
+                 {"step_s", In(kLogStep), "Time step of the physics engine."},
                  {"total_mass_kg", In(kLogMass)},
-                 {"friction", In(kLogFriction), "Under the start."},
+                 {"friction", In(kLogFriction), "Friction coefficient of the ground under the start."},
                  {"options", MapOf(Text()), "Every option of the playback."},
-                 {"saturated_s", Numbers(), "By motor: time at its effort limit."},
+                 {"saturated_s", Numbers(), "Time at its effort limit, for each motor."},
                  {"stances", List(StanceShape())},
-                 {"body_contacts", List(BodyContactShape()), "First contact of each link that is no foot."},
+                 {"body_contacts", List(BodyContactShape()), "First contact of each link that is not a foot."},
                  Optional("gates", List(LogGateShape())),
                  Optional("pushes", List(LogPushShape())),
-                 Optional("broke_off", Text(), "Why the playback could not go on."),
-                 {"time_s", List(Numbers(1)), "The end of each sample's interval."},
+                 Optional("broke_off", Text(), "Reason for an early end of the playback."),
+                 {"time_s", List(Numbers(1)), "Time of the end of each sample's interval."},
                  {"q", RowsShape()},
                  {"v", RowsShape()},
-                 {"tau_nm", RowsShape(), "Means over the interval, by joint."},
-                 {"tau_peak_nm", RowsShape(), "Largest magnitude in the interval, by motor."},
-                 {"effort_use", RowsShape(), "Largest share of the effort limit in force, by motor."},
-                 {"contact_wrenches", RowsShape(), "Force and moment of each foot, means over the interval."},
-                 Optional("estimate", List(Numbers(13)), "What the controller took for the base."),
-                 {"contact", List(Whole()), "By sample: bit i is set when foot i touches."}});
+                 {"tau_nm", RowsShape(), "Mean over the interval, for each joint."},
+                 {"tau_peak_nm", RowsShape(), "Largest magnitude in the interval, for each motor."},
+                 {"effort_use", RowsShape(), "Largest share of the current effort limit, for each motor."},
+                 {"contact_wrenches", RowsShape(), "Force and moment of each foot, mean over the interval."},
+                 Optional("estimate", List(Numbers(13)), "Base state that the controller used."),
+                 {"contact", List(Whole()), "For each sample, bit i is set if foot i is in contact."}});
 }
 
 }  // namespace gaitwright

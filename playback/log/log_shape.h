@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What a log's file may hold.
+/// Structure of a log file.
 DataShape LogShape();
 
 }  // namespace gaitwright

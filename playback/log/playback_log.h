@@ -18,7 +18,7 @@ struct BaseEstimate {
   Vector3 v_WB = Vector3::Zero(), w_WB = Vector3::Zero();  ///< in W [m/s], [rad/s]
 };
 
-/// What was measured over one log interval, at its end. Forces and torques are means over the interval.
+/// Measurements of one log interval, at its end. Forces and torques are means over the interval.
 struct LogSample {
   double time_s = 0.0;
   VectorX q, v;                         ///< in the orders of RobotModel
@@ -62,7 +62,7 @@ struct TimedPush {
 struct GateRecord {
   std::string phase;
   double at_s = 0.0, waited_s = 0.0;  ///< on the plan's clock, which stood meanwhile
-  bool met = true;                    ///< what was to be measured was
+  bool met = true;                    ///< the condition was measured
 
   bool operator==(const GateRecord&) const = default;
 };
@@ -83,7 +83,7 @@ struct PlaybackLog {
   VectorX saturated_s;                     ///< time each motor (ActuatorOf) spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>>
       options;            ///< every option of the playback, "play." before those of Play
-  std::string broke_off;  ///< why it could not go on, such as a state that is not finite; "" where it could
+  std::string broke_off;  ///< reason of an early end, such as a state that is not finite; "" if there was none
 };
 
 }  // namespace gaitwright

@@ -21,9 +21,9 @@ namespace gaitwright {
 namespace {
 
 // Why a playback broke off.
-constexpr char kNoPhysics[] = "the physics gave a state that is not finite, or beyond all bounds";
+constexpr char kNoPhysics[] = "the physics gave a state that is not finite or far out of range";
 constexpr char kNoCommand[] = "the controller gave a command that is not finite";
-constexpr char kNoEstimate[] = "the controller's estimate of the base is not finite, or beyond all bounds";
+constexpr char kNoEstimate[] = "the controller's estimate of the base is not finite or far out of range";
 
 bool IsPhysical(const BaseEstimate& estimate) {
   using engine::kMostOfState, engine::Within;

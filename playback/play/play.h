@@ -37,60 +37,48 @@ struct PlayOptions {
   OptionFields Fields() {
     return Joined(
         {world.Fields(),
-         {{"log_rate_hz", &log_rate_hz, "Hz", 1.0, 100000.0, "Samples per second in the log; divides 1 / step_s.", {}},
-          {"settle_s",
-           &settle_s,
-           "s",
-           0.0,
-           10.0,
-           "Stands at the plan's start for this long before the clock runs.",
-           {}},
-          {"hold_s", &hold_s, "s", 0.0, 60.0, "Goes on for this long after the plan's end.", {}},
-          {"push_force_x_n", &push_force_W.x(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
-          {"push_force_y_n", &push_force_W.y(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
-          {"push_force_z_n", &push_force_W.z(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
-          {"push_at_s", &push_at_s, "s", 0.0, 1e6, "When the push begins, on the plan's clock.", {}},
-          {"push_for_s", &push_for_s, "s", 0.0, 1e6, "How long it lasts.", {}},
-          {"push_on",
-           &push_on,
-           "",
-           0.0,
-           0.0,
-           "Where the push acts: the base's own centre of mass, that of the whole robot, or that of the body which a "
-           "link named here is part of.",
-           {}},
-          {"start_x_m", &start_x_m, "m", -10.0, 10.0, "Starts off the plan's first base pose: along x of W.", {}},
-          {"start_y_m", &start_y_m, "m", -10.0, 10.0, "The same, along y of W.", {}},
-          {"start_z_m",
-           &start_z_m,
-           "m",
-           -10.0,
-           10.0,
-           "The same, upward; a robot that starts off its plan is lifted until nothing of it is in the ground.",
-           {}},
-          {"start_roll_rad", &start_roll_rad, "rad", -3.2, 3.2, "The same, turned about the base's x.", {}},
-          {"start_pitch_rad", &start_pitch_rad, "rad", -3.2, 3.2, "The same, turned about the base's y.", {}},
-          {"start_yaw_rad", &start_yaw_rad, "rad", -3.2, 3.2, "The same, turned about z of W.", {}},
-          {"lock_unmoved",
-           &lock_unmoved,
-           "",
-           0.0,
-           0.0,
-           "Joints that the plan never moves are welded, which is faster: true or false.",
-           {}},
-          {"fall_height_lowest",
-           &fall_height_lowest,
-           "1",
-           0.0,
-           1.0,
-           "Ends soon after the base is below this share of the plan's height over the ground of the feet; 0 never.",
-           {}}}});
+         WithBasics({"log_rate_hz", "settle_s", "hold_s", "push_force_x_n", "push_force_y_n", "push_force_z_n",
+                     "push_at_s", "push_for_s", "push_on"},
+                    {{"log_rate_hz", &log_rate_hz, "Hz", 1.0, 100000.0,
+                      "Samples per second in the log; must divide 1 / step_s."},
+                     {"settle_s", &settle_s, "s", 0.0, 10.0,
+                      "Time that the robot stands in the plan's first posture before the plan's clock starts."},
+                     {"hold_s", &hold_s, "s", 0.0, 60.0, "Time that the playback continues after the plan's end."},
+                     {"push_force_x_n", &push_force_W.x(), "N", -1e5, 1e5,
+                      "Pushing force on the robot along x of the world frame."},
+                     {"push_force_y_n", &push_force_W.y(), "N", -1e5, 1e5,
+                      "Pushing force on the robot along y of the world frame."},
+                     {"push_force_z_n", &push_force_W.z(), "N", -1e5, 1e5,
+                      "Pushing force on the robot along z of the world frame."},
+                     {"push_at_s", &push_at_s, "s", 0.0, 1e6, "Time on the plan's clock at which the push begins."},
+                     {"push_for_s", &push_for_s, "s", 0.0, 1e6, "Duration of the push."},
+                     {"push_on", &push_on, "", 0.0, 0.0,
+                      "Point of the push: centre of mass of the base (base), of the whole robot (robot), or of the "
+                      "body of a named link."},
+                     {"start_x_m", &start_x_m, "m", -10.0, 10.0,
+                      "Offset of the start from the plan's first base position, along x of the world frame."},
+                     {"start_y_m", &start_y_m, "m", -10.0, 10.0,
+                      "Offset of the start from the plan's first base position, along y of the world frame."},
+                     {"start_z_m", &start_z_m, "m", -10.0, 10.0,
+                      "Upward offset of the start from the plan's first base position; a displaced robot is also "
+                      "lifted clear of the ground."},
+                     {"start_roll_rad", &start_roll_rad, "rad", -3.2, 3.2,
+                      "Rotation of the start from the plan's first base orientation, about x of the base."},
+                     {"start_pitch_rad", &start_pitch_rad, "rad", -3.2, 3.2,
+                      "Rotation of the start from the plan's first base orientation, about y of the base."},
+                     {"start_yaw_rad", &start_yaw_rad, "rad", -3.2, 3.2,
+                      "Rotation of the start from the plan's first base orientation, about z of the world frame."},
+                     {"lock_unmoved", &lock_unmoved, "", 0.0, 0.0,
+                      "Welds the joints that the plan never moves, which makes the simulation faster."},
+                     {"fall_height_lowest", &fall_height_lowest, "1", 0.0, 1.0,
+                      "Share of the planned base height above the feet's ground below which the playback ends as a "
+                      "fall; 0 never ends it."}})});
   }
 };
 
 /// Plays a plan in physics: the robot starts in the plan's first state, settles, and the controller is asked once per
-/// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts turned with the
-/// ground; off its plan it starts as `start_*` say, out of the ground, and settles. Nobody holds the robot.
+/// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts rotated with the
+/// ground; `start_*` options displace its start, clear of the ground. It then settles without external support.
 ///
 /// At a gate of the plan the clock stands, nothing is logged, and the controller is asked as at that time, until every
 /// joint is near its place and the gate's feet carry force, or as long as the gate lets it wait.
@@ -108,18 +96,19 @@ struct PlayOptions {
 ///
 /// @return the log; a failure when plan and robot do not belong together, the plan lasts over an hour, or a push would
 /// begin after the end.
-/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, a push on a link that
-/// there is not, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
+/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, a push on an unknown
+/// link, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
 
-/// What Play would refuse all of this for, without playing it; nothing where it would play it. @throws as Play does.
+/// Reason for which Play would refuse these arguments, without a playback; nothing if it would accept them. @throws as
+/// Play does.
 std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
 
-/// Hash of all of a plan that a playback depends on: ties a log to its plan. That is the robot, the ground with its
-/// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. What
-/// only judges or tells (goal, parts, swings, provenance) is not in it; PlanHash has all. A plan that is written and
-/// read back has the same.
+/// Hash of all parts of a plan that affect a playback, which ties a log to its plan: the robot, the ground with its
+/// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. Data
+/// without effect on the playback (goal, parts, swings, provenance) is not included; PlanHash includes all. Writing and
+/// reading a plan keeps its hash.
 std::string MotionHash(const MotionPlan& plan);
 
 }  // namespace gaitwright

@@ -28,17 +28,18 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
   }
   if (!(plan.duration_s() <= kLongestPlan) || !std::isfinite(w.start_s)) {
     return Mismatch(FailureCode::kPlanTooLong,
-                    fmt::format("the plan lasts {:.6g} s from {:.6g} s on; at most {} s are played", plan.duration_s(),
-                                w.start_s, kLongestPlan),
-                    "see that its 'step_s' is right");
+                    fmt::format("the plan lasts {:.6g} s from {:.6g} s on; at most {} s can be played",
+                                plan.duration_s(), w.start_s, kLongestPlan),
+                    "check the plan's 'step_s'");
   }
   if (std::any_of(plan.parts.begin(), plan.parts.end(), [](const MotionPart& part) { return Hangs(part.gait); })) {
-    return Mismatch(FailureCode::kHangs, "the plan moves a robot that hangs, held from outside: it would fall at once",
-                    "audit and export it; play the plan that it leads to");
+    return Mismatch(FailureCode::kHangs,
+                    "the plan is for a robot whose base is held externally; in a playback it would fall at once",
+                    "audit and export it; play the plan that follows it");
   }
   if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
     return Mismatch(FailureCode::kPlanOfOtherRobot,
-                    fmt::format("the plan was made for robot '{}' ({}), and this is '{}' ({})", plan.robot,
+                    fmt::format("the plan was made for robot '{}' ({}), but the given robot is '{}' ({})", plan.robot,
                                 plan.robot_hash, model.name, model.hash),
                     "play it with the robot in the plan itself, or plan again");
   }
@@ -55,10 +56,9 @@ std::optional<Failure> LatePush(const MotionPlan& plan, const PlayOptions& optio
   const double end_s = plan.whole_body.end_s() + options.hold_s;
   for (const TimedPush& push : playing::PushesOf(options)) {
     if (push.at_s < end_s) continue;
-    return Mismatch(
-        FailureCode::kLatePush,
-        fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s", push.at_s, end_s),
-        "push earlier");
+    return Mismatch(FailureCode::kLatePush,
+                    fmt::format("the push begins at {} s, but the playback ends at {:.3f} s", push.at_s, end_s),
+                    "push earlier");
   }
   return std::nullopt;
 }

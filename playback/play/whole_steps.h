@@ -5,9 +5,9 @@
 
 namespace gaitwright {
 
-/// Time steps in one period of a rate, to a ten-thousandth of them, as a rate of six digits has it.
-/// @throws InvalidArgument naming the option `key` and the nearest rate that does where the period is no whole number
-/// of steps.
+/// Number of time steps in one period of a rate, within a relative error of 1e-4, for rates rounded to six digits.
+/// @throws InvalidArgument naming the option `key` and the nearest accepted rate if the period is not a whole number of
+/// steps.
 long WholeSteps(const std::string& key, double rate_hz, double step_s);
 
 }  // namespace gaitwright

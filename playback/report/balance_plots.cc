@@ -38,7 +38,8 @@ Plot ZmpAndCom(const PlotData& data, int axis) {
   DrawBalance(data.series, axis, plot);
   MarkTimes(data, plot);
   return {"zmp_com_" + name,
-          "World " + name + " of the ZMP and the centre of mass over time; shaded is how far the scheduled feet reach.",
+          "World " + name +
+              " of the ZMP and the centre of mass over time; the shaded band is the extent of the scheduled support.",
           plot.Svg()};
 }
 
@@ -49,11 +50,10 @@ Plot Margins(const PlotData& data) {
   plot.Line(Over(data.series.measured, margin), Ink::kZmp, Stroke::kMeasured, "measured");
   plot.AcrossX(0.0, Ink::kLimit, "edge of the support", true);
   MarkTimes(data, plot);
-  return {
-      "margins",
-      "Signed distance of the ZMP to the edge of the support: positive is inside. On two point feet the support is a "
-      "line and the margin is minus the distance to it.",
-      plot.Svg()};
+  return {"margins",
+          "Signed distance of the ZMP to the edge of the support; positive is inside. On two point feet, the support "
+          "is a line and the margin is minus the distance to it.",
+          plot.Svg()};
 }
 
 Plot Errors(const PlotData& data) {
@@ -70,11 +70,10 @@ Plot Errors(const PlotData& data) {
   plot.Line(zmp, Ink::kZmp, Stroke::kMeasured, "ZMP");
   plot.Line(dcm, Ink::kDcm, Stroke::kMeasured, "DCM");
   MarkTimes(data, plot);
-  return {
-      "errors",
-      "Distance of the measured from the planned point, each in the frame of its own support, so that a base that has "
-      "drifted is not counted twice.",
-      plot.Svg()};
+  return {"errors",
+          "Distance between the measured and the planned point, each in the frame of its own support, so that drift of "
+          "the base is not counted.",
+          plot.Svg()};
 }
 
 struct Attitude {

@@ -28,7 +28,7 @@ Plot GaitDiagram(const PlotData& data) {
     plot.Bar(stance.foot, stance.touchdown_s, stance.liftoff_s, Ink::kFoot, Stroke::kMeasured, "measured");
   }
   MarkTimes(data, plot);
-  return {"gait", "When each foot was to stand (broad) and when it really touched (narrow).", plot.Svg()};
+  return {"gait", "Scheduled (broad) and measured (narrow) contact of each foot.", plot.Svg()};
 }
 
 /// One small plot for each foot of a figure of its samples.
@@ -73,9 +73,9 @@ std::vector<Plot> ContactPlots(const PlotData& data) {
   };
   const auto force = [](const FootSample& foot) { return foot.force_W.z(); };
   return {GaitDiagram(data),
-          {"foot_heights", "Height of the lowest point of each foot over the ground, in millimetres.",
+          {"foot_heights", "Height of the lowest point of each foot above the ground, in millimetres.",
            FootGrid(data, "Heights of the feet", "height [mm]", Ink::kFoot, height)},
-          {"foot_forces", "Vertical force of the ground on each foot, in newtons: means over the log's interval.",
+          {"foot_forces", "Vertical ground force on each foot, in newtons, as mean over the log's interval.",
            FootGrid(data, "Forces on the feet", "force [N]", Ink::kZmp, force)}};
 }
 

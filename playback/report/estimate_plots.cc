@@ -38,16 +38,15 @@ SvgPlot ErrorPlot(const PlotData& data, const std::string& title, const std::str
 std::vector<Plot> EstimatePlots(const PlotData& data) {
   if (!data.log.samples.front().estimate) return {};
   const std::vector<SvgPlot> plots = {
-      ErrorPlot(data, "Place, in plan view", "mm", [](const EstimateError& e) { return 1e3 * e.horizontal_m; }),
+      ErrorPlot(data, "Position, in plan view", "mm", [](const EstimateError& e) { return 1e3 * e.horizontal_m; }),
       ErrorPlot(data, "Height", "mm", [](const EstimateError& e) { return 1e3 * e.height_m; }),
       ErrorPlot(data, "Tilt", "mrad", [](const EstimateError& e) { return 1e3 * e.tilt_rad; }),
       ErrorPlot(data, "Heading", "mrad", [](const EstimateError& e) { return 1e3 * e.heading_rad; }),
       ErrorPlot(data, "Velocity", "mm/s", [](const EstimateError& e) { return 1e3 * e.velocity_m_s; })};
-  return {
-      {"estimate_error",
-       "How far the base that the controller took for true was from the true one: place and heading can only drift, "
-       "tilt and velocity must stay small.",
-       GridOfPlots(plots, 2, "Errors of the estimate of the base")}};
+  return {{"estimate_error",
+           "Error of the controller's base estimate: position and heading may drift; tilt and velocity errors must "
+           "stay small.",
+           GridOfPlots(plots, 2, "Errors of the estimate of the base")}};
 }
 
 }  // namespace gaitwright

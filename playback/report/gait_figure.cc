@@ -24,7 +24,7 @@ struct Window {
 Window WindowOf(const MotionPlan& plan, const GaitFigureOptions& options) {
   if (options.cycles < 1 || options.cycles > kMostCycles) {
     throw InvalidArgument(
-        fmt::format("{} cycles of the gait were asked for; 1 to {} can be shown", options.cycles, kMostCycles));
+        fmt::format("the number of gait cycles is {}; accepted: 1 to {}", options.cycles, kMostCycles));
   }
   double first_step_s = plan.whole_body.start_s;
   for (const SwingTrajectory& swing : plan.swings) {
@@ -71,8 +71,8 @@ std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const Pl
                                      window);
   if (series.planned.size() < 2) {
     throw InvalidArgument(
-        fmt::format("the figure is of {:.3f} to {:.3f} s, and the motion lasts from {:.3f} to {:.3f} s", window.from_s,
-                    window.to_s, plan.whole_body.start_s, plan.whole_body.end_s()));
+        fmt::format("the figure would show {:.3f} to {:.3f} s, but the motion lasts from {:.3f} to {:.3f} s",
+                    window.from_s, window.to_s, plan.whole_body.start_s, plan.whole_body.end_s()));
   }
   SvgPlot above(SvgPlot::ToScale("From above", "x [m]", "y [m]"));
   DrawSupports(plan.schedule, series.measured.empty() ? series.planned : series.measured, above);

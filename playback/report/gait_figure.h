@@ -16,13 +16,13 @@ struct GaitFigureOptions {
 };
 
 /// The gait of a motion as a figure for print, one `<svg>` with StandaloneSvg's head: from above the support polygons,
-/// ZMP and centre of mass, to scale; below it both over time, along x and y, with how far the support reaches.
+/// ZMP and centre of mass, to scale; below it both over time, along x and y, with the extent of the support.
 /// @param log  of the plan; null draws the plan alone.
-/// @throws InvalidArgument as MakeMotionSeries does, for options out of range, and where no sample is in the window.
+/// @throws InvalidArgument as MakeMotionSeries does, for options out of range, and if no sample is in the window.
 std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const PlaybackLog* log,
                        const GaitFigureOptions& options = {});
 
-/// How many cycles of the gait that figure has: fewer than asked for where the motion ends before.
+/// Number of gait cycles of the figure: fewer than requested if the motion ends before.
 /// @throws InvalidArgument for options out of range.
 double CyclesShown(const MotionPlan& plan, const PlaybackLog* log, const GaitFigureOptions& options);
 

@@ -82,8 +82,8 @@ Plot SideView(const PlotData& data) {
   plot.Line(planned, Ink::kCom, Stroke::kPlanned, "CoM planned");
   plot.Line(measured, Ink::kCom, Stroke::kMeasured, "CoM measured");
   return {"side_view",
-          "The same from the side, in metres and to scale: contact points of the feet and the centre of mass over the "
-          "ground ahead along the middle of the way.",
+          "Side view, in metres and to scale: contact points of the feet and the centre of mass above the ground along "
+          "the middle of the path.",
           plot.Svg()};
 }
 

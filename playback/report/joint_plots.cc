@@ -102,8 +102,8 @@ std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& sh
   }
   plot.AcrossY(100.0, Ink::kLimit, "limit");
   return {{"torque_use",
-           "Largest torque of each motor as a share of its limit, which stands after its name: planned (broad) and "
-           "measured (narrow), peaks within the log's intervals included.",
+           "Largest torque of each motor as a share of its limit (given after its name): planned (broad) and measured "
+           "(narrow), including peaks within the log's intervals.",
            plot.Svg()}};
 }
 
@@ -160,12 +160,11 @@ std::vector<Plot> JointPlots(const PlotData& data) {
   }
   if (shown.empty()) return {};
   std::vector<Plot> plots = TorqueUsePlot(data, shown);
-  plots.push_back(
-      {"joint_torques",
-       "Torque of each joint over time; dashed is its limit, drawn where the torque comes within half of it. A joint "
-       "whose motors drive several joints has no limit of its own.",
-       GridOfPlots(torques, kColumns, "Torques of the joints")});
-  plots.push_back({"joint_positions", "Position of each joint; dashed is a limit that it comes near to.",
+  plots.push_back({"joint_torques",
+                   "Torque of each joint over time; the dashed line is its limit, drawn if the torque exceeds half of "
+                   "it. A joint whose motors drive several joints has no joint limit.",
+                   GridOfPlots(torques, kColumns, "Torques of the joints")});
+  plots.push_back({"joint_positions", "Position of each joint; the dashed line is a limit that it approaches.",
                    GridOfPlots(positions, kColumns, "Positions of the joints")});
   return plots;
 }

@@ -5,12 +5,12 @@
 
 namespace gaitwright {
 
-/// What a colour stands for, on light and on dark screens. Hues are after Okabe and Ito
-/// (https://jfly.uni-koeln.de/color/); their lightness is such that any two of them are at least 18 apart in CIELAB for
-/// people without red or green cones too (Machado, Oliveira and Fernandes 2009, doi:10.1109/TVCG.2009.113).
+/// Meanings of colours, on light and on dark screens. Hues are after Okabe and Ito (https://jfly.uni-koeln.de/color/);
+/// their lightness is such that any two of them are at least 18 apart in CIELAB for people without red or green cones
+/// too (Machado, Oliveira and Fernandes 2009, doi:10.1109/TVCG.2009.113).
 enum class Ink { kZmp, kCom, kDcm, kFoot, kJoint, kLimit, kSupport, kBad, kMuted };
 
-/// How a line is drawn: what was planned is broad and pale, what was measured lies thin and dark on top of it.
+/// Line styles: planned values are broad and pale, measured values thin and dark on top.
 enum class Stroke { kPlanned, kMeasured, kThin, kDashed };
 
 /// The style sheet's class of an ink or a stroke.
@@ -20,7 +20,7 @@ const char* CssClass(Stroke stroke);
 /// The style sheet of all plots, for light and dark screens.
 std::string PlotStyle();
 
-/// A plot as a file of its own: XML declaration, name space, style inside.
+/// A plot as a separate file: XML declaration, name space, style inside.
 std::string StandaloneSvg(const std::string& svg);
 
 }  // namespace gaitwright

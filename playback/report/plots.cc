@@ -33,7 +33,7 @@ void MarkTimes(const PlotData& data, SvgPlot& plot, bool in_words) {
 std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                             const StabilityReport& report) {
   PlotData data{model, plan, log, report, MakeMotionSeries(model, plan, log, ScoreOptionsOf(log))};
-  if (data.series.measured.empty()) throw InvalidArgument("MakePlots: the log has no sample that can be drawn");
+  if (data.series.measured.empty()) throw InvalidArgument("MakePlots: the log has no sample with finite values");
   const Metric& fell = report.At("fell");
   if (fell.value.value_or(0.0) > 0.0 && fell.at_s) {
     std::size_t count = data.series.measured.size();

@@ -109,8 +109,9 @@ void SvgPlot::Line(const std::vector<Vector2>& points, Ink ink, Stroke stroke, c
 void SvgPlot::Band(const std::vector<double>& x, const std::vector<double>& lower, const std::vector<double>& upper,
                    Ink ink, const std::string& label) {
   if (x.size() != lower.size() || x.size() != upper.size()) {
-    throw InvalidArgument(fmt::format("SvgPlot::Band: {} values of x, {} and {} of the bounds; they must be as many",
-                                      x.size(), lower.size(), upper.size()));
+    throw InvalidArgument(
+        fmt::format("SvgPlot::Band: {} values of x, but {} and {} of the bounds; equal numbers are needed", x.size(),
+                    lower.size(), upper.size()));
   }
   std::vector<Vector2> there, back;
   const auto flush = [&] {

@@ -108,7 +108,7 @@ Plot TopView(const PlotData& data) {
   return {
       "top_view",
       "Footholds, support polygons, centre of mass and zero-moment point, in metres and to scale. The measured ZMP is "
-      "low-passed at 10 ms; the supports are those of the feet that are scheduled to stand, where they really were.",
+      "low-pass filtered with 10 ms; supports are those of the scheduled stance feet at their measured positions.",
       plot.Svg()};
 }
 

@@ -26,7 +26,7 @@ std::string Interval(const ShareInterval& share) {
 
 std::string Cards(const RobustnessReport& r) {
   std::string html = "<div class=\"cards\">\n";
-  html += Card("survive to the plan's end", Percent(r.survival.share), Interval(r.survival));
+  html += Card("survival to the plan's end", Percent(r.survival.share), Interval(r.survival));
   html += Card("keep every gate", Percent(r.pass_share.share), Interval(r.pass_share));
   const GaitSensitivity& gait = r.gait_sensitivity;
   if (gait.norm) {
@@ -56,7 +56,7 @@ std::string TallyTable(const std::string& title, const std::vector<Tally>& talli
 
 std::string SensitivityTable(const RobustnessReport& report) {
   if (report.survived == 0 && report.n > 1)
-    return "<p class=\"soft\">What falls go with cannot be told: every trial fell.</p>\n";
+    return "<p class=\"soft\">Correlates of falling are not available, because every trial fell.</p>\n";
   std::string rows;
   for (const Sensitivity& s : report.sensitivity) {
     const bool word = s.of_a_word;
@@ -66,9 +66,9 @@ std::string SensitivityTable(const RobustnessReport& report) {
         EscapedXml(s.name), Cell(s.how), s.effect, s.p, s.weight, word ? Cell("") : Number(s.median_fell),
         word ? Cell("") : Number(s.median_survived));
   }
-  return Table("What falls go with",
-               "<th>figure</th><th>falls go with</th><th class=\"n\">effect</th><th class=\"n\">p</th><th "
-               "class=\"n\">log odds</th><th class=\"n\">median, fell</th><th class=\"n\">median, survived</th>",
+  return Table("Correlates of falling",
+               "<th>quantity</th><th>falls if</th><th class=\"n\">effect</th><th class=\"n\">p</th><th class=\"n\">log "
+               "odds</th><th class=\"n\">median, fell</th><th class=\"n\">median, survived</th>",
                rows) +
          (rows.empty() ? ""
                        : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 where every fall has more (or "
@@ -87,8 +87,7 @@ std::string WorstTable(const RobustnessReport& report) {
                rows) +
          (rows.empty() ? ""
                        : "<p class=\"soft\"><span class=\"key\">" + EscapedXml(report.subject.repeat) +
-                             "</span> repeats one exactly, "
-                             "with a report of its own.</p>\n");
+                             "</span> repeats one exactly, with its own report.</p>\n");
 }
 
 std::string MetricTable(const RobustnessReport& report) {
@@ -115,7 +114,7 @@ std::string SubjectLine(const TrialSubject& subject) {
 }
 
 std::string Conditions(const TrialSubject& subject) {
-  std::string html = "<h2>What it was played under</h2>\n<details open=\"open\"><summary>Disturbances</summary><pre>" +
+  std::string html = "<h2>Conditions</h2>\n<details open=\"open\"><summary>Disturbances</summary><pre>" +
                      EscapedXml(subject.disturbances) +
                      "</pre></details>\n<details><summary>All options of the playback</summary><table><tbody>\n";
   for (const auto& [key, value] : subject.options) html += "<tr>" + Cell(key) + Cell(value) + "</tr>\n";
@@ -139,7 +138,7 @@ std::string TrialsPage(const RobustnessReport& report) {
                         plot.name, plot.svg, EscapedXml(plot.caption));
   }
   html += TallyTable("Causes of falls", report.causes) +
-          TallyTable("Gates broken without a fall", report.broken_gates) + SensitivityTable(report) +
+          TallyTable("Gates failed without a fall", report.broken_gates) + SensitivityTable(report) +
           WorstTable(report) + MetricTable(report) + Conditions(report.subject);
   return html + "</main></body></html>\n";
 }

@@ -49,14 +49,14 @@ std::vector<Vector2> Border(const std::vector<PushBin>& bins, std::optional<doub
 }
 
 Plot PolarPlot(const RobustnessReport& report) {
-  SvgPlot plot(SvgPlot::ToScale("Pushes by direction", "to the right [N]", "ahead [N]"));
+  SvgPlot plot(SvgPlot::ToScale("Pushes by direction", "to the right [N]", "forward [N]"));
   double largest = 0.0;
   for (const PushRecord& push : report.pushes) largest = std::max(largest, push.size_n());
   for (const double radius : RoundTicks(0.0, std::max(largest, 1e-3), 4)) {
     if (radius > 0.0) plot.Line(Ring(radius), Ink::kMuted, Stroke::kDashed);
   }
   for (const PushRecord& push : report.pushes) {
-    if (push.outcome == Fate::kUnknown) plot.Dot(PlaceOf(push), Ink::kMuted, 1.5, "cannot be told");
+    if (push.outcome == Fate::kUnknown) plot.Dot(PlaceOf(push), Ink::kMuted, 1.5, "unknown");
   }
   for (const PushRecord& push : report.pushes) {
     if (push.outcome == Fate::kRecovered) plot.Dot(PlaceOf(push), Ink::kFoot, 2.2, "survived");
@@ -66,14 +66,13 @@ Plot PolarPlot(const RobustnessReport& report) {
   }
   plot.Line(Border(report.push_bins, &PushBin::largest_survived_n), Ink::kFoot, Stroke::kMeasured, "largest survived");
   plot.Line(Border(report.push_bins, &PushBin::smallest_fatal_n), Ink::kBad, Stroke::kMeasured, "smallest fatal");
-  return {"pushes",
-          fmt::format(
-              "Every push of every trial as an arrow's head, seen from above with the robot's heading up: its "
-              "direction and its size, with its part upward. Fatal is one after which the robot fell within {:g} s, "
-              "before another one came; survived, one after which it stood for {:g} s. It may have fallen for "
-              "another reason than its push.",
-              kPushWindow, kPushWatched),
-          plot.Svg()};
+  return {
+      "pushes",
+      fmt::format("Every push of every trial, seen from above with the robot's heading up: direction and size, "
+                  "including its upward part. A push is fatal if the robot fell within {:g} s, before another push; it "
+                  "is survived if the robot stayed up for {:g} s. The push need not be the cause of the fall.",
+                  kPushWindow, kPushWatched),
+      plot.Svg()};
 }
 
 /// A figure of each trial with whether it survived, by the figure.
@@ -92,9 +91,9 @@ Outcomes SortedBy(const RobustnessReport& report, const std::string& name) {
 
 Plot SurvivalOver(const RobustnessReport& report, const Sensitivity& cause) {
   SvgPlot::Options options;
-  options.title = "Survival over what falls go with most";
+  options.title = "Survival against the strongest correlate of falling";
   options.x_label = fmt::format("{} [{}]", cause.name, cause.unit);
-  options.y_label = "share that survives";
+  options.y_label = "survival rate";
   options.y_lowest = 0.0;
   options.y_highest = 1.02;
   SvgPlot plot(options);
@@ -119,19 +118,18 @@ Plot SurvivalOver(const RobustnessReport& report, const Sensitivity& cause) {
   const bool grouped = bins > 1;
   if (grouped) {
     plot.Band(x, low, high, Ink::kSupport, "95 % interval");
-    plot.Line(shares, Ink::kCom, Stroke::kMeasured, "share of groups of as many trials");
+    plot.Line(shares, Ink::kCom, Stroke::kMeasured, "share in groups of equal size");
   }
   for (const auto& [value, survived] : outcomes) {
     survived ? plot.Dot({value, 1.0}, Ink::kFoot, 1.8, "survived") : plot.Cross({value, 0.0}, Ink::kBad, "fell");
   }
-  return {
-      "survival_by_cause",
-      fmt::format("{} goes with falls more surely than any other figure (p {:.2g}). {}", cause.name, cause.p,
-                  grouped ? "Trials are put into groups by it; the line is the share of each that survived."
-                          : fmt::format("Each trial is a mark: on top where it survived, at the bottom where it fell. "
-                                        "For the share of groups that survives, {} trials are needed.",
-                                        2 * kLeastOfGroup)),
-      plot.Svg()};
+  return {"survival_by_cause",
+          fmt::format("{} has the most significant association with falling (p {:.2g}). {}", cause.name, cause.p,
+                      grouped ? "Trials are grouped by its value; the line is the share of each group that survived."
+                              : fmt::format("Each mark is a trial: at the top if it survived, at the bottom if it "
+                                            "fell. Group shares need {} trials.",
+                                            2 * kLeastOfGroup)),
+          plot.Svg()};
 }
 
 /// Gates that a share of their limit means something for: limits over zero, and at most.
@@ -158,7 +156,8 @@ Plot GatesPlot(const RobustnessReport& report) {
     plot.Dot({share(m.median), static_cast<double>(row)}, Ink::kZmp, 4.0, "median");
   }
   plot.AcrossY(1.0, Ink::kLimit, "limit");
-  return {"gates", "How the metrics that have a limit spread over the trials; what is over twice its limit ends there.",
+  return {"gates",
+          "Distribution over the trials of the metrics that have a limit; values above twice the limit are clipped.",
           plot.Svg()};
 }
 
@@ -177,8 +176,8 @@ Plot ScoresPlot(const RobustnessReport& report) {
   for (std::size_t i = 0; i < scores.size(); ++i) line.emplace_back(static_cast<double>(i + 1), scores[i]);
   SvgPlot plot(options);
   plot.Line(line, Ink::kCom, Stroke::kMeasured);
-  plot.AcrossX(50.0, Ink::kLimit, "every gate holds above", true);
-  return {"scores", "The score of every trial, the worst first; 50 and more keep every gate.", plot.Svg()};
+  plot.AcrossX(50.0, Ink::kLimit, "every gate passes above", true);
+  return {"scores", "Score of every trial, the worst first; trials with 50 and more pass every gate.", plot.Svg()};
 }
 
 }  // namespace

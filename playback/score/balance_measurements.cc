@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-const char* const kNoZmp = "no sample had a coplanar support with enough normal force";
+const char* const kNoZmp = "no sample has a coplanar support with enough normal force";
 const char* const kNoSupport = "no foot is scheduled to stand";
 
 double Percentile(std::vector<double> values, double share) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gaitwright {
 namespace {
@@ -25,10 +26,11 @@ class Bounds {
  public:
   explicit Bounds(const ScoreOptions& options) : options_(options) {}
 
-  /// Why this sample is out of them, or nothing; those before have been seen.
-  std::string Passed(const MotionSample& planned, const MotionSample& measured) {
+  /// The fall that this sample shows, if any; call it for all samples in order.
+  std::optional<Fall> Passed(const MotionSample& planned, const MotionSample& measured) {
     if (AngleBetween(UpInBase(planned), UpInBase(measured)) > options_.fall_tilt_rad) {
-      return fmt::format("the base tilted {:.2f} rad where the plan has {:.2f} rad", Tilt(measured), Tilt(planned));
+      return Fall{true, measured.time_s, FallKind::kTilted,
+                  fmt::format("the base tilted to {:.2f} rad, planned {:.2f} rad", Tilt(measured), Tilt(planned))};
     }
     const double planned_ground = GroundUnder(planned);
     if (!measured.support.empty()) higher_ground_m_ = GroundUnder(measured) - planned_ground;
@@ -36,9 +38,10 @@ class Bounds {
     const double planned_height = planned.X_WB.translation().z() - planned_ground;
     if (height < options_.fall_height_lowest * planned_height ||
         height > options_.fall_height_highest * planned_height) {
-      return fmt::format("the base was {:.3f} m high where the plan has {:.3f} m", height, planned_height);
+      return Fall{true, measured.time_s, FallKind::kLeftHeight,
+                  fmt::format("the base was at a height of {:.3f} m, planned {:.3f} m", height, planned_height)};
     }
-    return {};
+    return std::nullopt;
   }
 
  private:
@@ -48,30 +51,41 @@ class Bounds {
   double higher_ground_m_ = 0.0;
 };
 
-void Earlier(double time_s, const std::string& what, Fall& fall) {
-  if (what.empty() || (fall.fell && fall.time_s <= time_s)) return;
-  fall = {true, time_s, what};
+void Earlier(const std::optional<Fall>& other, Fall& fall) {
+  if (other && !(fall.fell && fall.time_s <= other->time_s)) fall = *other;
+}
+
+/// The log gives the reason as text only.
+FallKind KindOfEnd(const std::string& broke_off) {
+  return broke_off.starts_with("the controller") ? FallKind::kControllerStopped : FallKind::kPhysicsStopped;
 }
 
 }  // namespace
 
 Fall FindFall(const MotionPlan& plan, const PlaybackLog& log, const MotionSeries& series, const ScoreOptions& options) {
-  Fall fall{false, log.samples.empty() ? log.start_s : log.samples.back().time_s, ""};
+  Fall fall{false, log.samples.empty() ? log.start_s : log.samples.back().time_s};
   const double log_end = fall.time_s;
   Bounds bounds(options);
   for (std::size_t k = 0; k < series.measured.size() && !fall.fell; ++k) {
-    Earlier(series.measured[k].time_s, bounds.Passed(series.planned[k], series.measured[k]), fall);
+    Earlier(bounds.Passed(series.planned[k], series.measured[k]), fall);
   }
   for (const BodyContact& contact : log.body_contacts) {
-    Earlier(contact.time_s, fmt::format("'{}', which is no foot, touched the ground", contact.link), fall);
+    Earlier(Fall{true, contact.time_s, FallKind::kBodyContact,
+                 fmt::format("'{}', which is not a foot, touched the ground", contact.link)},
+            fall);
   }
-  if (!log.broke_off.empty() && (!fall.fell || fall.time_s >= log_end)) fall = {true, log_end, log.broke_off};
+  if (!log.broke_off.empty() && (!fall.fell || fall.time_s >= log_end))
+    fall = {true, log_end, KindOfEnd(log.broke_off), log.broke_off};
   if (series.measured.size() < log.samples.size()) {
-    Earlier(log.samples[series.measured.size()].time_s, "the physics gave a state that is not finite", fall);
+    Earlier(Fall{true, log.samples[series.measured.size()].time_s, FallKind::kNotFinite,
+                 "the physics gave a state that is not finite"},
+            fall);
   }
   const double plan_end = plan.whole_body.end_s();
   if (log_end < plan_end - std::max(0.02, 2.0 / log.log_rate_hz)) {
-    Earlier(log_end, fmt::format("the log ends here, before the plan's end at {:.2f} s", plan_end), fall);
+    Earlier(Fall{true, log_end, FallKind::kEndedEarly,
+                 fmt::format("the log ends here, before the plan's end at {:.2f} s", plan_end)},
+            fall);
   }
   return fall;
 }

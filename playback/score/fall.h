@@ -7,17 +7,30 @@
 
 namespace gaitwright {
 
-/// The end of standing up, if it came.
-struct Fall {
-  bool fell = false;
-  double time_s = 0.0;  ///< when it fell; the end of the log when it did not
-  std::string what;     ///< "the base tilted 0.71 rad where the plan has 0.02 rad"
+/// By what a fall was recognised.
+enum class FallKind {
+  kNone,               ///< no fall
+  kTilted,             ///< tilt of the base out of bounds
+  kLeftHeight,         ///< height of the base out of bounds
+  kBodyContact,        ///< a link that is not a foot touched the ground
+  kControllerStopped,  ///< the playback ended early because of the controller
+  kPhysicsStopped,     ///< the playback ended early because of the physics
+  kNotFinite,          ///< a state of the log is not finite
+  kEndedEarly,         ///< the log ends before the plan
 };
 
-/// The first of: base tilted off the plan's by more than `fall_tilt_rad` (angle between the two up directions as the
-/// base sees them, whatever the yaw); base height over the feet in stance, in flight over what they took off from, out
-/// of its bounds; a contact of a body that is no foot; a playback that broke off, which goes before what its last
-/// sample shows; a state that is not finite; a log that ends before the plan.
+/// The robot's fall, if there is one.
+struct Fall {
+  bool fell = false;
+  double time_s = 0.0;  ///< time of the fall; the end of the log without one
+  FallKind kind = FallKind::kNone;
+  std::string what = {};  ///< "the base tilted to 0.71 rad, planned 0.02 rad"
+};
+
+/// The first of: a base tilt that differs from the plan by more than `fall_tilt_rad` (angle between the two up
+/// directions in the base frame, independent of yaw); a base height out of its bounds, measured above the stance feet
+/// or, in flight, above the ground of the take-off; a ground contact of a link that is not a foot; an early end of the
+/// playback, which takes precedence over its last sample; a state that is not finite; a log that ends before the plan.
 Fall FindFall(const MotionPlan& plan, const PlaybackLog& log, const MotionSeries& series, const ScoreOptions& options);
 
 }  // namespace gaitwright

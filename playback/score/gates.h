@@ -11,14 +11,14 @@
 
 namespace gaitwright {
 
-/// One row of the table of metrics: what a key means, its gate, and what it weighs in the score.
+/// One row of the table of metrics: meaning of a key, its gate, and its weight in the score.
 struct MetricRule {
   std::string key, unit;
   Better better = Better::kNeither;
   Bound bound = Bound::kNone;
   double limit = 0.0;  ///< in the key's unit, for a leg of kReferenceLegLength where scaled
   bool scales_with_leg = false;
-  double weight = 0.0;  ///< in the score; 0 for what is only told
+  double weight = 0.0;  ///< in the score; 0 if it is only reported
   double scale = 1.0;   ///< the value (lower is better) or half-width (higher is better) at quality one half
   std::string meaning;
 };

@@ -14,7 +14,7 @@ bool MayBeAtALimit(const Actuator& motor) {
 
 namespace {
 
-const char* const kNoTorqueLimit = "no joint has a torque limit that is more than a placeholder";
+const char* const kNoTorqueLimit = "no joint has a torque limit other than a placeholder";
 
 bool HasSpeedLimit(const Actuator& motor) { return std::isfinite(motor.velocity_limit) && motor.velocity_limit > 0.0; }
 
@@ -87,7 +87,7 @@ Measurement CostOfTransport(const ScoreInputs& in) {
     return (samples.back().X_WB.translation() - samples.front().X_WB.translation()).head<2>().norm();
   };
   if (std::min(way(measured), way(planned)) < kLeastShareOfLeg * in.leg_length_m) {
-    return {"cost_of_transport", {}, {}, {}, "it went less than a quarter of a leg's length"};
+    return {"cost_of_transport", {}, {}, {}, "the robot moved less than a quarter of its leg length"};
   }
   double planned_work = 0.0;
   for (std::size_t k = 1; k < measured.size(); ++k) {
@@ -166,7 +166,7 @@ std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
   return {TorqueUse(in),
           Saturated(in),
           FromExtremes("joint_speed_use_max", measured.speed, planned.speed,
-                       "no joint has a speed limit that is more than a placeholder"),
+                       "no joint has a speed limit other than a placeholder"),
           FromExtremes("joint_limit_margin_min_rad", measured.margin, planned.margin,
                        "no joint with position limits moves"),
           CostOfTransport(in),

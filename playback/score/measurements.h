@@ -11,11 +11,11 @@
 
 namespace gaitwright {
 
-/// A figure before it is held against its gate.
+/// A measured value before the check of its gate.
 struct Measurement {
   std::string key;
   std::optional<double> value, planned, at_s;
-  std::string missing;  ///< why there is no value
+  std::string missing;  ///< reason of a missing value
 };
 
 /// All that measuring needs. `series` ends at the fall.

@@ -129,7 +129,7 @@ void CheckLog(const RobotModel& model, const PlaybackLog& log) {
   double before_s = -std::numeric_limits<double>::infinity();
   for (const LogSample& sample : log.samples) {
     if (!(sample.time_s > before_s)) {
-      throw InvalidArgument(fmt::format("Score: the log has a sample at {} s behind one at {} s; their times must grow",
+      throw InvalidArgument(fmt::format("Score: the log has a sample at {} s after one at {} s; times must increase",
                                         sample.time_s, before_s));
     }
     before_s = sample.time_s;

@@ -80,8 +80,8 @@ Event PlanUnstable(const ScoreInputs& in) {
   const MotionSample& s = planned[*at];
   return FailureEvent{
       Kind::kPlanUnstable, s.time_s,
-      fmt::format("from {:.2f} s the plan itself has its ZMP outside of the support of {}, by up to {:.0f} mm",
-                  s.time_s, NamesOf(in, s.stance), -1e3 * worst)};
+      fmt::format("from {:.2f} s the plan itself has its ZMP outside the support of {}, by up to {:.0f} mm", s.time_s,
+                  NamesOf(in, s.stance), -1e3 * worst)};
 }
 
 Event PlanBeyondLimits(const ScoreInputs& in) {
@@ -100,11 +100,11 @@ Event PlanBeyondLimits(const ScoreInputs& in) {
     }
     const std::string& name = in.model.dof_names[static_cast<std::size_t>(i)];
     Earlier(position, Kind::kPlanBeyondLimits,
-            fmt::format("the plan itself takes '{}' past its limit, by up to {:.3f} {}", name, position.worst,
+            fmt::format("the plan itself moves '{}' past its limit, by up to {:.3f} {}", name, position.worst,
                         PositionUnit(in.model, i)),
             first);
     Earlier(torque, Kind::kPlanBeyondLimits,
-            fmt::format("the plan itself asks up to {0:.2f} {3} of '{1}', whose limit is {2:.2f} {3}", torque.worst,
+            fmt::format("the plan itself needs up to {0:.2f} {3} from '{1}', whose limit is {2:.2f} {3}", torque.worst,
                         motor.name, limit, motor.effort_unit()),
             first);
   }
@@ -124,11 +124,11 @@ Event PlanBeyondFriction(const ScoreInputs& in) {
       const double normal = force.dot(ground.normal_W);
       sideways.See(s.time_s, (force - normal * ground.normal_W).norm(), ground.friction * std::max(normal, 0.0), slack);
     }
-    Earlier(
-        sideways, Kind::kPlanBeyondFriction,
-        fmt::format("the plan itself pushes '{}' along the ground with up to {:.1f} N where friction holds {:.1f} N",
-                    FootName(in, static_cast<int>(f)), sideways.worst, sideways.limit),
-        first);
+    Earlier(sideways, Kind::kPlanBeyondFriction,
+            fmt::format(
+                "the plan itself needs a tangential force of up to {1:.1f} N at '{0}', but friction allows {2:.1f} N",
+                FootName(in, static_cast<int>(f)), sideways.worst, sideways.limit),
+            first);
   }
   return first;
 }
@@ -153,11 +153,11 @@ Event PlanForcesOff(const ScoreInputs& in) {
   if (!at) return {};
   std::string text;
   if (force_off(*at) > force_limit) {
-    text = fmt::format("contact forces are not those of its motion: {:.0f} N in all where it needs {:.0f} N",
+    text = fmt::format("contact forces do not match its motion: {:.0f} N in all, needed {:.0f} N",
                        all[*at].given_W.norm(), all[*at].needed_W.norm());
   } else {
     torque_off(*at);
-    text = fmt::format("torques are not those of its motion: '{0}' has {1:.2f} {3} where it needs {2:.2f} {3}",
+    text = fmt::format("torques do not match its motion: '{0}' has {1:.2f} {3}, needed {2:.2f} {3}",
                        in.model.dof_names[static_cast<std::size_t>(joint)], in.series.plan[*at].tau[joint],
                        all[*at].needed_tau[joint], EffortUnit(in.model, static_cast<int>(joint)));
   }

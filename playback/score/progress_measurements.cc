@@ -29,7 +29,7 @@ std::vector<Measurement> ProgressMeasurements(const ScoreInputs& in) {
     rows.back().at_s = in.fall.time_s;
     rows.push_back({"time_to_fall_s", in.fall.time_s - in.log.start_s, {}, in.fall.time_s, ""});
   } else {
-    rows.push_back({"time_to_fall_s", {}, {}, {}, "it did not fall"});
+    rows.push_back({"time_to_fall_s", {}, {}, {}, "the robot did not fall"});
   }
   rows.push_back({"distance_m", Distance(last, first), Distance(to, from), end, ""});
   rows.push_back({"goal_error_m", Distance(last, in.plan.goal), Distance(to, in.plan.goal), end, ""});

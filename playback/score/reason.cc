@@ -77,7 +77,7 @@ std::vector<Unforeseen> OfTheBody(const LogOptions& options) {
       Vector3(options.At("play.com_shift_x_m"), options.At("play.com_shift_y_m"), options.At("play.com_shift_z_m"))
           .norm();
   if (shift_m != 0.0)
-    told.push_back({fmt::format("the base's centre of mass {:.3g} mm off", 1e3 * shift_m), shift_m / 0.01});
+    told.push_back({fmt::format("the base's centre of mass shifted by {:.3g} mm", 1e3 * shift_m), shift_m / 0.01});
   return told;
 }
 
@@ -85,15 +85,15 @@ std::vector<Unforeseen> OfTheDrives(const LogOptions& options) {
   std::vector<Unforeseen> told;
   const double step_s = options.At("play.step_s", 1e-3), friction = options.At("play.joint_friction_nm");
   const double late_s = step_s * std::round(options.At("command_delay_s") / step_s);  // it is so in whole steps
-  if (late_s != 0.0) told.push_back({fmt::format("commands late by {:.3g} ms", 1e3 * late_s), late_s / 0.004});
+  if (late_s != 0.0) told.push_back({fmt::format("a command delay of {:.3g} ms", 1e3 * late_s), late_s / 0.004});
   AddFactor(options, "play.motor_strength", "the motors' strength", told);
   AddFactor(options, "play.torque_scale", "the motors' torque", told);
   AddFactor(options, "gains.stiffness_scale", "the joints' stiffness", told);
   AddFactor(options, "gains.damping_scale", "the joints' damping", told);
-  if (friction != 0.0) told.push_back({fmt::format("{:.3g} N m of friction more in each joint", friction), 1.0});
-  if (options.At("play.rotor_inertia_kg_m2") != 0.0) told.push_back({"rotors of more inertia", 1.0});
+  if (friction != 0.0) told.push_back({fmt::format("{:.3g} N m of additional friction in each joint", friction), 1.0});
+  if (options.At("play.rotor_inertia_kg_m2") != 0.0) told.push_back({"additional rotor inertia", 1.0});
   const std::string state = options.Text("state");
-  if (!state.empty() && state != "true") told.push_back({"the state as it is " + state, 1.0});
+  if (!state.empty() && state != "true") told.push_back({"the state source " + state, 1.0});
   return told;
 }
 
@@ -102,8 +102,8 @@ std::vector<Unforeseen> OfTheStart(const LogOptions& options) {
   const double off_m = Vector3(at("x_m"), at("y_m"), at("z_m")).norm();
   const double turned = Vector3(at("roll_rad"), at("pitch_rad"), at("yaw_rad")).norm();
   std::vector<Unforeseen> told;
-  if (off_m != 0.0) told.push_back({fmt::format("a start {:.3g} mm off", 1e3 * off_m), off_m / 0.01});
-  if (turned != 0.0) told.push_back({fmt::format("a start turned by {:.3g} rad", turned), turned / 0.05});
+  if (off_m != 0.0) told.push_back({fmt::format("a start displaced by {:.3g} mm", 1e3 * off_m), off_m / 0.01});
+  if (turned != 0.0) told.push_back({fmt::format("a start rotated by {:.3g} rad", turned), turned / 0.05});
   return told;
 }
 
@@ -163,8 +163,8 @@ std::string Tightest(const std::vector<Metric>& metrics) {
     if (!m.applied || !m.value || m.bound != Bound::kAtMost || *m.limit <= 0.0) continue;
     if (tightest == nullptr || use(m) > use(*tightest)) tightest = &m;
   }
-  if (tightest == nullptr) return "every gate holds";
-  return fmt::format("every gate holds; nearest to its limit is {} with {} of {}", tightest->key,
+  if (tightest == nullptr) return "every gate passes";
+  return fmt::format("every gate passes; closest to its limit is {} with {} of {}", tightest->key,
                      FigureText(*tightest, *tightest->value), FigureText(*tightest, *tightest->limit));
 }
 
@@ -203,8 +203,8 @@ const char* WordsOf(FailureEvent::Kind kind) {
 std::string FallText(const ScoreInputs& in) {
   constexpr double kMoment = 0.05;  // [s]
   if (in.fall.time_s - in.log.start_s < kMoment)
-    return fmt::format("it gave way while it settled, before the plan began: {}", in.fall.what);
-  return fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what);
+    return fmt::format("the robot fell while settling, before the plan began: {}", in.fall.what);
+  return fmt::format("the robot fell at {:.2f} s: {}", in.fall.time_s, in.fall.what);
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) 
   const double before_s = in.fall.fell ? in.fall.time_s : std::numeric_limits<double>::infinity();
   const std::string under = MostOf(AllUnforeseen(in.plan, in.log, before_s));
   std::string text = under.empty() ? "" : "under " + under + ": ";
-  text += in.fall.fell ? FallText(in) : "it did not fall, but " + BrokenGates(metrics);
+  text += in.fall.fell ? FallText(in) : "the robot did not fall, but " + BrokenGates(metrics);
   if (!events.empty()) text += "; " + First(events, in.fall.fell ? 3 : 1);
   return text;
 }
@@ -232,16 +232,15 @@ std::string CauseOf(const ScoreInputs& in, const std::vector<Metric>& metrics) {
   const auto broken = std::find_if(metrics.begin(), metrics.end(), [](const Metric& m) { return !m.pass; });
   if (broken == metrics.end()) return "";
   if (!in.fall.fell) return broken->key;
-  if (!in.log.broke_off.empty() && in.fall.what == in.log.broke_off) {
-    return in.fall.what.starts_with("the controller") ? kControllerBroke : kPhysicsBroke;
-  }
+  const FallKind kind = in.fall.kind;
+  if (kind == FallKind::kControllerStopped) return kControllerBroke;
+  if (kind == FallKind::kPhysicsStopped) return kPhysicsBroke;
   for (const FailureEvent& event : FailureEvents(in)) {
     if (event.time_s >= in.fall.time_s - kLast) return WordsOf(event.kind);
   }
-  const std::string& what = in.fall.what;
-  if (what.find("tilted") != std::string::npos) return kTilted;
-  if (what.find("high where") != std::string::npos) return kLeftHeight;
-  return what.find("not finite") != std::string::npos ? kPhysicsBroke : kEndedEarly;
+  if (kind == FallKind::kTilted) return kTilted;
+  if (kind == FallKind::kLeftHeight) return kLeftHeight;
+  return kind == FallKind::kNotFinite ? kPhysicsBroke : kEndedEarly;
 }
 
 bool IsCauseOfFall(const std::string& cause) {

@@ -10,9 +10,9 @@
 
 namespace gaitwright {
 
-/// What a playback was put through that its plan did not know, in words, from its log: "a push of 60 N to the left from
-/// 3.00 s for 0.10 s", "a slope of 2 degrees". Pushes that began after a time are left out, and of those before it all
-/// but the last two. Empty for a plain playback.
+/// Disturbances of a playback that its plan did not know, as text, from its log: "a push of 60 N to the left from 3.00
+/// s for 0.10 s", "a slope of 2 degrees". Pushes that began after a time are left out, and of those before it all but
+/// the last two. Empty for a plain playback.
 std::vector<std::string> DisturbancesOf(const MotionPlan& plan, const PlaybackLog& log,
                                         double before_s = std::numeric_limits<double>::infinity());
 
@@ -25,7 +25,7 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
 /// pass.
 std::string CauseOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
 
-/// Whether CauseOf says so of some fall.
+/// Whether CauseOf can return this cause for a fall.
 bool IsCauseOfFall(const std::string& cause);
 
 }  // namespace gaitwright

@@ -7,12 +7,12 @@
 
 namespace gaitwright {
 
-/// For people: the verdict, the score, the reason, and a table of the figures with what was planned and their limits.
+/// Text report: the verdict, the score, the reason, and a table of the metrics with planned values and limits.
 std::string ReportText(const StabilityReport& report);
 
 /// The stable object of `walk` and `play`: robot, verdict, score, reason, metrics {KEY: {value, planned, unit, limit,
-/// pass, at_s}}, notes. What does not exist is null and `not_applied` says why; `pass` is false only where an applied
-/// gate broke. The caller adds its files and times.
+/// pass, at_s}}, notes. Missing values are null, with the reason in `not_applied`; `pass` is false only where an
+/// applied gate broke. The caller adds its files and times.
 std::string ReportJson(const StabilityReport& report);
 
 /// A figure for people: "23.4 mm", "1.2 %", "0.31 rad", "yes". Lengths below 1 m in mm.

@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// How measurements are made; what they are held against stands in gates.h.
+/// Options of the measurements; gates.h has the limits.
 struct ScoreOptions {
   double zmp_filter_s = 0.010;
   double min_normal_fraction = 0.05;
@@ -16,21 +16,24 @@ struct ScoreOptions {
   double stretch = 0.95;
 
   OptionFields Fields() {
-    return {{"zmp_filter_s", &zmp_filter_s, "s", 0.0, 1.0,
-             "Time constant of the first-order low-pass of the ZMP, measured and planned alike."},
-            {"min_normal_fraction", &min_normal_fraction, "1", 0.0, 1.0,
-             "Samples with less normal force than this share of the weight have no ZMP."},
-            {"fall_tilt_rad", &fall_tilt_rad, "rad", 0.0, 3.2, "A base tilted this much off the plan's has fallen."},
-            {"fall_height_lowest", &fall_height_lowest, "1", 0.0, 1.0,
-             "A base below this share of the plan's height has fallen."},
-            {"fall_height_highest", &fall_height_highest, "1", 1.0, 10.0,
-             "A base above this share of the plan's height has fallen (or been thrown)."},
-            {"stretch", &stretch, "1", 0.5, 1.0,
-             "Share of a leg's straight length that a recovery step may use; sets the one-step capturable set."}};
+    return WithBasics({"fall_tilt_rad", "fall_height_lowest"},
+                      {{"zmp_filter_s", &zmp_filter_s, "s", 0.0, 1.0,
+                        "Time constant of the first-order low-pass filter on the measured and the planned ZMP."},
+                       {"min_normal_fraction", &min_normal_fraction, "1", 0.0, 1.0,
+                        "Smallest normal force, as a share of the weight, at which a ZMP is computed."},
+                       {"fall_tilt_rad", &fall_tilt_rad, "rad", 0.0, 3.2,
+                        "Tilt of the base relative to the plan above which the robot counts as fallen."},
+                       {"fall_height_lowest", &fall_height_lowest, "1", 0.0, 1.0,
+                        "Share of the planned base height below which the robot counts as fallen."},
+                       {"fall_height_highest", &fall_height_highest, "1", 1.0, 10.0,
+                        "Multiple of the planned base height above which the robot counts as fallen (thrown upward)."},
+                       {"stretch", &stretch, "1", 0.5, 1.0,
+                        "Share of the straight leg's length that a recovery step may use; it defines the one-step "
+                        "capturable region."}});
   }
 };
 
-/// Those that a log was scored with when it was played, so far as it has any; else the defaults.
+/// The options with which a log was scored after its playback, if it has them; else the defaults.
 ScoreOptions ScoreOptionsOf(const PlaybackLog& log);
 
 }  // namespace gaitwright

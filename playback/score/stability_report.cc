@@ -20,11 +20,12 @@ constexpr double kLineShare = 0.05;  // of the time on a line or a point, from w
 /// Why the gate of this key does not apply to the motion, or nothing.
 std::string NotApplied(const std::string& key, double share_without_area) {
   if (key == "zmp_margin_p05_m" && share_without_area > kLineShare) {
-    return fmt::format("the support is a line or a point for {:.0f} % of the time; dcm_capture_margin_min_m stands in",
-                       100.0 * share_without_area);
+    return fmt::format(
+        "the support is a line or a point for {:.0f} % of the time, so dcm_capture_margin_min_m is the gate",
+        100.0 * share_without_area);
   }
   if (key == "dcm_capture_margin_min_m" && share_without_area <= kLineShare) {
-    return "the support has area; zmp_margin_p05_m is the gate";
+    return "the support has area, so zmp_margin_p05_m is the gate";
   }
   return {};
 }
@@ -56,7 +57,7 @@ std::vector<Metric> GatedMetrics(const ScoreInputs& in, const GateScale& scale) 
   std::vector<Metric> metrics;
   for (const MetricRule& rule : MetricRules()) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Measurement& m) { return m.key == rule.key; });
-    if (found == all.end()) throw std::logic_error("Score: nothing measures '" + rule.key + "'");
+    if (found == all.end()) throw std::logic_error("Score: internal error: no measurement of '" + rule.key + "'");
     metrics.push_back(Gated(rule, *found, scale, share_without_area));
   }
   return metrics;
@@ -82,8 +83,8 @@ std::vector<std::string> NotesOf(const RobotModel& model) {
     if (joint.effort_limit_is_placeholder) efforts.push_back(joint.name);
     if (joint.velocity_limit_is_placeholder) speeds.push_back(joint.name);
   }
-  if (!efforts.empty()) notes.push_back("torque limits are placeholders and judge nothing: " + QuotedList(efforts));
-  if (!speeds.empty()) notes.push_back("speed limits are placeholders and judge nothing: " + QuotedList(speeds));
+  if (!efforts.empty()) notes.push_back("torque limits are placeholders and are not checked: " + QuotedList(efforts));
+  if (!speeds.empty()) notes.push_back("speed limits are placeholders and are not checked: " + QuotedList(speeds));
   return notes;
 }
 

@@ -12,15 +12,14 @@
 
 namespace gaitwright {
 
-/// What a playback was worth.
-/// Always true: the verdict is a pass exactly when every applied gate holds; metrics stand in the order of
-/// MetricRules().
+/// Verdict and metrics of a playback. Always true: the verdict is a pass exactly when every applied gate holds; metrics
+/// stand in the order of MetricRules().
 struct StabilityReport {
   std::string robot;
   bool pass = false;
   double score = 0.0;  ///< see ScoreOf
   std::string reason;  ///< why it fell or failed, or which gate is tightest; one plain sentence
-  std::string cause;   ///< the same in a few words without figures, to be counted; empty for a pass, see CauseOf
+  std::string cause;   ///< the reason in a few words without numbers, for counts; empty for a pass, see CauseOf
   std::vector<Metric> metrics;
   std::vector<std::string> notes;  ///< placeholder limits and the like
 
@@ -37,7 +36,7 @@ struct StabilityReport {
 StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                       const ScoreOptions& options);
 
-/// The same as it was scored when it was played: with the log's own options, so far as it has any.
+/// The score as after the playback: with the log's options, if it has them.
 StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log);
 
 }  // namespace gaitwright

@@ -16,10 +16,10 @@ Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, const
 std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain,
                                    int foot);
 
-/// What carries the robot: the soles of a set of feet at the poses where they are, whether or not they touch.
+/// Support of the robot: the soles of a set of feet at their poses, in contact or not.
 struct Support {
   std::vector<Vector3> points_W;          ///< contact points, in the order of the feet
-  Polygon polygon;                        ///< hull in plan view of what is on the ground of their patches
+  Polygon polygon;                        ///< hull in plan view of the parts on their patches
   Vector3 reference_W = Vector3::Zero();  ///< their mean
   Vector3 normal_W = Vector3::UnitZ();    ///< mean normal of the ground below them
   double base_yaw_rad = 0.0;              ///< heading where the points alone give none

@@ -42,7 +42,7 @@ Event ContactLost(const ScoreInputs& in) {
       if (!off || sample.time_s - off_since < TimingGate()) continue;
       if (!first || off_since < first->time_s) {
         first = FailureEvent{Kind::kContactLost, off_since,
-                             fmt::format("at {:.2f} s '{}' was off the ground where the schedule has it standing",
+                             fmt::format("at {:.2f} s '{}' was off the ground, although the schedule has it in stance",
                                          off_since, FootName(in, foot))};
       }
       break;
@@ -60,7 +60,7 @@ Event EarlyContact(const ScoreInputs& in) {
                           stance.touchdown_s < swing.touchdown_s - TimingGate();
       const double at = std::max(stance.touchdown_s, swing.liftoff_s);
       if (!inside || (first && first->time_s <= at)) continue;
-      const char* how = stance.touchdown_s <= swing.liftoff_s ? "did not leave the ground when its swing began"
+      const char* how = stance.touchdown_s <= swing.liftoff_s ? "stayed on the ground after its swing began"
                                                               : "touched the ground in mid swing";
       first =
           FailureEvent{Kind::kEarlyContact, at, fmt::format("at {:.2f} s '{}' {}", at, FootName(in, swing.foot), how)};
@@ -138,7 +138,7 @@ std::string WhatIsLeft(const ScoreInputs& in, int index, const LogSample& sample
   if (warms && limit < kNear * fast) takers.emplace_back("warmth");
   const std::string whole_limit = fmt::format(" of {:.2f} {}", whole, actuator.effort_unit());
   return takers.empty() ? whole_limit
-                        : fmt::format("{} (less for the motor's {})", whole_limit, fmt::join(takers, " and "));
+                        : fmt::format("{} (reduced by the motor's {})", whole_limit, fmt::join(takers, " and "));
 }
 
 Event TorqueLimit(const ScoreInputs& in) {

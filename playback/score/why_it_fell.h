@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// Something that went wrong on the way.
+/// An event that preceded a failure.
 struct FailureEvent {
   enum class Kind {
     kPlanUnstable,        ///< the plan's own ZMP is outside of its support
@@ -21,7 +21,7 @@ struct FailureEvent {
     kSlip,                ///< a foot slid further than the gate allows
     kTorqueLimit,         ///< a joint stayed at its limit
     kDcmOut,              ///< no step of the plan could catch the DCM any more
-    kBodyContact,         ///< a body that is no foot touched the ground
+    kBodyContact,         ///< a body that is not a foot touched the ground
   };
   Kind kind = Kind::kContactLost;
   double time_s = 0.0;

@@ -30,7 +30,7 @@ class Encoders {
   /// Once a step. @param q  true positions of the independent joints.
   const JointReading& Read(const Eigen::Ref<const VectorX>& q);
 
-  /// How far each joint's zero is off: what a reading has over the truth beside noise, as long as it runs.
+  /// Zero offset of each joint: constant error of the readings, in addition to noise.
   const VectorX& bias() const { return bias_; }
 
  private:

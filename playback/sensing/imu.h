@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// What an inertial measurement unit at the base's origin tells, in the axes of the base.
+/// Reading of an inertial measurement unit at the base's origin, in base axes.
 struct ImuReading {
   Vector3 rate_B = Vector3::Zero();   ///< angular velocity [rad/s]
   Vector3 force_B = Vector3::Zero();  ///< specific force R_WB^T (a_WB - g) [m/s^2]

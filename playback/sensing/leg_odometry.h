@@ -12,7 +12,7 @@
 
 namespace gaitwright {
 
-/// Where the base is and how it moves, as IMU, encoders and contacts tell: an extended Kalman filter whose errors are
+/// Estimate of the base's pose and velocity from IMU, encoders and contacts: an extended Kalman filter whose errors are
 /// right-invariant, so that what cannot be observed (place and heading) stays so in its covariance whatever the motion.
 ///
 /// = Notation =
@@ -36,7 +36,7 @@ namespace gaitwright {
 /// 2012, doi:10.15607/RSS.2012.VIII.003. Update allocates nothing.
 class LegOdometry {
  public:
-  /// What is known of the sensors and of the ground.
+  /// Known data of the sensors and of the ground.
   struct Setup {
     OdometryOptions options;
     SensorOptions data_sheet;  ///< its noise and biases; delays are not made up for
@@ -49,7 +49,7 @@ class LegOdometry {
   /// At rest at the base pose of q, all feet in the air.
   void Start(const VectorX& q);
 
-  /// Once a step: from the state one step ago and what was read since.
+  /// Call once per step: updates the state of the last step with the readings since.
   void Update(const ImuReading& imu, const JointReading& joints, const ContactReading& contact);
 
   /// The two halves of Update.

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What LegOdometry takes for granted beside the sensors' own data sheet (SensorOptions).
+/// Assumptions of LegOdometry, in addition to the sensors' data (SensorOptions).
 ///
 /// Tuning
 ///   drifts or turns off slowly while it walks     lower stance_slip_m_s_sqrt_hz, where feet do not slip
@@ -25,66 +25,30 @@ struct OdometryOptions {
   double terrain_height_m = 0.0;
 
   OptionFields Fields() {
-    return {
-        {"stance_slip_m_s_sqrt_hz",
-         &stance_slip_m_s_sqrt_hz,
-         "m/s/sqrt(Hz)",
-         1e-5,
-         1.0,
-         "How a foot that stands firmly may creep, as white noise of its velocity.",
-         {}},
-        {"landing_slip_m_s_sqrt_hz",
-         &landing_slip_m_s_sqrt_hz,
-         "m/s/sqrt(Hz)",
-         1e-5,
-         10.0,
-         "The same of one that has just landed or is about to leave.",
-         {}},
-        {"stance_turn_rad_s_sqrt_hz",
-         &stance_turn_rad_s_sqrt_hz,
-         "rad/s/sqrt(Hz)",
-         1e-5,
-         10.0,
-         "How a sole that stands firmly may turn or rock.",
-         {}},
-        {"landing_turn_rad_s_sqrt_hz",
-         &landing_turn_rad_s_sqrt_hz,
-         "rad/s/sqrt(Hz)",
-         1e-5,
-         100.0,
-         "The same of one that has just landed or is about to leave.",
-         {}},
-        {"trust_s", &trust_s, "s", 0.0, 1.0, "Time in contact until a foot stands firmly.", {}},
-        {"trust_load", &trust_load, "1", 0.0, 1.0, "Share of the robot's weight on a foot that stands firmly.", {}},
-        {"model_error_m",
-         &model_error_m,
-         "m",
-         1e-6,
-         0.1,
-         "Error of a foot's place against the base beyond that of the encoders.",
-         {}},
-        {"gate",
-         &gate,
-         "1",
-         1.0,
-         100.0,
-         "A foot that is more standard deviations than this from where it was has slipped, and is taken anew.",
-         {}},
-        {"start_tilt_rad",
-         &start_tilt_rad,
-         "rad",
-         1e-4,
-         1.0,
-         "Error of the tilt with which the robot is put on its start, as a standard deviation.",
-         {}},
-        {"terrain_height_m",
-         &terrain_height_m,
-         "m",
-         0.0,
-         1.0,
-         "Error of the planned ground's height where a foot lands, as a standard deviation; 0: it is not used.",
-         {}},
-    };
+    return WithBasics(
+        {},
+        {
+            {"stance_slip_m_s_sqrt_hz", &stance_slip_m_s_sqrt_hz, "m/s/sqrt(Hz)", 1e-5, 1.0,
+             "Slip velocity of a foot in firm stance, as a white-noise density."},
+            {"landing_slip_m_s_sqrt_hz", &landing_slip_m_s_sqrt_hz, "m/s/sqrt(Hz)", 1e-5, 10.0,
+             "Slip velocity of a foot that has just landed or is about to lift off, as a white-noise density."},
+            {"stance_turn_rad_s_sqrt_hz", &stance_turn_rad_s_sqrt_hz, "rad/s/sqrt(Hz)", 1e-5, 10.0,
+             "Rotation rate of a sole in firm stance, as a white-noise density."},
+            {"landing_turn_rad_s_sqrt_hz", &landing_turn_rad_s_sqrt_hz, "rad/s/sqrt(Hz)", 1e-5, 100.0,
+             "Rotation rate of a sole that has just landed or is about to lift off, as a white-noise density."},
+            {"trust_s", &trust_s, "s", 0.0, 1.0, "Time in contact after which a foot counts as firm."},
+            {"trust_load", &trust_load, "1", 0.0, 1.0,
+             "Smallest load of a firm foot, as a share of the robot's weight."},
+            {"model_error_m", &model_error_m, "m", 1e-6, 0.1,
+             "Standard deviation of a foot's position relative to the base, in addition to encoder errors."},
+            {"gate", &gate, "1", 1.0, 100.0,
+             "Number of standard deviations beyond which a moved foot counts as slipped and its position is "
+             "initialised again."},
+            {"start_tilt_rad", &start_tilt_rad, "rad", 1e-4, 1.0,
+             "Standard deviation of the base's tilt at the start."},
+            {"terrain_height_m", &terrain_height_m, "m", 0.0, 1.0,
+             "Standard deviation of the planned ground height where a foot lands; 0 does not use the planned height."},
+        });
   }
 };
 

@@ -12,7 +12,7 @@ namespace {
 SensingOptions Checked(const MotionPlan& plan, SensingOptions options) {
   CheckOptions(options.Fields());
   if (options.state == "estimated" && plan.whole_body.q.empty())
-    throw InvalidArgument("the plan has no whole-body motion that says where the estimate of the state begins");
+    throw InvalidArgument("the plan has no whole-body motion, which the state estimate needs for its start");
   return options;
 }
 

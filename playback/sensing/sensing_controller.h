@@ -10,11 +10,11 @@
 
 namespace gaitwright {
 
-/// A controller that has the robot through its sensors: what the inner one is told is measured or estimated, and what
-/// it commands comes late. The motors' own loops are not delayed: stiffness and damping of a JointCommand are closed in
-/// the drive, on its own encoder. Of that only the zero may be off, by the bias that the controller sees too, so that
-/// what a drive holds is its target less that bias. With `drive_loop` "sensed" they are closed here instead, on the
-/// sensed state, and a torque is commanded:  tau_ff + stiffness (q - q_sensed) + damping (v - v_sensed).
+/// A controller behind sensors: the inner controller gets measured or estimated states, and its commands are delayed.
+/// The motors' own loops are not delayed: stiffness and damping of a JointCommand are closed in the drive, on its own
+/// encoder. Of that only the zero may be off, by the bias that the controller sees too, so that what a drive holds is
+/// its target less that bias. With `drive_loop` "sensed" they are closed here instead, on the sensed state, and a
+/// torque is commanded:  tau_ff + stiffness (q - q_sensed) + damping (v - v_sensed).
 ///
 ///   true       the state as it is
 ///   measured   joints from encoders, contacts and vertical forces from the feet, the base as it is
@@ -51,7 +51,7 @@ class SensingController : public Controller {
   BaseEstimate estimate_;
 };
 
-/// The controller behind its sensors and delays; itself where there is nothing between.
+/// The controller behind sensors and delays; the controller itself if there are none.
 std::unique_ptr<Controller> BehindSensors(const RobotModel& model, const MotionPlan& plan,
                                           std::unique_ptr<Controller> controller, const SensingOptions& options);
 

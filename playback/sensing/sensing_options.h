@@ -20,24 +20,19 @@ struct SensingOptions {
   /// `sensors.` and `odometry.` before the keys of those.
   OptionFields Fields() {
     return Joined(
-        {{{"state", &state, "", 0.0, 0.0,
-           "Where the controller has the robot's state from: true, the simulator; measured, joints and "
-           "contacts from their sensors; estimated, the base too, from IMU, joints and contacts.",
-           StateSourceNames()},
-          {"command_delay_s",
-           &command_delay_s,
-           "s",
-           0.0,
-           kLongestDelay,
-           "From the state that a command is made of to its first effect, in whole time steps.",
-           {}},
-          {"drive_loop", &drive_loop, "", 0.0, 0.0,
-           "What stiffness and damping of a command act on, with play.actuation=torque: own, the joint as its "
-           "drive's own encoder has it at that step; sensed, the state that the controller has, so that they "
-           "come with its sensors' errors and the delay.",
-           DriveLoopNames()}},
-         Prefixed("sensors", sensors.Fields()),
-         Prefixed("odometry", odometry.Fields())});
+        {WithBasics(
+             {"state", "command_delay_s"},
+             {{"state", &state, "", 0.0, 0.0,
+               "Source of the controller's state: simulator (true); joints and contacts from sensors (measured); also "
+               "the base from IMU odometry (estimated).",
+               StateSourceNames()},
+              {"command_delay_s", &command_delay_s, "s", 0.0, kLongestDelay,
+               "Delay from the state that a command uses to the command's first effect, rounded to whole time steps."},
+              {"drive_loop", &drive_loop, "", 0.0, 0.0,
+               "Feedback of the PD loop with play.actuation=torque: exact joint state at each step (own), or the "
+               "controller's sensed, delayed state (sensed).",
+               DriveLoopNames()}}),
+         Prefixed("sensors", sensors.Fields()), Prefixed("odometry", odometry.Fields())});
   }
 
   /// Whether the controller has the true state at once, as if there were nothing between.

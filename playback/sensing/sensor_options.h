@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// What sensors tell less well than the truth. All zero, as here, is a perfect sensor.
+/// Errors of sensors. All zero, the default, is a perfect sensor.
 ///
 /// White noise of an IMU is given as its density, as data sheets do: a reading at f readings a second has the standard
 /// deviation density * sqrt(f), so that its integral over a time T has density * sqrt(T) at any rate. Biases are drawn
@@ -53,8 +53,8 @@ inline constexpr double kLongestDelay = 0.1;
 /// Names of ready-made sets: "ideal", "good", "hobby".
 const std::vector<std::string>& SensorKinds();
 
-/// The figures of a ready-made set; docs/sensing.md says where they are from.
-/// @throws InvalidArgument listing the names there are.
+/// The values of a predefined set; docs/sensing.md gives their sources.
+/// @throws InvalidArgument listing the known names.
 SensorOptions SensorsOfKind(const std::string& name);
 
 /// Where a controller has the robot's state from.
@@ -73,13 +73,13 @@ enum class DriveLoop {
 /// "own", "sensed": in the order of DriveLoop.
 const std::vector<std::string>& DriveLoopNames();
 
-/// @throws InvalidArgument listing the names there are.
+/// @throws InvalidArgument listing the known names.
 DriveLoop DriveLoopOf(const std::string& name);
 
 /// "true", "measured", "estimated": in the order of StateSource.
 const std::vector<std::string>& StateSourceNames();
 
-/// @throws InvalidArgument listing the names there are.
+/// @throws InvalidArgument listing the known names.
 StateSource StateSourceOf(const std::string& name);
 
 }  // namespace gaitwright

@@ -19,30 +19,34 @@ constexpr double kRadian = std::numbers::pi / 180.0;
 
 std::vector<DisturbanceRule> BodyAndGround() {
   return {
-      {"mass_scale", "play.mass_scale", "1", 0.1, 10.0, "factor on all masses, and inertias with them",
+      {"mass_scale", "play.mass_scale", "1", 0.1, 10.0, "factor on all masses and inertias",
        DisturbanceEffect::kFactor},
-      {"inertia_scale", "play.inertia_scale", "1", 0.1, 10.0, "factor on all moments of inertia besides",
+      {"inertia_scale", "play.inertia_scale", "1", 0.1, 10.0, "additional factor on all moments of inertia",
        DisturbanceEffect::kFactor},
-      {"com_shift_m", "", "m", 0.0, 1.0, "the base's own centre of mass is moved this far, in any direction"},
-      {"com_shift_x_m", "play.com_shift_x_m", "m", -1.0, 1.0, "it is moved ahead", DisturbanceEffect::kOffset},
-      {"com_shift_y_m", "play.com_shift_y_m", "m", -1.0, 1.0, "it is moved to the left", DisturbanceEffect::kOffset},
-      {"com_shift_z_m", "play.com_shift_z_m", "m", -1.0, 1.0, "it is moved up", DisturbanceEffect::kOffset},
-      {"friction", "play.friction", "1", 0.01, 10.0, "coefficient of all ground"},
-      {"ground_slope_deg", "play.ground_slope_deg", "deg", -45.0, 45.0, "the ground is inclined by this"},
+      {"com_shift_m", "", "m", 0.0, 1.0, "shift of the base link's centre of mass, in a random direction"},
+      {"com_shift_x_m", "play.com_shift_x_m", "m", -1.0, 1.0, "forward shift of the base link's centre of mass",
+       DisturbanceEffect::kOffset},
+      {"com_shift_y_m", "play.com_shift_y_m", "m", -1.0, 1.0, "shift of the base link's centre of mass to the left",
+       DisturbanceEffect::kOffset},
+      {"com_shift_z_m", "play.com_shift_z_m", "m", -1.0, 1.0, "upward shift of the base link's centre of mass",
+       DisturbanceEffect::kOffset},
+      {"friction", "play.friction", "1", 0.01, 10.0, "friction coefficient of all ground"},
+      {"ground_slope_deg", "play.ground_slope_deg", "deg", -45.0, 45.0, "slope of the ground"},
       {"ground_slope_direction_deg", "play.ground_slope_direction_deg", "deg", -360.0, 360.0,
-       "and rises that way: 0 is x of W, 90 is y"},
-      {"ground_bumps_m", "play.ground_bumps_m", "m", 0.0, 0.5, "amplitude of bumps"},
-      {"bump_wavelength_m", "play.bump_wavelength_m", "m", 0.02, 10.0, "twice the distance between bumps"},
-      {"bump_seed", "play.seed", "1", 0.0, 2147483647.0, "of the bumps; each trial has its own where this is not said",
-       DisturbanceEffect::kValue, true},
+       "uphill direction of the slope: 0 is x of the world frame, 90 is y"},
+      {"ground_bumps_m", "play.ground_bumps_m", "m", 0.0, 0.5, "amplitude of ground bumps"},
+      {"bump_wavelength_m", "play.bump_wavelength_m", "m", 0.02, 10.0,
+       "wavelength of ground bumps: twice the distance between neighbours"},
+      {"bump_seed", "play.seed", "1", 0.0, 2147483647.0,
+       "random seed of the ground bumps; default: a different one for each trial", DisturbanceEffect::kValue, true},
   };
 }
 
 std::vector<DisturbanceRule> MotorsAndStart() {
   return {
-      {"latency_s", "command_delay_s", "s", 0.0, 0.1, "commands take effect this late, to the nearest time step",
+      {"latency_s", "command_delay_s", "s", 0.0, 0.1, "delay of commands, rounded to whole time steps",
        DisturbanceEffect::kOffset},
-      {"sensor_noise_scale", "", "1", 0.0, 100.0, "factor on noise, biases and their walk of all sensors that are set"},
+      {"sensor_noise_scale", "", "1", 0.0, 100.0, "factor on noise, biases and bias random walk of all sensors"},
       {"motor_strength", "play.motor_strength", "1", 0.01, 10.0, "factor on the effort limits of all joints",
        DisturbanceEffect::kFactor},
       {"torque_scale", "play.torque_scale", "1", 0.01, 2.0, "share of each motor's torque that reaches its joint",
@@ -50,19 +54,25 @@ std::vector<DisturbanceRule> MotorsAndStart() {
       {"joint_friction_nm", "play.joint_friction_nm", "N m", 0.0, 1000.0, "dry friction added to every joint",
        DisturbanceEffect::kOffset},
       {"rotor_inertia_kg_m2", "play.rotor_inertia_kg_m2", "kg m^2", 0.0, 100.0,
-       "rotor inertia added to every motor as felt at its joint", DisturbanceEffect::kOffset},
+       "reflected rotor inertia added to every joint with a motor", DisturbanceEffect::kOffset},
       {"stiffness_scale", "gains.stiffness_scale", "1", 0.0, 100.0, "factor on the stiffness of all joints",
        DisturbanceEffect::kFactor},
       {"damping_scale", "gains.damping_scale", "1", 0.0, 100.0, "factor on the damping of all joints",
        DisturbanceEffect::kFactor},
-      {"start.x_m", "play.start_x_m", "m", -10.0, 10.0, "the base starts off the plan's pose: along x of W",
+      {"start.x_m", "play.start_x_m", "m", -10.0, 10.0,
+       "offset of the base's start from the plan, along x of the world frame", DisturbanceEffect::kOffset},
+      {"start.y_m", "play.start_y_m", "m", -10.0, 10.0,
+       "offset of the base's start from the plan, along y of the world frame", DisturbanceEffect::kOffset},
+      {"start.z_m", "play.start_z_m", "m", -10.0, 10.0, "upward offset of the base's start from the plan",
        DisturbanceEffect::kOffset},
-      {"start.y_m", "play.start_y_m", "m", -10.0, 10.0, "along y of W", DisturbanceEffect::kOffset},
-      {"start.z_m", "play.start_z_m", "m", -10.0, 10.0, "upward", DisturbanceEffect::kOffset},
-      {"start.roll_rad", "play.start_roll_rad", "rad", -3.2, 3.2, "about the base's x", DisturbanceEffect::kOffset},
-      {"start.pitch_rad", "play.start_pitch_rad", "rad", -3.2, 3.2, "about the base's y", DisturbanceEffect::kOffset},
-      {"start.yaw_rad", "play.start_yaw_rad", "rad", -3.2, 3.2, "about z of W", DisturbanceEffect::kOffset},
-      {"start.joints_rad", "", "rad", -3.2, 3.2, "each joint by a number of its own (of a sliding one metres)"},
+      {"start.roll_rad", "play.start_roll_rad", "rad", -3.2, 3.2,
+       "rotation of the base's start from the plan, about x of the base", DisturbanceEffect::kOffset},
+      {"start.pitch_rad", "play.start_pitch_rad", "rad", -3.2, 3.2,
+       "rotation of the base's start from the plan, about y of the base", DisturbanceEffect::kOffset},
+      {"start.yaw_rad", "play.start_yaw_rad", "rad", -3.2, 3.2,
+       "rotation of the base's start from the plan, about z of the world frame", DisturbanceEffect::kOffset},
+      {"start.joints_rad", "", "rad", -3.2, 3.2,
+       "offset of each joint's start, drawn for each joint (in metres for prismatic joints)"},
   };
 }
 
@@ -227,7 +237,7 @@ void CheckPushes(const Disturbances& disturbances, const RobotModel& model) {
         std::max(OfPush(push, "size_n", {}).highest, model.weight_n() * OfPush(push, "size_of_weight", {}).highest);
     if (hardest > kHardestPush) {
       throw InvalidArgument(
-          fmt::format("push {} may be as hard as {:.6g} N; at most {} N are accepted", i + 1, hardest, kHardestPush));
+          fmt::format("push {} may reach {:.6g} N; at most {} N are accepted", i + 1, hardest, kHardestPush));
     }
     for (const std::string& word : OfPush(push, "place", {}).words) {
       if (std::find(places.begin(), places.end(), word) != places.end()) continue;
@@ -263,17 +273,17 @@ const std::vector<DisturbanceRule>& DisturbanceRules() {
 
 const std::vector<DisturbanceRule>& PushRules() {
   static const std::vector<DisturbanceRule> rules = {
-      {"size_n", "", "N", 0.0, kHardestPush, "how hard"},
-      {"size_of_weight", "", "1", 0.0, 100.0, "how hard, as a share of the robot's weight"},
+      {"size_n", "", "N", 0.0, kHardestPush, "size of the push"},
+      {"size_of_weight", "", "1", 0.0, 100.0, "size of the push, as a share of the robot's weight"},
       {"direction_deg", "", "deg", -360.0, 360.0,
-       "where it pushes to, as the planned base heads then: 0 ahead, 90 to the left; any way where it is not said"},
-      {"elevation_deg", "", "deg", -90.0, 90.0, "over the level; level where it is not said"},
+       "direction of the push relative to the planned heading: 0 is forward, 90 to the left; default: any direction"},
+      {"elevation_deg", "", "deg", -90.0, 90.0, "elevation of the push above horizontal; default 0"},
       {"place", "", "", 0.0, 0.0,
-       "what it acts on: base, robot (the centre of mass of the whole) or the name of a link; base where it is not "
-       "said"},
-      {"at_s", "", "s", 0.0, 1e5, "when it begins, on the plan's clock"},
-      {"at_share", "", "1", 0.0, 1.0, "the same as a share of the plan's time; from 0.1 to 0.9 where it is not said"},
-      {"duration_s", "", "s", kShortestPush, 100.0, "how long it lasts; 0.1 s where it is not said"},
+       "point of the push: base, robot (the whole robot's centre of mass) or the name of a link; default base"},
+      {"at_s", "", "s", 0.0, 1e5, "start time of the push, on the plan's clock"},
+      {"at_share", "", "1", 0.0, 1.0,
+       "start time of the push, as a share of the plan's duration; default: uniform from 0.1 to 0.9"},
+      {"duration_s", "", "s", kShortestPush, 100.0, "duration of the push; default 0.1 s"},
   };
   return rules;
 }

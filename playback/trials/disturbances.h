@@ -15,17 +15,17 @@
 
 namespace gaitwright {
 
-/// How what is drawn goes together with the value that its option has besides.
+/// How a sampled value is combined with the value of its option.
 enum class DisturbanceEffect {
   kFactor,  ///< multiplies it
   kOffset,  ///< is added to it
-  kValue,   ///< takes its place: then only one of them may be said
+  kValue,   ///< replaces it; only one of them may be given
 };
 
-/// A figure that may be disturbed: what its key means and what values it may take.
+/// A quantity that can be disturbed: meaning of its key and accepted values.
 struct DisturbanceRule {
   std::string key;     ///< ends in its SI unit; start.*, sensors.* and of pushes their own part of it
-  std::string option;  ///< of the playback, that it is put into; "" where it takes more than that
+  std::string option;  ///< option of the playback that it changes; "" if it changes several
   std::string unit;
   double lowest = 0.0, highest = 0.0;
   std::string meaning;
@@ -53,7 +53,7 @@ using DisturbedPush = std::vector<Disturbance>;
 /// True when the push has a figure of that key.
 bool HasFigure(const DisturbedPush& push, const std::string& key);
 
-/// What trials sample. What is left out is as the plan has it.
+/// Disturbances that trials sample. Omitted ones are as in the plan.
 struct Disturbances {
   std::vector<Disturbance>
       figures;  ///< in the order of the file, keys such as "mass_scale" or "sensors.encoder_noise_rad"
@@ -62,17 +62,16 @@ struct Disturbances {
   bool operator==(const Disturbances&) const = default;
 };
 
-/// Reads disturbances from YAML, see docs/trials.md. Refused with the line: what is no YAML, unknown keys (the nearest
-/// is named), keys that stand there twice, distributions that are none or reach out of what their figure may be, and
-/// pairs of keys that say the same thing twice.
+/// Reads disturbances from YAML, see docs/trials.md. Refused with the line: invalid YAML, unknown keys (the nearest is
+/// named), duplicate keys, invalid or out-of-range distributions, and pairs of keys that set the same value.
 /// @param sensors  fields of the sensors, whose keys may stand under `sensors`
 /// @param source   names the text in messages.
 Result<Disturbances> ReadDisturbances(const std::string& text, const OptionFields& sensors, const std::string& source);
 
-/// The same from a file.
+/// Reads disturbances from a file.
 Result<Disturbances> LoadDisturbances(const std::string& path, const OptionFields& sensors);
 
-/// As YAML that ReadDisturbances reads to the same. The same disturbances give the same bytes.
+/// As YAML that ReadDisturbances reads to the same. Deterministic to the byte.
 std::string DisturbancesText(const Disturbances& disturbances);
 
 /// The options of a playback that some trial may move off zero.
@@ -81,7 +80,7 @@ std::vector<std::string> DrawnOptions(const Disturbances& disturbances);
 /// The keys of the figures that are drawn in place of one of these options of the playback.
 std::vector<std::string> DrawnInPlaceOf(const Disturbances& disturbances, const std::vector<std::string>& options);
 
-/// What trials sample when nobody says: the robot's uncertainties and pushes, scaled to its legs and its weight.
+/// The default disturbances of trials: the robot's uncertainties and pushes, scaled to its legs and its weight.
 ///   mass, inertia, gains within 10 %, motors down to 90 %, centre of mass of the base within 3 % of the leg's length,
 ///   friction 0.5 to 1.0, slope to 2 degrees any way, bumps to 1 % of the leg's length, commands late by up to 4 ms,
 ///   start within 1 % of the leg's length, 0.02 rad, joints within 0.01 rad; one push of up to a tenth of the weight,
@@ -93,7 +92,7 @@ struct SampledValue {
   std::string name = {};  ///< the key; of the i-th push "push1.size_n"; of a start "start.joint.NAME_rad"
   std::string unit = {};
   double value = 0.0;
-  std::string word = {};  ///< in place of the value, where it is one
+  std::string word = {};  ///< instead of the value, for words
 
   bool operator==(const SampledValue&) const = default;
 };
@@ -107,14 +106,14 @@ struct DrawnOption {
   bool operator==(const DrawnOption&) const = default;
 };
 
-/// What one trial is put through.
+/// Disturbances of one trial.
 struct SampledTrial {
   std::uint64_t seed = 0;
   std::vector<SampledValue> values;  ///< all that was drawn, for the record
   std::vector<DrawnOption> options;
   double sensor_noise_scale = 1.0;  ///< on noise, bias and walk of the sensors that are set
   std::vector<TimedPush> pushes;
-  VectorX start_joints;  ///< see PlayOptions; empty where no joint is moved
+  VectorX start_joints;  ///< see PlayOptions; empty if no joint is moved
   int noise_seed = 0;    ///< of bumps and of sensors
 };
 

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What a file of disturbances may hold, each figure as a value or a distribution.
+/// Structure of a disturbance file, with each quantity as a value or a distribution.
 /// @param sensors  as of ReadDisturbances
 DataShape DisturbancesShape(const OptionFields& sensors);
 

@@ -126,7 +126,7 @@ Fit FitResponse(const std::vector<const Steps*>& trials, const GaitScale& scale)
   TakeOffBoth(table, table.effects);
   const std::vector<Eigen::Index> columns = Varied(table.causes, lags, fit);
   if (columns.empty()) {
-    fit.missing = "nothing that was sampled disturbs one step more than another: bumps and pushes do";
+    fit.missing = "no sampled disturbance differs between steps; bumps and pushes do";
     return fit;
   }
   const int means = static_cast<int>(trials.size() + trials.front()->size()) - 1;  // that were taken off
@@ -137,7 +137,7 @@ Fit FitResponse(const std::vector<const Steps*>& trials, const GaitScale& scale)
   }
   const Eigen::ColPivHouseholderQR<Matrix> solver(table.causes(Eigen::all, columns));
   if (solver.rank() < static_cast<Eigen::Index>(columns.size())) {
-    fit.missing = "the disturbances of one step cannot be told from those of another";
+    fit.missing = "the disturbances of different steps are collinear";
     return fit;
   }
   const Matrix solution = solver.solve(table.effects);
@@ -173,7 +173,7 @@ void SetNorm(const Fit& all, const std::vector<Fit>& without, GaitSensitivity& r
   const double squared = kCount * all.squared() - (kCount - 1.0) * mean;
   const double error = std::sqrt((kCount - 1.0) / kCount * spread);
   if (squared <= 0.0 || squared < kSurely * error) {
-    result.missing = "it cannot be told from chance; more trials, or harder ones, are needed";
+    result.missing = "it is not statistically significant; more trials or stronger disturbances are needed";
     return;
   }
   result.norm = std::sqrt(squared);
@@ -189,13 +189,13 @@ GaitSensitivity EstimateGaitSensitivity(const std::vector<std::vector<GaitStep>>
   for (const Steps& steps : trials) {
     if (all.size() == kMostTrialsShown) break;
     if (steps.size() != trials.front().size())
-      throw InvalidArgument(fmt::format("a trial has {} steps, another {}; they must be of one plan", steps.size(),
+      throw InvalidArgument(fmt::format("trials have {} and {} steps; they must belong to one plan", steps.size(),
                                         trials.front().size()));
     all.push_back(&steps);
   }
   result.trials = static_cast<int>(all.size());
   if (all.empty() || all.front()->empty() || scale.leg_length_m <= 0.0 || scale.mass_kg <= 0.0 || scale.step_s <= 0.0) {
-    result.missing = all.empty() ? "no trial survived" : "the plan has no steps that follow each other";
+    result.missing = all.empty() ? "no trial survived" : "the plan has no consecutive steps";
     return result;
   }
   if (result.trials < kLeastTrials) {
@@ -209,7 +209,7 @@ GaitSensitivity EstimateGaitSensitivity(const std::vector<std::vector<GaitStep>>
   if (!fit.missing.empty()) return result;
   const std::vector<Fit> without = LeaveOut(all, scale);
   if (static_cast<int>(without.size()) < kGroups) {
-    result.missing = "it rests on few trials; more are needed";
+    result.missing = "too few trials for an estimate; more are needed";
     return result;
   }
   SetNorm(fit, without, result);

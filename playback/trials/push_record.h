@@ -27,7 +27,7 @@ struct PushRecord {
 
   /// Of the whole force, with its part upward [N].
   double size_n() const;
-  /// Where it goes in plan view: 0 ahead, 90 to the left; nothing for a push straight up or down, or none at all [deg].
+  /// Direction in plan view: 0 forward, 90 to the left; nothing for a vertical or zero push [deg].
   std::optional<double> direction_deg() const;
 
   bool operator==(const PushRecord&) const = default;
@@ -37,7 +37,7 @@ struct PushRecord {
 struct PushBin {
   double direction_deg = 0.0;  ///< of its middle; 0 ahead, 90 to the left, as the planned base headed
   int n = 0, fell = 0;         ///< pushes that are fatal or recovered from, and those of them that are fatal
-  int unknown = 0;             ///< beside these: pushes of which it cannot be told
+  int unknown = 0;             ///< additional pushes with unknown outcome
   std::optional<double> largest_survived_n = {}, smallest_fatal_n = {};
 
   bool operator==(const PushBin&) const = default;

@@ -45,8 +45,8 @@ DataShape NormalShape(const DisturbanceRule& rule) {
   using namespace shapes;
   return Object({{"mean", Number()},
                  {"std", Positive()},
-                 Optional("lowest", ValueShape(rule), "Three std under the mean unless given."),
-                 Optional("highest", ValueShape(rule), "Three std over the mean unless given.")});
+                 Optional("lowest", ValueShape(rule), "Lower limit; default: three std below the mean."),
+                 Optional("highest", ValueShape(rule), "Upper limit; default: three std above the mean.")});
 }
 
 /// A value, or a distribution of it.
@@ -137,7 +137,7 @@ std::vector<Disturbance> ReadFigures(const YAML::Node& node, const std::string& 
 
 void NotBoth(const YAML::Node& node, const std::vector<Disturbance>& figures, const char* one, const char* other) {
   if (HasFigure(figures, one) && HasFigure(figures, other))
-    RefuseYaml(node, fmt::format("both '{}' and '{}' are given; they say the same thing, give one", one, other));
+    RefuseYaml(node, fmt::format("'{}' and '{}' are both given, but set the same value; give only one", one, other));
 }
 
 DisturbedPush ReadPush(const YAML::Node& node) {
@@ -145,7 +145,7 @@ DisturbedPush ReadPush(const YAML::Node& node) {
   NotBoth(node, push, "size_n", "size_of_weight");
   NotBoth(node, push, "at_s", "at_share");
   if (!HasFigure(push, "size_n") && !HasFigure(push, "size_of_weight"))
-    RefuseYaml(node, "a push lacks its size; 'size_n' or 'size_of_weight' is needed");
+    RefuseYaml(node, "a push has no size; 'size_n' or 'size_of_weight' is needed");
   return push;
 }
 
@@ -186,7 +186,8 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
     } else if (entry.key == "pushes") {
       const std::vector<YAML::Node> pushes = ListOf(entry.value, "'pushes'");
       if (pushes.size() > kMostPushes)
-        RefuseYaml(entry.value, fmt::format("{} pushes; at most {} are given", pushes.size(), kMostPushes));
+        RefuseYaml(entry.value,
+                   fmt::format("there are {} pushes; at most {} are accepted", pushes.size(), kMostPushes));
       for (const YAML::Node& push : pushes) disturbances.pushes.push_back(ReadPush(push));
     } else {
       const auto rule = std::find_if(own.begin(), own.end(), [&](const auto& r) { return r.key == entry.key; });
@@ -194,7 +195,7 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
     }
   }
   if (disturbances.figures.empty() && disturbances.pushes.empty())
-    RefuseYaml(root, "the file holds no disturbances: its groups are empty; for none at all give mass_scale: 1");
+    RefuseYaml(root, "the file contains no disturbances: its groups are empty; for none, write mass_scale: 1");
   for (const char* axis : {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"})
     NotBoth(root, disturbances.figures, "com_shift_m", axis);
   return disturbances;
@@ -238,9 +239,9 @@ DataShape DisturbancesShape(const OptionFields& sensors) {
   DataShape shape = FiguresShape(RulesOf(""));
   DataShape push = FiguresShape(PushRules());
   push.one_of = {{"size_n", "size_of_weight"}};
-  shape.members.push_back(Optional("start", FiguresShape(RulesOf("start")), "How far off its plan it starts."));
-  shape.members.push_back(Optional("sensors", FiguresShape(SensorRules(sensors)), "Figures of the sensors."));
-  shape.members.push_back(Optional("pushes", List(push, 0, kMostPushes), "Each is given in every trial."));
+  shape.members.push_back(Optional("start", FiguresShape(RulesOf("start")), "Offset of the start from the plan."));
+  shape.members.push_back(Optional("sensors", FiguresShape(SensorRules(sensors)), "Sensor options."));
+  shape.members.push_back(Optional("pushes", List(push, 0, kMostPushes), "Pushes, each of which acts in every trial."));
   shape.least = 1;
   return shape;
 }
@@ -251,15 +252,15 @@ Result<Disturbances> ReadDisturbances(const std::string& text, const OptionField
                    FailureCode::kDisturbances,
                    "ReadDisturbances",
                    fmt::format("'{}', {}", source, message),
-                   {"every key stands in docs/trials.md"}};
+                   {"docs/trials.md lists all keys"}};
   };
   try {
     const YAML::Node root = LoadYaml(text);
     if (!root.IsMap() || root.size() == 0)
-      return bad("line 1: holds no disturbances: a map of keys is needed; for none at all give mass_scale: 1");
+      return bad("line 1: contains no disturbances; a map of keys is needed; for none, write mass_scale: 1");
     return ReadRoot(root, sensors);
   } catch (const YAML::Exception& error) {
-    return bad(fmt::format("line {}: is no YAML from here on", error.mark.line + 1));
+    return bad(fmt::format("line {}: not valid YAML from here on", error.mark.line + 1));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }

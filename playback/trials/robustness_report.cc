@@ -116,7 +116,8 @@ RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutc
   report.subject = subject;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].number != static_cast<int>(i))
-      throw InvalidArgument(fmt::format("outcome {} is of trial {}; they must be in order", i, outcomes[i].number));
+      throw InvalidArgument(
+          fmt::format("outcome {} belongs to trial {}; outcomes must be in order", i, outcomes[i].number));
     report.survived += outcomes[i].survived ? 1 : 0;
     report.passed += outcomes[i].passed ? 1 : 0;
   }

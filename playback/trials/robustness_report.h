@@ -34,7 +34,7 @@ struct Tally {
   bool operator==(const Tally&) const = default;
 };
 
-/// What a run of trials was about.
+/// Subject of a run of trials.
 struct TrialSubject {
   std::string robot, robot_hash;
   std::string plan_hash;        ///< MotionHash: that of the logs
@@ -63,7 +63,7 @@ struct RobustnessReport {
   std::vector<Tally> broken_gates;    ///< of trials that did not fall and did not pass, likewise
   std::vector<Sensitivity> sensitivity;
   GaitSensitivity gait_sensitivity;
-  std::vector<PushBin> push_bins;  ///< empty where nothing pushes
+  std::vector<PushBin> push_bins;  ///< empty without pushes
   std::vector<PushRecord> pushes;
   std::vector<int> worst;  ///< numbers of the worst trials, the worst first: falls, failures, passes, each by score
   std::vector<TrialOutcome> outcomes;
@@ -72,14 +72,14 @@ struct RobustnessReport {
   const TrialOutcome& Outcome(int number) const { return outcomes.at(static_cast<std::size_t>(number)); }
 };
 
-/// Puts outcomes together: a pure function of them, whatever ran them and in which order.
+/// Combines outcomes: a pure function of them, independent of the order of execution.
 /// @param outcomes  in the order of their numbers, from 0 without a gap. @throws InvalidArgument otherwise.
 RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutcome> outcomes);
 
-/// The stable object that the program writes, see docs/json-output.md; the same report gives the same bytes.
+/// The JSON object that the program writes, see docs/json-output.md; deterministic to the byte.
 std::string RobustnessJson(const RobustnessReport& report);
 
-/// What to mind of a report whose trials repeat one another, in a sentence; empty where each is another playback.
+/// Caution for a report whose trials repeat one another, as a sentence; empty if all playbacks differ.
 std::string RepeatsText(const RobustnessReport& report);
 
 /// The report in words, for a terminal.

@@ -131,16 +131,14 @@ std::string Share(const char* what, int k, int n, const ShareInterval& interval)
 }
 
 std::string SensitivityLines(const RobustnessReport& report) {
-  if (report.survived == 0 && report.n > 1)
-    return "\nwhat falls go with: every trial fell, so that there is none to tell them from\n";
+  if (report.survived == 0 && report.n > 1) return "\ncorrelates of falling: not available, because every trial fell\n";
   if (report.sensitivity.empty()) return "";
-  std::string text = "\nwhat falls go with (effect 0 to 1, p-value; small p: surely)\n";
+  std::string text = "\ncorrelates of falling (effect 0 to 1, p-value)\n";
   for (std::size_t i = 0; i < std::min(kMostTold, report.sensitivity.size()); ++i) {
     const Sensitivity& s = report.sensitivity[i];
     text += fmt::format("  {:<36} {:<10} effect {:.2f}  p {:.2g}", s.name, s.how, s.effect, s.p);
     if (!s.of_a_word) {
-      text +=
-          fmt::format("  median {:.4g} where it fell, {:.4g} where not [{}]", s.median_fell, s.median_survived, s.unit);
+      text += fmt::format("  median {:.4g} if fell, {:.4g} if not [{}]", s.median_fell, s.median_survived, s.unit);
     }
     text += "\n";
   }
@@ -157,19 +155,19 @@ std::string VariedWords(const GaitSensitivity& gait) {
 }
 
 std::string GaitSensitivityLine(const GaitSensitivity& gait) {
-  if (!gait.norm) return fmt::format("\ngait sensitivity norm: none, {}\n", gait.missing);
+  if (!gait.norm) return fmt::format("\ngait sensitivity norm: not available, {}\n", gait.missing);
   return fmt::format("\ngait sensitivity norm {:.3g}, standard error {:.2g}, of step time and foot placement to {}\n",
                      *gait.norm, *gait.standard_error, VariedWords(gait));
 }
 
 std::string PushLines(const RobustnessReport& report) {
   if (report.push_bins.empty()) return "";
-  std::string text = "\npushes by direction (0 ahead, 90 to the left)\n";
+  std::string text = "\npushes by direction (0 forward, 90 to the left)\n";
   for (const PushBin& bin : report.push_bins) {
     const auto size = [](const std::optional<double>& n) { return n ? fmt::format("{:.1f} N", *n) : std::string("-"); };
     text += fmt::format("  {:>3.0f} deg  {:>4} pushes, {:>3} fell; largest survived {:>8}, smallest fatal {:>8}{}\n",
                         bin.direction_deg, bin.n, bin.fell, size(bin.largest_survived_n), size(bin.smallest_fatal_n),
-                        bin.unknown > 0 ? fmt::format("; of {} more it cannot be told", bin.unknown) : "");
+                        bin.unknown > 0 ? fmt::format("; {} more undecided", bin.unknown) : "");
   }
   return text;
 }
@@ -223,11 +221,11 @@ std::string RobustnessJson(const RobustnessReport& report) {
 
 std::string RepeatsText(const RobustnessReport& report) {
   if (report.different == report.n) return "";
-  const std::string counted = "the interval holds for trials that differ, and a preflight counts each playback once";
+  const std::string counted = "the interval is valid for different trials only; a preflight counts each playback once";
   if (report.different == 1)
-    return fmt::format("all {} trials are one and the same playback, which nothing that is drawn changes; {}", report.n,
+    return fmt::format("all {} trials are identical: no sampled disturbance affects the playback; {}", report.n,
                        counted);
-  return fmt::format("only {} of {} trials are different playbacks, the others repeat them; {}", report.different,
+  return fmt::format("only {} of {} trials are different playbacks, and the others repeat them; {}", report.different,
                      report.n, counted);
 }
 
@@ -237,10 +235,11 @@ std::string RobustnessText(const RobustnessReport& report) {
   for (const std::string& remark : Remarks(report)) text += fmt::format("note: {}\n", remark);
   if (!report.causes.empty()) text += "\ncauses of falls\n";
   for (const Tally& tally : report.causes) text += fmt::format("  {:>4}  {}\n", tally.count, tally.what);
-  if (!report.broken_gates.empty()) text += "\ngates broken without a fall\n";
+  if (!report.broken_gates.empty()) text += "\ngates failed without a fall\n";
   for (const Tally& tally : report.broken_gates) text += fmt::format("  {:>4}  {}\n", tally.count, tally.what);
   text += GaitSensitivityLine(report.gait_sensitivity) + SensitivityLines(report) + PushLines(report);
-  if (!report.worst.empty()) text += fmt::format("\nthe worst; {} repeats one exactly\n", report.subject.repeat);
+  if (!report.worst.empty())
+    text += fmt::format("\nworst trials; repeat one exactly with: {}\n", report.subject.repeat);
   for (const int number : report.worst) {
     const TrialOutcome& o = report.Outcome(number);
     text += fmt::format("  seed {:>10}  {} {:>6.2f} s  {}\n", o.seed,

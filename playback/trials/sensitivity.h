@@ -12,13 +12,13 @@ struct RankTest {
   double p = 1.0;       ///< two-sided
 };
 
-/// Mann and Whitney's test, whatever the numbers' distributions. The p-value is exact where the groups are small and no
-/// two numbers are the same, else by the normal approximation with ties and continuity reckoned with.
-/// Mann and Whitney, Annals of Mathematical Statistics 18(1), 1947, doi:10.1214/aoms/1177730491; Kerby,
-/// Comprehensive Psychology 3, 2014, doi:10.2466/11.IT.3.1, for the effect. An empty group tells nothing.
+/// Mann and Whitney's test, for any distributions. The p-value is exact for small groups without ties, else by the
+/// normal approximation with corrections for ties and continuity. Mann and Whitney, Annals of Mathematical Statistics
+/// 18(1), 1947, doi:10.1214/aoms/1177730491; Kerby, Comprehensive Psychology 3, 2014, doi:10.2466/11.IT.3.1, for the
+/// effect. An empty group gives no result.
 RankTest CompareRanks(const std::vector<double>& first, const std::vector<double>& second);
 
-/// What one sampled figure has to do with the falls.
+/// Association of one sampled quantity with falls.
 struct Sensitivity {
   std::string name = {}, unit = {};
   std::string how = {};    ///< "more", "less", "far off", "near", or "is WORD": what goes with falls
@@ -38,9 +38,10 @@ struct SampledColumn {
   std::vector<std::string> words = {};
 };
 
-/// Ranks figures by how well they tell falls from survivals, the surest first. Each is tried as it is and by its
-/// distance from its own median over all trials (so that a shift to either side counts), words one by one; p-values are
-/// multiplied by the number of ways. Figures that never differ are left out. Empty without falls or without survivals.
+/// Ranks quantities by how well they separate falls from survivals, the most significant first. Each is tried as it is
+/// and by its distance from its own median over all trials (so that a shift to either side counts), words one by one;
+/// p-values are multiplied by the number of ways. Figures that never differ are left out. Empty without falls or
+/// without survivals.
 /// @param fell  by trial. @throws InvalidArgument when a column has another length.
 std::vector<Sensitivity> RankDisturbances(const std::vector<SampledColumn>& columns, const std::vector<char>& fell);
 

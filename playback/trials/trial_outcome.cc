@@ -28,8 +28,8 @@ Json SampledJson(const std::vector<SampledValue>& sampled) {
 /// @throws InvalidArgument for a figure that no trial has.
 double In(const char* what, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return value;
-  throw InvalidArgument(
-      fmt::format("a line is no outcome of a trial: its {} is {}; accepted: {} to {}", what, value, lowest, highest));
+  throw InvalidArgument(fmt::format("a line is not an outcome of a trial: its {} is {}; accepted: {} to {}", what,
+                                    value, lowest, highest));
 }
 
 constexpr double kMost = 1e30;   // of any figure, in its unit
@@ -139,7 +139,7 @@ TrialOutcome OutcomeFromLine(const std::string& line) {
     o.survived = j.at("survived").get<bool>();
     o.passed = j.at("passed").get<bool>();
     if (o.passed && !o.survived)
-      throw InvalidArgument("a line is no outcome of a trial: it passed, and did not survive");
+      throw InvalidArgument("a line is not an outcome of a trial: it passed but did not survive");
     o.score = In("score", j.at("score").get<double>(), 0.0, 100.0);
     o.ended_s = In("end", j.at("ended_s").get<double>(), -kLatest, kLatest);
     o.cause = j.at("cause").get<std::string>();
@@ -157,7 +157,7 @@ TrialOutcome OutcomeFromLine(const std::string& line) {
     o.steps = StepsFrom(j.at("steps"));
     return o;
   } catch (const Json::exception& error) {
-    throw InvalidArgument(fmt::format("a line is no outcome of a trial: {}", error.what()));
+    throw InvalidArgument(fmt::format("a line is not an outcome of a trial: {}", error.what()));
   }
 }
 

@@ -62,7 +62,7 @@ MotionSeries SeriesOf(const ShownMotion& shown) {
 
 Json MotionScene(const ShownMotion& shown) {
   const MotionSeries series = SeriesOf(shown);
-  if (series.planned.empty()) throw InvalidArgument("SceneJson: the log has no sample that can be drawn");
+  if (series.planned.empty()) throw InvalidArgument("SceneJson: the log has no sample with finite values");
   const double rate_hz = shown.log == nullptr ? kSceneRateHz : shown.log->log_rate_hz;
   const std::size_t stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kSceneRateHz)));
   TrackScenes tracks = TracksScene(shown.model, shown.plan, shown.log, series, stride);

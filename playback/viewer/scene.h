@@ -12,14 +12,14 @@
 
 namespace gaitwright {
 
-/// A motion that is to be seen: a plan, with what happened to it where that is known.
+/// A motion to show: a plan, with its playback if known.
 struct ShownMotion {
   std::string title;
   const RobotModel& model;
   const MotionPlan& plan;
   const PlaybackLog* log = nullptr;             ///< of the plan; null shows the plan alone
   const StabilityReport* report = nullptr;      ///< of the log; null shows no verdict
-  std::string objection = {};                   ///< why it is a fail whatever physics said; empty for none
+  std::string objection = {};                   ///< reason of a fail independent of physics; empty for none
   std::optional<std::string> mesh_folder = {};  ///< of the URDF, to look for visual meshes; without it hulls are shown
 };
 

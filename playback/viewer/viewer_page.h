@@ -8,21 +8,20 @@
 
 namespace gaitwright {
 
-/// Whether the program has the viewer in it: not where it was built with GAITWRIGHT_VIEWER=OFF.
+/// Whether the program contains the viewer; false if built with GAITWRIGHT_VIEWER=OFF.
 bool HasViewer();
 
-/// A page that shows motions in 3D side by side under one clock, with plots. Whole by itself: no network. Well-formed
+/// A page that shows motions in 3D side by side under one clock, with plots. Self-contained: no network. Well-formed
 /// XML. @throws InvalidArgument as SceneJson does, and without the viewer.
 std::string ViewerPage(const std::string& title, const std::vector<ShownMotion>& motions);
 
-/// The same as a part of another page: an element, the scene and what shows it. Empty without the viewer.
+/// The viewer as a part of another page: an element, the scene and the script. Empty without the viewer.
 std::string ViewerPart(const std::vector<ShownMotion>& motions);
 
 /// Where the server of a page that shows a robot as it goes has its WebSocket.
 inline constexpr char kLivePath[] = "/live";
 
-/// A page that is told what to show by the server that it is from (docs/live.md). @throws InvalidArgument without the
-/// viewer.
+/// A page that gets its data from its server (docs/live.md). @throws InvalidArgument without the viewer.
 std::string LivePage(const std::string& title);
 
 }  // namespace gaitwright

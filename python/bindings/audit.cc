@@ -25,7 +25,7 @@ AuditReport AuditOf(const Plan& plan, bool margins, const py::dict& options) {
 }  // namespace
 
 void BindAudit(py::module_& module) {
-  py::class_<Violation>(module, "Violation", "A law that a plan breaks, where it is worst.")
+  py::class_<Violation>(module, "Violation", "A failed check of a plan, at its worst place.")
       .def_property_readonly("law", [](const Violation& v) { return LawName(v.law); })
       .def_readonly("at_s", &Violation::at_s)
       .def_readonly("where", &Violation::where, "Joint, foot or pair of links.")
@@ -36,7 +36,7 @@ void BindAudit(py::module_& module) {
         return fmt::format("<gaitwright.Violation {} at {:.3f} s, {}: {:.4g} over {:.4g} {}>", LawName(v.law), v.at_s,
                            v.where, v.value, v.limit, v.unit);
       });
-  py::class_<AuditMargin>(module, "AuditMargin", "How near a plan comes to the limit of a law at one place.")
+  py::class_<AuditMargin>(module, "AuditMargin", "Margin of a plan to the limit of a check at one place.")
       .def_property_readonly("law", [](const AuditMargin& m) { return LawName(m.law); })
       .def_readonly("at_s", &AuditMargin::at_s, "When it is nearest.")
       .def_readonly("where", &AuditMargin::where)
@@ -44,12 +44,13 @@ void BindAudit(py::module_& module) {
       .def_readonly("limit", &AuditMargin::limit)
       .def_readonly("margin", &AuditMargin::margin, "From the value to the limit; negative beyond it.")
       .def_readonly("unit", &AuditMargin::unit);
-  py::class_<AuditReport>(module, "AuditReport", "What a dense look at a plan found: every law that it breaks.")
+  py::class_<AuditReport>(module, "AuditReport", "Result of the dense check of a plan: all failed checks.")
       .def_property_readonly("passed", &AuditReport::pass)
-      .def_readonly("violations", &AuditReport::violations, "By law in a fixed order, then worst first.")
-      .def_readonly("margins", &AuditReport::margins, "As far as asked for: by law, then least first.")
-      .def_readonly("notes", &AuditReport::notes, "Limits that are placeholders, laws that could not be applied.")
-      .def_readonly("remarks", &AuditReport::remarks, "What is likely amiss where a law is broken, with its cure.")
+      .def_readonly("violations", &AuditReport::violations,
+                    "Violations by check in a fixed order, then the worst first.")
+      .def_readonly("margins", &AuditReport::margins, "Margins, if requested: by check, then the smallest first.")
+      .def_readonly("notes", &AuditReport::notes, "Limits that are placeholders, and checks that could not be applied.")
+      .def_readonly("remarks", &AuditReport::remarks, "Likely causes of failed checks, with remedies.")
       .def_readonly("samples", &AuditReport::samples)
       .def("to_json", AuditJson)
       .def("__str__", AuditText)

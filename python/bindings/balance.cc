@@ -115,10 +115,11 @@ void BindBalance(py::class_<Playback>& playback) {
           "dcm_m", [](const py::object& self) { return Table<&MotionSample::dcm_W>(self, "dcm"); },
           "Divergent component of motion c + c' / omega in plan view, N x 2.")
       .def_property_readonly("zmp_m", ZmpOf,
-                             "Zero-moment point of the contacts, low-passed as it is scored, N x 2; NaN where there is "
-                             "none: in flight, or with support that is not in one plane.")
+                             "Zero-moment point of the contacts, low-pass filtered as for the score, N x 2; NaN in "
+                             "flight or if the support is not in one plane.")
       .def_property_readonly("zmp_margin_m", ZmpMarginOf,
-                             "Distance of the ZMP to the edge of the support, N: positive inside; NaN likewise.")
+                             "Distance of the ZMP to the edge of the support, N: positive inside; NaN in flight or if "
+                             "the support is not in one plane.")
       .def_property_readonly("feet_m", FeetOf, "Origins of the feet's contact frames, N x feet x 3.")
       .def_property_readonly("contact", ContactOf, "Whether each foot touches, N x feet.")
       .def(
@@ -130,7 +131,7 @@ void BindBalance(py::class_<Playback>& playback) {
                              "touchdown_m (3), touchdown_speed_m_s, slip_m, peak_normal_n, penetration_m, "
                              "friction_use_max (1 at the cone's edge).")
       .def_property_readonly("body_contacts", BodyContactsOf,
-                             "(time_s, link) of the first contact of each link that is no foot.");
+                             "(time_s, link) of the first contact of each link that is not a foot.");
 }
 
 }  // namespace gaitwright::python

@@ -65,7 +65,7 @@ std::vector<py::dict> DifferencesOf(const Comparison& comparison) {
 void BindCompare(py::module_& module) {
   py::class_<Comparison>(module, "Comparison", "Two motions side by side; differences are b - a.")
       .def_property_readonly(
-          "same", [](const Comparison& c) { return c.motions.same(); }, "Nothing is beyond its tolerance.")
+          "same", [](const Comparison& c) { return c.motions.same(); }, "True if all differences are within tolerance.")
       .def_property_readonly(
           "differences", DifferencesOf,
           "What differed first, and then; each quantity once: quantity, at_s, a, b, unit, tolerance.")
@@ -73,7 +73,7 @@ void BindCompare(py::module_& module) {
       .def("to_json", [](const Comparison& c) { return ComparisonJson(c.motions, c.metrics); })
       .def(
           "report_html", [](const Comparison& c) { return ComparisonPage(c.a, c.b, c.motions, c.metrics); },
-          "Both motions in the same plots, as one HTML page, whole by itself.")
+          "Both motions in shared plots, as one self-contained HTML page.")
       .def("__str__", [](const Comparison& c) { return ComparisonText(c.motions, c.metrics); })
       .def("__repr__", [](const Comparison& c) {
         return fmt::format("<gaitwright.Comparison: {}>",

@@ -105,7 +105,7 @@ ControlInput MakeInput(double time_s, double step_s, const VectorX& q, const Vec
 }
 
 void BindInput(py::module_& module) {
-  py::class_<ControlInput> input(module, "ControlInput", "What a controller is told at the start of a step.");
+  py::class_<ControlInput> input(module, "ControlInput", "Input of a controller at the start of a step.");
   input.def(py::init<>())
       .def(py::init(&MakeInput), py::arg("time_s"), py::arg("step_s"), py::arg("q"), py::arg("v"), py::arg("forces_n"),
            py::arg("contact"), "One made up, for asking a controller without a playback.")
@@ -132,7 +132,7 @@ void BindControllers(py::module_& module) {
 
     tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured), within the effort limit)");
   command.def(py::init(&MakeCommand), py::arg("q"), py::arg("v") = py::none(), py::arg("tau_ff") = py::none(),
-              py::arg("stiffness") = py::none(), py::arg("damping") = py::none(), "What is left out is zero.");
+              py::arg("stiffness") = py::none(), py::arg("damping") = py::none(), "Omitted arguments are zero.");
   BindVector<&JointCommand::q>(command, "q");
   BindVector<&JointCommand::v>(command, "v");
   BindVector<&JointCommand::tau_ff>(command, "tau_ff");
@@ -151,7 +151,7 @@ a playback, and ``name(self)`` for logs and reports; without one it is called as
                                                                                   "A controller of the program's own.");
   module.def("make_controller", MakeOwn, py::arg("plan").none(false), py::arg("name") = "stabilised",
              py::arg("options") = py::dict(),
-             "One of CONTROLLERS for a plan, to be asked step by step or to be played with.");
+             "One of CONTROLLERS for a plan, to be called step by step or used in a playback.");
   module.def("derive_gains", GainsOf, py::arg("robot").none(false), py::arg("options") = py::dict(),
              "Stiffness and damping by joint, from the inertia that each has to command.");
   module.attr("CONTROLLERS") = ControllerNames();

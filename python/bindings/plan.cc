@@ -173,7 +173,7 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
       .def_property_readonly(
           "warnings", [](const Plan& p) { return p.motion().warnings; }, "Limits that it knowingly does not keep.")
       .def_property_readonly("adjustments", AdjustmentsOf,
-                             "Where it differs from the request: dictionaries of what, asked, given, unit, why, part.")
+                             "Differences from the request: dictionaries with what, asked, given, unit, why, part.")
       .def_property_readonly("footholds", FootholdsOf, "Dictionaries of foot, pose (4 x 4), touchdown_s, liftoff_s.")
       .def_property_readonly("hash", [](const Plan& p) { return PlanHash(p.motion()); })
       .def(
@@ -194,7 +194,7 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
           "save", [](const Plan& p, const fs::path& path) { return Value(SavePlan(p.motion(), path.string())); },
           py::arg("path"), "Writes plan.json, for the program too; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
-           "Writes csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns what is to be said of it.")
+           "Writes csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns notes on the result.")
       .def("__repr__", [](const Plan& p) {
         return fmt::format("<gaitwright.Plan {}: {}, {:.2f} s, {} footholds>", p.motion().robot,
                            GaitNames(p.motion().parts), p.motion().duration_s(), p.motion().footsteps.footholds.size());

@@ -176,8 +176,8 @@ void BindMetric(py::module_& module) {
       .def_readonly("key", &Metric::key)
       .def_readonly("unit", &Metric::unit)
       .def_readonly("value", &Metric::value, "None where the motion has no such thing.")
-      .def_readonly("planned", &Metric::planned, "What the plan itself has, by the same code.")
-      .def_readonly("limit", &Metric::limit, "Of the gate, where there is one.")
+      .def_readonly("planned", &Metric::planned, "Value of the plan, computed by the same code.")
+      .def_readonly("limit", &Metric::limit, "Limit of the gate, if there is one.")
       .def_readonly("applied", &Metric::applied, "Whether the gate counts.")
       .def_readonly("passed", &Metric::pass)
       .def_readonly("not_applied", &Metric::not_applied, "Why a value or a gate is missing.")
@@ -214,7 +214,7 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
       .def_property_readonly(
           "tau", [](const py::object& self) { return LogTable<&LogSample::tau>(self, "tau"); },
           "Torques of the joints, means over the interval before, N x n.")
-      .def_property_readonly("forces_n", ForcesOf, "Forces of the ground on the feet, likewise, N x feet x 3.")
+      .def_property_readonly("forces_n", ForcesOf, "Ground forces on the feet, N x feet x 3.")
       .def_property_readonly("passed", [](const Playback& p) { return p.report().pass; })
       .def_property_readonly(
           "score", [](const Playback& p) { return p.report().score; }, "Of 100.")
@@ -232,8 +232,8 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
           "save", [](const Playback& p, const fs::path& path) { return Value(SaveLog(p.log(), path.string())); },
           py::arg("path"), "Writes log.json, for the program too; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
-           "Writes what was measured as csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns what is "
-           "to be said of it.")
+           "Writes the measured motion as csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns notes "
+           "on the result.")
       .def("report_html", ReportHtml, "The report as one HTML page, whole by itself.")
       .def(
           "viewer_html", [](const Playback& p) { return ViewerPage(Shown(p).title, {Shown(p)}); },
@@ -257,7 +257,7 @@ Args:
   module.def(
       "play_trial", PlayOneTrial, py::arg("plan").none(false), py::arg("seed"), py::kw_only(),
       py::arg("disturbances") = "standard", py::arg("controller") = "stabilised", py::arg("options") = py::dict(),
-      "One trial of `trials` again, by its own seed (`TrialsReport.seeds`, `worst_seeds`) and the same arguments.");
+      "Repeats one trial of `trials` by its seed (`TrialsReport.seeds`, `worst_seeds`) with the same arguments.");
   module.def(
       "load_log",
       [](const fs::path& path, const std::shared_ptr<Plan>& plan) {

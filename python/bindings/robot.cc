@@ -24,7 +24,7 @@ namespace py = pybind11;
 SharedRobot Load(const std::filesystem::path& named, const std::filesystem::path& beside, bool strict) {
   const std::string name_or_urdf = named.string(), yaml = beside.string();
   const bool is_file = NamesDescription(name_or_urdf);
-  if (!is_file && !yaml.empty()) throw InvalidArgument("yaml goes with the path of a URDF, not with a robot's name");
+  if (!is_file && !yaml.empty()) throw InvalidArgument("yaml is for the path of a URDF, not for a robot's name");
   return std::make_shared<RobotModel>(
       Value(is_file ? LoadRobot(name_or_urdf, RobotLoading{.yaml_path = yaml, .strict = strict})
                     : LoadNamedRobot(name_or_urdf)));
@@ -168,9 +168,9 @@ SI units; z of the world is up, x ahead.)")
       .def("motor_speeds", MotorSpeeds, py::arg("rates"), "Speeds of the motors for those of the joints.")
       .def("clamp_torques", ClampTorques, py::arg("torques"),
            "Torques of the joints with each motor held to its own limit.")
-      .def_readonly("notes", &RobotModel::notes, "What was derived, from what, and what was odd.")
+      .def_readonly("notes", &RobotModel::notes, "Notes on derived data and their sources, and on irregularities.")
       .def_property_readonly("standing", StandingConfiguration, "q of the nominal posture above the world's origin.")
-      .def("describe", DescribeRobot, "What it is and what was derived from what, as text.")
+      .def("describe", DescribeRobot, "Description of the robot and of derived data, as text.")
       .def("__repr__", [](const RobotModel& model) {
         return fmt::format("<gaitwright.Robot {}: {} legs, {} joints, {:.4g} kg>", model.name, model.legs.size(),
                            model.num_dofs(), model.total_mass_kg);

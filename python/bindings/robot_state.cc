@@ -22,7 +22,7 @@ namespace py = pybind11;
 void CheckSize(const char* name, const VectorX& vector, Eigen::Index size) {
   if (vector.size() != size)
     throw InvalidArgument(fmt::format("{} has {} numbers; {} are needed", name, vector.size(), size));
-  if (!vector.allFinite()) throw InvalidArgument(fmt::format("{} holds what is no finite number", name));
+  if (!vector.allFinite()) throw InvalidArgument(fmt::format("{} contains a value that is not finite", name));
 }
 
 /// A robot in a state, with all that follows from it.

@@ -34,7 +34,7 @@ TaskScope ScopeOn(const RobotModel& model, const Terrain& terrain) {
 TaskPlan TasksIn(const py::object& what, const TaskScope& scope) {
   if (py::isinstance<py::str>(what)) return Value(Interpret(what.cast<std::string>(), scope, std::nullopt)).plan;
   if (!py::isinstance<py::dict>(what))
-    throw py::type_error(fmt::format("what is to be done is {}; words, or a task plan as a dictionary, are needed",
+    throw py::type_error(fmt::format("the task is {}; accepted: an instruction as text, or a task plan as a dictionary",
                                      py::repr(what).cast<std::string>()));
   TaskPlan plan = Value(TaskPlanFromJson(py::module_::import("json").attr("dumps")(what).cast<std::string>()));
   if (auto failure = WhyNotPlanned(plan, scope)) throw FailureError(*failure);

@@ -37,7 +37,7 @@ void CheckFriction(double friction) {
 
 void CheckPlace(double x_m, double y_m) {
   if (!(std::max(std::abs(x_m), std::abs(y_m)) <= kFarthest))
-    throw InvalidArgument(fmt::format("({}, {}) is no place within {} m", x_m, y_m, kFarthest));
+    throw InvalidArgument(fmt::format("({}, {}) is not within {} m of the origin", x_m, y_m, kFarthest));
 }
 
 Terrain Flat(double friction) {
@@ -53,7 +53,7 @@ Terrain WithHeights(Terrain terrain, const Eigen::Ref<const RowMatrix>& height_m
     throw InvalidArgument(fmt::format("height_m is {} x {}; 2 x 2 to {} nodes are accepted", height_m.rows(),
                                       height_m.cols(), kMostNodes));
   if (!height_m.allFinite() || height_m.cwiseAbs().maxCoeff() > kHighest)
-    throw InvalidArgument(fmt::format("height_m holds what is no height within {} m", kHighest));
+    throw InvalidArgument(fmt::format("height_m contains a height that is not within {} m", kHighest));
   CheckPlace(x_m, y_m);
   CheckFriction(friction);
   if (!(resolution_m >= kFinest && resolution_m <= kFarthest))
@@ -151,9 +151,9 @@ A value: what adds to it gives another one. Where surfaces overlap the highest o
       .def_property_readonly(
           "patches", [](const Terrain& t) { return NamesOf(t.patches); }, "Their names.")
       .def("ground_at", Ground, py::arg("x_m"), py::arg("y_m"),
-           "The highest ground at a point: surface (None where there is none), height_m, normal, friction.")
+           "Highest ground at a point: surface (None without ground), height_m, normal, friction.")
       .def("heights", Heights, py::arg("x_m"), py::arg("y_m"),
-           "Heights on a grid of points, len(y) x len(x); NaN where there is no ground.")
+           "Heights on a grid of points, len(y) x len(x); NaN without ground.")
       .def("with_patch", WithPatch, py::arg("corners_m"), py::arg("friction") = 0.8, py::arg("name") = "patch",
            "And a convex patch through corners that lie in one plane, counter-clockwise from above.")
       .def("with_heights", WithHeights, py::arg("height_m"), py::arg("resolution_m"), py::arg("x_m") = 0.0,
@@ -168,7 +168,7 @@ A value: what adds to it gives another one. Where surfaces overlap the highest o
              R"(A ground as ``--terrain`` names it: ``"stairs:rise_m=0.05,count=2"``, or a file.
 
 What is not said has the size that suits the robot.)");
-  module.def("flat_terrain", Flat, py::arg("friction") = 0.8, "Level ground without end at height 0.");
+  module.def("flat_terrain", Flat, py::arg("friction") = 0.8, "Infinite level ground at height 0.");
   module.def("terrain_kinds", Kinds, "Names of the grounds that come with the program, and what each is.");
 }
 

@@ -145,7 +145,8 @@ void BindTrials(py::module_& module) {
       .def_property_readonly("worst_seeds", WorstOf, "The worst first; `play_trial` plays one again.")
       .def_property_readonly("columns", ColumnsOf, "Names that `column` takes.")
       .def("column", Column, py::arg("key"),
-           "A metric, or what was drawn, of every trial, such as ``\"zmp_margin_min_m\"`` or ``\"friction\"``.")
+           "Values of a metric or a sampled quantity for all trials, such as ``\"zmp_margin_min_m\"`` or "
+           "``\"friction\"``.")
       .def("to_json", RobustnessJson)
       .def("report_html", TrialsPage, "The report as one HTML page, whole by itself.")
       .def("__str__", RobustnessText)

@@ -28,7 +28,7 @@ class SteppedWorld {
         world_(MakeWorld(*robot_, TerrainOf(terrain, *robot_), Start(q), options_)) {}
 
   void Step(const JointCommand& command, int steps) {
-    if (steps < 1) throw InvalidArgument(fmt::format("{} steps are asked for; 1 or more are taken", steps));
+    if (steps < 1) throw InvalidArgument(fmt::format("the number of steps is {}; it must be 1 or more", steps));
     const InUse::Turn turn(in_use_, kName);
     for (int i = 0; i < steps; ++i) world_->Step(command);
     time_s_ += steps * options_.step_s;
@@ -104,7 +104,7 @@ at a time.)")
           "friction.")
       .def("step", &SteppedWorld::Step, py::arg("command"), py::arg("steps") = 1,
            py::call_guard<py::gil_scoped_release>(), "So many steps with one command.")
-      .def("measured", &SteppedWorld::Measured, py::arg("time_s") = py::none(), "What a controller is told now.")
+      .def("measured", &SteppedWorld::Measured, py::arg("time_s") = py::none(), "Input of a controller at this time.")
       .def(
           "set_state",
           [](SteppedWorld& w, const VectorX& q, const VectorX& v) {

@@ -86,7 +86,7 @@ TEST_F(Do, OnATerminalItIsShownAndAsked) {
   };
   const Ran refused = answered("n");
   EXPECT_EQ(refused.status, 1) << refused.out;
-  EXPECT_LT(refused.out.find("1. nod"), refused.out.find("Shall it be done?")) << refused.out;
+  EXPECT_LT(refused.out.find("1. nod"), refused.out.find("Do this?")) << refused.out;
   EXPECT_TRUE(Found().empty());
   const Ran done = answered("y");
   EXPECT_EQ(done.status, 0) << done.out;

@@ -44,14 +44,14 @@ TEST_F(Exchange, ExportWritesEachFormatOfAPlanAndALog) {
 TEST_F(Exchange, ExportRefusesWhatItCannotDo) {
   ExpectRefused(Run({"export", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE", "--robot a1"});
   ExpectRefused(Run({"export", "out/log.json", "--robot", "nao"}), 1, {"the log is of robot 'a1'", "'nao'"});
-  ExpectRefused(Run({"export", "out/log.json", "--plan", "slow.json"}), 1, {"another plan"});
+  ExpectRefused(Run({"export", "out/log.json", "--plan", "slow.json"}), 1, {"the log was played from plan"});
   ExpectRefused(Run({"export", "out/log.json", "--robot", "a1", "--rate-hz", "1000"}), 1,
                 {"1000 Hz", "200 Hz", "--log-rate-hz"});
   ExpectRefused(Run({"export", "out/plan.json", "--format", "cvs"}), 1, {"'cvs'", "nearest is 'csv'", "'npz'"});
   ExpectRefused(Run({"export", "out/plan.json", "--rate-hz", "1e6"}), 1, {"10000"});
   ExpectRefused(Run({"export", "out/plan.json", "--rate-hz", "-5"}), 1, {"-5", "0.1"});
-  ExpectRefused(Run({"export", "out/plan.json", "--robot", "a1"}), 1, {"knows its robot"});
-  ExpectRefused(Run({"export", "out/plan.json", "--out", "out/plan.json"}), 1, {"written over"});
+  ExpectRefused(Run({"export", "out/plan.json", "--robot", "a1"}), 1, {"contains its robot"});
+  ExpectRefused(Run({"export", "out/plan.json", "--out", "out/plan.json"}), 1, {"would overwrite"});
   ExpectRefused(Run({"export", "none.json"}), 1, {"none.json"});
   Write("text.txt", "nothing");
   ExpectRefused(Run({"export", "text.txt"}), 1, {"text.txt", "neither a plan nor a log"});
@@ -61,7 +61,7 @@ TEST_F(Exchange, ExportRefusesWhatItCannotDo) {
 TEST_F(Exchange, ComparesPlansLogsAndAForeignTable) {
   const Ran same = Run({"compare", "out/plan.json", "out/plan.json", "--require-same", "--tolerance", "0"});
   EXPECT_EQ(same.status, 0) << same.err << same.out;
-  EXPECT_NE(same.out.find("the same: nothing is beyond its tolerance"), std::string::npos);
+  EXPECT_NE(same.out.find("equal: all differences are within tolerance"), std::string::npos);
   const Ran slower = Run({"compare", "out/plan.json", "slow.json", "--require-same", "--json"});
   EXPECT_EQ(slower.status, 3);
   EXPECT_EQ(slower.json().at("same"), false);
@@ -104,7 +104,7 @@ TEST_F(Exchange, ACsvIsComparedInTheOrderAndUnitsThatAreSaid) {
   // The columns that are named x, y, z, w hold w, x, y, z.
   Write("w_first.csv", std::string(motion).replace(at, ours.size(), "base_qy,base_qz,base_qw,base_qx"));
   ExpectRefused(Run({"compare", "out/plan.json", "w_first.csv"}), 1,
-                {"w_first.csv", "likely has w first", "--quaternion-order wxyz takes it so"});
+                {"w_first.csv", "probably has w first", "Use --quaternion-order wxyz"});
   Write("order.yaml", "quaternion_order: wxyz\n");
   for (const auto& [flag, value] : {std::pair{"--columns", "order.yaml"}, {"--quaternion-order", "wxyz"}}) {
     const Ran ran = Run({"compare", "out/plan.json", "w_first.csv", flag, value, "--json"});
@@ -127,7 +127,7 @@ TEST_F(Exchange, TwoCsvsMayHaveNamesOfTheirOwn) {
   ExpectRefused(Run({"compare", "motion.csv", "theirs.csv", "--robot", "a1", "--columns", "wrong.yaml"}), 1,
                 {"there is no column 'clok' to take as 'time_s'"});
   ExpectRefused(Run({"compare", "theirs.csv", "out/plan.json", "--columns-b", "names.yaml"}), 1,
-                {"--columns-b is given, but 'out/plan.json' is no CSV"});
+                {"--columns-b is given, but 'out/plan.json' is not a CSV file"});
 }
 
 TEST_F(Exchange, TrajectoriesComeBackFromBothLanguages) {
@@ -157,11 +157,11 @@ TEST_F(Exchange, AJointTrajectoryIsComparedAsItIs) {
     EXPECT_NEAR(ran.json().at("alignment").at("offset_s").get<double>(), 0.0, 1e-3);
     EXPECT_EQ(ran.json().at("joints").size(), 12U);
     EXPECT_EQ(Run({"compare", file, "slow.json", "--quiet"}).out, "different\n");
-    ExpectRefused(Run({"compare", file, file}), 1, {"does not say whose motion it is", "--robot NAME"});
+    ExpectRefused(Run({"compare", file, file}), 1, {"does not name the robot of the motion", "--robot NAME"});
   }
   Write("steps.yaml", "swing_s: 0.4\nfootsteps:\n- {foot: FL_foot, x_m: 0.22, y_m: 0.13}\n");
   ExpectRefused(Run({"compare", "out/plan.json", "steps.yaml"}), 1,
-                {"'steps.yaml' is no joint trajectory", "'import' makes a plan of footsteps"});
+                {"'steps.yaml' is YAML, but not a joint trajectory", "'import' turns footsteps into a plan"});
 }
 
 TEST_F(Exchange, ComparesReports) {
@@ -172,7 +172,7 @@ TEST_F(Exchange, ComparesReports) {
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(ran.json().at("compared"), "reports");
   EXPECT_EQ(ran.json().at("metrics").at("fell").at("a"), 0.0);
-  EXPECT_NE(Run({"compare", "one.json", "two.json", "--tolerance", "0"}).out.find("they differ"), std::string::npos);
+  EXPECT_NE(Run({"compare", "one.json", "two.json", "--tolerance", "0"}).out.find("different; "), std::string::npos);
 }
 
 TEST_F(Exchange, CompareRefusesWhatDoesNotBelongTogether) {
@@ -181,16 +181,16 @@ TEST_F(Exchange, CompareRefusesWhatDoesNotBelongTogether) {
   Write("trials.json", R"({"n": 2, "survived": 2, "survival": 1.0})");
   Write("part.csv", "time_s,battery\n0,1\n");
   ExpectRefused(Run({"compare", "report.json", "out/plan.json"}), 1, {"report.json", "a plan", "with a report"});
-  ExpectRefused(Run({"compare", "empty.json", "out/plan.json"}), 1, {"empty.json", "no plan, log or report"});
+  ExpectRefused(Run({"compare", "empty.json", "out/plan.json"}), 1, {"empty.json", "not a plan, log or report"});
   ExpectRefused(Run({"compare", "trials.json", "out/plan.json"}), 1,
-                {"'trials.json' is a result of trials; these are not compared", "trials --report FILE"});
+                {"'trials.json' is a result of trials, which 'compare' does not accept", "trials --report FILE"});
   ExpectRefused(Run({"compare", "out/log.json", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE"});
-  ExpectRefused(Run({"compare", "part.csv", "part.csv"}), 1, {"does not say whose motion", "--robot NAME"});
+  ExpectRefused(Run({"compare", "part.csv", "part.csv"}), 1, {"does not name the robot", "--robot NAME"});
   ExpectRefused(Run({"compare", "out/plan.json", "part.csv"}), 1, {"part.csv", "_joint"});
   ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--columns", "names.yaml"}), 1,
                 {"neither file is a CSV"});
   ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--align", "backward"}), 1, {"backward", "best"});
-  ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--report", "slow.json"}), 1, {"written over"});
+  ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--report", "slow.json"}), 1, {"would overwrite"});
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST_F(Grade, WhenItIsInterruptedNothingIsHalfWritten) {
                            [&] { return fs::exists(In("grades/001-ada.html")); });
   if (Refused(ran, In("grades").string())) return;
   EXPECT_EQ(ran.status, 130) << ran.err;
-  EXPECT_NE(ran.err.find("ended before it was done"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("stopped before it was complete"), std::string::npos) << ran.err;
   EXPECT_FALSE(fs::exists(In("grades/grades.csv")));
   for (const auto& entry : fs::directory_iterator(In("grades"))) EXPECT_TRUE(entry.path().extension() == ".html");
 }

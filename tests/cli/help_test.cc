@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The help is a promise: every example in it works, and every flag says what it takes.
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 #include "tests/built_paths.h"
@@ -119,7 +122,7 @@ TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
 TEST_F(Help, EveryOptionOfTheListCanBeSetToItsDefault) {
   MakePlan("plan.json");
   for (const std::string verb : {"plan", "play"}) {
-    const Json options = Run({verb, "--list-options", "--json"}).json().at("options");
+    const Json options = Run({verb, "--list-options=all", "--json"}).json().at("options");
     EXPECT_GT(options.size(), 10U);
     std::vector<std::string> arguments = {"play", "plan.json", "--quiet"};
     if (verb == "plan") arguments = {"plan", "--distance", "0.3", "--quiet"};
@@ -135,6 +138,46 @@ TEST_F(Help, EveryOptionOfTheListCanBeSetToItsDefault) {
   }
   EXPECT_NE(Run({"walk", "--list-options"}).out.find("swing.height_m = 0 m  (0 to 1)"), std::string::npos);
   EXPECT_NE(Run({"play", "--list-options"}).out.find("play.push_on = base  (text)"), std::string::npos);
+}
+
+TEST_F(Help, AdvancedOptionsAreListedWhenAskedFor) {
+  for (const std::string verb : {"walk", "play", "audit", "import", "bench centroidal"}) {
+    std::istringstream words(verb);
+    std::vector<std::string> arguments(std::istream_iterator<std::string>(words), {});
+    const auto listed = [&](const char* flag) {
+      std::vector<std::string> with = arguments;
+      with.insert(with.end(), {flag, "--json"});
+      return Run(with).json().at("options");
+    };
+    const Json basic = listed("--list-options"), all = listed("--list-options=all");
+    EXPECT_LT(basic.size(), all.size()) << verb;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(all[i].at("advanced").get<bool>(), i >= basic.size()) << verb << " " << all[i];
+      if (i < basic.size()) EXPECT_EQ(all[i], basic[i]);
+    }
+  }
+  EXPECT_EQ(Run({"walk", "--list-options=some"}).status, 1);
+}
+
+TEST_F(Help, EveryOptionTextStandsAlone) {
+  const std::vector<std::string> dependent = {"The same", "Of ", "And ", "Or ", "By which", "Likewise"};
+  std::set<std::string> texts;
+  for (const auto& verb : kVerbs) {
+    std::vector<std::string> arguments = verb;
+    arguments.insert(arguments.end(), {"--list-options=all", "--json"});
+    const Ran ran = Run(arguments);
+    if (ran.status == 0) {
+      for (const Json& option : ran.json().at("options")) texts.insert(option.at("meaning").get<std::string>());
+    }
+  }
+  EXPECT_GT(texts.size(), 200U);
+  for (const std::string& text : texts) {
+    EXPECT_TRUE(text.size() > 10 && std::isupper(static_cast<unsigned char>(text.front()))) << text;
+    EXPECT_TRUE(text.ends_with('.')) << text;
+    EXPECT_LE(std::count(text.begin(), text.end(), ' '), 27) << text;
+    for (const std::string& start : dependent) EXPECT_FALSE(text.starts_with(start)) << text;
+    EXPECT_EQ(text.find("likewise"), std::string::npos) << text;
+  }
 }
 
 TEST_F(Help, TheReadmeNamesTheVerbsThatListTheirOptions) {

@@ -86,8 +86,8 @@ TEST_F(Live, RefusesWhatItCannotDoBeforeItPlans) {
     ExpectRefused(Run(flags), 1, parts);
   };
   refused({"--for=-1"}, {"--for is -1 s", "accepted: 0"});
-  refused({"--host", "evil.example"}, {"'evil.example' is no IP address", "127.0.0.1"});
-  refused({"--host", "203.0.113.7"}, {"cannot listen at 203.0.113.7", "'ip address'"});
+  refused({"--host", "evil.example"}, {"'evil.example' is not an IP address", "127.0.0.1"});
+  refused({"--host", "203.0.113.7"}, {"cannot listen on 203.0.113.7", "'ip address'"});
   refused({"--port", "70000"}, {"70000", "65535"});
   refused({"--controller", "pid"}, {"'pid'", "'stabilised'", "'joint-pd'", "'recovering'"});
   refused({"--set", "gains.stifness_scale=1"}, {"gains.stiffness_scale"});

@@ -118,33 +118,33 @@ TEST_F(BeforeHardware, ATiltedBaseIsNotMendedByAWay) {
     words.insert(words.end(), more.begin(), more.end());
     return Run(words);
   };
-  const std::string none = "no way there is needed, and 'way.json' is not written";
+  const std::string none = "no approach is needed, and 'way.json' is not written";
   EXPECT_NE(with({}).out.find(none), std::string::npos) << with({}).out;
   EXPECT_TRUE(with({"--json"}).json().at("approach").is_null());
   const Ran page = with({"--preflight"});
   EXPECT_EQ(page.status, 3) << page.err;
   EXPECT_NE(page.out.find(none), std::string::npos) << page.out;
   EXPECT_NE(page.out.find("the measured base is tilted by 0.3"), std::string::npos) << page.out;
-  EXPECT_EQ(page.out.find("go it"), std::string::npos);
+  EXPECT_EQ(page.out.find("run it"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(In("way.json")));
 }
 
 TEST_F(BeforeHardware, ThatARobotHangsIsSaidWhereverItsWayIsLookedAt) {
   Measure("off.yaml", Knee(), -0.3);
   EXPECT_EQ(Run({"audit", "plan.json", "--start-posture", "off.yaml", "--approach", "way.json", "--quiet"}).status, 3);
-  const std::string warning = "robot 'a1' hangs: its base is taken to be held in the air";
+  const std::string warning = "robot 'a1' hangs: its base is assumed to be held in the air";
   const Ran audit = Run({"audit", "way.json"});
   EXPECT_EQ(audit.status, 0) << audit.err;
   EXPECT_NE(audit.out.find("\nwarning: " + warning), std::string::npos) << audit.out;
   const std::size_t note = audit.out.find("\nnote: from 0 to ");
   ASSERT_NE(note, std::string::npos) << audit.out;
-  EXPECT_NE(audit.out.find("the base is held from outside", note), std::string::npos) << audit.out;
+  EXPECT_NE(audit.out.find("the base is held externally", note), std::string::npos) << audit.out;
   EXPECT_EQ(Run({"audit", "way.json", "--quiet"}).out, "pass\n");
   const Json warnings = Run({"audit", "way.json", "--json"}).json().at("warnings");
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_TRUE(warnings.at(0).get<std::string>().starts_with(warning)) << warnings;
   for (const char* verb : {"play", "trials"})
-    ExpectRefused(Run({verb, "way.json"}), 1, {"hangs", "play the plan that it leads to"});
+    ExpectRefused(Run({verb, "way.json"}), 1, {"hangs", "play the plan that follows it"});
   for (const char* verb : {"audit", "play"})
     EXPECT_EQ(Run({verb, "plan.json", "--json"}).json().at("warnings"), Json::array()) << verb;
 }
@@ -156,7 +156,8 @@ TEST_F(BeforeHardware, WrongFilesAreRefusedAndNothingIsWritten) {
   ExpectRefused(Run({"audit", "plan.json", "--approach", "way.json"}), 1, {"--approach", "--start-posture"});
   ExpectRefused(Run({"audit", "plan.json", "--report", "page.html"}), 1, {"--report", "--preflight"});
   ExpectRefused(Run({"audit", "plan.json", "--trials-result", "t.json"}), 1, {"--trials-result", "--preflight"});
-  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--report", "plan.json"}), 1, {"--report", "written over"});
+  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--report", "plan.json"}), 1,
+                {"--report", "would overwrite"});
   ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "plan.json", "--report", "page.html"}), 1,
                 {"plan.json", "is a gaitwright-motion-plan", "'gaitwright trials'"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"off.yaml", "plan.json"}));

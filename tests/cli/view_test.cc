@@ -36,13 +36,13 @@ TEST_F(View, TheReportHasTheMotionInIt) {
 
 TEST_F(View, RefusesWhatItCannotShow) {
   std::filesystem::rename(In("out/plan.json"), In("plan-of-it.json"));
-  ExpectRefused(Run({"view", "out/log.json"}), 1, {"does not hold the ground", "--plan FILE"});
+  ExpectRefused(Run({"view", "out/log.json"}), 1, {"does not contain the ground", "--plan FILE"});
   EXPECT_EQ(Run({"view", "out/log.json", "--plan", "plan-of-it.json", "--quiet"}).status, 0);
   std::filesystem::remove(In("view.html"));
   ASSERT_EQ(Run({"plan", "--distance", "0.4", "--out", "other.json", "--quiet"}).status, 0);
   ExpectRefused(Run({"view", "out/log.json", "--plan", "other.json"}), 1, {"not the plan", "hash"});
   ExpectRefused(Run({"view", "out/report.html"}), 1, {"neither a plan nor a log"});
-  ExpectRefused(Run({"view", "other.json", "--out", "other.json"}), 1, {"written over"});
+  ExpectRefused(Run({"view", "other.json", "--out", "other.json"}), 1, {"would overwrite"});
   ExpectRefused(Run({"view", "none.json"}), 1, {"none.json"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"other.json", "out", "plan-of-it.json"})) << "nothing was written";
 }
@@ -71,14 +71,15 @@ TEST_F(View, RenderRefusesWhatItCannotMake) {
   ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--cycles", "1001"}), 1, {"1001", "1000"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--view", "above"}), 1, {"'above'", "'top'"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--hide", "gost"}), 1, {"'gost'", "'ghost'"});
-  ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--fps", "0"}), 1, {"pictures a second", "1"});
+  ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--fps", "0"}), 1, {"frames per second", "1"});
   ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--from-s", "2", "--to-s", "1"}), 1, {"2", "1"});
-  ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--at", "1"}), 1, {"--at goes with --png"});
-  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--fps", "9"}), 1, {"--fps goes with --gif or --mp4"});
+  ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--at", "1"}), 1, {"--at is for --png only"});
+  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--fps", "9"}), 1,
+                {"--fps is for --gif or --mp4 only"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--cycles", "2"}), 1, {"--cycles", "--figure"});
-  ExpectRefused(Run({"render", "out/plan.json", "--png", "p.png", "--plan", "out/log.json"}), 1, {"is for a log"});
-  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--meshes", "out/log.json"}), 1, {"no folder"});
-  ExpectRefused(Run({"view", "out/plan.json", "--plan", "out/plan.json"}), 1, {"is for a log"});
+  ExpectRefused(Run({"render", "out/plan.json", "--png", "p.png", "--plan", "out/log.json"}), 1, {"is for logs"});
+  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--meshes", "out/log.json"}), 1, {"is not a folder"});
+  ExpectRefused(Run({"view", "out/plan.json", "--plan", "out/plan.json"}), 1, {"is for logs"});
   ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--from-s", "99"}), 1, {"99.000", "lasts from"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"out"})) << "nothing was written";
 }

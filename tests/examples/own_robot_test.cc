@@ -50,7 +50,7 @@ TEST(OwnRobotExample, TakesNothingButTheUrdf) {
 TEST(OwnRobotExample, SaysWhyARobotCannotWalk) {
   const Result<PlannedWalk> points = PlanOwnWalk(Read(unusual::PointBiped()).value());
   ASSERT_FALSE(points.ok());
-  ExpectText(WhyNot(points.failure()), {"cannot stand still", "two points", "\nhint  give it soles"});
+  ExpectText(WhyNot(points.failure()), {"cannot stand still", "two points", "\nhint  give the robot soles"});
   const Result<PlannedWalk> stiff = PlanOwnWalk(Read(unusual::Pantograph()).value());
   ASSERT_FALSE(stiff.ok());
   ExpectText(WhyNot(stiff.failure()), {"leg 'a_foot' cannot walk", "ahead", "\nhint  "});

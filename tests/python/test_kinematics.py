@@ -83,7 +83,7 @@ def test_what_cannot_be_reached_is_told(a1):
 def test_wrong_states_are_refused_in_words(a1):
     with pytest.raises(ValueError, match="q has 3 numbers; .a1. needs 19"):
         gw.RobotState(a1, np.zeros(3))
-    with pytest.raises(gw.BadInputError, match="no finite number"):
+    with pytest.raises(gw.BadInputError, match="not finite"):
         gw.RobotState(a1, np.full(a1.nq, np.nan))
     with pytest.raises(gw.BadInputError, match="FL_foot"):
         gw.RobotState(a1).pose("FL_fot")

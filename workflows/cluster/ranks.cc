@@ -50,7 +50,7 @@ Ranks Ranks::Join() {
   MPI_Comm_rank(MPI_COMM_WORLD, &run->rank);
   MPI_Comm_size(MPI_COMM_WORLD, &run->count);
   if (given < MPI_THREAD_SERIALIZED && run->count > 1) {
-    throw InvalidArgument("this MPI gives its calls to one thread alone; one with MPI_THREAD_SERIALIZED is needed");
+    throw InvalidArgument("this MPI allows calls from one thread only; MPI_THREAD_SERIALIZED is needed");
   }
   return Ranks(run);
 }
@@ -118,8 +118,8 @@ struct Ranks::Run {
 Ranks Ranks::Join() {
   if (LaunchedWithOthers()) {
     throw InvalidArgument(
-        "this is one of several processes of an MPI run, and this program was built without MPI; "
-        "configure it again where MPI is installed (Debian: libopenmpi-dev)");
+        "this is one of several processes of an MPI run, but the program was built without MPI; install MPI (Debian: "
+        "libopenmpi-dev) and configure again");
   }
   return Ranks(std::make_shared<Run>());
 }

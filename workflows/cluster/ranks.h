@@ -6,17 +6,16 @@
 
 namespace gaitwright {
 
-/// The processes of one MPI run, by number; a process that nobody started under MPI is alone, number 0 of 1.
+/// The processes of one MPI run, by number; a process started without MPI is alone, number 0 of 1.
 ///
-/// Messages are texts, and go between rank 0 and the others. All calls may be made from several threads. Who waits
-/// sleeps in between, so that it leaves its core to others: on a machine with fewer cores than ranks waiting costs
-/// next to nothing.
+/// Messages are texts between rank 0 and the others. All calls are thread-safe. A waiting rank sleeps between polls,
+/// so it uses almost no CPU time, even with more ranks than cores.
 class Ranks {
  public:
-  /// Joins the run in which the process was started, once in a process; it is left at the end of the last copy.
-  /// Alone where the environment tells of no run, or where the program was built without MPI.
-  /// @throws InvalidArgument where the environment tells of several processes, and the program was built without MPI:
-  /// each would do the whole work and write the same files.
+  /// Joins the run in which the process was started, once per process; leaves it when the last copy ends. Alone if the
+  /// environment shows no run, or if the program was built without MPI.
+  /// @throws InvalidArgument if the environment shows several processes but the program was built without MPI: each
+  /// would do the whole work and write the same files.
   static Ranks Join();
 
   int rank() const;
@@ -28,7 +27,7 @@ class Ranks {
   /// Waits for the next text of a rank.
   std::string Receive(int from) const;
 
-  /// Ends all processes of the run at once, after something that cannot be mended.
+  /// Ends all processes of the run at once, after an unrecoverable error.
   [[noreturn]] void Abort(int status) const;
 
  private:

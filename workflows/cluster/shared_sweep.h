@@ -9,14 +9,14 @@
 
 namespace gaitwright {
 
-/// RunSweep on all ranks of a run; to be called on rank 0. The outcomes are the same as those of one process. Where
-/// there are several ranks and no number of threads is given, one thread works on this rank.
+/// RunSweep on all ranks of a run; to be called on rank 0. The outcomes equal those of one process. With several ranks
+/// and no given number of threads, one thread works on this rank.
 /// @param identity  see StudyIdentity; it must be the same on all ranks.
 /// @return failures as RunSweep and SharedWork::Runners.
 Result<std::vector<PointOutcome>> RunSharedSweep(SharedWork& work, const Study& study, const std::string& identity,
                                                  JobJournal& journal, const JobOptions& options);
 
-/// What the other ranks do meanwhile: points, one at a time, until rank 0 has all.
+/// Work of the other ranks: points, one at a time, until rank 0 has all.
 void ServeSweep(SharedWork& work, const Study& study, const std::string& identity);
 
 }  // namespace gaitwright

@@ -18,8 +18,7 @@ std::string Misgiving(int rank, const std::string& hello, const RankReadiness& o
   if (hello.empty() || hello[0] == kProblem)
     return fmt::format("rank {}: {}", rank, hello.substr(hello.empty() ? 0 : 1));
   if (hello.substr(1) == own.work) return "";
-  return fmt::format("rank {} has other work before it than rank 0: its plan, disturbances, options or program differ",
-                     rank);
+  return fmt::format("rank {} has different work from rank 0: its plan, disturbances, options or program differ", rank);
 }
 
 std::string RunThere(const Ranks& ranks, int rank, int piece) {
@@ -64,7 +63,7 @@ Result<std::vector<PieceRunner>> SharedWork::Runners(const RankReadiness& own) {
                  FailureCode::kRankNotReady,
                  "SharedWork",
                  misgiving,
-                 {"see that every machine has the same program and the same files at the same paths"}};
+                 {"make sure that every machine has the same program and the same files at the same paths"}};
 }
 
 bool SharedWork::Serve(const RankReadiness& own, const PieceRunner& run) {

@@ -33,22 +33,22 @@ void CheckTimes(const MotionTable& table, const ImportOptions& options) {
   const bool waypoints = table.format == "joint-trajectory", detect = options.time_unit == "detect";
   const int least = waypoints ? 2 : 5;
   if (table.rows() < least)
-    throw InvalidArgument(fmt::format("has {} rows; {} or more make a motion", table.rows(), least));
+    throw InvalidArgument(fmt::format("has {} rows; a motion needs {} or more", table.rows(), least));
   const double duration = table.time_s.back() - table.time_s.front();
   const double step = duration / (table.rows() - 1);
   if (!waypoints && step >= kCoarse && detect) {
     throw InvalidArgument(
-        fmt::format("its rows are {:.6g} s apart, which is far for a motion: times are likely in another unit; "
-                    "--time-unit {} takes them so, --time-unit s as they are",
+        fmt::format("its rows are {:.6g} s apart, which is unusual: times are probably in another unit; use "
+                    "--time-unit {} for that unit, or --time-unit s for seconds",
                     step, LikelyTimeUnit(step)));
   }
   if (!(duration <= kLongestMotion)) {
-    throw InvalidArgument(fmt::format("lasts {:.6g} s; at most {:.0f} s are taken{}", duration, kLongestMotion,
-                                      detect ? ". --time-unit ms, us or ns says that times are in these" : ""));
+    throw InvalidArgument(fmt::format("lasts {:.6g} s; at most {:.0f} s are accepted{}", duration, kLongestMotion,
+                                      detect ? "; if times are in ms, us or ns, use --time-unit" : ""));
   }
   if (!(std::abs(table.time_s.front()) <= kLatestStart)) {
     throw InvalidArgument(
-        fmt::format("begins at {:.6g} s; a start within {:.0e} s is taken", table.time_s.front(), kLatestStart));
+        fmt::format("begins at {:.6g} s; accepted: within {:.0e} s of 0", table.time_s.front(), kLatestStart));
   }
 }
 
@@ -58,9 +58,8 @@ void CheckSizes(const MotionTable& table) {
   const auto check = [&](const char* what, std::size_t row, const auto& values) {
     for (const double value : values) {
       if (!(std::abs(value) > kMost)) continue;  // what a file lacks is not a number
-      throw InvalidArgument(
-          fmt::format("{} of row {} ({:.6g} s) is {:.6g}; at most {:.0e} up or down is taken for a motion", what,
-                      row + 1, table.time_s[row], value, kMost));
+      throw InvalidArgument(fmt::format("{} of row {} ({:.6g} s) is {:.6g}; at most +-{:.0e} is accepted", what,
+                                        row + 1, table.time_s[row], value, kMost));
     }
   };
   for (std::size_t row = 0; row < table.time_s.size(); ++row) {
@@ -81,8 +80,8 @@ void CheckAngles(const RobotModel& model, const MotionTable& table, const Import
   const std::optional<PastLimit> past = LikelyDegrees(model, table.q);
   if (!past) return;
   throw InvalidArgument(fmt::format(
-      "joint '{}' is at {:.4g} rad in row {}, its limits are {:.4g} and {:.4g} rad, and all joints would be within "
-      "theirs as degrees: --angle-unit deg takes them so, --angle-unit rad as they are",
+      "joint '{}' is at {:.4g} rad in row {}, outside its limits of {:.4g} and {:.4g} rad, but as degrees all joints "
+      "would be within their limits: use --angle-unit deg for degrees, or --angle-unit rad for radians",
       model.dof_names[static_cast<std::size_t>(past->dof)], table.q[static_cast<std::size_t>(past->row)][past->dof],
       past->row + 1, model.dof_lower(past->dof), model.dof_upper(past->dof)));
 }
@@ -94,10 +93,10 @@ void CheckLengths(const RobotModel& model, const MotionTable& table, const Impor
   for (const Vector3& p : table.base_m) heights.push_back(p.z());
   const double height = MedianOf(std::move(heights)), standing = model.standing_base_height_m;
   if (height < kTall * standing || 1e-3 * height < kLow * standing || 1e-3 * height > kHigh * standing) return;
-  throw InvalidArgument(fmt::format(
-      "the base is {:.6g} m high, robot '{}' stands with it at {:.3f} m: lengths are likely in millimetres; "
-      "--length-unit mm takes them so, --length-unit m as they are",
-      height, model.name, standing));
+  throw InvalidArgument(
+      fmt::format("the base is {:.6g} m high, but robot '{}' stands with it at {:.3f} m: lengths are probably in "
+                  "millimetres; use --length-unit mm for millimetres, or --length-unit m for metres",
+                  height, model.name, standing));
 }
 
 void CheckNorms(const MotionTable& table) {
@@ -105,9 +104,8 @@ void CheckNorms(const MotionTable& table) {
   for (std::size_t k = 0; k < table.quaternion.size(); ++k) {
     const double norm = table.quaternion[k].norm();
     if (std::abs(norm - 1.0) <= kUnit) continue;
-    throw InvalidArgument(
-        fmt::format("the quaternion of row {} ({:.6g} s) has length {:.4g}; a rotation's is 1, to {} at the most",
-                    k + 1, table.time_s[k], norm, kUnit));
+    throw InvalidArgument(fmt::format("the quaternion of row {} ({:.6g} s) has length {:.4g}; it must be 1 within {}",
+                                      k + 1, table.time_s[k], norm, kUnit));
   }
 }
 
@@ -124,8 +122,8 @@ std::string JointsPastLimits(const RobotModel& model, const MotionTable& table) 
   if (past.empty()) return "";
   const bool one = past.size() == 1;
   return fmt::format(
-      "joint '{}'{} past {} limits in most rows: is a sign, a zero or a unit another one? A file for "
-      "--columns can turn signs ('scale'). What comes of it: ",
+      "joint '{}'{} past {} limits in most rows: check signs, zero offsets and units; a --columns file can change "
+      "signs ('scale'). Result: ",
       past[0], one ? " is" : fmt::format(" and {} more are", past.size() - 1), one ? "its" : "their");
 }
 

@@ -8,23 +8,23 @@
 
 namespace gaitwright {
 
-/// Sees to it that a motion can be what its file says.
+/// Checks that the values of a motion file are plausible.
 ///
 /// Refused: too few rows, more than an hour, a start beyond 1e10 s, quaternions whose length is not 1 to a hundredth,
-/// values over 1e8; and what is likely in other units or in another order than it is taken to be, with the option that
-/// says so: times in milli-, micro- or nanoseconds (rows half a second apart), angles in degrees (past the joints'
-/// limits, and within them as degrees), lengths in millimetres, a quaternion with w first (CheckQuaternionOrder).
-/// An option that is not at `detect` is believed without that.
+/// values over 1e8; and data that are probably in other units or another order than assumed, with the option that sets
+/// them: times in milli-, micro- or nanoseconds (rows half a second apart), angles in degrees (beyond the joints'
+/// limits, but within them as degrees), lengths in millimetres, a quaternion with w first (CheckQuaternionOrder). An
+/// option other than `detect` is used without this check.
 /// @throws InvalidArgument in these cases; the hint is in its text.
 void CheckMotionTable(const RobotModel& model, const Terrain& terrain, const ImportOptions& options,
                       const MotionTable& table);
 
-/// The same for a motion that is compared and not played: its world may be its own, so that the height of the feet says
-/// nothing of the order of its quaternions.
+/// As above for a motion that is only compared: its world frame may differ, so the height of the feet does not show the
+/// order of its quaternions.
 void CheckComparedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table);
 
-/// Does something with a table. What it throws as InvalidArgument has joints before it that are past their limits in
-/// most rows: signs, zeros and units that differ show in much else.
+/// Runs a function on a table. Its InvalidArgument is prefixed by joints that are beyond their limits in most rows,
+/// because wrong signs, zero offsets and units cause many other errors.
 void BlameJoints(const RobotModel& model, const MotionTable& table, const std::function<void()>& work);
 
 }  // namespace gaitwright

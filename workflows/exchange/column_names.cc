@@ -28,7 +28,7 @@ void TakeUnit(const std::string& key, const YAML::Node& value, ImportOptions& op
   for (std::size_t i = 0; i < said.size(); ++i) {
     if (said[i].first != key || said[i] == defaults[i] || given[i] == said[i]) continue;
     if (given[i] != defaults[i]) {
-      RefuseYaml(value, fmt::format("'{}' is '{}' here and '{}' on the command line; say it once", key, said[i].second,
+      RefuseYaml(value, fmt::format("'{}' is '{}' here but '{}' on the command line; set it once", key, said[i].second,
                                     given[i].second));
     }
     OptionFields fields = options.UnitFields();
@@ -44,7 +44,8 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
     const YamlMap entries(*columns, "columns");
     for (const auto& entry : entries.entries()) {
       names.ours[entry.key] = TextOf(entry.value, "column '" + entry.key + "'");
-      if (names.ours[entry.key].empty()) RefuseYaml(entry.value, "column '" + entry.key + "' has no name of ours");
+      if (names.ours[entry.key].empty())
+        RefuseYaml(entry.value, "column '" + entry.key + "' is not mapped to a name of this program");
     }
   }
   if (const YAML::Node* scale = map.Find("scale")) {
@@ -68,10 +69,11 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
 
 DataShape ColumnNamesShape() {
   using namespace shapes;
-  DataShape shape = Object({Optional("columns", MapOf(Text()), "Their names, each with ours."),
-                            Optional("scale", MapOf(Number(-kLargestScale, kLargestScale)),
-                                     "By their name: what the column's numbers are multiplied with, not 0."),
-                            Optional("ignore", List(Text()), "Their names of columns that are left out.")});
+  DataShape shape =
+      Object({Optional("columns", MapOf(Text()), "Map of the file's column names to the names of this program."),
+              Optional("scale", MapOf(Number(-kLargestScale, kLargestScale)),
+                       "Factor for the values of a column, by the file's column name; not 0."),
+              Optional("ignore", List(Text()), "Columns to ignore, by the file's column names.")});
   ImportOptions options;
   for (const OptionField& unit : options.UnitFields()) shape.members.push_back(Field(unit));
   return shape;

@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-/// What a column is.
+/// Meaning of a column.
 enum class ColumnKind {
   kTime,
   kBasePosition,
@@ -33,13 +33,13 @@ struct ColumnTarget {
   double scale = 1.0;
 };
 
-/// All names that a column may have, with what they say.
+/// All column names, with their meanings.
 std::map<std::string, ColumnTarget> ColumnTargets(const RobotModel& model, const ImportOptions& options);
 
 /// The name of the position column of a joint: "q_hip_rad" or "q_slide_m".
 std::string PositionColumn(const Joint& joint);
 
-/// Whether a name begins like one of ours, so that it is likely meant for one.
+/// Whether a name begins like one of this program's column names, so it was probably meant as one.
 bool LooksLikeOurs(const std::string& name);
 
 }  // namespace gaitwright

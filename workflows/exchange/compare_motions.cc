@@ -55,14 +55,15 @@ void Align(const ComparedMotion& a, const ComparedMotion& b, const CompareOption
   if (!comparison.best_offset) {
     comparison.aligned_by = "start";
     comparison.offset_s = b.start_s() - a.start_s();
-    comparison.notes.emplace_back("the clocks are aligned by their starts: no joint that both have moves in both");
+    comparison.notes.emplace_back(
+        "the clocks are aligned by start time, because no shared joint moves in both motions");
     return;
   }
   comparison.offset_s = comparison.best_offset->offset_s;
   if (comparison.best_offset->agreement >= kLittleAgreement) return;
   comparison.notes.push_back(
-      fmt::format("the offset of the clocks is doubtful: at the best one the joints' speeds agree to {:.2f} only (1 is "
-                  "the same); --align none or start takes none from the motion",
+      fmt::format("the clock offset is uncertain: at the best one, the joint speeds correlate by only {:.2f} (1 is "
+                  "identical); --align none or start does not use the motion",
                   comparison.best_offset->agreement));
 }
 
@@ -71,7 +72,7 @@ void CheckDuration(const ComparedMotion& motion) {
   const double duration_s = motion.end_s() - motion.start_s();
   if (duration_s <= kLongestMotion) return;
   throw InvalidArgument(
-      fmt::format("'{}' lasts {:.6g} s; at most {:.0f} s are compared", motion.name, duration_s, kLongestMotion));
+      fmt::format("'{}' lasts {:.6g} s; at most {:.0f} s can be compared", motion.name, duration_s, kLongestMotion));
 }
 
 double StepOf(const ComparedMotion& motion) {
@@ -122,9 +123,8 @@ SharedTime Share(const ComparedMotion& a, const ComparedMotion& b, double offset
   if (shared.end_s > shared.start_s - kSameTime_s) shared.time_s = MomentsOf(a, b, shared);
   if (!shared.time_s.empty()) return shared;
   throw InvalidArgument(
-      fmt::format("the motions share no time: '{}' is from {:.3f} to {:.3f} s, '{}' from {:.3f} to {:.3f} s, its clock "
-                  "being {:.3f} "
-                  "s ahead; align them by 'start' or 'best'",
+      fmt::format("the motions do not overlap in time: '{}' is from {:.3f} to {:.3f} s, '{}' from {:.3f} to {:.3f} s, "
+                  "with its clock {:.3f} s ahead; align them by 'start' or 'best'",
                   a.name, a.start_s(), a.end_s(), b.name, b.start_s(), b.end_s(), offset_s));
 }
 
@@ -187,12 +187,10 @@ void NoteDerivedSpeeds(const ComparedMotion& a, const ComparedMotion& b, MotionC
   };
   const SeriesDifference& speed = noisiest->speed;
   std::string note =
-      fmt::format("speeds of {} are worked out from positions", !derives(b) ? "A" : (derives(a) ? "A and B" : "B"));
+      fmt::format("speeds of {} are computed from positions", !derives(b) ? "A" : (derives(a) ? "A and B" : "B"));
   if (speed.noise > 0.0) {
-    note += fmt::format(
-        ", whose noise makes them differ: {:.0f} standard deviations of that, up to {:.3g} {} ('{}'), are let pass "
-        "beside the tolerance",
-        kNoiseWidth, kNoiseWidth * speed.noise, speed.unit, noisiest->joint);
+    note += fmt::format(", whose noise adds {:.0f} standard deviations, up to {:.3g} {} ('{}'), to the tolerance",
+                        kNoiseWidth, kNoiseWidth * speed.noise, speed.unit, noisiest->joint);
   }
   comparison.notes.push_back(std::move(note));
 }
@@ -207,16 +205,16 @@ void AddNotes(const ComparedMotion& motion, std::vector<std::string>& notes) {
 }  // namespace
 
 OptionFields CompareOptions::Fields() {
-  return {
-      {"align",
-       &align,
-       "",
-       0.0,
-       0.0,
-       "How the clocks are aligned: not at all, by the starts, by the joints' motion, or by that where one side is a "
-       "table, whose clock is its own.",
-       {"auto", "none", "start", "best"}},
-      {"tolerance", &tolerance, "1", 0.0, 10.0, "Share of each figure's scale up to which it is the same.", {}}};
+  return {{"align",
+           &align,
+           "",
+           0.0,
+           0.0,
+           "Alignment of the clocks: none, by start, or by best match of the joint motions; auto uses best for tables, "
+           "else none.",
+           {"auto", "none", "start", "best"}},
+          {"tolerance", &tolerance, "1", 0.0, 10.0,
+           "Largest difference that counts as equal, as a share of each quantity's scale."}};
 }
 
 MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options) {
@@ -253,11 +251,9 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   AddNotes(a, comparison.notes);
   AddNotes(b, comparison.notes);
   NoteDerivedSpeeds(a, b, comparison);
-  if (comparison.joints.empty())
-    comparison.notes.emplace_back("no joint is compared: there is none of the same name on both sides");
-  if (comparison.base.empty()) comparison.notes.emplace_back("the base is not compared: one side says nothing of it");
-  if (comparison.feet.empty())
-    comparison.notes.emplace_back("contacts are not compared: one side says nothing of them");
+  if (comparison.joints.empty()) comparison.notes.emplace_back("no joint is compared: no joint name is on both sides");
+  if (comparison.base.empty()) comparison.notes.emplace_back("the base is not compared: one side has no data of it");
+  if (comparison.feet.empty()) comparison.notes.emplace_back("contacts are not compared: one side has no data of them");
   return comparison;
 }
 

@@ -10,70 +10,70 @@
 
 namespace gaitwright {
 
-/// How two motions are set side by side.
+/// Options of a comparison of two motions.
 struct CompareOptions {
-  std::string align = "auto";  ///< "none", "start", "best"; "auto" is best where one is a table, whose clock is its own
-  double tolerance = 0.05;     ///< share of each figure's scale (docs/compare.md) up to which it is the same
+  std::string align = "auto";  ///< "none", "start", "best"; "auto" is best if one is a table, which has its own clock
+  double tolerance = 0.05;     ///< share of each quantity's scale (docs/compare.md) up to which values count as equal
 
   /// The fields, for flags and range checks.
   OptionFields Fields();
 };
 
-/// How one figure differs over the time that two motions share.
+/// Difference of one quantity over the time that two motions share.
 struct SeriesDifference {
   std::string quantity, unit;                   ///< "position of FL_hip_joint", "rad"
-  int samples = 0;                              ///< at which both have it; 0 for none
-  double rms = 0.0, largest = 0.0, at_s = 0.0;  ///< largest magnitude, and when on A's clock
-  double tolerance = 0.0;                       ///< beyond it the two differ, where noise is as in most rows
-  double noise = 0.0;                           ///< standard deviation of what is measured; it widens the tolerance
-  bool derived = false;                         ///< a speed that is worked out from positions
-  std::optional<double> first_s = {};           ///< when it first differs; nothing where it never does
-  double first_a = 0.0, first_b = 0.0, first_tolerance = 0.0;  ///< what both have then, and what is let pass there
+  int samples = 0;                              ///< samples with values on both sides; 0 for none
+  double rms = 0.0, largest = 0.0, at_s = 0.0;  ///< largest magnitude and its time on A's clock
+  double tolerance = 0.0;                       ///< tolerance for rows with typical noise
+  double noise = 0.0;                           ///< standard deviation of the measurement, which widens the tolerance
+  bool derived = false;                         ///< a speed computed from positions
+  std::optional<double> first_s = {};           ///< time of the first difference; nothing if there is none
+  double first_a = 0.0, first_b = 0.0, first_tolerance = 0.0;  ///< both values at that time, and the tolerance there
 };
 
-/// A joint that both have.
+/// A joint on both sides.
 struct JointDifference {
   std::string joint;
   SeriesDifference position, speed, torque;
 };
 
-/// The times of contact of a foot that both have.
+/// Contact times of a foot on both sides.
 struct FootDifference {
   std::string foot;
   int stances_a = 0, stances_b = 0;  ///< within the time that both share
-  int unmatched = 0;                 ///< that overlap none of the other's
+  int unmatched = 0;                 ///< stances without overlap with the other side's
   SeriesDifference timing;           ///< of touch-downs and lift-offs, B - A [s]
 };
 
-/// What differed first: of several at one time what is measured before what is worked out from it, then the one
-/// furthest beyond its tolerance.
+/// The first difference: at equal times, measured quantities before computed ones, then the one farthest beyond its
+/// tolerance.
 struct FirstDifference {
   std::string quantity, unit;
   double time_s = 0.0;  ///< on A's clock
   double a = 0.0, b = 0.0, tolerance = 0.0;
-  bool derived = false;  ///< a speed that is worked out from positions
+  bool derived = false;  ///< a speed computed from positions
 };
 
-/// A figure of each side; nothing where a side has none.
+/// A value of each side; nothing if a side has none.
 struct FigurePair {
   std::string key, unit;
   std::optional<double> a, b;
 };
 
-/// Something that is told in words and is not the same.
+/// A difference in a text value.
 struct WordDifference {
   std::string key, a, b;
-  /// 'a' or 'b' for one of the options of a group (their keys up to the last dot) of which only that side has any.
+  /// 'a' or 'b' for an option of a group (keys up to the last dot) that only this side has.
   char only = ' ';
 };
 
-/// Two motions side by side. Differences are B - A.
+/// Comparison of two motions. Differences are B - A.
 struct MotionComparison {
   std::string name_a, name_b, kind_a, kind_b, robot_a, robot_b;
   std::string aligned_by;                       ///< "none", "start" or "best"
-  double offset_s = 0.0;                        ///< time of B minus time of A at the same moment, as compared
-  std::optional<ClockOffset> best_offset = {};  ///< what the joints' motion says, whether it was taken or not
-  double start_s = 0.0, end_s = 0.0;            ///< what both share, on A's clock
+  double offset_s = 0.0;                        ///< time of B minus time of A at the same moment, as used
+  std::optional<ClockOffset> best_offset = {};  ///< offset by the joint motion, even if it is not used
+  double start_s = 0.0, end_s = 0.0;            ///< shared time range, on A's clock
   int samples = 0;
   std::vector<JointDifference> joints;
   std::vector<std::string> joints_only_a, joints_only_b;
@@ -82,16 +82,16 @@ struct MotionComparison {
   std::vector<FootDifference> feet;
   std::vector<FigurePair> figures;
   std::vector<WordDifference> words;      ///< robots, gaits, options, provenance
-  std::vector<FirstDifference> in_order;  ///< what differed first, and then; each quantity once
+  std::vector<FirstDifference> in_order;  ///< first difference of each quantity, in order of time
   std::vector<std::string> notes;
 
-  /// Nothing is beyond its tolerance.
+  /// True if all differences are within tolerance.
   bool same() const { return in_order.empty(); }
 };
 
-/// Sets two motions side by side at the times of the measured one, of two plans at the finer grid of both, as far as
-/// they share time. A torque that is a mean over a log's interval is held against the plan's at the middle of it.
-/// @throws InvalidArgument for options out of range, a motion of more than an hour, and motions that share no time.
+/// Compares two motions at the times of the measured one (two plans: at the finer grid) within their shared time. A
+/// mean torque over a log's interval is compared with the plan's torque at the middle of the interval.
+/// @throws InvalidArgument for options out of range, a motion of more than an hour, and motions without shared time.
 MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options = {});
 
 }  // namespace gaitwright

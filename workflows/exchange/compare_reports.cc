@@ -98,7 +98,7 @@ ReportComparison CompareReports(const ReadReport& a, const ReadReport& b, double
   comparison.score_b = b.score;
   AddWord("robot", a.robot, b.robot, comparison.words);
   AddWord("verdict", a.verdict, b.verdict, comparison.words);
-  AddWord("broken laws", Joined(a.violations), Joined(b.violations), comparison.words);
+  AddWord("failed checks", Joined(a.violations), Joined(b.violations), comparison.words);
   if (a.verdict != b.verdict) AddWord("reason", a.reason, b.reason, comparison.words);
   const auto find = [](const ReadReport& report, const std::string& key) {
     return std::find_if(report.metrics.begin(), report.metrics.end(), [&](const auto& m) { return m.key == key; });

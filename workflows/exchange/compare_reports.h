@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// A figure of a report as its JSON has it.
+/// A metric of a report, as in its JSON.
 struct ReportedFigure {
   std::string key, unit;
   std::optional<double> value;  ///< a boolean as 0 or 1
@@ -17,43 +17,43 @@ struct ReportedFigure {
   bool pass = true;
 };
 
-/// What `walk --json` and `play --json` print, and ReportJson, as far as reports are compared.
+/// The parts of a report (output of `walk --json`, `play --json` and ReportJson) that are compared.
 struct ReadReport {
   std::string name;  ///< the file
   std::string robot, verdict, reason;
   double score = 0.0;
   std::vector<ReportedFigure> metrics;
-  std::vector<std::string> violations;  ///< laws of the audit that are broken, each once
+  std::vector<std::string> violations;  ///< failed checks of the audit, each once
 };
 
-/// A report of its JSON text. Failure kBadInput `report_file` naming the key that is missing or of the wrong kind.
+/// A report from its JSON text. Failure kBadInput `report_file` naming the key that is missing or has the wrong type.
 Result<ReadReport> ReportFromJson(const std::string& text, const std::string& source);
 
-/// A metric of both; nothing where a report has none.
+/// A metric of both reports; nothing if a report has none.
 struct MetricPair {
   std::string key, unit;
   std::optional<double> a, b, limit;
   bool pass_a = true, pass_b = true;
-  bool differs = false;  ///< by more than the tolerance, or the one passes and the other does not
+  bool differs = false;  ///< by more than the tolerance, or only one passes
 };
 
-/// Two reports side by side.
+/// Comparison of two reports.
 struct ReportComparison {
   std::string name_a, name_b;
   double score_a = 0.0, score_b = 0.0;
   std::vector<MetricPair> metrics;
-  std::vector<WordDifference> words;  ///< robot, verdict, reason, laws that the audit finds broken
+  std::vector<WordDifference> words;  ///< robot, verdict, reason, failed checks of the audit
 
-  /// No metric and no word differs.
+  /// True if no metric and no text differs.
   bool same() const;
 };
 
-/// A metric differs where it is apart by more than `tolerance` times the larger magnitude of both and of the limit, or
-/// where one side has none.
+/// A metric differs if the difference exceeds `tolerance` times the largest magnitude of both values and the limit, or
+/// if one side has none.
 ReportComparison CompareReports(const ReadReport& a, const ReadReport& b, double tolerance);
 
-/// The metrics of playbacks: of a plan and its log what was planned and what was measured, of two logs of `played`, or
-/// of its motion made anew, both as measured. None where there is no plan to score them by or it is of another robot.
+/// The metrics of playbacks: for a plan and its log, planned and measured values; for two logs of `played`, or of its
+/// motion planned again, both measured. None if there is no plan to score them with, or if it belongs to another robot.
 std::vector<MetricPair> MetricsOf(const ComparedMotion& a, const ComparedMotion& b, const MotionPlan* played,
                                   double tolerance);
 

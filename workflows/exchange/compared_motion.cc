@@ -79,7 +79,7 @@ VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, double longe
     v[d] = derived[d];
     if (!(std::abs(v[d]) > kLargestDerived)) continue;
     throw InvalidArgument(
-        fmt::format("the speed of joint '{}' comes out at {:.3g} in row {} ({:.9g} s), which no robot has: its "
+        fmt::format("the computed speed of joint '{}' is {:.3g} in row {} ({:.9g} s), which is not plausible: its "
                     "position jumps there",
                     model.dof_names[static_cast<std::size_t>(d)], v[d], k + 1, table.time_s[k]));
   }
@@ -92,7 +92,7 @@ void WatchGaps(ComparedMotion& motion) {
   motion.gaps = GapsOf(motion.rows.time_s, motion.longest_step_s);
   if (!motion.gaps.empty())
     motion.notes.push_back(
-        fmt::format("'{}', {}; nothing is compared in there", motion.name, MissingRowsText(motion.rows.time_s)));
+        fmt::format("'{}', {}; nothing is compared in that gap", motion.name, MissingRowsText(motion.rows.time_s)));
 }
 
 /// What had to be worked out, and what is in the file and of no use, or not in it.
@@ -102,8 +102,9 @@ std::vector<std::string> NotesOf(const RobotModel& model, const MotionTable& tab
     if (!std::isfinite(table.q.front()[d])) lacking.push_back(model.dof_names[static_cast<std::size_t>(d)]);
   }
   if (!lacking.empty()) {
-    notes.push_back(fmt::format("'{}' lacks {} of {} joints: {}; the others are compared, the centre of mass is not",
-                                name, lacking.size(), model.num_dofs(), QuotedList(lacking)));
+    notes.push_back(
+        fmt::format("'{}' lacks {} of {} joints: {}; the other joints are compared, but not the centre of mass", name,
+                    lacking.size(), model.num_dofs(), QuotedList(lacking)));
   }
   for (const DerivedPart& part : table.derived) notes.push_back(fmt::format("'{}', {}: {}", name, part.what, part.how));
   if (!table.unused_columns.empty())

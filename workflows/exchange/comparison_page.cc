@@ -46,7 +46,7 @@ std::string InOrder(const MotionComparison& c) {
     rows += Row({one.quantity, fmt::format("{:.3f} s", one.time_s), Figure(one.a), Figure(one.b),
                  one.tolerance > 0.0 ? Figure(one.tolerance) : "", one.unit == "1" ? "" : one.unit});
   }
-  return Table("What differed, in the order of time", {"quantity", "at", "A", "B", "tolerance", "unit"}, rows);
+  return Table("Differences in order of time", {"quantity", "at", "A", "B", "tolerance", "unit"}, rows);
 }
 
 std::string SeriesRow(const SeriesDifference& one) {
@@ -85,8 +85,8 @@ std::string Words(const std::vector<WordDifference>& words) {
   const FoldedWords folded = Folded(words);
   for (const WordDifference& word : folded.each) rows += Row({word.key, word.a, word.b});
   if (!folded.only_a.empty() || !folded.only_b.empty())
-    rows += Row({"options of one alone", folded.only_a, folded.only_b});
-  return Table("What is not the same in words", {"key", "A", "B"}, rows);
+    rows += Row({"options on one side only", folded.only_a, folded.only_b});
+  return Table("Differences in text values", {"key", "A", "B"}, rows);
 }
 
 /// Whether a motion has the figures that the plot of that name draws, see MotionPlots.
@@ -101,7 +101,7 @@ bool HasFor(const std::string& plot, const MotionRows& rows) {
 std::string CaptionOf(const Plot& plot, const MotionRows& a, const MotionRows& b) {
   const bool in_a = HasFor(plot.name, a), in_b = HasFor(plot.name, b);
   if (in_a == in_b) return plot.caption;
-  return fmt::format("{} Of {} alone: {} says nothing of it.", plot.caption, in_a ? "A" : "B", in_a ? "B" : "A");
+  return fmt::format("{} {} only; {} has no such data.", plot.caption, in_a ? "A" : "B", in_a ? "B" : "A");
 }
 
 }  // namespace
@@ -131,8 +131,8 @@ std::string ComparisonPage(const ReportComparison& c) {
   std::string html = Start("Two reports");
   html += Paragraph("soft", fmt::format("A: {}; B: {}", c.name_a, c.name_b));
   html += Paragraph(c.same() ? "reason pass" : "reason",
-                    fmt::format("Score {:.1f} against {:.1f}; {}", c.score_a, c.score_b,
-                                c.same() ? "nothing is beyond its tolerance" : "they differ"));
+                    fmt::format("Score {:.1f} (A) and {:.1f} (B); {}", c.score_a, c.score_b,
+                                c.same() ? "all differences are within tolerance" : "they differ"));
   html += Metrics(c.metrics) + Words(c.words);
   return html + "</main></body></html>\n";
 }

@@ -38,10 +38,11 @@ std::string HeadOf(const MotionComparison& c) {
       fmt::format("compared from {:.3f} to {:.3f} s on A's clock at {} moments; clocks aligned by {}, B {:+.4f} s\n",
                   c.start_s, c.end_s, c.samples, c.aligned_by, c.offset_s);
   if (c.best_offset && c.aligned_by != "best") {
-    text += fmt::format("the joints' motion would put B's clock {:+.4f} s ahead (agreement {:.4f})\n",
+    text += fmt::format("by the joint motion, B's clock would be {:+.4f} s ahead (correlation {:.4f})\n",
                         c.best_offset->offset_s, c.best_offset->agreement);
   } else if (c.best_offset) {
-    text += fmt::format("agreement of the joints' speeds there: {:.4f} (1 is the same)\n", c.best_offset->agreement);
+    text += fmt::format("correlation of the joint speeds at this offset: {:.4f} (1 is identical)\n",
+                        c.best_offset->agreement);
   }
   return text;
 }
@@ -49,7 +50,7 @@ std::string HeadOf(const MotionComparison& c) {
 std::string JointsOf(const MotionComparison& c) {
   std::string text;
   if (!c.joints.empty()) {
-    text += "\njoint by joint: rms (largest at time in s); * is beyond its tolerance\n";
+    text += "\njoints: rms (largest at time in s); * marks values beyond tolerance\n";
     text += fmt::format("  {:<24} {:>26} {:>26} {:>26}\n", "joint", "position", "speed", "torque");
     for (const JointDifference& joint : c.joints) {
       text += fmt::format("  {:<24} {:>26} {:>26} {:>26}\n", joint.joint, Cell(joint.position), Cell(joint.speed),
@@ -107,7 +108,7 @@ std::string MetricLines(const std::vector<MetricPair>& metrics) {
 
 std::string WordLines(const std::vector<WordDifference>& words) {
   if (words.empty()) return "";
-  std::string text = "\nwhat is not the same in words\n";
+  std::string text = "\ndifferences in text values\n";
   const FoldedWords folded = Folded(words);
   for (const WordDifference& word : folded.each)
     text += fmt::format("  {}: {} against {}\n", word.key, NumberOrDash(word.a), NumberOrDash(word.b));
@@ -135,7 +136,7 @@ FoldedWords Folded(const std::vector<WordDifference>& words) {
 }
 
 std::string FirstDifferenceText(const MotionComparison& c) {
-  if (c.same()) return "the same: nothing is beyond its tolerance";
+  if (c.same()) return "equal: all differences are within tolerance";
   const FirstDifference& first = c.in_order.front();
   const std::string tolerance = first.tolerance > 0.0 ? fmt::format(" (tolerance {})", Number(first.tolerance)) : "";
   return fmt::format("{} differs first, at {:.3f} s: {} against {}{}{}", first.quantity, first.time_s, Number(first.a),
@@ -145,7 +146,7 @@ std::string FirstDifferenceText(const MotionComparison& c) {
 std::string ComparisonText(const MotionComparison& c, const std::vector<MetricPair>& metrics) {
   std::string text = HeadOf(c) + "\n" + FirstDifferenceText(c) + "\n";
   if (c.in_order.size() > 1) {
-    text += "in the order of time:\n";
+    text += "in order of time:\n";
     for (std::size_t i = 0; i < std::min(kMostInOrder, c.in_order.size()); ++i)
       text += "  " + Told(c.in_order[i]) + "\n";
     if (c.in_order.size() > kMostInOrder) text += fmt::format("  and {} more\n", c.in_order.size() - kMostInOrder);
@@ -161,7 +162,7 @@ std::string ComparisonText(const MotionComparison& c, const std::vector<MetricPa
 std::string ComparisonText(const ReportComparison& c) {
   std::string text = fmt::format(
       "A  report: {}\nB  report: {}\n\n{}\nscore {:.1f} against {:.1f}\n", c.name_a, c.name_b,
-      c.same() ? "the same: nothing is beyond its tolerance" : "they differ; * marks metrics beyond their tolerance",
+      c.same() ? "equal: all differences are within tolerance" : "different; * marks metrics beyond tolerance",
       c.score_a, c.score_b);
   return text + MetricLines(c.metrics) + WordLines(c.words);
 }

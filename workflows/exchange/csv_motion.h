@@ -11,20 +11,20 @@
 
 namespace gaitwright {
 
-/// How the CSV of a motion is read.
+/// Options for reading the CSV of a motion.
 struct CsvReading {
-  std::string columns_file = {};  ///< ReadColumnNames; "" for names that the header itself says
+  std::string columns_file = {};  ///< ReadColumnNames; "" to use the header's names
   ImportOptions options = {};
-  std::vector<std::string> elsewhere = {};  ///< columns of another table that the file of names is for too
-  bool some_joints = false;                 ///< joints that the table lacks are not a number, whatever the options say
+  std::vector<std::string> elsewhere = {};  ///< columns of another table that the names file also covers
+  bool some_joints = false;                 ///< missing joints are NaN, whatever the options say
 };
 
-/// The motion in a table, whose columns are named by the file of names, or as OCS2 does, or as ours are. The units and
-/// the order that the file of names says go into `reading`. Not checked yet: CheckMotionTable, CheckComparedTable.
+/// The motion in a table, whose columns have names from the names file, of OCS2, or of this program. Units and
+/// quaternion order of the names file go into `reading`. Not checked yet: CheckMotionTable, CheckComparedTable.
 /// Failures of ReadColumnNames, Ocs2ColumnNames and MotionFromCsv.
 Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, CsvReading& reading);
 
-/// The same as one side of a comparison, with the joints that there are. Failures of CheckedTable too.
+/// As one side of a comparison, with the joints that it has. Also failures of CheckedTable.
 Result<ComparedMotion> ComparedCsv(const RobotModel& model, const CsvTable& table, CsvReading reading);
 
 }  // namespace gaitwright

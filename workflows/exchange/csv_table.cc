@@ -70,7 +70,7 @@ std::string Unquoted(const std::string& line, std::size_t& at, int number) {
       return cell;
     }
   }
-  throw InvalidArgument(fmt::format("line {}: a quote (\") without its end; a cell ends on its own line", number));
+  throw InvalidArgument(fmt::format("line {}: a quote (\") is not closed; a cell must end on its line", number));
 }
 
 /// The cells of a line. @throws InvalidArgument for quotes that do not fit, and too many cells.
@@ -85,7 +85,7 @@ void SplitCells(const std::string& line, char delimiter, int number, std::vector
       cells.push_back(Unquoted(line, at, number));
       while (at < line.size() && blank(at)) ++at;
       if (at < line.size() && line[at] != delimiter)
-        throw InvalidArgument(fmt::format("line {}, cell {}: text behind a closing quote", number, cells.size()));
+        throw InvalidArgument(fmt::format("line {}, cell {}: text after a closing quote", number, cells.size()));
     } else {
       const std::size_t end = std::min(line.find(delimiter, at), line.size());
       cells.push_back(Trimmed(line.substr(at, end - at)));
@@ -123,7 +123,7 @@ class CsvReader {
   CsvReader(const std::string& text, CsvTable& table) : lines_(text), table_(table) {}
 
   void Read() {
-    if (!NextLine()) throw InvalidArgument("is empty; its first line names the columns");
+    if (!NextLine()) throw InvalidArgument("is empty; its first line must name the columns");
     ReadNames();
     do {
       ReadRow();
@@ -131,7 +131,7 @@ class CsvReader {
     if (trailing_) {  // a delimiter at the end of every line
       table_.columns.pop_back();
     }
-    if (table_.lines.empty()) throw InvalidArgument("has no row of numbers below the names of its columns");
+    if (table_.lines.empty()) throw InvalidArgument("has no row of numbers below the column names");
   }
 
  private:
@@ -157,7 +157,7 @@ class CsvReader {
       SplitCells(comment_, DelimiterOf(comment_), lines_.number(), names);
       if (comment_.empty() || names.size() != cells_.size() || AllNumbers(names)) {
         throw InvalidArgument(
-            fmt::format("line {} holds numbers only; the first line must name the columns", lines_.number()));
+            fmt::format("line {} contains only numbers; the first line must name the columns", lines_.number()));
       }
     }
     names_line_ = lines_.number();
@@ -193,7 +193,7 @@ class CsvReader {
     if (cells_.size() == named + 1 && cells_.back().empty()) cells_.pop_back();
     if (cells_.size() != named) {
       throw InvalidArgument(
-          fmt::format("line {} has {} cells; line {} names {} columns", number, cells_.size(), names_line_, named));
+          fmt::format("line {} has {} cells, but line {} names {} columns", number, cells_.size(), names_line_, named));
     }
     for (std::size_t i = 0; i < named; ++i) {
       const std::optional<double> value = ValueOf(cells_[i]);
@@ -211,8 +211,8 @@ class CsvReader {
     const std::string& cell = cells_[column];
     const std::string why =
         cell.empty() ? "is empty; each cell must hold a number"
-                     : fmt::format("holds '{}', which is not a finite number{}", Shown(cell),
-                                   cell.find(',') == std::string::npos ? "" : "; decimals are written with a point");
+                     : fmt::format("contains '{}', which is not a finite number{}", Shown(cell),
+                                   cell.find(',') == std::string::npos ? "" : "; write decimals with a point");
     throw InvalidArgument(
         fmt::format("line {}, column {} '{}' {}", number, column + 1, Shown(table_.columns[column]), why));
   }

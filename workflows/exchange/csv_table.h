@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// The largest table that is read.
+/// Size limits of a table.
 inline constexpr int kMostCsvRows = 1'000'000, kMostCsvColumns = 1'000, kMostCsvCells = 20'000'000;
 
 /// A table of finite numbers with named columns.
@@ -29,21 +29,20 @@ struct CsvTable {
   int Find(const std::string& name) const;
   /// All values of a column.
   std::vector<double> Column(int column) const;
-  /// "line 12, column 3 'q_hip_rad'": where a cell stands, for messages.
+  /// "line 12, column 3 'q_hip_rad'": the position of a cell, for messages.
   std::string Place(int row, int column) const;
 };
 
 /// A table from the text of a CSV file.
 ///
-/// The first line that is no comment names the columns; the others hold a number in each column. Between cells stands
-/// what the first line has most of: comma, semicolon or tab. Cells may have spaces around them and stand in double
-/// quotes, `""` within them being one; lines may end in CR LF; empty lines and lines that begin with # are passed over.
-/// Where the first line that is no comment holds numbers only, the comment right before it names the columns, as NumPy
-/// writes it. A delimiter at the end of every line is passed over. Numbers are decimal with a point, whatever the
-/// machine's language; `true` and `false` are 1 and 0.
-/// Failure kBadInput `csv` naming the source, line and column: no names, a name that is empty or stands there twice, a
-/// row of another length, a cell that is no finite number, a quote without end, no row at all, and more than
-/// kMostCsvRows, kMostCsvColumns or kMostCsvCells.
+/// The first line that is not a comment names the columns; the other lines have one number per column. The delimiter
+/// is the most frequent one of the first line: comma, semicolon or tab. Cells may have spaces around them and may be in
+/// double quotes, with `""` for a quote; lines may end in CR LF; empty lines and lines that begin with # are ignored.
+/// If the first line that is not a comment has only numbers, the comment right before it names the columns, as written
+/// by NumPy. A delimiter at the end of every line is ignored. Numbers are decimal with a point, whatever the machine's
+/// language; `true` and `false` are 1 and 0. Failure kBadInput `csv` naming the source, line and column: no names, an
+/// empty or duplicate name, a row of another length, a cell that is not a finite number, an unclosed quote, no rows,
+/// and more than kMostCsvRows, kMostCsvColumns or kMostCsvCells.
 Result<CsvTable> ParseCsvTable(const std::string& text, const std::string& source);
 
 /// The same from a file in UTF-8, with or without a byte-order mark.

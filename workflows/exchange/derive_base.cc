@@ -266,8 +266,7 @@ void DeriveBase(const RobotModel& model, const Terrain& terrain, const ImportOpt
   }
   derived.push_back(
       {turned ? "position of the base" : "pose of the base",
-       fmt::format("from the feet that stand still on the ground, smoothed above {:.4g} Hz; it starts over "
-                   "the origin as the robot stands",
+       fmt::format("from the stance feet, smoothed above {:.4g} Hz; it starts above the origin in the standing posture",
                    options.smoothing_hz > 0.0 ? options.smoothing_hz : kUsualSmoothing)});
 }
 

@@ -8,18 +8,18 @@
 
 namespace gaitwright {
 
-/// Works out where the base is from the joints, by feet that stand still on the ground.
+/// Derives the base pose from the joint positions and the stance feet.
 ///
-/// The base begins over the origin of W as it stands, its lowest feet on the ground. From row to row it is where the
-/// feet that stand are nearest to where they came down (least squares; a sphere rolls on), which with three feet says
-/// everything; what it leaves open, as the turning about the line through two point feet, is taken as upright as the
-/// standing posture, and as it was. A foot that comes down is drawn onto the ground within a tenth of a second. Without
-/// any foot on the ground by the column of contacts the base flies on as it fell; without that column it never flies.
-/// All of it is smoothed, by smoothing_hz or above 10 Hz.
+/// The base starts above the origin of W in its standing orientation, with its lowest feet on the ground. In each row,
+/// the base pose brings the stance feet closest to their touch-down positions (least squares; a sphere rolls), which
+/// determines it with three feet; what remains free, such as the rotation about the line through two point feet, is
+/// kept as upright as in the standing posture and close to the previous row. A foot that touches down is moved onto the
+/// ground within 0.1 s. If the contact column has no foot on the ground, the base moves ballistically; without that
+/// column it never does. The result is smoothed with smoothing_hz, or 10 Hz.
 ///
 /// Feet stand that the column of contacts says, or else those that are no higher over the ground than `contact_height`
 /// says over the lowest of them; then, twice more, those that ScheduleOf finds.
-/// @param turned  the motion has the base's rotation, which is kept; only its position is worked out.
+/// @param turned  the motion has the base's rotation, which is kept; only its position is derived.
 void DeriveBase(const RobotModel& model, const Terrain& terrain, const ImportOptions& options, bool turned,
                 EvenMotion& motion, std::vector<DerivedPart>& derived);
 

@@ -62,22 +62,21 @@ class Resampler {
     const double rows = 1.0 + std::floor(time_s_.back() / even_.step_s + kOnGrid);
     if (rows <= kMostGridRows) return static_cast<int>(rows);
     throw InvalidArgument(
-        fmt::format("its {:.6g} s at steps of {} s would be {:.0f} rows; at most {} are made: a larger grid_step_s "
-                    "makes fewer",
+        fmt::format("its {:.6g} s at steps of {} s would need {:.0f} rows; at most {} are accepted; raise grid_step_s",
                     time_s_.back(), even_.step_s, rows, kMostGridRows));
   }
 
   void SayGrid() {
     if (table_.time_s.front() != 0.0)
-      derived_.push_back({"time", fmt::format("from the file's {:.6g} s on, as 0", table_.time_s.front())});
+      derived_.push_back({"time", fmt::format("time 0 is the file's {:.6g} s", table_.time_s.front())});
     if (!on_grid()) {
-      derived_.push_back(
-          {"rows", fmt::format("{} rows every {:.3g} ms from the file's {}, along smooth curves through them",
-                               even_.size(), 1e3 * even_.step_s, table_.rows())});
+      derived_.push_back({"rows", fmt::format("{} rows every {:.3g} ms, interpolated smoothly from the file's {}",
+                                              even_.size(), 1e3 * even_.step_s, table_.rows())});
     } else if (even_.size() < table_.rows()) {
       derived_.push_back(
-          {"end", fmt::format("the last {:.3g} ms are left out: a shorter step than the others of {:.3g} ms",
-                              1e3 * (time_s_.back() - even_.TimeOf(even_.size() - 1)), 1e3 * even_.step_s)});
+          {"end",
+           fmt::format("the last {:.3g} ms are left out, because this step is shorter than the others of {:.3g} ms",
+                       1e3 * (time_s_.back() - even_.TimeOf(even_.size() - 1)), 1e3 * even_.step_s)});
     }
   }
 
@@ -88,7 +87,7 @@ class Resampler {
     for (std::size_t i = 1; i < time_s_.size(); ++i) steps.push_back(time_s_[i] - time_s_[i - 1]);
     const double usual = MedianOf(steps);
     if (const std::string missing = MissingRowsText(table_.time_s); !missing.empty())
-      warnings_.push_back(missing + "; the motion in there is a smooth curve, not what was measured");
+      warnings_.push_back(missing + "; the motion in the gap is interpolated, not measured");
     SayUneven(steps, usual);
   }
 
@@ -96,16 +95,15 @@ class Resampler {
   void SayUneven(const std::vector<double>& steps, double usual) {
     constexpr double kFew = 0.04, kUneven = 0.05;  // [s], of the usual step
     if (usual > kFew) {
-      warnings_.push_back(fmt::format(
-          "rows come every {:.3g} ms only: between them the motion is a smooth curve, not what was measured",
-          1e3 * usual));
+      warnings_.push_back(
+          fmt::format("rows are {:.3g} ms apart; the motion between them is interpolated, not measured", 1e3 * usual));
     }
     std::vector<double> off;
     for (const double step : steps) off.push_back(std::abs(step - usual));
     if (const double uneven = MedianOf(std::move(off)); uneven > kUneven * usual) {
       warnings_.push_back(fmt::format(
-          "rows come unevenly, every {:.3g} ms give or take {:.2g}: where these are times of arrival and not "
-          "of measuring, speeds and accelerations come out rough; even times or smoothing_hz help",
+          "rows are uneven, {:.3g} ms apart in the median, with a median deviation of {:.2g} ms: if these are times of "
+          "arrival rather than of measurement, speeds and accelerations are noisy; use even times or smoothing_hz",
           1e3 * usual, 1e3 * uneven));
     }
   }
@@ -139,8 +137,8 @@ class Resampler {
     if (rough <= most || rough <= roughest_) return;
     roughest_ = rough;
     roughest_text_ = fmt::format(
-        "{} is rough: its accelerations come out noisy by {:.3g} {}; smoothing_hz of three "
-        "times the fastest steps helps",
+        "{} is noisy: its accelerations have a noise of {:.3g} {}; set smoothing_hz to three times the fastest step "
+        "frequency",
         what, rough, unit);
   }
 
@@ -241,8 +239,8 @@ class Resampler {
     if (apart <= kSlight + kShare * fastest || apart <= farthest_) return;
     farthest_ = apart;
     farthest_text_ = fmt::format(
-        "the velocities of joint '{0}' differ from those of its positions by up to {1:.3g} {4}, at {2:.6g} s; it moves "
-        "with up to {3:.3g} {4}; velocities=derived takes those of the positions",
+        "the velocities of joint '{0}' differ from the derivatives of its positions by up to {1:.3g} {4}, at {2:.6g} "
+        "s; its largest speed is {3:.3g} {4}; velocities=derived uses the positions",
         model_.dof_names[static_cast<std::size_t>(dof)], apart, table_.time_s[row], fastest, SpeedUnit(model_, dof));
   }
 
@@ -307,7 +305,7 @@ class Resampler {
     }
     if (not_of_motion_.empty()) return;
     warnings_.push_back(
-        fmt::format("the {}{} in the file {} not what positions give, and {} left out", not_of_motion_.front(),
+        fmt::format("the {}{} in the file {} inconsistent with the positions, and {} ignored", not_of_motion_.front(),
                     not_of_motion_.size() == 1 ? "" : fmt::format(" and {} more rates", not_of_motion_.size() - 1),
                     not_of_motion_.size() == 1 ? "is" : "are", not_of_motion_.size() == 1 ? "is" : "are"));
   }

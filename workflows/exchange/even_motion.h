@@ -12,7 +12,7 @@ namespace gaitwright {
 struct EvenMotion {
   double step_s = 0.0;
   std::vector<VectorX> q, v, a;               ///< in the model's order, sizes 7 + n and 6 + n
-  std::vector<VectorX> tau;                   ///< as given, NaN where one was not; or empty
+  std::vector<VectorX> tau;                   ///< as given, NaN if missing; or empty
   std::vector<FootSet> contact;               ///< as given, or empty
   std::vector<std::vector<Vector3>> force_W;  ///< as given, or empty
 
@@ -23,17 +23,17 @@ struct EvenMotion {
 
 /// Brings a table onto a uniform grid. The base goes along cubic splines through its positions and the parts of its
 /// quaternion, joints likewise; or, where their velocities are given and taken, along the quintic that has the file's
-/// positions and velocities, and for accelerations the derivative of a spline through the velocities. Where the grid is
-/// the file's own, its velocities of the base and its accelerations are taken if they are those of the motion. Torques
-/// and forces are linear in between; contacts hold from the row on that has them, to the grid. What is left behind the
-/// grid's last row, less than a step, is left out: a curve that went on to rest there would jump. What is done is said
-/// in `derived`; noise that would spoil accelerations, and holes, in `warnings`.
+/// positions and velocities, and for accelerations the derivative of a spline through the velocities. If the grid is
+/// the file's own, the file's base velocities and accelerations are used if they are consistent with the motion.
+/// Torques and forces are linear in between; contacts hold from the row on that has them, to the grid. The rest after
+/// the grid's last row, less than one step, is left out, because a curve to rest there would jump. The method is
+/// described in `derived`; noise that would degrade accelerations, and gaps, in `warnings`.
 /// @param table  checked, with base and quaternions.  @throws InvalidArgument for options out of their range, and more
 /// than kMostGridRows rows.
 EvenMotion Resample(const RobotModel& model, const MotionTable& table, const ImportOptions& options,
                     std::vector<DerivedPart>& derived, std::vector<std::string>& warnings);
 
-/// The step of the grid that a table gets [s]: its own where it is even, whatever its last step, if that is shorter.
+/// The step of the grid that a table gets [s]: its own step if uniform; the last step may be shorter.
 double GridStepOf(const std::vector<double>& time_s, const ImportOptions& options);
 
 }  // namespace gaitwright

@@ -8,14 +8,14 @@
 
 namespace gaitwright {
 
-/// The names of the columns that MotionCsv writes for rows that have all there is: time_s, base_x_m, base_y_m,
-/// base_z_m, base_qx, base_qy, base_qz, base_qw, then by joint q_<joint>_rad, v_<joint>_rad_s and tau_<joint>_nm (of
-/// one that slides _m, _m_s and _n), and by foot contact_<link>.
+/// Column names that MotionCsv writes for complete rows: time_s, base_x_m, base_y_m, base_z_m, base_qx, base_qy,
+/// base_qz, base_qw, then by joint q_<joint>_rad, v_<joint>_rad_s and tau_<joint>_nm (for prismatic joints _m, _m_s and
+/// _n), and by foot contact_<link>.
 std::vector<std::string> MotionCsvColumns(const RobotModel& model);
 
-/// The rows as CSV (docs/export.md): one line of names, one line a row, commas between, the shortest decimals that read
-/// back exactly. Torques and contacts are left out where the rows have none.
-/// @throws InvalidArgument naming the column and the time of a figure that is not finite.
+/// The rows as CSV (docs/export.md): one header line, one line per row, separated by commas, with the shortest decimals
+/// that read back exactly. Torques and contacts are left out if the rows have none.
+/// @throws InvalidArgument naming the column and the time of a value that is not finite.
 std::string MotionCsv(const RobotModel& model, const MotionRows& rows);
 
 }  // namespace gaitwright

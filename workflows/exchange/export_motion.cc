@@ -45,7 +45,7 @@ std::string TextOf(const RobotModel& model, const MotionRows& rows, ExportFormat
     case ExportFormat::kSvg:
       break;
   }
-  throw InvalidArgument("plots are no single file");
+  throw InvalidArgument("plots are written to a folder, not to a single file");
 }
 
 /// Whether `import` reads as much as this; other programs may read more.
@@ -68,28 +68,30 @@ bool IsReadBack(const RobotModel& model, const MotionRows& rows, ExportFormat fo
 void AddSizeNote(const RobotModel& model, const MotionRows& rows, ExportFormat format, ExportedMotion& exported) {
   if (format == ExportFormat::kSvg || IsReadBack(model, rows, format, exported.files.front().text.size())) return;
   const bool yaml = format == ExportFormat::kTrajectoryYaml;
-  exported.notes.push_back(fmt::format("it is more than 'import' reads: {}a lower --rate-hz makes it less",
-                                       yaml ? "joint-trajectory-json and csv may be longer, and " : ""));
+  exported.notes.push_back(
+      fmt::format("it is larger than 'import' accepts: use a lower --rate-hz{}",
+                  yaml ? ", or the formats joint-trajectory-json or csv, which may be longer" : ""));
 }
 
 void AddNotes(const MotionRows& rows, ExportFormat format, ExportedMotion& exported) {
   const bool trajectory = format == ExportFormat::kTrajectoryYaml || format == ExportFormat::kTrajectoryJson;
-  if (trajectory) exported.notes.emplace_back("the motion of the base is left out: a joint trajectory has none");
+  if (trajectory)
+    exported.notes.emplace_back("the motion of the base is left out: a joint trajectory cannot contain it");
   if (rows.a.empty() && (trajectory || format == ExportFormat::kNpz))
-    exported.notes.emplace_back("there are no accelerations: a log measures none");
+    exported.notes.emplace_back("there are no accelerations: a log does not contain them");
   if (rows.tau.empty() && format != ExportFormat::kSvg)
-    exported.notes.emplace_back("there are no torques: the plan has none");
+    exported.notes.emplace_back("there are no torques: the plan does not contain them");
 }
 
 /// Where the last row is not the motion's end, since all steps are alike.
 void AddEndNote(double motion_end_s, ExportedMotion& exported) {
   const double beyond_s = exported.end_s - motion_end_s;
   if (std::abs(beyond_s) * exported.rate_hz < kSameStep) return;
-  exported.notes.push_back(
-      beyond_s > 0.0 ? fmt::format("the last row is {:.6g} s after the plan's end, so that all steps are alike: it has "
-                                   "the last posture, at rest",
-                                   beyond_s)
-                     : fmt::format("the last {:.6g} s are left out, so that all steps are alike", -beyond_s));
+  exported.notes.push_back(beyond_s > 0.0
+                               ? fmt::format("the last row is {:.6g} s after the plan's end, so that all steps are "
+                                             "equal; it has the last posture, at rest",
+                                             beyond_s)
+                               : fmt::format("the last {:.6g} s are left out, so that all steps are equal", -beyond_s));
 }
 
 ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz,
@@ -111,12 +113,12 @@ ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, Expor
 
 void CheckBelongs(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan) {
   if (!log.robot_hash.empty() && log.robot_hash != model.hash) {
-    throw InvalidArgument(fmt::format("the log is of robot '{}' ({}), not of '{}' ({}): name the robot that was played",
+    throw InvalidArgument(fmt::format("the log is of robot '{}' ({}), not of '{}' ({}); give the robot that was played",
                                       log.robot, log.robot_hash, model.name, model.hash));
   }
   if (plan == nullptr || log.plan_hash == MotionHash(*plan)) return;
   throw InvalidArgument(
-      fmt::format("the log is of another plan ({}) than the one given ({}): name the plan that was played",
+      fmt::format("the log was played from plan {}, not from the given plan {}; give the plan that was played",
                   log.plan_hash, MotionHash(*plan)));
 }
 

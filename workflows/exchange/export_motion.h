@@ -10,31 +10,31 @@
 
 namespace gaitwright {
 
-/// What a motion is written as.
+/// Format of an exported motion.
 enum class ExportFormat { kCsv, kTrajectoryYaml, kTrajectoryJson, kNpz, kSvg };
 
-/// Their names, in the order of ExportFormat: "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg".
+/// Format names, in the order of ExportFormat: "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg".
 const std::vector<std::string>& ExportFormatNames();
 
-/// The format of that name. @throws InvalidArgument naming those there are.
+/// The format of that name. @throws InvalidArgument listing the formats.
 ExportFormat ExportFormatOf(const std::string& name);
 
-/// A motion as files, with what is to be said of them.
+/// An exported motion: files and notes.
 struct ExportedMotion {
-  std::vector<OutputFile> files;  ///< one; of plots one each
+  std::vector<OutputFile> files;  ///< one file, or one for each plot
   int rows = 0;
   double start_s = 0.0, end_s = 0.0, rate_hz = 0.0;
-  std::vector<std::string> notes;  ///< what the format leaves out, and the like; plain sentences
+  std::vector<std::string> notes;  ///< plain sentences, for example on data that the format cannot contain
 };
 
 /// A plan in a format. @param rate_hz  of rows; 0 for UsualRate.  @param out  the file; of plots the folder.
-/// @throws InvalidArgument as RowsOfPlan does, and for a figure that is not finite.
+/// @throws InvalidArgument as RowsOfPlan does, and for a value that is not finite.
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
                           const std::string& out);
 
-/// A log in a format. @param rate_hz  of rows; 0 for the log's own.  @param plan  what was played, where it is known:
-/// plots then show both, with all plots of a report. @throws InvalidArgument as RowsOfLog does, and where log and plan
-/// are not of one robot and motion.
+/// A log in a format. @param rate_hz  of rows; 0 for the log's own.  @param plan  the played plan, if known; plots then
+/// show both, with all plots of a report. @throws InvalidArgument as RowsOfLog does, and if log and plan do not belong
+/// to the same robot and motion.
 ExportedMotion ExportLog(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan, ExportFormat format,
                          double rate_hz, const std::string& out);
 

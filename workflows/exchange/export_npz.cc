@@ -43,7 +43,7 @@ std::u32string CodePoints(const std::string& text) {
     const auto lead = static_cast<unsigned char>(text[i]);
     const int more = lead < 0x80U ? 0 : lead >= 0xf0U ? 3 : lead >= 0xe0U ? 2 : lead >= 0xc0U ? 1 : -1;
     if (more < 0 || i + static_cast<std::size_t>(more) >= text.size())
-      throw InvalidArgument(fmt::format("the name '{}' is no UTF-8", text));
+      throw InvalidArgument(fmt::format("the name '{}' is not valid UTF-8", text));
     char32_t point = more == 0 ? lead : lead & (0x3fU >> static_cast<unsigned>(more));
     for (int k = 0; k < more; ++k) point = point << 6U | (static_cast<unsigned char>(text[++i]) & 0x3fU);
     points += point;
@@ -108,7 +108,7 @@ std::string NpyOfNumbers(const std::vector<double>& values, const std::vector<st
   const std::size_t count = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
   if (count != values.size()) {
     throw InvalidArgument(
-        fmt::format("an array of shape {} takes {} numbers, not {}", ShapeText(shape), count, values.size()));
+        fmt::format("an array of shape {} needs {} numbers, not {}", ShapeText(shape), count, values.size()));
   }
   std::string bytes = NpyHead("<f8", shape);
   bytes.reserve(bytes.size() + 8 * values.size());

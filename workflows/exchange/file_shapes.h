@@ -5,10 +5,10 @@
 
 namespace gaitwright {
 
-/// What a file of footsteps may hold.
+/// Structure of a footstep file.
 DataShape FootstepFileShape();
 
-/// What a file of column names may hold.
+/// Structure of a file of column names.
 DataShape ColumnNamesShape();
 
 }  // namespace gaitwright

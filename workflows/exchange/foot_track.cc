@@ -141,15 +141,14 @@ ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, co
     const double lowest = *std::min_element(feet[f].height_m.begin(), feet[f].height_m.end());
     const double slowest = *std::min_element(feet[f].speed_m_s.begin(), feet[f].speed_m_s.end());
     throw InvalidArgument(fmt::format(
-        "foot '{}' never stands on the ground: {}its lowest is {:.4f} m over it, its slowest {:.3f} m/s; a foot stands "
-        "that is no higher than {:.4f} m (contact_height) and no faster than {:.3f} m/s (contact_speed)",
+        "foot '{}' is never in stance: {}its smallest height is {:.4f} m and its smallest speed {:.3f} m/s; a stance "
+        "foot is at most {:.4f} m high (contact_height) and {:.3f} m/s fast (contact_speed)",
         model.feet[f].name, motion.contact.empty() ? "" : "by its column; ", lowest, slowest, height_m, speed_m_s));
   }
   if (motion.contact.empty()) {
-    derived.push_back(
-        {"contacts", fmt::format("feet up to {:.1f} mm over the ground and up to {:.3f} m/s fast stand, as "
-                                 "long as their height stays within {:.1f} mm",
-                                 1e3 * height_m, speed_m_s, 1e3 * kStill * model.leg_length_m())});
+    derived.push_back({"contacts", fmt::format("feet up to {:.1f} mm above the ground and up to {:.3f} m/s fast count "
+                                               "as stance, while their height stays within {:.1f} mm",
+                                               1e3 * height_m, speed_m_s, 1e3 * kStill * model.leg_length_m())});
   }
   return ScheduleFromIntervals(by_foot, 0.0, motion.TimeOf(motion.size() - 1));
 }

@@ -25,20 +25,21 @@ DataShape SecondsShape() { return shapes::Number(0.0, kLongestMotion); }
 /// Where a foot is put.
 DataShape PlaceShape() {
   using namespace shapes;
-  return Object({{"foot", Text(), "A foot of the robot."},
+  return Object({{"foot", Text(), "Name of a foot of the robot."},
                  {"x_m", Number(-kFar, kFar)},
                  {"y_m", Number(-kFar, kFar)},
-                 Optional("z_m", Number(-kFar, kFar), "Checked against the ground, to 1 cm."),
-                 Optional("yaw_rad", Number(-10.0, 10.0), "Beyond the heading in the standing posture.")});
+                 Optional("z_m", Number(-kFar, kFar), "Height, checked against the ground within 1 cm."),
+                 Optional("yaw_rad", Number(-10.0, 10.0), "Heading relative to the standing posture.")});
 }
 
 DataShape StepShape() {
   using namespace shapes;
   DataShape shape = PlaceShape();
-  shape.members.push_back(Optional("lift_off_s", SecondsShape(), "With touch_down_s."));
-  shape.members.push_back(Optional("touch_down_s", SecondsShape(), "With lift_off_s."));
-  shape.members.push_back(Optional("swing_s", SecondsShape(), "In place of these two."));
-  shape.members.push_back(Optional("pause_s", SecondsShape(), "Before the next step."));
+  shape.members.push_back(Optional("lift_off_s", SecondsShape(), "Required if touch_down_s is given."));
+  shape.members.push_back(Optional("touch_down_s", SecondsShape(), "Required if lift_off_s is given."));
+  shape.members.push_back(
+      Optional("swing_s", SecondsShape(), "Duration of the swing, instead of lift_off_s and touch_down_s."));
+  shape.members.push_back(Optional("pause_s", SecondsShape(), "Pause before the next step."));
   return shape;
 }
 
@@ -153,9 +154,9 @@ class FootstepReader {
     if (const YAML::Node* z = map.Find("z_m")) {
       const double height = number("z_m");
       if (std::abs(height - X_WF.translation().z()) > kOff) {
-        RefuseYaml(*z, fmt::format("z_m = {:.4g} m is not on the ground, which is {:.4g} m high there; up to {} m off "
-                                   "is taken",
-                                   height, X_WF.translation().z(), kOff));
+        RefuseYaml(*z, fmt::format(
+                           "z_m = {:.4g} m is not on the ground, whose height is {:.4g} m there; accepted: within {} m",
+                           height, X_WF.translation().z(), kOff));
       }
     }
     return X_WF;
@@ -168,7 +169,7 @@ class FootstepReader {
       const YamlMap map(entry, "a foot at the start", shape);
       const int foot = FootOf(map, entry);
       const auto f = static_cast<std::size_t>(foot);
-      if (said[f]) RefuseYaml(entry, fmt::format("foot '{}' stands in start twice", model_.feet[f].name));
+      if (said[f]) RefuseYaml(entry, fmt::format("foot '{}' is in 'start' twice", model_.feet[f].name));
       said[f] = true;
       start_[f] = PlaceOf(map, foot, patch_[f], entry);
     }
@@ -184,10 +185,10 @@ class FootstepReader {
     step.foot = FootOf(map, node);
     step.X_WF = PlaceOf(map, step.foot, step.patch, node);
     const std::optional<double> lift = Seconds(map, "lift_off_s"), touch = Seconds(map, "touch_down_s");
-    if (lift.has_value() != touch.has_value()) RefuseYaml(node, "lift_off_s and touch_down_s go together");
+    if (lift.has_value() != touch.has_value()) RefuseYaml(node, "lift_off_s and touch_down_s must be given together");
     const std::optional<double> swing = Seconds(map, "swing_s") ? Seconds(map, "swing_s") : swing_s_;
     if (!lift && !swing)
-      RefuseYaml(node, "a footstep needs lift_off_s and touch_down_s, or swing_s, here or for all of them");
+      RefuseYaml(node, "a footstep needs lift_off_s and touch_down_s, or swing_s, for itself or for all footsteps");
     step.liftoff_s = OnGrid(lift.value_or(now_s_));
     step.touchdown_s = OnGrid(touch.value_or(now_s_ + swing.value_or(0.0)));
     now_s_ = step.touchdown_s + Seconds(map, "pause_s").value_or(pause_s_.value_or(0.1));
@@ -200,19 +201,21 @@ class FootstepReader {
     const double least = 2.0 * grid_s_ - 1e-9;
     const std::string& name = model_.feet[static_cast<std::size_t>(step.foot)].name;
     if (step.touchdown_s - step.liftoff_s < least) {
-      RefuseYaml(node, fmt::format("foot '{}' swings from {:.4g} to {:.4g} s; {} s is the least", name, step.liftoff_s,
-                                   step.touchdown_s, 2.0 * grid_s_));
+      RefuseYaml(node, fmt::format("foot '{}' swings from {:.4g} to {:.4g} s; at least {} s are needed", name,
+                                   step.liftoff_s, step.touchdown_s, 2.0 * grid_s_));
     }
     if (step.touchdown_s + final_stand_s_ > kLongestMotion) {
-      RefuseYaml(node, fmt::format("foot '{}' touches down at {:.6g} s, {:.6g} s before the end; a motion of at most "
-                                   "{:.0f} s is planned",
-                                   name, step.touchdown_s, final_stand_s_, kLongestMotion));
+      RefuseYaml(
+          node,
+          fmt::format(
+              "foot '{}' touches down at {:.6g} s, {:.6g} s before the end; a motion of at most {:.0f} s is accepted",
+              name, step.touchdown_s, final_stand_s_, kLongestMotion));
     }
     const std::vector<AskedStep>& before = steps_[static_cast<std::size_t>(step.foot)];
     const double stands_since = before.empty() ? 0.0 : before.back().touchdown_s;
     if (step.liftoff_s - stands_since < least) {
-      RefuseYaml(node, fmt::format("foot '{}' lifts at {:.4g} s and is on the ground from {:.4g} s on; it has to stand "
-                                   "for {} s at the least, and a foot's steps follow each other in time",
+      RefuseYaml(node, fmt::format("foot '{}' lifts off at {:.4g} s but is on the ground only from {:.4g} s on; it "
+                                   "must stand for at least {} s, and its steps must be in order of time",
                                    name, step.liftoff_s, stands_since, 2.0 * grid_s_));
     }
   }
@@ -298,12 +301,12 @@ double RoundOf(const FootstepSkeleton& skeleton, std::size_t feet) {
 DataShape FootstepFileShape() {
   using namespace shapes;
   return Object(
-      {{"footsteps", List(StepShape(), 1, kMostSteps), "In the order of each foot's time."},
-       Optional("start", List(PlaceShape(), 1), "All feet; without it they stand as in the standing posture."),
-       Optional("swing_s", SecondsShape(), "Of each step that does not say its own."),
-       Optional("pause_s", SecondsShape(), "Between steps that do not say their own times."),
-       Optional("initial_stand_s", SecondsShape(), "Before the first step."),
-       Optional("final_stand_s", SecondsShape(), "After the last one.")});
+      {{"footsteps", List(StepShape(), 1, kMostSteps), "Footsteps, in order of time for each foot."},
+       Optional("start", List(PlaceShape(), 1), "Start positions of all feet; default: the standing posture."),
+       Optional("swing_s", SecondsShape(), "Swing duration of steps that do not set it."),
+       Optional("pause_s", SecondsShape(), "Pause between steps that do not set their times."),
+       Optional("initial_stand_s", SecondsShape(), "Standing time before the first step."),
+       Optional("final_stand_s", SecondsShape(), "Standing time after the last step.")});
 }
 
 Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& terrain, const std::string& text,
@@ -324,11 +327,8 @@ Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& t
 std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& terrain, const std::string& text,
                                         const ImportRequest& request, ImportedMotion& imported) {
   if (request.goal)
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kFootsteps,
-                   "ImportMotion",
-                   "footsteps say themselves where they lead",
-                   {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kFootsteps, "ImportMotion", "footsteps already determine the goal", {}};
   const Result<FootstepSkeleton> skeleton =
       ReadFootsteps(model, terrain, text, request.file, request.motion.pipeline.grid_step_s);
   if (!skeleton) return skeleton.failure();

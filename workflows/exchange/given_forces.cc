@@ -168,14 +168,14 @@ void TakeGivenForces(const RobotModel& model, const EvenMotion& motion, MotionPl
                      std::vector<DerivedPart>& derived) {
   if (motion.tau.empty() && motion.force_W.empty()) {
     derived.push_back({"contact forces and torques",
-                       "inverse dynamics, what it needs split over the feet that stand inside their friction cones"});
+                       "inverse dynamics, with contact forces split over the stance feet inside their friction cones"});
     return;
   }
   ForceTaker taker(model, motion, plan);
   for (int row = 0; row < motion.size(); ++row) taker.TakeRow(row);
-  if (motion.tau.empty()) derived.push_back({"torques", "inverse dynamics beside the file's contact forces"});
+  if (motion.tau.empty()) derived.push_back({"torques", "inverse dynamics with the file's contact forces"});
   if (motion.force_W.empty())
-    derived.push_back({"contact forces", "those that go with the file's torques and the motion, in the least squares"});
+    derived.push_back({"contact forces", "least-squares fit to the file's torques and the motion"});
 }
 
 }  // namespace gaitwright

@@ -6,14 +6,13 @@
 
 namespace gaitwright {
 
-/// Puts the torques and contact forces that a file has into the plan of its motion, in place of those that were worked
-/// out there.
+/// Replaces the derived torques and contact forces of a plan by those of a file.
 ///
-/// Forces alone: torques are what the motion needs beside them; the moments under soles are those that leave least of
-/// the motion without cause. Torques alone: the contact wrenches of the feet that stand which together with them leave
-/// least of the motion without cause,
+/// Forces only: torques are those that the motion needs in addition; moments under soles minimise the unexplained part
+/// of the motion. Torques only: contact wrenches of the stance feet that, with the torques, minimise the unexplained
+/// part of the motion,
 ///   min |W (M a + h - S^T tau - sum_i J_i^T w_i)|^2,   W by the weight, and by weight times leg for moments.
-/// Both: as they are. What is done is said in `derived`.
+/// Both: as given. The method is described in `derived`.
 void TakeGivenForces(const RobotModel& model, const EvenMotion& motion, MotionPlan& plan,
                      std::vector<DerivedPart>& derived);
 

@@ -54,14 +54,14 @@ bool HoldsFootsteps(const std::string& text) {
 std::string InsteadOfImport(MotionFileKind kind) {
   switch (kind) {
     case MotionFileKind::kPlan:
-      return "'audit', 'play' and 'compare' take it as it is, and 'export' writes its motion for other programs";
+      return "'audit', 'play' and 'compare' accept it directly, and 'export' converts it for other programs";
     case MotionFileKind::kLog:
-      return "'compare' and 'view' take it as it is; 'export LOG --plan PLAN --out motion.csv' makes a CSV of what was "
-             "measured, which is imported";
+      return "'compare' and 'view' accept it directly; 'export LOG --plan PLAN --out motion.csv' writes its measured "
+             "motion as a CSV, which can be imported";
     case MotionFileKind::kReport:
-      return "it holds no motion: 'compare' sets two reports side by side, and the plan that it is of needs no import";
+      return "it contains no motion; 'compare' compares two reports, and the report's plan needs no import";
     case MotionFileKind::kTrials:
-      return "it holds no motion: 'audit PLAN --preflight --trials-result FILE' takes it";
+      return "it contains no motion; use it with 'audit PLAN --preflight --trials-result FILE'";
     default:
       return "";
   }
@@ -110,18 +110,18 @@ Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& te
   CheckImportOptions(request.options);
   std::error_code ignored;
   if (std::filesystem::is_directory(request.file, ignored))
-    return RefusedMotion(request.file, "is a folder; a motion is one file in there, as a .csv or .yaml");
+    return RefusedMotion(request.file, "is a folder; give a file, such as a .csv or .yaml");
   const std::string extension = ExtensionOf(request.file);
   const bool csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
   const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
   if (!csv && !yaml) {
-    return RefusedMotion(request.file,
-                         fmt::format("a motion in a file '{}' is not known; accepted: .csv, .tsv, .txt, .yaml, "
-                                     ".yml, .json",
-                                     extension));
+    return RefusedMotion(
+        request.file,
+        fmt::format("a file of type '{}' is not a known motion; accepted: .csv, .tsv, .txt, .yaml, .yml, .json",
+                    extension));
   }
   if (!csv && !request.columns_file.empty())
-    return RefusedMotion(request.file, "a file of column names goes with a CSV only");
+    return RefusedMotion(request.file, "a file of column names is for a CSV only");
   const Result<std::string> text = ReadFile(request.file);
   if (!text) return text.failure();
   const MotionFileKind kind = KindOfText(*text);

@@ -13,21 +13,21 @@
 
 namespace gaitwright {
 
-/// What is asked of ImportMotion.
+/// Request for ImportMotion.
 struct ImportRequest {
   std::string file;                ///< CSV (.csv, .tsv, .txt); YAML or JSON (.yaml, .yml, .json)
   std::string columns_file;        ///< ReadColumnNames, of a CSV; or ""
   std::string terrain = "flat";    ///< LoadTerrain
-  std::optional<PlanarPose> goal;  ///< from where the base starts; nothing for where the motion ends
+  std::optional<PlanarPose> goal;  ///< relative to the base's start; nothing uses the motion's end
   ImportOptions options;
   MotionOptions motion;  ///< for footsteps, from which a motion is planned
 
   OptionFields Fields() { return Joined({options.Fields(), motion.Fields()}); }
 };
 
-/// A plan of somebody else's motion, and what it took to make one.
+/// A plan made from an external motion, with notes on how.
 struct ImportedMotion {
-  MotionPlan plan;  ///< its warnings say what was derived too
+  MotionPlan plan;  ///< its warnings also list derived data
   AuditReport audit;
   std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "footsteps"
   int rows = 0;        ///< of the file: rows, points or footsteps
@@ -35,14 +35,13 @@ struct ImportedMotion {
   std::vector<std::string> unused_columns;
 };
 
-/// Reads a motion that others made and makes a plan of it that is audited, played and scored like our own; see
-/// docs/import.md for the formats: a CSV with named columns (MotionFromCsv), a motion of OCS2 (Ocs2ColumnNames), a
-/// joint trajectory of ROS (ReadJointTrajectory), footsteps (ReadFootsteps), which are planned on into a motion.
-/// Failure kBadInput for files that are wrong or likely not what they are taken for; kInfeasible for footsteps that no
-/// motion serves.
+/// Reads a motion of other software and turns it into a plan that can be audited, played and scored; see docs/import.md
+/// for the formats: a CSV with named columns (MotionFromCsv), a motion of OCS2 (Ocs2ColumnNames), a joint trajectory of
+/// ROS (ReadJointTrajectory), footsteps (ReadFootsteps), for which a motion is planned. Failure kBadInput for files
+/// that are wrong or probably misinterpreted; kInfeasible for footsteps without a feasible motion.
 Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest& request);
 
-/// The same on ground that somebody has made; the request's own names it only.
+/// As above on a given ground; the request's terrain is used only as its name.
 Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& terrain, const ImportRequest& request);
 
 }  // namespace gaitwright

@@ -36,7 +36,7 @@ class Builder {
     CheckGround();
     plan_.schedule = ScheduleOf(model_, motion_, feet_, options_, notes_.derived);
     plan_.footsteps = FootholdsOf(model_, plan_.terrain, plan_.schedule, motion_, feet_);
-    notes_.derived.push_back({"footholds", "where feet are in the median of each stance, put on the ground"});
+    notes_.derived.push_back({"footholds", "median positions of the feet in each stance, projected onto the ground"});
     NoteRolling();
     AddSwings();
     AddForces();
@@ -59,13 +59,13 @@ class Builder {
     const double height = MedianOf(std::move(lowest)), lift_m = options_.lift_m - height;
     if (!(std::abs(height) <= kFar * model_.leg_length_m())) {
       throw InvalidArgument(fmt::format(
-          "the robot's lowest foot is {:.3f} m {} the ground in most rows; up to {:.3f} m is taken. base_z_m is of the "
-          "URDF's root link; --set lift_m={} moves the base, --terrain gives another ground",
+          "the robot's lowest foot is {:.3f} m {} the ground in most rows; at most {:.3f} m is accepted. base_z_m "
+          "belongs to the URDF's root link; --set lift_m={} moves the base, --terrain sets another ground",
           std::abs(height), height > 0.0 ? "over" : "under", kFar * model_.leg_length_m(), Metres(lift_m)));
     }
     if (std::abs(height) > kSlight) {
       notes_.warnings.push_back(
-          fmt::format("the robot's lowest foot is {:.1f} mm {} the ground in most rows; lift_m={} would mend that",
+          fmt::format("the robot's lowest foot is {:.1f} mm {} the ground in most rows; lift_m={} would correct that",
                       1e3 * std::abs(height), height > 0.0 ? "over" : "under", Metres(lift_m)));
     }
   }
@@ -88,12 +88,12 @@ class Builder {
       farthest = slide;
       const Foot& described = model_.feet[static_cast<std::size_t>(foothold.foot)];
       where =
-          fmt::format("foot '{}', a sphere of {:.3g} mm, turns on the spot from {:.3f} s on and so slides by {:.1f} mm",
+          fmt::format("foot '{}', a sphere of {:.3g} mm, rotates in place from {:.3f} s on and so slides by {:.1f} mm",
                       described.name, 1e3 * described.radius, foothold.touchdown_s, 1e3 * slide);
     }
     if (where.empty()) return;
     notes_.warnings.push_back("the file's feet are points, which do not roll: " + where +
-                              "; the audit counts that, and a robot's foot rolls instead");
+                              "; the audit reports this, although a real foot would roll");
   }
 
   std::size_t RowAt(double time_s) const {
@@ -120,11 +120,11 @@ class Builder {
     std::stable_sort(plan_.swings.begin(), plan_.swings.end(),
                      [](const auto& a, const auto& b) { return a.start_s < b.start_s; });
     if (plan_.swings.empty()) return;
-    notes_.derived.push_back({"swings", "curves nearest to the feet's paths, at rest at both ends"});
+    notes_.derived.push_back({"swings", "curves fitted to the feet's paths, at rest at both ends"});
     if (farthest > kOff) {
       notes_.warnings.push_back(
-          fmt::format("swings are {:.1f} mm off the feet's paths at the most, {}: they do not begin and end at rest "
-                      "on their footholds",
+          fmt::format("swings are up to {:.1f} mm off the feet's paths, {}: the paths do not begin and end at rest on "
+                      "their footholds",
                       1e3 * farthest, where));
     }
   }
@@ -176,7 +176,7 @@ class Builder {
     height /= motion_.size();
     if (!(height > 0.0)) {
       throw InvalidArgument(fmt::format(
-          "its centre of mass is {:.3g} m below its footholds on the mean; no pendulum stands so", -height));
+          "its centre of mass is on average {:.3g} m below its footholds, which no pendulum model allows", -height));
     }
     c.omega_rad_s = std::sqrt(kGravity / height);
     notes_.derived.push_back({"centre of mass and zero-moment point", "from the model"});
@@ -256,10 +256,9 @@ void CheckDerived(const MotionPlan& plan) {
                                                     {"a torque", w.tau[k].lpNorm<Eigen::Infinity>()}};
     for (const auto& [what, most] : parts) {
       if (most <= kLargestDerived) continue;
-      throw InvalidArgument(
-          fmt::format("{} comes out at {:.3g} near {:.6g} s from its start, which no robot has: a "
-                      "position there jumps",
-                      what, most, static_cast<double>(k) * w.step_s));
+      throw InvalidArgument(fmt::format(
+          "the computed {} is {:.3g} near {:.6g} s from its start, which is not plausible: a position jumps there",
+          what, most, static_cast<double>(k) * w.step_s));
     }
   }
 }

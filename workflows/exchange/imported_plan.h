@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// What was worked out on the way to a plan, and what is odd about it.
+/// Notes on derived data and on oddities of an imported motion.
 struct ImportNotes {
   std::vector<DerivedPart> derived;
   std::vector<std::string> warnings;
@@ -16,9 +16,9 @@ struct ImportNotes {
 
 /// The plan of a motion on its grid: contacts, footholds and swings from the feet, the centre of mass and the ZMP from
 /// the model, forces and torques as given or by inverse dynamics. Provenance is left to the caller.
-/// @param goal  where the base was to end, from where it starts; nothing for where it ends.
-/// @throws InvalidArgument for feet that are far from the ground in most rows, or never stand, and for
-/// accelerations or torques that no robot has.
+/// @param goal  intended end of the base, relative to its start; nothing uses its actual end.
+/// @throws InvalidArgument for feet that are far from the ground in most rows or never in stance, and for implausible
+/// accelerations or torques.
 MotionPlan PlanOfMotion(const RobotModel& model, const Terrain& terrain, EvenMotion motion,
                         const ImportOptions& options, const std::optional<PlanarPose>& goal, ImportNotes& notes);
 

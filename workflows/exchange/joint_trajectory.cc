@@ -91,11 +91,11 @@ class Parser {
       const std::string name = entry.Text();
       const auto found = std::find(joints.begin(), joints.end(), name);
       if (found == joints.end()) {
-        entry.Refuse(
-            fmt::format("is no joint: robot '{}' has no joint '{}'{}", model_.name, name, NearestOrAll(name, joints)));
+        entry.Refuse(fmt::format("is not a joint: robot '{}' has no joint '{}'{}", model_.name, name,
+                                 NearestOrAll(name, joints)));
       }
       const auto j = static_cast<std::size_t>(found - joints.begin());
-      if (has[j]) entry.Refuse(fmt::format("is there before: joint '{}' stands there twice", name));
+      if (has[j]) entry.Refuse(fmt::format("is a duplicate: joint '{}' is given twice", name));
       has[j] = true;
       AddSlot(static_cast<int>(j));
     }
@@ -104,7 +104,8 @@ class Parser {
 
   void AddSlot(int index) {
     const Joint& joint = model_.joints[static_cast<std::size_t>(index)];
-    if (joint.is_mimic) motion_.unused_columns.push_back(fmt::format("joint '{}', which follows another", joint.name));
+    if (joint.is_mimic)
+      motion_.unused_columns.push_back(fmt::format("joint '{}', which mimics another joint", joint.name));
     const bool degrees = options_.angle_unit == "deg" && !joint.is_prismatic();
     const bool millimetres = options_.length_unit == "mm" && joint.is_prismatic();
     slots_.push_back({index, degrees ? std::numbers::pi / 180.0 : millimetres ? 1e-3 : 1.0});
@@ -154,8 +155,8 @@ class Parser {
     const double time_s = TimeOf(point.At("time_from_start"));
     if (!motion_.time_s.empty() && !(time_s > motion_.time_s.back())) {
       point.At("time_from_start")
-          .Refuse(fmt::format("of {:.9g} s does not come after {:.9g} s of the point before; times must rise", time_s,
-                              motion_.time_s.back()));
+          .Refuse(fmt::format("of {:.9g} s does not come after {:.9g} s of the previous point; times must increase",
+                              time_s, motion_.time_s.back()));
     }
     motion_.time_s.push_back(time_s);
     const VectorX none = VectorX::Constant(model_.num_dofs(), std::numeric_limits<double>::quiet_NaN());
@@ -172,11 +173,11 @@ class Parser {
                std::vector<VectorX>& rows) const {
     const std::vector<double> numbers = Holds(point, key) ? point.At(key).Numbers() : std::vector<double>{};
     if (numbers.size() != slots_.size() && (!numbers.empty() || key == "positions")) {
-      point.At(key).Refuse(fmt::format("has {} numbers, joint_names {} names", numbers.size(), slots_.size()));
+      point.At(key).Refuse(fmt::format("has {} numbers, but joint_names has {} names", numbers.size(), slots_.size()));
     }
     if (rows.size() != (numbers.empty() ? 0 : motion_.time_s.size() - 1)) {
-      point.Refuse(fmt::format("{} {}, those before {}; all points must be alike", numbers.empty() ? "lacks" : "has",
-                               key, numbers.empty() ? "have it" : "lack it"));
+      point.Refuse(fmt::format("{} {}, but the points before {}; all points must have the same fields",
+                               numbers.empty() ? "lacks" : "has", key, numbers.empty() ? "have it" : "lack it"));
     }
     if (numbers.empty()) return;
     rows.push_back(otherwise);

@@ -10,29 +10,28 @@
 
 namespace gaitwright {
 
-/// The largest joint trajectory in YAML [byte], and the most values: three times what is read of other YAML, since it
-/// is nothing but numbers. In JSON it has the bounds of plans and logs.
+/// The largest joint trajectory in YAML [byte], and the largest number of values: three times the limit of other YAML,
+/// because it contains only numbers. JSON has the limits of plans and logs.
 inline constexpr std::size_t kLargestTrajectoryYaml = std::size_t{48} << 20, kMostTrajectoryYamlValues = 3'000'000;
 
 /// A trajectory_msgs/JointTrajectory of ROS in YAML, as `rostopic echo`, `ros2 topic echo` or a file has it:
 ///   joint_names: [...]
 ///   points: [{positions: [...], velocities: [...], effort: [...], time_from_start: {sec: 0, nanosec: 5000000}}, ...]
 /// also with secs and nsecs, with a number in the unit of times, and within `trajectory:`. Velocities and efforts may
-/// be left out or empty, in all points alike; accelerations are not used. Joints that the robot does not have are
-/// refused with the nearest; those it has and the file lacks as `missing_joints` says. It has no base and no contacts.
-/// Failure kBadInput `joint_trajectory` naming the line.
-/// @param source  names it in messages.  @param some_joints  whatever the options say, the positions of joints that the
-/// file lacks are not a number.
+/// be left out or empty, in all points alike; accelerations are not used. Unknown joints are refused with the nearest
+/// name; missing joints are handled by `missing_joints`. There is no base and there are no contacts. Failure kBadInput
+/// `joint_trajectory` naming the line.
+/// @param source  name in messages.  @param some_joints  positions of missing joints are NaN, whatever the options say.
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                          const ImportOptions& options, bool some_joints = false);
 
-/// The same in JSON; failures name the way to the value.
+/// As above in JSON; failures name the path to the value.
 Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std::string& text,
                                              const std::string& source, const ImportOptions& options,
                                              bool some_joints = false);
 
-/// Either of them, JSON by its first character, as one side of a comparison, with the joints that there are. Failures
-/// of the above and of CheckedTable.
+/// YAML or JSON (by the first character), as one side of a comparison, with the joints that it has. Failures of the
+/// above and of CheckedTable.
 Result<ComparedMotion> ComparedTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                           const ImportOptions& options);
 

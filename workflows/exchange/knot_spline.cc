@@ -17,7 +17,7 @@ void CheckKnots(const std::vector<double>& time_s, const std::vector<double>& va
   if (time_s.size() < 2 || time_s.size() != values.size())
     throw InvalidArgument("a spline needs two knots or more, with one value each");
   for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (!(time_s[i] > time_s[i - 1])) throw InvalidArgument("a spline needs knots at times that rise");
+    if (!(time_s[i] > time_s[i - 1])) throw InvalidArgument("a spline needs knots at increasing times");
   }
 }
 

@@ -12,7 +12,7 @@ namespace gaitwright {
 /// two a line. de Boor, A Practical Guide to Splines, 1978, chapter IV.
 class KnotSpline {
  public:
-  /// @throws InvalidArgument for fewer than two knots, times that do not rise, or lists of different lengths.
+  /// @throws InvalidArgument for fewer than two knots, times that do not increase, or lists of different lengths.
   KnotSpline(std::vector<double> time_s, std::vector<double> values);
 
   /// Value and derivatives; outside the knots the end values at rest.
@@ -26,13 +26,13 @@ class KnotSpline {
 
 /// The values of the natural cubic smoothing spline
 ///   min sum_i (y_i - x(t_i))^2 + lambda integral x''^2 dt,   lambda = 1 / (h (2 pi f)^4),  h the mean step,
-/// which passes what is well below the frequency f and takes out what is well above it, without delay; half of what is
-/// at it. Reinsch, Numerische Mathematik 10, 1967.
+/// which passes frequencies well below f, removes those well above f, without delay, and halves amplitudes at f.
+/// Reinsch, Numerische Mathematik 10, 1967.
 /// @param cutoff_hz  f > 0.  @throws InvalidArgument as KnotSpline, and for f not above 0.
 std::vector<double> Smoothed(const std::vector<double>& time_s, const std::vector<double>& values, double cutoff_hz);
 
-/// Standard deviation of the noise on evenly sampled values, from their fourth differences, which a smooth motion
-/// hardly has: median |d4| / (0.6745 sqrt(70)). 0 for fewer than 9 values.
+/// Standard deviation of the noise on evenly sampled values, from their fourth differences, which are small for a
+/// smooth motion: median |d4| / (0.6745 sqrt(70)). 0 for fewer than 9 values.
 double NoiseOf(const std::vector<double>& values);
 
 }  // namespace gaitwright

@@ -15,7 +15,7 @@ struct TimeGap {
 /// and at least 30 ms. Infinite for fewer than three rows.
 double LongestStep(const std::vector<double>& time_s);
 
-/// Where rows are farther apart than `longest_step_s`, in order.
+/// Gaps between rows that are farther apart than `longest_step_s`, in order.
 std::vector<TimeGap> GapsOf(const std::vector<double>& time_s, double longest_step_s);
 
 /// Whether a time is in one of the gaps, which are in order and do not overlap; rows at their ends are in none.

@@ -60,7 +60,7 @@ class Mapper {
   void CheckNames() const {
     for (const auto& [theirs, ours] : names_.ours) {
       if (targets_.count(ours) == 0) {
-        throw InvalidArgument(fmt::format("column '{}' is to be '{}', which means nothing{}", theirs, ours,
+        throw InvalidArgument(fmt::format("column '{}' is mapped to '{}', which is not a known name{}", theirs, ours,
                                           NearestHint(ours, KnownNames())));
       }
     }
@@ -151,17 +151,17 @@ class Mapper {
   void TakeTime() {
     if (time_.column < 0) {
       const std::string likely = LikelyTime();
-      throw InvalidArgument(fmt::format("has no column of times: 'time_s' is needed{}",
-                                        likely.empty() ? ", or 'time' or 't', and no column is called nearly so"
+      throw InvalidArgument(fmt::format("has no time column: 'time_s' is needed{}",
+                                        likely.empty() ? ", or 'time' or 't'; no column has a similar name"
                                                        : fmt::format("; the nearest to it is '{}'", likely)));
     }
     for (int row = 0; row < table_.rows(); ++row) {
       motion_.time_s.push_back(Value(row, time_));
       if (row > 0 &&
           !(motion_.time_s[static_cast<std::size_t>(row)] > motion_.time_s[static_cast<std::size_t>(row) - 1])) {
-        throw InvalidArgument(fmt::format("{}: {:.9g} does not come after {:.9g} in the row before; times must rise",
-                                          table_.Place(row, time_.column), table_.At(row, time_.column),
-                                          table_.At(row - 1, time_.column)));
+        throw InvalidArgument(fmt::format(
+            "{}: {:.9g} does not come after {:.9g} in the previous row; times must increase",
+            table_.Place(row, time_.column), table_.At(row, time_.column), table_.At(row - 1, time_.column)));
       }
     }
   }
@@ -171,7 +171,7 @@ class Mapper {
     std::vector<std::string> there, missing;
     for (std::size_t i = 0; i < sources.size(); ++i) (sources[i].column < 0 ? missing : there).push_back(names[i]);
     if (there.empty() || missing.empty()) return missing.empty();
-    throw InvalidArgument(fmt::format("has {} and lacks {}; all of them are needed, or none",
+    throw InvalidArgument(fmt::format("has {} but lacks {}; all of them are needed, or none",
                                       QuotedList({there.front()}), QuotedList(missing)));
   }
 
@@ -207,8 +207,8 @@ class Mapper {
     if (turned && by_angles) throw InvalidArgument("has both a quaternion and angles of the base; give one of them");
     if (placed && !turned && !by_angles) {
       throw InvalidArgument(
-          "has the position of the base and not how it is turned: base_qx, base_qy, base_qz, base_qw are needed, or "
-          "base_roll_rad, base_pitch_rad, base_yaw_rad; without all of these the whole pose is worked out");
+          "has the position of the base but not its orientation: base_qx, base_qy, base_qz, base_qw are needed, or "
+          "base_roll_rad, base_pitch_rad, base_yaw_rad; without position and orientation, the pose is derived");
     }
     motion_.turned_by_angles = by_angles;
     for (int row = 0; row < table_.rows(); ++row) {
@@ -283,7 +283,7 @@ class Mapper {
         const double expected = joint.multiplier * motion_.q[static_cast<std::size_t>(row)][joint.dof] + joint.offset;
         const double value = Value(row, position_[j]);
         if (std::abs(value - expected) <= kSame) continue;
-        throw InvalidArgument(fmt::format("{}: joint '{}' follows '{}' and would be at {:.6g}; the file has {:.6g}",
+        throw InvalidArgument(fmt::format("{}: joint '{}' mimics '{}' and would be at {:.6g}, but the file has {:.6g}",
                                           table_.Place(row, position_[j].column), joint.name,
                                           model_.dof_names[static_cast<std::size_t>(joint.dof)], expected, value));
       }
@@ -342,7 +342,7 @@ Result<MotionTable> MotionFromCsv(const RobotModel& model, const CsvTable& table
                    FailureCode::kColumns,
                    "ImportMotion",
                    fmt::format("'{}': {}", table.source, error.what()),
-                   {"docs/import.md says how columns are named; --columns FILE gives other names"}};
+                   {"docs/import.md lists the column names; --columns FILE maps other names"}};
   }
 }
 

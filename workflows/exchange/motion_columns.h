@@ -11,31 +11,30 @@
 
 namespace gaitwright {
 
-/// How the columns of somebody else's file are called and what they hold.
+/// Names and meanings of the columns of an external file.
 struct ColumnNames {
   std::map<std::string, std::string> ours;  ///< by their name
-  std::map<std::string, double> scale;      ///< by their name: what their numbers are multiplied with
+  std::map<std::string, double> scale;      ///< factors, by the file's column name
   std::vector<std::string> ignored;         ///< their names
   bool may_lack = false;                    ///< a file need not have all of these columns
-  bool some_joints = false;                 ///< nor all joints: the positions of others are not a number
-  std::vector<std::string> elsewhere = {};  ///< columns of another file that the names are for too
+  bool some_joints = false;                 ///< a file need not have all joints: positions of missing joints are NaN
+  std::vector<std::string> elsewhere = {};  ///< columns of another file that the names also cover
 };
 
-/// What a file of column names says, see docs/import.md: `columns`, `scale`, `ignore`, and any of `quaternion_order`,
-/// `angle_unit`, `length_unit`, `time_unit`, which go into `options` where these are at their usual values.
-/// Failure kBadInput `columns_file` naming the line.
+/// Contents of a file of column names, see docs/import.md: `columns`, `scale`, `ignore`, and any of `quaternion_order`,
+/// `angle_unit`, `length_unit`, `time_unit`, which go into `options` if these have their default values. Failure
+/// kBadInput `columns_file` naming the line.
 Result<ColumnNames> ReadColumnNames(const std::string& path, ImportOptions& options);
 
-/// The columns of a motion as a header says them, see docs/import.md: time_s, base_x_m, ... base_qw (or base_roll_rad,
+/// The columns of a motion from a header, see docs/import.md: time_s, base_x_m, ... base_qw (or base_roll_rad,
 /// base_pitch_rad, base_yaw_rad with R_WB = Rz Ry Rx), and by joint q_<joint>_rad, v_<joint>_rad_s, tau_<joint>_nm, by
-/// foot link contact_<link>, force_<link>_x_n; of slides _m, _m_s, _n. `_deg` and `_mm` are taken as they say. A
-/// joint's name without the q_, with its unit or alone, is its position too. The quaternion is brought into the order x
-/// y z w.
+/// foot link contact_<link>, force_<link>_x_n; of slides _m, _m_s, _n. `_deg` and `_mm` are converted. A joint's name
+/// without the q_, with its unit or alone, is its position too. The quaternion is brought into the order x y z w.
 ///
-/// Others are named in `unused_columns`, unless they begin like one of ours: then they are refused, with the nearest.
-/// Failure kBadInput `columns`, naming column and what would be taken: no times, no position of some joint, only a part
-/// of what belongs together, two columns for one thing; a name in `names` that is no column; a contact that is neither
-/// 0 nor 1; a joint that mimics another and does not follow it.
+/// Other columns are listed in `unused_columns`, unless they begin like a known name: then they are refused, with the
+/// nearest name. Failure kBadInput `columns`, naming the column and the accepted names: no times, no position of some
+/// joint, an incomplete group, two columns for one quantity; a name in `names` without a column; a contact that is
+/// neither 0 nor 1; a mimic joint that does not follow its leader.
 Result<MotionTable> MotionFromCsv(const RobotModel& model, const CsvTable& table, const ColumnNames& names,
                                   const ImportOptions& options);
 

@@ -95,14 +95,14 @@ class Drawing {
 };
 
 Plot TopViewOf(const Drawing& drawing) {
-  SvgPlot plot(SvgPlot::ToScale("Way of the base from above", "x [m]", "y [m]"));
+  SvgPlot plot(SvgPlot::ToScale("Path of the base from above", "x [m]", "y [m]"));
   for (std::size_t m = 0; m < drawing.motions().size(); ++m) {
     std::vector<Vector2> points;
     for (const VectorX& q : drawing.motions()[m].rows->q) points.emplace_back(q[0], q[1]);
     plot.Line(points, Ink::kCom, drawing.StrokeOf(m), drawing.motions()[m].name);
     if (points.back().allFinite()) plot.Dot(points.back(), Ink::kCom, 3.0);
   }
-  return {"top_view", "Way of the base's origin in plan view; the dot is its end.", plot.Svg()};
+  return {"top_view", "Path of the base's origin in plan view; the dot is its end.", plot.Svg()};
 }
 
 /// Three small plots over time of the base.
@@ -182,7 +182,7 @@ constexpr JointFigure kJointFigures[] = {
     {"joint_speeds", "Speeds of the joints", "speed [rad/s]", "speed [m/s]", "Speed of each joint that moves.",
      Ink::kZmp, Speed},
     {"joint_torques", "Torques of the joints", "torque [N m]", "force [N]",
-     "Torque of each joint that moves: feed-forward of a plan, means over the log's interval as measured.", Ink::kJoint,
+     "Torque of each joint that moves: feed-forward for a plan; for a log, mean over the log's interval.", Ink::kJoint,
      Torque}};
 
 Plot JointPlot(const Drawing& drawing, const std::vector<int>& dofs, const JointFigure& what) {

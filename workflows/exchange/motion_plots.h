@@ -10,12 +10,12 @@
 
 namespace gaitwright {
 
-/// A motion to be drawn, and what it is called in the legend.
+/// A motion to draw, with its name in the legend.
 struct DrawnMotion {
   std::string name;
   const RobotModel* model = nullptr;
   const MotionRows* rows = nullptr;
-  double offset_s = 0.0;  ///< is taken from its times, so that motions stand over each other
+  double offset_s = 0.0;  ///< subtracted from its times, so that motions align
 };
 
 /// Plots of one motion, or of two on top of each other (the first broad and pale, the second thin and dark): top_view,

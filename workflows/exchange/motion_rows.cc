@@ -18,8 +18,7 @@ constexpr double kUsualLowestRate = 200.0;  // [Hz]
 
 void CheckRate(double rate_hz) {
   if (rate_hz >= kLowestRate && rate_hz <= kHighestRate) return;
-  throw InvalidArgument(
-      fmt::format("a rate of {} Hz is out of range; {} to {} Hz are accepted", rate_hz, kLowestRate, kHighestRate));
+  throw InvalidArgument(fmt::format("the rate is {} Hz; accepted: {} to {} Hz", rate_hz, kLowestRate, kHighestRate));
 }
 
 double Rounded(double rate_hz) {
@@ -46,8 +45,8 @@ void CheckLogFits(const RobotModel& model, const PlaybackLog& log) {
           fmt::format("the log has {} feet; robot '{}' has {}", s.wrenches.size(), model.name, model.feet.size()));
     }
     if (before != nullptr && !(s.time_s > before->time_s)) {
-      throw InvalidArgument(fmt::format("the log has a sample at {} s behind one at {} s; its times must grow",
-                                        s.time_s, before->time_s));
+      throw InvalidArgument(
+          fmt::format("the log has a sample at {} s after one at {} s; times must increase", s.time_s, before->time_s));
     }
     before = &s;
   }
@@ -135,8 +134,8 @@ MotionRows RowsOfLog(const RobotModel& model, const PlaybackLog& log, double rat
   if (std::abs(rate_hz - log.log_rate_hz) <= 1e-9 * log.log_rate_hz) return all;
   if (rate_hz > log.log_rate_hz) {
     throw InvalidArgument(
-        fmt::format("a rate of {} Hz is above that of the log, {} Hz: nothing is known between its samples; ask for {} "
-                    "Hz or less, or play with a higher --log-rate-hz",
+        fmt::format("the rate of {} Hz is above the log's rate of {} Hz; use {} Hz or less, or play again with a "
+                    "higher --log-rate-hz",
                     rate_hz, log.log_rate_hz, log.log_rate_hz));
   }
   MotionRows rows;

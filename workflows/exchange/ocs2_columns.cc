@@ -114,7 +114,7 @@ Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& tab
       return Failure{FailureKind::kBadInput,
                      FailureCode::kOcs2,
                      "ImportMotion",
-                     fmt::format("'{}' is a motion of OCS2's quadrupeds, with legs LF, RF, LH and RH of three joints "
+                     fmt::format("'{}' is a motion of an OCS2 quadruped, with legs LF, RF, LH and RH of three joints "
                                  "each; robot '{}' has no such legs",
                                  table.source, model.name),
                      {"name the columns in a file: --columns FILE"}};
@@ -127,7 +127,7 @@ Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& tab
                             model.joints[static_cast<std::size_t>(leg.joints[j])].name);
       }
     }
-    derived.push_back({"joints", "by the place of their legs, from the base on, with this robot's signs: " + said});
+    derived.push_back({"joints", "mapped by leg position, from the base outward, with this robot's signs: " + said});
   }
   ColumnNames names;
   names.may_lack = true;
@@ -140,7 +140,7 @@ Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& tab
     return Failure{FailureKind::kBadInput,
                    FailureCode::kOcs2,
                    "ImportMotion",
-                   fmt::format("'{}' is a motion of OCS2's quadrupeds, which have no column '{}'{}", table.source,
+                   fmt::format("'{}' is a motion of an OCS2 quadruped, which has no column '{}'{}", table.source,
                                *column, NearestOrAll(*column, known)),
                    {"name the columns in a file: --columns FILE"}};
   }

@@ -14,7 +14,7 @@ std::string FootstepsYaml(const RobotModel& model, const std::vector<PlacedStep>
   for (const PlacedStep& step : steps) {
     if (step.foot < 0 || step.foot >= static_cast<int>(model.feet.size()))
       throw InvalidArgument(
-          fmt::format("a step is of foot {}; '{}' has 0 to {}", step.foot, model.name, model.feet.size() - 1));
+          fmt::format("a step names foot {}; '{}' has feet 0 to {}", step.foot, model.name, model.feet.size() - 1));
     yaml += fmt::format("{{foot: '{}', x_m: {}, y_m: {}, yaw_rad: {}}},\n",
                         model.feet[static_cast<std::size_t>(step.foot)].name, step.place.x_m, step.place.y_m,
                         step.place.yaw_rad);
@@ -25,7 +25,7 @@ std::string FootstepsYaml(const RobotModel& model, const std::vector<PlacedStep>
 Result<MotionPlan> PlanOverSteps(const RobotModel& model, const Terrain& terrain, const std::vector<PlacedStep>& steps,
                                  const StepTimes& times, const MotionOptions& options) {
   ImportRequest request;
-  request.file = "the footsteps, one a line";  // what failures call them
+  request.file = "the footsteps, one per line";  // what failures call them
   request.motion = options;
   ImportedMotion motion;
   if (const auto failure = PlanFootstepFile(model, terrain, FootstepsYaml(model, steps, times), request, motion))

@@ -118,20 +118,19 @@ void CheckQuaternionOrder(const RobotModel& model, const Terrain* ground, double
   };
   const bool height_tells = stands(named) || stands(other);
   const auto plausible = [&](const Look& look) { return height_tells ? stands(look) : IsUpright(look); };
-  const std::string both =
-      fmt::format("with x, y, z, w as they are named the robot is {}; with the four as w, x, y, z {}",
-                  Said(named, ground), Said(other, ground));
+  const std::string both = fmt::format("read as x, y, z, w (as named) the robot is {}; read as w, x, y, z {}",
+                                       Said(named, ground), Said(other, ground));
   if (plausible(other) && (!plausible(named) || named.slide_m_s > kClearly * other.slide_m_s + kStill)) {
-    throw InvalidArgument("the base's quaternion likely has w first: " + both +
-                          ". --quaternion-order wxyz takes it so, --quaternion-order xyzw as it is named");
+    throw InvalidArgument("the base's quaternion probably has w first: " + both +
+                          ". Use --quaternion-order wxyz for w first, or --quaternion-order xyzw for the named order");
   }
   if (!plausible(named)) {
     throw InvalidArgument("the robot is upright in no order of the base's quaternion: " + both +
-                          ". --quaternion-order xyzw takes it as it is named");
+                          ". Use --quaternion-order xyzw for the named order");
   }
   if (plausible(other) && named.slide_m_s > kSlightly * other.slide_m_s + kStill) {
     throw InvalidArgument("the base's quaternion may have w first or last: " + both +
-                          ". Say which: --quaternion-order xyzw or wxyz");
+                          ". Set the order: --quaternion-order xyzw or wxyz");
   }
 }
 

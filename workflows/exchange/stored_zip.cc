@@ -78,7 +78,7 @@ std::string StoredZip(const std::vector<ZipEntry>& entries) {
   std::set<std::string> names;
   for (const ZipEntry& entry : entries) {
     if (entry.name.empty() || !names.insert(entry.name).second) {
-      throw InvalidArgument(fmt::format("the name '{}' of a file in an archive is empty or stands twice", entry.name));
+      throw InvalidArgument(fmt::format("the name '{}' of a file in an archive is empty or a duplicate", entry.name));
     }
   }
   MemoryFile file;

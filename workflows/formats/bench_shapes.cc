@@ -9,7 +9,7 @@ using namespace shapes;
 namespace {
 
 DataShape FaultsShape() {
-  return Object({{"force_balance_mg", Number(), "Largest error over the weight."},
+  return Object({{"force_balance_mg", Number(), "Largest error divided by the weight."},
                  {"torque_balance_mg_m", Number()},
                  {"friction_mg", Number()},
                  {"unilateral_mg", Number()},
@@ -19,12 +19,12 @@ DataShape FaultsShape() {
 }
 
 DataShape TimingShape() {
-  return Object({{"refusal", Text(), "Why there is no other timing, or empty."},
+  return Object({{"refusal", Text(), "Reason why no other timing was found, or empty."},
                  {"keeps_all_laws", Truth()},
                  {"mended", Truth()},
                  {"cost_before", Number()},
                  {"cost", Number()},
-                 {"fall", Number(), "Share of the cost that was saved."},
+                 {"fall", Number(), "Share of the cost that the timing saved."},
                  {"duration_s", Number()},
                  {"steps", Whole()},
                  {"solves", Whole()},
@@ -44,7 +44,7 @@ DataShape AuditRoundsShape() {
                  {"rounds_breaks_halved", Whole()},
                  {"rounds_other_patches", Whole()},
                  {"passes_when_eased", Truth()},
-                 {"eased", OrNull(task), "The task that passes."},
+                 {"eased", OrNull(task), "Task that passes its audit."},
                  {"eased_in_the_end", OrNull(AuditShape())},
                  {"cpu_ms", Number()}});
 }
@@ -55,8 +55,8 @@ DataShape BenchResultShape() {
   const DataShape one = Object({{"robot", Text()},
                                 {"schedule", Text()},
                                 {"ground", Text()},
-                                {"solved", Truth(), "As it was asked for."},
-                                {"reason", Text(), "Why not, or empty."},
+                                {"solved", Truth(), "Result of the original task."},
+                                {"reason", Text(), "Reason for a failure, or empty."},
                                 {"solved_when_eased", Truth()},
                                 {"distance_m", Number()},
                                 {"goal_higher_m", Number()},

@@ -14,7 +14,7 @@ DataShape SeriesShape() {
                  {"largest", Number()},
                  {"at_s", Number()},
                  {"tolerance", Number()},
-                 {"noise", Number(), "Standard deviation; 0 unless a side was measured."},
+                 {"noise", Number(), "Standard deviation of the noise; 0 unless a side was measured."},
                  {"first_beyond_s", NumberOrNull()}});
 }
 
@@ -66,14 +66,14 @@ DataShape MotionComparisonShape() {
   return Object({{"compared", Text({"motions"})},
                  {"a", side},
                  {"b", side},
-                 {"same", Truth(), "Nothing is beyond its tolerance."},
+                 {"same", Truth(), "True if all differences are within tolerance."},
                  {"first_difference", OrNull(FirstShape())},
-                 {"in_order", List(FirstShape()), "By time, each quantity once."},
+                 {"in_order", List(FirstShape()), "First difference of each quantity, in order of time."},
                  {"alignment", alignment},
                  {"start_s", Number()},
                  {"end_s", Number()},
                  {"samples", Whole()},
-                 {"joints", MapOf(joint), "By name."},
+                 {"joints", MapOf(joint), "Comparison of each joint, by joint name."},
                  {"joints_only_a", List(Text())},
                  {"joints_only_b", List(Text())},
                  {"base", MapOf(OrNull(SeriesShape()))},
@@ -81,7 +81,7 @@ DataShape MotionComparisonShape() {
                  {"feet", MapOf(FootTimesShape())},
                  {"figures", MapOf(figure)},
                  {"metrics", MetricPairsShape()},
-                 {"words", WordsShape(), "What is told in words and is not the same."},
+                 {"words", WordsShape(), "Differences in text values."},
                  {"notes", TextsShape()},
                  {"files", FilesShape({"report"})}});
 }
@@ -105,19 +105,19 @@ DataShape ExportResultShape() {
                  {"rate_hz", Number()},
                  {"start_s", Number()},
                  {"end_s", Number()},
-                 {"notes", TextsShape(), "What the format leaves out."},
+                 {"notes", TextsShape(), "Data that the format cannot contain."},
                  {"files", FilesShape({"motion", "plots"})}});
 }
 
 DataShape ImportResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
   return Object({{"robot", Text()},
-                 {"verdict", VerdictShape(), "Of the audit."},
+                 {"verdict", VerdictShape(), "Verdict of the audit."},
                  {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps"})},
-                 {"rows", Whole(), "Of the file."},
+                 {"rows", Whole(), "Number of rows of the file."},
                  {"duration_s", Number()},
-                 {"footholds", Whole(), "Their number."},
-                 {"derived", List(derived), "What was worked out, and how."},
+                 {"footholds", Whole(), "Number of footholds."},
+                 {"derived", List(derived), "Derived quantities and their derivation."},
                  {"unused_columns", List(Text())},
                  {"warnings", TextsShape()},
                  {"audit", AuditShape()},

@@ -15,7 +15,7 @@ DataShape PartMarkShape() {
                  {"points", Number()},
                  {"of", Number()},
                  {"checks", List(check)},
-                 {"reasons", TextsShape(), "What was lost, and why."}});
+                 {"reasons", TextsShape(), "Lost points and the reasons."}});
 }
 
 }  // namespace
@@ -24,15 +24,15 @@ DataShape GradeResultShape() {
   const DataShape student = Object({{"student", Text()},
                                     {"points", Number()},
                                     {"of", Number()},
-                                    {"page", Text(), "The name of the student's page."},
+                                    {"page", Text(), "File name of the student's page."},
                                     {"parts", List(PartMarkShape())}});
   const DataShape marks = Object({{"title", Text()},
                                   {"seed", Whole()},
-                                  {"confined", Truth(), "Whether code was kept from all that is not its own."},
+                                  {"confined", Truth(), "True if code ran confined."},
                                   {"of", Number()},
                                   {"students", List(student)},
                                   {"files", FilesShape({"grades", "index"})}});
-  return Either(marks, Object({{"files", MapOf(Text()), "Inputs to hand out, with --write-inputs."}}));
+  return Either(marks, Object({{"files", MapOf(Text()), "Inputs to hand out to students, with --write-inputs."}}));
 }
 
 }  // namespace gaitwright

@@ -10,16 +10,17 @@ using namespace shapes;
 namespace {
 
 DataShape LegShape() {
-  const DataShape foot = Object({{"link", Text()},
-                                 {"type", Text(FootTypeNames())},
-                                 {"radius_m", Number(), "0 where the foot is no ball."},
-                                 {"sole_m", List(Numbers(2)), "Corners in the frame of the foot; empty for a point."},
-                                 {"derived_from", Text()}});
-  return Object({{"joints", List(Text()), "From the base to the foot."},
+  const DataShape foot =
+      Object({{"link", Text()},
+              {"type", Text(FootTypeNames())},
+              {"radius_m", Number(), "Radius of a spherical foot, else 0."},
+              {"sole_m", List(Numbers(2)), "Corners of the sole in the foot's frame; empty for a point foot."},
+              {"derived_from", Text()}});
+  return Object({{"joints", List(Text()), "Joints from the base to the foot."},
                  {"length_m", Number()},
-                 {"mirror", OrNull(Text()), "The leg on the other side."},
+                 {"mirror", OrNull(Text()), "Mirrored leg on the other side."},
                  {"knee", OrNull(Text())},
-                 {"knee_side", OrNull(Text({"plus", "minus"})), "The sign of the angle that it bends to."},
+                 {"knee_side", OrNull(Text({"plus", "minus"})), "Sign of the knee angle when it bends."},
                  {"foot", foot}});
 }
 
@@ -34,11 +35,11 @@ DataShape PerJoint(const std::vector<std::string>& turns, const std::vector<std:
 }
 
 DataShape MotorShape() {
-  return Object({{"corner_speed", NumberOrNull(), "Up to it the motor has its full effort."},
+  return Object({{"corner_speed", NumberOrNull(), "Speed up to which the motor has its full effort."},
                  {"no_load_speed", NumberOrNull()},
                  {"continuous_effort", NumberOrNull()},
                  {"thermal_s", Number()},
-                 {"rotor_inertia", Number(), "Seen at the joint."},
+                 {"rotor_inertia", Number(), "Rotor inertia reflected to the joint."},
                  {"acceleration_limit", NumberOrNull()},
                  {"jerk_limit", NumberOrNull()},
                  {"damping", Number()},
@@ -47,55 +48,55 @@ DataShape MotorShape() {
 
 DataShape TransmissionShape() {
   const DataShape motor = Object({{"name", Text()},
-                                  {"ratios", Numbers(), "Its speed for a speed of 1 of each joint."},
-                                  {"slides", Truth(), "Its units are m, s, N, kg."},
+                                  {"ratios", Numbers(), "Motor speed for unit speed of each joint."},
+                                  {"slides", Truth(), "True if its units are m, s, N, kg."},
                                   {"effort_limit", NumberOrNull()},
                                   {"velocity_limit", NumberOrNull()},
                                   {"corner_speed", NumberOrNull()},
                                   {"no_load_speed", NumberOrNull()},
                                   {"continuous_effort", NumberOrNull()},
                                   {"thermal_s", Number()},
-                                  {"rotor_inertia", Number(), "At the motor's own shaft."}});
+                                  {"rotor_inertia", Number(), "Rotor inertia at the motor's shaft."}});
   return Object({{"name", Text()}, {"joints", List(Text())}, {"motors", List(motor)}});
 }
 
 DataShape SelfCollisionShape() {
   const DataShape left_out = Object({{"links", List(Text(), 2, 2)}, {"reason", Text()}});
-  return Object({{"pairs", Whole(), "Of links that are looked at."}, {"left_out", List(left_out)}});
+  return Object({{"pairs", Whole(), "Number of link pairs that are checked."}, {"left_out", List(left_out)}});
 }
 
 /// A finding of the linter of robot descriptions.
 DataShape FindingShape() {
   return Object({{"level", Text(), "error, warning or info."},
-                 {"code", Text(), "Its kind."},
-                 {"part", Text(), "The link, the joint or the robot."},
-                 {"line", OrNull(Whole()), "Of the file."},
+                 {"code", Text(), "Kind of the finding."},
+                 {"part", Text(), "Link, joint or robot of the finding."},
+                 {"line", OrNull(Whole()), "Line of the file."},
                  {"message", Text()}});
 }
 
 DataShape RobotShape() {
-  return Object(
-      {{"name", Text()},
-       {"description", Text()},
-       {"mass_kg", Number()},
-       {"motors", Whole()},
-       {"leg_length_m", Number()},
-       {"nominal_speed_m_s", Number()},
-       {"standing_base_height_m", Number()},
-       {"legs", MapOf(LegShape()), "By name."},
-       {"mirror_pairs", List(List(Text(), 2, 2))},
-       {"standing", MapOf(Number()), "The posture by joint, rad or m."},
-       {"limits", PerJoint({"lower_rad", "upper_rad", "velocity_rad_s", "effort_nm"},
-                           {"lower_m", "upper_m", "velocity_m_s", "effort_n"})},
-       {"gains", PerJoint({"stiffness_nm_rad", "damping_nm_s_rad"}, {"stiffness_n_m", "damping_n_s_m"})},
-       {"motor_limits", MapOf(MotorShape()), "By joint; rad, s, N m, kg m^2, of one that slides m, s, N, kg."},
-       {"transmissions", List(TransmissionShape()), "Motors that drive several joints together."},
-       {"notes", TextsShape(), "What was derived from the URDF, and how."},
-       {"hash", Text()},
-       {"verdict", Text(), "Whether it walks."},
-       {"findings", List(FindingShape())},
-       {"self_collision", SelfCollisionShape()},
-       {"files", FilesShape({"page", "png"})}});
+  return Object({{"name", Text()},
+                 {"description", Text()},
+                 {"mass_kg", Number()},
+                 {"motors", Whole()},
+                 {"leg_length_m", Number()},
+                 {"nominal_speed_m_s", Number()},
+                 {"standing_base_height_m", Number()},
+                 {"legs", MapOf(LegShape()), "Legs by name."},
+                 {"mirror_pairs", List(List(Text(), 2, 2))},
+                 {"standing", MapOf(Number()), "Standing posture by joint, rad or m."},
+                 {"limits", PerJoint({"lower_rad", "upper_rad", "velocity_rad_s", "effort_nm"},
+                                     {"lower_m", "upper_m", "velocity_m_s", "effort_n"})},
+                 {"gains", PerJoint({"stiffness_nm_rad", "damping_nm_s_rad"}, {"stiffness_n_m", "damping_n_s_m"})},
+                 {"motor_limits", MapOf(MotorShape()),
+                  "Data by joint; in rad, s, N m, kg m^2, for prismatic joints in m, s, N, kg."},
+                 {"transmissions", List(TransmissionShape()), "Motors that drive several joints together."},
+                 {"notes", TextsShape(), "Notes on what was derived from the URDF, and how."},
+                 {"hash", Text()},
+                 {"verdict", Text(), "Whether it walks."},
+                 {"findings", List(FindingShape())},
+                 {"self_collision", SelfCollisionShape()},
+                 {"files", FilesShape({"page", "png"})}});
 }
 
 DataShape RobotCheckShape() {
@@ -109,7 +110,7 @@ DataShape RobotCheckShape() {
 
 DataShape ParameterShape() {
   return Object({{"key", Text()},
-                 {"value", Text(), "As it is set with --set."},
+                 {"value", Text(), "Value, written as for --set."},
                  {"unit", Text()},
                  {"lowest", Number()},
                  {"highest", Number()},
@@ -120,15 +121,15 @@ DataShape ObstacleShape() {
   return Object({{"name", Text()},
                  {"type", Text()},
                  {"position_m", Numbers(3)},
-                 Optional("size_m", Numbers(), "Edges of a box; radius and length of another shape."),
-                 Optional("vertices", Whole(), "The number of a mesh's points.")});
+                 Optional("size_m", Numbers(), "Edge lengths of a box; radius and length of another shape."),
+                 Optional("vertices", Whole(), "Number of points of a mesh.")});
 }
 
 DataShape TerrainShape() {
   const DataShape patch = Object({{"name", Text()},
                                   {"origin_m", Numbers(3)},
                                   {"normal", Numbers(3)},
-                                  {"outline_m", List(Numbers(3)), "Corners; none where it has no end."},
+                                  {"outline_m", List(Numbers(3)), "Corners; empty for an infinite plane."},
                                   {"friction", Number()}});
   const DataShape field = Object({{"name", Text()},
                                   {"origin_m", Numbers(2)},
@@ -140,7 +141,7 @@ DataShape TerrainShape() {
                                   {"friction", Number()}});
   return Object({{"name", Text()},
                  {"description", Text()},
-                 {"robot", Text(), "Whose size it was made for."},
+                 {"robot", Text(), "Robot whose size set the dimensions."},
                  {"parameters", List(ParameterShape())},
                  {"patches", List(patch)},
                  {"height_fields", List(field)},
@@ -153,7 +154,7 @@ DataShape TerrainShape() {
 
 DataShape RobotsResultShape() {
   const DataShape entry = Object({{"name", Text()}, {"legs", Whole()}, {"motors", Whole()}, {"mass_kg", Number()}});
-  return Either(Either(Object({{"robots", List(entry), "Without `show` and `check`."}}), RobotShape()),
+  return Either(Either(Object({{"robots", List(entry), "Robots, without `show` and `check`."}}), RobotShape()),
                 RobotCheckShape());
 }
 
@@ -162,11 +163,11 @@ DataShape GaitsResultShape() {
       Object({{"name", Text()},
               {"feet", Whole()},
               {"description", Text()},
-              {"cycle_s", OrNull(Number()), "null where it is worked out from the robot."},
-              {"cycle_per_leg_time", Number(), "Cycle over the time sqrt(leg length / g); 0 where cycle_s is given."},
-              {"stride_per_leg", OrNull(Number()), "Stride over leg length."},
-              {"phase", Numbers(), "Of the cycle, when each foot touches down."},
-              {"duty_factor", Numbers(), "Share of the cycle that each foot is on the ground."},
+              {"cycle_s", OrNull(Number()), "Cycle time; null if derived from the robot."},
+              {"cycle_per_leg_time", Number(), "Cycle time divided by sqrt(leg length / g); 0 if cycle_s is given."},
+              {"stride_per_leg", OrNull(Number()), "Stride divided by the leg length."},
+              {"phase", Numbers(), "Share of the cycle at which each foot touches down."},
+              {"duty_factor", Numbers(), "Share of the cycle during which each foot is on the ground."},
               {"flight", Truth()}});
   return Object({{"gaits", List(gait)}});
 }
@@ -181,19 +182,18 @@ DataShape ViewResultShape() {
 }
 
 DataShape RenderResultShape() {
-  return Object(
-      {{"files", FilesShape({"png", "gif", "mp4", "figure"})}, Optional("cycles", Number(), "That the figure has.")});
+  return Object({{"files", FilesShape({"png", "gif", "mp4", "figure"})},
+                 Optional("cycles", Number(), "Number of gait cycles in the figure.")});
 }
 
-DataShape LiveResultShape() {
-  return Object({{"url", Text(), "Where the page is, printed once when it can be opened."}});
-}
+DataShape LiveResultShape() { return Object({{"url", Text(), "Address of the page, printed once it can be opened."}}); }
 
 DataShape OptionListShape() {
   const DataShape option = Object({{"key", Text()},
                                    {"default", Text()},
                                    {"unit", Text()},
-                                   {"accepted", Text(), "A range, or the words that there are."},
+                                   {"accepted", Text(), "A range, or the accepted words."},
+                                   {"advanced", Truth(), "Listed by --list-options=all only."},
                                    {"meaning", Text()}});
   return Object({{"options", List(option)}});
 }
@@ -201,7 +201,7 @@ DataShape OptionListShape() {
 DataShape ReferenceResultShape() {
   const DataShape entry = Object({{"name", Text()}, {"title", Text()}});
   return Either(Object({{"schemas", List(entry)}}),
-                Object({{"files", List(Text()), "Those that were written, with --out-dir."}}));
+                Object({{"files", List(Text()), "Written files, with --out-dir."}}));
 }
 
 }  // namespace gaitwright

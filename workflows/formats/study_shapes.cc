@@ -25,20 +25,21 @@ DataShape SensitivityShape() {
 
 DataShape GaitSensitivityShape() {
   return Object({{"standard_error", NumberOrNull()},
-                 {"missing", Text(), "Why there is none, or empty."},
+                 {"missing", Text(), "Reason for a missing value, or empty."},
                  {"trials", Whole()},
                  {"steps", Whole()},
                  {"indicators", TextsShape()},
                  {"disturbances", TextsShape()},
-                 {"varied", List(Truth()), "Which disturbances did."},
-                 {"response", List(List(Numbers())), "By steps after: rows by indicator, columns by disturbance."}});
+                 {"varied", List(Truth()), "True for each disturbance that varied."},
+                 {"response", List(List(Numbers())),
+                  "Response by number of steps after the disturbance: rows are indicators, columns disturbances."}});
 }
 
 DataShape PushBinShape() {
   return Object({{"direction_deg", Number()},
-                 {"n", Whole(), "Fatal or survived."},
+                 {"n", Whole(), "Number of pushes whose outcome is known."},
                  {"fell", Whole()},
-                 {"unknown", Whole(), "Others, of which it cannot be told."},
+                 {"unknown", Whole(), "Number of pushes with unknown outcome."},
                  {"largest_survived_n", NumberOrNull()},
                  {"smallest_fatal_n", NumberOrNull()}});
 }
@@ -52,44 +53,44 @@ DataShape WorstShape() {
                  {"cause", Text()},
                  {"reason", Text()},
                  {"log_hash", Text()},
-                 {"sampled", MapOf(Either(Number(), Text())), "By name."}});
+                 {"sampled", MapOf(Either(Number(), Text())), "Sampled values by name."}});
 }
 
 DataShape SpreadShape() {
   return Object({{"unit", Text()},
-                 {"n", Whole(), "Trials that have it."},
+                 {"n", Whole(), "Number of trials with a value."},
                  {"min", Number()},
                  {"p05", Number()},
                  {"median", Number()},
                  {"p95", Number()},
                  {"max", Number()},
-                 {"limit", NumberOrNull(), "null: its gate applied in no trial."},
-                 {"broken", Whole(), "Trials that broke the gate."}});
+                 {"limit", NumberOrNull(), "Limit of the gate; null if the gate applied in no trial."},
+                 {"broken", Whole(), "Number of trials that failed the gate."}});
 }
 
 DataShape TrialsTableShape() {
   const DataShape cell = OrNull(Either(Either(Number(), Text()), Truth()));
-  return Object({{"columns", TextsShape()}, {"rows", List(List(cell)), "One list a trial."}});
+  return Object({{"columns", TextsShape()}, {"rows", List(List(cell)), "One list per trial."}});
 }
 
 /// How many survived and passed.
 std::vector<ShapeMember> CountMembers() {
   const DataShape share = Number(0.0, 1.0);
-  std::vector<ShapeMember> members = {{"n", Whole(), "Trials."}, {"survived", Whole()}};
+  std::vector<ShapeMember> members = {{"n", Whole(), "Number of trials."}, {"survived", Whole()}};
   for (const ShapeMember& member : SurvivalMembers().members) members.push_back(member);
-  members.insert(members.end(), {{"passed", Whole(), "Kept every gate too."},
+  members.insert(members.end(), {{"passed", Whole(), "Trials that also passed every gate."},
                                  {"pass_share", share, "Share that passed."},
-                                 {"pass_low", share, "Lower end of its 95 % interval."},
-                                 {"pass_high", share, "Upper end of its 95 % interval."}});
+                                 {"pass_low", share, "Lower end of the 95 % interval."},
+                                 {"pass_high", share, "Upper end of the 95 % interval."}});
   return members;
 }
 
 DataShape AxisShape() {
   return Object({{"key", Text()},
                  {"unit", Text()},
-                 {"from", NumberOrNull(), "null: words."},
+                 {"from", NumberOrNull(), "Lower end of the range; null for words."},
                  {"to", NumberOrNull()},
-                 {"values", OrNull(List(ValueShape())), "null: a sampled range."}});
+                 {"values", OrNull(List(ValueShape())), "Values of the axis; null for a sampled range."}});
 }
 
 DataShape StatusShape() {
@@ -99,16 +100,16 @@ DataShape StatusShape() {
 }
 
 DataShape PointShape() {
-  return Object({{"point", Whole(), "Its number, from 0."},
-                 {"values", MapOf(ValueShape()), "By key."},
+  return Object({{"point", Whole(), "Number of the point, from 0."},
+                 {"values", MapOf(ValueShape()), "Values of the axes by option key."},
                  {"status", StatusShape()},
                  {"verdict", VerdictShape()},
-                 {"audit_pass", OrNull(Truth()), "null: there is no plan."},
+                 {"audit_pass", OrNull(Truth()), "True if the audit passes; null without a plan."},
                  {"score", NumberOrNull()},
                  {"code", Text()},
                  {"reason", Text()},
                  {"fell_at_s", NumberOrNull()},
-                 {"metrics", MapOf(NumberOrNull()), "Those of --metrics."},
+                 {"metrics", MapOf(NumberOrNull()), "Metrics that --metrics selects, by key."},
                  Optional("trials", OrNull(Whole())),
                  Optional("survived", OrNull(Whole())),
                  Optional("survival", NumberOrNull()),
@@ -124,10 +125,10 @@ DataShape CountsShape() {
 }
 
 DataShape CandidateShape() {
-  return Object({{"candidate", Whole(), "Its number; 0 is the usual one."},
+  return Object({{"candidate", Whole(), "Number of the candidate; 0 has the present values."},
                  {"found_by", Text({"usual", "sample", "surface", "cma-es"})},
                  {"values", MapOf(Number())},
-                 {"value", NumberOrNull(), "null: refused."},
+                 {"value", NumberOrNull(), "Value of the objective; null if the candidate was refused."},
                  {"score_mean", NumberOrNull()},
                  {"survived", OrNull(Whole())},
                  {"refusal", Text()}});
@@ -137,7 +138,7 @@ DataShape DifferenceShape() {
   return Object({{"before", NumberOrNull()},
                  {"after", Number()},
                  {"difference", NumberOrNull()},
-                 {"low", NumberOrNull(), "Of its 95 % interval."},
+                 {"low", NumberOrNull(), "Lower end of the 95 % interval."},
                  {"high", NumberOrNull()}});
 }
 
@@ -146,27 +147,28 @@ DataShape PreflightTrialsShape() {
   const DataShape worst = Object({{"seed", Whole()}, {"words", Text()}});
   DataShape different =
       With(Object({{"n", Whole()}, {"survived", Whole()}, {"passed", Whole()}}), SurvivalMembers().members);
-  return With(Object(CountMembers()), {{"different", different, "Of those whose logs differ."},
-                                       {"controller", Text()},
-                                       {"conditions", List(condition), "Options that were not at their usual values."},
-                                       {"disturbances", Text(), "As YAML."},
-                                       {"causes", MapOf(Whole())},
-                                       {"worst", List(worst)}});
+  return With(Object(CountMembers()),
+              {{"different", different, "Counts over the trials whose logs differ."},
+               {"controller", Text()},
+               {"conditions", List(condition), "Options that were not at their default values."},
+               {"disturbances", Text(), "Disturbances as YAML text."},
+               {"causes", MapOf(Whole())},
+               {"worst", List(worst)}});
 }
 
 }  // namespace
 
 DataShape TrialsResultShape() {
   return With(Object(CountMembers()),
-              {{"different", Whole(), "How many trials differ, by their logs."},
+              {{"different", Whole(), "Number of trials whose logs differ."},
                {"remarks", TextsShape()},
-               {"metrics", MapOf(SpreadShape()), "By key."},
-               {"causes", MapOf(Whole()), "Of falls, with the number of trials."},
-               {"broken_gates", MapOf(Whole()), "Of failures without a fall."},
-               {"gait_sensitivity_norm", NumberOrNull(), "null: it cannot be estimated."},
+               {"metrics", MapOf(SpreadShape()), "Spread of each metric, by key."},
+               {"causes", MapOf(Whole()), "Causes of falls, with the number of trials."},
+               {"broken_gates", MapOf(Whole()), "Failed gates without a fall, with the number of trials."},
+               {"gait_sensitivity_norm", NumberOrNull(), "Gait sensitivity norm; null if it cannot be estimated."},
                {"gait_sensitivity", GaitSensitivityShape()},
-               {"sensitivity", List(SensitivityShape()), "What falls go with, the surest first."},
-               {"pushes", List(PushBinShape()), "By direction."},
+               {"sensitivity", List(SensitivityShape()), "Correlates of falling, the most significant first."},
+               {"pushes", List(PushBinShape()), "Results of pushes by direction."},
                {"worst", List(WorstShape())},
                {"robot", Text()},
                {"robot_hash", Text()},
@@ -174,11 +176,12 @@ DataShape TrialsResultShape() {
                {"whole_plan_hash", Text()},
                {"controller", Text()},
                {"seed", Whole()},
-               {"disturbances", Text(), "As YAML."},
-               {"options", MapOf(Text()), "Of the playback, before trials change them."},
+               {"disturbances", Text(), "Disturbances as YAML text."},
+               {"options", MapOf(Text()), "Options of the playback, before trials change them."},
                {"repeat", Text(), "The command that repeats one trial exactly."},
                {"trials", TrialsTableShape()},
-               Optional("files", FilesShape({"plan", "result", "report", "so_far"}), "On standard output only.")});
+               Optional("files", FilesShape({"plan", "result", "report", "so_far"}),
+                        "Files written; on standard output only.")});
 }
 
 DataShape SweepResultShape() {
@@ -187,10 +190,10 @@ DataShape SweepResultShape() {
   return Object({{"robot", Text()},
                  {"axes", List(AxisShape(), 1)},
                  {"points", List(PointShape())},
-                 {"best", OrNull(PointShape()), "null: no plan passes its audit."},
+                 {"best", OrNull(PointShape()), "Best point; null if no plan passes its audit."},
                  {"best_play_flags", OrNull(Text())},
                  {"counts", CountsShape()},
-                 {"failures", List(failure), "The most frequent first."},
+                 {"failures", List(failure), "Reasons of failure, the most frequent first."},
                  {"files", FilesShape({"map", "report", "picture", "best"})}});
 }
 
@@ -200,19 +203,19 @@ DataShape TuneResultShape() {
                                   {"value", DifferenceShape()},
                                   {"score", DifferenceShape()},
                                   {"survival", DifferenceShape()},
-                                  {"no_before", Text(), "Why the usual values have none, or empty."}});
+                                  {"no_before", Text(), "Reason why the present values give no plan, or empty."}});
   const DataShape metric = Object({{"before", NumberOrNull()}, {"after", NumberOrNull()}});
   return Object({{"robot", Text()},
-                 {"better", Truth(), "Whether the proof holds."},
+                 {"better", Truth(), "True if the held-out trials confirm the improvement."},
                  {"verdict", Text()},
                  {"axes", List(axis, 1)},
-                 {"trials", Whole(), "Of each candidate."},
+                 {"trials", Whole(), "Number of trials of each candidate."},
                  {"survival_weight", Number()},
                  {"usual", MapOf(Number())},
                  {"favourite", CandidateShape()},
-                 {"options", MapOf(Number()), "Those chosen."},
-                 {"held_out", OrNull(proof), "null: the favourite is the usual one."},
-                 {"metrics", MapOf(metric), "Of the undisturbed walk."},
+                 {"options", MapOf(Number()), "Chosen option values."},
+                 {"held_out", OrNull(proof), "Held-out trials; null if the present values are the best."},
+                 {"metrics", MapOf(metric), "Metrics of the undisturbed walk."},
                  {"surface_foretold", NumberOrNull()},
                  {"finalists", List(Whole())},
                  {"candidates", List(CandidateShape())},
@@ -221,7 +224,7 @@ DataShape TuneResultShape() {
 
 DataShape PreflightShape() {
   return Object({{"verdict", Text({"go", "no-go"})},
-                 {"reasons", TextsShape(), "Why it is no go."},
+                 {"reasons", TextsShape(), "Reasons for a no-go."},
                  {"remarks", TextsShape()},
                  {"robot", Text()},
                  {"robot_hash", Text()},
@@ -233,7 +236,7 @@ DataShape PreflightShape() {
                  {"made_by", Text()},
                  {"motion", Text()},
                  {"duration_s", Number()},
-                 {"limits", List(MarginShape()), "Of each law the least margin."},
+                 {"limits", List(MarginShape()), "Smallest margin of each check."},
                  {"audit", AuditShape()},
                  {"trials", OrNull(PreflightTrialsShape())},
                  {"assumptions", TextsShape()},

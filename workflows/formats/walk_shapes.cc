@@ -20,9 +20,9 @@ DataShape TextsShape() { return List(Text()); }
 
 DataShape SurvivalMembers() {
   const DataShape share = Number(0.0, 1.0);
-  return Object({{"survival", share, "Share that did not fall and reached the plan's end."},
-                 {"survival_low", share, "Lower end of its 95 % interval."},
-                 {"survival_high", share, "Upper end of its 95 % interval."}});
+  return Object({{"survival", share, "Share of trials that reached the plan's end without a fall."},
+                 {"survival_low", share, "Lower end of the 95 % interval."},
+                 {"survival_high", share, "Upper end of the 95 % interval."}});
 }
 
 DataShape FilesShape(const std::vector<std::string>& kinds) {
@@ -38,33 +38,34 @@ DataShape MarginShape() {
                  {"value", Number()},
                  {"limit", Number()},
                  {"unit", Text()},
-                 {"margin", Number(), "Negative beyond the limit."},
-                 {"share", OrNull(Number()), "Margin over limit, where the limit is a size."}});
+                 {"margin", Number(), "Margin to the limit; negative beyond it."},
+                 {"share", OrNull(Number()), "Margin divided by the limit, if the limit is a magnitude."}});
 }
 
 DataShape AuditShape() {
   const DataShape violation = Object({{"law", Text(LawNames())},
-                                      {"at_s", Number(), "When it is worst."},
-                                      {"where", Text(), "Joint, foot or pair of links."},
+                                      {"at_s", Number(), "Time of the worst value."},
+                                      {"where", Text(), "Joint, foot or pair of links with the worst value."},
                                       {"value", Number()},
                                       {"limit", Number()},
                                       {"unit", Text()}});
   return Object({{"verdict", VerdictShape()},
-                 {"violations", List(violation), "The cause before its consequences."},
+                 {"violations", List(violation), "Violations, causes before their consequences."},
                  {"samples", Whole()},
-                 {"notes", TextsShape(), "What was not looked at."},
-                 Optional("remarks", TextsShape(), "What is likely amiss where a law is broken."),
-                 Optional("margins", List(MarginShape()), "With --margins: by law, the least first.")});
+                 {"notes", TextsShape(), "Parts that were not checked."},
+                 Optional("remarks", TextsShape(), "Likely causes of violations."),
+                 Optional("margins", List(MarginShape()), "Margins by check, the smallest first; with --margins.")});
 }
 
 DataShape AuditResultShape() {
   const DataShape approach = Object({{"duration_s", Number()},
                                      {"base", Text()},
                                      {"via_standing", Truth()},
-                                     {"farthest", Text(), "A joint."},
-                                     {"plan", Text(), "The file."}});
-  return With(AuditShape(), {{"warnings", TextsShape(), "Of the plan."},
-                             Optional("approach", OrNull(approach), "With --approach; null: there is no way to go.")});
+                                     {"farthest", Text(), "Joint that moves the farthest."},
+                                     {"plan", Text(), "File of the approach plan."}});
+  return With(AuditShape(), {{"warnings", TextsShape(), "Warnings of the plan."},
+                             Optional("approach", OrNull(approach),
+                                      "Approach to the first posture, with --approach; null if none is needed.")});
 }
 
 namespace {
@@ -72,12 +73,12 @@ namespace {
 DataShape MetricShape(const MetricRule& rule) {
   const DataShape value = rule.key == "fell" ? Truth() : OrNull(Number());
   return Object({{"value", value},
-                 Optional("planned", OrNull(Number()), "Of the plan, where it has one."),
+                 Optional("planned", OrNull(Number()), "Value in the plan, if it has one."),
                  {"unit", Text({rule.unit})},
-                 {"limit", OrNull(Number()), "null: no gate is applied."},
+                 {"limit", OrNull(Number()), "Limit of the gate; null if no gate applies."},
                  {"pass", Truth()},
-                 {"at_s", OrNull(Number()), "When it was worst."},
-                 Optional("not_applied", Text(), "Why a value or a gate is missing.")});
+                 {"at_s", OrNull(Number()), "Time of the worst value."},
+                 Optional("not_applied", Text(), "Reason why a value or a gate is missing.")});
 }
 
 DataShape MetricsShape() {
@@ -93,11 +94,11 @@ namespace {
 /// What --explain lists.
 DataShape TriedShape() {
   return List(Object({{"extent", Text({"start-look", "first-look", "start", "whole"})},
-                      {"pace", Text(), "The flag of the command's speed, without dashes."},
-                      {"value", Number(), "Of the pace, in its unit."},
+                      {"pace", Text(), "Flag that sets the speed, without dashes."},
+                      {"value", Number(), "Value of the speed, in its unit."},
                       {"unit", Text()},
                       {"cycle_s", Number()},
-                      {"refused", OrNull(Text(FailureCodeNames())), "Null: the plan is sound."}}));
+                      {"refused", OrNull(Text(FailureCodeNames())), "Failure code; null if the plan is sound."}}));
 }
 
 }  // namespace
@@ -107,15 +108,15 @@ DataShape WalkResultShape() {
                  {"verdict", VerdictShape()},
                  {"score", Number(0.0, 100.0)},
                  {"reason", Text()},
-                 {"metrics", MetricsShape(), "By key, each as docs/scores.md has it."},
+                 {"metrics", MetricsShape(), "Metrics by key, see docs/scores.md."},
                  {"notes", TextsShape()},
                  {"audit", AuditShape()},
-                 {"warnings", TextsShape(), "Of the plan."},
-                 {"adjustments", AdjustmentsShape(), "Of the plan."},
-                 Optional("tried", TriedShape(), "With --explain: plans that were tried."),
-                 Optional("drawn", MapOf(Text()), "Of a trial: what was drawn, by name."),
-                 {"log_hash", Text(), "Of all samples of the log."},
-                 {"planning_cpu_s", Number(), "0 for play."},
+                 {"warnings", TextsShape(), "Warnings of the plan."},
+                 {"adjustments", AdjustmentsShape(), "Adjustments that the planner made."},
+                 Optional("tried", TriedShape(), "Plans that were tried; with --explain."),
+                 Optional("drawn", MapOf(Text()), "Sampled values of a trial, by name."),
+                 {"log_hash", Text(), "Hash of all samples of the log."},
+                 {"planning_cpu_s", Number(), "CPU time of planning; 0 for play."},
                  {"playback_realtime_factor", Number()},
                  {"files", FilesShape({"plan", "log", "report", "plots"})}});
 }
@@ -125,7 +126,7 @@ DataShape DoResultShape() {
                                    {"stability", Object({{"metric", Text()}, {"value_m", OrNull(Number())}})},
                                    {"smoothness", Object({{"jerk_rms_rad_s3", OrNull(Number())}})},
                                    {"energy", Object({{"work_j", Number()}})}});
-  return With(WalkResultShape(), {{"tasks", Anything(), "A task plan, which has a schema of its own."},
+  return With(WalkResultShape(), {{"tasks", Anything(), "Task plan, see its schema."},
                                   {"understood_by", Text({"grammar", "language model", "file"})},
                                   {"scores", scores}});
 }
@@ -133,37 +134,38 @@ DataShape DoResultShape() {
 DataShape PlanResultShape() {
   const DataShape part = Object({{"gait", Text()}, {"start_s", Number()}, {"end_s", Number()}});
   return Object({{"robot", Text()},
-                 {"verdict", VerdictShape(), "Of the audit."},
+                 {"verdict", VerdictShape(), "Verdict of the audit."},
                  {"gait", Text()},
                  {"parts", List(part, 1)},
                  {"duration_s", Number()},
-                 {"footholds", Whole(), "Their number."},
+                 {"footholds", Whole(), "Number of footholds."},
                  {"zmp_error_max_m", Number()},
                  {"residual", Number()},
                  {"planning_cpu_s", Number()},
                  {"warnings", TextsShape()},
                  {"adjustments", AdjustmentsShape()},
                  {"audit", AuditShape()},
-                 Optional("tried", TriedShape(), "With --explain: plans that were tried."),
+                 Optional("tried", TriedShape(), "Plans that were tried; with --explain."),
                  {"files", FilesShape({"plan"})}});
 }
 
 DataShape ErrorShape() {
-  const DataShape suggestion = Object({{"what", Text(), "The flag or option to give, without dashes."},
-                                       {"value", OrNull(Either(Number(), Text())), "Null: not known."},
-                                       {"certainty", Text({"planned", "estimated", "untried"})}});
+  const DataShape suggestion =
+      Object({{"what", Text(), "Flag or option to set, without dashes."},
+              {"value", OrNull(Either(Number(), Text())), "Value to set; null if it is not known."},
+              {"certainty", Text({"planned", "estimated", "untried"})}});
   const DataShape violation = Object({{"law", Text(LawNames())},
-                                      {"at_s", NumberOrNull(), "Null: not known."},
-                                      {"where", Text(), "Joint, foot or pair of links."},
+                                      {"at_s", NumberOrNull(), "Time of the worst value; null if it is not known."},
+                                      {"where", Text(), "Joint, foot or pair of links with the worst value."},
                                       {"value", Number()},
                                       {"limit", Number()},
                                       {"unit", Text()}});
-  return Object({{"error", Object({{"code", Text(FailureCodeNames()), "Why it is refused."},
+  return Object({{"error", Object({{"code", Text(FailureCodeNames()), "Failure code."},
                                    {"stage", Text()},
-                                   {"message", Text(), "One sentence that names the offender."},
-                                   {"hints", TextsShape(), "What may help, in words."},
-                                   {"suggestions", List(suggestion), "Those hints that name an option."},
-                                   Optional("violation", violation, "The law that forbids it.")})}});
+                                   {"message", Text(), "Message: one sentence that names the offending input."},
+                                   {"hints", TextsShape(), "Hints, as text."},
+                                   {"suggestions", List(suggestion), "Hints that name an option and a value."},
+                                   Optional("violation", violation, "The violated check.")})}});
 }
 
 }  // namespace gaitwright

@@ -12,16 +12,17 @@
 namespace gaitwright {
 
 /// A case of a part that asks for answers, as `gaitwright grade --write-inputs` writes it (docs/grading.md): a row of
-/// the table of inputs, which must outlive it. All of these throw InvalidArgument where the table has no such input.
+/// the table of inputs, which must outlive this object. All accessors throw InvalidArgument if the table has no such
+/// input.
 class AnswerCase {
  public:
   AnswerCase(const CsvTable& inputs, int row) : inputs_(inputs), row_(row) {}
 
-  /// An input that is a number: the column of its name.
+  /// A number input: the column of its name.
   double Number(const std::string& name) const;
-  /// One that is a list of numbers: the columns name_0, name_1, ...
+  /// A list input: the columns name_0, name_1, ...
   VectorX Vector(const std::string& name) const;
-  /// One that is a matrix: name_0_0, name_0_1, ..., row by row.
+  /// A matrix input: name_0_0, name_0_1, ..., row by row.
   MatrixX Matrix(const std::string& name) const;
 
  private:
@@ -29,22 +30,22 @@ class AnswerCase {
   int row_;
 };
 
-/// What is worked out for a case; matrices row by row.
+/// Answer to a case; matrices row by row.
 using AnswerFunction = std::function<std::vector<double>(const AnswerCase&)>;
 
-/// The table of answers to all cases: `case`, answer_0, answer_1, ... Where answers are of different length the shorter
-/// ones are filled up with zeros, which nobody looks at. @throws InvalidArgument where there is no column `case`.
+/// The table of answers to all cases: `case`, answer_0, answer_1, ... Shorter answers are padded with zeros, which are
+/// not marked. @throws InvalidArgument without a column `case`.
 std::string AnswersCsv(const CsvTable& inputs, const AnswerFunction& answer);
 
-/// A part of a rubric, by its name, and what answers it.
+/// A part of a rubric, by name, and the function that answers it.
 struct AnsweredPart {
   std::string name;
   AnswerFunction answer;
 };
 
 /// Answers parts: NAME_inputs.csv of one folder to NAME.csv of another, all of them or none.
-/// @return the paths written. Failure: a file that cannot be read or written, an input that is not there, and an answer
-/// that is no finite number, naming the part and the case.
+/// @return the paths written. Failure: a file that cannot be read or written, a missing input, and an answer that is
+/// not finite, naming the part and the case.
 Result<std::vector<std::string>> WriteAnswers(const std::string& inputs_folder, const std::string& answers_folder,
                                               const std::vector<AnsweredPart>& parts);
 

@@ -56,10 +56,11 @@ bool IsOutOfTime(int signal, const ChildLimits& limits, double used_s) {
 
 std::string EndedBy(int signal, const ChildLimits& limits, double used_s) {
   if (IsOutOfTime(signal, limits, used_s))
-    return fmt::format("it took more than {} s of processor time", limits.time_s);
-  if (signal == SIGXFSZ) return fmt::format("it wrote a file of more than {} MB", limits.file_mb);
+    return fmt::format("the code took more than {} s of CPU time", limits.time_s);
+  if (signal == SIGXFSZ) return fmt::format("the code wrote a file of more than {} MB", limits.file_mb);
   const char* name = sigabbrev_np(signal);
-  return fmt::format("it crashed: signal {}", name == nullptr ? std::to_string(signal) : fmt::format("SIG{}", name));
+  return fmt::format("the code crashed: signal {}",
+                     name == nullptr ? std::to_string(signal) : fmt::format("SIG{}", name));
 }
 
 /// A pipe of which this process keeps one end. Writing to one whose reader is gone is told by an error, as SIGPIPE is
@@ -97,7 +98,7 @@ Result<ChildProcess> ChildProcess::Start(const ChildSetup& setup) {
   std::array<int, 2> requests{-1, -1}, answers{-1, -1};
   if (!MakePipe(requests) || !MakePipe(answers)) {
     CloseAll({requests[0], requests[1]});
-    return Broken(FailureCode::kChild, "a submission's process can be given no pipes");
+    return Broken(FailureCode::kChild, "cannot create pipes for a submission's process");
   }
   const Result<pid_t> process = StartChild(setup, requests[0], answers[1]);
   CloseAll({requests[0], answers[1]});
@@ -150,7 +151,7 @@ Failure ChildProcess::Ended() {
     ended = wait4(process_, &status, WNOHANG, &used);
     if (ended == 0) poll(nullptr, 0, kLookEach);
   }
-  if (ended != process_) return End(FailureCode::kChildEnded, "it closed its answers");
+  if (ended != process_) return End(FailureCode::kChildEnded, "the code closed its output");
   kill(-process_, SIGKILL);
   process_ = -1;
   const auto seconds = [](const timeval& t) {
@@ -158,7 +159,7 @@ Failure ChildProcess::Ended() {
   };
   const double used_s = seconds(used.ru_utime) + seconds(used.ru_stime);
   if (!WIFSIGNALED(status))
-    return End(FailureCode::kChildEnded, fmt::format("it ended by itself, with status {}", WEXITSTATUS(status)));
+    return End(FailureCode::kChildEnded, fmt::format("the code ended early, with exit status {}", WEXITSTATUS(status)));
   const bool out_of_time = IsOutOfTime(WTERMSIG(status), setup_.limits, used_s);
   return End(out_of_time ? FailureCode::kChildTime : FailureCode::kChildEnded,
              EndedBy(WTERMSIG(status), setup_.limits, used_s));
@@ -186,14 +187,15 @@ std::optional<Failure> ChildProcess::WaitFor(int handle, short what) {
       looked_ = Clock::now();
       if (OverFileLimit())
         return End(FailureCode::kChildFiles,
-                   fmt::format("it wrote more than {} MB, or {} files", setup_.limits.file_mb, kMostFiles));
+                   fmt::format("the code wrote more than {} MB, or {} files", setup_.limits.file_mb, kMostFiles));
     }
     pollfd ready{handle, what, 0};
     const int found = poll(&ready, 1, kLookEach);
     slept_s_ = before_s + std::max(0.0, SecondsSince(start) - (ActiveSeconds(process_) - active_s));
     if (found > 0) return std::nullopt;
     if (slept_s_ > setup_.limits.longest_sleep_s())
-      return End(FailureCode::kChildTime, fmt::format("it slept for {} s in all", setup_.limits.longest_sleep_s()));
+      return End(FailureCode::kChildTime,
+                 fmt::format("the code slept for {} s in all", setup_.limits.longest_sleep_s()));
   }
 }
 
@@ -225,7 +227,7 @@ Result<std::string> ChildProcess::Receive(std::size_t longest) {
     }
     if (line.size() > longest)
       return End(FailureCode::kChildAnswer,
-                 fmt::format("its answer is of more than {} bytes, which no answer needs", longest));
+                 fmt::format("the answer has more than {} bytes, which no answer needs", longest));
     if (end != std::string::npos) return line;
     searched = line.size();
     if (auto failure = WaitFor(answers_, POLLIN)) return *failure;

@@ -13,44 +13,44 @@
 
 namespace gaitwright {
 
-/// How much a child may take.
+/// Resource limits of a child process.
 struct ChildLimits {
-  double time_s = 30.0;  ///< of processor; it may sleep as long and 10 s more
-  int memory_mb = 1024;  ///< of addresses
+  double time_s = 30.0;  ///< CPU time; it may also sleep for this time plus 10 s
+  int memory_mb = 1024;  ///< of address space
   int file_mb = 64;      ///< each file of the submission, and all files in the working folder
 
   OptionFields Fields() {
-    return {{"time_s", &time_s, "s", 0.1, 3600.0, "Time of processor that a part's code may take.", {}},
-            {"memory_mb", &memory_mb, "MB", 128, 65536, "Addresses that it may have.", {}},
-            {"file_mb", &file_mb, "MB", 1, 1024, "Size of a file handed in, and of all that the code writes.", {}}};
+    return {
+        {"time_s", &time_s, "s", 0.1, 3600.0, "CPU time limit for the code of one part."},
+        {"memory_mb", &memory_mb, "MB", 128, 65536, "Address-space limit for the code of one part."},
+        {"file_mb", &file_mb, "MB", 1, 1024, "Size limit of a submitted file, and of all files that the code writes."}};
   }
   double longest_sleep_s() const { return time_s + 10.0; }
 };
 
-/// What is started, and what it may do.
+/// The program to start, and its rights.
 struct ChildSetup {
   std::string program;                   ///< its path
   std::vector<std::string> arguments;    ///< after the program's own
-  std::vector<std::string> environment;  ///< NAME=value; it has no other
-  std::string work_folder;               ///< where it runs, and all that it may write
+  std::vector<std::string> environment;  ///< NAME=value; it has no other variables
+  std::string work_folder;               ///< working folder, and the only writable place
   std::vector<std::string> readable;     ///< see FileRights
   ChildLimits limits;
-  bool confined = true;  ///< false: limits alone, neither Landlock nor a filter of system calls
+  bool confined = true;  ///< false: only limits, without Landlock and system-call filter
 };
 
-/// Why no child can be confined on this machine; "" where it can.
+/// Why no child can be confined on this machine; "" if they can.
 std::string WhyNotConfined();
 
-/// The user and group that children have where the program runs as root: those of nobody.
+/// User and group of children if the program runs as root: those of nobody.
 inline constexpr unsigned kNobody = 65534;
 
-/// A process that is not trusted, and that one talks with in lines: it reads file 3 and writes file 4; its standard
-/// input and outputs are nothing. It is in a session of its own, has no other open files, starts no others (where it is
-/// confined), and ends with this object, or with this process.
+/// An untrusted process with a line-based protocol: it reads file descriptor 3 and writes 4; its standard streams are
+/// closed off. It has its own session and no other open files, cannot start processes (if confined), and ends with this
+/// object or with this process.
 ///
-/// Whatever it does, no call here takes longer than the limits allow, or more memory than the longest answer. Time that
-/// it waits for a processor which others have is not held against it, so that marks do not depend on how busy a machine
-/// is.
+/// Whatever it does, no call here takes longer than the limits allow, or more memory than the longest answer. Time
+/// that it waits for a busy processor does not count, so marks do not depend on the machine's load.
 class ChildProcess {
  public:
   /// Failure `child`: it cannot be confined or started.
@@ -62,9 +62,9 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
-  /// Sends a line and waits for one. After a failure it is ended, and fails all further calls with the same words.
-  /// Failure kBadInput with one of these codes: `child_ended` (by itself or by a signal, which is named), `child_time`,
-  /// `child_files` (it wrote too much), `child_answer` (too long). Out of memory it fails by itself.
+  /// Sends a line and waits for one. After a failure the process is ended, and all further calls fail with the same
+  /// message. Failure kBadInput with one of these codes: `child_ended` (by itself or by a signal, which is named),
+  /// `child_time`, `child_files` (it wrote too much), `child_answer` (too long). Out of memory it fails by itself.
   Result<std::string> Ask(const std::string& line, std::size_t longest_answer);
 
  private:
@@ -81,9 +81,9 @@ class ChildProcess {
   int process_ = -1;
   int requests_ = -1, answers_ = -1;
   ChildSetup setup_;
-  double slept_s_ = 0.0;  ///< while it was waited for
+  double slept_s_ = 0.0;  ///< while waiting for it
   std::chrono::steady_clock::time_point looked_;
-  std::string rest_;  ///< that came after an answer's end
+  std::string rest_;  ///< text after an answer's end
   std::optional<Failure> failure_;
 };
 

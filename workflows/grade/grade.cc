@@ -57,10 +57,10 @@ std::optional<Failure> WhyNotThere(const GradeRequest& request) {
   if (!LiesIn(fs::absolute(request.out_folder, error), fs::absolute(request.folder, error))) return std::nullopt;
   return CannotGrade(
       FailureCode::kOutDir,
-      fmt::format("the grades' folder '{}' lies in that of the submissions, '{}', where each folder is a "
-                  "student's",
-                  request.out_folder, request.folder),
-      {"name another one by --out-dir"});
+      fmt::format(
+          "the folder of grades '{}' is inside the folder of submissions '{}', where each folder belongs to a student",
+          request.out_folder, request.folder),
+      {"give another folder with --out-dir"});
 }
 
 /// What a submission's code could read that it must not.
@@ -73,11 +73,11 @@ std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProg
     if (!fs::is_directory(own, error)) continue;
     for (const std::string& hidden : {request.folder, request.rubric_file, request.out_folder}) {
       if (LiesIn(fs::absolute(hidden, error), own))
-        return CannotGrade(FailureCode::kReadable,
-                           fmt::format("'{}' lies in '{}', which submissions may read since Python or the "
-                                       "program needs it",
-                                       hidden, own),
-                           {"move it elsewhere"});
+        return CannotGrade(
+            FailureCode::kReadable,
+            fmt::format("'{}' is inside '{}', which submissions may read because Python or the program needs it",
+                        hidden, own),
+            {"move it elsewhere"});
     }
   }
   return std::nullopt;
@@ -89,15 +89,15 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
   for (const RubricPart& part : request.rubric.parts) {
     if (part.package && RunsCode(part.kind) && python.package.empty())
       return CannotGrade(FailureCode::kPython,
-                         fmt::format("part '{}' needs the Python package gaitwright, which '{}' does not have",
+                         fmt::format("part '{}' needs the Python package gaitwright, which is missing in '{}'",
                                      part.name, python.path),
-                         {"build it (docs/python.md), or name a Python that has it by --python PROGRAM"});
+                         {"build it (docs/python.md), or give a Python that has it with --python PROGRAM"});
     if (const std::string path = part.package && RunsCode(part.kind) ? UnreadableForNobody(python) : ""; !path.empty())
       return CannotGrade(FailureCode::kUnreadable,
-                         fmt::format("submissions cannot be run safely here: started by root they run as nobody, who "
-                                     "may not read '{}'",
+                         fmt::format("submissions cannot be run safely here: when started by root, they run as user "
+                                     "'nobody', who may not read '{}'",
                                      path),
-                         {"start it as another user", "put Gaitwright where all may read it"});
+                         {"start it as another user", "install Gaitwright where all users may read it"});
   }
   return WhyReadable(request, python);
 }
@@ -112,7 +112,7 @@ std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLi
   return CannotGrade(FailureCode::kPython,
                      fmt::format("submissions cannot be run by '{}'{}: {}", python.path,
                                  package ? " with the package gaitwright" : "", code.failure().message),
-                     {"--python PROGRAM names another one, which all users may read", "raise limits.memory_mb"});
+                     {"give another Python, readable by all users, with --python PROGRAM", "raise limits.memory_mb"});
 }
 
 std::optional<Failure> WhyNotTriedOut(const GradeRequest& request, const MarkingSetup& setup) {
@@ -135,7 +135,7 @@ Result<MarkingSetup> SetUp(const GradeRequest& request) {
   setup.confined = why.empty();
   if (!setup.confined && !request.unconfined)
     return CannotGrade(FailureCode::kUnconfinedOnly, fmt::format("submissions cannot be run safely here: {}", why),
-                       {"--unconfined runs them all the same, with all that your user may do"});
+                       {"--unconfined runs them without confinement, with all rights of your user"});
   Result<PythonProgram> python = LookOver(request.python);
   if (!python) return python.failure();
   if (auto failure = WhyNoCode(request, *python)) return *failure;
@@ -162,7 +162,7 @@ Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hoo
     StudentMarks own{student.name, {}};
     for (const RubricPart& part : request.rubric.parts) {
       if (hooks.stop && hooks.stop())
-        return CannotGrade(FailureCode::kInterrupted, "grading was ended before it was done");
+        return CannotGrade(FailureCode::kInterrupted, "grading was stopped before it was complete");
       if (hooks.progress) hooks.progress(done++, all, student.name);
       own.parts.push_back(MarkApart(part, [&] { return MarkPart(part, student, *setup); }));
     }

@@ -10,17 +10,17 @@
 
 namespace gaitwright {
 
-/// What is graded.
+/// Inputs of grading.
 struct GradeRequest {
   Rubric rubric;
-  std::string rubric_file, folder;  ///< where it is read from; where the students' folders are
+  std::string rubric_file, folder;  ///< path of the rubric; folder of the students' folders
   std::string out_folder;
   std::string python;  ///< LookOver
   std::uint64_t seed = 0;
-  bool unconfined = false;  ///< runs code where it cannot be confined
+  bool unconfined = false;  ///< runs code even if it cannot be confined
 };
 
-/// How far it is, and whether to end.
+/// Progress, and a request to stop.
 struct GradeHooks {
   std::function<void(int done, int all, const std::string& student)> progress = {};
   std::function<bool()> stop = {};
@@ -36,28 +36,27 @@ struct ClassMarks {
   std::vector<StudentMarks> students;  ///< by name
 };
 
-/// Grades every submission. The marks are a pure function of the submissions, the rubric and the seed, except of code
-/// that breaks its limits of time. `written`, where it is given, gets the pages of each student as soon as they are
-/// marked.
-/// Failure, before anything is run: the rubric asks for what there is not; code cannot be confined on this machine
-/// (`unconfined_only`) or by this Python, since it could read what lies in `folder` or beside the rubric (`readable`);
-/// as of FindStudents and LookOver; or `interrupted`.
+/// Grades every submission. The marks are a pure function of the submissions, the rubric and the seed, except for code
+/// that exceeds its time limits. `written`, if given, receives the pages of each student as soon as they are marked.
+/// Failure, before anything runs: the rubric names something that does not exist; code cannot be confined on this
+/// machine (`unconfined_only`) or with this Python, because it could read files in `folder` or beside the rubric
+/// (`readable`); as of FindStudents and LookOver; or `interrupted`.
 Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hooks,
                               const std::function<Result<std::string>(const std::vector<OutputFile>&)>& written);
 
-/// The table: student, a column for each part, total, of. Texts that a spreadsheet would take for a formula begin with
-/// an apostrophe; all are in quotes.
+/// The table: student, a column for each part, total, of. Texts that a spreadsheet would read as a formula begin with
+/// an apostrophe; all texts are quoted.
 std::string GradesCsv(const ClassMarks& marks);
 
 /// As JSON (docs/json-output.md), without "files".
 std::string GradesJson(const ClassMarks& marks);
 
-/// The name of a student's page: of plain characters, and no other student's. `number` is that of the student.
+/// The name of a student's page: plain characters, unique. `number` is the student's number.
 std::string PageNameOf(const std::string& student, std::size_t number);
 
-/// The page of a student, with what was lost and why, and those of motions that were played. Whole by themselves;
-/// whatever comes from a submission is text in them.
-/// @return names within the folder of the grades, and texts.
+/// The page of a student, with lost points and reasons, and the pages of played motions. Self-contained; content of a
+/// submission appears only as text.
+/// @return names within the folder of grades, and texts.
 std::vector<OutputFile> StudentPages(const ClassMarks& marks, const StudentMarks& student, std::size_t number);
 
 /// The page that lists all students.

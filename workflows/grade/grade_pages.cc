@@ -55,7 +55,7 @@ std::string ChecksTable(const PartMark& part) {
 std::string PartSection(const PartMark& part, const std::string& page, std::size_t number) {
   std::string html =
       fmt::format("<h2>{}: {}</h2>\n{}", EscapedXml(part.title), Points(part.points, part.of), ChecksTable(part));
-  if (!part.reasons.empty()) html += "<p>What was lost, and why:</p>\n<ul>\n";
+  if (!part.reasons.empty()) html += "<p>Lost points and reasons:</p>\n<ul>\n";
   for (const std::string& reason : part.reasons) html += fmt::format("<li>{}</li>\n", EscapedXml(reason));
   if (!part.reasons.empty()) html += "</ul>\n";
   for (std::size_t i = 0; i < part.pages.size(); ++i)

@@ -68,7 +68,7 @@ AuditReport AuditOf(const RobotModel& model, const MotionPlan& plan) {
 void Judge(const JudgeSetup& setup, const MotionRun& run, const MotionPlan& plan, std::vector<MotionPage>& pages,
            RunOutcome& outcome) {
   if (plan.duration_s() > setup.part.motion.longest_motion_s)
-    throw InvalidArgument(fmt::format("the motion lasts {:.1f} s; at most {:g} s are played", plan.duration_s(),
+    throw InvalidArgument(fmt::format("the motion lasts {:.1f} s; at most {:g} s can be played", plan.duration_s(),
                                       setup.part.motion.longest_motion_s));
   const AuditReport audit = AuditOf(setup.model, plan);
   outcome.audit_passes = audit.pass();
@@ -90,7 +90,7 @@ void AddReasons(const RunOutcome& run, std::vector<std::string>& reasons) {
   if (!run.failure.empty()) return tell(run.failure);
   if (!run.audit_passes) tell("the audit fails: " + ShownWords(run.audit_words));
   if (run.report && !run.report->pass) tell(ShownWords(FirstLine(run.report->reason)));
-  if (run.trials > 0) tell(fmt::format("{} of {} trials stood", run.survived, run.trials));
+  if (run.trials > 0) tell(fmt::format("{} of {} trials survived", run.survived, run.trials));
   for (const std::string& fall : run.falls) tell(fall);
 }
 

@@ -58,7 +58,7 @@ Failure NoRules(const std::string& why) {
 }  // namespace
 
 std::string WhyNoLandlock() {
-  return Version() >= 1 ? "" : "the kernel does not confine processes to files (Landlock, Linux 5.13 or newer)";
+  return Version() >= 1 ? "" : "the kernel cannot restrict file access (Landlock needs Linux 5.13 or newer)";
 }
 
 Result<LandlockRules> LandlockRules::Make(const FileRights& rights) {

@@ -8,21 +8,21 @@
 
 namespace gaitwright {
 
-/// What of the file system a process may use.
+/// Parts of the file system that a process may use.
 struct FileRights {
-  std::vector<std::string> readable;  ///< files and folders with all below them; of those that are not there, nothing
-  std::string writable;  ///< a folder in which files may be made, written and removed, but no folder or link; or ""
+  std::vector<std::string> readable;  ///< files and folders with everything below; missing ones are ignored
+  std::string writable;  ///< a folder in which files (not folders or links) may be created, written and removed; or ""
 };
 
-/// Why this machine cannot confine a process to some files (Landlock, Linux 5.13 or newer); "" where it can.
+/// Why this machine cannot confine a process to some files (Landlock, Linux 5.13 or newer); "" if it can.
 std::string WhyNoLandlock();
 
-/// Rights that a process takes upon itself and cannot lay down again, by the kernel's Landlock: whatever is not granted
-/// cannot be opened, listed, run, written, made, removed, renamed or linked. What files there are, by their whole path,
-/// and how large, it can still ask.
+/// Irrevocable restrictions of a process by the kernel's Landlock: files that are not granted cannot be opened, listed,
+/// run, written, created, removed, renamed or linked. The existence and size of a file can still be queried by its full
+/// path.
 class LandlockRules {
  public:
-  /// Failure `landlock`: the kernel has no such thing, or the writable folder is not there.
+  /// Failure `landlock`: the kernel has no Landlock, or the writable folder does not exist.
   static Result<LandlockRules> Make(const FileRights& rights);
 
   LandlockRules(LandlockRules&& other) noexcept : handle_(other.handle_) { other.handle_ = -1; }

@@ -7,9 +7,9 @@
 
 namespace gaitwright {
 
-/// Does the marking of a part in a copy of this process, so that what it reads and plays cannot end the marking of a
-/// class: where the copy crashes, or takes more processor time than the part's `judge_s`, nothing counts, and the mark
-/// says so. The mark is the same as without the copy. Of a process whose other threads hold no locks.
+/// Marks a part in a forked copy of this process, so that its input cannot stop the marking of a class: if the copy
+/// crashes, or takes more CPU time than the part's `judge_s`, the part gets no points, with this reason. Otherwise the
+/// mark is the same as without the copy. @pre other threads of the process hold no locks.
 PartMark MarkApart(const RubricPart& part, const std::function<PartMark()>& mark);
 
 }  // namespace gaitwright

@@ -32,7 +32,7 @@ std::vector<PlacedStep> StepsOf(const RubricPart& part, const RobotModel& model,
     steps.push_back({FootOf(model, step.foot), {step.x_m, step.y_m, step.yaw_rad}});
   const double lasts_s = static_cast<double>(steps.size()) * (motion.swing_s + motion.pause_s);
   if (lasts_s > motion.longest_motion_s)
-    throw InvalidArgument(fmt::format("the planner gave {} steps, which last {:.1f} s; at most {:g} s are walked",
+    throw InvalidArgument(fmt::format("the planner gave {} steps, which last {:.1f} s; at most {:g} s are accepted",
                                       steps.size(), lasts_s, motion.longest_motion_s));
   return steps;
 }
@@ -107,7 +107,7 @@ class AskedController final : public Controller {
     if (!line) throw InvalidArgument(ReasonOf(line.failure()));
     const std::vector<VectorX> rows = ParseRows(*line, 5, dofs_);
     if (rows[3].minCoeff() < 0.0 || rows[4].minCoeff() < 0.0)
-      throw InvalidArgument("it gave a stiffness or damping below 0");
+      throw InvalidArgument("it gave a negative stiffness or damping");
     return {rows[0], rows[1], rows[2], rows[3], rows[4]};
   }
 

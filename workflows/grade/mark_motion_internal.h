@@ -6,11 +6,11 @@
 
 namespace gaitwright {
 
-/// The robot of a part of motions. @throws InvalidArgument where it cannot be read.
+/// The robot of a motion part. @throws InvalidArgument if it cannot be read.
 RobotModel RobotOf(const RubricPart& part);
 
-/// Makes a plan one of that command, which leads there from where its base starts. @throws InvalidArgument for a plan
-/// without a motion.
+/// Replaces a plan's command by the given one, with the goal relative to the start of its base. @throws InvalidArgument
+/// for a plan without a motion.
 void SetGoal(const WalkCommand& command, const PlanarPose& goal, MotionPlan& plan);
 
 }  // namespace gaitwright

@@ -31,7 +31,7 @@ bool SameGround(const Terrain& a, const Terrain& b) {
 
 /// What differs between a plan's command and the rubric's; "" for nothing.
 std::string OtherCommand(const WalkCommand& given, const WalkCommand& asked) {
-  if (given.extent != asked.extent) return "it says how far in another way";
+  if (given.extent != asked.extent) return "it sets the distance in another way";
   const auto differs = [](double a, double b) { return !(std::abs(a - b) <= kCommandApart); };
   const auto words = [&](const char* key, double is, double should) {
     return differs(is, should) ? fmt::format("{} is {:g}, not {:g}", key, is, should) : "";
@@ -60,17 +60,17 @@ double LongestWalk(const RobotModel& model, const WalkCommand& command) {
 /// Holds a plan that was handed in against what was asked for. @throws InvalidArgument naming what is another.
 void CheckPlan(const RobotModel& model, const MotionRun& run, const MotionPlan& plan) {
   if (plan.robot != model.name || plan.robot_hash != model.hash)
-    throw InvalidArgument(fmt::format("the plan is for the robot '{}' ({}); this part is about '{}' ({})", plan.robot,
+    throw InvalidArgument(fmt::format("the plan is for robot '{}' ({}), but this part needs '{}' ({})", plan.robot,
                                       plan.robot_hash, model.name, model.hash));
   if (!SameGround(plan.terrain, run.terrain))
-    throw InvalidArgument(fmt::format("the plan is for the ground '{}'; this part is about '{}', and it is another one",
-                                      plan.terrain.name, run.terrain_text));
+    throw InvalidArgument(
+        fmt::format("the plan is for ground '{}', but this part needs '{}'", plan.terrain.name, run.terrain_text));
   if (plan.parts.size() != 1)
-    throw InvalidArgument(fmt::format("the plan has {} parts; one walk is asked for", plan.parts.size()));
+    throw InvalidArgument(fmt::format("the plan has {} parts; one walk is needed", plan.parts.size()));
   if (const std::string other = OtherCommand(plan.parts.front().command, run.walk.command); !other.empty())
     throw InvalidArgument("the plan is for another command: " + other);
   if (plan.duration_s() > LongestWalk(model, run.walk.command))
-    throw InvalidArgument(fmt::format("the plan takes {:.1f} s; at the commanded speed it is at most {:.1f} s",
+    throw InvalidArgument(fmt::format("the plan takes {:.1f} s; at the commanded speed, at most {:.1f} s are accepted",
                                       plan.duration_s(), LongestWalk(model, run.walk.command)));
 }
 
@@ -82,8 +82,8 @@ void CheckStart(const MotionPlan& plan) {
   const PlanarPose start = BaseInPlan(plan.whole_body.q.front());
   if (std::hypot(start.x_m, start.y_m) <= kNear && std::abs(start.yaw_rad) <= kNear) return;
   throw InvalidArgument(
-      fmt::format("the motion begins at x {:.2f} m, y {:.2f} m, yaw {:.2f} rad; it is to begin at the "
-                  "origin and to face x, each to {} m or rad",
+      fmt::format("the motion begins at x {:.2f} m, y {:.2f} m, yaw {:.2f} rad; it must begin at the origin and face "
+                  "x, each within {} m or rad",
                   start.x_m, start.y_m, start.yaw_rad, kNear));
 }
 
@@ -120,7 +120,7 @@ OptionTexts OptionsOf(const HandedIn& in) {
     const bool of_plan =
         std::any_of(own.begin(), own.end(), [&](const OptionField& field) { return field.key == name; });
     if (!of_plan || (!in.part.motion.options.empty() && !MayBeSet(key, in.part.motion.options)))
-      throw InvalidArgument(fmt::format("the option '{}' may not be set in this part", key));
+      throw InvalidArgument(fmt::format("the option '{}' must not be set in this part", key));
   }
   return *read;
 }
@@ -135,7 +135,7 @@ RobotModel RobotOf(const RubricPart& part) {
 
 void SetGoal(const WalkCommand& command, const PlanarPose& goal, MotionPlan& plan) {
   if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() < 7 || plan.parts.empty())
-    throw InvalidArgument("the plan holds no motion");
+    throw InvalidArgument("the plan contains no motion");
   plan.goal = Carried(BaseInPlan(plan.whole_body.q.front()), goal);
   plan.parts.back().command = command;
   plan.parts.back().goal = plan.goal;

@@ -40,7 +40,8 @@ Result<StudentPython> StartCode(const HandedIn& in) {
 }
 
 std::string ReasonOf(const Failure& failure) {
-  return EndedIt(failure) ? "the submission was ended: " + failure.message : "the submission says: " + failure.message;
+  return EndedIt(failure) ? "the submission was stopped: " + failure.message
+                          : "the submission says: " + failure.message;
 }
 
 PartMark MarkPart(const RubricPart& part, const Student& student, const MarkingSetup& setup) {

@@ -11,18 +11,18 @@
 
 namespace gaitwright {
 
-/// What submissions are marked with.
+/// Tools for marking submissions.
 struct MarkingSetup {
   std::uint64_t seed = 0;
-  PythonProgram python;  ///< of no account where no part runs code
+  PythonProgram python;  ///< unused if no part runs code
   bool confined = true;
 };
 
-/// Marks one part of a student's submission: a pure function of what was handed in, the rubric and the seed, except
-/// where it breaks its limits of time. Whatever was handed in, it ends, and the mark says why.
+/// Marks one part of a student's submission: a pure function of the submission, the rubric and the seed, except if time
+/// limits are exceeded. It ends for every submission, and the mark gives the reason.
 PartMark MarkPart(const RubricPart& part, const Student& student, const MarkingSetup& setup);
 
-/// The inputs of a part of kind `answers`, as CSV text: a row for each case, a column for each number.
+/// The inputs of a part of kind `answers`, as CSV text: one row for each case, one column for each number.
 std::string InputsCsv(const RubricPart& part, std::uint64_t seed);
 
 }  // namespace gaitwright

@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// A file of a submission, as far as it was handed in.
+/// A file of a submission, if it was submitted.
 struct HandedIn {
   const RubricPart& part;
   const Student& student;
@@ -23,13 +23,13 @@ PartMark MarkParameters(const HandedIn& in);
 PartMark MarkPlanner(const HandedIn& in);
 PartMark MarkController(const HandedIn& in);
 
-/// The most bytes of a file of a part.
+/// Largest size of a part's file in bytes.
 std::size_t MostBytes(const RubricPart& part);
 
 /// Starts the code of a submission. Failure as of StudentPython.
 Result<StudentPython> StartCode(const HandedIn& in);
 
-/// What a failure of a submission's code means, as a reason: "the submission ended: ...", or its own words.
+/// Reason for a failure of a submission's code: "the submission was stopped: ...", or its own message.
 std::string ReasonOf(const Failure& failure);
 
 }  // namespace gaitwright

@@ -47,7 +47,7 @@ class Examiner {
         ++right_;
       } else {
         const std::string what = question_.off_by.empty() ? "" : " (" + question_.off_by + ")";
-        Tell(number, fmt::format("the answer is off by {:.3g}{}; at most {:.3g} is right", error, what,
+        Tell(number, fmt::format("the answer has an error of {:.3g}{}; at most {:.3g} is accepted", error, what,
                                  part_.question.tolerance));
       }
     } catch (const InvalidArgument& error) {
@@ -68,7 +68,7 @@ class Examiner {
                                                          : largest_);
     PartMark mark = MarkOf(part_, values);
     if (right_ < part_.question.cases) {
-      mark.reasons.push_back(fmt::format("{} of {} cases are right", right_, part_.question.cases));
+      mark.reasons.push_back(fmt::format("{} of {} cases are correct", right_, part_.question.cases));
       mark.reasons.insert(mark.reasons.end(), reasons_.begin(), reasons_.end());
     }
     return mark;
@@ -141,10 +141,9 @@ std::map<int, int> RowsByCase(const CsvTable& table, int cases) {
   for (int row = 0; row < table.rows(); ++row) {
     const double number = table.At(row, column);
     if (number != std::floor(number) || number < 0.0 || number >= cases)
-      throw InvalidArgument(
-          fmt::format("{} is {}; there are cases 0 to {}", table.Place(row, column), number, cases - 1));
+      throw InvalidArgument(fmt::format("{} is {}; accepted: 0 to {}", table.Place(row, column), number, cases - 1));
     if (!rows.emplace(static_cast<int>(number), row).second)
-      throw InvalidArgument(fmt::format("case {} stands in '{}' twice", number, table.source));
+      throw InvalidArgument(fmt::format("case {} is in '{}' twice", number, table.source));
   }
   return rows;
 }

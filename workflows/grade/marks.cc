@@ -10,10 +10,10 @@ namespace {
 
 std::string WhatWasLost(const Check& check, const std::optional<double>& value, double points) {
   const std::string lost = PointsText(check.points - points);
-  if (!value) return fmt::format("{}: nothing was measured; {} points lost", check.measure, lost);
-  return fmt::format("{} is {:.4g}; all points are for {} {:.4g}{}; {} points lost", check.measure, *value,
+  if (!value) return fmt::format("{}: no measurement; {} points lost", check.measure, lost);
+  return fmt::format("{} is {:.4g}; full points need {} {:.4g}{}; {} points lost", check.measure, *value,
                      check.higher_is_better ? "at least" : "at most", check.full_at,
-                     check.none_at ? fmt::format(", none for {:.4g}", *check.none_at) : "", lost);
+                     check.none_at ? fmt::format(", zero points at {:.4g}", *check.none_at) : "", lost);
 }
 
 }  // namespace

@@ -9,35 +9,35 @@
 
 namespace gaitwright {
 
-/// What a check came to.
+/// Result of a check.
 struct CheckMark {
   std::string measure;
-  std::optional<double> value;  ///< nothing where there was nothing to measure
+  std::optional<double> value;  ///< nothing without a measurement
   double points = 0.0, of = 0.0;
 };
 
-/// A page about a motion that was played.
+/// A page about a played motion.
 struct MotionPage {
   std::string title, html;
 };
 
-/// What a part of a submission is worth, and why not more.
-/// Always true: the points are the sum of those of the checks, in the order of the rubric.
+/// Points of a part of a submission, with the reasons for lost points. Invariant: the points are the sum over the
+/// checks, in the order of the rubric.
 struct PartMark {
   std::string part, title;
   double points = 0.0, of = 0.0;
   std::vector<CheckMark> checks;
-  std::vector<std::string> reasons;  ///< sentences for the student; words of the submission are marked as such
+  std::vector<std::string> reasons;  ///< sentences for the student; quotations of the submission are marked
   std::vector<MotionPage> pages;
 };
 
-/// A part of which nothing counts, for that reason.
+/// A part with zero points, for the given reason.
 PartMark NothingFor(const RubricPart& part, const std::string& reason);
 
-/// A part by the values of its checks, in their order; each check that loses points is a reason.
+/// A part from the values of its checks, in order; each check that loses points is a reason.
 PartMark MarkOf(const RubricPart& part, const std::vector<std::optional<double>>& values);
 
-/// What a student's submission is worth.
+/// Points of a student's submission.
 struct StudentMarks {
   std::string student;
   std::vector<PartMark> parts;
@@ -46,7 +46,7 @@ struct StudentMarks {
   double of() const;
 };
 
-/// Points as they are written: at most two digits after the point.
+/// Points as text, with at most two decimals.
 std::string PointsText(double points);
 
 }  // namespace gaitwright

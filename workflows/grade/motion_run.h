@@ -21,49 +21,49 @@
 
 namespace gaitwright {
 
-/// One run of a part, with everything drawn that its rubric gives ranges for.
+/// One run of a part, with values drawn from the ranges of its rubric.
 struct MotionRun {
   std::string title;
-  std::string terrain_text;  ///< as --terrain names it
+  std::string terrain_text;  ///< text as for --terrain
   Terrain terrain;
   WalkRequest walk;
   PlayRequest play;
   std::uint64_t seed = 0;  ///< of its trials
 };
 
-/// The runs of a part: pure in rubric and seed. @throws InvalidArgument where the rubric asks for what there is not,
-/// such as a ground whose parameters are out of range; that is the rubric's fault, and told before anything is marked.
+/// The runs of a part: pure in rubric and seed. @throws InvalidArgument if the rubric is wrong, for example with
+/// terrain parameters out of range; this is reported before marking.
 std::vector<MotionRun> DrawRuns(const RubricPart& part, const RobotModel& model, std::uint64_t seed);
 
-/// Where a command leads, from where the robot stands. @throws InvalidArgument for one of steps or of a duration.
+/// Goal of a command, relative to the robot's start. @throws InvalidArgument for a command of steps or of a duration.
 PlanarPose GoalOf(const RobotModel& model, const WalkCommand& command);
 
-/// Thrown where a submission's code is of no more use, so that nothing of its part counts.
+/// Thrown if a submission's code cannot continue, so its part gets no points.
 class BrokenCode : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The program's own plan of a run, that controllers are given. @throws InvalidArgument where there is none.
+/// The program's plan of a run, for submitted controllers. @throws InvalidArgument if there is none.
 MotionPlan GivenPlan(const RubricPart& part, const RobotModel& model, const MotionRun& run);
 
-/// Makes a controller of somebody's own for a plan; null for the one that the request names.
+/// Makes a submitted controller for a plan; null for the one that the request names.
 using ControllerMaker = std::function<std::unique_ptr<Controller>(const MotionPlan& plan)>;
 
-/// What a part wants of its motions.
+/// Requirements of a part on its motions.
 struct JudgeSetup {
   const RubricPart& part;
   const RobotModel& model;
   ControllerMaker own = {};
-  std::function<std::string()> broken = {};  ///< why the own controller cannot go on; "" while it can
+  std::function<std::string()> broken = {};  ///< why the submitted controller cannot continue; "" while it can
 };
 
-/// Audits and plays a plan as a run says, in trials too. The page of its playback is added to `pages`. What cannot be
-/// played is told in the outcome. @throws BrokenCode
+/// Audits and plays a plan as set by a run, including trials. The page of its playback is added to `pages`. The outcome
+/// states if it cannot be played. @throws BrokenCode
 RunOutcome JudgeRun(const JudgeSetup& setup, const MotionRun& run, const MotionPlan& plan,
                     std::vector<MotionPage>& pages);
 
-/// The mark of a part by its runs: checks, and why runs failed.
+/// The mark of a part from its runs: checks, and reasons of failed runs.
 PartMark MarkOfRuns(const RubricPart& part, const std::vector<RunOutcome>& runs, std::vector<MotionPage> pages);
 
 }  // namespace gaitwright

@@ -38,7 +38,7 @@ print(json.dumps({"version": list(sys.version_info[:3]), "path": sys.executable,
 )";
 
 Failure NoPython(const std::string& why) {
-  return {FailureKind::kBadInput, FailureCode::kPython, "LookOver", why, {"name one by --python PROGRAM"}};
+  return {FailureKind::kBadInput, FailureCode::kPython, "LookOver", why, {"give one with --python PROGRAM"}};
 }
 
 /// The package beside the running program, in a build tree or under its prefix; "" where there is none.
@@ -101,7 +101,7 @@ Result<PythonProgram> LookOver(const std::string& program) {
   if (!told) return NoPython(told.failure().message);
   const std::size_t last = told->find("{\"version\"");
   const auto json = nlohmann::ordered_json::parse(last == std::string::npos ? "" : told->substr(last), nullptr, false);
-  if (json.is_discarded()) return NoPython(fmt::format("'{}' is no Python 3: it said '{}'", path, *told));
+  if (json.is_discarded()) return NoPython(fmt::format("'{}' is not Python 3: it printed '{}'", path, *told));
   PythonProgram python = FromJson(json);
   if (json.at("version").at(0) != 3 || json.at("version").at(1) < 9)
     return NoPython(fmt::format("'{}' is Python {}; 3.9 or newer is needed", path, python.version));

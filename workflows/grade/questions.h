@@ -12,7 +12,7 @@
 
 namespace gaitwright {
 
-/// Gravity that questions are asked with [m/s^2].
+/// Gravity used in questions [m/s^2].
 inline constexpr double kQuestionGravity = 9.81;
 
 /// A value of a question or an answer: a number (no shape), a vector, or a matrix row by row.
@@ -20,7 +20,7 @@ struct QuestionValue {
   std::string name;
   std::vector<int> shape;
   std::vector<double> numbers;
-  std::string word = {};  ///< what is said to Python in place of a number that stands for it; "" for none
+  std::string word = {};  ///< word passed to Python instead of its number; "" for none
 
   /// A row of a matrix that is two or three wide, or the whole vector.
   Vector2 Vec2(int row = 0) const;
@@ -28,55 +28,55 @@ struct QuestionValue {
   double number() const { return numbers.front(); }
 };
 
-/// Sizes of shapes that are not in themselves numbers: as many as the question has, and as a leg has joints.
+/// Symbolic sizes of shapes: the question's size, and the number of leg joints.
 inline constexpr int kSize = -1, kLegJoints = -2;
 
-/// What a question is asked about beside its inputs.
+/// Context of a question in addition to its inputs.
 struct QuestionContext {
   int size = 0;
-  const RobotModel* model = nullptr;  ///< of questions that need a robot
+  const RobotModel* model = nullptr;  ///< for questions that need a robot
   int leg_joints = 0;                 ///< of its first leg
 };
 
-/// An input of a question: its shape, where kSize stands for the question's own size, and its usual range.
+/// An input of a question: its shape, in which kSize is the question's size, and its default range.
 struct QuestionInput {
   std::string name;
   std::vector<int> shape;
   NumberRange range;
 };
 
-/// Something that a student's function works out, and what its answer is held against: the program's own code. Nothing
-/// of that is ever where the student's code runs.
+/// A quantity that a student's function computes, and the reference: the program's own code, which is never accessible
+/// to the student's code.
 struct Question {
-  std::string name, asks;  ///< what, in a few words
+  std::string name, asks;  ///< a short description
   std::vector<QuestionInput> inputs;
-  std::string answer;  ///< its shape in words
+  std::string answer;  ///< shape in words
   bool needs_robot = false;
-  /// Makes drawn numbers ones that may be asked: sorts times, makes points convex. May be empty.
+  /// Makes drawn numbers valid inputs: sorts times, makes points convex. May be empty.
   std::function<void(const QuestionContext&, SplitMix&, std::vector<QuestionValue>&)> settle = {};
-  /// The shape of an answer in a table; where the number of corners is open it has as many as there may be.
+  /// The shape of an answer in a table; with a variable number of corners, the largest possible number.
   std::function<std::vector<int>(const QuestionContext&, const std::vector<QuestionValue>&)> shape = {};
-  /// How far an answer is off. @throws InvalidArgument for one of another shape, saying which is needed.
+  /// Error of an answer. @throws InvalidArgument for a wrong shape, naming the needed one.
   std::function<double(const QuestionContext&, const std::vector<QuestionValue>&, const QuestionValue& answer)> error =
       {};
-  std::string off_by = {};  ///< what the error is, where it is more than a difference
+  std::string off_by = {};  ///< meaning of the error, if it is more than a difference
 };
 
-/// How many numbers a shape has.
+/// Number of values in a shape.
 int CountOf(const std::vector<int>& shape);
 
-/// All that there are.
+/// All questions.
 const std::vector<Question>& Questions();
-/// Their names.
+/// Names of all questions.
 std::vector<std::string> QuestionNames();
 /// The question of that name. @throws InvalidArgument naming the nearest.
 const Question& QuestionOf(const std::string& name);
 
-/// The inputs of a case: a pure function of all these. Ranges of `setup` take the place of the usual ones.
+/// The inputs of a case: a pure function of all these. Ranges of `setup` replace the default ones.
 std::vector<QuestionValue> DrawCase(const Question& question, const QuestionSetup& setup,
                                     const QuestionContext& context, std::uint64_t seed, int number);
 
-/// @throws InvalidArgument unless the answer has that shape; of "3 numbers" or "6 x 2 numbers".
+/// @throws InvalidArgument unless the answer has this shape, such as "3 numbers" or "6 x 2 numbers".
 void RequireShape(const QuestionValue& answer, const std::vector<int>& shape);
 
 /// A shape in words: "a number", "3 numbers", "6 x 2 numbers".

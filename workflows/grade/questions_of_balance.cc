@@ -112,7 +112,7 @@ std::vector<Question> BalanceQuestions() {
   polygon.shape = [](const QuestionContext& context, const Values&) { return std::vector<int>{context.size, 2}; };
   polygon.settle = PutOneOnAnEdge;
   polygon.error = PolygonError;
-  polygon.off_by = "a corner's distance at most; infinite with more corners, fewer, or one on an edge";
+  polygon.off_by = "largest distance of a corner; infinite with a wrong number of corners, or one on an edge";
   Question margin{"support_margin",
                   "the signed distance of a point to the edge",
                   {{"corners_m", {kSize, 2}, {-0.3, 0.3}}, {"point_m", {2}, {-0.3, 0.3}}},

@@ -96,8 +96,10 @@ double InverseError(const QuestionContext& context, const Values& in, const Ques
 
 std::vector<Question> LegQuestions() {
   const QuestionInput leg{"leg", {}, {0.0, 0.0}};
-  Question forward{
-      "leg_fk", "where a leg's foot is in the base", {leg, {"joints_rad", {kLegJoints}, {0.0, 0.0}}}, "3 numbers"};
+  Question forward{"leg_fk",
+                   "position of a leg's foot in the base frame",
+                   {leg, {"joints_rad", {kLegJoints}, {0.0, 0.0}}},
+                   "3 numbers"};
   forward.needs_robot = true;
   forward.settle = AskForward;
   Question inverse{"leg_ik",
@@ -110,7 +112,7 @@ std::vector<Question> LegQuestions() {
     return std::vector<int>{ChainOf(context, in).num_coordinates()};
   };
   inverse.error = InverseError;
-  inverse.off_by = "metres and radians of the foot that these joints give; beyond a joint's limit the excess";
+  inverse.off_by = "error of the foot's pose in metres and radians; beyond a joint's limit, the excess";
   return {Compared(forward, {3}, ForwardAnswer), inverse};
 }
 

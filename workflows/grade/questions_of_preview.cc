@@ -78,7 +78,7 @@ std::vector<Question> PreviewQuestions() {
     return std::vector<int>{static_cast<int>(GainsOf(in).size())};
   };
   gains.error = GainsError;
-  gains.off_by = "the worst gain, against its own size";
+  gains.off_by = "largest relative error of a gain";
   Question follow{"follow_zmp",
                   "the centre of mass of a roll-out, at each sample of the reference",
                   {{"reference_m", {kSize, kSamplesEach}, {-0.1, 0.1}}, {"com_m", {}, {0.0, 0.0}}},

@@ -84,7 +84,7 @@ std::vector<Question> SwingQuestions() {
                  "3 x 3"};
   swing.settle = WithinDuration;
   Question over{"swing_over_step",
-                "positions of a swing of one's own over an edge in the ground",
+                "positions of your own swing over an edge of the ground",
                 {{"start_m", {3}, {-0.2, 0.2}},
                  {"end_m", {3}, {0.0, 0.0}},
                  {"edge_x_m", {}, {0.0, 0.0}},
@@ -95,7 +95,7 @@ std::vector<Question> SwingQuestions() {
   over.settle = MakeStep;
   over.shape = [](const QuestionContext&, const Values&) { return std::vector<int>{kSamples, 3}; };
   over.error = StepError;
-  over.off_by = "metres, by the rule that it breaks most: ends, clearance, ceiling, smoothness";
+  over.off_by = "largest violation in metres of the rules: ends, clearance, ceiling, smoothness";
   return {
       Compared(
           {"minimum_jerk", "the minimum-jerk step: value, rate, acceleration", {{"u", {}, {0.0, 1.0}}}, "3 numbers"},

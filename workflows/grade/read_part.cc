@@ -59,7 +59,7 @@ void ReadTerrain(const YAML::Node& node, MotionSetup& motion) {
     motion.terrain = TextOf(node, "'terrain'");
   }
   if (!TerrainFileOf(motion.terrain).empty())
-    RefuseYaml(node, fmt::format("'{}' is a file; a rubric's ground is a built-in one, see 'gaitwright terrains'",
+    RefuseYaml(node, fmt::format("'{}' is a file; a rubric accepts built-in grounds only, see 'gaitwright terrains'",
                                  motion.terrain));
 }
 
@@ -89,7 +89,8 @@ void ReadDisturbancesOf(const YAML::Node& node, MotionSetup& motion) {
   if (node.IsScalar()) {
     const std::string word = TextOf(node, "'disturbances'");
     if (word != "standard")
-      RefuseYaml(node, fmt::format("'disturbances' is '{}'; 'standard', or a map as in docs/trials.md", word));
+      RefuseYaml(node,
+                 fmt::format("'disturbances' is '{}'; accepted: 'standard', or a map as in docs/trials.md", word));
     return;
   }
   PlayRequest request;
@@ -109,7 +110,7 @@ void ReadOptions(const YAML::Node& node, MotionSetup& motion) {
       known.push_back(field.key);
       found = found || MayBeSet(field.key, {key});
     }
-    if (!found) RefuseYaml(one, fmt::format("no option of a plan is called '{}'{}", key, NearestHint(key, known)));
+    if (!found) RefuseYaml(one, fmt::format("there is no plan option '{}'{}", key, NearestHint(key, known)));
     motion.options.push_back(key);
   }
 }
@@ -126,9 +127,10 @@ void CheckCommandOf(const YamlMap& map, const YAML::Node& node, const RubricPart
                fmt::format("part '{}' lacks a goal: its 'command' needs goal_x_m, goal_y_m, goal_yaw_rad", part.name));
   const bool steps_only = goal || command.empty();
   if ((part.kind == PartKind::kPlanner || part.kind == PartKind::kMotion) && !steps_only)
-    RefuseYaml(*map.Find("command"), fmt::format("part '{}' is judged by where it ends: its 'command' says goal_x_m, "
-                                                 "goal_y_m, goal_yaw_rad and nothing else",
-                                                 part.name));
+    RefuseYaml(
+        *map.Find("command"),
+        fmt::format("part '{}' is marked by its end pose: its 'command' accepts only goal_x_m, goal_y_m, goal_yaw_rad",
+                    part.name));
 }
 
 }  // namespace
@@ -140,10 +142,11 @@ NumberRange RangeAt(const YAML::Node& node, const std::string& what) {
   }
   const std::vector<YAML::Node> ends = ListOf(node, what);
   if (ends.size() != 2)
-    RefuseYaml(node, fmt::format("{} has {} numbers; one, or [lowest, highest]", what, ends.size()));
+    RefuseYaml(node, fmt::format("{} has {} numbers; accepted: one, or [lowest, highest]", what, ends.size()));
   const NumberRange range{NumberOf(ends[0], what), NumberOf(ends[1], what)};
   if (range.low > range.high)
-    RefuseYaml(node, fmt::format("{} is drawn from {} to {}, which is backwards", what, range.low, range.high));
+    RefuseYaml(node, fmt::format("{} is drawn from {} to {}; the first must be below the second", what, range.low,
+                                 range.high));
   return range;
 }
 
@@ -171,7 +174,7 @@ void ReadQuestionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& p
   ReadNumber(map, "tolerance", question.tolerance);
   question.robot = RobotAt(map);
   if (asked.needs_robot && question.robot.empty())
-    RefuseYaml(node, fmt::format("part '{}' lacks the key 'robot', which '{}' is about", part.name, asked.name));
+    RefuseYaml(node, fmt::format("part '{}' lacks the key 'robot', which '{}' needs", part.name, asked.name));
   std::vector<std::string> inputs;
   for (const QuestionInput& input : asked.inputs) inputs.push_back(input.name);
   if (const YAML::Node* ranges = map.Find("inputs")) question.inputs = RangesAt(*ranges, "'inputs'", inputs);
@@ -215,7 +218,7 @@ void ReadCodeSetup(const YamlMap& map, RubricPart& part) {
   part.package = part.kind != PartKind::kFunction;
   if (const YAML::Node* package = map.Find("package")) {
     if (!YAML::convert<bool>::decode(*package, part.package))
-      RefuseYaml(*package, fmt::format("'package' is '{}'; true or false", TextOf(*package, "'package'")));
+      RefuseYaml(*package, fmt::format("'package' is '{}'; accepted: true, false", TextOf(*package, "'package'")));
   }
   part.function = map.Text("function");
   if (!part.function.empty()) return;

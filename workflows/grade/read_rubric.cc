@@ -65,11 +65,11 @@ Check ReadCheck(const YAML::Node& node, PartKind kind) {
   check.higher_is_better = rule.higher_is_better;
   const std::optional<double> full = map.InRange("full_at");
   if (!full && !rule.usual_full_at)
-    RefuseYaml(node, fmt::format("the check of '{}' lacks 'full_at': the value that gets all points", check.measure));
+    RefuseYaml(node, fmt::format("the check of '{}' lacks 'full_at', the value for full points", check.measure));
   check.full_at = full ? *full : *rule.usual_full_at;
   check.none_at = map.InRange("none_at");
   if (check.none_at && *check.none_at == check.full_at)
-    RefuseYaml(node, fmt::format("'full_at' and 'none_at' are both {}; without 'none_at' it is all or nothing",
+    RefuseYaml(node, fmt::format("'full_at' and 'none_at' are both {}; leave 'none_at' out for all or nothing",
                                  check.full_at));
   if (check.none_at) check.higher_is_better = check.full_at > *check.none_at;
   return check;
@@ -87,15 +87,15 @@ void ReadChecks(const YamlMap& map, RubricPart& part) {
     sum += part.checks.back().points;
   }
   if (std::abs(sum - part.points) > kPointsApart)
-    RefuseYaml(*list,
-               fmt::format("the checks of part '{}' are of {} points, the part of {}", part.name, sum, part.points));
+    RefuseYaml(*list, fmt::format("the checks of part '{}' have {} points in all, but the part has {}", part.name, sum,
+                                  part.points));
 }
 
 void ReadNames(const YamlMap& map, RubricPart& part) {
   part.name = map.Text("name");
   if (!IsWord(part.name))
-    RefuseYaml(*map.Find("name"), fmt::format("a part is called '{}'; a name has letters, digits and '_', begins with "
-                                              "a letter, and is no longer than {}",
+    RefuseYaml(*map.Find("name"), fmt::format("a part is named '{}'; a name has letters, digits and '_', begins with a "
+                                              "letter, and has at most {} characters",
                                               part.name, kLongestName));
   part.title = map.Find("title") == nullptr ? part.name : map.Text("title");
   part.file = map.Text("file");
@@ -134,7 +134,7 @@ Rubric ReadRoot(const YAML::Node& root) {
     rubric.parts.push_back(ReadPart(node));
     for (std::size_t before = 0; before + 1 < rubric.parts.size(); ++before) {
       if (rubric.parts[before].name == rubric.parts.back().name)
-        RefuseYaml(node, fmt::format("two parts are called '{}'", rubric.parts.back().name));
+        RefuseYaml(node, fmt::format("two parts are named '{}'", rubric.parts.back().name));
     }
   }
   return rubric;
@@ -148,14 +148,14 @@ Result<Rubric> ReadRubric(const std::string& text, const std::string& source) {
                    FailureCode::kRubric,
                    "ReadRubric",
                    fmt::format("'{}', {}", source, message),
-                   {"every key stands in docs/grading.md"}};
+                   {"docs/grading.md lists all keys"}};
   };
   try {
     const YAML::Node root = LoadYaml(text);
-    if (!root.IsMap()) return bad("line 1: holds no rubric: a map with 'title' and 'parts' is needed");
+    if (!root.IsMap()) return bad("line 1: contains no rubric; a map with 'title' and 'parts' is needed");
     return ReadRoot(root);
   } catch (const YAML::Exception& error) {
-    return bad(fmt::format("line {}: is no YAML from here on", error.mark.line + 1));
+    return bad(fmt::format("line {}: not valid YAML from here on", error.mark.line + 1));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }

@@ -22,12 +22,12 @@ DataShape RangeShape() { return shapes::Either(shapes::Number(), shapes::Numbers
 
 Members QuestionMembers() {
   using namespace shapes;
-  return {{"reference", Text(QuestionNames()), "What is asked, and what it is held against."},
-          Optional("cases", Whole(1, kMostCases), "How many are drawn."),
-          Optional("tolerance", Number(0.0, kLargestError), "The error that is still right."),
-          Optional("size", Whole(3, kMostSize), "How many points or steps, where the reference has a number of them."),
-          Optional("robot", Text(), "By name, where the reference is about one."),
-          Optional("inputs", MapOf(RangeShape()), "Other ranges than the usual, by input.")};
+  return {{"reference", Text(QuestionNames()), "Reference that answers are compared with."},
+          Optional("cases", Whole(1, kMostCases), "Number of random cases."),
+          Optional("tolerance", Number(0.0, kLargestError), "Largest accepted error."),
+          Optional("size", Whole(3, kMostSize), "Number of points or steps, if the reference needs it."),
+          Optional("robot", Text(), "Robot name, if the reference needs a robot."),
+          Optional("inputs", MapOf(RangeShape()), "Ranges that replace the default ones, by input.")};
 }
 
 Members MotionMembers() {
@@ -35,11 +35,11 @@ Members MotionMembers() {
   Members command;
   for (const std::string& key : CommandKeys()) command.push_back(Optional(key, RangeShape()));
   const DataShape value = Either(Either(RangeShape(), Text()), Truth());
-  return {{"robot", Text(), "By name."},
+  return {{"robot", Text(), "Name of the robot."},
           Optional("terrain", Either(Text(), MapOf(Either(RangeShape(), Text()), 1)),
                    "A built-in ground, or a map of its name and parameters."),
-          Optional("command", Object(command), "Where to, how far and how fast."),
-          Optional("runs", Whole(1, kMostRuns), "How many are drawn; all are played."),
+          Optional("command", Object(command), "Command: goal, distance and speed."),
+          Optional("runs", Whole(1, kMostRuns), "Number of random runs; all are played."),
           Optional("play", MapOf(value), "Options of the playback."),
           Optional("trials", Whole(0, kMostTrials), "Playbacks of each run under disturbances."),
           Optional("disturbances", Either(Text({"standard"}), MapOf(Anything())), "The schema of disturbances.")};
@@ -50,20 +50,20 @@ Members OwnMembers(PartKind kind) {
   using namespace shapes;
   Members own;
   if (RunsCode(kind)) {
-    own.push_back(Optional("function", Text(), "What is called in it."));
-    own.push_back(Optional("package", Truth(), "Whether it may import gaitwright."));
+    own.push_back(Optional("function", Text(), "Function to call in the file."));
+    own.push_back(Optional("package", Truth(), "True if the code may import gaitwright."));
   }
   if (kind == PartKind::kAnswers)
-    own.push_back(Optional("seed", Whole(0, kMostSeed), "Of inputs that always stay the same."));
+    own.push_back(Optional("seed", Whole(0, kMostSeed), "Seed of inputs that are always the same."));
   if (PlaysMotions(kind) && kind != PartKind::kController)
-    own.push_back(Optional("controller", Text(ControllerNames()), "What plays it."));
+    own.push_back(Optional("controller", Text(ControllerNames()), "Controller that plays the motion."));
   if (kind == PartKind::kParameters || kind == PartKind::kController)
-    own.push_back(Optional("gait", Text(), "By which the program plans."));
+    own.push_back(Optional("gait", Text(), "Gait that the program plans with."));
   if (kind == PartKind::kParameters)
     own.push_back(Optional("options", List(Text(), 1), "Keys that the file may set, gait.cycle_s or swing.*."));
   if (kind == PartKind::kPlanner) {
-    own.push_back(Optional("swing_s", Number(0.05, 10.0), "Time of a step in the air."));
-    own.push_back(Optional("pause_s", Number(0.0, 10.0), "Time on the ground after it."));
+    own.push_back(Optional("swing_s", Number(0.05, 10.0), "Duration of a swing."));
+    own.push_back(Optional("pause_s", Number(0.0, 10.0), "Time on the ground after a swing."));
   }
   return own;
 }
@@ -78,8 +78,8 @@ DataShape CheckShape(PartKind kind) {
   using namespace shapes;
   return Object({{"measure", Text(MeasuresOf(kind))},
                  {"points", Number(0.0, kMostPoints)},
-                 Optional("full_at", Number(-kLargestValue, kLargestValue), "All points at this or better."),
-                 Optional("none_at", Number(-kLargestValue, kLargestValue), "No points at this or worse.")});
+                 Optional("full_at", Number(-kLargestValue, kLargestValue), "Value from which all points are given."),
+                 Optional("none_at", Number(-kLargestValue, kLargestValue), "Value from which no points are given.")});
 }
 
 DataShape LimitsShape(PartKind kind) {
@@ -87,20 +87,19 @@ DataShape LimitsShape(PartKind kind) {
   ChildLimits limits;
   Members members;
   for (const OptionField& field : limits.Fields()) members.push_back(Field(field));
-  members.push_back(Optional("judge_s", Number(0.1, kLongestLimit), "Processor time that judging may take [s]."));
+  members.push_back(Optional("judge_s", Number(0.1, kLongestLimit), "CPU time limit of marking [s]."));
   if (PlaysMotions(kind))
-    members.push_back(
-        Optional("motion_s", Number(0.1, kLongestLimit), "Time of the longest motion that is played [s]."));
+    members.push_back(Optional("motion_s", Number(0.1, kLongestLimit), "Longest motion that is played [s]."));
   return Object(members);
 }
 
 DataShape PartShape(PartKind kind) {
   using namespace shapes;
-  Members members = {{"name", Text(), "A word: its column in the table of marks."},
-                     Optional("title", Text(), "For people."),
+  Members members = {{"name", Text(), "Name of the part and of its column in the table of marks."},
+                     Optional("title", Text(), "Title for readers."),
                      {"kind", Text({PartKindNames()[static_cast<std::size_t>(kind)]})},
-                     {"file", Text(), "In the student's folder, without folders."},
-                     {"points", Positive(kMostPoints), "Of all its checks."},
+                     {"file", Text(), "File name in the student's folder."},
+                     {"points", Positive(kMostPoints), "Points of all its checks."},
                      Optional("limits", LimitsShape(kind))};
   const DataShape checks = List(CheckShape(kind));
   members.push_back(PlaysMotions(kind) ? ShapeMember{"checks", checks} : Optional("checks", checks));
@@ -114,7 +113,7 @@ DataShape RubricShape() {
   DataShape part = PartShape(static_cast<PartKind>(0));
   for (std::size_t kind = 1; kind < PartKindNames().size(); ++kind)
     part = Either(part, PartShape(static_cast<PartKind>(kind)));
-  return Object({{"title", Text(), "Of the assignment."}, {"parts", List(part, 1, kMostParts)}});
+  return Object({{"title", Text(), "Title of the assignment."}, {"parts", List(part, 1, kMostParts)}});
 }
 
 }  // namespace gaitwright

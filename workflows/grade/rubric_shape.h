@@ -6,17 +6,17 @@
 
 namespace gaitwright {
 
-/// What a rubric may hold; beyond this its reader refuses what there is not (robots, options of a playback), and checks
-/// whose points do not add up.
+/// Structure of a rubric; its reader also refuses unknown robots and playback options, and checks whose points do not
+/// add up.
 DataShape RubricShape();
 
-/// What a part of that kind may hold.
+/// Structure of a part of this kind.
 DataShape PartShape(PartKind kind);
 
-/// What its limits may hold.
+/// Structure of its limits.
 DataShape LimitsShape(PartKind kind);
 
-/// What a check of it may hold.
+/// Structure of its checks.
 DataShape CheckShape(PartKind kind);
 
 /// What such checks measure.

@@ -26,14 +26,14 @@ constexpr int kMostHandles = 64;
 
 /// The steps between fork and the program's start, for messages.
 enum Step { kFiles, kFolder, kLimits, kUser, kPrivileges, kLandlock, kCalls, kProgram };
-constexpr const char* kStepWords[] = {"its files cannot be set up",
-                                      "its working folder cannot be entered",
-                                      "its limits cannot be set",
-                                      "it cannot be made nobody's",
-                                      "its privileges cannot be taken",
-                                      "it cannot be confined to its files (Landlock)",
-                                      "its system calls cannot be filtered (seccomp)",
-                                      "its program cannot be run"};
+constexpr const char* kStepWords[] = {"cannot set up its files",
+                                      "cannot enter its working folder",
+                                      "cannot set its resource limits",
+                                      "cannot switch to user 'nobody'",
+                                      "cannot drop its privileges",
+                                      "cannot restrict its file access (Landlock)",
+                                      "cannot filter its system calls (seccomp)",
+                                      "cannot run its program"};
 
 /// What the child tells of a step that failed; nothing when it has become its program.
 struct Report {

@@ -20,13 +20,13 @@ Json AnswerOf(const std::string& line) {
   Json json;
   try {
     json = Json::parse(line, [](int depth, Json::parse_event_t, Json&) {
-      if (depth > kDeepest) throw InvalidArgument("the answer has lists in lists in lists");
+      if (depth > kDeepest) throw InvalidArgument("the answer has lists nested too deep");
       return true;
     });
   } catch (const Json::exception&) {
-    throw InvalidArgument("the answer is not readable");
+    throw InvalidArgument("the answer cannot be read");
   }
-  if (!json.is_object() || !json.contains("answer")) throw InvalidArgument("the answer is not readable");
+  if (!json.is_object() || !json.contains("answer")) throw InvalidArgument("the answer cannot be read");
   return json["answer"];
 }
 
@@ -34,7 +34,7 @@ double NumberIn(const Json& json, const std::string& where) {
   if (json.is_string())
     throw InvalidArgument(
         fmt::format("the answer{} is {}; a finite number is needed", where, ShownWords(json.get<std::string>())));
-  if (!json.is_number()) throw InvalidArgument(fmt::format("the answer{} is no number", where));
+  if (!json.is_number()) throw InvalidArgument(fmt::format("the answer{} is not a number", where));
   const double value = json.get<double>();
   if (!std::isfinite(value)) throw InvalidArgument(fmt::format("the answer{} is not finite", where));
   return value;
@@ -42,7 +42,7 @@ double NumberIn(const Json& json, const std::string& where) {
 
 void AddRow(const Json& row, std::size_t number, QuestionValue& value) {
   if (!row.is_array() || row.size() != static_cast<std::size_t>(value.shape[1]))
-    throw InvalidArgument(fmt::format("row {} of the answer is not as long as the first one", number));
+    throw InvalidArgument(fmt::format("row {} of the answer has another length than the first one", number));
   for (std::size_t i = 0; i < row.size(); ++i)
     value.numbers.push_back(NumberIn(row[i], fmt::format("[{}, {}]", number, i)));
 }
@@ -68,15 +68,15 @@ QuestionValue ParseAnswer(const std::string& line) {
 
 std::vector<AnsweredStep> ParseSteps(const std::string& line, std::size_t most) {
   const Json json = AnswerOf(line);
-  if (!json.is_array()) throw InvalidArgument("the planner's answer is no list of steps");
+  if (!json.is_array()) throw InvalidArgument("the planner's answer is not a list of steps");
   if (json.size() > most)
-    throw InvalidArgument(fmt::format("the planner gave {} steps; at most {} are taken", json.size(), most));
+    throw InvalidArgument(fmt::format("the planner gave {} steps; at most {} are accepted", json.size(), most));
   if (json.empty()) throw InvalidArgument("the planner gave no steps");
   std::vector<AnsweredStep> steps;
   for (const Json& step : json) {
     const std::string where = fmt::format(" of step {}", steps.size() + 1);
     if (!step.is_array() || step.size() != 4 || !step[0].is_string())
-      throw InvalidArgument(fmt::format("step {} is no (foot, x, y, yaw)", steps.size() + 1));
+      throw InvalidArgument(fmt::format("step {} is not (foot, x, y, yaw)", steps.size() + 1));
     steps.push_back({ShownWords(step[0].get<std::string>()), NumberIn(step[1], where + ", x"),
                      NumberIn(step[2], where + ", y"), NumberIn(step[3], where + ", yaw")});
   }

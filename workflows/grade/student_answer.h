@@ -12,11 +12,11 @@ namespace gaitwright {
 inline constexpr std::size_t kLongestAnswer = std::size_t{1} << 20;
 
 /// The numbers of an answer `{"answer": ...}`: a number, a list, or a list of lists that are as long as each other.
-/// @throws InvalidArgument, in words for the student, for whatever else it holds: words, NaN, lists within lists, rows
-/// of different lengths.
+/// @throws InvalidArgument, with a message for the student, for anything else: words, NaN, deeper lists, rows of
+/// different lengths.
 QuestionValue ParseAnswer(const std::string& line);
 
-/// A footstep as code gives it: the foot's name and three numbers.
+/// A footstep of a submission: the foot's name and three numbers.
 struct AnsweredStep {
   std::string foot;
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;

@@ -38,11 +38,11 @@ struct StudentPython::Parts {
 
   /// Failure where they cannot be made.
   std::optional<Failure> Make(const std::vector<OutputFile>& files) const {
-    if (!base.there()) return CannotRun("there is no temporary folder");
+    if (!base.there()) return CannotRun("no temporary folder exists");
     const bool made = chmod(base.path().c_str(), kMayPass) == 0 && mkdir(Code().c_str(), kMayRead) == 0 &&
                       mkdir(Work().c_str(), kOwn) == 0 && chmod(Code().c_str(), kMayRead) == 0 &&
                       (geteuid() != 0 || chown(Work().c_str(), kNobody, kNobody) == 0);
-    if (!made) return CannotRun(fmt::format("its folders cannot be made in '{}'", base.path()));
+    if (!made) return CannotRun(fmt::format("cannot create its folders in '{}'", base.path()));
     for (const OutputFile& file : files) {
       const Result<std::string> lent = Lend(file.path, file.text);
       if (!lent) return lent.failure();
@@ -149,7 +149,7 @@ Result<std::string> StudentPython::Ask(const std::string& request, std::size_t l
   if (json.is_object() && json.contains("error") && json["error"].is_string()) {
     return Said(ShownWords(Without(parts_->base.path() + "/", json["error"].get<std::string>())));
   }
-  return Said("its answer is not readable");
+  return Said("its answer cannot be read");
 }
 
 bool EndedIt(const Failure& failure) { return failure.code != FailureCode::kSubmission; }

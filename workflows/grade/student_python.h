@@ -12,36 +12,36 @@
 
 namespace gaitwright {
 
-/// A Python that submissions are run with.
+/// Python interpreter for submissions.
 struct PythonProgram {
   std::string path, version;
-  std::vector<std::string> readable;  ///< files and folders of its own and of its packages
-  std::string package;                ///< folder that the package gaitwright is found in; "" for none
+  std::vector<std::string> readable;  ///< its files and folders, and those of its packages
+  std::string package;                ///< folder of the package gaitwright; "" for none
   bool has_numpy = false;
 };
 
-/// Looks a Python over by running it, since it is trusted: `program` by its path or its name on PATH; "" for
-/// /usr/bin/python3, or the python3 on PATH. The package gaitwright is the one beside the running program (in a build
-/// tree, or under the same prefix), else the one that this Python has itself.
-/// Failure `python`: there is none, it cannot be run, or is older than 3.9.
+/// Inspects a Python by running it (it is trusted): `program` is a path or a name on PATH; "" for /usr/bin/python3, or
+/// the python3 on PATH. The package gaitwright is the one beside the running program (in a build tree, or under the
+/// same prefix), else the one that this Python has itself. Failure `python`: there is none, it cannot be run, or is
+/// older than 3.9.
 Result<PythonProgram> LookOver(const std::string& program);
 
-/// What code needs that the user cannot read as whom it runs where the program was started by root, of the package
-/// gaitwright and the robots: its path; "" where all can be read, or there is no such change of user.
+/// Path of a file of the package gaitwright or of the robots that submissions need but cannot read as user nobody, if
+/// the program was started by root; "" if all can be read, or if the user does not change.
 std::string UnreadableForNobody(const PythonProgram& python);
 
-/// A submission's file in Python, with others that it may import, and what of it is to be called.
+/// A submission's Python file, with files that it may import, and the function to call.
 struct StudentCode {
-  std::vector<OutputFile> files;  ///< names and texts; the first is the one that is asked
+  std::vector<OutputFile> files;  ///< names and texts; the first is the submitted file
   std::string function;
   bool package = false;  ///< whether it may import gaitwright
 };
 
-/// A submission in Python, in a process of its own that is confined (ChildProcess) to a folder that goes with it. What
-/// it answers is text that nothing is believed of.
+/// A Python submission in its own process, confined (ChildProcess) to a temporary folder. Its answers are untrusted
+/// text.
 class StudentPython {
  public:
-  /// Starts it and imports the file. Failure as of ChildProcess, or `submission` with the words of an exception.
+  /// Starts it and imports the file. Failure as of ChildProcess, or `submission` with the message of an exception.
   static Result<StudentPython> Start(const PythonProgram& python, const StudentCode& code, const ChildLimits& limits,
                                      bool confined);
 
@@ -50,11 +50,11 @@ class StudentPython {
   ~StudentPython();
 
   /// Sends a request, a JSON text in a line, and gives the text of the answer, no longer than that [byte]: an object
-  /// with the key `answer`. Failure `submission`: an exception, in a line; `child_answer`: no such object; or as of
+  /// with the key `answer`. Failure `submission`: an exception, in one line; `child_answer`: another answer; or as of
   /// ChildProcess.
   Result<std::string> Ask(const std::string& request, std::size_t longest);
 
-  /// Writes a file that it can read. @return its path. Failure as of WriteFileAtomically.
+  /// Writes a file that the submission can read. @return its path. Failure as of WriteFileAtomically.
   Result<std::string> Lend(const std::string& name, const std::string& text) const;
 
  private:
@@ -64,11 +64,11 @@ class StudentPython {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Whether a failure of StudentPython ended it, so that whatever is asked next fails too.
+/// Whether a failure of StudentPython ended the process, so that all further requests fail too.
 bool EndedIt(const Failure& failure);
 
-/// Words of a submission as a page may show them: in one line, short, without addresses of memory, which differ from
-/// run to run, and without what is no plain text.
+/// Text of a submission for a page: one short line, without memory addresses, which differ between runs, and with plain
+/// text only.
 std::string ShownWords(const std::string& words);
 
 }  // namespace gaitwright

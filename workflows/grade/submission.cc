@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostStudents = 10000, kMostOthers = 100;
 
-Failure NoClass(const std::string& message, const std::string& hint = "each student has a folder in it") {
+Failure NoClass(const std::string& message,
+                const std::string& hint = "the folder must have one folder for each student") {
   return {FailureKind::kBadInput, FailureCode::kSubmissions, "FindStudents", message, {hint}};
 }
 
@@ -74,7 +75,7 @@ std::optional<Failure> WhyNot(int handle, const std::string& file, std::size_t m
   if (!S_ISREG(what.st_mode))
     return NotHandedIn(fmt::format("'{}' is {}; a file is needed", file, WhatItIs(what.st_mode)));
   if (static_cast<std::size_t>(what.st_size) > most_bytes)
-    return NotHandedIn(fmt::format("'{}' has {} bytes; at most {} are taken", file, what.st_size, most_bytes));
+    return NotHandedIn(fmt::format("'{}' has {} bytes; at most {} are accepted", file, what.st_size, most_bytes));
   return std::nullopt;
 }
 
@@ -88,14 +89,14 @@ Result<std::vector<Student>> FindStudents(const std::string& folder) {
     std::error_code unknown;
     if (name.starts_with(".") || !fs::is_directory(at->symlink_status(unknown))) continue;
     if (!IsPlainText(name) || name.find('\n') != std::string::npos || name.find('\t') != std::string::npos)
-      return NoClass(fmt::format("the folder '{}' in '{}' has a name that is no plain text", Visible(name), folder),
+      return NoClass(fmt::format("the folder '{}' in '{}' has a name that is not plain text", Visible(name), folder),
                      "rename it");
     students.push_back({name, at->path().string()});
     if (students.size() > kMostStudents)
       return NoClass(fmt::format("'{}' has more than {} folders", folder, kMostStudents));
   }
   if (error) return NoClass(fmt::format("cannot read the folder '{}': {}", folder, error.message()));
-  if (students.empty()) return NoClass(fmt::format("'{}' has no folder in it, and so no student", folder));
+  if (students.empty()) return NoClass(fmt::format("'{}' contains no folder of a student", folder));
   std::sort(students.begin(), students.end(), [](const Student& a, const Student& b) { return a.name < b.name; });
   return students;
 }
@@ -107,7 +108,7 @@ Result<std::string> ReadSubmission(const Student& student, const std::string& fi
   if (handle.number() < 0) {
     if (errno == ELOOP) return NotHandedIn(fmt::format("'{}' is a link; a file is needed", file));
     if (errno == ENOENT) return NotHandedIn(fmt::format("'{}' was not handed in", file));
-    return NotHandedIn(fmt::format("'{}' is no file that can be read", file));
+    return NotHandedIn(fmt::format("'{}' is not a readable file", file));
   }
   if (auto failure = WhyNot(handle.number(), file, most_bytes)) return *failure;
   std::string bytes;
@@ -119,7 +120,7 @@ Result<std::string> ReadSubmission(const Student& student, const std::string& fi
     if (n == 0) return WithoutMark(std::move(bytes));
     bytes.append(piece.data(), static_cast<std::size_t>(n));
     if (bytes.size() > most_bytes)  // it grew
-      return NotHandedIn(fmt::format("'{}' has more than {} bytes, which are the most taken", file, most_bytes));
+      return NotHandedIn(fmt::format("'{}' has more than {} bytes; at most that many are accepted", file, most_bytes));
   }
 }
 

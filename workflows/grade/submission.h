@@ -10,21 +10,21 @@
 
 namespace gaitwright {
 
-/// A student: the name of a folder, and where it is.
+/// A student: folder name and path.
 struct Student {
   std::string name, folder;
 };
 
 /// The students of a class: one for each folder in `folder`, sorted by name; links and names that begin with a dot are
-/// passed over. Failure: no such folder, none in it, more than 10,000, or a name that is no plain text.
+/// ignored. Failure: the folder does not exist, contains no folder or more than 10,000, or a name is not plain text.
 Result<std::vector<Student>> FindStudents(const std::string& folder);
 
-/// The bytes of a file that was handed in. Links are not followed and nothing is waited for. Failure `submission`, in
-/// words for the student: there is no such file; it is a link, a folder, a pipe or a device; it is too large.
+/// The bytes of a submitted file. Links are not followed, and reading never blocks. Failure `submission`, with a
+/// message for the student: the file does not exist; it is a link, a folder, a pipe or a device; it is too large.
 Result<std::string> ReadSubmission(const Student& student, const std::string& file, std::size_t most_bytes);
 
-/// The other files in Python of a student, which that file may import; what ReadSubmission refuses is left out, and so
-/// are those beyond 100.
+/// The student's other Python files, which this file may import; files that ReadSubmission refuses are left out, and so
+/// are files beyond 100.
 std::vector<OutputFile> OtherPythonFiles(const Student& student, const std::string& file, std::size_t most_bytes);
 
 }  // namespace gaitwright

@@ -29,10 +29,11 @@ PullSpring PullSpringFor(const RobotModel& model) {
 
 void HandsOn::Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& by_W, bool along) {
   if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !by_W.allFinite())
-    throw InvalidArgument(fmt::format("there is nothing to pull at body {}", body));
+    throw InvalidArgument(fmt::format("body {} cannot be pulled", body));
   auto grip = std::find_if(grips_.begin(), grips_.end(), [hand](const Grip& g) { return g.hand == hand; });
   if (grip == grips_.end()) {
-    if (grips_.size() >= kMostGrips) throw InvalidArgument(fmt::format("{} hands pull at most", kMostGrips));
+    if (grips_.size() >= kMostGrips)
+      throw InvalidArgument(fmt::format("at most {} pulls at a time are accepted", kMostGrips));
     grip = grips_.insert(grips_.end(), Grip{.hand = hand});
   }
   if (grip->body != body || grip->p_Body != p_Body) grip->from_W.reset();
@@ -55,16 +56,17 @@ void HandsOn::GoAlong(const Vector3& way_W) {
 void HandsOn::Push(const Vector3& force_W, double until_s) {
   constexpr double kMost = 10.0;  // weights
   if (!(force_W.norm() <= kMost * model_.weight_n()))
-    throw InvalidArgument(fmt::format("a push has {} weights at most", kMost));
+    throw InvalidArgument(fmt::format("a push may be at most {} times the robot's weight", kMost));
   pushed_ = Pushed{force_W, until_s};
 }
 
 void HandsOn::Nudge(int dof, double by, double until_s) {
   constexpr double kMostTurn = 1.0, kMostShift = 0.3;
-  if (dof < 0 || dof >= model_.num_dofs()) throw InvalidArgument(fmt::format("there is no joint {} to be moved", dof));
+  if (dof < 0 || dof >= model_.num_dofs()) throw InvalidArgument(fmt::format("there is no joint {}", dof));
   const std::string unit = PositionUnit(model_, dof);
   const double most = unit == "m" ? kMostShift : kMostTurn;
-  if (!(std::abs(by) <= most)) throw InvalidArgument(fmt::format("this joint is moved by {} {} at most", most, unit));
+  if (!(std::abs(by) <= most))
+    throw InvalidArgument(fmt::format("this joint can be moved by at most {} {}", most, unit));
   nudged_ = Nudged{dof, by, until_s, {}};
 }
 

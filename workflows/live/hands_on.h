@@ -10,30 +10,30 @@
 
 namespace gaitwright {
 
-/// Whose hand it is: the number of a page.
+/// Owner of a hand: the number of a page.
 using HandId = std::uint64_t;
 
-/// How hands pull.
+/// Spring of a pulling hand.
 struct PullSpring {
   double n_per_m = 0.0;
-  double most_n = 0.0;  ///< never harder than that
+  double most_n = 0.0;  ///< largest force
 };
 
-/// Two weights of the robot for each leg length, and at most two weights.
+/// Stiffness of two robot weights per leg length; force of at most two weights.
 PullSpring PullSpringFor(const RobotModel& model);
 
-/// A hand that holds the robot and pulls.
+/// A hand that holds and pulls the robot.
 struct Grip {
   HandId hand = 0;
   int body = 0;
-  Vector3 p_Body = Vector3::Zero();    ///< where it holds
-  Vector3 by_W = Vector3::Zero();      ///< how far it pulls from where it took hold
-  bool along = false;                  ///< where it took hold goes with the walk that the robot is told
-  std::optional<Vector3> from_W = {};  ///< where it took hold, once it has
+  Vector3 p_Body = Vector3::Zero();    ///< held point
+  Vector3 by_W = Vector3::Zero();      ///< displacement of the hand from the point where it took hold
+  bool along = false;                  ///< the point where it took hold moves along with the commanded walk
+  std::optional<Vector3> from_W = {};  ///< the point where it took hold, once it has
   Vector3 force_W = Vector3::Zero();   ///< in the last step [N]
 };
 
-/// What people do to a robot by hand while it goes on: pulling at it, pushing it, moving what a joint is told.
+/// Manual actions on a running robot: pulling, pushing, and offsets of joint commands.
 class HandsOn {
  public:
   static constexpr std::size_t kMostGrips = 8;
@@ -41,26 +41,26 @@ class HandsOn {
   /// The model must outlive it.
   explicit HandsOn(const RobotModel& model) : model_(model), spring_(PullSpringFor(model)) {}
 
-  /// A spring from a point of a body, which goes with it, to a hand that is so far from where it took hold of it, until
-  /// it lets go. A hand pulls at one place at a time, and takes hold anew where that is another.
-  /// @param along  the hand walks beside the robot, as told by `GoAlong`.
-  /// @throws InvalidArgument for no such body, numbers that are none, and more hands than kMostGrips.
+  /// A spring from a point on a body to a hand, displaced from the point where it took hold, until it lets go. A hand
+  /// pulls at one point at a time; pulling at another point takes hold again.
+  /// @param along  the hand walks beside the robot, see `GoAlong`.
+  /// @throws InvalidArgument for an unknown body, values that are not finite, and more hands than kMostGrips.
   void Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& by_W, bool along = false);
   void LetGo(HandId hand);
-  /// The robot was told to walk so far.
+  /// Distance that the robot was commanded to walk.
   void GoAlong(const Vector3& way_W);
   const std::vector<Grip>& grips() const { return grips_; }
   /// A force [N] on the base up to a time. @throws InvalidArgument for more than ten weights.
   void Push(const Vector3& force_W, double until_s);
-  /// Tells a joint to be so much [rad] or [m] elsewhere up to a time, and holds it by its gains: to see how it answers.
-  /// @throws InvalidArgument for no such joint, and for more than a radian or 0.3 m.
+  /// Offsets a joint command by an amount [rad] or [m] up to a time, held by its gains, to show its response.
+  /// @throws InvalidArgument for an unknown joint, and for more than 1 rad or 0.3 m.
   void Nudge(int dof, double by, double until_s);
-  /// Nothing of all that any more.
+  /// Ends all manual actions.
   void Off();
 
-  /// Adds all of it to the coming step.
+  /// Applies all actions to the next step.
   void Apply(double time_s, const Gains& gains, World& world, JointCommand& command);
-  /// The force of a push in the last step [N]; nothing where there was none.
+  /// The force of a push in the last step [N]; nothing if there was none.
   std::optional<Vector3> push_W() const { return pushed_ ? std::optional(pushed_->force_W) : std::nullopt; }
 
  private:
@@ -71,7 +71,7 @@ class HandsOn {
   struct Nudged {
     int dof = 0;
     double by = 0.0, until_s = 0.0;
-    std::optional<double> from;  ///< where it was, once it has begun
+    std::optional<double> from;  ///< initial position, once it has begun
   };
   static void Apply(Nudged& nudged, const World& world, const Gains& gains, JointCommand& command);
 

@@ -36,7 +36,7 @@ std::optional<std::string> LiveControl::Follow(const MotionPlan& plan, const Pla
     PlayRequest other = request;
     other.controller = kForAnyPlan;
     controller = MakeController(*model_, *followed, other);
-    why = fmt::format("'{}' has it now: {}", kForAnyPlan, refused.what());
+    why = fmt::format("'{}' is used now: {}", kForAnyPlan, refused.what());
   }
   controller->Reset();
   for (const ControlInput& input : lately) controller->Update(input);

@@ -10,40 +10,40 @@
 
 namespace gaitwright {
 
-/// The controller of a robot whose plan becomes another while it goes on. One that refuses a plan, as 'recovering' does
-/// all that do not stand from start to end, lets 'stabilised' follow that.
+/// The controller of a running robot whose plan changes. If the selected controller refuses a plan ('recovering'
+/// accepts only plans that stand from start to end), 'stabilised' follows it.
 class LiveControl {
  public:
-  /// The model must outlive it. @throws InvalidArgument listing the controllers there are.
-  /// Failure: as of PlanRecovery, where that is needed.
+  /// The model must outlive it. @throws InvalidArgument listing the controllers. Failure: as of PlanRecovery, if it is
+  /// needed.
   static Result<LiveControl> Make(const RobotModel& model, const PlayRequest& request);
 
-  /// Follows another plan from now on.
-  /// @param lately  what the robot did, which the new controller is shown.
-  /// @return why the controller that was asked for does not, where it followed the plan before.
-  /// @throws InvalidArgument for what no controller takes; then it goes on with what it had.
+  /// Switches to another plan.
+  /// @param lately  recent states of the robot, which initialise the new controller.
+  /// @return why the selected controller does not follow this plan, if it followed the previous one.
+  /// @throws InvalidArgument for inputs that no controller accepts; the present plan then stays active.
   std::optional<std::string> Follow(const MotionPlan& plan, const PlayRequest& request,
                                     const std::deque<ControlInput>& lately);
 
-  /// What the joints are told, as of Controller.
+  /// Joint commands, as of Controller.
   JointCommand Update(const ControlInput& input) { return controller_->Update(input); }
   const MotionPlan& plan() const { return *followed_; }
-  /// Whether another one than was asked for has the robot.
+  /// Whether a controller other than the selected one is active.
   bool stood_in_for() const { return stood_in_for_; }
-  /// Whether the robot may step by itself, away from where its plan stands.
+  /// Whether the robot may take recovery steps away from its plan.
   bool recovers() const { return recovery_ && !stood_in_for_; }
 
  private:
   explicit LiveControl(const RobotModel& model) : model_(&model) {}
 
   const RobotModel* model_;
-  std::optional<RecoveryPlans> recovery_;  ///< made once, since that takes long
+  std::optional<RecoveryPlans> recovery_;  ///< made once, because it takes long
   std::unique_ptr<MotionPlan> followed_;
   std::unique_ptr<Controller> controller_;
   bool stood_in_for_ = false;
 };
 
-/// How far the feet that stand are from where a plan has them, in the mean.
+/// Mean distance of the stance feet from their planned positions.
 Vector3 FootOffset(const RobotModel& model, const MotionPlan& plan, const ControlInput& now);
 
 }  // namespace gaitwright

@@ -10,24 +10,24 @@
 
 namespace gaitwright {
 
-/// What a picture tells beside the world.
+/// Data of a frame in addition to the world.
 struct LiveStatus {
   LiveClock clock;
-  double behind_s = 0.0;                                ///< how far the simulated clock is behind the wall's
-  std::vector<std::pair<int, std::string>> notes = {};  ///< the latest of what happened, by number
+  double behind_s = 0.0;                                ///< lag of the simulated clock behind real time
+  std::vector<std::pair<int, std::string>> notes = {};  ///< latest events, by number
 };
 
-/// What the page is told first, as JSON: robot and ground as the viewer has them, gaits, options (docs/live.md).
-/// @param mesh_folder  of the URDF, to look for visual meshes.
+/// First message to a page, as JSON: robot and ground as in the viewer, gaits, options (docs/live.md).
+/// @param mesh_folder  folder of the URDF, to find visual meshes.
 std::string LiveGreeting(const LiveWorld& live, const std::optional<std::string>& mesh_folder = {});
 
-/// What a page is told after that, as JSON: its own number.
+/// Second message to a page, as JSON: its number.
 std::string LivePageNumber(std::uint64_t page);
 
-/// How things stand now, as JSON: state, plan beside it, forces as means since the last one, balance, targets, notes.
+/// Present state, as JSON: robot state, planned state, mean forces since the last frame, balance, targets, notes.
 std::string LiveFrame(LiveWorld& live, const LiveStatus& status);
 
-/// What a page is told whose message was refused, as JSON.
+/// Message to a page whose request was refused, as JSON.
 std::string LiveRefusal(const std::string& why);
 
 }  // namespace gaitwright

@@ -23,7 +23,7 @@ constexpr int kMostSteps = 10000;    // at once, of a clock that is paused
 std::string GaitOf(const JsonPart& part, const RobotModel& model) {
   std::string name = part.Text();
   if (name == kStanding) return name;
-  if (!GaitFileOf(name).empty()) part.Refuse("is a file; a gait by its name is needed");
+  if (!GaitFileOf(name).empty()) part.Refuse("is a file; give a gait by its name");
   const Result<Gait> gait = FindGait(model, name, 0.0, {});
   if (!gait) throw InvalidArgument(gait.failure().message);
   return gait->name;
@@ -52,8 +52,8 @@ LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   m.Object({"do", "body", "at_m", "by_m"}, {"along"});
   const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
   const Vector3 at = m.At("at_m").Vector(3), by = m.At("by_m").Vector(3);
-  if (at.norm() > kFarthest) m.Refuse("holds the robot too far away");
-  if (by.norm() > kFarthest) m.Refuse("pulls too far away");
+  if (at.norm() > kFarthest) m.Refuse("has a hold point too far away");
+  if (by.norm() > kFarthest) m.Refuse("has a pull distance that is too large");
   const bool along = m.Has("along") && m.At("along").Truth();
   return [=](LiveWorld& live, LiveClock&, HandId hand) { live.hands().Pull(hand, body, at, by, along); };
 }
@@ -80,7 +80,7 @@ LiveRequest ReadGround(const JsonPart& m, const RobotModel&) {
 LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
   m.Object({"do", "options"});
   const JsonPart options = m.At("options");
-  if (!options.json().is_object()) options.Refuse("is no object of options");
+  if (!options.json().is_object()) options.Refuse("is not an object of options");
   OptionTexts texts;
   PlayRequest tried;
   tried.controller = "recovering";  // whose options are all that there are
@@ -103,13 +103,13 @@ LiveRequest ReadPose(const JsonPart& m, const RobotModel& model) {
   m.Object({"do", "q"});
   VectorX q = m.At("q").Vector(static_cast<std::size_t>(model.nq()));
   const double length = q.segment<4>(3).norm();
-  if (!(length > kShortest && length < kLongest)) m.Refuse("turns the base by no quaternion");
+  if (!(length > kShortest && length < kLongest)) m.Refuse("has an invalid quaternion of the base");
   q.segment<4>(3) /= length;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double lower = model.dof_lower(d), upper = model.dof_upper(d);
     if (q[7 + d] < lower - kRounding || q[7 + d] > upper + kRounding)
-      m.Refuse(fmt::format("has {} for {}, whose limits are {} and {}", q[7 + d],
-                           model.dof_names[static_cast<std::size_t>(d)], lower, upper));
+      m.Refuse(fmt::format("has {} for {}; accepted: {} to {}", q[7 + d], model.dof_names[static_cast<std::size_t>(d)],
+                           lower, upper));
     q[7 + d] = std::clamp(q[7 + d], lower, upper);
   }
   return [q](LiveWorld& live, LiveClock&, HandId) { live.PutInPose(q); };
@@ -182,15 +182,14 @@ LiveRequest ReadLiveRequest(const RobotModel& model, const std::string& message)
   try {
     const Json json = ParseJsonOnce(message);
     const JsonPart part(json);
-    if (!json.is_object() || !part.Has("do")) throw InvalidArgument("the message does not say what to 'do'");
+    if (!json.is_object() || !part.Has("do")) throw InvalidArgument("the message lacks the key 'do'");
     const std::string what = part.At("do").Text();
     const auto reader = Readers().find(what);
     if (reader == Readers().end())
-      throw InvalidArgument(
-          fmt::format("there is nothing called '{}' to do; there are {}", what, QuotedList(NamesOfRequests())));
+      throw InvalidArgument(fmt::format("'do' is '{}'; accepted: {}", what, QuotedList(NamesOfRequests())));
     return reader->second(part, model);
   } catch (const Json::exception&) {
-    throw InvalidArgument(fmt::format("the message is no JSON: {}", WhyNoJson(message)));
+    throw InvalidArgument(fmt::format("the message is not JSON: {}", WhyNoJson(message)));
   }
 }
 

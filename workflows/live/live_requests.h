@@ -8,24 +8,24 @@
 
 namespace gaitwright {
 
-/// What people do to time.
+/// Time control by users.
 struct LiveClock {
   bool paused = false;
-  int steps = 0;  ///< to be done though it is paused
+  int steps = 0;  ///< steps to run while paused
 };
 
-/// Longest message that is taken [byte], and most that are kept for one picture.
+/// Longest accepted message [byte], and largest number of messages kept for one frame.
 inline constexpr std::size_t kLongestLiveMessage = 65536, kMostLiveMessages = 256;
 
-/// What a page, which the number tells, asks for. @throws InvalidArgument, in words for people, for what this world
-/// refuses; then nothing is done.
+/// A request of the page with this number. @throws InvalidArgument, with a message for users, if the world refuses it;
+/// then nothing changes.
 using LiveRequest = std::function<void(LiveWorld&, LiveClock&, HandId)>;
 
-/// Reads what a page says about that robot (docs/live.md).
-/// @throws InvalidArgument, in words for people, for what is no such message or out of range.
+/// Reads a page's message about this robot (docs/live.md).
+/// @throws InvalidArgument, with a message for users, for an invalid message or a value out of range.
 LiveRequest ReadLiveRequest(const RobotModel& model, const std::string& message);
 
-/// What pages may change of the controller and its gains: all numbers.
+/// Controller options and gains that pages may change: all numbers.
 OptionFields LiveOptions(PlayRequest& play);
 
 }  // namespace gaitwright

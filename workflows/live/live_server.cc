@@ -201,7 +201,8 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
  private:
   void Answer(const http::request<http::empty_body>& request) {
-    if (!IsForUs(request)) return Say(request, http::status::forbidden, "text/plain", Plain("not of this page\n"));
+    if (!IsForUs(request))
+      return Say(request, http::status::forbidden, "text/plain", Plain("request not from this page\n"));
     const auto target = request.target();
     if (websocket::is_upgrade(request)) {
       if (target != kLivePath) return Say(request, http::status::not_found, "text/plain", Plain("no such place\n"));
@@ -301,8 +302,8 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
     return Failure{FailureKind::kBadInput,
                    FailureCode::kAddress,
                    "LiveServer",
-                   fmt::format("there is no port {}; accepted: 0 to {}", address.port, kHighestPort),
-                   {"--port 0 takes any port that is free"}};
+                   fmt::format("the port is {}; accepted: 0 to {}", address.port, kHighestPort),
+                   {"use --port 0 for any free port"}};
   }
   boost::system::error_code no_address;
   const asio::ip::address ip =
@@ -311,8 +312,8 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
     return Failure{FailureKind::kBadInput,
                    FailureCode::kAddress,
                    "LiveServer",
-                   fmt::format("'{}' is no IP address, which is needed to listen at", address.host),
-                   {"127.0.0.1 is reached from this machine alone, 0.0.0.0 from all that reach it"}};
+                   fmt::format("'{}' is not an IP address", address.host),
+                   {"use 127.0.0.1 for this machine only, 0.0.0.0 for all networks"}};
   }
   try {
     const tcp::endpoint endpoint(ip, static_cast<unsigned short>(address.port));
@@ -330,8 +331,8 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
     return Failure{FailureKind::kBadInput,
                    FailureCode::kAddress,
                    "LiveServer",
-                   fmt::format("cannot listen at {}, port {}: {}", address.host, address.port, error.code().message()),
-                   {error.code() == asio::error::address_in_use ? "--port 0 takes any port that is free"
+                   fmt::format("cannot listen on {}, port {}: {}", address.host, address.port, error.code().message()),
+                   {error.code() == asio::error::address_in_use ? "use --port 0 for any free port"
                                                                 : "'ip address' lists the addresses of this machine"}};
   }
   impl->shared.html = std::make_shared<const std::string>(page);

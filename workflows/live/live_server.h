@@ -10,51 +10,50 @@
 
 namespace gaitwright {
 
-/// Where a server listens.
+/// Address of a server.
 struct LiveAddress {
-  std::string host = "127.0.0.1";  ///< an address of this machine; the loopback one is reached from it alone
-  int port = 0;                    ///< 0 for any that is free
+  std::string host = "127.0.0.1";  ///< an address of this machine; the loopback address is local only
+  int port = 0;                    ///< 0 for any free port
 };
 
 /// A message of a page.
 struct LiveSaying {
   std::uint64_t page = 0;
   std::string text;
-  bool left = false;  ///< it says no more: it was closed, or lost
+  bool left = false;  ///< the page was closed or lost
 };
 
-/// A page over HTTP, and its WebSocket, in a thread of its own: pages are sent pictures of how things stand, and send
-/// what people do.
+/// Serves a page over HTTP and its WebSocket, in its own thread: pages receive frames of the present state and send
+/// user actions.
 ///
-/// It takes at most kMostPages at once and messages of kLongestLiveMessage. A page that reads slowly misses pictures
-/// and holds nobody up; one that says nothing and answers no ping for half a minute is let go. Requests for
-/// another name than this machine's or an address, and WebSockets whose Origin is another page are refused (403): so no
-/// page of the web can reach the robot through the browser of somebody.
+/// It accepts at most kMostPages pages at a time and messages up to kLongestLiveMessage. A slow page misses frames but
+/// delays no other; a page that is silent and answers no ping for 30 s is disconnected. Requests with a host other than
+/// this machine's name or an address, and WebSockets with a foreign Origin are refused (403), so no web page can reach
+/// the robot through a user's browser.
 class LiveServer {
  public:
   static constexpr int kMostPages = 64;
 
-  /// @param page  the HTML that `/` gives. Failure kBadInput `address`: not of this machine, or taken.
+  /// @param page  the HTML of `/`. Failure kBadInput `address`: not an address of this machine, or in use.
   static Result<std::unique_ptr<LiveServer>> Start(const LiveAddress& address, const std::string& page);
-  /// Lets all pages go.
+  /// Disconnects all pages.
   ~LiveServer();
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;
 
   int port() const;
-  /// "http://127.0.0.1:8080/"; this machine's own where it listens at all of its addresses, which are no address to go
-  /// to.
+  /// "http://127.0.0.1:8080/"; the loopback address if it listens on all addresses.
   std::string url() const;
-  /// What each page is told first, and then its number; those that are open already are told now.
+  /// Sets the first message to each page, followed by its number; open pages receive it now.
   void Greet(const std::string& greeting);
-  /// Sends a picture to every page; it takes the place of one that a slow page has not been sent yet.
+  /// Sends a frame to every page; it replaces a frame that a slow page has not received yet.
   void Publish(const std::string& picture);
-  /// What pages have said, in that order; nothing where all has been taken. Beyond kMostLiveMessages the oldest of the
-  /// page that said most are dropped; who left never is.
+  /// The next message of a page, in order; nothing if there is none. Beyond kMostLiveMessages, the oldest messages of
+  /// the busiest page are dropped, but never the notice that a page left.
   std::optional<LiveSaying> Next();
-  /// Answers one page, where it is still open.
+  /// Answers one page, if it is still open.
   void Tell(std::uint64_t page, const std::string& text);
-  /// How many pages are open.
+  /// Number of open pages.
   int pages() const;
 
  private:

@@ -66,7 +66,7 @@ void LiveSession::Turn(double wall_s) {
   let_go_s_ += beyond;
   unsaid_for_s_ += wall_s;
   if (let_go_s_ > 0.0 && unsaid_for_s_ > kSayEvery) {
-    Note(fmt::format("behind real time: this machine is too slow by {:.1f} s in {:.1f} s", let_go_s_, unsaid_for_s_));
+    Note(fmt::format("slower than real time: {:.1f} s lost in {:.1f} s", let_go_s_, unsaid_for_s_));
     let_go_s_ = unsaid_for_s_ = 0.0;
   }
   for (const std::string& note : live_.TakeNotes()) Note(note);
@@ -107,7 +107,7 @@ void LiveSession::StepOnce() {
   try {
     live_.Step();
   } catch (const InvalidArgument& refused) {
-    Note(fmt::format("it begins anew: {}", refused.what()));
+    Note(fmt::format("the simulation restarts: {}", refused.what()));
     live_.Reset();
   }
   TellPhase();

@@ -10,30 +10,30 @@
 
 namespace gaitwright {
 
-/// Told on the way.
+/// Callbacks of a session.
 struct LiveListener {
-  std::function<void(const std::string&)> note = [](const std::string&) {};   ///< what happened
-  std::function<void(const std::string&)> phase = [](const std::string&) {};  ///< a line at each change of contact
+  std::function<void(const std::string&)> note = [](const std::string&) {};   ///< an event
+  std::function<void(const std::string&)> phase = [](const std::string&) {};  ///< a line at each contact change
 };
 
-/// A world that goes on in real time, and the pages that look at it.
+/// A world that runs in real time, with the pages that show it.
 ///
-/// Where the machine is too slow, the world falls behind and says so; what it is behind beyond kMostBehind is let go,
-/// so that it never rushes after.
+/// If the machine is too slow, the world falls behind and reports it; a lag beyond kMostBehind is dropped, so it never
+/// runs faster to catch up.
 class LiveSession {
  public:
   static constexpr double kMostBehind = 0.5;  ///< [s]
   static constexpr double kPictures_hz = 60.0;
 
   /// World and server must outlive it.
-  /// @param spent_s  a clock that tells how long work takes [s]; the machine's where there is none.
+  /// @param spent_s  a clock that measures the time of work [s]; default: the machine's.
   LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener, std::function<double()> spent_s = {});
 
-  /// What was to be done `wall_s` after the last call: messages, steps, a picture. What takes longer than a picture may
-  /// is gone on with at the next call.
-  /// @param wall_s  of the machine's clock [s].
+  /// Does the work that is due `wall_s` after the last call: messages, steps, a frame. Work beyond the time of a frame
+  /// continues at the next call.
+  /// @param wall_s  elapsed real time [s].
   void Turn(double wall_s);
-  /// In real time until `stop` says so.
+  /// Runs in real time until `stop` returns true.
   void Run(const std::function<bool()>& stop);
 
  private:
@@ -47,9 +47,9 @@ class LiveSession {
   LiveListener listener_;
   std::function<double()> spent_s_;
   LiveStatus status_;
-  double due_s_ = 0.0;         ///< what the world has still to go to be where the wall's clock is
-  double let_go_s_ = 0.0;      ///< of that, since it was said last
-  double unsaid_for_s_ = 0.0;  ///< for so long it was not said
+  double due_s_ = 0.0;         ///< simulated time that is still due
+  double let_go_s_ = 0.0;      ///< dropped part of it since the last report
+  double unsaid_for_s_ = 0.0;  ///< time since the last report
   int noted_ = 0;
   FootSet planned_stance_ = 0, touching_ = 0;
 };

@@ -151,7 +151,7 @@ std::optional<double> LiveWorld::wanted_heading_rad() const {
 }
 
 void LiveWorld::Ask(const WalkPace& pace) {
-  if (!may_walk()) return notes_.emplace_back("walks once it stands up"), void();
+  if (!may_walk()) return notes_.emplace_back("will walk when it stands"), void();
   if (!pace.stands()) {
     const bool keeps_heading = wanted_ && pace.yaw_rate_rad_s == 0.0;
     wanted_ = {pace, keeps_heading ? wanted_->heading_rad : std::nullopt};
@@ -165,13 +165,13 @@ void LiveWorld::Ask(const WalkPace& pace) {
 
 void LiveWorld::AskHeading(double heading_rad) {
   if (mode_ != LiveMode::kWalks || stream_.stops()) {
-    notes_.emplace_back("turns to a heading while it walks");
+    notes_.emplace_back("can turn to a heading only while it walks");
     return;
   }
   WalkPace straight = wanted_ ? wanted_->pace : stream_.pace();
   straight.yaw_rate_rad_s = 0.0;
   if (straight.stands()) {
-    notes_.emplace_back("turns to a heading while it walks ahead or aside, not on the spot");
+    notes_.emplace_back("can turn to a heading only while it walks forward or sideways, not on the spot");
     return;
   }
   wanted_ = {straight, heading_rad};
@@ -256,7 +256,7 @@ bool LiveWorld::StandsToWalk() {
   const VectorX& q = world_->q();
   const VectorX& stands = stream_.plan().whole_body.q.front();
   if ((q - stands).tail(n).lpNorm<Eigen::Infinity>() > kUpright) {
-    notes_.emplace_back("walks once it stands up");
+    notes_.emplace_back("will walk when it stands");
     return wanted_.reset(), false;
   }
   const Pose X = PoseOf(BaseInPlan(q)) * PoseOf(BaseInPlan(stands)).inverse();
@@ -339,9 +339,9 @@ Pose LiveWorld::ground_tilt() const { return GroundTilt(first_.plan.terrain, pla
 void LiveWorld::PutInPose(const VectorX& q) {
   constexpr double kFarthest = 100.0;  // [m]
   if (q.size() != model_.nq() || !q.allFinite())
-    throw InvalidArgument(fmt::format("a posture has {} numbers, {} are needed", q.size(), model_.nq()));
+    throw InvalidArgument(fmt::format("a posture has {} numbers; {} are needed", q.size(), model_.nq()));
   if ((q.head<3>() - world_->q().head<3>()).norm() > kFarthest)
-    throw InvalidArgument(fmt::format("the base is put {} m away at most", kFarthest));
+    throw InvalidArgument(fmt::format("the base can be moved by at most {} m", kFarthest));
   VectorX level = q;
   level.head<2>() = ground_from_;
   std::unique_ptr<World> posed = MakeWorld(model_, first_.plan.terrain, level, play_.play.world);

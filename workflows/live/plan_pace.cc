@@ -106,7 +106,7 @@ Result<PacePlan> PlanAtHeight(const RobotModel& model, const PaceChange& change,
   return Failure{FailureKind::kInfeasible,
                  FailureCode::kNotSteady,
                  "PlanPace",
-                 fmt::format("{} at {:.4g} m/s does not come to repeat itself", change.to.gait, change.to.speed_m_s),
+                 fmt::format("{} at {:.4g} m/s does not reach a periodic motion", change.to.gait, change.to.speed_m_s),
                  {"a slower pace"}};
 }
 
@@ -122,7 +122,7 @@ WalkPace UsualPace(const RobotModel& model, const GaitOptions& options) {
 
 std::string TextOf(const PaceChange& change) {
   std::string text = fmt::format("{} at {:.3g} m/s", change.to.gait, change.to.speed_m_s);
-  if (change.to.lateral_speed_m_s != 0.0) text += fmt::format(", {:.3g} m/s aside", change.to.lateral_speed_m_s);
+  if (change.to.lateral_speed_m_s != 0.0) text += fmt::format(", {:.3g} m/s lateral", change.to.lateral_speed_m_s);
   if (change.to.yaw_rate_rad_s != 0.0) text += fmt::format(", turning at {:.3g} rad/s", change.to.yaw_rate_rad_s);
   if (change.turn_rad != 0.0)
     text += fmt::format(", after a turn of {:.0f} degrees", change.turn_rad * 180.0 / std::numbers::pi);

@@ -52,8 +52,8 @@ Failure TooFarApart(const Seam& seam) {
   return {FailureKind::kInfeasible,
           FailureCode::kMisfit,
           "WalkStream",
-          fmt::format("that pace needs another posture ({:.3g} m higher or lower, joints by up to {:.3g}) than can be "
-                      "gone over to while walking",
+          fmt::format("this speed needs a posture ({:.3g} m higher or lower, joints different by up to {:.3g}) that "
+                      "cannot be reached while walking",
                       seam.height_m, seam.joints),
           {"stop first"}};
 }
@@ -62,7 +62,7 @@ Failure NotFromHere() {
   return {FailureKind::kBadInput,
           FailureCode::kMisfit,
           "WalkStream",
-          "the plan does not begin with what the robot does now",
+          "the plan does not start from the robot's present motion",
           {}};
 }
 
@@ -156,7 +156,7 @@ bool WalkStream::GoOn(double until_s) {
   if (stops() || steady_.end_s() >= until_s - kTime) return false;
   while (steady_.end_s() < until_s - kTime) {
     Result<MotionPlan> joined = JoinedPlans(plan_, steady_.end_s(), source_->plan, source_->stretch.start_s);
-    if (!joined) throw std::logic_error("a steady stretch does not meet itself: " + joined.failure().message);
+    if (!joined) throw std::logic_error("a steady part is not periodic: " + joined.failure().message);
     plan_ = std::move(*joined);
     steady_.cycles += source_->stretch.cycles;
   }

@@ -10,39 +10,39 @@
 
 namespace gaitwright {
 
-/// The name of the gait of standing still.
+/// Name of the gait for standing still.
 inline constexpr char kStanding[] = "stand";
 
-/// How the robot is to go on, until it is told otherwise.
+/// A commanded pace, which stays until the next command.
 struct WalkPace {
-  std::string gait;                                                       ///< as FindGait takes it, or kStanding
-  double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand, but for 0 of all
+  std::string gait;                                                       ///< as for FindGait, or kStanding
+  double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand; all 0 means standing
 
-  /// A walk that goes nowhere is none: a command of that would be one at the robot's own speed.
+  /// Zero speeds count as standing, because a WalkCommand with zero speeds means the robot's default speed.
   bool stands() const {
     return gait == kStanding || (speed_m_s == 0.0 && lateral_speed_m_s == 0.0 && yaw_rate_rad_s == 0.0);
   }
   bool operator==(const WalkPace&) const = default;
 };
 
-/// The robot's own speed, in the gait that it has for that.
+/// The robot's default speed, with its default gait.
 WalkPace UsualPace(const RobotModel& model, const GaitOptions& options);
 
-/// A plan with a stretch of one pace that can be walked for ever, on the way from another pace to rest.
+/// A plan with a periodic stretch of one pace, between another pace and rest.
 struct PacePlan {
   MotionPlan plan;
-  std::optional<SteadyStretch> before;  ///< of the pace that it comes from; nothing where that is standing
-  SteadyStretch stretch;                ///< of its own
+  std::optional<SteadyStretch> before;  ///< of the previous pace; nothing if that was standing
+  SteadyStretch stretch;                ///< of this pace
 };
 
-/// From one pace to another, with a turn between.
+/// A change from one pace to another, with a turn in between.
 struct PaceChange {
   WalkPace from, to;
   double turn_rad = 0.0;
-  double com_height_m = 0.0;  ///< as of PipelineOptions; 0 for what serves
+  double com_height_m = 0.0;  ///< as of PipelineOptions; 0 for an automatic choice
 };
 
-/// A pace to go over to, in words, such as "trot at 0.3 m/s, turning at 0.4 rad/s".
+/// A pace in words, such as "trot at 0.3 m/s, turning at 0.4 rad/s".
 std::string TextOf(const PaceChange& change);
 
 /// Plans a walk that goes over from one pace into another at the height given, or where that does not serve at another,

@@ -178,11 +178,11 @@ Result<std::unique_ptr<Chromium>> Chromium::Start(const ChromiumOptions& options
     return Failure{FailureKind::kBadInput,
                    FailureCode::kNoBrowser,
                    kChromiumStage,
-                   "pictures are made by Chromium, and none is installed",
+                   "pictures need Chromium, which is not installed",
                    {"on Debian: apt-get install chromium", "GAITWRIGHT_CHROMIUM=/path/to/chromium"}};
   }
   auto profile = std::make_unique<TemporaryFolder>();
-  if (!profile->there()) return Refused("no temporary folder can be made");
+  if (!profile->there()) return Refused("no temporary folder can be created");
   Result<DevtoolsPipe> started = DevtoolsPipe::Start(program, ArgumentsOf(profile->path()));
   if (!started) return started.failure();
   auto pipe = std::make_unique<Pipe>(std::move(*started), std::move(profile), options.timeout_s);

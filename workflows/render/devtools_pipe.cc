@@ -77,7 +77,7 @@ void WaitForEnd(pid_t process) {
 
 Result<DevtoolsPipe> DevtoolsPipe::Start(const std::string& program, const std::vector<std::string>& arguments) {
   std::array<int, 2> commands{}, answers{};
-  if (!MakePair(commands) || !MakePair(answers)) return Broken("could not be given pipes");
+  if (!MakePair(commands) || !MakePair(answers)) return Broken("could not be connected by pipes");
   DevtoolsPipe pipe;
   const int error = Spawn(program, arguments, commands[0], answers[1], pipe.process_);
   close(commands[0]);
@@ -128,12 +128,12 @@ Result<nlohmann::ordered_json> DevtoolsPipe::Receive(double timeout_s) {
     if (const std::size_t end = buffer_.find('\0', searched); end != std::string::npos) {
       nlohmann::ordered_json message = nlohmann::ordered_json::parse(buffer_.substr(0, end), nullptr, false);
       buffer_.erase(0, end + 1);
-      if (message.is_discarded()) return Broken("sent what is no JSON");
+      if (message.is_discarded()) return Broken("sent data that is not JSON");
       return message;
     }
     searched = buffer_.size();
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) return Broken(fmt::format("gave no answer within {:.0f} s", timeout_s));
+    if (left <= 0) return Broken(fmt::format("did not answer within {:.0f} s", timeout_s));
     pollfd watch{from_, POLLIN, 0};
     const int ready = poll(&watch, 1, static_cast<int>(left));
     if (ready <= 0) continue;

@@ -11,19 +11,19 @@
 
 namespace gaitwright {
 
-/// The process at the other end of a pair of pipes that carry messages of JSON, each ended by a byte 0.
+/// A process connected by a pair of pipes that carry JSON messages, each ended by a byte 0.
 class DevtoolsPipe {
  public:
   /// Starts the program with its descriptors 3 (it reads) and 4 (it writes). Failure: it cannot be started.
   static Result<DevtoolsPipe> Start(const std::string& program, const std::vector<std::string>& arguments);
-  /// The process is ended, and waited for.
+  /// Ends the process and waits for it.
   ~DevtoolsPipe();
   DevtoolsPipe(DevtoolsPipe&& other) noexcept;
   DevtoolsPipe& operator=(DevtoolsPipe&&) = delete;
 
-  /// Sends a message. Failure: nobody reads any more.
+  /// Sends a message. Failure: the process no longer reads.
   Result<int> Send(const nlohmann::ordered_json& message);
-  /// The next message. Failure: none came in time, the process has ended, or it sent no JSON.
+  /// The next message. Failure: timeout, the process has ended, or it sent data that is not JSON.
   Result<nlohmann::ordered_json> Receive(double timeout_s);
 
  private:

@@ -107,13 +107,13 @@ void AddSigns(const Vector2& at_px, double width_px, DrawnTable& table) {
 std::string NameOfJoint(const RobotModel& model, const Joint& joint) {
   if (joint.is_mimic)
     return fmt::format("{} (follows {})", joint.name, model.dof_joint[static_cast<std::size_t>(joint.dof)] + 1);
-  return joint.name + (joint.is_prismatic() ? " (slides)" : "");
+  return joint.name + (joint.is_prismatic() ? " (prismatic)" : "");
 }
 
 void AddJoints(const RobotModel& model, const DynamicsScratch& scratch, const Vector2& at_px, double width_px,
                DrawnTable& table) {
   constexpr double kNumberWide = 28.0, kBetween = 12.0, kWidestName = 250.0;
-  AddHeading("Joints: number, name, axis as it stands", at_px, table);
+  AddHeading("Joints: number, name, axis in the standing posture", at_px, table);
   const std::size_t n = model.joints.size();
   double name_wide = 0.0, axis_wide = 0.0;
   for (std::size_t j = 0; j < n; ++j) {

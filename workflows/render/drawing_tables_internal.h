@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// What stands beside or below the views of a robot's drawing: a part of an SVG, and how high it is.
+/// Tables beside or below the views of a robot's drawing: a part of an SVG, and its height.
 struct DrawnTable {
   std::string svg;
   double height_px = 0.0;

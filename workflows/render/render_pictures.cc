@@ -30,7 +30,7 @@ void CheckOptions(const PictureOptions& options) {
   };
   within("the width in pixels", options.width_px, 64, 7680);
   within("the height in pixels", options.height_px, 64, 4320);
-  within("the number of pictures a second", options.frames_per_s, 1, 120);
+  within("the number of frames per second", options.frames_per_s, 1, 120);
   within("the speed", options.speed, 0.01, 100);
   const auto known = [](const char* what, const std::string& name, const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
@@ -39,7 +39,7 @@ void CheckOptions(const PictureOptions& options) {
   known("view", options.view, ViewNames());
   for (const std::string& name : options.hidden) known("overlay", name, OverlayNames());
   if (!(options.from_s < options.to_s))
-    throw InvalidArgument(fmt::format("a motion from {} to {} s has no time", options.from_s, options.to_s));
+    throw InvalidArgument(fmt::format("the time range from {} to {} s is empty", options.from_s, options.to_s));
 }
 
 /// The page in a browser, laid out as a picture.
@@ -47,7 +47,7 @@ class Studio {
  public:
   static Result<Studio> Open(const std::string& page, const PictureOptions& options) {
     Studio studio;
-    if (!studio.folder_->there()) return Failed(FailureCode::kNoFolder, "no temporary folder can be made");
+    if (!studio.folder_->there()) return Failed(FailureCode::kNoFolder, "no temporary folder can be created");
     const std::string file = studio.folder_->In("page.html");
     const auto written = WriteFileAtomically(file, page);
     if (!written) return written.failure();
@@ -86,7 +86,7 @@ class Studio {
     if (!answer) return answer;
     const auto json = nlohmann::ordered_json::parse(*answer);
     if (json.value("stages", 0) == 0)
-      return Failed(FailureCode::kNo3d, "this Chromium has no WebGL, which 3D pictures need");
+      return Failed(FailureCode::kNo3d, "3D pictures need WebGL, which this Chromium does not have");
     start_s_ = std::max(json.value("start", 0.0), options.from_s);
     end_s_ = std::min(json.value("end", 0.0), options.to_s);
     return answer;
@@ -136,18 +136,19 @@ Result<std::string> RenderFilm(const std::string& page, FilmFormat format, const
   CheckOptions(options);
   const std::string ffmpeg = FindProgram({"ffmpeg"});
   if (ffmpeg.empty()) {
-    return Failed(FailureCode::kNoFfmpeg, "moving pictures are put together by ffmpeg, and it is not installed",
-                  {"on Debian: apt-get install ffmpeg", "--png FILE makes a still picture without it"});
+    return Failed(FailureCode::kNoFfmpeg, "films need ffmpeg, which is not installed",
+                  {"on Debian: apt-get install ffmpeg", "use --png FILE for a still picture without ffmpeg"});
   }
   Result<Studio> studio = Studio::Open(page, options);
   if (!studio) return studio.failure();
   const double span_s = studio->end_s() - studio->start_s(), step_s = options.speed / options.frames_per_s;
   if (!(span_s > 0.0))
     return Failed(FailureCode::kNoTime,
-                  fmt::format("the motion has nothing between {} and {} s", options.from_s, options.to_s));
+                  fmt::format("the motion has no frames between {} and {} s", options.from_s, options.to_s));
   const int frames = static_cast<int>(std::min(std::floor(span_s / step_s + 1e-9), 1e6)) + 1;
   if (frames > kMostFrames)
-    return Failed(FailureCode::kTooLong, fmt::format("{} pictures are too many, {} is the most", frames, kMostFrames),
+    return Failed(FailureCode::kTooLong,
+                  fmt::format("{} pictures are too many; at most {} are accepted", frames, kMostFrames),
                   {"--from-s, --to-s, --speed, --fps"});
   for (int k = 0; k < frames; ++k) {
     const Result<std::string> png = studio->PictureAt(studio->start_s() + k * step_s);

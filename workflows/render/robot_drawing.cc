@@ -181,8 +181,7 @@ std::string StandsText(const DrawnRobot& robot) {
   }
   const Polygon support = ConvexHull(points);
   std::string text = fmt::format(
-      "{:.2f} kg, {} driven joints, {} feet; centre of mass at x {:.3f}, y {:.3f}, "
-      "z {:.3f} m over the ground",
+      "{:.2f} kg, {} driven joints, {} feet; centre of mass at x {:.3f}, y {:.3f}, z {:.3f} m above the ground",
       robot.model.total_mass_kg, robot.model.num_dofs(), robot.model.legs.size(), RoundedToMm(robot.p_WC.x()),
       RoundedToMm(robot.p_WC.y()), robot.p_WC.z());
   if (support.size() < 3)

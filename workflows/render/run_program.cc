@@ -52,7 +52,7 @@ std::string FindProgram(const std::vector<std::string>& names) {
 
 Result<std::string> RunProgram(const std::string& program, const std::vector<std::string>& arguments) {
   std::array<int, 2> words{};
-  if (pipe2(words.data(), O_CLOEXEC) != 0) return Failed(fmt::format("'{}' can be given no pipe", program));
+  if (pipe2(words.data(), O_CLOEXEC) != 0) return Failed(fmt::format("'{}' cannot be connected by a pipe", program));
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -73,7 +73,7 @@ Result<std::string> RunProgram(const std::string& program, const std::vector<std
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return said;
   const std::string end = said.size() > kMostWords ? said.substr(said.size() - kMostWords) : said;
-  return Failed(fmt::format("'{}' failed: {}", program, end.empty() ? "it said nothing" : end));
+  return Failed(fmt::format("'{}' failed: {}", program, end.empty() ? "it printed nothing" : end));
 }
 
 }  // namespace gaitwright

@@ -8,11 +8,11 @@
 
 namespace gaitwright {
 
-/// The path of the first of these programs that is on PATH, in their order; "" where none is.
+/// The path of the first of these programs on PATH, in this order; "" if there is none.
 std::string FindProgram(const std::vector<std::string>& names);
 
-/// Runs a program, without a shell, until it ends. @return what it wrote to its standard error. Failure: it cannot be
-/// started, or ended with another status than 0; the message has the end of what it wrote.
+/// Runs a program, without a shell, until it ends. @return its standard error output. Failure: it cannot be started, or
+/// ended with a status other than 0; the message contains the end of its output.
 Result<std::string> RunProgram(const std::string& program, const std::vector<std::string>& arguments);
 
 }  // namespace gaitwright

@@ -13,12 +13,13 @@ Result<std::string> SvgToPdf(const std::string& svg) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kNoRsvg,
                    "SvgToPdf",
-                   "PDF is made by rsvg-convert, and it is not installed",
-                   {"on Debian: apt-get install librsvg2-bin", "a figure as .svg needs nothing"}};
+                   "PDF needs rsvg-convert, which is not installed",
+                   {"on Debian: apt-get install librsvg2-bin", "use .svg, which needs no other program"}};
   }
   const TemporaryFolder folder;
   if (!folder.there())
-    return Failure{FailureKind::kBadInput, FailureCode::kNoFolder, "SvgToPdf", "no temporary folder can be made", {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kNoFolder, "SvgToPdf", "no temporary folder can be created", {}};
   const auto written = WriteFileAtomically(folder.In("figure.svg"), svg);
   if (!written) return written;
   const auto made =

@@ -10,7 +10,8 @@ namespace gaitwright {
 Result<std::string> SvgToPng(const SvgDrawing& drawing) {
   const TemporaryFolder folder;
   if (!folder.there())
-    return Failure{FailureKind::kBadInput, FailureCode::kNoFolder, "SvgToPng", "no temporary folder can be made", {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kNoFolder, "SvgToPng", "no temporary folder can be created", {}};
   const std::string file = folder.In("drawing.html");
   const auto written = WriteFileAtomically(
       file, "<!doctype html><meta charset=\"utf-8\"><body style=\"margin:0\">" + drawing.svg + "</body>");

@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// A folder of its own below the system's temporary one, which goes with it.
+/// A new folder below the system's temporary one, deleted with this object.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "gaitwright-XXXXXX").string()) {
@@ -20,7 +20,7 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  /// Whether it could be made.
+  /// Whether it was created.
   bool there() const { return !path_.empty(); }
   const std::string& path() const { return path_; }
   std::string In(const std::string& name) const { return (std::filesystem::path(path_) / name).string(); }

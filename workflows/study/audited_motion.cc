@@ -76,7 +76,7 @@ class Refiner {
       return true;
     }
     if (Halve()) return true;
-    motion_.refusal = "breaks half as far apart once more would not help";
+    motion_.refusal = "halving the node spacing again would not help";
     return false;
   }
 

@@ -10,23 +10,22 @@
 
 namespace gaitwright {
 
-/// A motion with what its audit says.
+/// A motion with the result of its audit.
 struct AuditedMotion {
-  ChosenFootholds choice;  ///< with the swings that had to be planned along
+  ChosenFootholds choice;  ///< including swings that were planned together with it
   RigidBodyPlan plan;
-  AuditReport first = {};    ///< of the motion that was given
+  AuditReport first = {};    ///< of the given motion
   AuditReport report = {};   ///< of this one
-  std::string refusal = {};  ///< why nothing was left to be done though the audit fails; empty where it passes
-  int swings_planned = 0;    ///< rounds in which swings were planned along
-  int halvings = 0;          ///< rounds in which breaks were put half as far apart
-  int changes = 0;           ///< rounds in which stances took other patches
+  std::string refusal = {};  ///< why no further repair was possible although the audit fails; empty if it passes
+  int swings_planned = 0;    ///< rounds in which swings were planned together with the body
+  int halvings = 0;          ///< rounds in which the node spacing was halved
+  int changes = 0;           ///< rounds in which stances were moved to other patches
 };
 
-/// Has a motion audited as the plan of a robot (rigid_body_plan.h), and plans it anew until it passes: with breaks half
-/// as far apart; where feet in the air go out of their workspaces, with swings that are planned along with it, within
-/// reach and beyond planes between them and what is solid (RigidSwing, swing_planes.h); where no such motion is found,
-/// with other patches for stances that are in trouble. Up to `most_rounds` times; 0 to have it audited only. Failures
-/// as those of RigidBodyMotionPlan.
+/// Audits a motion as the plan of a robot (rigid_body_plan.h) and plans it again until it passes: with half the node
+/// spacing; if swing feet leave their workspaces, with swings planned together with the body, within reach and
+/// separated from solids by planes (RigidSwing, swing_planes.h); if no such motion is found, with other patches for the
+/// violated stances. At most `most_rounds` times; 0 only audits. Failures as of RigidBodyMotionPlan.
 Result<AuditedMotion> RefineByAudit(const Terrain& ground, const PlanOverPatches& plan, RigidBodyOptions options,
                                     int most_rounds);
 

@@ -24,7 +24,7 @@ double StudentQuantile(double degrees) {
 
 void CheckPairs(const char* of, const std::vector<double>& before, const std::vector<double>& after) {
   if (before.size() == after.size() && before.size() >= 6) return;
-  throw InvalidArgument(fmt::format("{}: {} values before and {} after; as many of both, six or more, are accepted", of,
+  throw InvalidArgument(fmt::format("{}: {} values before and {} after; equal numbers, six or more, are needed", of,
                                     before.size(), after.size()));
 }
 
@@ -83,13 +83,13 @@ Result<CandidateWorth> WorthFromLine(const std::string& line) {
     const bool scored = std::all_of(worth.trials.begin(), worth.trials.end(),
                                     [](const TrialWorth& trial) { return trial.score >= 0.0 && trial.score <= 100.0; });
     if (!scored || (!worth.refusal.empty() && !worth.trials.empty()))
-      throw InvalidArgument("its trials are not those of a candidate");
+      throw InvalidArgument("its trials do not belong to a candidate");
     return worth;
   } catch (const std::exception& error) {  // of the reader of JSON
     return Failure{FailureKind::kBadInput,
                    FailureCode::kJournalLine,
                    "WorthFromLine",
-                   fmt::format("a line of the journal is no candidate: {}", error.what()),
+                   fmt::format("a line of the journal is not a candidate: {}", error.what()),
                    {}};
   }
 }

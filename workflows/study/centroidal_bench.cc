@@ -186,7 +186,7 @@ std::string AuditTable(const std::vector<CentroidalOutcome>& outcomes) {
     if (pass == 1) continue;
     table += "         " + AuditText(o.audit->report);
     if (!o.audit->refusal.empty()) table += "         " + o.audit->refusal + "\n";
-    if (o.audit->eased) table += fmt::format("         passes when eased to {}\n", HowEased(*o.audit->eased));
+    if (o.audit->eased) table += fmt::format("         passes if eased to {}\n", HowEased(*o.audit->eased));
     mended += o.audit->eased ? 1 : 0;
   }
   if (cpu_ms.empty()) return "";
@@ -194,9 +194,8 @@ std::string AuditTable(const std::vector<CentroidalOutcome>& outcomes) {
                      "audit as planned", "swings", "breaks", "CPU ms") +
          table +
          fmt::format(
-             "{} of {} motions as asked for pass their audit in the end, {} of {} eased ones, {} more when eased for "
-             "it; "
-             "{} of all as planned; median CPU {:.0f} ms\n",
+             "{} of {} original motions pass their audit in the end, {} of {} eased ones, {} more if eased for it; {} "
+             "of all as first planned; median CPU {:.0f} ms\n",
              asked_pass, asked, eased_pass, eased, mended, first_pass, Median(cpu_ms));
 }
 
@@ -230,14 +229,13 @@ std::string TimingTable(const std::vector<CentroidalOutcome>& outcomes) {
     much += t.Fall() >= kMuch ? 1 : 0;
   }
   if (without > 0)
-    table +=
-        fmt::format("{} of {} cases without a motion at the times asked for have one at others\n", mended, without);
+    table += fmt::format("{} of {} cases that are infeasible with the given timing are feasible with another\n", mended,
+                         without);
   if (tried == 0) return without > 0 ? table : "";
-  return table +
-         fmt::format(
-             "{} of {} timed motions keep all laws; the cost falls by {:.1f} % in the median and by {:.0f} % or "
-             "more in {}; median CPU {:.1f} ms\n",
-             kept, tried, 100.0 * Median(falls), 100.0 * kMuch, much, Median(cpu_ms));
+  return table + fmt::format(
+                     "{} of {} timed motions satisfy all constraints; the cost falls by {:.1f} % in the median and by "
+                     "{:.0f} % or more in {}; median CPU {:.1f} ms\n",
+                     kept, tried, 100.0 * Median(falls), 100.0 * kMuch, much, Median(cpu_ms));
 }
 
 /// What the audit says of a motion of a task.
@@ -323,12 +321,12 @@ std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes) {
         fmt::format("{:<8} {:<18} {:<10} {:<16} {:>5} {:>5} {:>7.1f} {:>8.1e} {:>8.1e} {:>8.1e} {:>8.1e} {:>6.0f}\n",
                     o.robot, o.schedule, o.ground, how, o.variables, o.iterations, o.cpu_ms, o.node_violation,
                     o.between.Largest(), ForceFaults(o.between), FootFaults(o.between), o.peak_memory_mb);
-    if (!o.reason.empty()) table += fmt::format("         as asked for: {}\n", o.reason);
+    if (!o.reason.empty()) table += fmt::format("         original task: {}\n", o.reason);
     solved += o.solved && !o.eased ? 1 : 0;
     eased += o.eased ? 1 : 0;
     if (o.solved && !o.eased) cpu_ms.push_back(o.cpu_ms);
   }
-  table += fmt::format("{} of {} cases solved as asked for, {} more when eased; median CPU of those solved {:.1f} ms\n",
+  table += fmt::format("{} of {} cases solved as given, {} more if eased; median CPU of solved cases {:.1f} ms\n",
                        solved, outcomes.size(), eased, Median(cpu_ms));
   return table + AuditTable(outcomes) + TimingTable(outcomes);
 }

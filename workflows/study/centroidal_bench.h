@@ -12,80 +12,80 @@
 
 namespace gaitwright {
 
-/// A robot's schedule on a ground, by their numbers in a set.
+/// A robot's schedule on a ground, by their indices in a set.
 struct CentroidalCase {
   std::size_t robot = 0, schedule = 0, ground = 0;
 };
 
-/// How the times of contacts were made better.
+/// Result of optimising the contact times.
 struct TimingOutcome {
-  std::string refusal;  ///< why there was nothing to be done; empty where there was
-  bool keeps = false;   ///< all laws, at 1 kHz too
-  bool mended = false;  ///< what has no motion at the times that are asked for
+  std::string refusal;  ///< why no timing was found; empty if one was
+  bool keeps = false;   ///< satisfies all constraints, also when checked at 1 kHz
+  bool mended = false;  ///< the given timing was infeasible
   double cost_before = 0.0, cost = 0.0;
   double duration_s = 0.0;
   int steps = 0, solves = 0;
-  double cpu_ms = 0.0;          ///< beyond that of the first motion
+  double cpu_ms = 0.0;          ///< in addition to that of the first motion
   double node_violation = 0.0;  ///< as in CentroidalOutcome
   RigidBodyFaults between;
 
-  /// By how much of what it was the cost fell.
+  /// Relative decrease of the cost.
   double Fall() const { return cost_before > 0.0 ? 1.0 - cost / cost_before : 0.0; }
 };
 
-/// What the audit says of the motion of a case.
+/// Audit result of the motion of a case.
 struct AuditOutcome {
-  CentroidalTask task;                                ///< whose motion it was
-  std::string refusal;                                ///< why there is no plan to be audited; empty where there is
-  AuditReport first;                                  ///< of the motion as it was planned
-  AuditReport report;                                 ///< of the last one
+  CentroidalTask task;                                ///< task of the motion
+  std::string refusal;                                ///< why there is no plan to audit; empty if there is one
+  AuditReport first;                                  ///< of the motion as first planned
+  AuditReport report;                                 ///< of the last motion
   int swings_planned = 0, halvings = 0, changes = 0;  ///< rounds until then (AuditedMotion)
-  double cpu_ms = 0.0;                                ///< of all audits, and of planning anew
-  /// Where no motion of the task passes: a task that it was eased to of which one does, and what the audit says of it.
+  double cpu_ms = 0.0;                                ///< of all audits and repeated planning
+  /// If no motion of the task passes: an eased task that has one, with its audit.
   std::optional<CentroidalTask> eased = {};
   AuditReport eased_report = {};
 
   bool pass() const { return report.samples > 0 && report.pass(); }
 };
 
-/// How a case went.
+/// Outcome of a case.
 struct CentroidalOutcome {
   std::string robot, schedule, ground;
-  CentroidalTask task;  ///< what was asked for, or what it was eased to
+  CentroidalTask task;  ///< the original task, or the eased one
   bool solved = false, eased = false;
-  std::string reason;  ///< why it was not solved as it was asked for; empty where it was
+  std::string reason;  ///< why the original task was not solved; empty if it was
   int variables = 0, constraints = 0;
   int iterations = 0;   ///< over all choices of patches
-  int choices = 0;      ///< of patches that were planned for
-  double cpu_ms = 0.0;  ///< of choosing footholds and planning, as asked for
+  int choices = 0;      ///< of patches that were tried
+  double cpu_ms = 0.0;  ///< of choosing footholds and planning for the original task
   double cost = 0.0;
-  double node_violation = 0.0;          ///< largest of a constraint, in m, rad, rad/s and m g
+  double node_violation = 0.0;          ///< largest constraint violation, in m, rad, rad/s and m g
   RigidBodyFaults between;              ///< at 1 kHz
   double peak_memory_mb = 0.0;          ///< of the process so far
-  std::optional<TimingOutcome> timing;  ///< where it was asked for and there is a motion
-  std::optional<AuditOutcome> audit;    ///< likewise; of the motion before its times were made better
+  std::optional<TimingOutcome> timing;  ///< if requested and there is a motion
+  std::optional<AuditOutcome> audit;    ///< if requested; of the motion before its timing was optimised
 };
 
-/// All cases of a set whose name, "robot-schedule-ground" such as "hyq-1-gap", holds `filter`.
+/// All cases of a set whose name, "robot-schedule-ground" such as "hyq-1-gap", contains `filter`.
 std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::string& filter = "");
 
-/// What is done with a case besides planning it as asked for.
+/// Further work on a case, in addition to planning the original task.
 struct CaseChoices {
-  bool ease = false;                         ///< where it has no motion
-  std::optional<TimingOptions> timing = {};  ///< find better times
-  bool audit = false;                        ///< have the motion audited as a plan of a robot
+  bool ease = false;                         ///< if it has no motion
+  std::optional<TimingOptions> timing = {};  ///< optimise the contact times
+  bool audit = false;                        ///< audit the motion as a robot's plan
 };
 
-/// Plans over the ground. A case that has no motion as it is asked for is eased where `ease` is set, until it has one:
-/// to a goal up to 0.1 m higher or lower where feet reach no ground from the one asked for; then half as long again,
-/// twice and three times as long; with a friction of 0.8, of 1.0, and of 1.2 times and twice what holds a body at rest
-/// at the goal; at last to a goal less far away. A motion that is found is then given times that suit it better, if
-/// `timing` is given; where laws stay unmet as asked for, other times are tried before it is eased. Where it is audited
-/// and none passes, it is eased on, if that is asked for, until one does.
+/// Plans over the ground. If `ease` is set, an infeasible case is eased until it has a motion: with a goal up to 0.1 m
+/// higher or lower if feet reach no ground from the original goal; then with 1.5, 2 and 3 times the duration; with a
+/// friction of 0.8, of 1.0, and of 1.2 and 2 times the value that holds a body at rest at the goal; at last with a
+/// closer goal. If `timing` is given, the contact times of a motion are then optimised; if constraints stay violated
+/// with the given times, other times are tried before easing. If it is audited and no motion passes, it is eased
+/// further, if requested, until one does.
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
                           const RigidBodyOptions& options, const CaseChoices& choices = {});
 
-/// The outcomes as a table for people, and what they come to; with a second one where times were variables.
+/// The outcomes as a text table with a summary; with a second table if the timing was optimised.
 std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes);
 
 }  // namespace gaitwright

@@ -23,8 +23,9 @@ Matrix3 ToInertia(const JsonPart& part) {
   const Matrix3 inertia = SymmetricMatrix(at("xx"), at("xy"), at("xz"), at("yy"), at("yz"), at("zz"));
   const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments[0] > 0.0) || moments[0] + moments[1] < (1.0 - 1e-6) * moments[2])
-    part.Refuse(fmt::format("has principal moments of {:.4g}, {:.4g} and {:.4g} kg m^2, which no body has", moments[0],
-                            moments[1], moments[2]));
+    part.Refuse(
+        fmt::format("has principal moments of {:.4g}, {:.4g} and {:.4g} kg m^2, which violate the triangle inequality",
+                    moments[0], moments[1], moments[2]));
   return inertia;
 }
 
@@ -36,7 +37,7 @@ CentroidalSchedule ToSchedule(const JsonPart& part, std::size_t feet) {
     for (const JsonPart& duration : foot.List()) duration.NumberIn(kSmallestPositive, kLargestNumber);
   }
   if (schedule.phase_durations_s.size() != feet)
-    throw InvalidArgument(fmt::format("schedule '{}' is not one of {} feet", schedule.name, feet));
+    throw InvalidArgument(fmt::format("schedule '{}' is not for {} feet", schedule.name, feet));
   return schedule;
 }
 
@@ -45,7 +46,7 @@ CentroidalRobot ToRobot(const JsonPart& part, double force_max_n, const JsonPart
   robot.mass_kg = part.At("mass_kg").NumberIn(kSmallestPositive, kLargestNumber);
   robot.inertia_B = ToInertia(part.At("inertia_kg_m2"));
   const VectorX half = part.At("reach_box_half_m").Vector(3);
-  if (!(half.minCoeff() > 0.0)) part.At("reach_box_half_m").Refuse("has a side that is not over 0");
+  if (!(half.minCoeff() > 0.0)) part.At("reach_box_half_m").Refuse("has a side that is not above 0");
   for (const JsonPart& place : part.At("nominal_stance_m").List()) {
     RigidFoot foot;
     foot.p_CF_nominal_B = place.Vector(3);
@@ -73,7 +74,7 @@ Terrain ToGround(const std::string& name, const JsonPart& patches, double fricti
 
 /// The members of an object, by name.
 std::vector<std::pair<std::string, JsonPart>> Members(const JsonPart& part) {
-  if (!part.json().is_object()) part.Refuse("is no object");
+  if (!part.json().is_object()) part.Refuse("is not an object");
   std::vector<std::pair<std::string, JsonPart>> members;
   for (const auto& [name, value] : part.json().items()) members.emplace_back(name, part.At(name));
   return members;
@@ -104,7 +105,7 @@ Result<CentroidalProblemSet> LoadCentroidalProblems(const std::string& path) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kBadProblemSet,
                    "LoadCentroidalProblems",
-                   fmt::format("'{}' is no set of problems: {}", path, e.what()),
+                   fmt::format("'{}' is not a set of problems: {}", path, e.what()),
                    {"see tests/benchmarks/centroidal_problems.json"}};
   }
 }

@@ -11,7 +11,7 @@
 
 namespace gaitwright {
 
-/// A schedule of contact of a problem set: durations of contact and of swing in turn, by foot; all start in contact.
+/// A contact schedule of a problem set: alternating durations of contact and swing for each foot; all start in contact.
 struct CentroidalSchedule {
   std::string name;
   std::vector<std::vector<double>> phase_durations_s;
@@ -25,33 +25,34 @@ struct CentroidalRobot {
   std::vector<CentroidalSchedule> schedules;
 };
 
-/// A set of problems for single rigid bodies: each robot by each of its schedules on each ground.
+/// A set of problems for single rigid bodies: every combination of robot, schedule of the robot, and ground.
 struct CentroidalProblemSet {
   std::vector<std::pair<std::string, CentroidalRobot>> robots;  ///< by name, in the order of the file
   std::vector<Terrain> grounds;
   double distance_m = 1.0, duration_s = 1.0, friction = 0.5;
 };
 
-/// How far, how fast and how rough: what is asked of every case.
+/// Distance, duration and ground of every case.
 struct CentroidalTask {
   double distance_m = 1.0, duration_s = 1.0, friction = 0.5;
-  double higher_m = 0.0;  ///< the goal, than where it is as high over the ground as the start
+  double higher_m = 0.0;  ///< extra height of the goal, relative to the start's height above the ground
 
   bool operator==(const CentroidalTask&) const = default;
 };
 
-/// Reads a set from a JSON file. Failure kBadInput names the file and what is wrong with it.
+/// Reads a set from a JSON file. Failure kBadInput names the file and the error.
 Result<CentroidalProblemSet> LoadCentroidalProblems(const std::string& path);
 
-/// Where the set is that comes with the program.
+/// Path of the built-in set.
 std::string CentroidalProblemsPath();
 
-/// A robot at rest over its feet that is to be at rest `distance_m` ahead, as high over the ground there as it was, and
-/// higher_m more; its schedule is stretched to the duration. Feet are held at the start and not placed afterwards.
+/// A robot that starts at rest above its feet and must end at rest `distance_m` ahead, at its initial height above the
+/// ground plus higher_m; its schedule is stretched to the duration. Footholds are fixed at the start and free
+/// afterwards.
 RigidBodyProblem CentroidalProblem(const CentroidalRobot& robot, const CentroidalSchedule& schedule,
                                    const Terrain& ground, const CentroidalTask& task);
 
-/// The ground with its friction set.
+/// The ground with the friction replaced.
 Terrain WithFriction(Terrain ground, double friction);
 
 }  // namespace gaitwright

@@ -28,7 +28,7 @@ Failure Refused(const std::string& path, const std::string& why, const std::vect
   return {FailureKind::kBadInput, FailureCode::kSoFar, "JobJournal", fmt::format("'{}' {}", path, why), suggestions};
 }
 
-std::string Anew(const std::string& path) { return fmt::format("delete '{}' to begin anew", path); }
+std::string Anew(const std::string& path) { return fmt::format("delete '{}' to start again", path); }
 
 /// @return 0, or the error.
 int WriteAll(int file, std::string_view text) {
@@ -134,7 +134,7 @@ std::optional<Failure> JobJournal::Hold() {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return Refused(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
   if (::flock(file_, LOCK_EX | LOCK_NB) == 0 && IsAt(file_, path_)) return std::nullopt;
-  return Refused(path_, "is being written by another process", {"let that finish, or name another output"});
+  return Refused(path_, "is being written by another process", {"let it finish, or give another output"});
 }
 
 std::optional<Failure> JobJournal::Read(const std::string& head, bool resume) {
@@ -142,16 +142,17 @@ std::optional<Failure> JobJournal::Read(const std::string& head, bool resume) {
   const std::optional<std::string_view> first = reader.Next();
   const std::string_view begin = first ? *first : reader.rest();
   if (!begin.starts_with(kHead) && (first || !kHead.starts_with(begin)))
-    return Refused(path_, "is no journal of this program", {Anew(path_)});
+    return Refused(path_, "is not a journal of this program", {Anew(path_)});
   const bool same = begin == head;
   for (std::size_t number = 2; const std::optional<std::string_view> line = reader.Next(); ++number) {
-    if (!resume) return Refused(path_, "holds work that was not finished", {"--resume to go on with it", Anew(path_)});
+    if (!resume) return Refused(path_, "contains unfinished work", {"use --resume to continue it", Anew(path_)});
     if (!same) {
-      return Refused(path_, "is of other work: another robot, command, option, file, seed or version of the program",
-                     {"repeat the command line of that work", Anew(path_)});
+      return Refused(path_,
+                     "belongs to other work: another robot, command, option, file, seed or version of the program",
+                     {"use the command line of that work", Anew(path_)});
     }
     const std::optional<std::size_t> job = JobOf(*line);
-    if (!job) return Refused(path_, fmt::format("is broken in line {}", number), {Anew(path_)});
+    if (!job) return Refused(path_, fmt::format("is damaged in line {}", number), {Anew(path_)});
     const std::size_t before = line->find(' ') + 1;
     lines_[*job] = {reader.at() + static_cast<std::int64_t>(before), line->size() - before};
   }
@@ -193,14 +194,14 @@ std::optional<std::string> JobJournal::Find(std::size_t job) const {
 void JobJournal::Add(std::size_t job, const std::string& line) {
   if (file_ < 0) return;
   const std::lock_guard lock(mutex_);
-  if (spoilt_) throw CannotKeep(fmt::format("'{}' could not be written, so no more is kept in it", path_));
+  if (spoilt_) throw CannotKeep(fmt::format("'{}' could not be written, so no further results are kept in it", path_));
   const std::string text = fmt::format("{} {}\n", job, line);
   if (const int error = WriteAll(file_, text); error != 0) {
     spoilt_ = true;
     std::string why = std::strerror(error);
     // What stays of the line has no end, and is dropped when it is read.
-    if (::ftruncate(file_, length_) != 0) why += ", and its last line is cut short";
-    throw CannotKeep(fmt::format("cannot keep what is done so far in '{}': {}", path_, why));
+    if (::ftruncate(file_, length_) != 0) why += ", and its last line is truncated";
+    throw CannotKeep(fmt::format("cannot keep intermediate results in '{}': {}", path_, why));
   }
   length_ += static_cast<std::int64_t>(text.size());
   empty_ = false;

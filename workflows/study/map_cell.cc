@@ -88,7 +88,7 @@ std::string WordsOf(PointStatus status) {
     case PointStatus::kPass:
       return "pass";
     case PointStatus::kGateMissed:
-      return "stands, misses a gate";
+      return "stays up, fails a gate";
     case PointStatus::kFell:
       return "fell";
     case PointStatus::kAuditFailed:

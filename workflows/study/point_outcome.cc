@@ -21,7 +21,7 @@ std::optional<double> OrNothing(const Json& json, double lowest = -kMost, double
   if (json.is_null()) return std::nullopt;
   const double value = json.get<double>();
   if (value >= lowest && value <= highest) return value;
-  throw InvalidArgument(fmt::format("a figure is {}; accepted: {} to {}", value, lowest, highest));
+  throw InvalidArgument(fmt::format("a value is {}; accepted: {} to {}", value, lowest, highest));
 }
 
 PointStatus StatusOf(const std::string& name) {
@@ -50,7 +50,7 @@ PointOutcome FromJson(const Json& json) {
                                s.at(4).get<double>(),
                                JsonPart(s.at(5)).NumberIn(0.0, 100.0)};
     if (SurvivalOf(o.survival->trials, o.survival->survived, o.survival->score_mean) != *o.survival)
-      throw InvalidArgument("its survival is not what its trials give");
+      throw InvalidArgument("its survival rate does not match its trials");
   }
   return o;
 }
@@ -103,7 +103,7 @@ Result<PointOutcome> PointFromLine(const std::string& line) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kJournalLine,
                    "PointFromLine",
-                   fmt::format("a line of the journal is no outcome: {}", error.what()),
+                   fmt::format("a line of the journal is not an outcome: {}", error.what()),
                    {}};
   }
 }

@@ -10,23 +10,23 @@
 
 namespace gaitwright {
 
-/// What came of a point of a study, from the best to the worst.
+/// Status of a point of a study, from the best to the worst.
 enum class PointStatus {
-  kPass,         ///< planned, audited and played, every gate holds
-  kGateMissed,   ///< played to its end, but a gate of the score is missed
+  kPass,         ///< planned, audited and played; every gate passes
+  kGateMissed,   ///< played to its end, but a gate of the score fails
   kFell,         ///< fell in physics
-  kAuditFailed,  ///< its plan breaks a law of the audit
-  kRefused,      ///< there is no plan, or it cannot be played
+  kAuditFailed,  ///< its plan fails its audit
+  kRefused,      ///< no plan, or one that cannot be played
 };
 
-/// All of them, in that order.
+/// All statuses, in this order.
 inline constexpr PointStatus kPointStatuses[] = {PointStatus::kPass, PointStatus::kGateMissed, PointStatus::kFell,
                                                  PointStatus::kAuditFailed, PointStatus::kRefused};
 
 /// "pass", "gate_missed", "fell", "audit_failed", "refused".
 std::string StatusName(PointStatus status);
 
-/// Share of trials that stood, with the ends of its 95 % Wilson interval.
+/// Share of trials that survived, with the ends of its 95 % Wilson interval.
 struct PointSurvival {
   int trials = 0, survived = 0;
   double share = 0.0, low = 0.0, high = 1.0;
@@ -35,33 +35,33 @@ struct PointSurvival {
   bool operator==(const PointSurvival&) const = default;
 };
 
-/// The share and its interval (see WilsonInterval) for trials > 0 of which `survived` stood.
+/// The share and its interval (see WilsonInterval) for trials > 0, of which `survived` survived.
 PointSurvival SurvivalOf(int trials, int survived, double score_mean);
 
-/// One point of a study after it was planned, audited, played and, where asked for, tried.
-/// Always true: a point that was refused has no score, no metrics and no survival.
+/// One point of a study after planning, audit, playback and, if requested, trials. Invariant: a refused point has no
+/// score, no metrics and no survival.
 struct PointOutcome {
   std::size_t point = 0;  ///< its number, from 0
   PointStatus status = PointStatus::kRefused;
-  std::string code;    ///< of the refusal; the law broken; the gates missed; `fell`; empty for a pass
+  std::string code;    ///< of the refusal; the violated check; the failed gates; `fell`; empty for a pass
   std::string reason;  ///< one sentence
   std::optional<double> score;
   std::optional<double> fell_at_s;
-  std::vector<std::optional<double>> metrics;  ///< in the order in which the study names them
+  std::vector<std::optional<double>> metrics;  ///< in the study's order
   std::optional<PointSurvival> survival;
 
   bool audit_pass() const { return status != PointStatus::kRefused && status != PointStatus::kAuditFailed; }
   bool operator==(const PointOutcome&) const = default;
 };
 
-/// The outcome on one line of JSON, from which PointFromLine reads exactly the same.
+/// The outcome as one line of JSON, which PointFromLine reads back exactly.
 std::string PointToLine(const PointOutcome& outcome);
 
-/// Failure kBadInput `journal_line` says what is wrong with the line.
+/// Failure kBadInput `journal_line` describes the error in the line.
 Result<PointOutcome> PointFromLine(const std::string& line);
 
-/// Whether `a` is to be preferred: a plan that passes its audit before one that does not, then the larger share of
-/// trials survived, then a pass before a fail, then the higher score, then the lower number.
+/// Whether `a` is preferred. Order: a plan that passes its audit before one that does not, then the higher survival
+/// rate, then a pass before a fail, then the higher score, then the lower number.
 bool IsBetter(const PointOutcome& a, const PointOutcome& b);
 
 }  // namespace gaitwright

@@ -20,12 +20,12 @@ namespace {
 
 std::optional<Failure> CheckTrials(const RobotModel& model, const Preflight& preflight, const TrialsResult& trials) {
   const auto other = [](const std::string& what, const char* key, const std::string& theirs, const std::string& ours) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kTrialsResult,
-                   "MakePreflight",
-                   fmt::format("the trials are of another {}: their {} is '{}', that of this one is '{}'", what, key,
-                               theirs, ours),
-                   {"run 'gaitwright trials' on this plan"}};
+    return Failure{
+        FailureKind::kBadInput,
+        FailureCode::kTrialsResult,
+        "MakePreflight",
+        fmt::format("the trials are of another {}: their {} is '{}', but here it is '{}'", what, key, theirs, ours),
+        {"run 'gaitwright trials' on this plan"}};
   };
   if (trials.robot_hash != model.hash) return other("robot", "robot_hash", trials.robot_hash, model.hash);
   if (trials.plan_hash != preflight.plan_hash) return other("plan", "plan_hash", trials.plan_hash, preflight.plan_hash);
@@ -40,10 +40,10 @@ std::string GroundText(const Terrain& terrain) {
   for (const TerrainPatch& patch : terrain.patches) add(patch.friction);
   for (const HeightField& field : terrain.height_fields) add(field.friction);
   const std::string name = terrain.name.empty() ? "of the plan" : fmt::format("'{}'", terrain.name);
-  if (low > high) return fmt::format("the ground is {}, without friction said", name);
+  if (low > high) return fmt::format("the ground is {}, with unknown friction", name);
   return fmt::format(
-      "the ground is {} and as the plan has it, rigid; its friction is at least {}", name,
-      low == high ? fmt::format("{:.3g}", low) : fmt::format("{:.3g} to {:.3g}, by where feet stand", low, high));
+      "the ground is {}, rigid and as in the plan; its friction is at least {}", name,
+      low == high ? fmt::format("{:.3g}", low) : fmt::format("{:.3g} to {:.3g}, depending on the foothold", low, high));
 }
 
 /// Shares of limits that are held in reserve.
@@ -57,8 +57,8 @@ std::string ReserveText(const AuditOptions& options) {
   add("acceleration", options.derate_acceleration);
   add("jerk", options.derate_jerk);
   add("continuous torque", options.derate_continuous);
-  return text.empty() ? "limits are used whole: no reserve is kept (--derate)"
-                      : "limits are held against these shares of them: " + text;
+  return text.empty() ? "limits are used fully, without margin (--derate)"
+                      : "these shares of the limits are used: " + text;
 }
 
 /// What of its own the torques have in them.
@@ -76,12 +76,12 @@ std::string OwnTorqueText(const RobotModel& model) {
   add(damping, "damping");
   add(friction, "dry friction");
   add(rotor, "rotor inertia");
-  return known.empty() ? "joints are taken to be without damping, friction and rotor inertia: none is known"
-                       : "torques include what joints and motors take themselves: " + known;
+  return known.empty() ? "joints are assumed without damping, friction and rotor inertia, because these are unknown"
+                       : "torques include losses of joints and motors: " + known;
 }
 
 std::string ViolationText(const Violation& v) {
-  return fmt::format("{}: {} at {:.3f} s, {} where {} is the limit", LawWords(v.law), v.where, v.at_s,
+  return fmt::format("{}: {} at {:.3f} s, {} (limit {})", LawWords(v.law), v.where, v.at_s,
                      AuditFigure(v.value, v.unit), AuditFigure(v.limit, v.unit));
 }
 
@@ -90,11 +90,11 @@ std::string ShareText(const TrialsResult& trials, int k, int different_k, const 
   const ShareInterval share = WilsonInterval(different_k, trials.different);
   std::string text = fmt::format("{} of {} trials {}", k, trials.n, what);
   if (trials.different < trials.n) {
-    text += fmt::format(", but {} only repeat others to the bit; each counted once, {} of {} did",
+    text += fmt::format(", but {} only repeat others exactly; counting each once, {} of {} did",
                         trials.n - trials.different, different_k, trials.different);
   }
-  return text + fmt::format(": {:.1f} %, and with 95 % certainty from {:.1f} to {:.1f} %", 100.0 * share.share,
-                            100.0 * share.low, 100.0 * share.high);
+  return text + fmt::format(": {:.1f} % (95 % interval {:.1f} to {:.1f} %)", 100.0 * share.share, 100.0 * share.low,
+                            100.0 * share.high);
 }
 
 /// What whoever measured the start posture has to do about it.
@@ -104,8 +104,8 @@ void JudgeStart(const PreflightInput& input, Preflight& preflight) {
     if (v.law != Law::kStartPosture) continue;
     if (v.where == kStartTilt) {
       preflight.remarks.push_back(
-          fmt::format("the measured base is tilted by {} against the first command, which no way of the joints mends: "
-                      "level the robot, or set it down as the plan begins, and measure again",
+          fmt::format("the measured base is tilted by {} relative to the first command, which no joint motion can "
+                      "correct: level the robot, or set it down as the plan begins, and measure again",
                       AuditFigure(v.value, v.unit)));
     } else {
       (v.where.ends_with(kStartSpeed) ? moves : jumps) = true;
@@ -113,13 +113,13 @@ void JudgeStart(const PreflightInput& input, Preflight& preflight) {
   }
   if (moves) {
     preflight.remarks.push_back(
-        "the first command moves, and the robot that was measured does not: begin the plan at rest");
+        "the first command has a speed, but the measured robot is at rest: begin the plan at rest");
   }
   if (jumps) {
     preflight.remarks.push_back(
         input.approach.empty()
-            ? "the first command is a jump: plan a way to it with --approach FILE, go it, and measure again"
-            : input.approach + "; go it, and measure again");
+            ? "the first command is a jump: plan an approach with --approach FILE, run it, and measure again"
+            : input.approach + "; run it, and measure again");
   } else if (!input.approach.empty()) {
     preflight.remarks.push_back(input.approach);
   }
@@ -128,20 +128,20 @@ void JudgeStart(const PreflightInput& input, Preflight& preflight) {
 void JudgeTrials(const PreflightInput& input, Preflight& preflight) {
   const int fewest = input.options.fewest_trials, differ = preflight.trials ? preflight.trials->different : 0;
   if (differ < fewest)
-    preflight.reasons.push_back(fmt::format("{} trials that differ are asked for, and there are {}", fewest, differ));
+    preflight.reasons.push_back(fmt::format("{} different trials are required, but there are {}", fewest, differ));
   if (!preflight.trials) {
-    preflight.remarks.push_back("no trials: how often it survives disturbances is not known");
+    preflight.remarks.push_back("no trials: the survival rate under disturbances is unknown");
     return;
   }
   const TrialsResult& trials = *preflight.trials;
   const ShareInterval survival = WilsonInterval(trials.different_survived, trials.different);
   const double least = input.options.least_survival;
   if (survival.share < least) {
-    preflight.reasons.push_back(fmt::format("{}; at least {:.4g} % is asked for", SurvivalText(trials), 100.0 * least));
+    preflight.reasons.push_back(fmt::format("{}; at least {:.4g} % is required", SurvivalText(trials), 100.0 * least));
   } else if (survival.low < least) {
-    preflight.reasons.push_back(fmt::format("the trials leave open whether {:.4g} % survive: {}; more {} may tell",
+    preflight.reasons.push_back(fmt::format("the trials do not show whether {:.4g} % survive: {}; more {} may show it",
                                             100.0 * least, SurvivalText(trials),
-                                            trials.different < trials.n ? "that differ" : "of them"));
+                                            trials.different < trials.n ? "different trials" : "trials"));
   }
 }
 
@@ -151,7 +151,7 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
   for (std::size_t i = 0; i < std::min(kMost, broken.size()); ++i)
     preflight.reasons.push_back(ViolationText(broken[i]));
   if (broken.size() > kMost)
-    preflight.reasons.push_back(fmt::format("and {} more broken limits, see the audit", broken.size() - kMost));
+    preflight.reasons.push_back(fmt::format("and {} more violations, see the audit", broken.size() - kMost));
   for (const std::string& remark : preflight.audit.remarks) preflight.remarks.push_back(remark);
   JudgeStart(input, preflight);
   JudgeTrials(input, preflight);
@@ -159,38 +159,37 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
 
 void Assume(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input, Preflight& preflight) {
   preflight.assumptions = {GroundText(plan.terrain), ReserveText(input.audit), OwnTorqueText(model)};
-  preflight.assumptions.push_back(
-      fmt::format("mass, inertias and shapes are those of the URDF: {:.4g} kg; a payload or cables are not in it",
-                  model.total_mass_kg));
+  preflight.assumptions.push_back(fmt::format(
+      "mass, inertias and shapes are those of the URDF ({:.4g} kg), without payload or cables", model.total_mass_kg));
   for (const std::string& note : preflight.audit.notes) preflight.assumptions.push_back(note);
   for (const std::string& warning : plan.warnings) preflight.assumptions.push_back("the plan warns: " + warning);
   preflight.not_checked = UnknownOfMotors(model);
   const std::size_t left_out = CollisionChecker(model).left_out().size();
   if (left_out > 0) {
-    preflight.not_checked.push_back(fmt::format(
-        "self_collision: {} pairs of links are not held against each other, since they are joined or touch as they "
-        "stand ('gaitwright robots show' lists them)",
-        left_out));
+    preflight.not_checked.push_back(
+        fmt::format("self_collision: {} pairs of links are not checked, because they are joined or touch in the "
+                    "standing posture ('gaitwright robots show' lists them)",
+                    left_out));
   }
   if (!preflight.start_measured)
     preflight.not_checked.push_back("start_posture: no measured start posture is given (--start-posture FILE)");
   if (!preflight.trials)
     preflight.not_checked.push_back("survival under disturbances: no result of trials is given (--trials-result FILE)");
   preflight.not_checked.push_back(
-      "what no model here has: how structure and gears bend, motors warm up, the battery sags, and the robot's own "
-      "software follows the commands");
+      "effects without a model: flexible structure and gears, motor temperature, battery voltage, and the tracking of "
+      "commands by the robot's own software");
 }
 
 }  // namespace
 
 std::string LawWords(Law law) {
   std::string words = law == Law::kZmpSupport     ? "balance (ZMP in the support)"
-                      : law == Law::kUnilateral   ? "feet only push"
+                      : law == Law::kUnilateral   ? "contact forces push only"
                       : law == Law::kTorqueSpeed  ? "torque at speed"
-                      : law == Law::kConsistency  ? "columns agree"
+                      : law == Law::kConsistency  ? "consistent columns"
                       : law == Law::kStartPosture ? "start posture"
                       : law == Law::kFrictionCone ? "friction"
-                      : law == Law::kDynamics     ? "forces give the motion"
+                      : law == Law::kDynamics     ? "dynamics"
                                                   : LawName(law);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
@@ -201,13 +200,14 @@ std::string SurvivalText(const TrialsResult& trials) {
 }
 
 std::string PassText(const TrialsResult& trials) {
-  return ShareText(trials, trials.passed, trials.different_passed, "passed every gate too");
+  return ShareText(trials, trials.passed, trials.different_passed, "also passed every gate");
 }
 
 std::string ThresholdText(const Preflight& preflight) {
-  const std::string share = fmt::format("{:.4g} % survive, with 95 % certainty", 100.0 * preflight.least_survival);
-  if (preflight.fewest_trials == 0) return "a go asks that " + share;
-  return fmt::format("a go asks for {} trials that differ, and that {}", preflight.fewest_trials, share);
+  const std::string share = fmt::format("a survival rate of at least {:.4g} % (lower end of the 95 % interval)",
+                                        100.0 * preflight.least_survival);
+  if (preflight.fewest_trials == 0) return "a go requires " + share;
+  return fmt::format("a go requires {} different trials and {}", preflight.fewest_trials, share);
 }
 
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input) {

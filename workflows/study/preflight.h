@@ -13,56 +13,51 @@
 
 namespace gaitwright {
 
-/// When a plan may go on a robot.
+/// Conditions for running a plan on a robot.
 struct PreflightOptions {
   double least_survival = 0.9;
   int fewest_trials = 0;
 
   OptionFields Fields() {
-    return {{"fewest_trials", &fewest_trials, "1", 0.0, 1e6, "Trials that a go needs; 0: it may do without.", {}},
-            {"least_survival",
-             &least_survival,
-             "1",
-             0.0,
-             1.0,
-             "Share that must survive for a go, where there are trials: the lower end of its 95 % interval.",
-             {}}};
+    return {{"fewest_trials", &fewest_trials, "1", 0.0, 1e6,
+             "Smallest number of trials for a go decision; 0 requires none."},
+            {"least_survival", &least_survival, "1", 0.0, 1.0,
+             "Smallest survival rate for a go decision with trials: the lower end of the 95 % interval."}};
   }
 };
 
-/// What a preflight is made from, beside robot and plan.
+/// Inputs of a preflight, in addition to robot and plan.
 struct PreflightInput {
-  AuditOptions audit;  ///< margins are taken whatever it says
+  AuditOptions audit;  ///< margins are always computed, whatever this says
   PreflightOptions options;
   std::optional<TrialsResult> trials;
-  std::string approach;  ///< a sentence on the way to the first posture, or why there is none; "" if not asked for
+  std::string approach;  ///< a sentence on the approach to the first posture, or why there is none; "" if not requested
 };
 
-/// The page that an engineer signs before a plan goes on a robot, as data.
+/// Data of the page that an engineer signs before a plan runs on a robot.
 struct Preflight {
   std::string robot, robot_hash, program_version, made_by, motion;
-  std::string plan_hash;        ///< MotionHash: that of the plan's logs
-  std::string whole_plan_hash;  ///< PlanHash: what is signed
+  std::string plan_hash;        ///< MotionHash, as in the plan's logs
+  std::string whole_plan_hash;  ///< PlanHash: identifies the signed plan
   double duration_s = 0.0, mass_kg = 0.0;
   AuditReport audit;  ///< with margins
   std::optional<TrialsResult> trials;
   std::vector<OptionChange> trial_conditions;  ///< TrialConditions
   double least_survival = 0.0;                 ///< share of trials that must survive for a go
-  int fewest_trials = 0;                       ///< trials that a go needs
+  int fewest_trials = 0;                       ///< number of trials needed for a go
   bool start_measured = false;
-  std::vector<std::string> reasons;      ///< why it is no go; empty for a go
-  std::vector<std::string> remarks;      ///< what to mind though it is a go
-  std::vector<std::string> assumptions;  ///< what is taken for granted: ground, friction, limits that are placeholders
-  std::vector<std::string> not_checked;  ///< what nobody looked at, and why
+  std::vector<std::string> reasons;      ///< reasons for a no-go; empty for a go
+  std::vector<std::string> remarks;      ///< remarks that do not prevent a go
+  std::vector<std::string> assumptions;  ///< assumptions: ground, friction, placeholder limits
+  std::vector<std::string> not_checked;  ///< parts that were not checked, and why
 
   bool go() const { return reasons.empty(); }
 };
 
-/// Audits the plan with its margins and puts everything together. It is a go where the audit passes (with the measured
-/// start posture, if one is given) and, where there is a result of trials, these leave no doubt that enough survive;
-/// of trials with one and the same log one counts.
-/// Failure: the plan does not fit the robot; the trials are of another plan, be it the ground alone that is another, or
-/// of another robot (both hashes are named).
+/// Audits the plan with margins and collects all results. The verdict is a go if the audit passes (with the measured
+/// start posture, if given) and, if there is a result of trials, the lower end of the survival interval is high enough;
+/// trials with identical logs count once. Failure: the plan does not fit the robot, or the trials belong to another
+/// plan (even if only the ground differs) or another robot (the message names both hashes).
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input);
 
 /// The page as text.
@@ -72,20 +67,20 @@ std::string PreflightText(const Preflight& preflight);
 std::string PreflightJson(const Preflight& preflight,
                           const std::vector<std::pair<std::string, std::string>>& files = {});
 
-/// The page as HTML, whole by itself, well-formed XML, and to be printed on A4.
+/// The page as self-contained HTML (well-formed XML) for printing on A4.
 std::string PreflightPage(const Preflight& preflight);
 
-/// A law in words, as "joint torque".
+/// Name of a check in words, such as "joint torque".
 std::string LawWords(Law law);
 
-/// "487 of 500 trials survived: 97.4 %, and with 95 % certainty from 95.6 to 98.5 %"; where trials repeat others, of
-/// those that differ.
+/// "487 of 500 trials survived: 97.4 % (95 % interval 95.6 to 98.5 %)"; counts only different trials if some repeat
+/// others.
 std::string SurvivalText(const TrialsResult& trials);
 
-/// The same of those that passed every gate.
+/// The sentence on the trials that passed every gate.
 std::string PassText(const TrialsResult& trials);
 
-/// "a go asks that 90 % survive, with 95 % certainty".
+/// "a go requires a survival rate of at least 90 % (lower end of the 95 % interval)".
 std::string ThresholdText(const Preflight& preflight);
 
 }  // namespace gaitwright

@@ -8,15 +8,15 @@
 
 namespace gaitwright {
 
-/// What each joint has left of each of its limits, as a table.
+/// Table of the remaining margin of each joint to each of its limits.
 struct JointMargins {
-  /// What one joint has left.
+  /// Margins of one joint.
   struct Row {
     std::string joint;
-    std::vector<std::string> cells;  ///< by heading: "12 %", a figure with its unit, or a dash where there is no limit
+    std::vector<std::string> cells;  ///< by heading: "12 %", a value with its unit, or a dash if there is no limit
     std::vector<bool> broken;        ///< by heading
   };
-  std::vector<std::string> headings;  ///< of the laws that any joint has a limit of
+  std::vector<std::string> headings;  ///< checks for which some joint has a limit
   std::vector<Row> rows;              ///< by joints' names
 };
 

@@ -107,8 +107,7 @@ std::string Joints(const Preflight& p) {
       html += fmt::format("<td class=\"n{}\">{}</td>", row.broken[i] ? " close" : "", row.cells[i]);
     html += "</tr>\n";
   }
-  return html +
-         "</tbody></table></div>\n<p class=\"soft\">What is left of each limit at the joint's worst moment.</p>\n";
+  return html + "</tbody></table></div>\n<p class=\"soft\">Smallest margin of each joint to each limit.</p>\n";
 }
 
 /// What the trials were played under, disturbances included.
@@ -158,8 +157,8 @@ std::string PreflightPage(const Preflight& p) {
       "content=\"width=device-width,initial-scale=1\"/><title>Preflight of {} \u2013 {}</title>\n<style>{}{}</style>"
       "</head>\n<body><main>\n",
       EscapedXml(p.robot), p.go() ? "go" : "no-go", PageStyle(), PaperStyle());
-  html += Head(p) + ListOf("Why it is no go", p.reasons) + ListOf("To mind", p.remarks) + Trials(p) + Limits(p);
-  html += Joints(p) + ListOf("Taken for granted", p.assumptions) + ListOf("Not checked", p.not_checked);
+  html += Head(p) + ListOf("Reasons for no-go", p.reasons) + ListOf("To mind", p.remarks) + Trials(p) + Limits(p);
+  html += Joints(p) + ListOf("Assumptions", p.assumptions) + ListOf("Not checked", p.not_checked);
   html += "<div class=\"signing\"><h2>Signed</h2>\n<div class=\"sign\">";
   for (int line = 0; line < 2; ++line) html += "<div>name</div><div>signature</div><div>date</div>";
   return html + "</div></div>\n</main></body></html>\n";

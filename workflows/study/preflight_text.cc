@@ -21,7 +21,7 @@ std::string Section(const std::string& title, const std::vector<std::string>& li
 }
 
 std::string LimitsText(const Preflight& preflight) {
-  std::string text = "\nLimits: the worst moment of each law\n";
+  std::string text = "\nLimits: the smallest margin of each check\n";
   for (const AuditMargin& m : TightestOfEachLaw(preflight.audit.margins)) {
     text += fmt::format("  {:<28} {}{} left at {:.3f} s: {}, {} of {}\n", LawWords(m.law),
                         AuditFigure(m.margin, m.unit), m.share ? fmt::format(" ({:.0f} %)", 100.0 * *m.share) : "",
@@ -40,7 +40,7 @@ std::string SetIn(const std::string& text) {
 
 std::string TrialsText(const Preflight& preflight) {
   if (!preflight.trials) {
-    return fmt::format("\nTrials\n  - none: how often it survives disturbances is not known; of trials {}\n",
+    return fmt::format("\nTrials\n  - none: the survival rate under disturbances is unknown; {}\n",
                        ThresholdText(preflight));
   }
   const TrialsResult& trials = *preflight.trials;
@@ -59,7 +59,7 @@ std::string TrialsText(const Preflight& preflight) {
 std::string JointsText(const Preflight& preflight) {
   const JointMargins table = JointMarginsOf(preflight.audit.margins);
   if (table.rows.empty()) return "";
-  std::string text = "\nMargins of the joints: what is left of each limit at the joint's worst moment\n";
+  std::string text = "\nMargins of the joints: smallest margin to each limit\n";
   const auto line = [&](const std::string& name, const std::vector<std::string>& cells) {
     text += fmt::format("  {:<28}", name);
     for (const std::string& cell : cells) text += fmt::format("{:>17}", cell);
@@ -114,9 +114,9 @@ std::string PreflightText(const Preflight& p) {
       "  checked  by gaitwright {}, {} samples at {:.0f} Hz\n",
       p.robot, p.mass_kg, p.robot_hash, p.motion, p.duration_s, p.made_by, p.whole_plan_hash, p.plan_hash,
       p.program_version, p.audit.samples, p.audit.rate_hz);
-  text += Section("Why it is no go", p.reasons) + Section("To mind", p.remarks) + TrialsText(p) + LimitsText(p) +
+  text += Section("Reasons for no-go", p.reasons) + Section("To mind", p.remarks) + TrialsText(p) + LimitsText(p) +
           JointsText(p);
-  text += Section("Taken for granted", p.assumptions) + Section("Not checked", p.not_checked);
+  text += Section("Assumptions", p.assumptions) + Section("Not checked", p.not_checked);
   return text +
          "\nName ______________________   Signature ______________________   Date ______________\n"
          "Name ______________________   Signature ______________________   Date ______________\n";

@@ -49,7 +49,7 @@ class Converter {
             const RigidBodyMotion& motion, double step_s)
       : robot_(robot), ground_(ground), problem_(problem), motion_(motion), scratch_(robot) {
     if (!problem.inner_momentum_W.empty())
-      throw InvalidArgument("rigid body's plan: its problem has momentum inside, and its robot has none");
+      throw InvalidArgument("rigid body's plan: the problem has leg angular momentum, but its robot has massless legs");
     problem_foot_ = ProblemFeetOf(robot, problem);
     foot_of_.resize(problem_foot_.size());
     for (std::size_t f = 0; f < foot_of_.size(); ++f)
@@ -103,7 +103,7 @@ class Converter {
     for (std::size_t i = 0; i < problem_.stances.size(); ++i) {
       const RigidStance& stance = problem_.stances[i];
       if (!stance.moved_W.empty())
-        throw InvalidArgument("rigid body's plan: its contacts move, and its robot's feet do not roll");
+        throw InvalidArgument("rigid body's plan: the contacts move, but its robot's feet do not roll");
       intervals[FootIndex(stance)].push_back({stance.start_s, stance.end_s});
       gait.duty_factor[FootIndex(stance)] += (stance.end_s - stance.start_s) / problem_.duration_s;
       Pose X_WF = motion_.X_WF[i] * MiddleOf(stance);

@@ -80,8 +80,7 @@ bool IsSole(const RigidFoot& foot) {
     if (points == 1 ? p.isZero() : p.z() == 0.0) continue;
     throw InvalidArgument("rigid body's robot: a foot's points of contact are not in the plane of its frame");
   }
-  if (points == 2)
-    throw InvalidArgument("rigid body's robot: a foot of two points of contact; one or three are needed");
+  if (points == 2) throw InvalidArgument("rigid body's robot: a foot has two contact points; one or three are needed");
   return points > 2;
 }
 
@@ -127,19 +126,19 @@ std::pair<Vector3, Vector3> BoxOf(const std::vector<WorkspaceSide>& workspace_B)
     Eigen::Index axis = 0;
     const double length = side.normal.norm(), along = side.normal.cwiseAbs().maxCoeff(&axis);
     if (!(along > (1.0 - 1e-12) * length))
-      throw InvalidArgument("rigid body's robot: a foot's workspace is no box along the body's axes");
+      throw InvalidArgument("rigid body's robot: a foot's workspace is not a box along the body's axes");
     double& limit = side.normal[axis] > 0.0 ? high[axis] : low[axis];
     const double at = side.offset / side.normal[axis];
     limit = side.normal[axis] > 0.0 ? std::min(limit, at) : std::max(limit, at);
   }
   if (!low.allFinite() || !high.allFinite())
-    throw InvalidArgument("rigid body's robot: a foot's workspace has no end to some side");
+    throw InvalidArgument("rigid body's robot: a foot's workspace is unbounded");
   return {low, high};
 }
 
 std::vector<int> ProblemFeetOf(const RobotModel& robot, const RigidBodyProblem& problem) {
   if (robot.feet.size() != problem.feet.size())
-    throw InvalidArgument(fmt::format("rigid body's robot: '{}' has {} feet, the problem {}", robot.name,
+    throw InvalidArgument(fmt::format("rigid body's robot: '{}' has {} feet, but the problem has {}", robot.name,
                                       robot.feet.size(), problem.feet.size()));
   std::vector<int> feet(robot.feet.size(), -1);
   for (std::size_t f = 0; f < problem.feet.size(); ++f) {

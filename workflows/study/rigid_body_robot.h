@@ -10,33 +10,34 @@
 
 namespace gaitwright {
 
-/// A single rigid body as a robot that any judge of robots can look at: the URDF and the robot.yaml of one.
+/// A single rigid body as a robot (URDF and robot.yaml), so that the audit of robots applies to it.
 ///
-/// The trunk has the mass and inertia, its frame's origin in the centre of mass. Each foot hangs on three slides along
-/// the trunk's x, y and z; at zero it is at its nominal place, and their limits are its workspace. A foot of three or
-/// more points of contact is a sole, and turns against the last slide about z, y and x without limits. Feet weigh
-/// `kSlideFoot` each, since nothing can be moved that has no mass; the trunk weighs as much less.
-/// A slide pushes as hard as the greatest force on all points of the foot, inside its friction cone, may be. Links are
-/// named "foot_0", "foot_1" in the order of the problem's feet, slides "foot_0_x" and so on.
+/// The trunk has the mass and inertia, its frame's origin in the centre of mass. Each foot has three prismatic joints
+/// along the trunk's x, y and z; at zero it is at its nominal position, and the joint limits are its workspace. A foot
+/// with three or more contact points is a sole and rotates relative to the last prismatic joint about z, y and x
+/// without limits. Each foot has the mass `kSlideFoot`, because a moving link needs a mass; the trunk's mass is reduced
+/// accordingly. The effort limit of a prismatic joint is the largest force inside the friction cone over all contact
+/// points of the foot. Links are named "foot_0", "foot_1" in the order of the problem's feet, prismatic joints
+/// "foot_0_x" and so on.
 struct RigidBodyTexts {
   std::string urdf, yaml;
 };
 
 inline constexpr double kSlideFoot = 1e-7;  ///< [kg]
 
-/// @throws InvalidArgument for a workspace that is not a box along the body's axes, or for two points of contact, or
-/// ones that are in no plane through the foot's frame.
+/// @throws InvalidArgument for a workspace that is not a box along the body's axes, for two contact points, or for
+/// contact points that do not lie in a plane through the foot's frame.
 RigidBodyTexts RigidBodyTextsOf(const RigidBodyProblem& problem, const std::string& name);
 
-/// The robot of those texts. Failures as those of LoadRobotFromText.
+/// The robot of these texts. Failures as of LoadRobotFromText.
 Result<RobotModel> RigidBodyRobot(const RigidBodyProblem& problem, const std::string& name);
 
-/// The problem's foot by each of the robot's, which are in an order of their own. @throws InvalidArgument where the
-/// robot is not that of the problem.
+/// The problem's foot for each of the robot's feet, whose order may differ. @throws InvalidArgument if the robot does
+/// not belong to the problem.
 std::vector<int> ProblemFeetOf(const RobotModel& robot, const RigidBodyProblem& problem);
 
 /// The box of a workspace: its lowest and its highest corner from the centre of mass [m], in B.
-/// @throws InvalidArgument where it is none, or has no end to some side.
+/// @throws InvalidArgument if it is not a box, or is unbounded.
 std::pair<Vector3, Vector3> BoxOf(const std::vector<WorkspaceSide>& workspace_B);
 
 }  // namespace gaitwright

@@ -23,40 +23,40 @@ struct TrialWorth {
   bool operator==(const TrialWorth&) const = default;
 };
 
-/// Plays trial `number`, from 0, of a plan: a pure function, to be called from any thread. Trials of one number see the
-/// same disturbances whatever the plan. Fails where trials of the plan cannot be played, whatever the number.
+/// Plays trial `number`, from 0, of a plan: a pure, thread-safe function. Trials with equal numbers have equal
+/// disturbances for all plans. Fails if trials of the plan cannot be played, for any number.
 using TrialPlayer = std::function<Result<TrialWorth>(const RobotModel& model, const MotionPlan& plan,
                                                      const PlayRequest& request, int number)>;
 
-/// What is varied about which walk, and what is asked of each point.
+/// The walk, its varied options, and the quantities to report for each point.
 struct Study {
   RobotModel model;
   WalkRequest walk;
   PlayRequest play;
   std::vector<StudyAxis> axes;
   std::vector<StudyPoint> points;
-  std::vector<std::string> metrics;  ///< keys of MetricRules() to be told of each point
-  int trials = 0;                    ///< of each point whose plan passes its audit
+  std::vector<std::string> metrics;  ///< keys of MetricRules() to report for each point
+  int trials = 0;                    ///< for each point whose plan passes its audit
   TrialPlayer play_trial = {};
 };
 
-/// The plans of a study's points. Points between which only the playback differs share one, which is made when the
-/// first of them asks and dropped when the last has had it. To be called from any thread.
+/// The plans of a study's points. Points that differ only in the playback share one plan, which is made on the first
+/// request and dropped after the last. Thread-safe.
 class StudyPlans {
  public:
   using Shared = std::shared_ptr<const Result<PlannedWalk>>;
 
-  /// @param pending  the points that will ask, each once. The study must outlive this.
+  /// @param pending  the points that will request a plan, each once. The study must outlive this object.
   StudyPlans(const Study& study, const std::vector<std::size_t>& pending);
 
   /// The plan of a point; waits while another thread makes it.
   Shared Take(std::size_t point);
-  /// How many plans were made so far.
+  /// Number of plans made so far.
   int made() const;
 
  private:
   struct Entry {
-    int left = 0;  ///< points that will still ask
+    int left = 0;  ///< points that have not requested it yet
     std::shared_future<Shared> plan;
   };
 
@@ -69,16 +69,16 @@ class StudyPlans {
 /// The values of a point that shape its plan, as one text: points with the same text share their plan.
 std::string PlanKey(const std::vector<StudyAxis>& axes, const StudyPoint& point);
 
-/// Plans a point alone. What a caller gets wrong with an option is a failure `invalid_argument` here.
+/// Only plans a point. A wrong option is reported as failure `invalid_argument` here.
 Result<PlannedWalk> PlanPoint(const Study& study, const StudyPoint& point);
 
-/// How a point is played.
+/// Playback request of a point.
 PlayRequest PlaybackOf(const Study& study, const StudyPoint& point);
 
 /// Plans, audits, plays and scores one point, and plays its trials. A pure function of the study and the number.
 PointOutcome RunPoint(const Study& study, std::size_t point, StudyPlans& plans);
 
-/// An order of points in which those that share a plan follow each other.
+/// An order of points in which points that share a plan are consecutive.
 std::vector<std::size_t> OrderByPlan(const Study& study, const std::vector<std::size_t>& pending);
 
 }  // namespace gaitwright

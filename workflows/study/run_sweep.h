@@ -11,17 +11,17 @@
 
 namespace gaitwright {
 
-/// Hash of all that shapes a study's outcomes: version, robot, command, options, axes, points, metrics, what stands in
-/// the files of gaits, sequence and ground, and `trials`, a text that says what the trials are.
+/// Hash of everything that determines a study's outcomes: version, robot, command, options, axes, points, metrics,
+/// contents of the gait, sequence and ground files, and `trials`, a text that identifies the trials.
 std::string StudyIdentity(const Study& study, const std::string& trials);
 
-/// Does one point by its number somewhere else, and waits for it: the outcome as PointToLine writes it. May throw.
+/// Computes the point of a number elsewhere and waits for it: the outcome as written by PointToLine. May throw.
 using PointRunner = std::function<std::string(std::size_t point)>;
 
-/// Runs every point that the journal does not hold and gives all outcomes in the order of their numbers: the same for
-/// any number of threads, and whether or not it was cut off and resumed. Failure kBadInput for a broken journal, and
-/// `interrupted` when it was stopped.
-/// @param elsewhere  see PointRunner; each has a thread of its own beside those of the options
+/// Runs every point that the journal does not contain and returns all outcomes in order of their numbers: the same for
+/// any number of threads, and for interrupted and resumed runs. Failure kBadInput for a damaged journal, and
+/// `interrupted` if it was stopped.
+/// @param elsewhere  see PointRunner; each has its own thread in addition to those of the options
 Result<std::vector<PointOutcome>> RunSweep(const Study& study, JobJournal& journal, const JobOptions& options,
                                            const std::vector<PointRunner>& elsewhere = {});
 

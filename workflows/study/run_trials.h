@@ -8,21 +8,21 @@
 
 namespace gaitwright {
 
-/// Does one trial by its number somewhere else, and waits for it. For one thread at a time; may throw.
+/// Plays the trial of a number elsewhere and waits for it. One thread at a time; may throw.
 using TrialRunner = std::function<Result<TrialOutcome>(int number)>;
 
-/// Plays a plan many times under disturbances and puts together what came of it. The report depends on the study and
-/// the options alone, `threads` apart: not on threads, nor on interruptions, nor on how often a run was resumed.
+/// Plays a plan many times under disturbances and collects the outcomes. The report depends only on the study and the
+/// options except `threads`: not on threads, interruptions or resumed runs.
 ///
 ///     const Result<RobustnessReport> report = RunTrials({model, plan, request, disturbances}, {.trials = 100});
 ///
-/// @return a failure when a trial cannot be played (of those, of the one with the lowest number), when the journal is
-/// refused, or, with code `interrupted`, when `hooks.stop` ended it.
+/// @return a failure if a trial cannot be played (the one with the lowest number), if the journal is refused, or, with
+/// code `interrupted`, if `hooks.stop` ended the run.
 /// @throws InvalidArgument for options out of range, and as PlayTrial does.
 Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks = {});
 
-/// The same with a book that the caller opened, on this process's threads and on all of `elsewhere`; the caller closes
-/// the book once the report is safe. RunTrials closes its own at once.
+/// As above with a book that the caller opened, on this process's threads and on all of `elsewhere`; the caller closes
+/// the book after saving the report. RunTrials closes its own book at once.
 Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, TrialBook& book,
                                    const std::vector<TrialRunner>& elsewhere = {});
 

@@ -213,12 +213,12 @@ class MapDrawing {
 StudyPicture DrawStabilityMap(const Study& study, const std::vector<PointOutcome>& outcomes, MapQuantity quantity) {
   const MapDrawing drawing(study, outcomes, quantity);
   const bool score = quantity == MapQuantity::kScore;
-  std::string caption = score ? "The score of each point, 0 to 100; 50 and more is a pass."
-                              : "The share of each point's trials that stood; points without a passing plan have none.";
-  caption += " A letter says how a point fails: R refused, A plan fails its audit, F fell, G a gate is missed.";
+  std::string caption = score ? "Score of each point, 0 to 100; 50 or more is a pass."
+                              : "Survival rate of each point's trials; points without a passing plan have none.";
+  caption += " Letters mark failures: R refused, A plan fails its audit, F fell, G fails a gate.";
   if (drawing.sampled() && study.axes.size() > 2)
-    caption += " Points are drawn over the first two axes, whatever they have of the others.";
-  if (drawing.sliced()) caption += " Axes beyond the third are shown at the best point's values alone.";
+    caption += " Points are drawn over the first two axes, for all values of the others.";
+  if (drawing.sliced()) caption += " Axes beyond the third are shown only at the best point's values.";
   return {score ? "score_map" : "survival_map", caption, drawing.Svg()};
 }
 

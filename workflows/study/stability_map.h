@@ -11,17 +11,17 @@ namespace gaitwright {
 
 /// A picture of a study.
 struct StudyPicture {
-  std::string name;     ///< fit for a file name: "score_map"
-  std::string caption;  ///< what it shows and how to read it
-  std::string svg;      ///< whole by itself, without an XML declaration
+  std::string name;     ///< usable as a file name: "score_map"
+  std::string caption;  ///< describes the content and how to read it
+  std::string svg;      ///< self-contained, without an XML declaration
 };
 
-/// Most panels of one map.
+/// Largest number of panels of one map.
 inline constexpr std::size_t kMostMapPanels = 36;
 
-/// The quantity over the first two axes as a heat map, a panel for each combination of values of further axes (of those
-/// beyond the third the best point's alone, where there would be over kMostMapPanels). A sample is drawn as discs where
-/// its points lie, in one panel. Cells that fail are marked by pattern and letter, the best has a frame.
+/// The quantity over the first two axes as a heat map, a panel for each combination of values of further axes (beyond
+/// the third axis, only the best point's values if there would be more than kMostMapPanels). Samples are drawn as discs
+/// at their points, in one panel. Failed cells have a pattern and a letter, the best cell has a frame.
 StudyPicture DrawStabilityMap(const Study& study, const std::vector<PointOutcome>& outcomes, MapQuantity quantity);
 
 }  // namespace gaitwright

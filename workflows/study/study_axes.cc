@@ -37,7 +37,7 @@ const char* FormsOf(StudyLayout layout) {
 
 [[noreturn]] void RefuseForm(const std::string& text, StudyLayout layout) {
   const char* beside = layout == StudyLayout::kGrid ? "; ranges without a count are for --samples" : "";
-  throw InvalidArgument(fmt::format("'{}' is no axis; accepted: {}{}", text, FormsOf(layout), beside));
+  throw InvalidArgument(fmt::format("'{}' is not an axis; accepted: {}{}", text, FormsOf(layout), beside));
 }
 
 OptionField& FindField(OptionFields& fields, const std::string& text, const std::string& key) {
@@ -46,7 +46,7 @@ OptionField& FindField(OptionFields& fields, const std::string& text, const std:
   std::vector<std::string> keys;
   for (const OptionField& f : fields) keys.push_back(f.key);
   throw InvalidArgument(fmt::format("'{}': there is no option '{}'{}", text, key,
-                                    NearestOrAll(key, keys, "--list-options prints all of them")));
+                                    NearestOrAll(key, keys, "--list-options=all prints all of them")));
 }
 
 /// The value as the option itself writes it. @throws InvalidArgument naming the axis when it does not take it.
@@ -64,15 +64,14 @@ std::string Accepted(OptionField& field, const std::string& text, const std::str
 void ReadRange(StudyAxis& axis, OptionField& field, const std::string& text, const std::vector<std::string>& words) {
   if (!axis.numbers) {
     throw InvalidArgument(
-        fmt::format("'{}': option '{}' is not a number and has no range; single values, as a sweep takes "
-                    "them, are {}=a,b,c",
+        fmt::format("'{}': option '{}' is not a number and has no range; give single values as {}=a,b,c (for a sweep)",
                     text, axis.key, axis.key));
   }
   axis.low = ReadNumber(text, words[0]);
   axis.high = ReadNumber(text, words[1]);
   if (!(axis.low < axis.high)) {
     throw InvalidArgument(
-        fmt::format("'{}': from {} to {} is no range; the first must be below the second", text, words[0], words[1]));
+        fmt::format("'{}': {} to {} is not a range; the first must be below the second", text, words[0], words[1]));
   }
   Accepted(field, text, words[0]);
   Accepted(field, text, words[1]);
@@ -104,11 +103,12 @@ void ReadList(StudyAxis& axis, OptionField& field, const std::string& text, cons
 
 OptionFields CommandFields(WalkRequest& walk) {
   WalkCommand& c = walk.command;
-  return {
-      {"speed", &c.speed_m_s, "m/s", 0.0, 100.0, "Speed ahead; 0: the robot's own where no other says where to.", {}},
-      {"lateral_speed", &c.lateral_speed_m_s, "m/s", -100.0, 100.0, "Speed to the left.", {}},
-      {"yaw_rate", &c.yaw_rate_rad_s, "rad/s", -100.0, 100.0, "Turning to the left.", {}},
-      {"step_length", &c.step_length_m, "m", -100.0, 100.0, "Advance in a footfall, of counted steps.", {}}};
+  return {{"speed", &c.speed_m_s, "m/s", 0.0, 100.0,
+           "Forward speed; 0 uses the robot's default speed if no other command is given."},
+          {"lateral_speed", &c.lateral_speed_m_s, "m/s", -100.0, 100.0, "Lateral speed; positive is to the left."},
+          {"yaw_rate", &c.yaw_rate_rad_s, "rad/s", -100.0, 100.0, "Yaw rate; positive is to the left."},
+          {"step_length", &c.step_length_m, "m", -100.0, 100.0,
+           "Forward advance in each footfall, for a walk of counted steps."}};
 }
 
 OptionFields StudyFields(WalkRequest& walk, PlayRequest& play) {
@@ -174,7 +174,7 @@ std::vector<StudyPoint> GridPoints(const std::vector<StudyAxis>& axes) {
   std::vector<StudyPoint> points = {{}};
   for (const StudyAxis& axis : axes) {
     if (points.size() * axis.values.size() > kMostStudyPoints)
-      throw InvalidArgument(fmt::format("the grid has over {} points; vary less at a time", kMostStudyPoints));
+      throw InvalidArgument(fmt::format("the grid has over {} points; vary fewer options or values", kMostStudyPoints));
     std::vector<StudyPoint> longer;
     for (const StudyPoint& point : points) {
       for (const std::string& value : axis.values) {
@@ -200,7 +200,7 @@ std::string ValueAt(const StudyAxis& axis, double share) {
 
 std::vector<StudyPoint> SampledPoints(const std::vector<StudyAxis>& axes, std::size_t count, std::uint64_t seed) {
   if (count > kMostStudyPoints) {
-    throw InvalidArgument(fmt::format("{} samples are asked for; at most {} are accepted", count, kMostStudyPoints));
+    throw InvalidArgument(fmt::format("the number of samples is {}; at most {} are accepted", count, kMostStudyPoints));
   }
   std::vector<StudyPoint> points;
   for (std::size_t i = 0; i < count; ++i) {

@@ -47,8 +47,8 @@ Failure Interrupted(const std::string& stage) {
   return {FailureKind::kBadInput,
           FailureCode::kInterrupted,
           stage,
-          "interrupted before the end; what is done so far is kept",
-          {"the same command line with --resume goes on"}};
+          "interrupted before the end; results so far are kept",
+          {"run the same command line with --resume to continue"}};
 }
 
 }  // namespace gaitwright

@@ -10,20 +10,20 @@
 
 namespace gaitwright {
 
-/// How jobs are run.
+/// Execution of jobs.
 struct JobOptions {
-  int threads = 1;                                                      ///< 0: one for each core
+  int threads = 1;                                                      ///< 0: one per core
   std::function<void(std::size_t done, std::size_t of)> progress = {};  ///< called by one thread at a time
-  std::function<bool()> stop = {};  ///< whether to begin no more jobs; asked before each, by any thread
+  std::function<bool()> stop = {};  ///< whether to start no more jobs; called before each job, by any thread
 };
 
-/// Does the job of a number.
+/// Runs the job of a number.
 using JobRunner = std::function<void(std::size_t)>;
 
-/// Runs `job` for every number in `order`, the first ones first, on so many threads, and waits for all. What a job
-/// throws is thrown again when the others have ended, that of the earliest in the order first.
-/// @param elsewhere  the same job done in other places: each has a thread of its own beside those, which waits for it
-/// @return whether all were done; false when `stop` ended it.
+/// Runs `job` for every number in `order`, in this order, on the given number of threads, and waits for all. An
+/// exception of a job is rethrown when the others have ended; that of the earliest job in the order wins.
+/// @param elsewhere  the same job on other machines; each has its own additional thread, which waits for it
+/// @return whether all jobs were done; false if `stop` ended the run.
 bool RunJobs(const std::vector<std::size_t>& order, const JobRunner& job, const JobOptions& options,
              const std::vector<JobRunner>& elsewhere = {});
 

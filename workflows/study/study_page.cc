@@ -50,7 +50,7 @@ std::string Best(const Study& study, const std::vector<PointOutcome>& outcomes) 
 }
 
 std::string Failures(const Study& study, const std::vector<PointOutcome>& outcomes) {
-  std::vector<std::vector<std::string>> rows = {{"points", "what", "where", "why, at the first of them"}};
+  std::vector<std::vector<std::string>> rows = {{"points", "what", "where", "reason, at the first of them"}};
   for (const FailureGroup& group : FailureGroups(study, outcomes)) {
     rows.push_back({std::to_string(group.points.size()),
                     WordsOf(group.status) + (group.code.empty() ? "" : " (" + group.code + ")"), group.where,
@@ -95,11 +95,11 @@ std::string ScoreOver(const Study& study, const std::vector<PointOutcome>& outco
     if (o.score) {
       plot.Dot(at, InkOf(o.status), 3.5, o.status == PointStatus::kPass ? "pass" : "fail");
     } else {
-      plot.Cross(at, Ink::kMuted, "refused, drawn at 0");
+      plot.Cross(at, Ink::kMuted, "refused, shown at 0");
     }
   }
   return FigureOf(
-      {"score_over_" + a.key, "Each point's score over " + a.key + ", whatever it has of the other axes.", plot.Svg()});
+      {"score_over_" + a.key, "Each point's score over " + a.key + ", for all values of the other axes.", plot.Svg()});
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ std::string SweepPage(const Study& study, const std::vector<PointOutcome>& outco
   for (std::size_t k = 0; k < study.axes.size(); ++k) {
     if (study.axes[k].is_range() && study.axes[k].numbers) body += ScoreOver(study, outcomes, k);
   }
-  body += "<h2>Where it fails, and why</h2>\n" + Failures(study, outcomes);
+  body += "<h2>Failures and their reasons</h2>\n" + Failures(study, outcomes);
   body += "<h2>Points</h2>\n" + EveryPoint(study, outcomes);
   return StudyPage(fmt::format("{}: sweep", study.model.name), body);
 }

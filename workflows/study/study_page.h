@@ -8,17 +8,17 @@
 
 namespace gaitwright {
 
-/// The frame of a page about a study: title, one style sheet, `body` of HTML. Whole by itself: no network, no scripts.
+/// The frame of a page about a study: title, one style sheet, `body` of HTML. Self-contained: no network, no scripts.
 std::string StudyPage(const std::string& title, const std::string& body);
 
 /// A figure with its caption.
 std::string FigureOf(const StudyPicture& picture);
 
-/// A table; the first row has the heads. Cells are plain text.
+/// A table; the first row has the headings. Cells are plain text.
 std::string TableOf(const std::vector<std::vector<std::string>>& rows);
 
-/// The page of a sweep: counts and the best point, the maps, the score over each axis where points were sampled, where
-/// the gait fails and why, and every point. Well-formed XML; the same sweep gives the same bytes.
+/// The page of a sweep: counts and the best point, the maps, the score over each axis for sampled points, the failures
+/// with their reasons, and every point. Well-formed XML; deterministic to the byte.
 std::string SweepPage(const Study& study, const std::vector<PointOutcome>& outcomes);
 
 }  // namespace gaitwright

@@ -163,7 +163,7 @@ std::string PlayFlags(const Study& study, std::size_t point) {
 
 std::string SweepText(const Study& study, const std::vector<PointOutcome>& outcomes) {
   const SweepSummary summary = SummaryOf(outcomes);
-  std::string text = fmt::format("{}: {} points: {} pass, {} miss a gate, {} fell, {} fail the audit, {} refused\n",
+  std::string text = fmt::format("{}: {} points: {} pass, {} fail a gate, {} fell, {} fail the audit, {} refused\n",
                                  study.model.name, outcomes.size(), summary.Count(PointStatus::kPass),
                                  summary.Count(PointStatus::kGateMissed), summary.Count(PointStatus::kFell),
                                  summary.Count(PointStatus::kAuditFailed), summary.Count(PointStatus::kRefused));
@@ -177,7 +177,7 @@ std::string SweepText(const Study& study, const std::vector<PointOutcome>& outco
     }
     text += "\n";
   } else {
-    text += "best    none: no point has a plan that passes its audit\n";
+    text += "best    none: no plan passes its audit\n";
   }
   for (const FailureGroup& group : FailureGroups(study, outcomes)) {
     text += fmt::format("{} of {} points {} at {}\n    {}\n", group.points.size(), outcomes.size(),

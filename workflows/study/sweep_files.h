@@ -9,21 +9,21 @@
 
 namespace gaitwright {
 
-/// The map as CSV, a row a point in their order: point, each axis by its key, status, code, score, each metric by its
-/// key, fell_at_s, and with trials their number, survived, survival, survival_low, survival_high and
+/// The map as CSV, one row per point in order: point, each axis by its key, status, code, score, each metric by its
+/// key, fell_at_s, and, with trials, their number, survived, survival, survival_low, survival_high and
 /// trial_score_mean; last the reason. Cells without a value are empty.
 std::string SweepCsv(const Study& study, const std::vector<PointOutcome>& outcomes);
 
-/// What was written: kind and path.
+/// Written files: kind and path.
 using WrittenFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// The object of `sweep --json`, see docs/json-output.md.
 std::string SweepJson(const Study& study, const std::vector<PointOutcome>& outcomes, const WrittenFiles& files);
 
-/// What of a point its plan does not hold, since it is of the playback: "--set KEY=VALUE ..." for `play`, or "".
+/// Playback options of a point, which its plan does not contain: "--set KEY=VALUE ..." for `play`, or "".
 std::string PlayFlags(const Study& study, std::size_t point);
 
-/// The sweep in words: counts, the best point, where it fails and why.
+/// The sweep as text: counts, the best point, and the failures with their reasons.
 std::string SweepText(const Study& study, const std::vector<PointOutcome>& outcomes);
 
 }  // namespace gaitwright

@@ -83,14 +83,14 @@ std::optional<Failure> SaidTwice(const PlayRequest& request, const Disturbances&
   return Failure{FailureKind::kBadInput,
                  FailureCode::kSaidTwice,
                  "PlayTrial",
-                 fmt::format("the disturbances draw {}, which an option of the playback says too", QuotedList(twice)),
+                 fmt::format("the disturbances sample {}, which a playback option also sets", QuotedList(twice)),
                  {"leave one of them out"}};
 }
 
 Failure CannotBePlayed(FailureCode code, const std::string& why, std::vector<Suggestion> suggestions = {}) {
-  suggestions.emplace_back("narrow what is sampled");
+  suggestions.emplace_back("narrow the sampled ranges");
   return {FailureKind::kBadInput, code, "PlayTrial",
-          fmt::format("some trials that the disturbances may draw cannot be played: {}", why), std::move(suggestions)};
+          fmt::format("some trials of these disturbances cannot be played: {}", why), std::move(suggestions)};
 }
 
 /// What `check` has to say of the request at either end of the disturbances; options out of range are a failure too.
@@ -112,7 +112,7 @@ std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& pla
     const std::string why = error.what();
     const bool scaled = noise_scale > 1.0 && why.find(std::string("'") + kSensorPrefix) != std::string::npos;
     return CannotBePlayed(FailureCode::kDisturbances,
-                          why + (scaled ? fmt::format(", where sensor_noise_scale is {}", noise_scale) : ""));
+                          why + (scaled ? fmt::format(", with a sensor_noise_scale of {}", noise_scale) : ""));
   }
   return std::nullopt;
 }

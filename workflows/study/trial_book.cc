@@ -37,14 +37,14 @@ std::optional<Failure> TrialBook::Restore() {
     if (!line) continue;
     try {
       TrialOutcome outcome = OutcomeFromLine(*line);
-      if (outcome.number != number) throw InvalidArgument(fmt::format("it is of trial {}", outcome.number));
+      if (outcome.number != number) throw InvalidArgument(fmt::format("it belongs to trial {}", outcome.number));
       Count(number, outcomes_.emplace(number, std::move(outcome)).first->second);
     } catch (const InvalidArgument& error) {
       return Failure{FailureKind::kBadInput,
                      FailureCode::kJournalLine,
                      "RunTrials",
-                     fmt::format("'{}' is broken at trial {}: {}", hooks_.journal, number, error.what()),
-                     {fmt::format("delete '{}' to begin anew", hooks_.journal)}};
+                     fmt::format("'{}' is damaged at trial {}: {}", hooks_.journal, number, error.what()),
+                     {fmt::format("delete '{}' to start again", hooks_.journal)}};
     }
   }
   restored_ = static_cast<int>(outcomes_.size());
@@ -105,7 +105,7 @@ Result<RobustnessReport> TrialBook::Report() {
                    FailureCode::kInterrupted,
                    "RunTrials",
                    fmt::format("interrupted after {} of {} trials; {}", progress().done, end_, kept),
-                   {"the same command with --resume goes on"}};
+                   {"run the same command with --resume to continue"}};
   }
   std::vector<TrialOutcome> outcomes;
   for (int i = 0; i < end_; ++i) outcomes.push_back(outcomes_.at(i));

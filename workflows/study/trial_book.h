@@ -13,7 +13,7 @@
 
 namespace gaitwright {
 
-/// How many trials, and of which run. How many threads do them changes nothing in the result.
+/// Number of trials and seed of the run. The number of threads does not change the result.
 struct TrialOptions {
   int trials = 500;
   double until_width = 0.0;
@@ -23,69 +23,65 @@ struct TrialOptions {
 
   OptionFields Fields() {
     return {
-        {"trials", &trials, "1", 1, 10000000, "How many, at most.", {}},
-        {"until_width",
-         &until_width,
-         "1",
-         0.0,
-         1.0,
-         "Stops early once the 95 % interval of survival is narrower than this; 0: never.",
-         {}},
-        {"until_least", &until_least, "1", 1, 10000000, "Not before so many trials.", {}},
-        {"seed", &seed, "1", 0, 2147483647, "Of the run; each trial has its own, derived from it.", {}},
-        {"threads", &threads, "1", 0, 4096, "Threads that play; 0: one for each core. The result is the same.", {}},
+        {"trials", &trials, "1", 1, 10000000, "Maximum number of trials."},
+        {"until_width", &until_width, "1", 0.0, 1.0,
+         "Width of the 95 % interval of the survival rate at which the trials stop early; 0 disables this."},
+        {"until_least", &until_least, "1", 1, 10000000, "Smallest number of trials before they may stop early."},
+        {"seed", &seed, "1", 0, 2147483647, "Random seed of the run; each trial's seed is derived from it."},
+        {"threads", &threads, "1", 0, 4096,
+         "Number of threads; 0 uses one per core. The result does not depend on it."},
     };
   }
 };
 
-/// How far a run is.
+/// Progress of a run.
 struct TrialProgress {
-  int done = 0, restored = 0;  ///< trials that are finished, and how many of them an earlier part of the run did
-  int wanted = 0;              ///< trials in all, less those that stopping early saves
+  int done = 0, restored = 0;  ///< finished trials, and how many of them come from an earlier part of the run
+  int wanted = 0;              ///< trials in all, minus those saved by stopping early
   int survived = 0;
 };
 
-/// What goes on beside a run.
+/// Callbacks and journal of a run.
 struct TrialHooks {
   std::string journal;                                      ///< file of the outcomes so far; "" for none
-  bool resume = false;                                      ///< go on with that file
+  bool resume = false;                                      ///< continue with this file
   std::function<void(const TrialProgress&)> progress = {};  ///< after each trial, by one thread at a time
-  std::function<bool()> stop = {};  ///< whether to hand out no more trials; asked before each, by any thread
+  std::function<bool()> stop = {};  ///< whether to hand out no more trials; called before each trial, by any thread
 };
 
-/// Who has to do which trial, and what came of it: hands out numbers, takes outcomes in any order, keeps them in the
-/// journal, and puts the report together from those up to the run's end, in order. Threads and processes that do the
-/// trials share one; it does not lock.
+/// Bookkeeping of trials: hands out numbers, accepts outcomes in any order, stores them in the journal, and builds the
+/// report from the outcomes up to the run's end, in order. Threads and processes that play the trials share one book;
+/// it does not lock.
 ///
-/// A run ends at its last trial or, with `until_width`, at the first number n >= until_least at which the outcomes of
-/// the trials 0 to n - 1 have an interval that is narrow enough. What was done beyond that is not in the report, so
-/// that who was quick does not matter. What an earlier part did beyond the end, since it had more to do, stays in the
-/// journal.
+/// A run ends at its last trial or, with `until_width`, at the first number n >= until_least at which the interval of
+/// trials 0 to n - 1 is narrow enough. Trials beyond the end are not in the report, so the speed of threads does not
+/// matter. Trials of an earlier part beyond the end stay in the journal.
 class TrialBook {
  public:
-  /// @return a failure as WhyNotTried, before a journal is there, as JobJournal::Open, or for an outcome there that is
-  /// broken. @throws InvalidArgument for an option out of range.
+  /// @return a failure as WhyNotTried (before a journal is created), as JobJournal::Open, or for a damaged outcome in
+  /// the journal. @throws InvalidArgument for an option out of range.
   static Result<TrialBook> Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks);
 
-  /// The next trial that nobody has; nothing when all are handed out.
+  /// The next trial that is not handed out; nothing if all are.
   std::optional<int> Next();
   /// Its seed.
   std::uint64_t SeedOf(int number) const { return SeedOfTrial(static_cast<std::uint64_t>(options_.seed), number); }
-  /// Takes what came of a trial. @throws CannotKeep when the journal cannot be written.
+  /// Accepts the outcome of a trial. @throws CannotKeep if the journal cannot be written.
   void Add(TrialOutcome outcome);
-  /// Takes a trial that could not be played: then no more are handed out, and the run fails with the failure of the
-  /// trial of the lowest number.
+  /// Accepts a trial that could not be played: no more are handed out, and the run fails with the failure of the lowest
+  /// trial number.
   void Fail(int number, const Failure& failure);
 
   bool complete() const { return prefix_ >= end_; }
   TrialProgress progress() const;
 
-  /// The report; a failure when a trial failed, or when the run is not complete: code `interrupted`. The journal stays
-  /// until Close.
+  /// The report; a failure if a trial failed, or, with code `interrupted`, if the run is not complete. The journal
+  /// stays until Close.
   Result<RobustnessReport> Report();
-  /// Trials that an earlier part of the run did, and that are beyond its end now.
+  /// Trials of an earlier part of the run that are beyond the run's present end.
   int beyond() const { return static_cast<int>(journal_.found(static_cast<std::size_t>(end_))); }
-  /// Deletes the journal, once the report is safe; it stays where trials are beyond the end, which are in no report.
+  /// Deletes the journal, once the report is saved; the journal stays if it has trials beyond the end, which are in no
+  /// report.
   void Close() {
     if (beyond() == 0) journal_.Remove();
   }

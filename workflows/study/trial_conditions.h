@@ -8,21 +8,21 @@
 
 namespace gaitwright {
 
-/// What trials were played under beside their disturbances, of the options that their result holds. First, whatever
-/// they are: `state`; `sensors`, by the ready-made set that they are nearest to ("not used" where the controller had
-/// the true state), then each figure that is not that set's; and `command_delay_s`. Then every other option that is not
-/// at its usual value. Seeds are left out, since each trial has its own. Of what the options do not say the value is
-/// "not said"; of one that this program does not know the usual value is "".
-/// @param disturbances  as the result has them, YAML: single figures of sensors that are drawn are left out too.
+/// Playback conditions of trials in addition to their disturbances, from the options in their result. First, always:
+/// `state`; `sensors`, as the nearest predefined set ("not used" if the controller had the true state), then each value
+/// that differs from this set; and `command_delay_s`. Then every other option that is not at its default. Seeds are
+/// left out, because each trial has its own. Missing options have the value "not said"; an option unknown to this
+/// program has the default "".
+/// @param disturbances  YAML text of the result; sampled sensor values are left out too.
 std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std::string& disturbances = "");
 
-/// The flags that give a playback those options, as a line of a shell: "--controller joint-pd --set state=estimated
-/// --sensors hobby". Seeds are left out, and what has no effect.
-/// @param drawn  options that disturbances draw, through which others may act.
+/// The flags that give a playback these options, as a shell command line: "--controller joint-pd --set state=estimated
+/// --sensors hobby". Seeds and options without effect are left out.
+/// @param drawn  options that disturbances sample, which may give other options an effect.
 std::string FlagsOf(const std::string& controller, const OptionTexts& options,
                     const std::vector<std::string>& drawn = {});
 
-/// "play.friction 0.4 (usually 0)", or without the bracket where it is as usual.
+/// "play.friction 0.4 (usually 0)", or without the brackets at the default value.
 std::string ConditionText(const OptionChange& condition);
 
 }  // namespace gaitwright

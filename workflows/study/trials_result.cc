@@ -19,9 +19,9 @@ namespace {
 constexpr int kMaxCount = 1000000000;
 
 JsonPart Needed(const JsonPart& object, const char* key) {
-  if (!object.json().is_object()) object.Refuse("is no object; one that 'gaitwright trials' wrote is needed");
+  if (!object.json().is_object()) object.Refuse("is not an object; a result of 'gaitwright trials' is needed");
   if (!object.Has(key) && object.Has("format"))
-    object.Refuse(fmt::format("is a {}; what 'gaitwright trials' wrote is needed", object.At("format").Text()));
+    object.Refuse(fmt::format("is a {}; a result of 'gaitwright trials' is needed", object.At("format").Text()));
   if (!object.Has(key)) object.Refuse(fmt::format("lacks the key '{}'", key));
   return object.At(key);
 }
@@ -34,10 +34,10 @@ std::string TextOf(const JsonPart& part) {
 
 std::vector<TrialsResult::Cause> CausesOf(const JsonPart& result) {
   const JsonPart given = Needed(result, "causes");
-  if (!given.json().is_object()) given.Refuse("is no object of counts");
+  if (!given.json().is_object()) given.Refuse("is not an object of counts");
   std::vector<TrialsResult::Cause> causes;
   for (const auto& [key, value] : given.json().items()) {
-    if (!IsCauseOfFall(key)) given.Refuse(fmt::format("has '{}', which is no cause that a fall has", key));
+    if (!IsCauseOfFall(key)) given.Refuse(fmt::format("has '{}', which is not a cause of falls", key));
     causes.push_back({key, given.At(key).Whole(1, kMaxCount)});
   }
   return causes;
@@ -66,7 +66,7 @@ std::vector<TrialRow> RowsOf(const JsonPart& result) {
     if (cells.size() != names.size())
       row.Refuse(fmt::format("has {} values for {} columns", cells.size(), names.size()));
     rows.push_back({cells[survived].Truth(), cells[passed].Truth(), cells[cause].Text(), TextOf(cells[log_hash])});
-    if (rows.back().passed && !rows.back().survived) row.Refuse("passed every gate and did not survive");
+    if (rows.back().passed && !rows.back().survived) row.Refuse("passed every gate but did not survive");
   }
   return rows;
 }
@@ -89,11 +89,11 @@ std::vector<TrialsResult::Worst> WorstOf(const JsonPart& result) {
 /// All options of a playback, so that none is unknown to whoever signs.
 OptionTexts OptionsOf(const JsonPart& result) {
   const JsonPart given = Needed(result, "options");
-  if (!given.json().is_object()) given.Refuse("is no object of options");
+  if (!given.json().is_object()) given.Refuse("is not an object of options");
   PlayRequest request;
   for (const OptionField& field : request.Fields()) {
     if (!given.Has(field.key))
-      given.Refuse(fmt::format("lacks '{}'; a result of this version has every option of the playback", field.key));
+      given.Refuse(fmt::format("lacks '{}'; a result of this version contains every playback option", field.key));
   }
   OptionTexts options;
   for (const auto& [key, value] : given.json().items()) options.emplace_back(key, given.At(key).Text());
@@ -114,10 +114,10 @@ void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::ve
   const auto hold = [&](int said, const std::string& what, auto is) {
     const auto counted = std::count_if(rows.begin(), rows.end(), is);
     if (said != counted)
-      part.Refuse(fmt::format("says that {} of {} trials {}; of its rows {} did", said, result.n, what, counted));
+      part.Refuse(fmt::format("says that {} of {} trials {}, but {} of its rows did", said, result.n, what, counted));
   };
   if (static_cast<std::size_t>(result.n) != rows.size())
-    part.Refuse(fmt::format("says that there were {} trials, and has rows of {}", result.n, rows.size()));
+    part.Refuse(fmt::format("says that there were {} trials, but has rows of {}", result.n, rows.size()));
   hold(result.survived, "survived", [](const TrialRow& row) { return row.survived; });
   hold(result.passed, "passed every gate", [](const TrialRow& row) { return row.passed; });
   int told = 0;
@@ -127,7 +127,7 @@ void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::ve
     told += cause.count;
   }
   if (told != result.n - result.survived)
-    part.Refuse(fmt::format("has causes of {} falls, where {} fell", told, result.n - result.survived));
+    part.Refuse(fmt::format("has causes of {} falls, but {} trials fell", told, result.n - result.survived));
 }
 
 /// Refuses an interval that is not that of the counts.
@@ -137,9 +137,10 @@ void CheckInterval(const JsonPart& part, const TrialsResult& result) {
   if (std::abs(is.share - result.survival) <= kRounded && std::abs(is.low - result.survival_low) <= kRounded &&
       std::abs(is.high - result.survival_high) <= kRounded)
     return;
-  part.Refuse(fmt::format(
-      "says a survival of {} in {} to {}, where {} of {} trials survived ({:.4g} in {:.4g} to {:.4g})", result.survival,
-      result.survival_low, result.survival_high, result.survived, result.n, is.share, is.low, is.high));
+  part.Refuse(
+      fmt::format("says a survival rate of {} in {} to {}, but {} of {} trials survived ({:.4g} in {:.4g} to {:.4g})",
+                  result.survival, result.survival_low, result.survival_high, result.survived, result.n, is.share,
+                  is.low, is.high));
 }
 
 /// Counts each log once, as the worst of the trials that have it.

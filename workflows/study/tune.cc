@@ -99,13 +99,12 @@ void CheckTunable(const std::vector<StudyAxis>& axes) {
   for (const StudyAxis& axis : axes) {
     if (IsOfCommand(axis.key) || axis.key.starts_with("score.")) {
       throw InvalidArgument(fmt::format(
-          "'{}' is not to be tuned: scores compare only for the same command and the same rules; sweep it instead",
+          "'{}' cannot be tuned: scores are comparable only for the same command and the same rules; sweep it instead",
           axis.key));
     }
     if (axis.key.starts_with("play.") || axis.key.starts_with("sensors.") || axis.key == "command_delay_s") {
       throw InvalidArgument(fmt::format(
-          "'{}' is not to be tuned: it says what the world and the robot are like, not how to walk; sweep it instead",
-          axis.key));
+          "'{}' cannot be tuned: it describes the world or the robot, not the walk; sweep it instead", axis.key));
     }
   }
 }
@@ -144,9 +143,9 @@ Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJourn
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kNoPlan,
                    "Tune",
-                   fmt::format("none of {} candidates has a plan that passes its audit; the usual one: {}",
+                   fmt::format("none of {} candidates has a plan that passes its audit; the present values: {}",
                                report.result.candidates.size(), report.result.candidates.front().worth.refusal),
-                   {"ask for less speed", "widen the ranges"}};
+                   {"lower the speed", "widen the ranges"}};
   }
   PlayBoth(study, report);
   return report;
@@ -154,8 +153,8 @@ Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJourn
 
 std::string TunedOptions(const Study& study, const TuneResult& result) {
   std::string yaml = result.better() ? "# Tuned; better on held-out trials.\n"
-                                     : "# Not better than these usual values on held-out trials, so they are kept.\n";
-  if (result.proof && !result.proof->no_before.empty()) yaml = "# Tuned; the usual values cannot be walked.\n";
+                                     : "# Not better than these present values on held-out trials, so they are kept.\n";
+  if (result.proof && !result.proof->no_before.empty()) yaml = "# Tuned; the present values give no walk.\n";
   yaml += fmt::format("# Robot {} ({}), gait {}, terrain {}; gaitwright {}.\n", study.model.name, study.model.hash,
                       study.walk.gait.empty() ? "its best" : study.walk.gait, study.walk.terrain, Version());
   WalkRequest walk = study.walk;

@@ -8,28 +8,28 @@
 
 namespace gaitwright {
 
-/// A tuning and what its usual and its favourite values make of the undisturbed walk.
+/// A tuning, with the undisturbed walk of its present and its best values.
 struct TuneReport {
   TuneResult result;
   PointOutcome before, after;        ///< with every key of MetricRules()
-  std::vector<std::string> metrics;  ///< those keys
+  std::vector<std::string> metrics;  ///< these keys
 };
 
-/// @throws InvalidArgument for an axis that is not to be tuned: the command and the score, since scores compare only
-/// for the same of both, and `play.*`, which says what the world is like.
+/// @throws InvalidArgument for an axis that cannot be tuned: the command and the score, because scores are comparable
+/// only for equal ones, and `play.*`, which describes the world.
 void CheckTunable(const std::vector<StudyAxis>& axes);
 
-/// The values that the requests of a study have now for its axes.
+/// The present values of a study's requests for its axes.
 StudyPoint UsualValues(const Study& study);
 
-/// Tunes the options that the study's axes name: see SearchTuning. The study's points are not used.
-/// Failures as SearchTuning; `no_plan` when no candidate has a plan that passes its audit.
+/// Tunes the options that the study's axes name: see SearchTuning. The study's points are not used. Failures as
+/// SearchTuning; `no_plan` if no candidate has a plan that passes its audit.
 Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJournal& journal, const JobOptions& jobs);
 
-/// What ties a journal to one tuning; `trials` is a text that says what the trials are.
+/// Identity of a tuning for its journal; `trials` is a text that identifies the trials.
 std::string TuneIdentity(const Study& study, const TuneOptions& options, const std::string& trials);
 
-/// The chosen values as a file of options, for `walk --options FILE`.
+/// The chosen values as an option file, for `walk --options FILE`.
 std::string TunedOptions(const Study& study, const TuneResult& result);
 
 }  // namespace gaitwright

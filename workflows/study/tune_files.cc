@@ -65,18 +65,18 @@ Json MetricsJson(const TuneReport& report) {
 }  // namespace
 
 std::string VerdictOf(const TuneResult& result) {
-  if (!result.proof) return "no better: no candidate is worth more than the usual values, which are kept";
+  if (!result.proof) return "no better: no candidate has a higher value than the present values, which are kept";
   const PairedDifference& d = result.proof->value;
   if (!result.proof->no_before.empty()) {
     return fmt::format(
-        "better: the usual values cannot be walked ({}), the favourite is worth {:.2f} on {} held-out trials",
+        "better: the present values give no walk ({}); the best candidate has a value of {:.2f} on {} held-out trials",
         result.proof->no_before, d.after, result.proof->trials);
   }
   const std::string figures = fmt::format(
       "{:.2f} to {:.2f} on {} held-out trials, difference {:.2f} (95 % interval "
       "{:.2f} to {:.2f})",
       d.before, d.after, result.proof->trials, d.mean, d.low, d.high);
-  return result.better() ? "better: " + figures : "no better: " + figures + "; the usual values are kept";
+  return result.better() ? "better: " + figures : "no better: " + figures + "; the present values are kept";
 }
 
 std::string TuneJson(const Study& study, const TuneReport& report, const TuneOptions& options,

@@ -8,15 +8,15 @@
 
 namespace gaitwright {
 
-/// The object of `tune --json`, see docs/json-output.md. Well-formed and the same bytes for the same tuning.
+/// The object of `tune --json`, see docs/json-output.md. Deterministic to the byte.
 std::string TuneJson(const Study& study, const TuneReport& report, const TuneOptions& options,
                      const WrittenFiles& files);
 
-/// The tuning in words.
+/// The tuning as text.
 std::string TuneText(const Study& study, const TuneReport& report, const TuneOptions& options);
 
-/// The page of a tuning: what came of it, usual against tuned values, the proof, metrics before and after, the history
-/// of the search and the response to each option. Well-formed XML.
+/// The page of a tuning: verdict, present and tuned values, held-out test, metrics before and after, history of the
+/// search and response to each option. Well-formed XML.
 std::string TunePage(const Study& study, const TuneReport& report, const TuneOptions& options);
 
 /// "better: 71.2 to 78.3 points on 150 held-out trials, difference 7.1 (95 % interval 5.0 to 9.2)" or why not.

@@ -41,7 +41,7 @@ std::string Values(const Study& study, const TuneResult& result) {
 
 std::string Proof(const TuneResult& result) {
   if (!result.proof)
-    return "<p>No candidate was worth more than the usual values, so that there is nothing to prove.</p>\n";
+    return "<p>No candidate has a higher value than the present values, so there was no held-out test.</p>\n";
   const bool has_before = result.proof->no_before.empty();
   const auto row = [&](const char* what, const PairedDifference& d, double scale) -> std::vector<std::string> {
     if (!has_before) return {what, "\u2013", fmt::format("{:.2f}", scale * d.after), "\u2013", "\u2013"};
@@ -54,8 +54,8 @@ std::string Proof(const TuneResult& result) {
                   row("survival [%]", result.proof->survival, 100.0)}) +
          fmt::format("<p class=\"soft\">{} trials that no candidate was tried on before, {}.</p>\n",
                      result.proof->trials,
-                     has_before ? "the same for both, compared pair by pair"
-                                : "of the favourite alone: " + EscapedXml(result.proof->no_before));
+                     has_before ? "the same trials for both, compared in pairs"
+                                : "of the best candidate only: " + EscapedXml(result.proof->no_before));
 }
 
 std::string Metrics(const TuneReport& report) {
@@ -98,10 +98,10 @@ std::string History(const TuneResult& result) {
     if (candidate.value) {
       plot.Dot(at, InkOf(candidate.found_by), 3.5, candidate.found_by);
     } else {
-      plot.Cross(at, Ink::kBad, "refused, drawn at 0");
+      plot.Cross(at, Ink::kBad, "refused, shown at 0");
     }
   }
-  return FigureOf({"history", "How the search went. Crosses have no plan that passes its audit.", plot.Svg()});
+  return FigureOf({"history", "Progress of the search. Crosses have no plan that passes its audit.", plot.Svg()});
 }
 
 /// The fitted surface along one option through the favourite, where that lies within the ranges.
@@ -126,19 +126,19 @@ std::string Response(const Study& study, const TuneResult& result, std::size_t a
   options.x_lowest = a.low;
   options.x_highest = a.high;
   SvgPlot plot(options);
-  plot.Line(Slice(study, result, axis), Ink::kSupport, Stroke::kPlanned, "surface through the favourite");
+  plot.Line(Slice(study, result, axis), Ink::kSupport, Stroke::kPlanned, "surface through the best candidate");
   for (const TuneCandidate& candidate : result.candidates) {
     const double value = NumberOfValue(candidate.values[axis]);
     if (candidate.value && value >= a.low && value <= a.high)
       plot.Dot({value, *candidate.value}, InkOf(candidate.found_by), 3.5, candidate.found_by);
   }
   plot.AcrossY(NumberOfValue(result.candidates[result.favourite].values[axis]), Ink::kDcm, "favourite");
-  std::string caption = "Each candidate's value over " + a.key + ", whatever it has of the other options.";
+  std::string caption = "Each candidate's value over " + a.key + ", for all values of the other options.";
   if (result.surface)
     caption += result.surface->foretold > 0.0
-                   ? fmt::format(" The surface foretells {:.0f} % of the variance of what it was not fitted to.",
+                   ? fmt::format(" The surface predicts {:.0f} % of the variance of points that were not fitted.",
                                  100.0 * result.surface->foretold)
-                   : std::string(" The surface foretells what it was not fitted to worse than the mean does.");
+                   : std::string(" The surface predicts points that were not fitted worse than their mean does.");
   return FigureOf({"response", caption, plot.Svg()});
 }
 

@@ -262,8 +262,8 @@ class TuneSearch {
     return {FailureKind::kBadInput,
             FailureCode::kHeldOut,
             "SearchTuning",
-            fmt::format("the proof failed: held-out trials of the {} values could not be played: {}",
-                        of_usual ? "usual" : "favourite", worth.refusal.empty() ? "some are missing" : worth.refusal),
+            fmt::format("held-out trials of the {} values could not be played: {}", of_usual ? "usual" : "favourite",
+                        worth.refusal.empty() ? "some are missing" : worth.refusal),
             {}};
   }
 
@@ -304,10 +304,10 @@ Result<TuneResult> SearchTuning(const TuneProblem& problem, const TuneOptions& o
   TuneOptions checked = options;
   CheckOptions(checked.Fields());
   if (problem.axes.empty() || problem.usual.size() != problem.axes.size())
-    throw InvalidArgument("SearchTuning: a range and a usual value are needed for each of the unknowns");
+    throw InvalidArgument("SearchTuning: a range and a present value are needed for each of the unknowns");
   for (const StudyAxis& axis : problem.axes) {
     if (!axis.is_range() || !axis.numbers)
-      throw InvalidArgument(fmt::format("SearchTuning: axis '{}' is no range of numbers", axis.key));
+      throw InvalidArgument(fmt::format("SearchTuning: axis '{}' is not a range of numbers", axis.key));
   }
   return TuneSearch(problem, options, seed, journal, jobs).Search();
 }

@@ -28,53 +28,33 @@ struct TuneOptions {
 
   OptionFields Fields() {
     return {
-        {"evaluations",
-         &evaluations,
-         "1",
-         2.0,
-         100000.0,
-         "Candidates that are tried, the present values among them.",
-         {}},
-        {"trials", &trials, "1", 1.0, 100000.0, "Trials of each candidate, the same for all.", {}},
-        {"finalists",
-         &finalists,
-         "1",
-         1.0,
-         100.0,
-         "The best candidates, which are tried twice as often again before one is chosen.",
-         {}},
-        {"held_out", &held_out, "1", 6.0, 100000.0, "Trials never used in the search, on which the proof rests.", {}},
-        {"survival_weight",
-         &survival_weight,
-         "1",
-         0.0,
-         1000.0,
-         "What a trial counts beside its score, of 0 to 100, when the robot stands to the end.",
-         {}},
+        {"evaluations", &evaluations, "1", 2.0, 100000.0,
+         "Number of candidates that are tried, including the present values."},
+        {"trials", &trials, "1", 1.0, 100000.0, "Trials of each candidate; all candidates get the same trials."},
+        {"finalists", &finalists, "1", 1.0, 100.0,
+         "Number of best candidates that get twice as many further trials before one is chosen."},
+        {"held_out", &held_out, "1", 6.0, 100000.0,
+         "Number of held-out trials, which the search never uses and which test the result."},
+        {"survival_weight", &survival_weight, "1", 0.0, 1000.0,
+         "Value added to a trial's score (0 to 100) if the robot survives to the end."},
         {"method",
          &method,
          "",
          0.0,
          0.0,
-         "How it is searched: by response surfaces (surface), CMA-ES (cma-es), or surfaces for as long as they "
-         "foretell "
-         "what was not fitted (auto).",
+         "Search method: response surfaces, CMA-ES, or auto, which uses surfaces while they predict points that were "
+         "not fitted.",
          {"auto", "surface", "cma-es"}},
-        {"smooth_above",
-         &smooth_above,
-         "1",
-         -1.0,
-         1.0,
-         "With auto, how much of the variance between candidates a surface must foretell to be followed.",
-         {}}};
+        {"smooth_above", &smooth_above, "1", -1.0, 1.0,
+         "Share of the variance between candidates that a surface must predict for auto to follow it."}};
   }
 };
 
-/// What a tuning varies, and how a candidate is judged.
+/// The axes of a tuning and the evaluation of a candidate.
 struct TuneProblem {
   std::vector<StudyAxis> axes;  ///< ranges of numbers
-  StudyPoint usual;             ///< the present values, also where they are out of the ranges
-  /// What values are worth over trials `first` to `first` + `count` - 1: a pure function, called from any thread.
+  StudyPoint usual;             ///< the present values, even if outside the ranges
+  /// Value of option values over trials `first` to `first` + `count` - 1: a pure function, called from any thread.
   std::function<CandidateWorth(const StudyPoint& values, int first, int count)> judge;
 };
 
@@ -83,33 +63,32 @@ struct TuneCandidate {
   StudyPoint values;
   std::string found_by;  ///< "usual", "sample", "surface" or "cma-es"
   CandidateWorth worth;
-  std::optional<double> value;  ///< over the trials of the search; nothing when it was refused
+  std::optional<double> value;  ///< over the trials of the search; nothing if it was refused
 };
 
-/// The proof on trials that the search never saw.
+/// The test on held-out trials, which the search never used.
 struct HeldOutProof {
   int trials = 0;
   PairedDifference value, score, survival;
-  /// Why the usual values could not be tried, such as that they have no plan; "" where they were. Then there is nothing
-  /// to compare with: of the differences `after` alone is told.
+  /// Why the present values could not be tried, for example without a plan; "" if they were. Then there is no
+  /// comparison, and only `after` of the differences is set.
   std::string no_before = {};
 };
 
-/// What a tuning found.
-/// Always true: candidate 0 is the usual one; `chosen` is 0 unless the difference in value on the held-out trials is
-/// above zero with its whole 95 % interval, or the usual values have no plan at all.
+/// Result of a tuning. Invariant: candidate 0 has the present values; `chosen` is 0 unless the whole 95 % interval of
+/// the difference on the held-out trials is above zero, or the present values have no plan.
 struct TuneResult {
-  std::vector<TuneCandidate> candidates;  ///< in the order in which they were tried
+  std::vector<TuneCandidate> candidates;  ///< in order of evaluation
   std::vector<std::size_t> finalists;     ///< numbers of candidates, the best first
-  std::size_t favourite = 0;              ///< what the search would choose
+  std::size_t favourite = 0;              ///< best candidate of the search
   std::size_t chosen = 0;
-  std::optional<HeldOutProof> proof;     ///< nothing when the favourite is the usual one
-  std::optional<FittedSurface> surface;  ///< last one fitted to all, over shares of the ranges
+  std::optional<HeldOutProof> proof;     ///< nothing if the present values are the best
+  std::optional<FittedSurface> surface;  ///< last surface fitted to all points, over ranges scaled to 0 to 1
 
   bool better() const { return chosen != 0; }
 };
 
-/// Where a candidate lies in the ranges, each from 0 to 1; outside of it beyond them.
+/// Position of a candidate in the ranges, each scaled to 0 to 1; outside 0 to 1 beyond them.
 VectorX SharesOf(const std::vector<StudyAxis>& axes, const StudyPoint& values);
 
 /// Looks for the values with the highest mean value over trials, with the same trials for every candidate:

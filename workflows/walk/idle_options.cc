@@ -21,7 +21,7 @@ std::vector<Rule> RulesFor(const PlayRequest& request) {
   const WorldOptions& world = request.play.world;
   const bool is_true = state == StateSourceNames().front(), is_estimated = state == StateSourceNames().back();
   std::vector<Rule> rules = {
-      {"sensors.", "state", !is_true, "since the controller has the true state and no sensor is read",
+      {"sensors.", "state", !is_true, "because the controller uses the true state and no sensors",
        "give --state estimated or measured"},
       {"stabilised.sensed_damping", "state", !is_true, "with the true state", "give --state estimated or measured"},
       {"stabilised.", "controller", request.controller != "joint-pd",

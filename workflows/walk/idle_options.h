@@ -9,16 +9,16 @@
 
 namespace gaitwright {
 
-/// An option of a playback that does nothing as the others are.
+/// A playback option without effect, given the other options.
 struct IdleOption {
   std::string key;
   std::string why;   ///< "without 'ground_slope_deg'", to be read after "has no effect"
   std::string hint;  ///< what to do about it
 };
 
-/// The first of some options that does nothing in a playback.
-/// @param keys  options that are given, or drawn.
-/// @param open  options whose values are not settled: those that are varied or drawn, through which others may act.
+/// The first of some options that has no effect in a playback.
+/// @param keys  options that are given or sampled.
+/// @param open  options whose values are open (varied or sampled), which may give other options an effect.
 std::optional<IdleOption> FirstIdle(const PlayRequest& request, const std::vector<std::string>& keys,
                                     const std::vector<std::string>& open = {});
 

@@ -7,8 +7,8 @@
 
 namespace gaitwright {
 
-/// What 'recovering' needs of a robot: steps on the spot in the robot's own gait, as quick as they pass their audit,
-/// or none where no steps do, and the joints of its protective crouch, on level ground.
+/// Plans that 'recovering' needs for a robot, on level ground: steps in place in the robot's default gait, at the
+/// fastest cycle that passes the audit (none if no cycle does), and the joint positions of its protective crouch.
 /// Failure kInfeasible as of PlanPosture for a robot that cannot bend its legs.
 Result<RecoveryPlans> PlanRecovery(const RobotModel& model);
 

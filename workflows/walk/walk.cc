@@ -36,9 +36,9 @@ Result<RobotModel> RobotOf(const MotionPlan& plan) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kRobotHash,
                    "RobotOf",
-                   fmt::format("the plan was made for robot {} ({}), but carries another ({})", plan.robot,
+                   fmt::format("the plan was made for robot {} ({}), but contains another ({})", plan.robot,
                                plan.robot_hash, model->hash),
-                   {"make the plan anew"}};
+                   {"make the plan again"}};
   }
   return model;
 }
@@ -83,9 +83,7 @@ class OfLosslessJoints final : public Controller {
 
 void CheckLoop(const PlayRequest& request) {
   if (DriveLoopOf(request.sensing.drive_loop) == DriveLoop::kOwn || request.play.world.actuation == "torque") return;
-  throw InvalidArgument(
-      "option 'drive_loop' is 'sensed', where the controller makes torques of what it senses; that needs "
-      "play.actuation=torque");
+  throw InvalidArgument("option 'drive_loop' is 'sensed', which needs play.actuation=torque");
 }
 
 /// @throws InvalidArgument for a rate at which no sensor can be read, since its period is not in whole time steps.

@@ -19,7 +19,7 @@
 
 namespace gaitwright {
 
-/// How a plan is played and judged.
+/// Request for playing and scoring a plan.
 struct PlayRequest {
   std::string controller = "stabilised";  ///< or one of ControllerNames()
   PlayOptions play;
@@ -36,45 +36,45 @@ struct PlayRequest {
   }
 };
 
-/// What was measured and what it is worth.
+/// Log of a playback and its score.
 struct PlayedWalk {
   PlaybackLog log;
   StabilityReport report;
   double realtime_factor = 0.0;  ///< simulated time over CPU time
 };
 
-/// A robot by name, or by the path of a URDF when that is not empty.
+/// A robot by name, or by the path of a URDF if that is not empty.
 Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_path);
 
-/// The robot that a plan carries in itself.
+/// The robot that a plan contains.
 Result<RobotModel> RobotOf(const MotionPlan& plan);
 
-/// The gains asked for, bounded for explicit torque control at the playback's own step, and the age of what it acts on,
-/// unless another step is given.
+/// The requested gains, bounded for explicit torque control at the playback's step plus the feedback delay, unless
+/// another step is given.
 GainOptions GainsFor(const PlayRequest& request);
 
-/// Those that there are: stabilised, joint-pd, recovering.
+/// All controllers: stabilised, joint-pd, recovering.
 const std::vector<std::string>& ControllerNames();
-/// @throws InvalidArgument listing them for another name.
+/// @throws InvalidArgument for another name, listing the controllers.
 void CheckController(const std::string& name);
 
-/// The controller of that name, behind the sensors asked for; where the joints' losses do not act (play.joint_losses)
-/// it knows of none. Model and plan must outlive it.
-/// @param recovery  what 'recovering' does; nothing where it is to be planned now.
-/// @throws InvalidArgument as of CheckController, for a loop of the drives that the actuation does not have, and for a
-/// plan that the controller is not for.
+/// The controller of this name, with the requested sensors; if joint losses are disabled (play.joint_losses), it
+/// assumes none. Model and plan must outlive it.
+/// @param recovery  plans of 'recovering'; nothing to plan them now.
+/// @throws InvalidArgument as of CheckController, for a drive loop that the actuation does not support, and for a plan
+/// that the controller does not support.
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                                            const std::optional<RecoveryPlans>& recovery = {});
 
-/// Plays and scores. The log's options are all of the request's, not only those of the physics.
+/// Plays and scores. The log contains all options of the request, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
-/// The same with a controller of somebody's own, behind the sensors asked for; the request's `controller` and what
-/// shapes it are not looked at.
+/// As above with your own controller, with the requested sensors; the request's `controller` and its options are
+/// ignored.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                             std::unique_ptr<Controller> own);
 
-/// The options of a plan and of its playback that are not at their usual values, by the plan's and the log's own words.
+/// The options of a plan and its playback that differ from their defaults, from the plan and the log.
 std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log);
 
 }  // namespace gaitwright

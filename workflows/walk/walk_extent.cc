@@ -11,13 +11,12 @@ void SetExtent(const RobotModel& model, const WalkExtent& extent, WalkCommand& c
   const int said = static_cast<int>(extent.distance_m.has_value()) + static_cast<int>(extent.duration_s.has_value()) +
                    static_cast<int>(extent.goal.has_value()) + static_cast<int>(extent.steps.has_value());
   if (said > 1) {
-    throw InvalidArgument(
-        fmt::format("{0}distance, {0}duration, {0}goal and {0}steps each say how far: give one of them", before));
+    throw InvalidArgument(fmt::format(
+        "{0}distance, {0}duration, {0}goal and {0}steps each set the distance; give only one of them", before));
   }
-  if (extent.distance_m == 0.0)
-    throw InvalidArgument(fmt::format("{}distance 0 goes nowhere: it must be more than 0", before));
+  if (extent.distance_m == 0.0) throw InvalidArgument(fmt::format("{}distance is 0; it must be more than 0", before));
   if (extent.step_length_m && (!extent.steps || command.speed_m_s != 0.0))
-    throw InvalidArgument("the length of a step goes with steps, and instead of a speed");
+    throw InvalidArgument("the step length is for use with steps, instead of a speed");
   const bool walks = command.speed_m_s != 0.0 || command.lateral_speed_m_s != 0.0;
   const bool turns_only = command.yaw_rate_rad_s != 0.0 && !walks;
   command.distance_m = extent.distance_m.value_or(turns_only ? 0.0 : 1.0);

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// How far a walk is to go, as far as somebody said it.
+/// Extent of a walk, as far as given.
 struct WalkExtent {
   std::optional<double> distance_m;
   std::optional<double> duration_s;
@@ -18,10 +18,10 @@ struct WalkExtent {
   std::optional<double> step_length_m;  ///< with `steps`
 };
 
-/// Puts it into a command, whose speeds are there already. What nobody said is 1 m, or where only a yaw rate is given a
-/// quarter turn; steps without a length or a speed go at the robot's own speed.
-/// @throws InvalidArgument where it is said twice, for a distance of 0, and for a step's length without steps or beside
-/// a speed. @param before  what stands before names in its message, as "--" before flags.
+/// Puts it into a command that already has its speeds. The default is 1 m, or a quarter turn if only a yaw rate is
+/// given; steps without a length or a speed use the robot's default speed.
+/// @throws InvalidArgument if the extent is given twice, for a distance of 0, and for a step length without steps or
+/// together with a speed. @param before  prefix of names in messages, such as "--" for flags.
 void SetExtent(const RobotModel& model, const WalkExtent& extent, WalkCommand& command, const std::string& before = "");
 
 }  // namespace gaitwright

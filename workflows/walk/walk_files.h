@@ -8,12 +8,11 @@
 
 namespace gaitwright {
 
-/// The paths of all files that a walk is planned from, beside those of its robot: of gaits, also of those that come
-/// with the program, of the sequence and of the ground, with what these name in turn. Files that are not there count
-/// too.
+/// The paths of all input files of a walk except those of its robot: gaits (also built-in ones), sequence and ground,
+/// with the files that these name. Missing files are included.
 std::vector<std::string> FilesOf(const WalkRequest& request);
 
-/// Hash of what stands in those files: the same for the same bytes, wherever they lie.
+/// Hash of the contents of these files, independent of their paths.
 std::string ContentsHash(const WalkRequest& request);
 
 }  // namespace gaitwright

@@ -8,22 +8,22 @@
 
 namespace gaitwright {
 
-/// A plan that was played.
+/// A played plan.
 struct Judged {
   const RobotModel& model;
   const MotionPlan& plan;
   const PlayedWalk& played;
   const AuditReport& audit;
   double planning_cpu_s = 0.0;
-  bool audit_counts = false;                    ///< the verdict needs the plan's audit too
-  std::optional<std::string> mesh_folder = {};  ///< of the robot's URDF, where its visual meshes are found from
+  bool audit_counts = false;                    ///< the verdict also needs the plan's audit
+  std::optional<std::string> mesh_folder = {};  ///< of the robot's URDF, to find its visual meshes
 
   bool pass() const { return played.report.pass && (!audit_counts || audit.pass()); }
-  /// Why it is a fail whatever physics said; "" for no such reason.
+  /// Reason for a fail independent of the playback; "" if there is none.
   std::string objection() const;
 };
 
-/// Its report as one HTML page (ReportPage), with the audit's words, changed options, and the viewer.
+/// Its report as one HTML page (ReportPage), with the audit's text, changed options and the viewer.
 std::string WalkReport(const Judged& judged);
 
 }  // namespace gaitwright

@@ -21,9 +21,11 @@ Task Alone(const Task& task, const std::string& key, const ActionRule& rule) {
 }
 
 std::string WhyNotTaken(const ActionRule& rule, const std::string& key) {
-  if (key == "to" && rule.action == "turn") return "is a place, and a turn goes to the left or right by degrees";
-  if (key == "to") return fmt::format("is a place, and '{}' is done where the robot is: walk there first", rule.action);
-  return fmt::format("is nothing to '{}'", rule.action);
+  if (key == "to" && rule.action == "turn")
+    return "is a place, but a turn needs a direction (left or right) and degrees";
+  if (key == "to")
+    return fmt::format("is a place, but '{}' is done at the robot's present place: walk there first", rule.action);
+  return fmt::format("cannot be used with '{}'", rule.action);
 }
 
 void CheckParameter(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft,
@@ -48,7 +50,7 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
     if (extent) {
       const Span both = {std::min(extent->begin, span.begin), std::max(extent->end, span.end)};
       throw Refused{
-          {FailureCode::kAmbiguous, TextOf(text, both), "says twice how far: an amount or a place is taken", ""}};
+          {FailureCode::kAmbiguous, TextOf(text, both), "sets the distance twice: give an amount or a place", ""}};
     }
     extent = span;
   }
@@ -65,9 +67,9 @@ void CheckSideways(const std::string& text, const Task& task, const Draft& draft
   if (!draft.sideways || task.action == "lower_arm") return;  // arms hang at the sides
   const std::string words = TextOf(text, *draft.sideways);
   if (task.action != "walk")
-    throw Refused{{FailureCode::kUnknown, words, fmt::format("is nothing to '{}'", task.action), ""}};
+    throw Refused{{FailureCode::kUnknown, words, fmt::format("cannot be used with '{}'", task.action), ""}};
   if (task.Word("direction") != "left" && task.Word("direction") != "right")
-    throw Refused{{FailureCode::kAmbiguous, words, "does not say to which side", "", "left or right"}};
+    throw Refused{{FailureCode::kAmbiguous, words, "does not give a side", "", "left or right"}};
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ bool Takes(const std::string& action, const std::string& key) {
 void CheckDraft(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft) {
   if (draft.bare)
     throw Refused{{FailureCode::kAmbiguous, TextOf(text, {draft.bare->begin, draft.bare->end}), "has no unit", "",
-                   "its unit: metres, steps, degrees, seconds or times"}};
+                   "a unit: metres, steps, degrees, seconds or times"}};
   const ActionRule& rule = *FindAction(task.action);
   if (!scope.Can(rule)) {
     const Task bare{task.action, {}, "", {}};
@@ -90,7 +92,7 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
   if (draft.side) {
     const std::string words = TextOf(text, draft.side_said.value_or(draft.words));
     throw Refused{
-        {FailureCode::kUnknown, words, fmt::format("is nothing to '{}', which has no sides", rule.action), ""}};
+        {FailureCode::kUnknown, words, fmt::format("cannot be used with '{}', which has no sides", rule.action), ""}};
   }
   CheckSideways(text, task, draft);
   for (const auto& [key, value] : task.parameters) CheckParameter(text, scope, task, draft, key);
@@ -98,10 +100,10 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
   const bool goes =
       std::any_of(ExtentKeys().begin(), ExtentKeys().end(), [&](const auto& key) { return task.Has(key); });
   if (draft.to_nowhere && task.action == "walk" && !goes)
-    throw Refused{{FailureCode::kPlace, TextOf(text, draft.words), "does not say where to", ""}};
+    throw Refused{{FailureCode::kPlace, TextOf(text, draft.words), "does not give a destination", ""}};
   for (const std::string& required : rule.required) {
     if (!task.Has(required))
-      throw Refused{{FailureCode::kAmbiguous, TextOf(text, draft.words), fmt::format("does not say the {}", required),
+      throw Refused{{FailureCode::kAmbiguous, TextOf(text, draft.words), fmt::format("does not give the {}", required),
                      "", WhatToSay(required)}};
   }
   for (std::size_t k = 0; k < task.during.size(); ++k) CheckDraft(text, scope, task.during[k], draft.during[k]);

@@ -40,7 +40,7 @@ void ClimbWords::TakeStairs(const std::string& text, const Clause& clause, std::
     if (!item.SaysNothing() || IsRelation(item)) before = &item;
   }
   const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == kToPlace));
-  if (to && stairs.value != 2.0) throw Refused{{FailureCode::kPlace, words, "is no place that is known here", ""}};
+  if (to && stairs.value != 2.0) throw Refused{{FailureCode::kPlace, words, "is not a known place", ""}};
   while (before != nullptr && IsRelation(*before) && begin > 0 && clause.items[begin - 1].Is(M::kFiller)) --begin;
   if (before != nullptr && IsRelation(*before))
     throw Refused{{FailureCode::kUnknown, TextOf(text, {clause.items[begin].begin, stairs.end}),

@@ -71,7 +71,7 @@ void SettleSide(const std::string& text, Draft& draft) {
 void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
   if (said.action.empty() && !said.part.empty() && !IsDoneWith(into.action, said.part))
     throw Refused{{FailureCode::kUnknown, TextOf(text, said.words),
-                   "is no part of its body that '" + into.action + "' is done with", ""}};
+                   "is not a part of the robot's body for '" + into.action + "'", ""}};
   const bool on_stairs = into.stairs != 0 || said.parameters.contains("to") || said.parameters.contains("steps");
   const bool elsewhere = over && (said.said.contains("to") || said.said.contains("distance_m"));
   if (elsewhere || (said.stairs != 0 && on_stairs)) into.stairs = said.stairs;

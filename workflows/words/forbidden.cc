@@ -75,7 +75,7 @@ bool Has(Drafts& drafts, const Draft& what, Which which) {
 bool Forbidden::Add(const Clause& clause, std::vector<Draft>& drafts) {
   Draft what = ReadClause(text_, clause);
   SettleSide(text_, what);
-  if (what.empty()) Refuse(text_, what, "does not say what is not to be done");
+  if (what.empty()) Refuse(text_, what, "does not say what is forbidden");
   const bool asked = Has(drafts, what, [](const Likeness& l) { return l.same_action && !l.differs; });
   if (clause.ends && asked) return true;
   if (clause.ends) Refuse(text_, what, "is to end what was not begun");
@@ -104,7 +104,7 @@ void Forbidden::Check(const std::vector<Draft>& drafts) const {
     if (Has(drafts, one.what, [](const Likeness& l) { return l.IsSame() || l.IsUnclear(); }))
       Refuse(text_, one.what, "forbids what is asked for");
     if (!one.asked && !Has(drafts, one.what, [](const Likeness& l) { return l.same_action; }))
-      Refuse(text_, one.what, "says what not to do, which nobody asked for");
+      Refuse(text_, one.what, "forbids something that was not requested");
   }
 }
 

@@ -70,7 +70,7 @@ Result<Interpretation> Interpret(const std::string& instruction, const TaskScope
         made.by = "language model";
         return made;
       }
-      made.notes.push_back(fmt::format("the language model's answer is not taken: {}", plan.failure().message));
+      made.notes.push_back(fmt::format("the language model's answer is not valid: {}", plan.failure().message));
       messages.push_back({"assistant", Shortened(*answer)});
       messages.push_back({"user", fmt::format("That is not valid: {}. Answer with the corrected JSON object alone.",
                                               plan.failure().message)});

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
 Failure NoAnswer(const std::string& why, FailureCode code = FailureCode::kInterpreter) {
-  return {FailureKind::kBadInput, code, "Complete", fmt::format("the language model gives no answer: {}", why), {}};
+  return {FailureKind::kBadInput, code, "Complete", fmt::format("the language model did not answer: {}", why), {}};
 }
 
 std::size_t Receive(char* bytes, std::size_t size, std::size_t count, void* to) {
@@ -45,7 +45,7 @@ Result<std::string> ContentOf(const std::string& body) {
   const Json json = Json::parse(body, nullptr, false);
   const Json* at = &json;
   if (at->is_object() && at->contains("choices")) at = &(*at)["choices"];
-  if (!at->is_array() || at->empty() || !(*at)[0].is_object()) return NoAnswer("it is no chat completion");
+  if (!at->is_array() || at->empty() || !(*at)[0].is_object()) return NoAnswer("it is not a chat completion");
   const Json message = (*at)[0].value("message", Json::object());
   if (!message.is_object() || !message.contains("content") || !message["content"].is_string())
     return NoAnswer("its first choice has no message with text");
@@ -63,7 +63,8 @@ std::string ApiKeyFromEnvironment() {
 
 Result<std::string> Complete(const LanguageModel& model, const std::vector<ChatMessage>& messages) {
   if (!model.url.starts_with("http://") && !model.url.starts_with("https://"))
-    return NoAnswer(fmt::format("'{}' is no http or https URL", Shortened(model.url)), FailureCode::kInterpreterUrl);
+    return NoAnswer(fmt::format("'{}' is not an http or https URL", Shortened(model.url)),
+                    FailureCode::kInterpreterUrl);
   const std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl(curl_easy_init(), &curl_easy_cleanup);
   if (!curl) return NoAnswer("no connection can be made");
   curl_slist* list = curl_slist_append(nullptr, "Content-Type: application/json");
@@ -83,12 +84,12 @@ Result<std::string> Complete(const LanguageModel& model, const std::vector<ChatM
   curl_easy_setopt(curl.get(), CURLOPT_WRITEDATA, &body);
   const CURLcode code = curl_easy_perform(curl.get());
   if (code == CURLE_URL_MALFORMAT)
-    return NoAnswer(fmt::format("'{}' is no URL", Shortened(url)), FailureCode::kInterpreterUrl);
-  if (code == CURLE_WRITE_ERROR) return NoAnswer("what it sends is over a megabyte");
+    return NoAnswer(fmt::format("'{}' is not a URL", Shortened(url)), FailureCode::kInterpreterUrl);
+  if (code == CURLE_WRITE_ERROR) return NoAnswer("its answer is over a megabyte");
   if (code != CURLE_OK) return NoAnswer(curl_easy_strerror(code));
   long status = 0;
   curl_easy_getinfo(curl.get(), CURLINFO_RESPONSE_CODE, &status);
-  if (status != 200) return NoAnswer(fmt::format("the endpoint answers with status {}", status));
+  if (status != 200) return NoAnswer(fmt::format("the endpoint answered with status {}", status));
   return ContentOf(body);
 }
 

@@ -33,7 +33,7 @@ Failure WhyUnsound(const TaskPlan& tasks, const PlannedTasks& planned) {
       std::min<std::size_t>(static_cast<std::size_t>(within - ends_s.begin()), tasks.tasks.size() - 1);
   const Task& task = tasks.tasks[k];
   Failure failure = tasks::WhyBroken(task.action, planned.audit);
-  if (!task.during.empty()) failure.suggestions = {"one after the other may do: 'then' in place of 'while'"};
+  if (!task.during.empty()) failure.suggestions = {"try the tasks in sequence: 'then' instead of 'while'"};
   return OfTask(k, task, planned.robot.legs.size(), failure);
 }
 
@@ -64,7 +64,7 @@ Result<RobotModel> WholeRobot(const RobotModel& model, const TaskPlan& tasks, co
   return Failure{FailureKind::kInfeasible,
                  FailureCode::kLying,
                  "PlanTasks",
-                 fmt::format("robot '{}' has nothing flat under its body to lie on", model.name),
+                 fmt::format("robot '{}' has no flat surface under its body to lie on", model.name),
                  {}};
 }
 

@@ -44,9 +44,9 @@ class ClauseReader {
     }
     if (nearest == "recover")
       throw Refused{{FailureCode::kUnknown, TextOf(text_, clause_.Words()),
-                     "is the job of a controller and needs no instruction", "",
+                     "is done by the controller and needs no instruction", "",
                      "'stand' with --controller recovering and --push, or 'brace'"}};
-    Refuse(FailureCode::kUnknown, TextOf(text_, clause_.Words()), "is nothing that a robot can be told", nearest);
+    Refuse(FailureCode::kUnknown, TextOf(text_, clause_.Words()), "is not an instruction for a robot", nearest);
   }
 
   /// What begins with what is not known is not known on the whole.
@@ -167,7 +167,7 @@ class ClauseReader {
   void Say(const std::string& key, const TaskValue& value, const Item& item) {
     const auto said = draft_.said.find(key);
     if (said != draft_.said.end() && draft_.parameters[key] != value)
-      Refuse(FailureCode::kAmbiguous, TextOf(text_, {said->second.begin, item.end}), "says two things at once");
+      Refuse(FailureCode::kAmbiguous, TextOf(text_, {said->second.begin, item.end}), "gives two instructions at once");
     draft_.parameters[key] = value;
     draft_.said[key] = {item.begin, item.end};
   }
@@ -183,7 +183,7 @@ class ClauseReader {
       const bool both =
           (arm_ && !IsMeans(text_, clause_, draft_.side_said->begin, at_)) || *draft_.side == "both" || side == "both";
       if (!both)
-        Refuse(FailureCode::kAmbiguous, TextOf(text_, {draft_.side_said->begin, item.end}), "says two sides at once");
+        Refuse(FailureCode::kAmbiguous, TextOf(text_, {draft_.side_said->begin, item.end}), "gives two sides at once");
       draft_.side = "both";
       return;
     }
@@ -214,7 +214,7 @@ class ClauseReader {
     if (rule->kind == ParameterRule::Kind::kCount) {
       constexpr double kMost = 1e9;
       if (value != std::round(value) && key == "steps")
-        Refuse(FailureCode::kRange, TextOf(text_, {item.begin, item.end}), "is no whole number of steps");
+        Refuse(FailureCode::kRange, TextOf(text_, {item.begin, item.end}), "is not a whole number of steps");
       Say(key, static_cast<int>(std::lround(std::clamp(value, -kMost, kMost))), item);
     } else {
       Say(key, Rounded(value), item);
@@ -257,7 +257,7 @@ class ClauseReader {
     const bool place =
         std::any_of(clause_.items.begin(), clause_.items.end(), [](const Item& other) { return other.Is(M::kPlace); });
     if (round && draft_.action == "walk" && !amount && !place)
-      Refuse(FailureCode::kUnknown, word, "says no way and no place to go to");
+      Refuse(FailureCode::kUnknown, word, "gives neither a distance nor a destination");
   }
 
   bool NextIsEach() const {
@@ -291,7 +291,7 @@ class ClauseReader {
     }
     const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == kToPlace));
     if (to && (draft_.action.empty() || draft_.action == "walk"))
-      Refuse(FailureCode::kPlace, TextOf(text_, {item.begin, item.end}), "is no place that is known here");
+      Refuse(FailureCode::kPlace, TextOf(text_, {item.begin, item.end}), "is not a known place");
     if (draft_.action.empty() || climb_.IsSure()) RefuseAll();
     Refuse(FailureCode::kUnknown, TextOf(text_, {item.begin, item.end}), "is not understood");
   }
@@ -350,9 +350,8 @@ class ClauseReader {
   void CheckParts() {
     const auto check = [&](const std::string& part, const Item& item) {
       if (IsDoneWith(draft_.action, part)) return;
-      const std::string why = draft_.action.empty()
-                                  ? "is no part that it can be told to move alone"
-                                  : "is no part of its body that '" + draft_.action + "' is done with";
+      const std::string why = draft_.action.empty() ? "is not a part that can be moved alone"
+                                                    : "is not a part of the robot's body for '" + draft_.action + "'";
       Refuse(FailureCode::kUnknown, TextOf(text_, {item.begin, item.end}), why);
     };
     if (arm_) check("arm", *arm_);

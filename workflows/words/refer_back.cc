@@ -19,7 +19,7 @@ void TakeLastSide(const std::string& text, const std::vector<Draft>& before, Dra
     side->second = side->second == Word("other") ? opposite : last;
     return;
   }
-  throw Refused{{FailureCode::kAmbiguous, TextOf(text, said.words), "does not say which arm", ""}};
+  throw Refused{{FailureCode::kAmbiguous, TextOf(text, said.words), "does not name the arm", ""}};
 }
 
 /// "on the left foot for five seconds, then on the right foot for another five".

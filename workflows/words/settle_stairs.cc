@@ -121,7 +121,7 @@ class StairsWalker {
     const double ahead = std::cos(turned_deg_ * std::numbers::pi / 180.0);
     constexpr double kAhead = 0.3;
     if (std::abs(ahead) < kAhead)
-      Refuse(FailureCode::kAmbiguous, draft, "does not say down which side of the stairs",
+      Refuse(FailureCode::kAmbiguous, draft, "does not name the side of the stairs to go down",
              "'turn around' before it, or nothing");
     return ahead > 0.0 ? 1 : -1;
   }

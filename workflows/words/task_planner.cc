@@ -52,7 +52,7 @@ void TaskPlanner::BeginLow() {
     return;
   }
   stance_.pose = Stance::Pose::kCrouching;
-  notes_.push_back(fmt::format("it gets up from a crouch: {}", lying.failure().message));
+  notes_.push_back(fmt::format("the robot gets up from a crouch: {}", lying.failure().message));
 }
 
 std::optional<Failure> TaskPlanner::Add(const Task& task) {
@@ -62,7 +62,7 @@ std::optional<Failure> TaskPlanner::Add(const Task& task) {
   const bool again = (task.action == "sit" && stance_.pose == Stance::Pose::kSitting) ||
                      (task.action == "lie_down" && stance_.pose == Stance::Pose::kLying);
   if (stance_.pose != Stance::Pose::kStanding && !anyhow && !again) {
-    notes_.push_back(fmt::format("it stands up before '{}'", task.words.empty() ? TaskText(task) : task.words));
+    notes_.push_back(fmt::format("the robot stands up before '{}'", task.words.empty() ? TaskText(task) : task.words));
     if (auto failure = StandUp()) return failure;
   }
   task_ = &task;
@@ -87,10 +87,9 @@ std::optional<Failure> TaskPlanner::FindGround() {
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kNotLevel,
                    "PlanTasks",
-                   fmt::format("the walk before it ends with '{}' {:.2f} m above '{}', and what is done there must be "
-                               "the last thing",
+                   fmt::format("the preceding walk ends with '{}' {:.2f} m above '{}', so no other task can follow it",
                                name(high), *high - *low, name(low)),
-                   {"end with that walk", "walk to where all feet are on one level"}};
+                   {"end with this walk", "walk to a place where all feet are at one level"}};
   }
   ground_m_ = 0.5 * (*low + *high);
   if (std::abs(ground_m_) < kLevel) ground_m_ = 0.0;

@@ -97,7 +97,7 @@ Result<MotionPlan> TaskPlanner::WithGestures(MotionPlan walk, PostureKey& key) c
   if (!audit) return audit.failure();
   if (audit->pass()) return walk;
   Failure failure = WhyBroken(task_->words, *audit);
-  failure.suggestions = {"one after the other may do: 'then' in place of 'while'"};
+  failure.suggestions = {"try the tasks in sequence: 'then' instead of 'while'"};
   return failure;
 }
 
@@ -124,7 +124,7 @@ std::optional<Failure> TaskPlanner::Walk(const Task& task, bool gestures) {
   if (!failure || task.Word("pace") != "fast" || failure->kind != FailureKind::kInfeasible) return failure;
   Task slower = task;
   slower.parameters.erase("pace");
-  notes_.push_back(fmt::format("'{}' goes at the usual speed: {}", task.words, failure->message));
+  notes_.push_back(fmt::format("'{}' uses the default speed: {}", task.words, failure->message));
   return Walk(slower, gestures);
 }
 
@@ -152,7 +152,7 @@ std::optional<Failure> TaskPlanner::WalkTo(const Task& task) {
   const auto& place = std::get<PlaceName>(task.parameters.at("to"));
   const Vector2 way = WayTo(place);
   if (way.norm() < kThere) {
-    notes_.push_back(fmt::format("'{}': it is there", task.words));
+    notes_.push_back(fmt::format("'{}': the robot is already there", task.words));
     return AddPosture(Hold(stance_.key, kStay));
   }
   const std::string direction = task.Word("direction");
@@ -166,7 +166,7 @@ std::optional<Failure> TaskPlanner::WalkTo(const Task& task) {
     first.action = "turn";
     first.parameters = {{"direction", std::string(turn > 0.0 ? "left" : "right")},
                         {"angle_deg", std::abs(turn) / kDegree}};
-    notes_.push_back(fmt::format("it turns {} by {:.0f} degrees before '{}'", first.Word("direction"),
+    notes_.push_back(fmt::format("the robot turns {} by {:.0f} degrees before '{}'", first.Word("direction"),
                                  std::abs(turn) / kDegree, task.words));
     const Task* const kept = task_;
     task_ = nullptr;

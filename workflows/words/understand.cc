@@ -38,13 +38,12 @@ class Assembler {
 
   void Add(const Clause& clause) {
     if (clause.denies)
-      throw Refused{{FailureCode::kAmbiguous, text_, "is taken back, and nothing is said in its place", "",
-                     "what is to be done instead"}};
+      throw Refused{{FailureCode::kAmbiguous, text_, "is taken back without a replacement", "", "what to do instead"}};
     if (clause.forbids) return Forbid(clause);
     const bool in_doubt = std::exchange(after_forbidden_, false) && !clause.follows_break && !clause.corrects;
     if (in_doubt)
-      throw Refused{{FailureCode::kAmbiguous, Text(clause.Words()), "may or may not be forbidden too", "",
-                     "a comma before what is to be done, or only what is"}};
+      throw Refused{{FailureCode::kAmbiguous, Text(clause.Words()), "may be forbidden or not", "",
+                     "a comma before the requested part, or only the requested part"}};
     if (clause.drops) Drop(clause);
     if (clause.drops && clause.is_not) return;
     if (clause.again) return Repeat();
@@ -84,8 +83,8 @@ class Assembler {
       drafts_.push_back(std::move(walk));
     }
     if (manner_ && !drafts_.empty() && drafts_.back().action == "walk")  // "walk two metres, then slowly"
-      throw Refused{{FailureCode::kAmbiguous, Text(manner_->words), "says how, and not how far it is to walk so", "",
-                     "'walk two metres slowly', or how far it is to go so"}};
+      throw Refused{{FailureCode::kAmbiguous, Text(manner_->words), "says how to walk, but not how far", "",
+                     "'walk two metres slowly', or another distance"}};
     if (!drafts_.empty() || !waiting_) Flush();
     if (waiting_ && !before_ && !drafts_.empty() && !IsGesture(waiting_->action)) RefuseAtOnce(*waiting_);
     if (waiting_) drafts_.push_back(*waiting_);
@@ -95,7 +94,7 @@ class Assembler {
     forbidden_.Check(drafts_);
     SettleStairs(text_, scope_.places, drafts_);
     for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
-    if (plan.tasks.empty()) throw Refused{{FailureCode::kEmpty, "", "says nothing to do", ""}};
+    if (plan.tasks.empty()) throw Refused{{FailureCode::kEmpty, "", "contains no instruction", ""}};
     for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
     if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
     return plan;
@@ -117,7 +116,7 @@ class Assembler {
     if (dropped != drafts_.rend()) {
       drafts_.erase(std::next(dropped).base());
     } else if (clause.is_not) {
-      throw Refused{{FailureCode::kUnknown, Text(clause.Words()), "says what not to do, which nobody asked for", ""}};
+      throw Refused{{FailureCode::kUnknown, Text(clause.Words()), "forbids something that was not requested", ""}};
     }
   }
 
@@ -141,13 +140,13 @@ class Assembler {
 
   /// Takes away what is corrected.
   [[noreturn]] void RefuseAtOnce(const Draft& said) const {
-    throw Refused{{FailureCode::kCannot, Text(said.words), "cannot be done at the same time as the other", ""}};
+    throw Refused{{FailureCode::kCannot, Text(said.words), "cannot be done at the same time as the other task", ""}};
   }
 
   void Undo() { drafts_.pop_back(); }
 
   void Repeat() {
-    if (drafts_.empty()) throw Refused{{FailureCode::kAmbiguous, text_, "asks again, and nothing was asked", ""}};
+    if (drafts_.empty()) throw Refused{{FailureCode::kAmbiguous, text_, "repeats a request, but there was none", ""}};
     const Draft last = drafts_.back();
     drafts_.push_back(last);
   }
@@ -378,7 +377,7 @@ class Assembler {
 std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskScope& scope) {
   constexpr std::size_t kLongest = 2000;
   if (text.size() > kLongest) return Refusal{FailureCode::kRange, Shortened(text), "is over 2000 bytes long", ""};
-  if (!IsPlainText(text)) return Refusal{FailureCode::kUnknown, "", "is no plain text", ""};
+  if (!IsPlainText(text)) return Refusal{FailureCode::kUnknown, "", "is not plain text", ""};
   if (text.find_first_of("{}") != std::string::npos)
     return Refusal{FailureCode::kUnknown, Trimmed(text), "is no instruction", ""};
   try {

@@ -35,14 +35,14 @@ TEST(LoadYaml, AliasesThatRepeatOneAnotherWithoutEndAreRefused) {
     bomb += "]\n";
   }
   ExpectWhyNot(bomb, "line 6: more than 1000000 values");
-  ExpectWhyNot("a: &x [*x]\n", "line 1: an alias names what it stands in");
+  ExpectWhyNot("a: &x [*x]\n", "line 1: an alias refers to a node that contains it");
 }
 
 TEST(LoadYaml, DepthLengthAndDocumentsAreBounded) {
-  ExpectWhyNot(std::string(33, '[') + std::string(33, ']'), "more than 32 lists and maps in one another");
+  ExpectWhyNot(std::string(33, '[') + std::string(33, ']'), "lists and maps are nested more than 32 levels deep");
   EXPECT_EQ(WhyNot(std::string(32, '[') + std::string(32, ']')), "");
   ExpectWhyNot("a: " + std::string(70000, 'x'), "a text of 70000 bytes; at most 65536");
-  ExpectWhyNot("a: 1\n---\nb: 2\n", "a second document begins; one is needed");
+  ExpectWhyNot("a: 1\n---\nb: 2\n", "a second YAML document begins; exactly one is accepted");
   ExpectWhyNot("a: \"\\0\"", "0x00");
   ExpectWhyNot(std::string((16U << 20U) + 1U, ' '), "at most 16777216 are read");
 }

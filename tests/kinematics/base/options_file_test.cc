@@ -45,8 +45,8 @@ TEST_F(OptionsFiles, GiveKeysAndValuesInTheirOrder) {
 }
 
 TEST_F(OptionsFiles, WhatIsNotRightIsRefusedByItsLine) {
-  ExpectRefused("", "line 1: holds no options");
-  ExpectRefused("- 1\n- 2\n", "line 1: holds no options");
+  ExpectRefused("", "line 1: contains no options");
+  ExpectRefused("- 1\n- 2\n", "line 1: contains no options");
   ExpectRefused("on: true\ngait.cycle: 0.4\n", "line 2: unknown option 'gait.cycle'; the nearest is 'gait.cycle_s'");
   ExpectRefused("gait.cycle_s: 3\n", "line 1: option 'gait.cycle_s' is 3 s; accepted: 0 to 2");
   ExpectRefused("gait.cycle_s: .nan\n", "line 1: option 'gait.cycle_s' is '.nan', which is not a number");

@@ -68,11 +68,11 @@ TEST_F(Writable, NothingSpeaksAgainstNewFilesInFoldersThatMayHaveToBeMade) {
 }
 
 TEST_F(Writable, WhatIsNoFileOrLiesInNoFolderIsToldApart) {
-  EXPECT_EQ(WhyNotWritable(InScratch("open")), "it is a folder; name a file");
-  EXPECT_EQ(WhyNotWritable(InScratch("new/")), "it is the name of a folder; name a file");
-  EXPECT_EQ(WhyNotWritable(""), "it is the name of a folder; name a file");
-  EXPECT_EQ(WhyNotWritable("/dev/null"), "it is there and no regular file");
-  const std::string no_folder = "'" + InScratch("file") + "' is a file, not a folder; name a folder";
+  EXPECT_EQ(WhyNotWritable(InScratch("open")), "it is a folder; give a file");
+  EXPECT_EQ(WhyNotWritable(InScratch("new/")), "it is the name of a folder; give a file");
+  EXPECT_EQ(WhyNotWritable(""), "it is the name of a folder; give a file");
+  EXPECT_EQ(WhyNotWritable("/dev/null"), "it exists and is not a regular file");
+  const std::string no_folder = "'" + InScratch("file") + "' is a file, not a folder; give a folder";
   for (const char* file : {"file/new", "file/a/new"}) EXPECT_EQ(WhyNotWritable(InScratch(file)), no_folder);
   EXPECT_EQ(WhyNoNewFiles(InScratch("file")), no_folder);
   EXPECT_NE(WhyNotWritable(InScratch(std::string(300, 'x'))), "") << "no file has so long a name";

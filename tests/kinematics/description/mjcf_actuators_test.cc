@@ -47,7 +47,7 @@ TEST(MjcfActuators, RangesCountAsTheirFlagsSay) {
   EXPECT_DOUBLE_EQ(
       EffortOf("<motor joint='j' forcerange='-3 3' forcelimited='true'/>", "", "<compiler autolimits='false'/>"), 3.0);
   ExpectSays(MjcfMessage(Driven("<motor name='m' joint='j' forcelimited='true'/>")),
-             {"motor 'm'", "limited, and has no 'forcerange'"});
+             {"motor 'm'", "limited but has no 'forcerange'"});
   ExpectSays(MjcfMessage(Driven("<motor name='m' joint='j' ctrlrange='2 1'/>")), {"motor 'm'", "the lower end 2"});
 }
 
@@ -95,7 +95,7 @@ TEST(MjcfActuators, WithoutActuatorsTheJointsOwnLimitsAreTheKnownOnes) {
 TEST(MjcfActuators, WithoutAnyActuatorAllLimitsAreUnknown) {
   const ConvertedMjcf converted = Converted(MjcfOf(MjcfBodyOf("leg", "<joint name='j'/>")));
   EXPECT_TRUE(JointNamed(TreeOf(converted), "j").effort_limit_is_placeholder);
-  ExpectNote(converted, {"no actuator of a joint"});
+  ExpectNote(converted, {"no joint actuators"});
 }
 
 TEST(MjcfActuators, GainsOfServosAreThoseOfTheJoint) {
@@ -171,7 +171,7 @@ std::string WithTendon(const std::string& attributes) {
 TEST(MjcfActuators, ATendonThatIsHeldCarriesTorqueOn) {
   const ConvertedMjcf tied = Converted(WithTendon("range='-0.01 0.01'"));
   EXPECT_DOUBLE_EQ(JointNamed(TreeOf(tied), "p").effort_limit, 2.0 * 6.0 / 0.5);
-  ExpectNote(tied, {"fixed 't'", "torque of motors to joint 'p'"});
+  ExpectNote(tied, {"fixed 't'", "of motor torque to joint 'p'"});
   for (const char* loose : {"", "range='-1 1'", "range='-0.01 0.01' limited='false'"})
     EXPECT_EQ(JointNamed(TreeOf(Converted(WithTendon(loose))), "p").effort_limit, 0.0) << loose;
 }

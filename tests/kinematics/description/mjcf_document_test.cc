@@ -60,7 +60,7 @@ TEST(MjcfDocument, SectionsAndCompilersAddUp) {
       "<worldbody><body name='b'><freejoint/><geom size='1'/><body name='c' euler='0.1 0.2 0.3'><joint name='j'/>"
       "<geom size='1'/></body></body></worldbody></mujoco>";
   const ConvertedMjcf converted = Converted(text);
-  ExpectNote(converted, {"body 'a'", "no part of the robot, whose first body is 'b'"});
+  ExpectNote(converted, {"body 'a'", "not part of the robot, whose first body is 'b'"});
   const Matrix3 R = TreeOf(converted).joints[0].X_PJ.linear();
   EXPECT_NEAR(R(0, 2), std::sin(0.2), 1e-12);  // Rx Ry Rz, in radians
 }
@@ -81,7 +81,7 @@ TEST(MjcfDocument, ReadsFilesBesideTheModel) {
 
 TEST(MjcfDocument, RefusesIncludesThatGoInCirclesOrAreNotThere) {
   const std::string model = "<mujoco>\n<include file='a.xml'/></mujoco>";
-  ExpectSays(MjcfMessage(model), {"model.xml, line 2: <include>", "'a.xml' does not come with the text"});
+  ExpectSays(MjcfMessage(model), {"model.xml, line 2: <include>", "'a.xml' was not given with the model's text"});
   ExpectSays(MjcfMessage(model, FilesOf({})), {"model.xml, line 2", "there is no file 'a.xml'"});
   ExpectSays(MjcfMessage(model, FilesOf({{"a.xml", "<mujoco><include file='./a.xml'/></mujoco>"}})),
              {"a.xml, line 1", "included twice, or includes itself"});

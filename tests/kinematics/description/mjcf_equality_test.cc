@@ -57,7 +57,7 @@ TEST(MjcfEquality, WithoutASecondJointHoldsTheFirstStill) {
   const ConvertedMjcf converted = Converted(Chain(sections, "", "ref='0.2'"));
   const RobotModel model = TreeOf(converted);
   ASSERT_EQ(model.num_dofs(), 1);  // b stands still at 0.5, and c, which follows it
-  ExpectNote(converted, {"joint 'e'", "'b' stands still at 0.5"});
+  ExpectNote(converted, {"joint 'e'", "'b' is held at 0.5"});
   const Frame& two = model.frames[static_cast<std::size_t>(model.FrameIndex("two"))];
   EXPECT_LT((two.X_BF.linear() - RotationExp({0, 0.3, 0})).norm(), 1e-12);
   EXPECT_LT((two.X_BF.translation() - Vector3(0, 0, -1)).norm(), 1e-12);
@@ -86,7 +86,7 @@ TEST(MjcfEquality, RefusesLoopsAndWhatIsNotLinear) {
   const std::string twice =
       "<equality><joint joint1='a' joint2='b'/><joint joint1='c' joint2='b'/><joint name='e' joint1='a' "
       "joint2='c'/></equality>";
-  ExpectSays(with(twice), {"joint 'e'", "coupled by another equality already"});
+  ExpectSays(with(twice), {"joint 'e'", "already coupled by another equality"});
 }
 
 TEST(MjcfEquality, PassesOverWhatIsNotActiveOrNotTheRobots) {
@@ -94,7 +94,7 @@ TEST(MjcfEquality, PassesOverWhatIsNotActiveOrNotTheRobots) {
              {"weld 'e'", "not active"});
   const std::string other = Replaced(Chain("<equality><weld name='e' body1='box'/></equality>"), "</worldbody>",
                                      "<body name='box'><freejoint/><geom size='1'/></body></worldbody>");
-  ExpectNote(Converted(other), {"weld 'e'", "no part of the robot"});
+  ExpectNote(Converted(other), {"weld 'e'", "not part of the robot"});
 }
 
 TEST(MjcfKeyframe, HomeIsTheStandingPosture) {
@@ -132,7 +132,7 @@ TEST(MjcfKeyframe, CountsTheJointsOfAllBodies) {
   EXPECT_EQ(ParseRobotYaml(Converted(Replaced(before, "BOX", "1 2 3 1 0 0 0")).yaml).standing.at(2).position, 0.3);
   const ConvertedMjcf wrong = Converted(Replaced(before, "BOX", ""));
   EXPECT_TRUE(ParseRobotYaml(wrong.yaml).standing.empty());
-  ExpectNote(wrong, {"key 'home'", "10 numbers, and the joints have 17"});
+  ExpectNote(wrong, {"key 'home'", "10 numbers, but the joints need 17"});
 }
 
 TEST(MjcfKeyframe, GivesABallJointItsThreeTurns) {

@@ -148,7 +148,7 @@ TEST(MjcfInertia, OfAnOpenMeshIsThatOfTheBoxAroundItAndIsNoted) {
       "<mujoco>" + kBoxAsset +
       "<worldbody><body name='base'><freejoint/><geom type='mesh' mesh='m' mass='12'/></body></worldbody></mujoco>";
   const ConvertedMjcf converted = Converted(text, files);
-  ExpectNote(converted, {"line 1: mesh 'm'", "do not enclose a volume", "box around it"});
+  ExpectNote(converted, {"line 1: mesh 'm'", "do not enclose a volume", "bounding box"});
   EXPECT_NEAR(TreeOf(converted).bodies[0].I_C(0, 0), 0.73, 1e-12);
 }
 

@@ -22,15 +22,15 @@ TEST(MjcfRefusals, NameElementAndLine) {
   ExpectSays(MessageOfLeg("<joint name='j' axis='0 0 0'/>"), {"joint 'j'", "its axis is zero"});
   ExpectSays(MessageOfLeg("<joint name='j' damping='-1'/>"), {"joint 'j'", "damping is -1"});
   ExpectSays(MessageOfLeg("<joint name='j' range='1 -1'/>"), {"joint 'j'", "the lower end 1", "-1"});
-  ExpectSays(MessageOfLeg("<joint name='j' limited='true'/>"), {"joint 'j'", "limited, and has no 'range'"});
+  ExpectSays(MessageOfLeg("<joint name='j' limited='true'/>"), {"joint 'j'", "limited but has no 'range'"});
   ExpectSays(MessageOfLeg("<joint name='j' limited='maybe'/>"), {"joint 'j'", "'limited' is 'maybe'", "'auto'"});
   ExpectSays(MessageOfLeg("<joint name='j' range='1e99 2'/>"), {"joint 'j'", "1e99 is absurd"});
-  ExpectSays(MessageOfLeg("<joint name='j' type='free'/>"), {"joint 'j'", "free joint stands in body 'leg'"});
+  ExpectSays(MessageOfLeg("<joint name='j' type='free'/>"), {"joint 'j'", "body 'leg' has a free joint"});
   ExpectSays(MessageOfLeg("<joint name='j'/>\n<joint name='j'/>"), {"line 10: joint 'j'", "two joints"});
   ExpectSays(MessageOfLeg("<body name='leg'/>"), {"line 9: body 'leg'", "two bodies"});
-  ExpectSays(MessageOfLeg("<body name='&#1;'/>"), {"line 9: <body>", "'name' holds what is no text"});
+  ExpectSays(MessageOfLeg("<body name='&#1;'/>"), {"line 9: <body>", "'name' is not valid UTF-8"});
   ExpectSays(MessageOfLeg(fmt::format("<body name='{}'/>", std::string(501, 'a'))), {"'name' has 501 bytes"});
-  ExpectSays(MjcfMessage(MjcfOf("<joint name='j'/>")), {"body 'base'", "free joint and other joints"});
+  ExpectSays(MjcfMessage(MjcfOf("<joint name='j'/>")), {"body 'base'", "free joint as well as other joints"});
   ExpectSays(MjcfMessage("<mujoco><worldbody>\n<joint/></worldbody></mujoco>"), {"line 2: <joint>", "no joint"});
 }
 
@@ -38,7 +38,7 @@ TEST(MjcfRefusals, OfAWorldThatIsOnlyFurnishedThereAreNone) {
   const std::string text = Replaced(MjcfOf(""), "<worldbody>",
                                     "<worldbody><geom type='plane' size='1 1 1'/><light/><camera/><site/>"
                                     "<replicate count='3'><geom size='1'/></replicate><body mocap='true'/>");
-  ExpectNote(Converted(text), {"<replicate>", "no part of the robot"});
+  ExpectNote(Converted(text), {"<replicate>", "not part of the robot"});
   ExpectSays(MjcfMessage(Replaced(text, "<geom size='1'/>", "<frame><body/></frame>")),
              {"<replicate>", "not supported"});
 }
@@ -46,7 +46,7 @@ TEST(MjcfRefusals, OfAWorldThatIsOnlyFurnishedThereAreNone) {
 TEST(MjcfNotes, TellWhatIsLeftOutWithElementAndLine) {
   ExpectNote(WithLeg("<joint name='j' stiffness='3'/>"), {"model.xml, line 9: joint 'j'", "spring of stiffness 3"});
   ExpectNote(WithLeg("<joint name='j' springdamper='1 1'/>"), {"joint 'j'", "'springdamper'"});
-  ExpectNote(WithLeg("<joint name='j' damping='1 2'/>"), {"joint 'j'", "'damping' the first number"});
+  ExpectNote(WithLeg("<joint name='j' damping='1 2'/>"), {"joint 'j'", "only the first number of 'damping'"});
   ExpectNote(WithLeg("<joint name='j' type='ball' range='0 50'/>"), {"joint 'j'", "range of a ball joint"});
   ExpectNote(WithLeg("<joint name='j' range='0 50'/>", "<compiler autolimits='false'/>"), {"joint 'j'", "autolimits"});
   ExpectNote(WithLeg("<joint name='j' rnage='0 50'/>"), {"joint 'j'", "'rnage' is not known", "nearest is 'range'"});
@@ -71,7 +71,7 @@ TEST(MjcfNotes, AreNotMoreThanAreRead) {
   for (int i = 0; i < 3000; ++i) odd += "<plugin/>";
   const ConvertedMjcf converted = WithLeg(odd);
   EXPECT_EQ(converted.notes.size(), 1001U);
-  EXPECT_EQ(converted.notes.back(), "there are more notes than are kept");
+  EXPECT_EQ(converted.notes.back(), "there are more notes, which are not listed");
 }
 
 TEST(MjcfBase, FloatsWhateverHoldsIt) {

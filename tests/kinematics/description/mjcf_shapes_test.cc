@@ -56,7 +56,7 @@ TEST(MjcfShapes, OfEllipsoidsLieAroundThem) {
   }
   EXPECT_EQ(ShapeOf("type='ellipsoid' size='0.3 0.3 0.1'").type, ShapeType::kBox);
   EXPECT_EQ(ShapeOf("type='ellipsoid' size='0.3 0.3 0.3'").type, ShapeType::kSphere);
-  ExpectNote(WithGeom("type='ellipsoid' size='0.3 0.3 0.1'"), {"line 7: geom 'g'", "box around it"});
+  ExpectNote(WithGeom("type='ellipsoid' size='0.3 0.3 0.1'"), {"line 7: geom 'g'", "bounding box"});
 }
 
 TEST(MjcfShapes, CollideOrAreShownAsTheirGroupsAndBitsSay) {
@@ -102,12 +102,12 @@ TEST(MjcfShapes, OfMeshesAreMovedFromTheirReference) {
 TEST(MjcfShapes, LeaveOutWhatARobotHasNoUseFor) {
   ExpectNote(WithGeom("type='plane' size='1 1 1'"), {"geom 'g'", "type 'plane' is left out"});
   ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/></asset>"),
-             {"geom 'g'", "in no file"});
+             {"geom 'g'", "not in a file"});
   ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh file='m.msh'/></asset>"),
-             {"geom 'g'", "'m.msh' is of a kind that is not read"});
+             {"geom 'g'", "'m.msh' has an unsupported format"});
   ExpectNote(WithGeom("type='box' mesh='m'", "<asset><mesh file='m.stl'/></asset>"),
              {"geom 'g'", "in place of the box that MuJoCo fits"});
-  ExpectNote(WithGeom("size='0.1' friction='0.6'"), {"geom 'g'", "'friction' is left out"});
+  ExpectNote(WithGeom("size='0.1' friction='0.6'"), {"geom 'g'", "'friction' is ignored"});
 }
 
 TEST(MjcfShapes, RefuseSizesByLine) {
@@ -116,7 +116,7 @@ TEST(MjcfShapes, RefuseSizesByLine) {
   };
   ExpectSays(with("type='sphere'"), {"line 7: geom 'g'", "no 'size'"});
   ExpectSays(with("type='box' size='1 1'"), {"line 7: geom 'g'", "'size' is '1 1'", "3 are needed"});
-  ExpectSays(with("type='cylinder' size='0.1 0'"), {"'size' holds 0; it must be positive"});
+  ExpectSays(with("type='cylinder' size='0.1 0'"), {"'size' contains 0; it must be positive"});
   ExpectSays(with("type='cone' size='1'"), {"'type' is 'cone'", "'sphere'"});
   ExpectSays(with("type='sphere' size='1' fromto='0 0 0 0 0 1'"), {"'fromto' is for capsule"});
   ExpectSays(with("type='capsule' size='1' fromto='0 0 1 0 0 1'"), {"'fromto' are one point"});

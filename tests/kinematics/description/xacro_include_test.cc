@@ -102,7 +102,8 @@ TEST(XacroYaml, IsReadBesideTheFileThatNamesIt) {
 TEST(XacroYaml, RefusesWhatIsNoYaml) {
   ExpectIn(InnerXacro("\n${load_yaml('no.yaml')}"), {"xacro_yaml", "robot.xacro:1", "no such file: 'no.yaml'"});
   ExpectIn(InnerXacro("${load_yaml('a.yaml')}", {{"a.yaml", "a: [1"}}), {"xacro_yaml", "a.yaml: line"});
-  ExpectIn(InnerXacro("${load_yaml('a.yaml')}", {{"a.yaml", "a: 1\n---\nb: 2"}}), {"xacro_yaml", "second document"});
+  ExpectIn(InnerXacro("${load_yaml('a.yaml')}", {{"a.yaml", "a: 1\n---\nb: 2"}}),
+           {"xacro_yaml", "second YAML document"});
 }
 
 TEST(XacroArgument, HasADefaultOrAGivenValue) {

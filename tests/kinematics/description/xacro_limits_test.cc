@@ -32,12 +32,12 @@ std::string DoublingProperties(int count, const std::string& first, const std::s
 }
 
 TEST(XacroLimits, AMacroThatCallsItselfEnds) {
-  ExpectLimit("<xacro:macro name='m'><xacro:m/></xacro:macro><xacro:m/>", "does 'm' call itself");
+  ExpectLimit("<xacro:macro name='m'><xacro:m/></xacro:macro><xacro:m/>", "'m' calls itself");
 }
 
 TEST(XacroLimits, ABlockThatInsertsItselfEnds) {
   ExpectLimit("<xacro:property name='b'><xacro:insert_block name='b'/></xacro:property><xacro:insert_block name='b'/>",
-              "does one use itself");
+              "check whether one uses itself");
 }
 
 TEST(XacroLimits, MacrosThatDoubleEnd) {
@@ -57,7 +57,7 @@ TEST(XacroLimits, TextsThatDoubleEnd) {
 
 TEST(XacroLimits, ListsThatDoubleEnd) {
   ExpectLimit(DoublingProperties(60, "${[1, 2]}", "# + #"), "items");
-  ExpectLimit(DoublingProperties(60, "${[1, 2]}", "[#, #]"), "lists and dictionaries in one another");
+  ExpectLimit(DoublingProperties(60, "${[1, 2]}", "[#, #]"), "nested lists and dictionaries");
   ExpectLimit(DoublingProperties(30, "${[1, 2]}", "[#, #]"), "prints more than");
 }
 
@@ -67,16 +67,16 @@ TEST(XacroLimits, LongComputationsEnd) {
 
 TEST(XacroLimits, DeepExpressionsEnd) {
   ExpectLimit("${" + RepeatedXacro("(", 100000) + "}", "at most 65536");
-  ExpectLimit("${" + RepeatedXacro("(", 1000) + "1" + RepeatedXacro(")", 1000) + "}", "expressions in one another");
-  ExpectLimit("${" + RepeatedXacro("-", 1000) + "1}", "expressions in one another");
-  ExpectLimit("${1" + RepeatedXacro("**1", 1000) + "}", "expressions in one another");
+  ExpectLimit("${" + RepeatedXacro("(", 1000) + "1" + RepeatedXacro(")", 1000) + "}", "nested expressions");
+  ExpectLimit("${" + RepeatedXacro("-", 1000) + "1}", "nested expressions");
+  ExpectLimit("${1" + RepeatedXacro("**1", 1000) + "}", "nested expressions");
   ExpectLimit("${a" + RepeatedXacro("[0]", 1000) + "}", "in a row");
-  ExpectLimit("<a b='" + RepeatedXacro("$(arg ", 1000) + RepeatedXacro(")", 1000) + "'/>", "in one another");
+  ExpectLimit("<a b='" + RepeatedXacro("$(arg ", 1000) + RepeatedXacro(")", 1000) + "'/>", "nested ");
   EXPECT_EQ(InnerXacro("${1" + RepeatedXacro(" + 1", 10000) + "}"), "10001");
 }
 
 TEST(XacroLimits, LongChainsOfPropertiesEnd) {
-  ExpectLimit(DoublingProperties(1000, "1", "# + 0"), "in one another");
+  ExpectLimit(DoublingProperties(1000, "1", "# + 0"), "nested ");
   EXPECT_EQ(InnerXacro(DoublingProperties(90, "1", "# + 0")), "1");
 }
 
@@ -85,7 +85,7 @@ TEST(XacroLimits, DeepElementsEnd) {
   const std::string nest =
       "<xacro:macro name='m' params='n'><a><xacro:if value='${n}'><xacro:m n='${n - 1}'/></xacro:if>"
       "</a></xacro:macro>";
-  ExpectLimit(nest + "<xacro:m n='95'/>", "elements in one another");
+  ExpectLimit(nest + "<xacro:m n='95'/>", "nested elements");
   EXPECT_TRUE(InnerXacro(nest + "<xacro:m n='60'/>").starts_with("<a><a>"));
 }
 

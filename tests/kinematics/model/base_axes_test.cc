@@ -91,9 +91,9 @@ TEST(BaseAxes, RobotYamlSaysWhatCannotBeSeen) {
   ExpectSame(a1, told);
   std::string notes;
   for (const std::string& note : told.notes) notes += note + "\n";
-  ExpectSays(notes, {"base: of its link 'turned' -y is ahead and z up (robot.yaml)"});
-  ExpectSays(MessageOf(backwards, "up: z\n"), {"line 1", "'ahead' and 'up' go together"});
-  ExpectSays(MessageOf(backwards, "up: z\nahead: -z\n"), {"across each other"});
+  ExpectSays(notes, {"base: axis -y of link 'turned' points forward and z up (robot.yaml)"});
+  ExpectSays(MessageOf(backwards, "up: z\n"), {"line 1", "'ahead' and 'up' must be given together"});
+  ExpectSays(MessageOf(backwards, "up: z\nahead: -z\n"), {"two perpendicular axes"});
   ExpectSays(MessageOf(backwards, "up: w\nahead: x\n"), {"'up' is 'w'", "'-z'"});
 }
 

@@ -20,19 +20,19 @@ TEST(CheckFeet, NamedFeetAreTheFeet) {
 }
 
 TEST(CheckFeet, RefusesFeetWithoutALeg) {
-  ExpectSays(WithFeet("{link: trunk}, {link: A_foot}"), {"foot 'trunk'", "on the base", "moving joint"});
+  ExpectSays(WithFeet("{link: trunk}, {link: A_foot}"), {"foot 'trunk'", "fixed to the base", "moving joint"});
   const std::string bumper = Replaced(FourLegs(), "</robot>",
                                       SmallLink("bumper") +
                                           "<joint name='b' type='fixed'><parent link='trunk'/><child "
                                           "link='bumper'/></joint></robot>");
-  ExpectSays(MessageOf(bumper, "feet: [{link: A_foot}, {link: bumper}]"), {"foot 'bumper'", "on the base"});
+  ExpectSays(MessageOf(bumper, "feet: [{link: A_foot}, {link: bumper}]"), {"foot 'bumper'", "fixed to the base"});
 }
 
 TEST(CheckFeet, RefusesTwoFeetOfOneLeg) {
   ExpectSays(WithFeet("{link: A_foot}, {link: A_foot}"), {"'A_foot' is listed twice"});
   ExpectSays(WithFeet("{link: A_foot}, {link: A_shank}"), {"'A_foot' and 'A_shank' are on one body"});
-  ExpectSays(WithFeet("{link: A_foot}, {link: A_thigh}"), {"'A_thigh' is on the way to foot 'A_foot'"});
-  ExpectSays(WithFeet("{link: A_thigh}, {link: A_foot}"), {"'A_thigh' is on the way to foot 'A_foot'"});
+  ExpectSays(WithFeet("{link: A_foot}, {link: A_thigh}"), {"'A_thigh' is on the chain to foot 'A_foot'"});
+  ExpectSays(WithFeet("{link: A_thigh}, {link: A_foot}"), {"'A_thigh' is on the chain to foot 'A_foot'"});
 }
 
 TEST(CheckFeet, AFootThatIsNoLinkNamesTheNearest) {

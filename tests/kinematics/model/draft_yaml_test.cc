@@ -42,11 +42,11 @@ TEST(DraftRobotYaml, NamesLimbsOfOneJointToo) {
   for (const std::string& urdf : {one + "</robot>", one + Link("r") + Hip("r", "-0.1") + "</robot>"}) {
     const Result<RobotModel> alone = LoadRobotFromText(urdf, "");
     ASSERT_FALSE(alone.ok());
-    EXPECT_NE(alone.failure().message.find("have one joint each, as 'hip_l' is"), std::string::npos)
+    EXPECT_NE(alone.failure().message.find("has one joint, such as 'hip_l'"), std::string::npos)
         << alone.failure().message;
     const std::string draft = DraftRobotYaml(urdf, alone.failure());
     EXPECT_NE(draft.find("\n  - {link: 'l'}  # joints hip_l;"), std::string::npos) << draft;
-    EXPECT_NE(draft.find("# Each has one joint: the robot can stand"), std::string::npos) << draft;
+    EXPECT_NE(draft.find("# Each limb has one joint: the robot can stand"), std::string::npos) << draft;
     const Result<RobotModel> model = LoadRobotFromText(urdf, draft);
     ASSERT_TRUE(model.ok()) << model.failure().message;
     EXPECT_EQ(model->feet.size(), model->joints.size());
@@ -56,7 +56,8 @@ TEST(DraftRobotYaml, NamesLimbsOfOneJointToo) {
 TEST(DraftRobotYaml, WhereNothingMovesTheMessageSaysSo) {
   const Result<RobotModel> model = LoadRobotFromText("<robot name='x'>" + Link("body") + "</robot>", "");
   ASSERT_FALSE(model.ok());
-  EXPECT_NE(model.failure().message.find("no joint of its URDF moves"), std::string::npos) << model.failure().message;
+  EXPECT_NE(model.failure().message.find("its URDF has no moving joints"), std::string::npos)
+      << model.failure().message;
   ASSERT_EQ(model.failure().suggestions.size(), 1U);
   EXPECT_NE(model.failure().suggestions[0].text.find("a robot.yaml cannot"), std::string::npos)
       << model.failure().suggestions[0].text;

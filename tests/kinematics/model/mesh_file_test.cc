@@ -104,14 +104,14 @@ TEST_F(MeshFile, FindsPathsFilesAndPackages) {
   same("package://my_robot/meshes/foot.stl", "", "../meshes/foot.stl");
   fs::current_path(here);
   ExpectSays(FindMeshFile("meshes/foo.stl", from).failure().message,
-             {"'meshes/foo.stl' is not there", "urdf/meshes/foo.stl"});
+             {"'meshes/foo.stl' does not exist", "urdf/meshes/foo.stl"});
   ExpectSays(FindMeshFile("package://nowhere/foo.stl", from).failure().message,
              {"package://nowhere/foo.stl", "no folder"});
   ExpectSays(FindMeshFile("http://x/foo.stl", from).failure().message, {"http://x/foo.stl", "'package://NAME/'"});
 }
 
 TEST_F(MeshFile, CollisionMeshesMustBeThereAndReadable) {
-  ExpectSays(Load("<mesh filename='no.stl'/>"), {"link 'A_foot'", "'no.stl' is not there"});
+  ExpectSays(Load("<mesh filename='no.stl'/>"), {"link 'A_foot'", "'no.stl' does not exist"});
   Write("bad.stl", "solid nonsense");
   ExpectSays(Load("<mesh filename='bad.stl'/>"), {"link 'A_foot'", "bad.stl"});
   ExpectSays(Load("<mesh/>"), {"link 'A_foot'", "<mesh> has no 'filename'"});
@@ -131,7 +131,7 @@ TEST_F(MeshFile, AMissingPictureIsANote) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   std::string notes;
   for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_foot': no picture", "'no.dae' is not there"});
+  ExpectSays(notes, {"link 'A_foot': not drawn", "'no.dae' does not exist"});
 }
 
 TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsANote) {
@@ -146,7 +146,7 @@ TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsANote) {
   ASSERT_EQ(model->missing_meshes.size(), 2U);
   std::string notes;
   for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_foot': the mesh 'no.stl' is not there", "what it touches is not known"});
+  ExpectSays(notes, {"link 'A_foot': the mesh 'no.stl' does not exist", "its contacts are unknown"});
   const Result<RobotModel> text = LoadRobotFromText(model->urdf_text, "", model->name, model->meshes);
   ASSERT_TRUE(text.ok()) << text.failure().message;
   EXPECT_EQ(text->hash, model->hash);
@@ -214,7 +214,7 @@ TEST_F(MeshFile, TextsAndHullsMakeTheSameRobot) {
   std::vector<MeshHull> other = file->meshes;
   other[0].vertices[0].x() -= 1e-3;
   EXPECT_NE(LoadRobotFromText(file->urdf_text, file->yaml_text, file->name, other)->hash, file->hash);
-  ExpectSays(MessageOf(file->urdf_text), {"link 'A_foot'", "'foot.stl' does not come with the text"});
+  ExpectSays(MessageOf(file->urdf_text), {"link 'A_foot'", "'foot.stl' was not given with the robot's text"});
 }
 
 TEST_F(MeshFile, MeshesCollideAsBoxesDo) {

@@ -13,7 +13,7 @@ TEST(RobotBounds, NamesAreTextAndNotEmpty) {
   EXPECT_EQ(MessageOf(FourLegs()), "");
   ExpectSays(MessageOf(Replaced(FourLegs(), "'trunk'", "'tr&#0;unk'")), {"not XML", "&#0;"});
   ExpectSays(MessageOf(Replaced(FourLegs(), "'trunk'", "'&#x000;'")), {"not XML", "&#0;"});
-  ExpectSays(MessageOf(Replaced(FourLegs(), "'trunk'", "'&#xD800;'")), {"a link", "no text in UTF-8"});
+  ExpectSays(MessageOf(Replaced(FourLegs(), "'trunk'", "'&#xD800;'")), {"a link", "not valid UTF-8"});
   ExpectSays(MessageOf(Replaced(FourLegs(), "'trunk'", "''")), {"a link", "empty name"});
   ExpectSays(MessageOf(FourLegs() + std::string(1, '\0')), {"is 0x00"});
   ExpectSays(MessageOf(Replaced(FourLegs(), "'trunk'", "'" + std::string(1001, 'x') + "'")),

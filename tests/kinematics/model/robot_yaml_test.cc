@@ -76,13 +76,13 @@ TEST(RobotYaml, MotorsSayWhatTheyCan) {
   EXPECT_EQ(motor.EffortAt(-9.0, 30.0), 30.0);
   EXPECT_FALSE(model.MotorOf(model.DofIndex("B_knee")).has_curve());
   EXPECT_EQ(model.MotorOf(model.DofIndex("B_knee")).EffortAt(1e3, 30.0), 30.0);
-  ExpectSays(DescribeRobot(model), {"full effort up to 4, none from 8 on", "9 without end, as mean over 3 s",
+  ExpectSays(DescribeRobot(model), {"full effort up to 4, none from 8 on", "9 continuously, as mean over 3 s",
                                     "rotor inertia 0.02", "damping 0.3, friction 0.7"});
 }
 
 TEST(RobotYaml, ACurveWithoutAPeakIsNoted) {
   const char* curve = "motors: {A_knee: {corner_velocity_rad_s: 4, no_load_velocity_rad_s: 8}}";
-  const char* note = "joint 'A_knee': its torque-speed curve has no peak to fall from";
+  const char* note = "joint 'A_knee': its torque-speed curve has no peak torque";
   const Result<RobotModel> endless = LoadRobotFromText(Replaced(FourLegs(), "effort='30'", "effort='1e6'"), curve);
   ASSERT_TRUE(endless.ok()) << endless.failure().message;
   ExpectSays(NotesOf(*endless), {note, "'limits' of robot.yaml"});
@@ -94,7 +94,7 @@ TEST(RobotYaml, RefusesMotorsThatContradictThemselves) {
              {"line 1", "'A_knee' has a corner velocity of 8, which is not below its no-load velocity of 4"});
   ExpectSays(WhyNot("motors: {A_knee: {no_load_velocity_rad_s: 4}}"), {"one end of its torque-speed curve"});
   ExpectSays(WhyNot("motors: {A_knee: {continuous_nm: 31}}"),
-             {"a continuous effort of 31, over the joint's limit of 30"});
+             {"a continuous effort of 31, above the joint's limit of 30"});
   ExpectSays(WhyNot("motors: {A_knee: {thermal_s: 3}}"), {"line 1", "'A_knee'", "'thermal_s'", "no 'continuous_nm'"});
   ExpectSays(WhyNot("motors: {A_knee: {continuous_n: 3}}"), {"joint 'A_knee' turns"});
   ExpectSays(WhyNot("motors: {A_knee: {rotor_inertia_kg_m2: 0}}"), {"rotor_inertia_kg_m2"});
@@ -115,11 +115,11 @@ TEST(RobotYaml, LimitsBoundAContinuousJointAndReplaceAPlaceholder) {
 TEST(RobotYaml, RefusesLimitsThatCannotBe) {
   ExpectSays(WhyNot("limits: {A_kne: {effort_nm: 3}}"), {"line 1", "no moving joint 'A_kne'", "nearest is 'A_knee'"});
   ExpectSays(WhyNot("limits:\n  A_knee: {lower_rad: 2}"),
-             {"line 2", "'A_knee'", "lower limit 2 is over its upper limit 1"});
+             {"line 2", "'A_knee'", "lower limit 2 is above its upper limit 1"});
   ExpectSays(WhyNot("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "over zero"});
   ExpectSays(WhyNot("limits: {A_knee: {effort: 3}}"), {"unknown key 'effort'", "nearest are 'effort_nm', 'effort_n'"});
   ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' turns", "_rad"});
-  ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0, effort_nm: 2}}"), {"'A_knee'", "one of both"});
+  ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0, effort_nm: 2}}"), {"'A_knee'", "use only one kind"});
   ExpectSays(MessageOf(Sliding(), "limits: {A_knee: {effort_nm: 2}}"), {"'A_knee' slides", "_n"});
   ExpectSays(WhyNot("limits: {A_knee: 3}"), {"the limits of 'A_knee'", "a single value", "a map"});
   ExpectSays(WhyNot("limits: 3"), {"'limits' is a single value"});
@@ -162,9 +162,9 @@ TEST(RobotYaml, RefusesFeetThatCannotBe) {
   ExpectSays(foot("link: A_foot, type: claw"), {"line 3", "'claw' is unknown", "'point', 'sphere', 'line', 'sole'"});
   ExpectSays(foot("link: A_foot, radius_m: -0.02"), {"line 3", "'radius_m' is -0.02"});
   ExpectSays(foot("link: A_foot, radius_m: big"), {"'radius_m' is 'big'; a number is needed"});
-  ExpectSays(foot("link: A_foot, type: point, radius_m: 0.02"), {"'A_foot' is no sphere, and has 'radius_m'"});
+  ExpectSays(foot("link: A_foot, type: point, radius_m: 0.02"), {"'A_foot' is not a sphere but has 'radius_m'"});
   ExpectSays(foot("link: A_foot, type: sole"), {"line 3", "'A_foot' of type sole or line needs its corners"});
-  ExpectSays(foot("link: A_foot, type: sphere, sole_m: [[0, 0], [1, 0], [0, 1]]"), {"'A_foot' is no sole"});
+  ExpectSays(foot("link: A_foot, type: sphere, sole_m: [[0, 0], [1, 0], [0, 1]]"), {"'A_foot' is not a sole"});
   ExpectSays(
       MessageOf(FourLegs("<box size='0.04 0.04 0.04'/>"), "feet: [{link: A_foot, type: sphere}, {link: B_foot}]"),
       {"line 1", "'A_foot' of type sphere needs 'radius_m'"});
@@ -200,7 +200,8 @@ TEST(RobotYaml, RefusesLegsThatCannotBe) {
   ExpectSays(WhyNot("legs: 3"), {"'legs' is a single value"});
   ExpectSays(WhyNot("legs: {A_fot: {knee: A_knee}}"), {"no foot 'A_fot'", "'A_foot', 'B_foot'"});
   ExpectSays(WhyNot("legs: {A_foot: {kne: A_knee}}"), {"unknown key 'kne'", "nearest is 'knee'"});
-  ExpectSays(WhyNot("legs: {A_foot: {knee: B_knee}}"), {"'B_knee' is no joint of leg 'A_foot'", "'A_hip', 'A_knee'"});
+  ExpectSays(WhyNot("legs: {A_foot: {knee: B_knee}}"),
+             {"'B_knee' is not a joint of leg 'A_foot'", "'A_hip', 'A_knee'"});
   ExpectSays(WhyNot("legs: {A_foot: {joints: [A_knee, A_hip]}}"), {"'A_hip', 'A_knee', from the base"});
   ExpectSays(WhyNot("legs: {A_foot: {joints: A_knee}}"), {"'joints' is a single value"});
   ExpectSays(WhyNot("legs: {A_foot: {knee_side: left}}"), {"'knee_side' is 'left'", "'plus', 'minus'"});
@@ -216,7 +217,8 @@ TEST(RobotYaml, MirrorPairsTakeThePlaceOfDerivedOnes) {
   EXPECT_EQ(model.legs[3].mirror, 0);
   EXPECT_EQ(model.legs[1].mirror, -1);
   EXPECT_EQ(With("mirror_pairs: []").legs[0].mirror, -1);
-  ExpectSays(NotesOf(model), {"'A_foot' and 'D_foot' mirror each other: robot.yaml", "leg 'B_foot' mirrors no other"});
+  ExpectSays(NotesOf(model),
+             {"'A_foot' and 'D_foot' mirror each other: robot.yaml", "leg 'B_foot' has no mirrored leg"});
 }
 
 TEST(RobotYaml, RefusesPairsThatAreNone) {
@@ -260,7 +262,8 @@ TEST(RobotYaml, GainsAndOwnSpeed) {
   EXPECT_EQ(model.damping[model.DofIndex("A_knee")], 3.0);
   EXPECT_EQ(model.stiffness[model.DofIndex("B_knee")], 0.0);
   EXPECT_EQ(model.nominal_speed_m_s, 0.4);
-  ExpectSays(NotesOf(model), {"gains of 'A_knee', 'B_knee': from robot.yaml", "own speed 0.400 m/s: from robot.yaml"});
+  ExpectSays(NotesOf(model),
+             {"gains of 'A_knee', 'B_knee': from robot.yaml", "default speed 0.400 m/s: from robot.yaml"});
   const Result<RobotModel> sliding = LoadRobotFromText(Sliding(), "gains: {A_knee: {stiffness_n_m: 900}}");
   ASSERT_TRUE(sliding.ok()) << sliding.failure().message;
   EXPECT_EQ(sliding->stiffness[sliding->DofIndex("A_knee")], 900.0);
@@ -290,7 +293,7 @@ TEST(RobotYaml, RefusesWhatIsNoMapOfKnownKeysOnce) {
   ExpectSays(WhyNot("standing:\n  A_hip: 0\n  A_hip: 1"), {"line 3", "'standing' has the key 'A_hip' twice"});
   ExpectSays(WhyNot("name: a\nstandin: {}"), {"line 2", "unknown key 'standin'", "nearest is 'standing'"});
   ExpectSays(WhyNot("name: ''"), {"'name' is empty"});
-  ExpectSays(WhyNot("name: a\n---\nname: b"), {"second document"});
+  ExpectSays(WhyNot("name: a\n---\nname: b"), {"second YAML document"});
   ExpectSays(WhyNot("[a]: 3"), {"a key of the file is a list"});
   for (const char* broken : {"a: [1", "a: 'b", "\tname: a", "a: b: c", "&"}) {
     const std::string message = WhyNot(broken);

@@ -204,11 +204,11 @@ TEST(TransmissionYaml, RefusesByLine) {
       {head + "[A_hip, A_knee]\n" + two +
            "  - name: u\n    joints: [B_hip, A_knee]\n    motors: [{name: c, ratios: [1, "
            "0]}, {name: d, ratios: [0, 1]}]\n",
-       {"line 5", "'A_knee'", "'t' drives too"}},
+       {"line 5", "'A_knee'", "'t' also drives"}},
       {"limits: {A_hip: {effort_nm: 3}}\n" + Differential(), {"line 1", "'A_hip'", "'leg'"}},
       {"motors: {A_knee: {continuous_nm: 3}}\n" + Differential(), {"line 1", "'A_knee'", "'leg'"}},
       {"motors: {A_knee: {rotor_inertia_kg_m2: 3}}\n" + Differential("1, 1", "1, -1", ", rotor_inertia_kg_m2: 1"),
-       {"line 1", "'A_knee'", "one or the other"}},
+       {"line 1", "'A_knee'", "set only one of them"}},
       {Differential("1, 1e-9"), {"line 5", "'ratios' is 1e-09"}},
       {"transmissions: {a: b}\n", {"line 1"}},
       {"transmissions: [3]\n", {"line 1"}},

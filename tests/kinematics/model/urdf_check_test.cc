@@ -66,7 +66,7 @@ TEST(UrdfCheck, AChainOfMimicsMovesAsItsProduct) {
 
 TEST(UrdfCheck, StrictlyRefusesLimitsThatAreLeftOut) {
   const auto strictly = [](const std::string& from) { return MessageOf(Replaced(FourLegs(), from, ""), "", true); };
-  ExpectSays(strictly(" lower='-2' upper='1'"), {"joint 'A_hip'", "'lower'", "takes for 0"});
+  ExpectSays(strictly(" lower='-2' upper='1'"), {"joint 'A_hip'", "'lower'", "reads as 0"});
   ExpectSays(strictly(" lower='-2'"), {"joint 'A_hip'", "'lower'"});
   ExpectSays(strictly(" upper='1'"), {"joint 'A_hip'", "'upper'"});
   EXPECT_EQ(With("'revolute'", "'continuous'"), "");
@@ -74,9 +74,9 @@ TEST(UrdfCheck, StrictlyRefusesLimitsThatAreLeftOut) {
 }
 
 TEST(UrdfCheck, RefusesNumbersThatAreNoneOrAbsurdByName) {
-  ExpectSays(With("mass value='1'", "mass value='1e7'"), {"link 'trunk'", "1e7 is absurd"});
-  ExpectSays(With("ixx='0.01'", "ixx='1e300'"), {"link 'trunk'", "ixx", "absurd"});
-  ExpectSays(With("0 0 -0.2", "0 0 -2e5"), {"joint 'A_knee'", "absurd"});
+  ExpectSays(With("mass value='1'", "mass value='1e7'"), {"link 'trunk'", "1e7 is too large"});
+  ExpectSays(With("ixx='0.01'", "ixx='1e300'"), {"link 'trunk'", "ixx", "too large"});
+  ExpectSays(With("0 0 -0.2", "0 0 -2e5"), {"joint 'A_knee'", "too large"});
   ExpectSays(With("sphere radius='0.02'", "sphere radius='inf'"), {"link 'A_foot'", "'inf' is not a finite number"});
   ExpectSays(With("damping='0.1'", "damping='nan'"), {"joint 'A_hip'", "damping", "not a finite number"});
   ExpectSays(With("damping='0.1'", "damping='-3'"), {"joint 'A_hip'", "damping is -3"});

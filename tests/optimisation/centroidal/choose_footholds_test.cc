@@ -93,7 +93,7 @@ TEST(ChooseFootholds, RefusesWhatNoWayReachesAndSaysWhichFootAndWhen) {
   const Result<ChosenFootholds> choice = ChooseFootholds(ground, rigid_bodies::Walker(2.0));
   ASSERT_FALSE(choice.ok());
   EXPECT_EQ(choice.failure().code, FailureCode::kOutOfReach);
-  for (const char* part : {"foot ", "on the ground from ", " out of its workspace at "})
+  for (const char* part : {"foot ", "on the ground from ", " outside its workspace at "})
     EXPECT_NE(choice.failure().message.find(part), std::string::npos) << choice.failure().message;
   EXPECT_TRUE(ChooseFootholds(ground, rigid_bodies::Walker(2.0), {.hopeless_m = 10.0}).ok());
 }
@@ -103,13 +103,13 @@ TEST(ChooseFootholds, RefusesAGoalAtWhichAFootReachesNoGround) {
   problem.goal.p_WC.z() += 0.17;  // of 0.15 m that its workspaces are high
   const Result<ChosenFootholds> choice = ChooseFootholds(FlatTerrain(), problem);
   ASSERT_FALSE(choice.ok());
-  EXPECT_EQ(choice.failure().message, "at the goal foot 0 is 0.020 m out of its workspace wherever it stands");
+  EXPECT_EQ(choice.failure().message, "at the goal, foot 0 is 0.020 m outside its workspace on every patch");
 }
 
 TEST(ChooseFootholds, RefusesGroundWithoutPatches) {
   const Result<ChosenFootholds> choice = ChooseFootholds(Terrain{"nothing", {}, {}, {}}, rigid_bodies::Walker());
   ASSERT_FALSE(choice.ok());
-  EXPECT_EQ(choice.failure().message, "ground 'nothing' has no patch with room for a foot 0.010 m from its edges");
+  EXPECT_EQ(choice.failure().message, "ground 'nothing' has no patch with space for a foot 0.010 m from its edges");
   const Result<ChosenFootholds> narrow = ChooseFootholds(Strips({{-0.01, 0.008, 0.0}}), rigid_bodies::Walker());
   ASSERT_FALSE(narrow.ok());
   EXPECT_EQ(narrow.failure().code, FailureCode::kNoPatches);

@@ -204,15 +204,15 @@ void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options
 TEST(OptimiseTiming, RefusesWhatCannotBe) {
   RigidBodyProblem problem = rigid_bodies::Hopper();
   ExpectRefused(problem, {.shortest_s = 0.5}, FailureKind::kInfeasible, FailureCode::kNoTiming,
-                "3 phases take 1.5 s together at their shortest, and there are 1.25 s");
+                "3 phases take 1.5 s in all at their shortest durations; the longest accepted total is 1.25 s");
   ExpectRefused(problem, {.longest_s = 0.4}, FailureKind::kInfeasible, FailureCode::kNoTiming,
-                "3 phases take 1.2 s together at their longest, and are to take 1.25 s");
+                "3 phases take 1.2 s in all at their longest durations; the shortest accepted total is 1.25 s");
   ExpectRefused(problem, {.shortest_s = 0.4, .longest_s = 0.3, .least_total = 0.5}, FailureKind::kBadInput,
-                FailureCode::kNoDuration, "a phase cannot last at least 0.4 s and at most 0.3 s");
+                FailureCode::kNoDuration, "the shortest phase duration, 0.4 s, is above the longest, 0.3 s");
   ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, FailureCode::kUnmetLaw,
-                "; at other times of contacts ");
+                "; with other contact times, ");
   rigid_bodies::AddInnerMotion(problem, 20);
-  ExpectRefused(problem, {}, FailureKind::kBadInput, FailureCode::kTiedToTime, "inner momentum");
+  ExpectRefused(problem, {}, FailureKind::kBadInput, FailureCode::kTiedToTime, "leg angular momentum");
   RigidBodyProblem beside = rigid_bodies::Hopper();
   beside.clearances = {{0.3}};
   ExpectRefused(beside, {}, FailureKind::kBadInput, FailureCode::kTiedToTime, "clearances");

@@ -197,8 +197,8 @@ TEST(PlanRigidBody, SaysWhichLawStaysUnmetAndWhere) {
   const Result<RigidBodyPlan> plan = PlanRigidBody(far, {}, &last);
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.failure().code, FailureCode::kUnmetLaw);
-  EXPECT_TRUE(plan.failure().message.starts_with("no motion was found that keeps all laws: "));
-  EXPECT_NE(plan.failure().message.find(last.summary.worst + " stays unmet by"), std::string::npos)
+  EXPECT_TRUE(plan.failure().message.starts_with("no motion was found that satisfies all constraints: "));
+  EXPECT_NE(plan.failure().message.find(last.summary.worst + " stays violated by"), std::string::npos)
       << plan.failure().message;
   EXPECT_NE(last.summary.worst.find(" s"), std::string::npos) << last.summary.worst;
   EXPECT_GT(last.summary.violation, 1e-3);
@@ -236,8 +236,8 @@ TEST(PlanRigidBody, SaysWhereFrictionHoldsNoBodyAtRest) {
   problem.stances[1].X_WF.linear() = Eigen::AngleAxisd(-0.6, Vector3::UnitY()).toRotationMatrix();
   const Result<RigidBodyPlan> plan = PlanRigidBody(problem);
   ASSERT_FALSE(plan.ok());
-  EXPECT_NE(plan.failure().message.find("at the goal all feet are on ground that takes a friction of 0.68 to hold "
-                                        "still on, and 0.50 may be used"),
+  EXPECT_NE(plan.failure().message.find("at the goal, all feet are on ground that needs a friction of 0.68 to "
+                                        "stand on, but 0.50 may be used"),
             std::string::npos)
       << plan.failure().message;
 }

@@ -65,7 +65,7 @@ std::string RefusalOf(const std::function<void(RigidBodyProblem&)>& spoil) {
 TEST(RigidBodyProblem, RefusesInnerMotionThatIsNone) {
   EXPECT_EQ(RefusalOf([](auto& p) { rigid_bodies::AddInnerMotion(p, 2); }), "none");
   const std::string momentum =
-      "rigid body: its inner momentum takes two finite values or more with their rates, or none";
+      "rigid body: the leg angular momentum needs two or more finite values with their rates, or none";
   EXPECT_EQ(RefusalOf([](auto& p) { p.inner_momentum_W = p.inner_torque_W = {Vector3::Zero()}; }), momentum);
   const auto spoilt = [&](const std::function<void(RigidBodyProblem&)>& spoil) {
     return RefusalOf([&](auto& p) {
@@ -81,7 +81,7 @@ TEST(RigidBodyProblem, RefusesInnerMotionThatIsNone) {
 
 TEST(RigidBodyProblem, RefusesContactsThatMoveNowhere) {
   EXPECT_EQ(RefusalOf([](auto& p) { rigid_bodies::AddRolling(p); }), "none");
-  const std::string moved = "rigid body: contacts that move take two finite places or more, or none";
+  const std::string moved = "rigid body: moving contacts need two or more finite positions, or none";
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].moved_W = {Vector3::Zero()}; }), moved);
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].moved_W = {Vector3::Zero(), {NAN, 0.0, 0.0}}; }), moved);
 }
@@ -94,7 +94,9 @@ TEST(RigidBodyProblem, RefusesMotorsThatAreNone) {
       spoil(p.stances[3].motors[1]);
     });
   };
-  const std::string none = "rigid body: the motors of stance 3 have limits that are none";
+  const std::string none =
+      "rigid body: the motor limits of stance 3 have wrong sizes, a value that is not finite, or a lower limit above "
+      "the upper one";
   EXPECT_EQ(spoilt([](auto& m) { m.by_force = MatrixX::Ones(2, 6); }), none);
   EXPECT_EQ(spoilt([](auto& m) { m.lower = VectorX::Zero(3); }), none);
   EXPECT_EQ(spoilt([](auto& m) { m.upper = VectorX::Ones(1); }), none);
@@ -108,11 +110,15 @@ TEST(RigidBodyProblem, RefusesSwingsThatNoFootMakes) {
     return RefusalOf([&](auto& p) { p.swings = {{0, 1, 0.1}, {from, to, lift_m}}; });
   };
   EXPECT_EQ(swings(3, 4), "none");
-  EXPECT_EQ(swings(1, 4), "rigid body: no foot swings from stance 1 to 4") << "another foot's";
-  EXPECT_EQ(swings(2, 1), "rigid body: no foot swings from stance 2 to 1") << "backwards";
-  EXPECT_EQ(swings(1, 1), "rigid body: no foot swings from stance 1 to 1");
-  EXPECT_EQ(swings(4, 5), "rigid body: no foot swings from stance 4 to 5") << "there are five";
-  EXPECT_EQ(swings(3, 4, NAN), "rigid body: no foot swings from stance 3 to 4");
+  const auto refused = [](int from, int to) {
+    return "rigid body: the swing from stance " + std::to_string(from) + " to " + std::to_string(to) +
+           " needs two stances of one foot in order, a finite lift and a cruise share of 0 to below 1";
+  };
+  EXPECT_EQ(swings(1, 4), refused(1, 4)) << "another foot's";
+  EXPECT_EQ(swings(2, 1), refused(2, 1)) << "backwards";
+  EXPECT_EQ(swings(1, 1), refused(1, 1));
+  EXPECT_EQ(swings(4, 5), refused(4, 5)) << "there are five";
+  EXPECT_EQ(swings(3, 4, NAN), refused(3, 4));
 }
 
 TEST(RigidBodyProblem, InnerMomentumIsHermitesCubic) {
@@ -175,14 +181,16 @@ TEST(RigidBodyProblem, AWayGoesEvenlyBetweenItsTimes) {
 }
 
 TEST(RigidBodyProblem, RefusesWhatCannotBe) {
-  EXPECT_EQ(RefusalOf([](auto& p) { p.mass_kg = 0.0; }), "rigid body: a mass of 0 kg");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.mass_kg = 0.0; }), "rigid body: the mass is 0 kg; it must be finite and above 0");
   EXPECT_EQ(RefusalOf([](auto& p) { p.inertia_B(0, 0) = 30.0; }),
-            "rigid body: the inertia is none that a body can have");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.duration_s = -1.0; }), "rigid body: a duration of -1 s");
+            "rigid body: the inertia matrix is not physical (not symmetric positive definite, or violates the triangle "
+            "inequality)");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.duration_s = -1.0; }),
+            "rigid body: the duration is -1 s; it must be finite and above 0");
   EXPECT_EQ(RefusalOf([](auto& p) { p.goal.p_WC.x() = NAN; }), "rigid body: the goal state is not finite");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].foot = 2; }), "rigid body: stance 1 names foot 2 of 2");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].start_s = 0.2; }),
-            "rigid body: stance 1 lasts from 0.2 to 1.2 s; foot 0 is free from 0.3 to 1.9 s");
+            "rigid body: stance 1 lasts from 0.2 to 1.2 s, but foot 0 is free only from 0.3 to 1.9 s");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[4].friction = 0.0; }), "rigid body: stance 4 has no friction");
   EXPECT_EQ(RefusalOf([](auto& p) {
               p.stances[4].region_F = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
@@ -191,10 +199,10 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
   EXPECT_EQ(RefusalOf([](auto& p) {
               p.way.time_s = {0.0, 1.0};
             }),
-            "rigid body: the first guess of its way needs a place and angles for each of its times in turn");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }), "rigid body: foot 1 can carry nothing");
+            "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }), "rigid body: foot 1 cannot carry any load");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].end_s = p.stances[4].end_s = 1.8; }),
-            "rigid body: no foot holds it at the end");
+            "rigid body: no foot is on the ground at the end");
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST(ZmpKnots, AStanceOnALineHasThreeKnotsOfOneNumber) {
 TEST(ZmpKnots, ASupportTooNarrowForTheMarginIsNamed) {
   const Result<ZmpKnots> zmp = PlaceZmpKnots(synthetic::Biped(2), 0.06, 0.25);
   ASSERT_FALSE(zmp.ok());
-  EXPECT_EQ(zmp.failure().message, "in phase 1 the support at 0.80 s has no place that is 60.0 mm from its edge");
+  EXPECT_EQ(zmp.failure().message, "in phase 1, the support at 0.80 s has no point 60.0 mm inside its edge");
 }
 
 }  // namespace

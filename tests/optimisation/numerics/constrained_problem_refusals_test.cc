@@ -27,7 +27,7 @@ TEST(ConstrainedProblem, RefusesVariablesNamedTwiceOrNotThere) {
     return "";
   };
   EXPECT_EQ(message({1, 1}), "Solve: a list of variables names 1 twice");
-  EXPECT_EQ(message({0, 2}), "Solve: a list of variables names 2; there are 0 to 1");
+  EXPECT_EQ(message({0, 2}), "Solve: a list of variables names 2; accepted: 0 to 1");
   EXPECT_EQ(message({0, 1}), "");
 }
 

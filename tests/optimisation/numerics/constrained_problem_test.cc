@@ -250,7 +250,7 @@ TEST(ConstrainedProblem, InfeasibleNamesTheConstraint) {
   const Result<ConstrainedSolution> solution = Solve(problem);
   ASSERT_FALSE(solution.ok());
   EXPECT_EQ(solution.failure().kind, FailureKind::kInfeasible);
-  EXPECT_NE(solution.failure().message.find("stays unmet by"), std::string::npos);
+  EXPECT_NE(solution.failure().message.find("stays violated by"), std::string::npos);
 }
 
 TEST(ConstrainedProblem, TheScaleOfTheCostDoesNotMatter) {

@@ -157,7 +157,7 @@ TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
   const Result<ConstrainedSolution> solution = SolveElastic(problem, {}, &last);
   ASSERT_FALSE(solution.ok());
   EXPECT_EQ(solution.failure().code, FailureCode::kUnmetConstraint);
-  EXPECT_NE(solution.failure().message.find("constraint 'x' stays unmet by"), std::string::npos)
+  EXPECT_NE(solution.failure().message.find("constraint 'x' stays violated by"), std::string::npos)
       << solution.failure().message;
   EXPECT_TRUE(last.least);
   EXPECT_NEAR(last.violations, 3.0, 1e-4);

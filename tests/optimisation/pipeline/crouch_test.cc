@@ -55,8 +55,9 @@ TEST(Crouch, FlightsThatNoHeightGivesAreRefusedWithTheirMotor) {
   const Result<std::optional<Crouch>> crouch = CrouchFor(nao, OneFlight(0.12));
   ASSERT_FALSE(crouch.ok());
   EXPECT_EQ(crouch.failure().code, FailureCode::kLegsTooSlow);
-  EXPECT_NE(crouch.failure().message.find("KneePitch' turns at 6.4"), std::string::npos) << crouch.failure().message;
-  EXPECT_NE(crouch.failure().message.find("takes a lift-off at 0.59 m/s"), std::string::npos);
+  EXPECT_NE(crouch.failure().message.find("KneePitch' is limited to 6.4"), std::string::npos)
+      << crouch.failure().message;
+  EXPECT_NE(crouch.failure().message.find("needs a lift-off speed of 0.59 m/s"), std::string::npos);
   // No height is faster than what is said.
   double fastest = 0.0;
   for (const PushOff& at : PushOffs(nao, 2, 0.03, 0.95)) fastest = std::max(fastest, 0.95 * at.speed_m_s);
@@ -97,7 +98,7 @@ TEST(Crouch, LegsThatCannotHoldTheBodyOnOneFootAreTooWeak) {
   const Result<std::optional<Crouch>> crouch = CrouchFor(weak, running);
   ASSERT_FALSE(crouch.ok());
   EXPECT_EQ(crouch.failure().code, FailureCode::kLegsTooWeak) << crouch.failure().message;
-  EXPECT_NE(crouch.failure().message.find("N m at most"), std::string::npos) << crouch.failure().message;
+  EXPECT_NE(crouch.failure().message.find(" N m"), std::string::npos) << crouch.failure().message;
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ TEST_P(AuditConsistency, OfSwingsWithTheSchedule) {
       Changed(foot() + " number of swings", [&](MotionPlan& plan) { plan.swings.push_back(plan.swings[i]); });
   EXPECT_EQ(twice.value, twice.limit + 1.0);
   const Violation nobody =
-      Changed("swing of a foot that is not there", [&](MotionPlan& plan) { plan.swings[i].foot = -1; });
+      Changed("swing of a foot that does not exist", [&](MotionPlan& plan) { plan.swings[i].foot = -1; });
   EXPECT_EQ(nobody.value, -1.0);
 }
 
@@ -243,9 +243,11 @@ TEST(AuditedRows, ThatAreNotTheRobotsAreRefused) {
     return report.ok() ? std::string() : report.failure().message;
   };
   const std::string start = "the plan does not fit robot 'a1': ";
-  EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.v[5].resize(17); }), start + "its v has 17 numbers, the robot 18");
+  EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.v[5].resize(17); }),
+            start + "its v has 17 numbers, but the robot needs 18");
   EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.tau.resize(3); }).find(start + "it has 3 rows of tau, "), 0U);
-  EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.wrenches[7].pop_back(); }), start + "it has 3 feet, the robot 4");
+  EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.wrenches[7].pop_back(); }),
+            start + "it has 3 feet, but the robot has 4");
   EXPECT_EQ(why([](MotionPlan& p) { p.schedule = {}; }), start + "the contact schedule has no phase");
 }
 

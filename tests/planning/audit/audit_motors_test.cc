@@ -120,7 +120,7 @@ TEST_P(MotorLaw, ACurveWhosePeakIsAPlaceholderIsNotTakenForKnown) {
   };
   EXPECT_FALSE(says("torque_speed not applied to '" + name() + "'"));
   joint().effort_limit_is_placeholder = true;
-  EXPECT_TRUE(says("torque_speed not applied to '" + name() + "' under the no-load speed: the peak torque"));
+  EXPECT_TRUE(says("torque_speed not applied to '" + name() + "' below the no-load speed: the peak torque"));
   AuditOptions options;
   options.margins = true;
   const AuditReport report = Audit(model_, plan_, options).value();
@@ -260,19 +260,19 @@ TEST_P(MotorLaw, MarginsOfABrokenLimitAreNegative) {
   EXPECT_EQ(at->where, name()) << "the least of a law comes first";
   EXPECT_NEAR(at->margin, -0.1 * most, 1e-9);
   EXPECT_NEAR(*at->share, -1.0 / 9.0, 1e-9);
-  EXPECT_NE(AuditText(report).find("margins, the least"), std::string::npos);
+  EXPECT_NE(AuditText(report).find("margins, the smallest"), std::string::npos);
   EXPECT_NE(AuditJson(report).find("\"margins\""), std::string::npos);
 }
 
 TEST_P(MotorLaw, WhatIsNotKnownIsListed) {
   EXPECT_EQ(UnknownOfMotors(model_).size(), 4U);
   EXPECT_EQ(UnknownOfMotors(model_)[0],
-            "joint_acceleration not applied: no robot.yaml gives any limit of acceleration");
+            "joint_acceleration not applied: robot.yaml does not give any limit of acceleration");
   for (Motor& each : model_.motors) each.jerk_limit = 1.0;
   EXPECT_EQ(UnknownOfMotors(model_).size(), 3U);
   motor().jerk_limit = Motor::kNone;
   EXPECT_EQ(UnknownOfMotors(model_)[1],
-            "joint_jerk not applied to '" + name() + "': no robot.yaml gives their limit of jerk");
+            "joint_jerk not applied to '" + name() + "': robot.yaml does not give their limit of jerk");
 }
 
 TEST(MotorEffortOfMimics, CountsTheJointsThatFollow) {

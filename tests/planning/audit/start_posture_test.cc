@@ -63,17 +63,17 @@ TEST_F(StartPostures, AreRefusedByNameAndLine) {
   ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "there are 'joints'"});
   ExpectSaid("[1, 2]\n", {"a list", "a map"});
   ExpectSaid("", {"a map"});
-  ExpectSaid("a: [1\n", {"no YAML"});
+  ExpectSaid("a: [1\n", {"not valid YAML"});
 }
 
 TEST_F(StartPostures, InDegreesAreSaidToBe) {
   constexpr double kDegrees = 57.29577951308232;
-  const std::string hint = "all joints would be within theirs as degrees: write them in rad";
-  ExpectSaid(FileOf(kDegrees * First()), {"line 2", "outside of its limits", hint});
+  const std::string hint = "all joints would be within their limits as degrees: write them in rad";
+  ExpectSaid(FileOf(kDegrees * First()), {"line 2", "outside its limits", hint});
   VectorX one = First();
   one[2] = 1.5;
   EXPECT_EQ(WhyNot(FileOf(one)).find("degrees"), std::string::npos) << "the others are in rad";
-  EXPECT_NE(WhyNot(FileOf(one)).find("mend the measurement"), std::string::npos);
+  EXPECT_NE(WhyNot(FileOf(one)).find("correct the measurement"), std::string::npos);
 }
 
 TEST_F(StartPostures, JointsThatFollowOthersHaveNone) {

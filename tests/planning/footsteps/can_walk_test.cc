@@ -41,8 +41,7 @@ TEST(CanWalk, ALegNeedsAMotorAtEachOfItsJoints) {
 }
 
 TEST(CanWalk, LegsOnOneAxisAreTheHalvesOfOneLeg) {
-  ExpectRefused(unusual::OpenFiveBars(), FailureCode::kParallelLegs,
-                {"'a_foot'", "'b_foot'", "one leg with two motors"});
+  ExpectRefused(unusual::OpenFiveBars(), FailureCode::kParallelLegs, {"'a_foot'", "'b_foot'", "two halves of one leg"});
 }
 
 TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {

@@ -73,7 +73,7 @@ TEST(RouteOf, OtherCommandsAreRefusedWithWhatIsInTheWay) {
     ASSERT_FALSE(route.ok());
     EXPECT_EQ(route.failure().kind, FailureKind::kInfeasible);
     EXPECT_EQ(route.failure().code, FailureCode::kWayBlocked);
-    EXPECT_NE(route.failure().message.find("'garden wall' is in the way"), std::string::npos)
+    EXPECT_NE(route.failure().message.find("'garden wall' blocks the robot"), std::string::npos)
         << route.failure().message;
     EXPECT_TRUE(RouteFor(command, FlatTerrain()).ok());
   }

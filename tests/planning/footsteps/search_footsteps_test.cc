@@ -319,7 +319,7 @@ TEST(SearchFootsteps, RefusalsNameThePlaceAndTheReason) {
   starts(Refusal("a1", StepUp(0.7, 0.2), 2.0, 0.3), "step up of 0.20 m at x = 0.70 m; a1 lifts its feet 0.13 m");
   starts(Refusal("a1", StepUp(0.7, -0.2), 2.0, 0.3), "step down of 0.20 m at x = 0.70 m; a1 lifts its feet 0.13 m");
   starts(Refusal("a1", RampUp(0.7, 0.6, 0.7), 2.0, 0.3),
-         "slope of 40 degrees at x = 0.70 m; footholds lie on up to 30 degrees");
+         "slope of 40 degrees at x = 0.70 m; footholds need at most 30 degrees");
   EXPECT_NE(Refusal("a1", WallWithOpening(1.0, 0.2, 1.0), 2.0, 0.3).find("no room between '"), std::string::npos);
   Terrain ledge;
   ledge.patches = {Rectangle("ledge", {-1.0, -1.0}, {0.8, 1.0}, 0.0)};

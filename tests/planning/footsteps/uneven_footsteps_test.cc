@@ -151,7 +151,7 @@ TEST(UnevenFootsteps, FewerFootfallsThanGoAheadAreRefused) {
   command.step_length_m = 0.03;
   const auto skeleton = Plan("nao", "", LevelPatches(), command);
   ASSERT_FALSE(skeleton.ok());
-  EXPECT_EQ(skeleton.failure().message, "1 footfalls only close the stance of 2 feet; 2 or more go ahead");
+  EXPECT_EQ(skeleton.failure().message, "1 footfalls only close the stance of 2 feet; 2 or more move the robot");
 }
 
 }  // namespace

@@ -67,9 +67,9 @@ TEST(Gaits, UnknownNameListsWhatThereIs) {
 
 TEST(Gaits, OneForAnotherNumberOfFeetSaysSo) {
   const Result<RobotModel> a1 = LoadNamedRobot("a1"), nao = LoadNamedRobot("nao");
-  for (const auto& [model, name, feet] : {std::tuple{&*a1, "hop", "is for 2 feet, the robot has 4"},
-                                          std::tuple{&*a1, "run", "is for 2 feet, the robot has 4"},
-                                          std::tuple{&*nao, "pronk", "is for 4 feet, the robot has 2"}}) {
+  for (const auto& [model, name, feet] : {std::tuple{&*a1, "hop", "is for 2 feet, but the robot has 4"},
+                                          std::tuple{&*a1, "run", "is for 2 feet, but the robot has 4"},
+                                          std::tuple{&*nao, "pronk", "is for 4 feet, but the robot has 2"}}) {
     const Result<Gait> gait = FindGait(*model, name, 0.1, {});
     ASSERT_FALSE(gait.ok());
     EXPECT_NE(gait.failure().message.find(feet), std::string::npos) << gait.failure().message;
@@ -118,8 +118,8 @@ TEST(Gaits, FilesAreValidated) {
       {"[1]: {feet: 2}", "a key of the file is a list"},
       {"hop: {feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0, stride_per_leg: 0}", "stride_per_leg is 0; accepted"},
       {"hop: 3", "gait 'hop' is a single value"},
-      {"[1, 2]", "holds no gaits"},
-      {"hop: {feet: 2", "line 1: is no YAML"},
+      {"[1, 2]", "contains no gaits"},
+      {"hop: {feet: 2", "line 1: not valid YAML"},
       {hop + hop, "line 2: the file has the key 'hop' twice"}};
   for (const auto& [text, part] : wrong) EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
 }

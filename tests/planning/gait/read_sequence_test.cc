@@ -77,24 +77,24 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
       {"trot; bound:sped=1", "part 2, 'bound': unknown option 'sped'; the nearest is 'speed'"},
       {"trot:speed=fast", "part 1, 'trot': option 'speed'"},
       {"trot:speed=-1", "part 1, 'trot': option 'speed' is -1"},
-      {"trot:speed=1,speed=2", "'speed' stands there twice"},
+      {"trot:speed=1,speed=2", "'speed' is given twice"},
       {"speed=1", "has no gait before it"},
-      {"trot:distance=1,steps=4", "'distance', 'steps' each say how far"},
-      {"trot:distance=0", "goes nowhere"},
+      {"trot:distance=1,steps=4", "'distance', 'steps' each set the distance"},
+      {"trot:distance=0", "it must be more than 0"},
       {"trot:steps=4", "'steps' alone"},
-      {"trot:step-length=0.1", "'step-length' goes with 'steps'"},
-      {"stand", "how long it stands is missing"},
-      {"stand:speed=1", "'speed' is nothing that standing still has"}};
+      {"trot:step-length=0.1", "'step-length' is for use with 'steps'"},
+      {"stand", "the time to stand is missing"},
+      {"stand:speed=1", "'speed' does not apply to standing still"}};
   for (const auto& [text, part] : wrong)
     EXPECT_NE(Why(text).find(part), std::string::npos) << text << ": " << Why(text);
   const std::vector<std::pair<std::string, std::string>> wrong_files = {
-      {"{gait: trot}", "holds no sequence"},
+      {"{gait: trot}", "contains no sequence"},
       {"- trot", "line 1: a part is a single value; a map of keys"},
       {"- {gait: trot}\n- {speed: 1}", "line 2: a part lacks the key 'gait'"},
       {"- {gait: trot}\n- {gait: bound, sped: 1}", "line 2: 'bound': unknown option 'sped'"},
       {"- {gait: trot, speed: [1]}", "line 1: 'speed' is a list"},
       {"- {gait: trot, speed: 1, speed: 2}", "'speed' twice"},
-      {"- {gait: trot", "is no YAML"}};
+      {"- {gait: trot", "not valid YAML"}};
   for (const auto& [text, part] : wrong_files)
     EXPECT_NE(WhyFile(text).find(part), std::string::npos) << text << ": " << WhyFile(text);
   EXPECT_NE(Why("no_such_file.yaml"), "");

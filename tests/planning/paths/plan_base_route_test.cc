@@ -157,11 +157,11 @@ TEST(PlanBaseRoute, SaysWhatBlocksTheStartOrTheGoal) {
   ASSERT_FALSE(goal.ok());
   EXPECT_EQ(goal.failure().kind, FailureKind::kInfeasible);
   EXPECT_EQ(goal.failure().code, FailureCode::kGoalBlocked);
-  EXPECT_NE(goal.failure().message.find("'pillar' is in the way"), std::string::npos) << goal.failure().message;
+  EXPECT_NE(goal.failure().message.find("'pillar' blocks the robot"), std::string::npos) << goal.failure().message;
   const auto start = PlanBaseRoute(Named("a1"), terrain, {2.1, 0.0, 0.5}, {}, {});
   ASSERT_FALSE(start.ok());
   EXPECT_EQ(start.failure().code, FailureCode::kStartBlocked);
-  EXPECT_NE(start.failure().message.find("'pillar' is in the way"), std::string::npos) << start.failure().message;
+  EXPECT_NE(start.failure().message.find("'pillar' blocks the robot"), std::string::npos) << start.failure().message;
 }
 
 TEST(PlanBaseRoute, SaysWhatBlocksEverythingBetween) {
@@ -174,7 +174,7 @@ TEST(PlanBaseRoute, SaysWhatBlocksEverythingBetween) {
     ASSERT_FALSE(route.ok());
     EXPECT_EQ(route.failure().kind, FailureKind::kInfeasible);
     EXPECT_EQ(route.failure().code, FailureCode::kWayBlocked);
-    EXPECT_NE(route.failure().message.find("'dam' is in the way"), std::string::npos) << route.failure().message;
+    EXPECT_NE(route.failure().message.find("'dam' blocks the robot"), std::string::npos) << route.failure().message;
   }
 }
 

@@ -72,7 +72,7 @@ TEST(PoseCheck, AWallIsInTheWayFromWhereTheRoomTouchesIt) {
     const auto why = check.WhyNot({1.0, 0.3, 0.0});
     ASSERT_TRUE(why.has_value());
     EXPECT_EQ(why->what, "barrier");
-    EXPECT_NE(why->text.find("'barrier' is in the way of the robot at (1.00, 0.30)"), std::string::npos) << why->text;
+    EXPECT_NE(why->text.find("'barrier' blocks the robot at (1.00, 0.30)"), std::string::npos) << why->text;
     EXPECT_FALSE(check.WhyNot({}).has_value());
   }
 }
@@ -145,7 +145,7 @@ TEST(PoseCheck, FeetFindNoPlaceUnderObstacles) {
   PoseCheck check(RobotCalled("a1"), terrain, {});
   const auto why = check.WhyNot({1.0, 0.0, 0.0});
   ASSERT_TRUE(why.has_value());
-  EXPECT_NE(why->text.find("holds no place that is free and large enough for foot"), std::string::npos) << why->text;
+  EXPECT_NE(why->text.find("has no free place large enough for foot"), std::string::npos) << why->text;
   EXPECT_TRUE(check.IsFree({1.0, 1.0, 0.0}));
 }
 

@@ -90,7 +90,7 @@ TEST(BuiltInTerrain, ItsPartsAreSound) {
       const Terrain terrain = Made(entry.name, scale);
       std::set<std::string> names;
       for (const TerrainPatch& patch : terrain.patches) {
-        EXPECT_TRUE(names.insert(patch.name).second) << patch.name << " stands there twice";
+        EXPECT_TRUE(names.insert(patch.name).second) << patch.name << " is given twice";
         EXPECT_GT(patch.X_WT.linear()(2, 2), 0.5);
         EXPECT_NEAR((patch.X_WT.linear().transpose() * patch.X_WT.linear() - Matrix3::Identity()).norm(), 0.0, 1e-12);
         if (!patch.outline_T.empty()) {
@@ -100,7 +100,7 @@ TEST(BuiltInTerrain, ItsPartsAreSound) {
       for (const HeightField& field : terrain.height_fields)
         EXPECT_EQ(field.height_m.size(), static_cast<std::size_t>(field.columns * field.rows));
       for (const Obstacle& obstacle : terrain.obstacles) {
-        EXPECT_TRUE(names.insert(obstacle.name).second) << obstacle.name << " stands there twice";
+        EXPECT_TRUE(names.insert(obstacle.name).second) << obstacle.name << " is given twice";
         EXPECT_GT(obstacle.size_m.minCoeff(), 0.0);
       }
     }

@@ -98,7 +98,7 @@ TEST(PlanJson, NumbersThatAreNoneAreSaid) {
   for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "1e999"}) {
     for (const char* key : {"speed_m_s", "centroidal", "q", "contact_wrenches"}) {
       const std::string why = WhyPlanJsonRefused(WithWord(key, word));
-      EXPECT_EQ(why.rfind(std::string("'") + key + "' holds " + word + " (byte ", 0), 0U) << why;
+      EXPECT_EQ(why.rfind(std::string("'") + key + "' contains " + word + " (byte ", 0), 0U) << why;
       EXPECT_NE(why.find("must be finite"), std::string::npos) << why;
     }
   }
@@ -124,16 +124,16 @@ TEST(PlanJson, TextsThatBreakSayWhere) {
   EXPECT_EQ(WhyPlanJsonRefused(good.substr(0, good.find("\"tau_nm\"") + 20)).find("its JSON is cut short at byte"), 0U);
   EXPECT_EQ(WhyPlanJsonRefused(good + "}}").find("its JSON is broken at byte " + std::to_string(good.size() + 1)), 0U);
   EXPECT_EQ(WhyPlanJsonRefused(std::string("\x01\x02")), "its JSON is broken at byte 1");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')), "it has more than 64 lists and objects in one another");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string("[1, 2]")), "it is no motion plan");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string("{\"format\": \"x\"}")), "it is no motion plan");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')), "its lists and objects are nested more than 64 levels deep");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string("[1, 2]")), "it is not a motion plan");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string("{\"format\": \"x\"}")), "it is not a motion plan");
 }
 
 TEST(PlanJson, AKeyThatStandsTwiceIsRefused) {
   std::string text = GoodText();
   const std::string key = "\"step_s\":";
   text.insert(text.find(key), "\"step_s\":0.005,");
-  EXPECT_EQ(WhyPlanJsonRefused(text), "the key 'step_s' stands twice in one object");
+  EXPECT_EQ(WhyPlanJsonRefused(text), "the key 'step_s' is in one object twice");
 }
 
 TEST(PlanJson, KeysThatAreUnknownOrMissingAreNamed) {
@@ -198,7 +198,8 @@ TEST(PlanJson, ValuesThatCannotBeAreRefused) {
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {1, 0}};
             }),
-            "'terrain.patches[0].outline_m' has 2 corners; none makes a plane without end, three or more an outline");
+            "'terrain.patches[0].outline_m' has 2 corners; accepted: none (an infinite plane), or three or more (an "
+            "outline)");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {0, 9}, {9, 9}, {9, 0}};
             }),
@@ -208,9 +209,9 @@ TEST(PlanJson, ValuesThatCannotBeAreRefused) {
             }),
             "'terrain.patches[0].outline_m' fills 0.75 of its convex hull; it must be convex");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["gait"]["cycle_s"] = 0.0; }),
-            "'parts[0].gait.cycle_s' is 0; it must be over 0");
+            "'parts[0].gait.cycle_s' is 0; it must be above 0");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),
-            "'terrain.patches[0]' faces down: the z of its normal is -1; it must be over 0");
+            "'terrain.patches[0]' faces down: the z of its normal is -1; it must be above 0");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["step_s"] = 0; }), "'step_s' is 0; it must be positive");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               j["swings"][0]["end_s"] = j["swings"][0]["start_s"];
@@ -234,7 +235,7 @@ TEST(PlanJson, FootholdsComeBackInOrder) {
 
 TEST(PlanJson, RowsThatDoNotBelongTogetherAreRefused) {
   const std::size_t rows = GoodPlanOf("a1").plan.whole_body.q.size();
-  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"][5].erase(0); }), "'q[5]' has 18 numbers, the first row 19");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"][5].erase(0); }), "'q[5]' has 18 numbers, but the first row has 19");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["v"].erase(0); }),
             "'v' has " + std::to_string(rows - 1) + " rows; " + std::to_string(rows) + " are needed");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"] = Json::array(); }), "'q' has 0 rows; 1 are needed");

@@ -89,7 +89,7 @@ TEST(TerrainJson, HeightFieldsThatCannotBeAreRefused) {
   EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0]["heights_m"][5] = nullptr; }),
             "'terrain.height_fields[0].heights_m[5]' is null; a number is needed");
   EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0]["resolution_m"] = 0.0; }),
-            "'terrain.height_fields[0].resolution_m' is 0; it must be over 0");
+            "'terrain.height_fields[0].resolution_m' is 0; it must be above 0");
   EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0]["rows"] = 1; }),
             "'terrain.height_fields[0].rows' is 1; accepted: 2 to 100000");
   EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0].erase("friction"); }),
@@ -101,7 +101,7 @@ TEST(TerrainJson, ObstaclesThatCannotBeAreRefused) {
   EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["obstacles"][0]["type"] = "ball"; }),
             "'terrain.obstacles[0].type' is 'ball'; accepted: 'box', 'cylinder', 'mesh'");
   EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["obstacles"][0]["size_m"][1] = 0.0; }),
-            "'terrain.obstacles[0].size_m' has a size of 0; it must be over 0");
+            "'terrain.obstacles[0].size_m' has a size of 0; it must be above 0");
   EXPECT_EQ(WhyTerrainRefused([](Json& j) {
               j["obstacles"][1]["size_m"] = {1, 2, 3};
             }),

@@ -49,7 +49,7 @@ TEST_P(Approaching, LeadsFromRestToRestAndPassesItsAudit) {
   const AuditReport report = Audit(model(), approach->plan, {}).value();
   EXPECT_TRUE(report.pass()) << AuditText(report);
   ASSERT_FALSE(report.notes.empty());
-  EXPECT_NE(report.notes.back().find("held from outside"), std::string::npos) << "what it takes for granted is said";
+  EXPECT_NE(report.notes.back().find("held externally"), std::string::npos) << "what it takes for granted is said";
   EXPECT_FALSE(approach->plan.warnings.empty());
   const auto read = PlanFromJson(PlanToJson(approach->plan), "approach.json");
   ASSERT_TRUE(read) << read.failure().message;

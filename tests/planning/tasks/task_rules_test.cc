@@ -40,10 +40,10 @@ TEST(TaskRules, WhatIsNoTaskIsRefusedWithItsReason) {
   refused([](Task& t) { t.parameters["distance_m"] = 5000.0; }, "range: 'distance_m' of 'walk' is 5000; 0.01 to 50");
   refused([](Task& t) { t.parameters["distance_m"] = std::nan(""); }, "range");
   refused([](Task& t) { t.parameters["distance_m"] = 2; }, "must be a number");
-  refused([](Task& t) { t.parameters["direction"] = std::string("up"); }, "it is one of 'forward'");
-  refused([](Task& t) { t.parameters["steps"] = 3; }, "each say how far");
-  refused([](Task& t) { t.parameters["step_length_m"] = 0.1; }, "goes with 'steps'");
-  refused([](Task& t) { t.during = {Walk()}; }, "'walk' cannot be done while 'walk' is");
+  refused([](Task& t) { t.parameters["direction"] = std::string("up"); }, "accepted: 'forward'");
+  refused([](Task& t) { t.parameters["steps"] = 3; }, "each set the distance");
+  refused([](Task& t) { t.parameters["step_length_m"] = 0.1; }, "is for use with 'steps'");
+  refused([](Task& t) { t.during = {Walk()}; }, "'walk' cannot run at the same time as 'walk'");
   Task bow{"bow", {{"angle_deg", 90.0}}, "", {}};
   EXPECT_NE(WhyNone(bow).find("1 to 60"), std::string::npos) << WhyNone(bow);
 }
@@ -56,7 +56,7 @@ TEST(TaskRules, ARobotIsToldWhatItCannotDo) {
   const auto no_arms = WhyNotDone(wave, a1);
   ASSERT_TRUE(no_arms);
   EXPECT_EQ(no_arms->message, "robot 'a1' cannot 'wave': it has no arms");
-  EXPECT_EQ(no_arms->suggestions.front().text, "the nearest that it can do is nod");
+  EXPECT_EQ(no_arms->suggestions.front().text, "the closest action that it can do is nod");
   const auto no_four = WhyNotDone(lie, nao);
   ASSERT_TRUE(no_four);
   EXPECT_EQ(no_four->code, FailureCode::kCannot);

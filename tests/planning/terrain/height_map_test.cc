@@ -56,7 +56,7 @@ TEST(HeightMap, WrongTablesAreRefusedAtTheirCell) {
   EXPECT_TRUE(Says(why("1,2\n3,inf\n"), "line 2, cell 2: 'inf'"));
   EXPECT_TRUE(Says(why("1,2\n3,\n"), "line 2, cell 2: ''"));
   EXPECT_TRUE(Says(why("# a\n1,2\n\n3,4,5\n"), "line 4 has 3 cells; the first row, line 2, has 2"));
-  EXPECT_TRUE(Says(why("1,2\n"), "has 1 rows of 2 cells; two by two is the least"));
+  EXPECT_TRUE(Says(why("1,2\n"), "has 1 rows of 2 cells; at least two by two are needed"));
   EXPECT_TRUE(Says(why(""), "has 0 rows"));
   EXPECT_TRUE(Says(why("0,0\n0,300\n"), "line 2, cell 2: the height is 300 m, accepted: -50 to 50"));
   EXPECT_TRUE(Says(why("0,0\n0,30\n"), "a step of 30 m from the cell before"));
@@ -75,8 +75,8 @@ TEST(HeightMap, WrongPicturesAreRefused) {
       Says(WhyRefused(Written("p.png", good) + ":resolution_m=0.1"), "needs scale_m, the height of full white"));
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 8, 2, std::string(12, 'a'))) + more), "is in colour"));
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 1, 0, std::string(2, 'a'))) + more), "1 bits a point"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "hello") + more), "no PNG"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "") + more), "no PNG"));
+  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "hello") + more), "not a readable PNG"));
+  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "") + more), "not a readable PNG"));
   std::string broken = good;
   broken[45] = static_cast<char>(broken[45] ^ 1);  // in the data, so that the checksum fails
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", broken) + more), "broken"));

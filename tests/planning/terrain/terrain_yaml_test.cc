@@ -73,12 +73,12 @@ TEST(TerrainYaml, WhatIsWrongIsNamedWithItsLine) {
            "line 2: patch 'a' is not flat"));
   EXPECT_TRUE(
       Says(WhyYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0], [1, 0], [1, 1]]}\n"), "has 2 numbers; 3 are"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches: [}\n"), "is no YAML from here on"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches: [}\n"), "not valid YAML from here on"));
   EXPECT_TRUE(Says(WhyYamlRefused("patches: []\n"), "there is no ground"));
   EXPECT_TRUE(Says(WhyYamlRefused("- a\n"), "a map of keys is needed"));
   EXPECT_TRUE(Says(WhyYamlRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));
   EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: there is no terrain file"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is YAML too"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is also YAML"));
 }
 
 TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {
@@ -87,8 +87,8 @@ TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {
                           "}\n");
   };
   EXPECT_EQ(field("[[0, 0], [0, 0]]"), "");
-  EXPECT_TRUE(Says(field("[[0, 0], [0]]"), "line 2: a row of heights_m has"));
-  EXPECT_TRUE(Says(field("[[0, 0]]"), "two by two is the least"));
+  EXPECT_TRUE(Says(field("[[0, 0], [0]]"), "line 2: rows of heights_m have"));
+  EXPECT_TRUE(Says(field("[[0, 0]]"), "at least two by two are needed"));
   EXPECT_TRUE(Says(field("[[0, .inf], [0, 0]]"), "heights_m is inf"));
   const auto obstacle = [](const std::string& keys) {
     return WhyYamlRefused("builtin: flat\nobstacles:\n  - {name: a, " + keys + "}\n");
@@ -106,9 +106,9 @@ TEST(LoadTerrain, TellsFilesFromBuiltInGrounds) {
   EXPECT_EQ(TerrainFileOf("b.PNG:resolution_m=0.1"), "b.PNG");
   EXPECT_EQ(TerrainFileOf("b.txt"), "b.txt");
   EXPECT_EQ(TerrainFileOf("stairs:rise_m=0.05"), "");
-  EXPECT_TRUE(Says(terrain_files::WhyRefused("b.txt"), "of a kind that is not read; there are '.yaml'"));
+  EXPECT_TRUE(Says(terrain_files::WhyRefused("b.txt"), "in an unsupported format; accepted: '.yaml'"));
   EXPECT_TRUE(Says(terrain_files::WhyRefused("stairz"), "the nearest is 'stairs'"));
-  EXPECT_TRUE(Says(terrain_files::WhyRefused(Written("p.yaml", "builtin: flat\n") + ":a=1"), "has no parameters"));
+  EXPECT_TRUE(Says(terrain_files::WhyRefused(Written("p.yaml", "builtin: flat\n") + ":a=1"), "accepts no parameters"));
   EXPECT_EQ(Loaded("flat").name, "flat");
 }
 

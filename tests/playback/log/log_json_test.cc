@@ -116,15 +116,15 @@ TEST(LogJson, RefusesWithTheReason) {
   const std::string text = LogToJson(Example());
   EXPECT_NE(Why(text.substr(0, text.size() / 2)).find("cut short"), std::string::npos);
   EXPECT_NE(Why("").find("cut short"), std::string::npos);
-  EXPECT_NE(Why("[1,2]").find("no playback log"), std::string::npos);
-  EXPECT_NE(Why(Replaced(text, "gaitwright-playback-log", "something-else")).find("no playback log"),
+  EXPECT_NE(Why("[1,2]").find("not a playback log"), std::string::npos);
+  EXPECT_NE(Why(Replaced(text, "gaitwright-playback-log", "something-else")).find("not a playback log"),
             std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"schema\":5", "\"schema\":4")).find("schema 4; this program reads schema 5"),
             std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"controller\"", "\"kontroller\"")).find("controller"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"contact\": [3,3,3]", "\"contact\": [3,3]")).find("'contact' has 2"),
             std::string::npos);
-  EXPECT_NE(Why(Replaced(text, "\"saturated_s\":[0.1,", "\"saturated_s\":[")).find("do not belong together"),
+  EXPECT_NE(Why(Replaced(text, "\"saturated_s\":[0.1,", "\"saturated_s\":[")).find("have inconsistent sizes"),
             std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"tau_nm\": [\n[", "\"tau_nm\": [\n[7,")).find("of 'tau_nm' has"), std::string::npos);
 }

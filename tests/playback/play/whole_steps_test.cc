@@ -26,8 +26,8 @@ TEST(WholeSteps, ARateThatDoesNotIsRefusedWithTheNearest) {
     return "";
   };
   EXPECT_TRUE(synthetic::Says(why(400.0), "'sensors.imu_rate_hz' is 400 Hz"));
-  EXPECT_TRUE(synthetic::Says(why(400.0), "1000 steps per second; the nearest that does is 333.333"));
-  EXPECT_TRUE(synthetic::Says(why(2000.0), "the nearest that does is 1000"));
+  EXPECT_TRUE(synthetic::Says(why(400.0), "1000 steps per second; the nearest accepted value is 333.333"));
+  EXPECT_TRUE(synthetic::Says(why(2000.0), "the nearest accepted value is 1000"));
 }
 
 }  // namespace

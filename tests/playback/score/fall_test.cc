@@ -52,7 +52,7 @@ TEST(Fall, TheFirstOfSeveralIsTold) {
   c.log.body_contacts = {{0.7, "trunk"}, {0.5, "right_z"}};
   const Fall fall = c.Find();
   EXPECT_NEAR(fall.time_s, 0.5, 1e-12);
-  EXPECT_EQ(fall.what, "'right_z', which is no foot, touched the ground");
+  EXPECT_EQ(fall.what, "'right_z', which is not a foot, touched the ground");
 }
 
 TEST(Fall, HeightIsOverTheFeetWhereTheyStand) {

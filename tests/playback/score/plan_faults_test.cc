@@ -41,8 +41,7 @@ TEST(PlanFaults, AZmpOffTheLineOfTwoPointFeetIsBlamed) {
   MotionPlan plan = SteppingPlan(model);
   ShiftZmp(0.02, plan);
   const std::string reason = ReasonOf(model, plan);
-  EXPECT_TRUE(
-      Says(reason, "the plan itself has its ZMP outside of the support of 'front_right', 'rear_left', by up to"))
+  EXPECT_TRUE(Says(reason, "the plan itself has its ZMP outside the support of 'front_right', 'rear_left', by up to"))
       << reason;
 }
 
@@ -52,7 +51,7 @@ TEST(PlanFaults, AZmpOutsideIsNotBlamedTwice) {
   for (VectorX& tau : plan.whole_body.tau) tau *= 1.5;
   const std::string reason = ReasonOf(model, plan);
   EXPECT_TRUE(Says(reason, "the plan itself has its ZMP outside")) << reason;
-  EXPECT_FALSE(Says(reason, "are not those of its motion")) << reason;
+  EXPECT_FALSE(Says(reason, "do not match its motion")) << reason;
 }
 
 TEST(PlanFaults, ForcesThatTheGroundCannotGiveAreBlamed) {
@@ -62,7 +61,7 @@ TEST(PlanFaults, ForcesThatTheGroundCannotGiveAreBlamed) {
   for (auto& wrenches : plan.whole_body.wrenches) wrenches[1].force_W.x() = normal;
   const std::string reason = ReasonOf(model, plan);
   EXPECT_TRUE(
-      Says(reason, "the plan itself pushes 'right' along the ground with up to 49.1 N where friction holds 39.2"))
+      Says(reason, "the plan itself needs a tangential force of up to 49.1 N at 'right', but friction allows 39.2"))
       << reason;
 }
 
@@ -71,8 +70,7 @@ TEST(PlanFaults, TorquesOfAnotherMotionAreBlamed) {
   MotionPlan plan = StandingPlan(model, 1.0);
   for (VectorX& tau : plan.whole_body.tau) tau *= 1.5;
   const std::string reason = ReasonOf(model, plan);
-  EXPECT_TRUE(
-      Says(reason, "the plan's torques are not those of its motion: 'left_z' has -73.58 N where it needs -49.05 N"))
+  EXPECT_TRUE(Says(reason, "the plan's torques do not match its motion: 'left_z' has -73.58 N, needed -49.05 N"))
       << reason;
 }
 
@@ -83,8 +81,7 @@ TEST(PlanFaults, ForcesOfAnotherMassAreBlamed) {
     for (ContactWrench& wrench : wrenches) wrench.force_W *= 1.5;
   }
   const std::string reason = ReasonOf(model, plan);
-  EXPECT_TRUE(Says(reason, "the plan's contact forces are not those of its motion: 147 N in all where it needs 98 N"))
-      << reason;
+  EXPECT_TRUE(Says(reason, "the plan's contact forces do not match its motion: 147 N in all, needed 98 N")) << reason;
 }
 
 TEST(PlanFaults, APlanWithoutForcesIsNotBlamedForThem) {

@@ -158,7 +158,7 @@ TEST(Score, ATiltedBaseHasFallenWhenItPassesTheBound) {
   EXPECT_EQ(Value(report, "fell"), 1.0);
   EXPECT_NEAR(Value(report, "time_to_fall_s"), 0.555, 1e-9);
   EXPECT_LT(report.score, 25.0);
-  EXPECT_NE(report.reason.find("it fell at 0.5"), std::string::npos) << report.reason;
+  EXPECT_NE(report.reason.find("the robot fell at 0.5"), std::string::npos) << report.reason;
   EXPECT_NE(report.reason.find("tilted"), std::string::npos) << report.reason;
 }
 
@@ -169,7 +169,7 @@ TEST(Score, WhatIsDownAtTheBeginningGaveWayWhileItSettled) {
   for (LogSample& sample : log.samples)
     sample.q.segment<4>(3) = Quaternion(Eigen::AngleAxisd(1.0, Vector3::UnitX())).coeffs();
   const std::string reason = Score(model, plan, log).reason;
-  EXPECT_NE(reason.find("it gave way while it settled, before the plan began: "), std::string::npos) << reason;
+  EXPECT_NE(reason.find("the robot fell while settling, before the plan began: "), std::string::npos) << reason;
 }
 
 TEST(Score, AYawedBaseHasNotFallen) {

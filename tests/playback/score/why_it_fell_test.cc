@@ -32,7 +32,7 @@ TEST(WhyItFell, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
   PlaybackLog log = PerfectLog(model, plan);
   TipToTheLeft(log);
   const StabilityReport report = Score(model, plan, log);
-  EXPECT_TRUE(Says(report.reason, "it fell at")) << report.reason;
+  EXPECT_TRUE(Says(report.reason, "the robot fell at")) << report.reason;
   EXPECT_TRUE(Says(report.reason, "the DCM had left the support of 'left', 'right'")) << report.reason;
   EXPECT_TRUE(Says(report.reason, "mm to the left")) << report.reason;
 }
@@ -145,7 +145,7 @@ TEST(WhyItFell, APlanThatCannotStandIsBlamedItself) {
   PlaybackLog log = PerfectLog(model, plan);
   log.body_contacts = {{0.5, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
-  EXPECT_TRUE(Says(reason, "the plan itself has its ZMP outside of the support")) << reason;
+  EXPECT_TRUE(Says(reason, "the plan itself has its ZMP outside the support")) << reason;
   EXPECT_TRUE(Says(reason, "by up to 20 mm")) << reason;
 }
 
@@ -156,7 +156,7 @@ TEST(WhyItFell, APassNamesTheTightestGate) {
   log.stances[0].penetration_m = 0.0019;
   const StabilityReport report = Score(model, plan, log);
   EXPECT_TRUE(report.pass);
-  EXPECT_EQ(report.reason, "every gate holds; nearest to its limit is penetration_max_m with 1.9 mm of 2.0 mm");
+  EXPECT_EQ(report.reason, "every gate passes; closest to its limit is penetration_max_m with 1.9 mm of 2.0 mm");
 }
 
 TEST(WhyItFell, APlanPastItsOwnLimitsIsBlamedItself) {
@@ -164,14 +164,14 @@ TEST(WhyItFell, APlanPastItsOwnLimitsIsBlamedItself) {
   const MotionPlan plan = SteppingPlan(model);
   const PlaybackLog log = PerfectLog(model, plan);
   model.joints[2].upper = -0.47;
-  EXPECT_TRUE(Says(Score(model, plan, log).reason, "the plan itself takes 'left_z'")) << Score(model, plan, log).reason;
+  EXPECT_TRUE(Says(Score(model, plan, log).reason, "the plan itself moves 'left_z'")) << Score(model, plan, log).reason;
   model.joints[2].upper = 1.0;
   MotionPlan doubled = plan;
   for (VectorX& tau : doubled.whole_body.tau) tau *= 3.0;
   PlaybackLog fallen = log;
   fallen.body_contacts = {{3.0, "trunk"}};
   const std::string reason = Score(model, doubled, fallen).reason;
-  EXPECT_TRUE(Says(reason, "the plan itself asks")) << reason;
+  EXPECT_TRUE(Says(reason, "the plan itself needs")) << reason;
   EXPECT_TRUE(Says(reason, "whose limit is 200.00 N")) << reason;
 }
 
@@ -190,16 +190,16 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
                                              "a friction of 0.3",
                                              "1.2 times the mass",
                                              "the base's centre of mass 80 mm off",
-                                             "commands late by 30 ms",
+                                             "a command delay of 30 ms",
                                              "0.3 times the motors' strength",
-                                             "the state as it is estimated",
-                                             "a start turned by 0.1 rad"};
+                                             "the state source estimated",
+                                             "a start rotated by 0.1 rad"};
   EXPECT_EQ(DisturbancesOf(plan, log), expected);
   log.body_contacts = {{3.5, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
   EXPECT_TRUE(Says(reason, "under a push of 60 N to the right from 3.00 s for 0.10 s, ")) << reason;
-  EXPECT_TRUE(
-      Says(reason, "commands late by 30 ms, 0.3 times the motors' strength and 5 smaller disturbances: it fell"))
+  EXPECT_TRUE(Says(
+      reason, "a command delay of 30 ms, 0.3 times the motors' strength and 5 smaller disturbances: the robot fell"))
       << reason;
   log.options = {{"play.friction", "0.8"}, {"play.step_s", "0.001"}, {"command_delay_s", "0.0004"}};
   EXPECT_EQ(DisturbancesOf(plan, log).size(), 1U) << "the plan's own friction, and less than half a step";

@@ -75,10 +75,10 @@ TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
   says("mass_scale: {uniform: [0.9, 11]}\n", {"mass_scale", "11", "0.1 to 10"});
   says("mass_scale: {uniform: [1.1, 0.9]}\n", {"backward"});
   says("mass_scale: {normal: {mean: 1}}\n", {"lacks the key 'std'"});
-  says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"hardly ever"});
+  says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"too little probability"});
   says("mass_scale: {unifrm: [0.9, 1.1]}\n", {"'unifrm'", "'uniform'"});
   says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "one is needed"});
-  says("mass_scale: {choice: []}\n", {"choice of nothing"});
+  says("mass_scale: {choice: []}\n", {"choice has no values"});
   says("mass_scale: heavy\n", {"'heavy'", "a number is needed"});
   says("mass_scale: .nan\n", {"finite"});
   says("mass_scale: 1\nmass_scale: 2\n", {"twice"});
@@ -86,17 +86,17 @@ TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
   says("start: {rol_rad: 0.1}\n", {"'rol_rad'", "'roll_rad'"});
   says("sensors: {noise: 0.1}\n", {"'noise'", "'noise_rad'"});
   says("sensors: {seed: 1}\n", {"'seed'"});
-  says("pushes:\n  - direction_deg: 90\n", {"lacks its size"});
+  says("pushes:\n  - direction_deg: 90\n", {"has no size"});
   says("pushes:\n  - {size_n: 1, size_of_weight: 0.1}\n", {"size_n", "size_of_weight"});
   says("pushes:\n  - {size_n: 1, at_s: 1, at_share: 0.5}\n", {"at_s", "at_share"});
   says("pushes:\n  - {size_n: 1, place: {uniform: [0, 1]}}\n", {"words are needed"});
   says("pushes: {size_n: 1}\n", {"a list is needed"});
-  says("", {"holds no disturbances"});
-  says("pushes: []\nstart: {}\n", {"holds no disturbances"});
+  says("", {"contains no disturbances"});
+  says("pushes: []\nstart: {}\n", {"contains no disturbances"});
   says("bump_seed: 1.5\n", {"line 1", "bump_seed is 1.5", "whole number"});
   says("bump_seed: {choice: [1, 2.5]}\n", {"2.5", "whole number"});
   says("bump_seed: {uniform: [0, 3.5]}\n", {"3.5", "whole number"});
-  says("a: [", {"no YAML"});
+  says("a: [", {"not valid YAML"});
 }
 
 TEST_F(DisturbancesTest, APushWithoutImpulseIsNone) {

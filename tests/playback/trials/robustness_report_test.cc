@@ -147,7 +147,7 @@ TEST(RobustnessReportTest, TrialsThatRepeatOthersAreSaidTo) {
   for (TrialOutcome& outcome : outcomes) outcome.log_hash = "same";
   const RobustnessReport one = ReduceTrials(made::Subject(), outcomes);
   EXPECT_EQ(one.different, 1);
-  const std::string remark = "all 20 trials are one and the same playback";
+  const std::string remark = "all 20 trials are identical";
   EXPECT_NE(RobustnessText(one).find("note: " + remark), std::string::npos);
   const auto json = nlohmann::json::parse(RobustnessJson(one));
   EXPECT_EQ(json.at("different"), 1);
@@ -184,7 +184,8 @@ TEST(RobustnessReportTest, TheGaitSensitivityNormIsOfTheTrialsThatSurvived) {
   EXPECT_NE(RobustnessText(report).find("gait sensitivity norm 2, standard error"), std::string::npos);
   const RobustnessReport none = ReduceTrials(subject, made::Outcomes(60, 25.0));
   EXPECT_TRUE(nlohmann::json::parse(RobustnessJson(none)).at("gait_sensitivity_norm").is_null());
-  EXPECT_NE(RobustnessText(none).find("gait sensitivity norm: none, the plan has no steps"), std::string::npos);
+  EXPECT_NE(RobustnessText(none).find("gait sensitivity norm: not available, the plan has no consecutive steps"),
+            std::string::npos);
 }
 
 TEST(RobustnessReportTest, WordsNameWhatMatters) {
@@ -197,7 +198,8 @@ TEST(RobustnessReportTest, WordsNameWhatMatters) {
 TEST(RobustnessReportTest, WhereEveryTrialFellNothingIsRankedAndThatIsSaid) {
   const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(20, 0.0));
   ASSERT_EQ(report.survived, 0);
-  EXPECT_NE(RobustnessText(report).find("what falls go with: every trial fell"), std::string::npos);
+  EXPECT_NE(RobustnessText(report).find("correlates of falling: not available, because every trial fell"),
+            std::string::npos);
 }
 
 TEST(TrialOutcomeTest, ALineReadsBackTheSame) {

@@ -70,7 +70,7 @@ TEST(SharedWork, APieceThatFailsElsewhereSaysWhereAndWhy) {
 
 TEST(SharedWork, RanksThatCannotTakePartAreNamed) {
   EXPECT_EQ(PrintsUnderMpi(3, "problem"), "rank 1: no such file\n");
-  EXPECT_NE(PrintsUnderMpi(3, "other").find("rank 1 has other work before it than rank 0"), std::string::npos);
+  EXPECT_NE(PrintsUnderMpi(3, "other").find("rank 1 has different work from rank 0"), std::string::npos);
 }
 
 TEST(SharedWork, NobodyWaitsForARankThatEndsEarly) {

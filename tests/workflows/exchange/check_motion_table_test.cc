@@ -53,7 +53,7 @@ TEST(CheckMotionTable, KeyframesFarApartAreTakenWhenTheirUnitIsSaid) {
   keyframes.step_s = 0.6;
   keyframes.rows = 5;
   ExpectWhy(Imported(NamedRobot("a1"), keyframes),
-            {"its rows are 0.6 s apart", "--time-unit ms takes them so, --time-unit s as they are"});
+            {"its rows are 0.6 s apart", "use --time-unit ms for that unit, or --time-unit s for seconds"});
   ImportOptions seconds;
   seconds.time_unit = "s";
   const Result<ImportedMotion> imported = Imported(NamedRobot("a1"), keyframes, seconds);
@@ -65,7 +65,7 @@ TEST(CheckMotionTable, TheUnitOfTimesIsGuessedByTheirSteps) {
   OtherStance stance = StanceOf(NamedRobot("a1"));
   for (const auto& [step, unit] : {std::pair{20.0, "ms"}, {5000.0, "us"}, {5e6, "ns"}, {1e6, "ns"}}) {
     stance.step_s = step;
-    ExpectWhy(Imported(NamedRobot("a1"), stance), {fmt::format("--time-unit {} takes them so", unit)});
+    ExpectWhy(Imported(NamedRobot("a1"), stance), {fmt::format("use --time-unit {} for that unit", unit)});
     ImportOptions options;
     options.time_unit = unit;
     EXPECT_TRUE(Imported(NamedRobot("a1"), stance, options).ok()) << unit;
@@ -76,7 +76,7 @@ TEST(CheckMotionTable, RadiansBeyondTheLimitsAreTakenWhenTheyAreSaidToBeSuch) {
   const RobotModel& nao = NamedRobot("nao");
   OtherStance stance = StanceOf(nao);
   stance.joints["LShoulderPitch"] = nao.dof_upper(nao.DofIndex("LShoulderPitch")) + 0.6;
-  ExpectWhy(Imported(nao, stance), {"joint 'LShoulderPitch' is at", "--angle-unit rad as they are"});
+  ExpectWhy(Imported(nao, stance), {"joint 'LShoulderPitch' is at", "--angle-unit rad for radians"});
   ImportOptions radians;
   radians.angle_unit = "rad";
   const Result<ImportedMotion> imported = Imported(nao, stance, radians);
@@ -87,7 +87,8 @@ TEST(CheckMotionTable, RadiansBeyondTheLimitsAreTakenWhenTheyAreSaidToBeSuch) {
 TEST(CheckMotionTable, MetresAreBelievedWhenTheyAreSaidToBeSuch) {
   OtherStance stance = StanceOf(NamedRobot("a1"));
   stance.base_z_m = 300.0;
-  ExpectWhy(Imported(NamedRobot("a1"), stance), {"--length-unit mm takes them so, --length-unit m as they are"});
+  ExpectWhy(Imported(NamedRobot("a1"), stance),
+            {"use --length-unit mm for millimetres, or --length-unit m for metres"});
   ImportOptions metres;
   metres.length_unit = "m";
   ExpectWhy(Imported(NamedRobot("a1"), stance, metres), {"over the ground in most rows"});
@@ -110,7 +111,7 @@ TEST(CheckMotionTable, TheOrderIsStillAskedWhereHeightsAreWrong) {
   OtherStance low;
   low.turn = "1,0,0,0";
   const std::string why = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
-  EXPECT_NE(why.find("the base's quaternion likely has w first"), std::string::npos) << why;
+  EXPECT_NE(why.find("the base's quaternion probably has w first"), std::string::npos) << why;
   low.turn = "0,0.7071,0,0.7071";  // on its side in either
   const std::string neither = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
   EXPECT_NE(neither.find("the robot is upright in no order of the base's quaternion"), std::string::npos) << neither;
@@ -168,8 +169,7 @@ TEST(GridStep, IsNoneOrOneThatAPlanCanHave) {
   EXPECT_EQ(WhyNoGrid(1e-9, 1.0), "option 'grid_step_s' is 1e-09 s; accepted: 0, and 0.0005 to 0.01");
   EXPECT_EQ(WhyNoGrid(0.02, 1.0), "option 'grid_step_s' is 0.02 s; accepted: 0 to 0.01");
   EXPECT_EQ(WhyNoGrid(0.0005, 3600.0),
-            "its 3600 s at steps of 0.0005 s would be 7200001 rows; at most 1000000 are made: a larger grid_step_s "
-            "makes fewer");
+            "its 3600 s at steps of 0.0005 s would need 7200001 rows; at most 1000000 are accepted; raise grid_step_s");
   ImportOptions options;
   options.grid_step_s = 1e-9;
   EXPECT_THROW(Imported(NamedRobot("a1"), StanceOf(NamedRobot("a1")), options), InvalidArgument);

@@ -121,7 +121,7 @@ TEST(CompareMotions, AlignsAsItIsTold) {
     CompareMotions(plan, table, {.align = "none"});
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_TRUE(synthetic::Says(error.what(), "share no time")) << error.what();
+    EXPECT_TRUE(synthetic::Says(error.what(), "do not overlap in time")) << error.what();
     EXPECT_TRUE(synthetic::Says(error.what(), "'robot.csv' from 40.000")) << error.what();
   }
   EXPECT_THROW(CompareMotions(plan, table, {.align = "backwards"}), InvalidArgument);

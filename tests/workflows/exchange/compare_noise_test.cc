@@ -134,18 +134,18 @@ TEST(CompareNoise, WhatIsLetPassIsSaid) {
   const ComparedMotion plan = NoisyPlanSide(walker);
   const Logger logger{.noise_m = 5e-4};
   const MotionComparison c = CompareMotions(plan, RobotSide(walker, logger));
-  EXPECT_TRUE(NotesOfNoise(c, "speeds of B are worked out from positions, whose noise")) << c.notes.size();
+  EXPECT_TRUE(NotesOfNoise(c, "speeds of B are computed from positions, whose noise")) << c.notes.size();
   EXPECT_TRUE(NotesOfNoise(c, "5 standard deviations"));
   EXPECT_NEAR(c.joints[0].speed.noise, 5e-4 * std::sqrt(0.5) / 0.005, 0.02);
   EXPECT_GT(c.joints[0].speed.tolerance, 5.0 * c.joints[0].speed.noise);
-  EXPECT_TRUE(NotesOfNoise(CompareMotions(RobotSide(walker, logger), plan), "speeds of A are worked out"));
+  EXPECT_TRUE(NotesOfNoise(CompareMotions(RobotSide(walker, logger), plan), "speeds of A are computed"));
   EXPECT_TRUE(
       NotesOfNoise(CompareMotions(RobotSide(walker, logger), RobotSide(walker, logger)), "speeds of A and B are"));
   Logger with_speeds = logger;
   with_speeds.gives_speeds = true;
-  EXPECT_FALSE(NotesOfNoise(CompareMotions(plan, RobotSide(walker, with_speeds)), "are worked out from positions"));
+  EXPECT_FALSE(NotesOfNoise(CompareMotions(plan, RobotSide(walker, with_speeds)), "are computed from positions"));
   const MotionComparison of_log = CompareMotions(plan, ComparedLog(walker.model, walker.log, "log.json"));
-  EXPECT_FALSE(NotesOfNoise(of_log, "worked out"));
+  EXPECT_FALSE(NotesOfNoise(of_log, "computed from positions"));
   for (const JointDifference& joint : of_log.joints)
     EXPECT_EQ(joint.position.noise, 0.0) << "of what we play there is none";
 }

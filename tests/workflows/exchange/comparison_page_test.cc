@@ -36,9 +36,9 @@ TEST(ComparisonPage, APlotOfWhatOneSideAloneSaysHasNoLegendForTheOther) {
     SCOPED_TRACE(id);
     const std::string first = FigureOf(page, id), second = FigureOf(turned, id);
     EXPECT_TRUE(Shows(first, "A") && !Shows(first, "B"));
-    EXPECT_TRUE(synthetic::Says(first, "Of A alone: B says nothing of it."));
+    EXPECT_TRUE(synthetic::Says(first, "A only; B has no such data."));
     EXPECT_TRUE(Shows(second, "B") && !Shows(second, "A"));
-    EXPECT_TRUE(synthetic::Says(second, "Of B alone: A says nothing of it."));
+    EXPECT_TRUE(synthetic::Says(second, "B only; A has no such data."));
   }
   const std::string both = FigureOf(page, "joint_positions");
   EXPECT_TRUE(Shows(both, "A") && Shows(both, "B"));

@@ -41,7 +41,7 @@ OtherStance Standing() { return {.base_z_m = NamedRobot("a1").standing_base_heig
 TEST(ComparedCsv, TheOrderOfTheQuaternionIsApplied) {
   OtherWalk walk;
   walk.w_first = true;
-  ExpectWhy(CsvOf(walk), {"'robot.csv': the base's quaternion likely has w first", "--quaternion-order wxyz"});
+  ExpectWhy(CsvOf(walk), {"'robot.csv': the base's quaternion probably has w first", "--quaternion-order wxyz"});
   CsvReading by_file, by_flag;
   by_file.columns_file = FileWith("quaternion_order: wxyz\n");
   by_flag.options.quaternion_order = "wxyz";
@@ -63,8 +63,8 @@ TEST(ComparedCsv, IsHeldToWhatMotionsAre) {
   degrees.joint_scale = 180.0 / std::numbers::pi;
   millimetres.length_scale = 1000.0;
   milliseconds.time_scale = 1000.0;
-  ExpectWhy(CsvOf(degrees), {"--angle-unit deg takes them so"});
-  ExpectWhy(CsvOf(millimetres), {"--length-unit mm takes them so"});
+  ExpectWhy(CsvOf(degrees), {"use --angle-unit deg for degrees"});
+  ExpectWhy(CsvOf(millimetres), {"use --length-unit mm for millimetres"});
   ExpectWhy(CsvOf(milliseconds), {"--time-unit ms takes them so"});
   OtherStance short_turn = Standing(), far = Standing();
   short_turn.turn = "0,0,0,0.5";
@@ -111,7 +111,7 @@ TEST(ComparedCsv, SpeedsThatNoRobotHasAreRefused) {
   const std::size_t last = text.rfind(usual);
   ASSERT_NE(last, std::string::npos);
   text.replace(last, usual.size(), ",0\n");
-  ExpectWhy(text, {"comes out at", "its position jumps there"});
+  ExpectWhy(text, {"the computed speed", "its position jumps there"});
 }
 
 /// The A1 standing as OCS2's logger writes it.

@@ -94,8 +94,8 @@ TEST(CsvTable, ByteOrderMarkIsNoPartOfAName) {
 }
 
 TEST(CsvTable, SaysWhereItIsWrong) {
-  EXPECT_EQ(WhyCsvTableRefused(""), "'motion.csv': is empty; its first line names the columns");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n"), "'motion.csv': has no row of numbers below the names of its columns");
+  EXPECT_EQ(WhyCsvTableRefused(""), "'motion.csv': is empty; its first line must name the columns");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n"), "'motion.csv': has no row of numbers below the column names");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2\n3\n"), "'motion.csv': line 3 has 1 cells; line 1 names 2 columns");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2,3\n"), "'motion.csv': line 2 has 3 cells; line 1 names 2 columns");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,nan\n"),
@@ -108,9 +108,9 @@ TEST(CsvTable, SaysWhereItIsWrong) {
             "'motion.csv': line 2, column 2 'b' is empty; each cell must hold a number");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n,1\n"),
             "'motion.csv': line 2, column 1 'a' is empty; each cell must hold a number");
-  EXPECT_EQ(WhyCsvTableRefused("a;b\n1;2,5\n"),
-            "'motion.csv': line 2, column 2 'b' holds '2,5', which is not a finite number; decimals are written with a "
-            "point");
+  EXPECT_EQ(
+      WhyCsvTableRefused("a;b\n1;2,5\n"),
+      "'motion.csv': line 2, column 2 'b' contains '2,5', which is not a finite number; write decimals with a point");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,0x10\n"),
             "'motion.csv': line 2, column 2 'b' holds '0x10', which is not a finite number");
 }
@@ -119,10 +119,10 @@ TEST(CsvTable, SaysWhatIsWrongWithItsNames) {
   EXPECT_EQ(WhyCsvTableRefused("a,b,a\n1,2,3\n"), "'motion.csv': line 1: columns 1 and 3 are both named 'a'");
   EXPECT_EQ(WhyCsvTableRefused("a,,b\n1,2,3\n"), "'motion.csv': line 1: column 2 has no name");
   EXPECT_EQ(WhyCsvTableRefused("1,2,3\n4,5,6\n"),
-            "'motion.csv': line 1 holds numbers only; the first line must name the columns");
+            "'motion.csv': line 1 contains only numbers; the first line must name the columns");
   EXPECT_EQ(WhyCsvTableRefused("\"a,b\n1,2\n"),
-            "'motion.csv': line 1: a quote (\") without its end; a cell ends on its own line");
-  EXPECT_EQ(WhyCsvTableRefused("\"a\"x,b\n1,2\n"), "'motion.csv': line 1, cell 1: text behind a closing quote");
+            "'motion.csv': line 1: a quote (\") is not closed; a cell must end on its line");
+  EXPECT_EQ(WhyCsvTableRefused("\"a\"x,b\n1,2\n"), "'motion.csv': line 1, cell 1: text after a closing quote");
 }
 
 TEST(CsvTable, HasALimitOfColumns) {

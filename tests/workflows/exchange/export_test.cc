@@ -65,8 +65,7 @@ TEST(MotionRows, AreEvenlySpacedAtRatesThatDoNotMeetTheEndToo) {
   EXPECT_DOUBLE_EQ(behind.back(), 2.1);
   for (const LastTime last : {LastTime::kBeforeEnd, LastTime::kBehindEnd})
     EXPECT_EQ(TimesAtRate(0.0, 0.3, 10.0, last).size(), 4U) << "no second row for the same end";
-  EXPECT_EQ(Refusal([] { TimesAtRate(0.0, 1.0, 0.0); }),
-            "a rate of 0 Hz is out of range; 0.1 to 10000 Hz are accepted");
+  EXPECT_EQ(Refusal([] { TimesAtRate(0.0, 1.0, 0.0); }), "the rate is 0 Hz; accepted: 0.1 to 10000 Hz");
 }
 
 TEST(MotionRows, OfAPlanGoOnToRestBehindItsEndAndOfALogEndBeforeIt) {
@@ -100,7 +99,7 @@ TEST(MotionRows, OfALogAreItsSamplesAndAreNotMadeDenser) {
   const VectorX middle = 0.5 * (walker.log.samples[2].q + walker.log.samples[3].q);
   EXPECT_LT((odd.q[2] - middle).norm(), 1e-12) << "2 / 160 Hz is half way between samples 2 and 3";
   const std::string why = Refusal([&] { RowsOfLog(walker.model, walker.log, 400.0); });
-  EXPECT_TRUE(synthetic::Says(why, "400 Hz is above that of the log, 200 Hz")) << why;
+  EXPECT_TRUE(synthetic::Says(why, "400 Hz is above the log's rate of 200 Hz")) << why;
 }
 
 TEST(MotionCsvText, IsReadBackExactlyAtAnyRate) {
@@ -212,14 +211,14 @@ TEST(ExportMotion, SaysWhatAFormatLeavesOut) {
   const ExportedMotion yaml = ExportPlan(walker.model, walker.plan, ExportFormat::kTrajectoryYaml, 0.0, "a.yaml");
   EXPECT_EQ(yaml.rate_hz, 200.0);
   ASSERT_EQ(yaml.notes.size(), 1U);
-  EXPECT_EQ(yaml.notes[0], "the motion of the base is left out: a joint trajectory has none");
+  EXPECT_EQ(yaml.notes[0], "the motion of the base is left out: a joint trajectory cannot contain it");
   const ExportedMotion odd = ExportPlan(walker.model, walker.plan, ExportFormat::kCsv, 7.0, "a.csv");
   ASSERT_EQ(odd.notes.size(), 1U);
   EXPECT_TRUE(odd.notes[0].starts_with("the last row is 0.0142857 s after the plan's end")) << odd.notes[0];
   EXPECT_NEAR(odd.end_s, 19.0 / 7.0, 1e-12);
   const ExportedMotion log = ExportLog(walker.model, walker.log, nullptr, ExportFormat::kCsv, 7.0, "a.csv");
   ASSERT_EQ(log.notes.size(), 1U);
-  EXPECT_EQ(log.notes[0], "the last 0.128571 s are left out, so that all steps are alike");
+  EXPECT_EQ(log.notes[0], "the last 0.128571 s are left out, so that all steps are equal");
 }
 
 TEST(ExportMotion, SaysWhatIsTooLongToBeReadBack) {
@@ -228,10 +227,9 @@ TEST(ExportMotion, SaysWhatIsTooLongToBeReadBack) {
   ASSERT_GT(10000.0 * duration_s * 63.0, 3e6) << "values";
   const ExportedMotion yaml = ExportPlan(walker.model, walker.plan, ExportFormat::kTrajectoryYaml, 10000.0, "a.yaml");
   ASSERT_EQ(yaml.notes.size(), 2U);
-  EXPECT_EQ(
-      yaml.notes[1],
-      "it is more than 'import' reads: joint-trajectory-json and csv may be longer, and a lower --rate-hz makes it "
-      "less");
+  EXPECT_EQ(yaml.notes[1],
+            "it is larger than 'import' accepts: use a lower --rate-hz, or the formats joint-trajectory-json or csv, "
+            "which may be longer");
   const ExportedMotion json = ExportPlan(walker.model, walker.plan, ExportFormat::kTrajectoryJson, 10000.0, "a.json");
   EXPECT_EQ(json.notes.size(), 1U);
 }
@@ -245,7 +243,7 @@ TEST(ExportMotion, RefusesALogOfAnotherRobotOrPlan) {
   walker.log.plan_hash = "other";
   const std::string plan =
       Refusal([&] { ExportLog(walker.model, walker.log, &walker.plan, ExportFormat::kCsv, 0.0, "a"); });
-  EXPECT_TRUE(synthetic::Says(plan, "the log is of another plan (other)")) << plan;
+  EXPECT_TRUE(synthetic::Says(plan, "the log was played from plan other")) << plan;
   EXPECT_TRUE(synthetic::Says(Refusal([] { ExportFormatOf("cvs"); }), "the nearest is 'csv'"));
 }
 

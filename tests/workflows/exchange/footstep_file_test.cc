@@ -63,19 +63,19 @@ TEST(FootstepFile, TimesMayBeGiven) {
 }
 
 TEST(FootstepFile, IsReadStrictly) {
-  ExpectNoSteps(std::string(100, '[') + std::string(100, ']'), "in one another");
+  ExpectNoSteps(std::string(100, '[') + std::string(100, ']'), "nested more than");
   ExpectNoSteps("swing_s: 0.4\n", "footsteps");
   ExpectNoSteps("footsteps: []\n", "footsteps is empty");
   ExpectNoSteps("footsteps: [{foot: LF, x_m: 0, y_m: 0}]\n", "robot 'a1' has no foot 'LF'; it has ");
   ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\n", "needs lift_off_s and touch_down_s, or swing_s");
-  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1}]\n", "go together");
+  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1}]\n", "must be given together");
   ExpectNoSteps("swing_s: 0.4\nfootsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, z_m: 0.1}]\n",
                 "z_m = 0.1 m is not on the ground");
-  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1, touch_down_s: 1}]\n", "is the least");
+  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1, touch_down_s: 1}]\n", "at least");
   ExpectNoSteps(
       "footsteps:\n- {foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1, touch_down_s: 1.5}\n"
       "- {foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1.2, touch_down_s: 1.8}\n",
-      "has to stand");
+      "must stand");
   ExpectNoSteps("swing_s: .inf\nfootsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\n", "line 1");
   ExpectNoSteps("start: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\nswing_s: 0.4\nfootsteps: []\n", "start has 1 of 4 feet");
   ExpectNoSteps("swings_s: 0.4\nfootsteps: []\n", "'swing_s'");

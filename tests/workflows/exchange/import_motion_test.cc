@@ -98,7 +98,7 @@ TEST(ImportOthers, CrawlThatTipsOverFallsAndTheReportSaysWhy) {
   const Result<PlayedWalk> played = PlayWalk(NamedRobot("a1"), imported->plan, request);
   ASSERT_TRUE(played.ok()) << played.failure().message;
   EXPECT_FALSE(played->report.pass);
-  ExpectSays(played->report.reason, {"it fell at", "ZMP outside of the support"});
+  ExpectSays(played->report.reason, {"the robot fell at", "ZMP outside the support"});
   EXPECT_FALSE(imported->audit.pass());
 }
 
@@ -182,8 +182,8 @@ TEST(ImportOthers, RowsALittleOverTheCoarsestStepApartAreBroughtOntoTheGridToo) 
 TEST(ImportRefusals, QuaternionWithWFirstIsFoundByTheMotion) {
   OtherWalk walk;
   walk.w_first = true;
-  ExpectSays(WhyImportMotionRefused(CsvOf(walk)), {"the base's quaternion likely has w first", "leaning by 3.14 rad",
-                                                   "--quaternion-order wxyz takes it so"});
+  ExpectSays(WhyImportMotionRefused(CsvOf(walk)),
+             {"the base's quaternion probably has w first", "leaning by 3.14 rad", "Use --quaternion-order wxyz"});
   ImportOptions options;
   options.quaternion_order = "wxyz";
   EXPECT_TRUE(Imported("w_first.csv", CsvOf(walk), options).ok());
@@ -195,9 +195,9 @@ TEST(ImportRefusals, UnitsAreFoundByTheMotion) {
   millimetres.length_scale = 1000.0;
   milliseconds.time_scale = 1000.0;
   ExpectSays(WhyImportMotionRefused(CsvOf(degrees)),
-             {"_joint' is at -", "within theirs as degrees: --angle-unit deg takes them so"});
+             {"_joint' is at -", "within their limits: use --angle-unit deg for degrees"});
   ExpectSays(WhyImportMotionRefused(CsvOf(millimetres)),
-             {"the base is 300 m high, robot 'a1' stands", "--length-unit mm"});
+             {"the base is 300 m high, but robot 'a1' stands", "--length-unit mm"});
   ExpectSays(WhyImportMotionRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "--time-unit ms takes them so"});
   ImportOptions options;
   options.angle_unit = "deg";
@@ -216,10 +216,9 @@ TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
              {"column 9 'q_FR_hop_joint_rad' is unknown for robot 'a1'; the nearest is 'q_FR_hip_joint_rad'"});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "q_FR_hip_joint_rad", "shoulder")),
              {"lacks 1 of 12 joint positions of robot 'a1': 'q_FR_hip_joint_rad'", "not used: 'shoulder'"});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "time_s", "moment")),
-             {"has no column of times: 'time_s' is needed"});
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "time_s", "moment")), {"has no time column: 'time_s' is needed"});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "base_z_m", "height")),
-             {"has 'base_x_m' and lacks 'base_z_m'; all of them are needed, or none"});
+             {"has 'base_x_m' but lacks 'base_z_m'; all of them are needed, or none"});
   ImportOptions options;
   options.missing_joints = "standing";
   const Result<ImportedMotion> filled =
@@ -232,19 +231,19 @@ TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
 TEST(ImportRefusals, TimesMustRise) {
   const std::string good = CsvOf({});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.005,")),
-             {"line 4, column 1 'time_s': 0.005 does not come after 0.005 in the row before; times must rise"});
+             {"line 4, column 1 'time_s': 0.005 does not come after 0.005 in the previous row; times must increase"});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.001,")), {"0.001 does not come after 0.005"});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\nnan,")), {"line 4, column 1 'time_s' holds 'nan'"});
   std::size_t end = 0;
   for (int line = 0; line < 4; ++line) end = good.find('\n', end) + 1;
-  ExpectSays(WhyImportMotionRefused(good.substr(0, end)), {"has 3 rows; 5 or more make a motion"});
+  ExpectSays(WhyImportMotionRefused(good.substr(0, end)), {"has 3 rows; a motion needs 5 or more"});
 }
 
 TEST(ImportRefusals, ValuesAreSuchAsMotionsHave) {
   ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
              {"the base's position of row 2 (0.005 s)", "at most 1e+08 up or down"});
   ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
-             {"s from its start", "a position there jumps"});
+             {"s from its start", "a position jumps there"});
 }
 
 TEST(ImportRefusals, QuaternionsMustBeRotations) {
@@ -260,7 +259,7 @@ TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
   options = {};
   options.contact_speed = 0.0;
   options.contact_height = 0.0;
-  ExpectSays(WhyImportMotionRefused(CsvOf({}), options), {"never stands on the ground"});
+  ExpectSays(WhyImportMotionRefused(CsvOf({}), options), {"is never in stance"});
   EXPECT_FALSE(Imported("motion.bag", "x").ok());
   ExpectSays(Imported("motion.bag", "x").failure().message, {"accepted: .csv, .tsv, .txt, .yaml, .yml, .json"});
 }
@@ -269,7 +268,7 @@ TEST(ImportRefusals, JointsTurnedTheOtherWayAreNamedFirst) {
   OtherWalk walk;
   walk.joint_scale = -1.0;
   ExpectSays(WhyImportMotionRefused(CsvOf(walk)),
-             {"_calf_joint' and 3 more are past their limits in most rows: is a sign"});
+             {"_calf_joint' and 3 more are past their limits in most rows: check signs"});
 }
 
 TEST(ImportOthers, FeetThatDoNotRollAreSaid) {
@@ -291,8 +290,9 @@ TEST(ImportOthers, AccelerationsThatAreNotThoseOfTheMotionAreLeftOut) {
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   for (const VectorX& a : imported->plan.whole_body.a) ASSERT_LT(a.norm(), 1e-6);
   EXPECT_NE(
-      std::find(imported->notes.warnings.begin(), imported->notes.warnings.end(),
-                "the acceleration of joint 'FL_hip_joint' in the file is not what positions give, and is left out"),
+      std::find(
+          imported->notes.warnings.begin(), imported->notes.warnings.end(),
+          "the acceleration of joint 'FL_hip_joint' in the file is inconsistent with the positions, and is ignored"),
       imported->notes.warnings.end());
 }
 

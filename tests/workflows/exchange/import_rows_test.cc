@@ -70,7 +70,8 @@ TEST(ImportRows, ALastStepThatIsShorterLeavesTheOthersAsTheyAre) {
     ASSERT_TRUE(even.ok() && more.ok()) << more.failure().message;
     EXPECT_EQ(more->plan.whole_body.step_s, step_s);
     EXPECT_EQ(HowOf(*more, "rows"), "") << "they are the file's own";
-    EXPECT_NE(HowOf(*more, "end").find("are left out: a shorter step than the others"), std::string::npos);
+    EXPECT_NE(HowOf(*more, "end").find("are left out, because this step is shorter than the others"),
+              std::string::npos);
     EXPECT_EQ(HowOf(*even, "end"), "");
     ASSERT_EQ(more->plan.whole_body.size(), even->plan.whole_body.size());
     for (std::size_t k = 0; k < even->plan.whole_body.q.size(); ++k)
@@ -95,9 +96,10 @@ TEST(ImportRows, HolesAreWarnedOf) {
   EXPECT_EQ(WarningOf(*of_few, "rows are missing"), "") << "20 ms";
   const std::string said = WarningOf(*of_one, "rows are missing");
   EXPECT_EQ(said,
-            "rows are missing: for 0.305 s from the file's 0.095 s on there is none, where they usually come every 5 "
-            "ms; the motion in there is a smooth curve, not what was measured");
-  EXPECT_NE(WarningOf(*of_two, "rows are missing in 2 places, of which this is the longest: for 0.305 s"), "");
+            "rows are missing: there is none for 0.305 s from the file's 0.095 s on; rows are usually 5 ms apart; the "
+            "motion in the gap is interpolated, not measured");
+  EXPECT_NE(WarningOf(*of_two, "rows are missing in 2 places, and this is the longest gap: there is none for 0.305 s"),
+            "");
   const std::vector<std::string>& warnings = of_one->plan.warnings;
   EXPECT_NE(std::find(warnings.begin(), warnings.end(), said), warnings.end()) << "the plan keeps it";
 }
@@ -121,16 +123,16 @@ TEST(ImportRows, TimesOfArrivalAreWarnedOf) {
   const Result<ImportedMotion> even = ImportedRows("even.csv", whole),
                                uneven = ImportedRows("uneven.csv", Retimed(whole, late));
   ASSERT_TRUE(even.ok() && uneven.ok());
-  EXPECT_EQ(WarningOf(*even, "rows come"), "");
-  EXPECT_NE(WarningOf(*uneven, "rows come unevenly, every "), "");
+  EXPECT_EQ(WarningOf(*even, "rows are uneven"), "");
+  EXPECT_NE(WarningOf(*uneven, "rows are uneven, "), "");
 }
 
 TEST(ImportRows, FewRowsAreWarnedOf) {
   OtherStance stance{.base_z_m = NamedRobot("a1").standing_base_height_m};
   stance.step_s = 0.03;
-  EXPECT_EQ(WarningOf(*ImportedRows("often.csv", CsvOf(NamedRobot("a1"), stance)), "rows come"), "");
+  EXPECT_EQ(WarningOf(*ImportedRows("often.csv", CsvOf(NamedRobot("a1"), stance)), "rows are "), "");
   stance.step_s = 0.2;
-  EXPECT_NE(WarningOf(*ImportedRows("seldom.csv", CsvOf(NamedRobot("a1"), stance)), "rows come every 200 ms only"), "");
+  EXPECT_NE(WarningOf(*ImportedRows("seldom.csv", CsvOf(NamedRobot("a1"), stance)), "rows are 200 ms apart"), "");
 }
 
 TEST(ImportRows, VelocitiesThatAreNotThoseOfThePositionsAreWarnedOfWithUnitAndTime) {
@@ -140,7 +142,7 @@ TEST(ImportRows, VelocitiesThatAreNotThoseOfThePositionsAreWarnedOfWithUnitAndTi
   const Result<ImportedMotion> imported = ImportedRows("still.csv", CsvOf(NamedRobot("a1"), stance));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   const std::string said = WarningOf(*imported, "the velocities of joint 'FL_hip_joint' differ");
-  EXPECT_NE(said.find("by up to 3 rad/s, at 0 s; it moves with up to "), std::string::npos) << said;
+  EXPECT_NE(said.find("by up to 3 rad/s, at 0 s; its largest speed is "), std::string::npos) << said;
 }
 
 TEST(ImportRefusals, FilesOfOursAreToldWhatToDoWithThem) {
@@ -151,17 +153,18 @@ TEST(ImportRefusals, FilesOfOursAreToldWhatToDoWithThem) {
   };
   const std::string plan = R"({"format": "gaitwright-motion-plan", "schema": 3})";
   for (const char* name : {"plan.json", "plan.yaml", "plan.csv"})
-    EXPECT_NE(why(name, plan).find("is a plan of this program: 'audit', 'play' and 'compare' take it as it is"),
+    EXPECT_NE(why(name, plan).find("is a plan of this program: 'audit', 'play' and 'compare' accept it directly"),
               std::string::npos)
         << why(name, plan);
   const auto expect = [&](const std::string& text, const std::string& part) {
     const std::string message = why("ours.json", text);
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
-  expect(R"({"format": "gaitwright-playback-log"})", "is a log of this program: 'compare' and 'view' take it as it is");
+  expect(R"({"format": "gaitwright-playback-log"})",
+         "is a log of this program: 'compare' and 'view' accept it directly");
   expect(R"({"format": "gaitwright-playback-log"})", "'export LOG --plan PLAN --out motion.csv'");
-  expect(R"({"verdict": "pass", "metrics": {}})", "is a report of this program: it holds no motion");
-  expect(R"({"n": 2, "survived": 2, "survival": 1.0})", "is a result of trials of this program: it holds no motion");
+  expect(R"({"verdict": "pass", "metrics": {}})", "is a report of this program: it contains no motion");
+  expect(R"({"n": 2, "survived": 2, "survival": 1.0})", "is a result of trials of this program: it contains no motion");
 }
 
 TEST(ImportRefusals, AFolderIsNoMotion) {

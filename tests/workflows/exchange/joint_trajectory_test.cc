@@ -67,16 +67,17 @@ TEST(JointTrajectory, IsReadStrictly) {
   ExpectWhy(Message("- {positions: [1, 2], time_from_start: 0}\n"), "positions has 2 numbers, joint_names 12 names");
   ExpectWhy(Message("- {positions: {twelve}}\n"), "time_from_start");
   ExpectWhy(Message(kFirst + "- {positions: {twelve}, velocities: {twelve}, time_from_start: 1}\n"),
-            "points[1] has velocities, those before lack it; all points must be alike");
+            "points[1] has velocities, but the points before lack it; all points must have the same fields");
   ExpectWhy(Message("- {positions: [.nan, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11], time_from_start: 0}\n"), "line 3");
   ExpectWhy("joint_names: [FL_hop_joint]\npoints: []\n",
             "robot 'a1' has no joint 'FL_hop_joint'; the nearest is 'FL_hip_joint'");
-  ExpectWhy("joint_names: [FL_hip_joint, FL_hip_joint]\npoints: []\n", "joint 'FL_hip_joint' stands there twice");
+  ExpectWhy("joint_names: [FL_hip_joint, FL_hip_joint]\npoints: []\n", "joint 'FL_hip_joint' is given twice");
   ExpectWhy("joint_names: [FL_hip_joint]\npoints: []\n", "joint_names lacks 11 of 12 joints of robot 'a1': ");
   ExpectWhy("points: []\n", "joint_names");
-  ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "a second document begins; one is needed");
+  ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "a second YAML document begins; exactly one is accepted");
   ExpectWhy("joint_names: [", "line ");
-  ExpectWhy("x: " + std::string(100, '[') + std::string(100, ']'), "more than 32 lists and maps in one another");
+  ExpectWhy("x: " + std::string(100, '[') + std::string(100, ']'),
+            "lists and maps are nested more than 32 levels deep");
 }
 
 TEST(JointTrajectory, IsComparedWithTheJointsThatItHas) {
@@ -146,10 +147,9 @@ TEST(JointTrajectoryJson, IsReadByTheReaderOfJson) {
   EXPECT_EQ(motion->time_s, (std::vector<double>{0.0, 0.5}));
   EXPECT_EQ(motion->q[1][7], 7.0);
   EXPECT_TRUE(motion->v.empty());
-  EXPECT_EQ(
-      WhyNotJson(JsonMessage(JsonPoint(5) + "," + JsonPoint(5))),
-      "'walk.json': 'points[1].time_from_start' of 5e-09 s does not come after 5e-09 s of the point before; times "
-      "must rise");
+  EXPECT_EQ(WhyNotJson(JsonMessage(JsonPoint(5) + "," + JsonPoint(5))),
+            "'walk.json': 'points[1].time_from_start' of 5e-09 s does not come after 5e-09 s of the previous point; "
+            "times must increase");
   EXPECT_EQ(WhyNotJson(JsonMessage(R"({"positions": [1], "time_from_start": 0})")),
             "'walk.json': 'points[0].positions' has 1 numbers, joint_names 12 names");
   EXPECT_EQ(WhyNotJson(JsonMessage(R"({"position": [1], "time_from_start": 0})")),

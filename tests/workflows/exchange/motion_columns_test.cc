@@ -111,10 +111,10 @@ TEST(MotionColumns, TheTimeIsNamedWhereSomeColumnIsLikelyIt) {
   for (const char* likely : {"Time [s]", "timestamp_ms", "tims", "Stamp"}) {
     table.columns[0] = likely;
     ExpectRefusal(Taken(table),
-                  fmt::format("has no column of times: 'time_s' is needed; the nearest to it is '{}'", likely));
+                  fmt::format("has no time column: 'time_s' is needed; the nearest to it is '{}'", likely));
   }
   table.columns[0] = "clock";
-  ExpectRefusal(Taken(table), "'time_s' is needed, or 'time' or 't', and no column is called nearly so");
+  ExpectRefusal(Taken(table), "'time_s' is needed, or 'time' or 't'; no column has a similar name");
 }
 
 TEST(MotionColumns, UnitsScaleWhatHasNone) {
@@ -156,9 +156,9 @@ TEST(MotionColumns, RefusesWhatDoesNotGoTogether) {
   ExpectRefusal(Taken(renamed), "the nearest to the first of them is 'FR_hip_joint_pos'");
   ExpectRefusal(Taken(TableOf(a1, {{"FL_hip_joint", 1}})), "both are");
   ExpectRefusal(Taken(TableOf(a1, {{"base_x_m", 1}, {"base_y_m", 1}, {"base_z_m", 1}})),
-                "has the position of the base and not how it is turned");
+                "has the position of the base but not its orientation");
   ExpectRefusal(Taken(TableOf(a1), {{{"time_s", "tim_s"}}, {}, {}}),
-                "column 'time_s' is to be 'tim_s', which means nothing");
+                "column 'time_s' is mapped to 'tim_s', which is not a known name");
   ExpectRefusal(Taken(TableOf(a1), {{}, {{"tim", 2.0}}, {}}),
                 "there is no column 'tim' to scale; the nearest is 'time_s'");
 }
@@ -193,7 +193,7 @@ TEST(MotionColumns, JointsThatFollowAreHeldAgainstTheirLeaders) {
   const double right = mimic->multiplier * 0.1 * (mimic->dof + 1) + mimic->offset;
   const std::string column = "q_" + mimic->name + "_rad";
   EXPECT_TRUE(Taken(TableOf(nao, {{column, right}}), {}, {}, "nao").ok());
-  ExpectRefusal(Taken(TableOf(nao, {{column, right + 0.1}}), {}, {}, "nao"), "joint '" + mimic->name + "' follows '");
+  ExpectRefusal(Taken(TableOf(nao, {{column, right + 0.1}}), {}, {}, "nao"), "joint '" + mimic->name + "' mimics '");
 }
 
 std::string FileWithNames(const std::string& text) {

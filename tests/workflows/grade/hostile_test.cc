@@ -63,17 +63,17 @@ class Hostile : public MadeClass {
 TEST_F(Hostile, TheSameCodeWithoutMaliceIsRight) { EXPECT_EQ(MarkBody("pass").points, 10.0); }
 
 TEST_F(Hostile, Crashes) {
-  ExpectNothing(MarkBody("ctypes.string_at(0)"), {"the submission was ended: it crashed: signal SIGSEGV"});
-  ExpectNothing(MarkBody("os._exit(0)"), {"it ended by itself, with status 0"});
-  ExpectNothing(MarkBody("os.abort()"), {"it crashed: signal"});
-  ExpectNothing(MarkBody("sys.exit(3)"), {"it ended by itself, with status 3"});
+  ExpectNothing(MarkBody("ctypes.string_at(0)"), {"the submission was stopped: the code crashed: signal SIGSEGV"});
+  ExpectNothing(MarkBody("os._exit(0)"), {"the code ended early, with exit status 0"});
+  ExpectNothing(MarkBody("os.abort()"), {"the code crashed: signal"});
+  ExpectNothing(MarkBody("sys.exit(3)"), {"the code ended early, with exit status 3"});
 }
 
 TEST_F(Hostile, LoopsForEver) {
-  ExpectNothing(MarkBody("exec('while True: pass')", kSoon), {"more than 1 s of processor time"});
+  ExpectNothing(MarkBody("exec('while True: pass')", kSoon), {"more than 1 s of CPU time"});
 }
 
-TEST_F(Hostile, Sleeps) { ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"it slept for 11 s in all"}); }
+TEST_F(Hostile, Sleeps) { ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"the code slept for 11 s in all"}); }
 
 TEST_F(Hostile, TakesAllMemory) { ExpectNothing(MarkBody("bytearray(10 ** 10)"), {"MemoryError"}); }
 
@@ -117,7 +117,7 @@ TEST_F(Hostile, StartsProcesses) {
   ExpectDenied("os.posix_spawn('/usr/bin/true', ['true'], {})");
   ExpectDenied("__import__('subprocess').run(['/usr/bin/true'])");
   ExpectDenied("__import__('threading').Thread(target=print).start()", "can't start new thread");
-  ExpectNothing(MarkBody("exec('while True:\\n  try: os.fork()\\n  except OSError: pass')", kSoon), {"processor time"});
+  ExpectNothing(MarkBody("exec('while True:\\n  try: os.fork()\\n  except OSError: pass')", kSoon), {"CPU time"});
   ExpectDenied("os.execv('/usr/bin/true', ['true'])");
 }
 
@@ -151,13 +151,13 @@ TEST_F(Hostile, HasNoOpenFilesOfTheProgram) {
 }
 
 TEST_F(Hostile, ForgesItsReport) {
-  ExpectNothing(MarkBody("os.write(4, b'{\"points\": 10, \"verdict\": \"pass\"}\\n')"), {"its answer is not readable"});
+  ExpectNothing(MarkBody("os.write(4, b'{\"points\": 10, \"verdict\": \"pass\"}\\n')"), {"its answer cannot be read"});
   ExpectNothing(MarkBody("os.write(4, b'{\"answer\": 10}\\n')"), {"the answer is a number; 2 numbers are needed"});
-  ExpectNothing(MarkBody("os.write(4, b'{\"error\": {}}\\n{\"error\": 1}\\n')"), {"its answer is not readable"});
-  ExpectNothing(MarkBody("os.write(4, b'[' * 900000 + b'\\n')"), {"its answer is not readable"});
+  ExpectNothing(MarkBody("os.write(4, b'{\"error\": {}}\\n{\"error\": 1}\\n')"), {"its answer cannot be read"});
+  ExpectNothing(MarkBody("os.write(4, b'[' * 900000 + b'\\n')"), {"its answer cannot be read"});
   ExpectNothing(MarkBody("os.write(4, b'{\"answer\": ' + b'[' * 900000 + b'\\n')"), {"case 0"});
-  ExpectNothing(MarkBody("os.write(4, b'{\"error\": ' + b'[' * 900000 + b'\\n')"), {"its answer is not readable"});
-  ExpectNothing(MarkBody("os.close(4)"), {"the submission was ended"});
+  ExpectNothing(MarkBody("os.write(4, b'{\"error\": ' + b'[' * 900000 + b'\\n')"), {"its answer cannot be read"});
+  ExpectNothing(MarkBody("os.close(4)"), {"the submission was stopped"});
 }
 
 TEST_F(Hostile, AnswersTooMuch) {
@@ -173,7 +173,7 @@ TEST_F(Hostile, PrintsWithoutEnd) {
 TEST_F(Hostile, FillsTheDisk) {
   ExpectDenied("open('large', 'wb').write(b'x' * 3000000)", "too large");
   ExpectNothing(MarkBody("[open(str(i), 'wb').write(b'x' * 1000000) for i in range(60)]; time.sleep(60)"),
-                {"it wrote more than 2 MB"});
+                {"the code wrote more than 2 MB"});
 }
 
 TEST_F(Hostile, HandsInWhatIsNoFile) {

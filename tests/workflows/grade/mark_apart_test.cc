@@ -31,14 +31,15 @@ TEST(MarkApart, TheMarkIsTheSame) {
 }
 
 TEST(MarkApart, WhatEndsTheCopyCostsThePoints) {
-  ExpectNothing(MarkApart(Part(), []() -> PartMark { std::abort(); }), {"could not be judged: what judged it crashed"});
+  ExpectNothing(MarkApart(Part(), []() -> PartMark { std::abort(); }),
+                {"could not be marked: the marking process crashed"});
   ExpectNothing(MarkApart(Part(),
                           []() -> PartMark {
                             for (volatile bool on = true; on;) {
                             }
                             return {};
                           }),
-                {"could not be judged: it took more than 1 s"});
+                {"could not be marked: marking took more than 1 s"});
   ExpectNothing(MarkApart(Part(), []() -> PartMark { throw std::bad_alloc(); }), {"ran out of memory"});
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
 }

@@ -36,8 +36,8 @@ TEST_F(MarkFunction, AHalfRightOneGetsItsShare) {
                                  "calls = [0]\ndef pendulum_zmp(c, a, h):\n    calls[0] += 1\n"
                                  "    return c[:2] - a[:2] * h / 9.81 + (calls[0] > 5)\n");
   EXPECT_EQ(mark.points, 5.0);
-  EXPECT_EQ(mark.reasons[1], "5 of 10 cases are right");
-  EXPECT_EQ(mark.reasons[2], "case 5: the answer is off by 1; at most 1e-06 is right");
+  EXPECT_EQ(mark.reasons[1], "5 of 10 cases are correct");
+  EXPECT_EQ(mark.reasons[2], "case 5: the answer has an error of 1; at most 1e-06 is accepted");
 }
 
 TEST_F(MarkFunction, AnExceptionIsToldWithItsPlace) {
@@ -58,8 +58,8 @@ TEST_F(MarkFunction, AnswersThatAreNoneAreWrongAndToldSo) {
   ExpectNothing(gives("0.5"), {"the answer is a number; 2 numbers are needed"});
   ExpectNothing(gives("None"), {"the answer is None"});
   ExpectNothing(gives("[]"), {"the answer is 0 numbers"});
-  ExpectNothing(gives("[[1, 2], [3]]"), {"row 1 of the answer is not as long"});
-  ExpectNothing(gives("[[[[[[1]]]]]]"), {"lists in lists"});
+  ExpectNothing(gives("[[1, 2], [3]]"), {"row 1 of the answer has another length"});
+  ExpectNothing(gives("[[[[[[1]]]]]]"), {"lists nested too deep"});
   ExpectNothing(gives("{'points': 10}"), {"the answer[0] is points; a finite number is needed"});
   ExpectNothing(gives("[True, False]"), {"the answer[0] is True"});
 }
@@ -108,7 +108,7 @@ TEST_F(MarkAnswers, TablesThatAreNoneGetNothing) {
   ExpectNothing(MarkCsv("case,answer_0\n0,1\n"), {"no column 'answer_1'"});
   ExpectNothing(MarkCsv("number,answer_0\n0,1\n"), {"no column 'case'"});
   ExpectNothing(MarkCsv("case,answer_0,answer_1\n0,1,2\n0,1,2\n"), {"case 0 stands in 'hull.csv' twice"});
-  ExpectNothing(MarkCsv("case,answer_0,answer_1\n4,1,2\n"), {"is 4; there are cases 0 to 3"});
+  ExpectNothing(MarkCsv("case,answer_0,answer_1\n4,1,2\n"), {"is 4; accepted: 0 to 3"});
   ExpectNothing(MarkCsv("case,answer_0,answer_1\n0,nan,2\n"), {"'hull.csv'"});
   ExpectNothing(MarkCsv("case,answer_0,answer_1\n0,1,=1+1\n"), {"'hull.csv'"});
   ExpectNothing(MarkCsv(std::string("\x00\xff\x01", 3)), {"'hull.csv'"});

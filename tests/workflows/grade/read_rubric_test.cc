@@ -92,10 +92,11 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
   ExpectRefused(kHead + kZmpRubric + ", cases: 0}\n", {"'cases' is 0", "1 to 10000"});
   ExpectRefused(kHead + kZmpRubric + ", cases: 2.5}\n", {"'cases' is 2.5", "whole"});
   ExpectRefused(kHead + kZmpRubric + ", limits: {memory_mb: 1}}\n", {"'memory_mb'", "1"});
-  ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2, 1]}}\n", {"from 2 to 1", "backwards"});
+  ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2, 1]}}\n",
+                {"from 2 to 1", "must be below the second"});
   ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2]}}\n", {"has 1 numbers"});
   ExpectRefused(kHead + kZmpRubric + ", checks: [{measure: share_right, points: 4}]}\n",
-                {"of 4 points, the part of 5"});
+                {"4 points in all, but the part has 5"});
   ExpectRefused(kHead + kZmpRubric + ", checks: [{measure: share_right, points: 5, full_at: 1, none_at: 1}]}\n",
                 {"both 1"});
   ExpectRefused(kHead + "- {name: 1p, kind: function, file: f, points: 1, reference: dcm}\n", {"'1p'", "letter"});
@@ -103,11 +104,11 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
                 {"'../f'", "without folders"});
   ExpectRefused(kHead + "- {name: p, kind: function, file: f, points: 0, reference: dcm}\n",
                 {"'points' is 0", "over zero"});
-  ExpectRefused(kHead + kZmpRubric + "}\n" + kZmpRubric + "}\n", {"two parts are called 'zmp'"});
+  ExpectRefused(kHead + kZmpRubric + "}\n" + kZmpRubric + "}\n", {"two parts are named 'zmp'"});
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 5, robot: nao" + kPass + "}\n", {"lacks a goal"});
   ExpectRefused("title: t\nparts: []\n", {"0 parts"});
   ExpectRefused("just words\n", {"no rubric"});
-  ExpectRefused("a: [\n", {"no YAML"});
+  ExpectRefused("a: [\n", {"not valid YAML"});
 }
 
 }  // namespace

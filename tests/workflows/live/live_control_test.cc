@@ -74,7 +74,7 @@ TEST_F(LiveRecovering, StepsWherePushedAndWalksFromWhereItStandsThen) {
 
 TEST_F(LiveRecovering, LetsStabilisedWalkAndSaysSoOnce) {
   Trot();
-  EXPECT_NE(Notes().find("'stabilised' has it now: 'recovering' needs a plan that stands"), std::string::npos);
+  EXPECT_NE(Notes().find("'stabilised' is used now: 'recovering' needs a plan that stands"), std::string::npos);
   GoOn(4.0);
   EXPECT_EQ(Notes().find("stabilised"), std::string::npos);
   live_->Ask({.gait = "stand"});

@@ -112,7 +112,7 @@ TEST_F(Session, SaysThatItFallsBehindAndNeverRushesAfter) {
   EXPECT_GT(picture["behind_s"].get<double>(), 0.1);
   EXPECT_LE(picture["behind_s"].get<double>(), LiveSession::kMostBehind);
   ASSERT_FALSE(notes_.empty());
-  EXPECT_NE(notes_.back().find("behind real time"), std::string::npos) << notes_.back();
+  EXPECT_NE(notes_.back().find("slower than real time"), std::string::npos) << notes_.back();
   EXPECT_NEAR(live_.time_s() - before, 8.0 / LiveSession::kPictures_hz, 0.02);
   EXPECT_EQ(picture["notes"].back()[1], notes_.back());
 }
@@ -217,7 +217,7 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
            {R"({"do":"pace","gait":"biped"})", "biped"},
            {R"({"do":"pace","gait":"../gaits.yaml:trot"})", "file"},
            {R"({"do":"heading","heading_deg":"north"})", "heading_deg"},
-           {R"({"do":"push","force_n":[0,1e5,0],"for_s":0.1})", "weights"},
+           {R"({"do":"push","force_n":[0,1e5,0],"for_s":0.1})", "times the robot's weight"},
            {R"({"do":"nudge","dof":12,"by":0.1,"for_s":0.5})", "dof"},
            {R"({"do":"nudge","dof":1,"by":3,"for_s":0.5})", "moved"}}) {
     LiveClock clock;

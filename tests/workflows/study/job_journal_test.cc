@@ -92,16 +92,16 @@ TEST_F(Journals, OneWithoutAResultIsAsNone) {
 
 TEST_F(Journals, RefusalsSayWhy) {
   Write("gaitwright journal of other\n1 one\n");
-  ExpectRefused(false, "holds work that was not finished");
-  ExpectRefused(true, "is of other work");
+  ExpectRefused(false, "contains unfinished work");
+  ExpectRefused(true, "belongs to other work");
   for (const char* strange : {"something else\n", "something else"}) {
     Write(strange);
-    ExpectRefused(true, "is no journal of this program");
-    ExpectRefused(false, "is no journal of this program");
+    ExpectRefused(true, "is not a journal of this program");
+    ExpectRefused(false, "is not a journal of this program");
     EXPECT_EQ(Text(), strange);
   }
   Write("gaitwright journal of work\n1 one\nxyz\n3 three\n");
-  ExpectRefused(true, "is broken in line 3");
+  ExpectRefused(true, "is damaged in line 3");
   EXPECT_EQ(Text(), "gaitwright journal of work\n1 one\nxyz\n3 three\n") << "a refused file is left as it is";
 }
 
@@ -152,7 +152,7 @@ TEST_F(Journals, ALineThatCannotBeWrittenLeavesTheOthersWhole) {
   }
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
-  EXPECT_NE(why.find("cannot keep what is done so far in '" + path_.string()), std::string::npos) << why;
+  EXPECT_NE(why.find("cannot keep intermediate results in '" + path_.string()), std::string::npos) << why;
   EXPECT_EQ(Text(), good);
   EXPECT_THROW(journal->Add(3, "three"), CannotKeep) << "what came after it would be lost without a word";
   EXPECT_EQ(Text(), good);

@@ -76,7 +76,7 @@ TEST(PreflightOfAGoodPlan, IsAGoThatSaysWhatNobodyChecked) {
                           "survival under disturbances", "self_collision"})
     EXPECT_TRUE(Says(preflight.not_checked, law)) << law;
   EXPECT_TRUE(Says(preflight.assumptions, "friction is at least 0.8"));
-  EXPECT_TRUE(Says(preflight.assumptions, "no reserve"));
+  EXPECT_TRUE(Says(preflight.assumptions, "without margin"));
   EXPECT_FALSE(preflight.audit.margins.empty());
 }
 
@@ -107,9 +107,9 @@ TEST(PreflightOfAGoodPlan, SendsNoJointAnywhereForATiltedBase) {
   EXPECT_FALSE(Says(tilted.remarks, "--approach"));
   input.approach = "no way is needed";
   EXPECT_TRUE(Says(Of(input).remarks, "no way is needed"));
-  EXPECT_FALSE(Says(Of(input).remarks, "go it"));
+  EXPECT_FALSE(Says(Of(input).remarks, "run it"));
   input.audit.start->joints[3] += 0.2;
-  EXPECT_TRUE(Says(Of(input).remarks, "go it, and measure again")) << "both have to be mended";
+  EXPECT_TRUE(Says(Of(input).remarks, "run it, and measure again")) << "both have to be mended";
   EXPECT_TRUE(Says(Of(input).remarks, "is tilted by"));
 }
 
@@ -145,11 +145,10 @@ TEST(PreflightWithTrials, IsNoGoWhereTooFewSurvived) {
   EXPECT_TRUE(good.go());
   EXPECT_TRUE(good.remarks.empty());
   EXPECT_FALSE(Says(good.not_checked, "survival"));
-  EXPECT_TRUE(
-      Says(PreflightText(good), "487 of 500 trials survived: 97.4 %, and with 95 % certainty from 95.6 to 98.5 %"));
+  EXPECT_TRUE(Says(PreflightText(good), "487 of 500 trials survived: 97.4 % (95 % interval 95.6 to 98.5 %)"));
   input.trials = ResultOf(AWalk(), 20, 19, 0.7639, 0.9911);
   EXPECT_FALSE(Of(input).go()) << "it may be chance";
-  EXPECT_TRUE(Says(Of(input).reasons, "leave open whether 90 % survive: 19 of 20 trials survived"));
+  EXPECT_TRUE(Says(Of(input).reasons, "do not show whether 90 % survive: 19 of 20 trials survived"));
   input.options.least_survival = 0.75;
   EXPECT_TRUE(Of(input).go());
   input.options.least_survival = 0.96;
@@ -163,8 +162,8 @@ TEST(PreflightWithTrials, IsNoGoWithoutThoseThatAreAskedFor) {
   EXPECT_TRUE(Of(input).go()) << "whoever signs decides";
   input.options.fewest_trials = 100;
   EXPECT_FALSE(Of(input).go());
-  EXPECT_TRUE(Says(Of(input).reasons, "100 trials that differ are asked for, and there are 0"));
-  EXPECT_TRUE(Says(PreflightText(Of(input)), "a go asks for 100 trials that differ"));
+  EXPECT_TRUE(Says(Of(input).reasons, "100 different trials are required, but there are 0"));
+  EXPECT_TRUE(Says(PreflightText(Of(input)), "a go requires 100 different trials"));
   input.trials = ResultOf(AWalk(), 99, 99, 0.9626, 1.0);
   EXPECT_FALSE(Of(input).go());
   input.trials = ResultOf(AWalk(), 100, 100, 0.963, 1.0);
@@ -179,10 +178,10 @@ TEST(PreflightWithTrials, CountsEachPlaybackOnce) {
   const Preflight one = Of(input);
   EXPECT_FALSE(one.go());
   const std::string counted =
-      "500 of 500 trials survived, but 499 only repeat others to the bit; each counted once, 1 of 1 did: 100.0 %, and "
-      "with 95 % certainty from 20.7 to 100.0 %";
-  EXPECT_TRUE(Says(one.reasons, "the trials leave open whether 90 % survive: " + counted + "; more that differ"));
-  EXPECT_TRUE(Says(PreflightText(one), "496 of 500 trials passed every gate too, but 499 only repeat others"));
+      "500 of 500 trials survived, but 499 only repeat others exactly; counting each once, 1 of 1 did: 100.0 % (95 % "
+      "interval 20.7 to 100.0 %)";
+  EXPECT_TRUE(Says(one.reasons, "the trials do not show whether 90 % survive: " + counted + "; more different trials"));
+  EXPECT_TRUE(Says(PreflightText(one), "496 of 500 trials also passed every gate, but 499 only repeat others"));
   const Json different = Json::parse(PreflightJson(one)).at("trials").at("different");
   EXPECT_EQ(different.at("n"), 1);
   EXPECT_NEAR(different.at("survival_low"), 0.2065, 1e-4);
@@ -233,7 +232,7 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
   const std::string text = PreflightText(preflight), page = PreflightPage(preflight);
   const Json json = Json::parse(PreflightJson(preflight)), trials = json.at("trials");
   for (const char* part :
-       {"483 of 500 trials passed every gate too: 96.6 %", "a go asks that 85 % survive, with 95 % certainty",
+       {"483 of 500 trials also passed every gate: 96.6 %", "a go requires a survival rate of at least 85 %",
         "state true", "sensors not used", "command_delay_s 0", "play.friction 0.4 (usually 0)"}) {
     EXPECT_TRUE(Says(text, part)) << part;
     EXPECT_TRUE(Says(page, part)) << part;
@@ -244,8 +243,9 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
   EXPECT_EQ(trials.at("passed"), 483);
   EXPECT_NEAR(trials.at("pass_share"), 0.966, 1e-12);
   EXPECT_EQ(trials.at("conditions").back(), (Json{{"key", "play.friction"}, {"value", "0.4"}, {"usual", "0"}}));
-  EXPECT_TRUE(Says(PreflightText(Of({})), "a go asks that 90 % survive")) << "whether or not there are trials";
-  EXPECT_TRUE(Says(PreflightPage(Of({})), "a go asks that 90 % survive"));
+  EXPECT_TRUE(Says(PreflightText(Of({})), "a go requires a survival rate of at least 90 %"))
+      << "whether or not there are trials";
+  EXPECT_TRUE(Says(PreflightPage(Of({})), "a go requires a survival rate of at least 90 %"));
   EXPECT_EQ(Json::parse(PreflightJson(Of({}))).at("least_survival"), 0.9);
 }
 
@@ -273,7 +273,7 @@ TEST(PreflightOfABrokenPlan, NamesWhatForbidsItFirst) {
   const Preflight preflight = Of({}, broken);
   EXPECT_FALSE(preflight.go());
   EXPECT_TRUE(Says(preflight.reasons.front(), "joint velocity: "));
-  EXPECT_TRUE(Says(preflight.reasons.back(), "more broken limits"));
+  EXPECT_TRUE(Says(preflight.reasons.back(), "more violations"));
   EXPECT_LE(preflight.reasons.size(), 9U);
   EXPECT_TRUE(Says(PreflightText(preflight), "PREFLIGHT: NO-GO"));
   EXPECT_TRUE(Says(PreflightPage(preflight), ">NO-GO<"));
@@ -288,7 +288,7 @@ TEST(PreflightPages, AreWholeAndHoldEveryLimitAndLinesToSign) {
   EXPECT_EQ(XmlFault(page), "");
   EXPECT_EQ(page, PreflightPage(Of(input))) << "the same bytes";
   for (const char* part : {">GO<", "@page{size:A4", "signature", "tipped &lt;over&gt;", "seed 18446744073709551615",
-                           "Taken for granted", "Not checked", "487 of 500"})
+                           "Assumptions", "Not checked", "487 of 500"})
     EXPECT_TRUE(Says(page, part)) << part;
   for (const AuditMargin& m : TightestOfEachLaw(preflight.audit.margins))
     EXPECT_TRUE(Says(page, "<td>" + LawWords(m.law) + "</td>")) << m.law;

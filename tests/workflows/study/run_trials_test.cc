@@ -157,7 +157,7 @@ TEST_F(RunTrialsTest, AJournalOfAnotherRunIsRefused) {
     EXPECT_EQ(report.failure().code, FailureCode::kSoFar);
     EXPECT_NE(report.failure().message.find(part), std::string::npos) << report.failure().message;
   };
-  refused(Some(4), false, "not finished");
+  refused(Some(4), false, "unfinished work");
   TrialOptions seeded = Some(4);
   seeded.seed = 5;
   refused(seeded, true, "other work");
@@ -178,7 +178,7 @@ TEST_F(RunTrialsTest, ABrokenOutcomeInTheJournalIsRefused) {
     const auto report = RunTrials(Study(), Some(4), {.journal = Journal(), .resume = true});
     ASSERT_FALSE(report.ok());
     EXPECT_EQ(report.failure().code, FailureCode::kJournalLine);
-    EXPECT_NE(report.failure().message.find("is broken at trial"), std::string::npos) << report.failure().message;
+    EXPECT_NE(report.failure().message.find("is damaged at trial"), std::string::npos) << report.failure().message;
   };
   expect_broken("\"survived\"", "\"surived\"");
   expect_broken("\"number\":", "\"number\":1");
@@ -242,7 +242,7 @@ TEST_F(RunTrialsTest, WhatCannotBePlayedIsRefusedBeforeTheFirstTrial) {
   disturbances_.figures.push_back({"sensor_noise_scale", Distribution::Uniform(0.0, 3.0)});
   request_.sensing.sensors.contact_noise = 0.4;
   EXPECT_NE(refusal().message.find("'sensors.contact_noise'"), std::string::npos) << refusal().message;
-  EXPECT_NE(refusal().message.find("where sensor_noise_scale is 3"), std::string::npos) << refusal().message;
+  EXPECT_NE(refusal().message.find("with a sensor_noise_scale of 3"), std::string::npos) << refusal().message;
   request_.sensing.sensors.contact_noise = 0.3;
   disturbances_.figures.push_back({"sensors.contact_noise", Distribution::Uniform(0.0, 0.5)});
   EXPECT_NE(refusal().message.find("'sensors.contact_noise' is 1.5"), std::string::npos) << refusal().message;

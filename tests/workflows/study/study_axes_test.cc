@@ -35,19 +35,20 @@ TEST(StudyAxes, ListsTakeNumbersWordsAndSwitches) {
 TEST(StudyAxes, RefusalsSayWhatIsWrongAndWhatIsAccepted) {
   using enum StudyLayout;
   const std::string grid = "KEY=FROM:TO:COUNT or KEY=a,b,c; ranges without a count are for --samples";
-  EXPECT_EQ(Refusal("speed", kGrid), "'speed' is no axis; accepted: " + grid);
-  EXPECT_EQ(Refusal("speed=", kGrid), "'speed=' is no axis; accepted: " + grid);
-  EXPECT_EQ(Refusal("speed=0.1:0.5", kGrid), "'speed=0.1:0.5' is no axis; accepted: " + grid);
-  EXPECT_EQ(Refusal("speed=0.1:0.5:3", kSamples), "'speed=0.1:0.5:3' is no axis; accepted: KEY=FROM:TO or KEY=a,b,c");
-  EXPECT_EQ(Refusal("gait.cycle_s=0.3,0.4", kTuning), "'gait.cycle_s=0.3,0.4' is no axis; accepted: KEY=FROM:TO");
+  EXPECT_EQ(Refusal("speed", kGrid), "'speed' is not an axis; accepted: " + grid);
+  EXPECT_EQ(Refusal("speed=", kGrid), "'speed=' is not an axis; accepted: " + grid);
+  EXPECT_EQ(Refusal("speed=0.1:0.5", kGrid), "'speed=0.1:0.5' is not an axis; accepted: " + grid);
+  EXPECT_EQ(Refusal("speed=0.1:0.5:3", kSamples),
+            "'speed=0.1:0.5:3' is not an axis; accepted: KEY=FROM:TO or KEY=a,b,c");
+  EXPECT_EQ(Refusal("gait.cycle_s=0.3,0.4", kTuning), "'gait.cycle_s=0.3,0.4' is not an axis; accepted: KEY=FROM:TO");
   EXPECT_EQ(Refusal("sped=1:2:3", kGrid), "'sped=1:2:3': there is no option 'sped'; the nearest is 'speed'");
   EXPECT_EQ(Refusal("com-method=a,b", kGrid),
-            "'com-method=a,b': there is no option 'com-method'; --list-options prints all of them");
+            "'com-method=a,b': there is no option 'com-method'; --list-options=all prints all of them");
   EXPECT_EQ(
       Refusal("gait.cycle=0.3:0.4:2", kGrid),
       "'gait.cycle=0.3:0.4:2': there is no option 'gait.cycle'; the nearest are 'gait.cycle_s', 'gait.cycle_step_s'");
   EXPECT_EQ(Refusal("speed=0.5:0.1:3", kGrid),
-            "'speed=0.5:0.1:3': from 0.5 to 0.1 is no range; the first must be below the second");
+            "'speed=0.5:0.1:3': 0.5 to 0.1 is not a range; the first must be below the second");
   EXPECT_EQ(Refusal("gait.duty_factor=0.5:1.2:3", kGrid),
             "'gait.duty_factor=0.5:1.2:3': option 'gait.duty_factor' is 1.2; accepted: 0 to 0.99");
   EXPECT_EQ(Refusal("speed=a:2:3", kGrid), "'speed=a:2:3': 'a' is not a finite number");
@@ -57,9 +58,8 @@ TEST(StudyAxes, RefusalsSayWhatIsWrongAndWhatIsAccepted) {
             "'speed=0:1:2.5': the count is 2.5; whole numbers from 2 to 10000 are accepted");
   EXPECT_EQ(Refusal("speed=0.1,0.10", kGrid), "'speed=0.1,0.10': the value 0.1 is given twice");
   EXPECT_EQ(Refusal("play.push_on=0:1", kSamples),
-            "'play.push_on=0:1': option 'play.push_on' is not a number and has no range; single values, as a sweep "
-            "takes them, "
-            "are play.push_on=a,b,c");
+            "'play.push_on=0:1': option 'play.push_on' is not a number and has no range; give single values as "
+            "play.push_on=a,b,c (for a sweep)");
   EXPECT_EQ(Refusal("play.actuation=motors", kGrid)
                 .find("'play.actuation=motors': option 'play.actuation' is 'motors'; accepted: "),
             0U);

@@ -108,16 +108,16 @@ TEST(TrialsResults, CountEachLogOnce) {
 }
 
 TEST(TrialsResults, ThatContradictTheirRowsAreRefused) {
-  ExpectNo(WithCell(4, 1, false), "passed every gate and did not survive");
+  ExpectNo(WithCell(4, 1, false), "passed every gate but did not survive");
   ExpectNo(WithCell(1, 1, false), "19 of 20 trials survived; of its rows 18 did");
-  ExpectNo(WithCell(1, 2, true), "17 of 20 trials passed every gate; of its rows 18 did");
+  ExpectNo(WithCell(1, 2, true), "17 of 20 trials passed every gate, but 18 of its rows did");
   ExpectNo(WithCell(0, 3, "the base tilted"), "1 of 20 trials fell as 'a foot slid'; of its rows 0 did");
   ExpectNo(WithCell(0, 1, 1), "neither true nor false");
   ExpectNo(WithCell(0, 4, ""), "is empty");
-  ExpectNo(With("causes", {{"foo", 1}}), "'foo', which is no cause that a fall has");
+  ExpectNo(With("causes", {{"foo", 1}}), "'foo', which is not a cause of falls");
   ExpectNo(With("causes", Json::object()), "causes of 0 falls, where 1 fell");
   ExpectNo(With("causes", {{"a foot slid", 21}}), "21 of 20 trials fell as 'a foot slid'; of its rows 1 did");
-  ExpectNo(With("n", 500), "there were 500 trials, and has rows of 20");
+  ExpectNo(With("n", 500), "there were 500 trials, but has rows of 20");
   Json json = Good();
   json["trials"]["rows"].erase(7);
   ExpectNo(json, "has rows of 19");
@@ -137,13 +137,13 @@ TEST(TrialsResults, ThatDoNotSayWhatTheyWerePlayedUnderAreRefused) {
   json["options"] = Options();
   json["options"]["play.of_tomorrow"] = "1";
   EXPECT_TRUE(TrialsResultFromJson(json.dump(), "t")) << "one that is not known is told as such";
-  ExpectNo(With("disturbances", "{}"), "holds no disturbances");
-  ExpectNo(With("disturbances", ""), "holds no disturbances");
+  ExpectNo(With("disturbances", "{}"), "contains no disturbances");
+  ExpectNo(With("disturbances", ""), "contains no disturbances");
   ExpectNo(With("disturbances", "frction: 0.5\n"), "'friction'");
 }
 
 TEST(TrialsResults, AnotherFileOfOursIsCalledByItsName) {
-  ExpectNo(Json{{"format", "gaitwright-motion-plan"}}, "is a gaitwright-motion-plan; what 'gaitwright trials' wrote");
+  ExpectNo(Json{{"format", "gaitwright-motion-plan"}}, "is a gaitwright-motion-plan; a result of 'gaitwright trials'");
 }
 
 TEST(TrialsResults, ThatSayNonsenseAreRefused) {
@@ -176,7 +176,7 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("worst", {{{"number", 1}}}), "'seed'");
   ExpectNo(With("worst", {{{"seed", -1}}}), "seed");
   ExpectNo(With("worst", 3), "'worst'");
-  ExpectNo(Json::array(), "no object");
+  ExpectNo(Json::array(), "not an object");
 }
 
 TEST(TrialsResults, ThatAreNoJsonAreRefused) {

@@ -95,7 +95,7 @@ TEST(TuneSearch, NoiseAloneIsNoBetter) {
     const TuneCandidate& favourite = result.candidates[result.favourite];
     EXPECT_TRUE(result.favourite == 0 || *favourite.value > *result.candidates.front().value - 15.0);
     better += result.better() ? 1 : 0;
-    EXPECT_TRUE(result.better() || result.chosen == 0U) << "the usual values are kept";
+    EXPECT_TRUE(result.better() || result.chosen == 0U) << "the present values are kept";
   }
   EXPECT_LE(better, 2) << "the search finds lucky candidates; the proof does not believe them";
 }
@@ -252,7 +252,7 @@ TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
   EXPECT_NEAR(result.proof->value.after, Hill(result.candidates[result.favourite].values) + 50.0, 5.0);
   Study study;
   study.axes = {Range("a", 0.0, 1.0), Range("b", 0.0, 1.0)};
-  EXPECT_NE(VerdictOf(result).find("the usual values cannot be walked (no such ground)"), std::string::npos)
+  EXPECT_NE(VerdictOf(result).find("the present values give no walk (no such ground)"), std::string::npos)
       << VerdictOf(result);
   const auto json = nlohmann::json::parse(TuneJson(study, report, {}, {}));
   for (const char* figure : {"value", "score", "survival"}) {
@@ -265,7 +265,7 @@ TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
     EXPECT_EQ(text.find(" 0.00 "), std::string::npos) << text;
   study.model.name = "heron";
   study.walk.command.speed_m_s = 0.25;
-  for (const char* told : {"the usual values cannot be walked", "heron", "speed=0.25"})
+  for (const char* told : {"the present values give no walk", "heron", "speed=0.25"})
     EXPECT_NE(TunedOptions(study, result).find(told), std::string::npos) << told;
 }
 

@@ -15,7 +15,7 @@ std::string IdleIn(const PlayRequest& request, const std::vector<std::string>& k
 TEST(IdleOptions, SensorsAndOdometryActOnTheirStates) {
   PlayRequest request;
   EXPECT_EQ(IdleIn(request, {"play.friction", "sensors.imu_rate_hz"}),
-            "sensors.imu_rate_hz since the controller has the true state and no sensor is read");
+            "sensors.imu_rate_hz because the controller uses the true state and no sensors");
   EXPECT_EQ(IdleIn(request, {"odometry.trust_s"}), "odometry.trust_s with the state 'true'");
   EXPECT_EQ(IdleIn(request, {"sensors.imu_rate_hz", "odometry.trust_s"}, {"state"}), "") << "it is varied";
   request.sensing.state = "measured";

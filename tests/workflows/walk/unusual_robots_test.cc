@@ -102,7 +102,7 @@ TEST(UnusualRobots, WhatCannotWalkIsToldWhy) {
   const std::vector<std::pair<std::string, std::string>> refused = {
       {unusual::PointBiped(), "cannot stand still"},
       {unusual::Pantograph(), "leg 'a_foot' cannot walk"},
-      {unusual::SoledBiped(false, false), "no joint of its leg (5 joints) rolls it"}};
+      {unusual::SoledBiped(false, false), "its leg (5 joints) has no ankle roll joint"}};
   for (const auto& [urdf, why] : refused) {
     WalkRequest request;
     request.command.distance_m = 0.5;

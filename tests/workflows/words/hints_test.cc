@@ -35,16 +35,16 @@ TEST(Hints, FlagsBecomeWords) {
 TEST(Hints, ThePlacesThatThereAreAreNamed) {
   TaskScope scope = CorpusScope("nao");
   scope.places = {{"door", 0}, {"step", 3}};
-  const Refusal refusal{FailureCode::kPlace, "kitchen", "is no place that is known here", ""};
+  const Refusal refusal{FailureCode::kPlace, "kitchen", "is not a known place", ""};
   EXPECT_EQ(TextsOf(FailureOf(refusal, scope).suggestions), Hints{"a place of this ground: 'door', 'step' (1 to 3)"});
   scope.places.clear();
   EXPECT_NE(FailureOf(refusal, scope).suggestions.at(0).text.find("--terrain"), std::string::npos);
 }
 
 TEST(Hints, WhatIsSaidInsteadComesAlone) {
-  const Refusal refusal{FailureCode::kAmbiguous, "turn", "does not say the direction", "", "left or right"};
+  const Refusal refusal{FailureCode::kAmbiguous, "turn", "does not give the direction", "", "left or right"};
   EXPECT_EQ(TextsOf(FailureOf(refusal, CorpusScope("nao")).suggestions), Hints{"left or right"});
-  EXPECT_EQ(FailureOf(refusal, CorpusScope("nao")).message, "'turn' does not say the direction");
+  EXPECT_EQ(FailureOf(refusal, CorpusScope("nao")).message, "'turn' does not give the direction");
 }
 
 }  // namespace

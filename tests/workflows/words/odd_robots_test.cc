@@ -68,7 +68,7 @@ TEST(OddRobots, TheHexapodBraces) { DoneInWords(Odd("hexapod"), "brace yourself"
 /// Knees that point at each other, and feet right under the hips, leave no room for a belly on the ground.
 TEST(OddRobots, WhatCannotLieIsToldWhyAndGetsUpFromACrouch) {
   for (const auto& [name, why] :
-       {std::pair("goat", "'TORSO' and 'Q3c' would meet"), std::pair("hexapod", "too near under")}) {
+       {std::pair("goat", "'TORSO' and 'Q3c' would collide"), std::pair("hexapod", "too close below")}) {
     const Result<PlannedTasks> lying = PlannedInWords(Odd(name), "lie down", FlatTerrain());
     ASSERT_FALSE(lying.ok());
     EXPECT_NE(lying.failure().message.find(why), std::string::npos) << lying.failure().message;
@@ -82,7 +82,7 @@ TEST(OddRobots, WhatCannotLieIsToldWhyAndGetsUpFromACrouch) {
 TEST(OddRobots, TheStorkSaysThatItCannotTurn) {
   const Result<PlannedTasks> turned = PlannedInWords(Odd("stork"), "turn left", FlatTerrain());
   ASSERT_FALSE(turned.ok());
-  EXPECT_NE(turned.failure().message.find("no joints that turn its soles"), std::string::npos)
+  EXPECT_NE(turned.failure().message.find("no joints that yaw its soles"), std::string::npos)
       << turned.failure().message;
   WalkRequest curve;
   curve.command.distance_m = 1.0;

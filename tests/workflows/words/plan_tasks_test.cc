@@ -297,7 +297,7 @@ TEST(PlanTasks, AMotionThatBreaksALawOfTheAuditIsRefusedByTheTaskThatDoesIt) {
   for (const char* told : {"task 2", "balance", "RAnkleRoll"})
     EXPECT_NE(failure.message.find(told), std::string::npos) << failure.message;
   ASSERT_EQ(failure.suggestions.size(), 1U);
-  EXPECT_NE(failure.suggestions[0].text.find("'then' in place of 'while'"), std::string::npos);
+  EXPECT_NE(failure.suggestions[0].text.find("'then' instead of 'while'"), std::string::npos);
 }
 
 }  // namespace
