@@ -215,7 +215,8 @@ Result<FootstepSkeleton> PlanSequence(const RobotModel& model, const Terrain& te
     if (!course) return OfPart(k, parts[k].gait.name, course.failure());
     courses.push_back(std::move(*course));
   }
-  if (KindOfGround(terrain) != GroundKind::kFlat) return BadPart("a sequence of gaits is supported on level ground only");
+  if (KindOfGround(terrain) != GroundKind::kFlat)
+    return BadPart("a sequence of gaits is supported on level ground only");
   Couple(courses);
   return AlongCourses(model, terrain, std::move(courses), options);
 }

@@ -44,13 +44,13 @@ class World {
 
   /// Adds a force [N] for the coming step on a body (see RobotModel::bodies), at its own centre of mass.
   virtual void PushBody(int body, const Vector3& force_W) = 0;
-  /// The same at a point in W.
+  /// Pushes a body at a point in W.
   virtual void PushAt(int body, const Vector3& force_W, const Vector3& p_W) = 0;
-  /// The same on the base, at the centre of mass of the whole robot.
+  /// Pushes the base at the centre of mass of the whole robot.
   virtual void PushRobot(const Vector3& force_W) = 0;
 
-  /// Lifts the robot as it stands until nothing of it is deeper in the ground than 0.01 mm, and no foot lower than
-  /// where it is with q = `as_planned`. @return by how much [m].
+  /// Lifts the robot until no part is deeper than 0.01 mm in the ground, and no foot lower than with q = `as_planned`.
+  /// @return the lift [m].
   virtual double LiftOutOfGround(const VectorX& as_planned) = 0;
 
   /// One step. @throws InvalidArgument when the command has a wrong size or is not finite.
@@ -63,8 +63,8 @@ class World {
   virtual const std::vector<FootContact>& feet() const = 0;           ///< by foot
   virtual const std::vector<std::string>& body_contacts() const = 0;  ///< links other than feet that touch the ground
 
-  /// Mean square of each motor's effort over its thermal_s, cold at first: what a thermal limit goes by; 0 where the
-  /// model gives no continuous effort.
+  /// Mean square of each motor's effort over its thermal_s, initially 0, for the thermal limit; 0 without a continuous
+  /// effort in the model.
   virtual VectorX mean_square_effort() const = 0;
 
   virtual double total_mass_kg() const = 0;
@@ -75,7 +75,7 @@ class World {
   void PushBase(const Vector3& force_W) { PushBody(0, force_W); }
 };
 
-/// @throws InvalidArgument for options out of range, a q that is none (CheckState), or a locked dof that does not
+/// @throws InvalidArgument for options out of range, an invalid q (CheckState), or a locked dof that does not
 /// exist.
 void CheckWorld(const RobotModel& model, const VectorX& q, const WorldOptions& options);
 /// @throws InvalidArgument for a command of a wrong size, with numbers that are not finite, or negative gains.
@@ -91,7 +91,8 @@ Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vecto
 /// Coefficient of friction at a place, with the option's override.
 double FrictionOf(const Terrain& terrain, const WorldOptions& options, const Vector2& p_W);
 
-/// Whether state, torques and forces are finite and not beyond all bounds (1e6, and 1e12 for forces): else it blew up.
+/// Whether state, torques and forces are finite and within bounds (1e6, and 1e12 for forces); otherwise the simulation
+/// has diverged.
 bool IsPhysical(const World& world);
 
 }  // namespace gaitwright
