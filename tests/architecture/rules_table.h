@@ -164,13 +164,6 @@ struct Exempt {
 inline const std::vector<Exempt> kLongFunctions = {
     {"python/bindings/playback.cc", "BindPlayback", "a row for each name of the module"},
     {"python/bindings/robot.cc", "BindRobot", "a row for each name of the module"},
-    {"workflows/words/chinese.cc", "AddJoints", "a list of words"},
-    {"workflows/words/chinese_actions.cc", "AddChineseActions", "a list of words"},
-    {"workflows/words/chinese_walking.cc", "AddChineseWalking", "a list of words"},
-    {"workflows/words/english.cc", "AddLimbsAndAmounts", "a list of words"},
-    {"workflows/words/english.cc", "AddJoints", "a list of words"},
-    {"workflows/words/english_actions.cc", "AddEnglishActions", "a list of words"},
-    {"workflows/words/english_walking.cc", "AddEnglishWalking", "a list of words"},
     {"workflows/words/read_clause.cc", "Take", "a case for each kind of word"},
 };
 inline const std::vector<Exempt> kManyParameters = {
