@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/motion_input.h"
-#include "workflows/exchange/compare_reports.h"
+#include "workflows/compare/compare_reports.h"
 #include "workflows/exchange/motion_table.h"
 
 namespace gaitwright::cli {

@@ -12,7 +12,7 @@
 #include "kinematics/model/dof_units.h"
 #include "planning/plan/plan_json.h"
 #include "planning/tasks/approach.h"
-#include "workflows/study/preflight.h"
+#include "workflows/preflight/preflight.h"
 
 namespace gaitwright::cli {
 namespace {

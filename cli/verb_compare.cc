@@ -10,7 +10,7 @@
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "kinematics/base/file.h"
-#include "workflows/exchange/comparison_text.h"
+#include "workflows/compare/comparison_text.h"
 
 namespace gaitwright::cli {
 namespace {

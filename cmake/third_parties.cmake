@@ -17,6 +17,7 @@ pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
+pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)
 include("${CMAKE_CURRENT_LIST_DIR}/find_ompl.cmake")
 
 # MuJoCo is a second engine for playbacks. AUTO takes it where it is installed.

@@ -12,5 +12,5 @@
 #include "workflows/walk/plan_recovery.h"
 #include "workflows/walk/walk.h"
 #include "workflows/walk/walk_extent.h"
+#include "workflows/words/interpret.h"
 #include "workflows/words/plan_tasks.h"
-#include "workflows/words/understand.h"

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "kinematics/base/random.h"
+
 namespace gaitwright {
 
 /// How a figure, or a word, is drawn for each trial.
@@ -42,21 +44,20 @@ struct Distribution {
 };
 
 /// Random numbers that depend on a seed and a name alone, so that what is drawn for one figure does not change with
-/// what else is drawn. A counter through SplitMix64: Steele, Lea and Flood, OOPSLA 2014, doi:10.1145/2660193.2660195.
+/// what else is drawn.
 class NamedRandom {
  public:
   NamedRandom(std::uint64_t seed, std::string_view name);
 
   /// Evenly in [0, 1).
-  double Uniform();
+  double Uniform() { return numbers_.Uniform(); }
   /// Mean 0, standard deviation 1. Box and Muller, Annals of Mathematical Statistics 29(2), 1958.
-  double Normal();
+  double Normal() { return numbers_.Normal(); }
   /// A whole number from 0 to 2^31 - 1, evenly.
-  int Whole();
+  int Whole() { return static_cast<int>(numbers_.Bits() >> 33U); }
 
  private:
-  std::uint64_t Next();
-  std::uint64_t counter_;
+  SplitMix numbers_;
 };
 
 /// A number of that distribution. @throws InvalidArgument for one of words.

@@ -10,7 +10,7 @@
 
 #include "python/bindings/bindings.h"
 #include "python/bindings/playback.h"
-#include "workflows/exchange/comparison_text.h"
+#include "workflows/compare/comparison_text.h"
 
 namespace gaitwright::python {
 namespace {

@@ -31,6 +31,38 @@ list(FILTER libraries INCLUDE REGEX "Bullet|LinearMath|libcurl|libmpi|boost_(jso
 if(libraries)
   message(FATAL_ERROR "planning a walk loads ${libraries}")
 endif()
+
+# Which of the large third parties a program loads that links one library: "library=third parties".
+set(watched Bullet minizip curl seccomp mpi)
+find_program(readelf readelf REQUIRED)
+foreach(row kinematics= plan= planning= optimisation= sandbox=seccomp playback=Bullet walk=Bullet study=Bullet preflight=Bullet
+        render=Bullet live=Bullet exchange=Bullet,minizip compare=Bullet,minizip words=Bullet,curl cluster=Bullet,mpi
+        grade=Bullet,minizip,seccomp formats=Bullet,minizip,seccomp workflows=Bullet,minizip,curl,seccomp,mpi)
+  string(REGEX MATCH "^(.*)=(.*)$" row ${row})
+  set(room ${CMAKE_MATCH_1})
+  string(REPLACE "," ";" wanted "${CMAKE_MATCH_2}")
+  if(NOT HAS_MPI)
+    list(REMOVE_ITEM wanted mpi)
+  endif()
+  step("reading links_${room}" ${readelf} --dynamic ${work}/build/links_${room})
+  set(found "")
+  foreach(library ${watched})
+    if(out MATCHES "NEEDED[^\n]*lib${library}")
+      list(APPEND found ${library})
+    endif()
+  endforeach()
+  message("gaitwright::${room} loads: ${found}")
+  if(NOT "${found}" STREQUAL "${wanted}")
+    message(FATAL_ERROR "gaitwright::${room} loads '${found}'; it should load '${wanted}'")
+  endif()
+endforeach()
+
+# Who asks for one library is not asked for the packages of others.
+step("configuring for a library alone" ${CMAKE_COMMAND} -S ${SOURCE_DIR}/tests/consumer/alone -B ${work}/alone -G ${GENERATOR}
+     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_DISABLE_FIND_PACKAGE_Boost=ON -D CMAKE_DISABLE_FIND_PACKAGE_CURL=ON
+     -D CMAKE_DISABLE_FIND_PACKAGE_MPI=ON)
+step("building with a library alone" ${CMAKE_COMMAND} --build ${work}/alone)
+
 step("the installed program" ${prefix}/bin/gaitwright --version)
 
 # The course is a project outside of the tree too, as it is handed out: without solutions.

@@ -7,9 +7,9 @@
 
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/plan_laws.h"
+#include "workflows/compare/compare_motions.h"
+#include "workflows/compare/compare_reports.h"
 #include "workflows/exchange/check_motion_table.h"
-#include "workflows/exchange/compare_motions.h"
-#include "workflows/exchange/compare_reports.h"
 #include "workflows/exchange/csv_motion.h"
 #include "workflows/exchange/footstep_file.h"
 #include "workflows/exchange/import_motion.h"

@@ -17,7 +17,9 @@ paths=$(awk '{ print substr($6, 2) }' <<<"$list")
 has() { grep -qxE "$1" <<<"$paths" || fail "the package has no $1"; }
 
 has /usr/bin/gaitwright
-for room in kinematics plan planning optimisation playback workflows; do has "/usr/lib/libgaitwright_$room\.a"; done
+for room in kinematics plan planning optimisation playback walk study preflight exchange compare render words live cluster sandbox grade formats; do
+  has "/usr/lib/libgaitwright_$room\.a"
+done
 has /usr/lib/cmake/gaitwright/gaitwrightConfig.cmake
 has /usr/include/gaitwright/workflows/walk/walk.h
 for robot in "$root"/robots/*/; do has "/usr/share/gaitwright/robots/$(basename "$robot")/robot.urdf"; done
@@ -44,7 +46,7 @@ holds Version "^$(sed -nE 's/^project\(gaitwright VERSION ([0-9.]+).*/\1/p' "$ro
 holds Section '^science$'
 holds Maintainer '<.*@.*>'
 holds Architecture "^$(dpkg --print-architecture)\$"
-for library in libc6 libstdc++6 libbullet libfcl libompl libyaml-cpp libcurl libfmt liburdfdom libminizip; do
+for library in libc6 libstdc++6 libbullet libfcl libompl libyaml-cpp libcurl libfmt liburdfdom libminizip libseccomp; do
   holds Depends "(^|, )${library//+/\\+}[0-9a-z.-]* "
 done
 holds Depends 'python3 \(>= 3\.[0-9]+\), python3 \(<< 3\.[0-9]+\)'

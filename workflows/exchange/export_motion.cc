@@ -32,7 +32,7 @@ void AddPlots(const std::vector<Plot>& plots, const std::string& folder, Exporte
   }
 }
 
-std::string TextOf(const RobotModel& model, const MotionRows& rows, ExportFormat format) {
+std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFormat format) {
   switch (format) {
     case ExportFormat::kCsv:
       return MotionCsv(model, rows);
@@ -104,7 +104,7 @@ ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, Expor
   if (format == ExportFormat::kSvg) {
     AddPlots(MotionPlots({{model.name, &model, &rows}}), out, exported);
   } else {
-    exported.files.push_back({out, TextOf(model, rows, format)});
+    exported.files.push_back({out, ExportText(model, rows, format)});
   }
   AddNotes(rows, format, exported);
   AddSizeNote(model, rows, format, exported);

@@ -9,7 +9,7 @@
 
 #include "kinematics/base/result.h"
 #include "playback/trials/disturbances.h"
-#include "workflows/grade/child_process.h"
+#include "workflows/sandbox/child_process.h"
 
 namespace gaitwright {
 

@@ -8,7 +8,7 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/result.h"
-#include "workflows/grade/child_process.h"
+#include "workflows/sandbox/child_process.h"
 
 namespace gaitwright {
 

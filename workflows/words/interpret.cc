@@ -51,40 +51,56 @@ Result<TaskPlan> PlanInAnswer(const std::string& answer, const std::string& inst
   return plan;
 }
 
+Result<TaskPlan> Grammar::Interpret(const std::string& instruction, const TaskScope& scope,
+                                    std::vector<std::string>&) const {
+  return words::UnderstandWords(instruction, scope);
+}
+
+Result<TaskPlan> ModelInterpreter::Interpret(const std::string& instruction, const TaskScope& scope,
+                                             std::vector<std::string>& notes) const {
+  constexpr int kAttempts = 2;
+  std::vector<ChatMessage> messages = {{"system", InterpreterPrompt(scope)}, {"user", instruction}};
+  for (int attempt = 1;; ++attempt) {
+    const Result<std::string> answer = Complete(model_, messages);
+    if (!answer) {
+      notes.push_back(answer.failure().message);
+      return answer.failure();
+    }
+    Result<TaskPlan> plan = PlanInAnswer(*answer, instruction, scope);
+    if (plan) return plan;
+    notes.push_back(fmt::format("the language model's answer is not valid: {}", plan.failure().message));
+    if (attempt == kAttempts) return plan.failure();
+    messages.push_back({"assistant", Shortened(*answer)});
+    messages.push_back({"user", fmt::format("That is not valid: {}. Answer with the corrected JSON object alone.",
+                                            plan.failure().message)});
+  }
+}
+
+Result<Interpretation> InterpretBy(const std::vector<const Interpreter*>& interpreters, const std::string& instruction,
+                                   const TaskScope& scope) {
+  if (interpreters.empty()) throw InvalidArgument("InterpretBy needs an interpreter");
+  Interpretation made;
+  Failure failure;
+  for (const Interpreter* interpreter : interpreters) {
+    Result<TaskPlan> plan = interpreter->Interpret(instruction, scope, made.notes);
+    if (plan) {
+      made.plan = std::move(*plan);
+      made.by = interpreter->name();
+      return made;
+    }
+    failure = plan.failure();
+    if (failure.code == FailureCode::kInterpreterUrl) return failure;
+  }
+  failure.suggestions.insert(failure.suggestions.end(), made.notes.begin(), made.notes.end());
+  return failure;
+}
+
 Result<Interpretation> Interpret(const std::string& instruction, const TaskScope& scope,
                                  const std::optional<LanguageModel>& model) {
-  constexpr int kAttempts = 2;
-  Interpretation made;
-  if (model) {
-    std::vector<ChatMessage> messages = {{"system", InterpreterPrompt(scope)}, {"user", instruction}};
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
-      const Result<std::string> answer = Complete(*model, messages);
-      if (!answer && answer.failure().code == FailureCode::kInterpreterUrl) return answer.failure();
-      if (!answer) {
-        made.notes.push_back(answer.failure().message);
-        break;
-      }
-      Result<TaskPlan> plan = PlanInAnswer(*answer, instruction, scope);
-      if (plan) {
-        made.plan = std::move(*plan);
-        made.by = "language model";
-        return made;
-      }
-      made.notes.push_back(fmt::format("the language model's answer is not valid: {}", plan.failure().message));
-      messages.push_back({"assistant", Shortened(*answer)});
-      messages.push_back({"user", fmt::format("That is not valid: {}. Answer with the corrected JSON object alone.",
-                                              plan.failure().message)});
-    }
-  }
-  Result<TaskPlan> plan = words::UnderstandWords(instruction, scope);
-  if (!plan) {
-    Failure failure = plan.failure();
-    failure.suggestions.insert(failure.suggestions.end(), made.notes.begin(), made.notes.end());
-    return failure;
-  }
-  made.plan = std::move(*plan);
-  made.by = "grammar";
-  return made;
+  const Grammar grammar;
+  if (!model) return InterpretBy({&grammar}, instruction, scope);
+  const ModelInterpreter by_model(*model);
+  return InterpretBy({&by_model, &grammar}, instruction, scope);
 }
 
 }  // namespace gaitwright

@@ -11,7 +11,7 @@
 
 namespace gaitwright::words {
 
-/// What a word or a group of words of an instruction stands for.
+/// What a word or a group of words of an instruction stands for. lexicon.cc has their names, in this order.
 enum class Meaning {
   kAction,     ///< something to do: `name` is the action, `parameters` what the word says of it
   kRaise,      ///< "lift", "put up": of an arm or a foot
@@ -58,7 +58,7 @@ enum class Meaning {
   kFiller,     ///< says nothing
   kElsewhere,  ///< an action that no robot here has; `name` is the nearest, if any; "recover" is what a
                ///< controller does
-  kUnknown,
+  kUnknown,    ///< what the instruction may not have in it: a condition, an adverb that says more than how
 };
 
 /// What more the word of an action says, as its `value`: that a place follows, that it is done beside something, that

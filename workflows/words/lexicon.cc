@@ -2,30 +2,100 @@
 #include "workflows/words/lexicon.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
+#include "planning/plan/json_part_internal.h"
+#include "workflows/words/lexicon_internal.h"
 #include "workflows/words/pieces.h"
 
 namespace gaitwright::words {
+namespace {
 
-void Lexicon::Add(std::string_view phrases, Meaning meaning, const std::string& name, double value,
-                  const std::map<std::string, TaskValue>& parameters) {
-  for (std::size_t at = 0; at <= phrases.size();) {
-    const std::size_t end = std::min(phrases.find('|', at), phrases.size());
-    const std::string phrase(phrases.substr(at, end - at));
-    Item item;
-    item.meaning = meaning;
-    item.name = name;
-    item.value = value;
-    item.parameters = parameters;
-    items_.try_emplace(phrase, item);
-    longest_ = std::max(longest_, PiecesOf(phrase).size());
-    at = end + 1;
+/// In the order of Meaning.
+const std::vector<std::string> kMeaningNames = {
+    "action", "raise",  "lower", "put",     "direction", "side",   "sideways",  "both",   "arm",
+    "foot",   "plural", "part",  "up",      "down",      "number", "amount",    "unit",   "ordinal",
+    "place",  "stairs", "to",    "at",      "pace",      "gait",   "low",       "each",   "hold",
+    "then",   "break",  "while", "before",  "after",     "no",     "not",       "forbid", "drop",
+    "first",  "again",  "aside", "subject", "polite",    "filler", "elsewhere", "unknown"};
+
+/// What the value of an action stands for, and the value.
+const std::vector<std::pair<std::string, double>> kSaid = {
+    {"to_place", kToPlace},       {"beside", kBeside},   {"returns", kReturns},    {"up_stairs", kUpStairs},
+    {"down_stairs", kDownStairs}, {"upwards", kUpwards}, {"downwards", kDownwards}};
+
+double ReadSaid(const JsonPart& part) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : kSaid) names.push_back(name);
+  return kSaid[static_cast<std::size_t>(part.Choice(names))].second;
+}
+
+Item ReadMeaning(const JsonPart& entry) {
+  entry.Object({"means", "phrases"}, {"name", "value", "says", "parameters"});
+  Item item;
+  item.meaning = static_cast<Meaning>(entry.At("means").Choice(kMeaningNames));
+  if (entry.Has("name")) item.name = entry.At("name").Text();
+  if (entry.Has("value")) item.value = entry.At("value").Number();
+  if (entry.Has("says")) item.value = ReadSaid(entry.At("says"));
+  if (entry.Has("parameters")) {
+    const JsonPart parameters = entry.At("parameters");
+    for (const auto& [key, value] : parameters.json().items()) {
+      if (value.is_number())
+        item.parameters[key] = parameters.At(key).Number();
+      else
+        item.parameters[key] = parameters.At(key).Text();
+    }
   }
+  return item;
+}
+
+Lexicon ReadLexicon(const JsonPart& entries) {
+  Lexicon lexicon;
+  for (const JsonPart& entry : entries.List()) {
+    const Item meaning = ReadMeaning(entry);
+    const JsonPart phrases = entry.At("phrases");
+    for (const JsonPart::Json& phrase : phrases.json()) {  // thousands, so not by List, which names each
+      if (!phrase.is_string()) phrases.Refuse("holds what is not a text");
+      const auto& text = phrase.get_ref<const std::string&>();
+      if (!lexicon.Add(text, meaning)) phrases.Refuse("holds '" + text + "', which has a meaning already");
+    }
+  }
+  return lexicon;
+}
+
+const Vocabulary& EnglishVocabulary() {
+  static const Vocabulary vocabulary = ReadVocabulary(EnglishWordList());
+  return vocabulary;
+}
+
+const Vocabulary& ChineseVocabulary() {
+  static const Vocabulary vocabulary = ReadVocabulary(ChineseWordList());
+  return vocabulary;
+}
+
+}  // namespace
+
+bool Lexicon::Add(const std::string& phrase, const Item& meaning) {
+  longest_ = std::max(longest_, PiecesOf(phrase).size());
+  return items_.try_emplace(phrase, meaning).second;
 }
 
 const Item* Lexicon::Find(const std::string& phrase) const {
   const auto found = items_.find(phrase);
   return found == items_.end() ? nullptr : &found->second;
 }
+
+Vocabulary ReadVocabulary(std::string_view json) {
+  const JsonPart::Json parsed = JsonPart::Json::parse(json);
+  const JsonPart whole(parsed);
+  whole.Object({"language", "words", "units"});
+  return {ReadLexicon(whole.At("words")), ReadLexicon(whole.At("units"))};
+}
+
+const Lexicon& English() { return EnglishVocabulary().words; }
+const Lexicon& Chinese() { return ChineseVocabulary().words; }
+const Lexicon& EnglishUnits() { return EnglishVocabulary().units; }
+const Lexicon& ChineseUnits() { return ChineseVocabulary().units; }
 
 }  // namespace gaitwright::words

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <unordered_map>
-#include <vector>
 
 #include "workflows/words/item.h"
 
@@ -14,9 +12,8 @@ namespace gaitwright::words {
 /// by single spaces; Chinese ones are as they are.
 class Lexicon {
  public:
-  /// @param phrases  of one meaning, parted by '|'; one that is there already keeps its first.
-  void Add(std::string_view phrases, Meaning meaning, const std::string& name = "", double value = 0.0,
-           const std::map<std::string, TaskValue>& parameters = {});
+  /// @return false for a phrase that is there already, which keeps its meaning.
+  bool Add(const std::string& phrase, const Item& meaning);
   /// The item of a phrase; null for none.
   const Item* Find(const std::string& phrase) const;
   /// The most pieces (words, characters of Chinese) that a phrase has.
@@ -27,7 +24,8 @@ class Lexicon {
   std::size_t longest_ = 1;
 };
 
-/// The words of English and of Chinese for all that can be said, numbers left out.
+/// The words of English and of Chinese for all that can be said, numbers left out. Read at the first call, in
+/// some three milliseconds.
 const Lexicon& English();
 const Lexicon& Chinese();
 

@@ -13,7 +13,7 @@
 #include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "tests/workflows/exchange/other_software.h"
-#include "workflows/exchange/compare_motions.h"
+#include "workflows/compare/compare_motions.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {

@@ -3,9 +3,11 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 
 #include "tests/workflows/grade/made_class.h"
@@ -133,6 +135,19 @@ TEST_F(Hostile, ReachesForOthers) {
   EXPECT_NE(Attempt("ctypes.CDLL(None).ptrace(16, os.getppid(), 0, 0)").find("it got -1"), std::string::npos);
   EXPECT_NE(Attempt("ctypes.CDLL(None).prctl(1, 0)").find("it got -1"), std::string::npos);
   EXPECT_NE(Attempt("ctypes.CDLL(None).shmget(0, 4096, 0o1600)").find("it got -1"), std::string::npos);
+}
+
+/// Whatever a kernel has beside the calls that Python needs is out of reach; the whole list:
+/// system_call_filter_test.cc.
+TEST_F(Hostile, MakesCallsThatAreNotOnTheList) {
+  for (const long call : {SYS_io_uring_setup, SYS_userfaultfd, SYS_bpf, SYS_keyctl, SYS_process_vm_readv, SYS_splice,
+                          SYS_inotify_init1, SYS_timer_create, SYS_execveat})
+    EXPECT_NE(Attempt(fmt::format("(lambda c: (c.syscall({}, 0, 0, 0, 0), ctypes.get_errno()))"
+                                  "(ctypes.CDLL(None, use_errno=True))",
+                                  call))
+                  .find(fmt::format("it got (-1, {})", EPERM)),
+              std::string::npos)
+        << call;
 }
 
 TEST_F(Hostile, IsNobodyWhereTheProgramIsRoot) {

@@ -106,5 +106,36 @@ TEST(Interpret, OnlyHttpIsSpoken) {
   }
 }
 
+/// One's own interpreter takes its place beside the two that there are.
+class OneWord : public Interpreter {
+ public:
+  std::string name() const override { return "one word"; }
+  Result<TaskPlan> Interpret(const std::string& instruction, const TaskScope&,
+                             std::vector<std::string>& notes) const override {
+    if (instruction == "salaam") {
+      TaskPlan plan;
+      plan.tasks = {Task{"bow", {}, "salaam", {}}};
+      return plan;
+    }
+    notes.push_back("it is not the one word");
+    return Failure{FailureKind::kBadInput, FailureCode::kUnknown, "OneWord", "unknown", {}};
+  }
+};
+
+TEST(InterpretBy, TheFirstThatUnderstandsIsTaken) {
+  const OneWord one_word;
+  const Grammar grammar;
+  const auto by = [&](const std::string& text) {
+    const Result<Interpretation> made = InterpretBy({&one_word, &grammar}, text, CorpusScope("nao"));
+    return made.ok() ? made->by : FailureCodeName(made.failure().code);
+  };
+  EXPECT_EQ(by("salaam"), "one word");
+  EXPECT_EQ(by("bow"), "grammar");
+  EXPECT_EQ(by("juggle"), "unknown");
+  const Result<Interpretation> made = InterpretBy({&one_word, &grammar}, "bow", CorpusScope("nao"));
+  EXPECT_EQ(made->notes, std::vector<std::string>{"it is not the one word"});
+  EXPECT_THROW(InterpretBy({}, "bow", CorpusScope("nao")), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace gaitwright
