@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "optimisation/centroidal/phase_ties.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
 
 namespace gaitwright {
@@ -12,7 +13,7 @@ namespace gaitwright {
 ///   cost could fall further                         lower least_gain, raise max_solves
 ///   motions from one step to the next are refused   lower first_change, most_change
 struct TimingOptions {
-  double shortest_s = 0.03;
+  double shortest_s = 0.02;
   double longest_s = 5.0;
   double shortest_swing_s = 0.15;
   double least_total = 1.0;
@@ -22,6 +23,9 @@ struct TimingOptions {
   double least_gain = 1e-2;
   int max_solves = 12;
 
+  /// Those of the phases, which hold for whole robots too.
+  OptionFields PhaseFields();
+  /// All.
   OptionFields Fields();
 };
 
@@ -33,6 +37,7 @@ struct TimedPlan {
   bool mended = false;      ///< there was no motion at the times that were given
   int steps = 0;            ///< from one set of durations to a better one
   int solves = 0;           ///< that this took, refused ones too, without that of the first motion
+  VectorX parts_s;          ///< where phases are tied: the durations of their parts
 };
 
 /// Makes the durations of a motion's phases (SwitchTimes) variables, within bounds, with the total time given or free,
@@ -58,7 +63,10 @@ struct TimedPlan {
 /// @throws InvalidArgument as CheckRigidBodyProblem, and for options that are none.
 /// @param first  if given: the motion at the times that are given, of the same options. It is planned anew where some
 ///               of these times are out of bounds and brought to the nearest ones that are not.
+/// @param ties   if given: durations of phases follow from those of fewer parts, which are the variables then. The sum
+///               of the parts and the total time stay; bounds are the longest_s of the options and those of the ties.
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning = {},
-                                 const TimingOptions& options = {}, const RigidBodyPlan* first = nullptr);
+                                 const TimingOptions& options = {}, const RigidBodyPlan* first = nullptr,
+                                 const PhaseTies* ties = nullptr);
 
 }  // namespace gaitwright
