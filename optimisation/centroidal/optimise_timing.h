@@ -3,31 +3,9 @@
 
 #include "optimisation/centroidal/phase_ties.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
+#include "optimisation/centroidal/timing_options.h"
 
 namespace gaitwright {
-
-/// Tuning
-///   phases of the gait become a hurry or a wait     raise shortest_s, lower longest_s
-///   legs cannot swing as fast as that               raise shortest_swing_s
-///   there is no haste, or time to gain              raise most_total, lower least_total
-///   cost could fall further                         lower least_gain, raise max_solves
-///   motions from one step to the next are refused   lower first_change, most_change
-struct TimingOptions {
-  double shortest_s = 0.02;
-  double longest_s = 5.0;
-  double shortest_swing_s = 0.15;
-  double least_total = 1.0;
-  double most_total = 1.0;
-  double first_change = 0.2;
-  double most_change = 0.5;
-  double least_gain = 1e-2;
-  int max_solves = 12;
-
-  /// Those of the phases, which hold for whole robots too.
-  OptionFields PhaseFields();
-  /// All.
-  OptionFields Fields();
-};
 
 /// A motion at times that suit it.
 struct TimedPlan {

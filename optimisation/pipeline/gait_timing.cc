@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "kinematics/model/actuator.h"
 #include "optimisation/centroidal/gait_phases.h"
 #include "optimisation/centroidal/optimise_timing.h"
+#include "optimisation/pipeline/compare_motions.h"
 #include "optimisation/pipeline/dynamic_motion.h"
 #include "optimisation/pipeline/gait_cycle.h"
 #include "optimisation/pipeline/walk_problem.h"
@@ -103,17 +103,8 @@ std::vector<WalkPart> Between(const std::vector<WalkPart>& from, const std::vect
   return between;
 }
 
-/// Whether a plan at other times is to be preferred.
-bool IsBetter(const RobotModel& model, const PlannedMotion& timed, const Result<PlannedMotion>& fixed,
-              const PipelineOptions& options) {
-  constexpr double kLeastGain = 0.99, kSlight = 1e-3;
-  constexpr double kNearlyBalanced = 10.0;  // times the residual that ends the passes
-  if (timed.limit_excess > kSlight) return fixed && timed.limit_excess < kLeastGain * fixed->limit_excess;
-  if (!fixed || fixed->limit_excess > kSlight) return true;
-  if (timed.residual > std::max(fixed->residual, kNearlyBalanced * options.residual)) return false;
-  const TorqueUse at_timed = TorqueUseOf(model, timed.plan.whole_body);
-  const TorqueUse at_fixed = TorqueUseOf(model, fixed->plan.whole_body);
-  return at_timed.rms * at_timed.peak < kLeastGain * at_fixed.rms * at_fixed.peak;
+MotionFigures FiguresOf(const RobotModel& model, const PlannedMotion& planned) {
+  return {planned.limit_excess, planned.residual, TorqueUseOf(model, planned.plan.whole_body)};
 }
 
 /// What is changed, and why: the plan at the gaits' own times is refused, or costs more.
@@ -159,35 +150,20 @@ Result<PlannedMotion> PlanAtBestTimes(const RobotModel& model, const Terrain& te
   const FailureCode why = !best                      ? best.failure().code
                           : best->limit_excess > 0.0 ? FailureCode::kLimits
                                                      : FailureCode::kTorque;
+  std::optional<MotionFigures> former;
+  if (best) former = FiguresOf(model, *best);
   const Result<TimedGaits> timed = OptimiseGaits(model, terrain, parts, options);
   for (const double share : {1.0, 0.5}) {
     if (!timed || timed->parts == parts) break;
     const std::vector<WalkPart> other = Between(parts, timed->parts, share);
     Result<PlannedMotion> planned = PlanMotion(model, terrain, other, at_fixed);
-    if (!planned || !IsBetter(model, *planned, best, options.pipeline)) continue;
+    if (!planned || !IsBetterMotion(FiguresOf(model, *planned), former, options.pipeline.residual)) continue;
     best = std::move(planned);
     TellTimes(parts, other, why, best->plan);
     break;
   }
   if (best) best->plan.provenance = ProvenanceOf(options);
   return best;
-}
-
-TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion) {
-  double sum = 0.0;
-  int count = 0;
-  TorqueUse use;
-  for (const Actuator& motor : ActuatorsOf(model)) {
-    if (!std::isfinite(motor.effort_limit)) continue;
-    for (const VectorX& tau : motion.tau) {
-      const double share = std::abs(motor.Effort(tau)) / motor.effort_limit;
-      sum += share * share;
-      ++count;
-      use.peak = std::max(use.peak, share);
-    }
-  }
-  if (count > 0) use.rms = std::sqrt(sum / count);
-  return use;
 }
 
 }  // namespace gaitwright

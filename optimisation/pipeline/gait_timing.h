@@ -23,15 +23,7 @@ struct TimedGaits {
 Result<TimedGaits> OptimiseGaits(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
                                  const MotionOptions& options);
 
-/// How much of their limits the motors use in torque, over all motors with a limit.
-struct TorqueUse {
-  double rms = 0.0;   ///< root of the mean square over time and motors
-  double peak = 0.0;  ///< the greatest share
-};
-TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion);
-
-/// PlanMotion with the gaits of OptimiseGaits, where that is better for the whole robot: where it makes the product of
-/// both figures of TorqueUse less by 1 % or more, or where only so the plan keeps the limits of joints and motors.
+/// PlanMotion with the gaits of OptimiseGaits, where that makes a better motion of the whole robot (IsBetterMotion).
 /// Changes half as great are tried after the whole ones. Else the plan at the gaits' own times. The plan's adjustments
 /// say what changed.
 Result<PlannedMotion> PlanAtBestTimes(const RobotModel& model, const Terrain& terrain,

@@ -14,10 +14,10 @@
 #include "optimisation/pipeline/carriage_search.h"
 #include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
+#include "optimisation/pipeline/free_footholds.h"
 #include "optimisation/pipeline/gait_timing.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/motion_passes.h"
-#include "optimisation/pipeline/rigid_body_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/swing/swing_ground.h"
@@ -50,9 +50,9 @@ Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
 
 /// The motion of a rigid body on legs, crouched as far as flights need it.
 Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch>& crouch, int& passes) {
-  if (!crouch) return RigidBodyPasses(task).Run(passes);
+  if (!crouch) return RunRigidBodyPasses(task, nullptr, passes);
   const MotionTask crouched{crouch->model, task.terrain, task.skeleton, task.options, task.body, task.cycle_s};
-  return RigidBodyPasses(crouched, &*crouch).Run(passes);
+  return RunRigidBodyPasses(crouched, &*crouch, passes);
 }
 
 /// Whether brief stances, or brief flights near the motors' greatest speed, have too few rows of the grid, as may be

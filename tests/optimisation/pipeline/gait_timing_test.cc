@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "kinematics/model/load_robot.h"
+#include "optimisation/pipeline/compare_motions.h"
 #include "planning/audit/audit.h"
 #include "planning/gait/find_gait.h"
 
@@ -13,14 +12,14 @@ namespace gaitwright {
 namespace {
 
 /// A bound of two cycles, at the gait's times and at better ones; made once.
-struct Bounds {
+struct TimedBound {
   RobotModel model = *LoadNamedRobot("a1");
   std::vector<WalkPart> parts;
   MotionOptions options;
   Result<TimedGaits> timed = Failure{};
   Result<PlannedMotion> fixed = Failure{}, optimised = Failure{};
 
-  Bounds() {
+  TimedBound() {
     WalkCommand command;
     command.speed_m_s = 0.5;
     command.distance_m = 0.2;
@@ -32,13 +31,13 @@ struct Bounds {
   }
 };
 
-const Bounds& Both() {
-  static const Bounds bounds;
+const TimedBound& Both() {
+  static const TimedBound bounds;
   return bounds;
 }
 
 TEST(OptimiseGaits, CostsLessInTheSameCycle) {
-  const Bounds& both = Both();
+  const TimedBound& both = Both();
   ASSERT_TRUE(both.timed.ok()) << both.timed.failure().message;
   EXPECT_LT(both.timed->cost, 0.97 * both.timed->cost_before);
   EXPECT_GT(both.timed->solves, 0);
@@ -54,7 +53,7 @@ TEST(OptimiseGaits, CostsLessInTheSameCycle) {
 }
 
 TEST(PlanAtBestTimes, TakesLessTorqueInTheSameTimeAndPassesItsAudit) {
-  const Bounds& both = Both();
+  const TimedBound& both = Both();
   ASSERT_TRUE(both.fixed.ok() && both.optimised.ok());
   const MotionPlan &fixed = both.fixed->plan, &plan = both.optimised->plan;
   const TorqueUse before = TorqueUseOf(both.model, fixed.whole_body), after = TorqueUseOf(both.model, plan.whole_body);
@@ -87,18 +86,6 @@ TEST(PlanAtBestTimes, LeavesGaitsOnTheGroundAsTheyAre) {
   const Result<TimedGaits> timed = OptimiseGaits(model, FlatTerrain(), {{trot, command}}, options);
   ASSERT_FALSE(timed.ok());
   EXPECT_EQ(timed.failure().code, FailureCode::kNoTiming);
-}
-
-TEST(TorqueUse, IsTheRootOfTheMeanSquareOfShares) {
-  const RobotModel& model = Both().model;
-  WholeBodyTrajectory motion;
-  VectorX limits(model.num_dofs());
-  for (int d = 0; d < model.num_dofs(); ++d) limits[d] = model.dof_effort_limit(d);
-  motion.tau = {0.3 * limits, -0.4 * limits};
-  const TorqueUse use = TorqueUseOf(model, motion);
-  EXPECT_NEAR(use.rms, std::sqrt(0.5 * (0.09 + 0.16)), 1e-12);
-  EXPECT_NEAR(use.peak, 0.4, 1e-12);
-  EXPECT_EQ(TorqueUseOf(model, {}).rms, 0.0);
 }
 
 }  // namespace
