@@ -24,10 +24,12 @@ struct BenchSettings {
   std::optional<double> distance_m, duration_s, friction;
   bool as_asked = false, audit = false;
   std::string timing_choice;
-  RigidBodyOptions options;
+  RigidBodyOptions rigid_body;
   TimingOptions timing;
 
-  OptionFields Fields() { return Joined({options.Fields(), Prefixed("timing", timing.Fields())}); }
+  OptionFields Fields() {
+    return Joined({Prefixed("rigid_body", rigid_body.Fields()), Prefixed("timing", timing.Fields())});
+  }
 };
 
 Json FaultsJson(const RigidBodyFaults& faults) {
@@ -124,7 +126,7 @@ int RunBench(BenchSettings& a) {
   }
   std::vector<CentroidalOutcome> outcomes;
   for (const CentroidalCase& one : cases)
-    outcomes.push_back(RunCase(*set, one, task, a.options, {!a.as_asked, timing, a.audit}));
+    outcomes.push_back(RunCase(*set, one, task, a.rigid_body, {!a.as_asked, timing, a.audit}));
   if (a.common.json) {
     Json list = Json::array();
     for (const CentroidalOutcome& outcome : outcomes) list.push_back(OutcomeJson(outcome));

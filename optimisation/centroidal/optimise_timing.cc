@@ -52,13 +52,22 @@ Failure NoTiming(const VectorX& durations, const char* which, const char* of_tot
 
 class TimingSearch {
  public:
-  TimingSearch(const RigidBodyProblem& problem, const RigidBodyOptions& planning, const TimingOptions& options)
-      : planning_(planning), options_(options) {
+  TimingSearch(const RigidBodyProblem& problem, const RigidBodyOptions& planning, const TimingOptions& options,
+               const PhaseTies* ties)
+      : planning_(planning), options_(options), ties_(ties) {
     best_.problem = problem;
     switches_ = SwitchTimes(problem);
+    least_end_s_ = (ties == nullptr ? options.least_total : 1.0) * problem.duration_s;
+    most_end_s_ = (ties == nullptr ? options.most_total : 1.0) * problem.duration_s;
+    if (ties != nullptr) {
+      best_.parts_s = ties->parts_s;
+      const double sum = ties->parts_s.sum();
+      bounds_ = {ties->shortest_s, VectorX::Constant(ties->parts_s.size(), options.longest_s), sum, sum};
+      return;
+    }
     const auto phases = static_cast<Eigen::Index>(switches_.size()) - 1;
-    bounds_ = {ShortestOf(problem, switches_, options), VectorX::Constant(phases, options.longest_s),
-               options.least_total * problem.duration_s, options.most_total * problem.duration_s};
+    bounds_ = {ShortestOf(problem, switches_, options), VectorX::Constant(phases, options.longest_s), least_end_s_,
+               most_end_s_};
   }
 
   Result<TimedPlan> Run(const RigidBodyPlan* given) {
@@ -99,21 +108,37 @@ class TimingSearch {
                    {"leave them out, and compute them again for the optimised times"}};
   }
 
+  /// The variables: durations of phases, or of the parts that they are tied to.
+  VectorX Variables() const { return ties_ == nullptr ? DurationsOf(switches_) : best_.parts_s; }
+
   /// The switches of phases of such durations; the end is in bounds to the last digit.
-  std::vector<double> SwitchesOf(const VectorX& durations) const {
+  std::vector<double> SwitchesOf(const VectorX& variables) const {
+    const VectorX durations =
+        ties_ == nullptr ? variables : VectorX(ties_->phases_by_parts * variables + ties_->rest_s);
     std::vector<double> switches = {0.0};
     for (const double d : durations) switches.push_back(switches.back() + d);
-    switches.back() = std::clamp(switches.back(), bounds_.least_total_s, bounds_.most_total_s);
+    switches.back() = std::clamp(switches.back(), least_end_s_, most_end_s_);
     return switches;
+  }
+
+  /// The slope of the least cost by the variables.
+  VectorX SlopeOf(const RigidBodyProblem& problem, const RigidBodyNumbers& numbers) const {
+    const VectorX slope = CostByDurations(problem, planning_, numbers);
+    return ties_ == nullptr ? slope : VectorX(ties_->phases_by_parts.transpose() * slope);
+  }
+
+  void Take(const VectorX& variables, std::vector<double> switches) {
+    if (ties_ != nullptr) best_.parts_s = variables;
+    switches_ = std::move(switches);
   }
 
   /// @return whether durations were out of bounds.
   bool BringWithinBounds() {
-    const VectorX durations = DurationsOf(switches_), nearest = NearestDurations(durations, bounds_);
-    if (nearest == durations) return false;
+    const VectorX given = Variables(), nearest = NearestDurations(given, bounds_);
+    if (nearest == given) return false;
     const std::vector<double> to = SwitchesOf(nearest);
     best_.problem = Retimed(best_.problem, TimeMap(switches_, to));
-    switches_ = to;
+    Take(nearest, to);
     return true;
   }
 
@@ -138,11 +163,11 @@ class TimingSearch {
         plan = PlanRigidBody(best_.problem, planning_);
         break;
       }
-      const VectorX durations = DurationsOf(switches_);
-      const VectorX slope = CostByDurations(best_.problem, planning_, at.numbers);
+      const VectorX given = Variables();
+      const VectorX slope = SlopeOf(best_.problem, at.numbers);
       const MatrixX straight = MatrixX::Zero(slope.size(), slope.size());
-      const std::vector<double> to =
-          SwitchesOf(BestDurations(durations, slope, straight, change_ * durations, bounds_));
+      const VectorX wanted = BestDurations(given, slope, straight, change_ * given, bounds_);
+      const std::vector<double> to = SwitchesOf(wanted);
       const TimeMap map(switches_, to);
       RigidBodyProblem problem = Retimed(best_.problem, map);
       RigidBodyPlan other;
@@ -153,7 +178,7 @@ class TimingSearch {
       }
       best_.problem = std::move(problem);
       at = std::move(other);
-      switches_ = to;
+      Take(wanted, to);
     }
     if (plan) return plan;
     failure.message += fmt::format("; with other contact times, a violation of {:.3g} remains", at.summary.violations);
@@ -161,7 +186,7 @@ class TimingSearch {
   }
 
   void Search() {
-    slope_ = CostByDurations(best_.problem, planning_, best_.plan.numbers);
+    slope_ = SlopeOf(best_.problem, best_.plan.numbers);
     change_ = options_.first_change;
     const int most = best_.solves + options_.max_solves;
     while (best_.solves < most && change_ > kLeastChange) {
@@ -171,7 +196,7 @@ class TimingSearch {
 
   /// @return false where no more is to be gained.
   bool Step() {
-    const VectorX durations = DurationsOf(switches_);
+    const VectorX durations = Variables();
     if (curvature_.size() == 0) curvature_ = MatrixX::Zero(durations.size(), durations.size());
     const VectorX wanted = BestDurations(durations, slope_, curvature_, change_ * durations, bounds_);
     const VectorX step = wanted - durations;
@@ -188,7 +213,7 @@ class TimingSearch {
       return true;
     }
     const double gained = best_.plan.summary.cost - plan->summary.cost;
-    const VectorX slope = CostByDurations(problem, planning_, plan->numbers);
+    const VectorX slope = SlopeOf(problem, plan->numbers);
     Learn(durations, step, slope - slope_);
     if (gained < kPoor * promised) change_ *= kLess;
     if (gained > kGood * promised) change_ = std::min(options_.most_change, kMore * change_);
@@ -196,7 +221,7 @@ class TimingSearch {
     best_.problem = std::move(problem);
     best_.plan = *plan;
     ++best_.steps;
-    switches_ = to;
+    Take(wanted, to);
     slope_ = slope;
     return gained >= little;
   }
@@ -232,8 +257,10 @@ class TimingSearch {
   static constexpr double kPoor = 0.25, kGood = 0.7, kLess = 0.4, kMore = 1.7;
   const RigidBodyOptions planning_;
   const TimingOptions options_;
+  const PhaseTies* ties_;
   TimedPlan best_;
   std::vector<double> switches_;
+  double least_end_s_ = 0.0, most_end_s_ = 0.0;
   DurationBounds bounds_;
   VectorX slope_;
   MatrixX curvature_;
@@ -242,7 +269,7 @@ class TimingSearch {
 
 }  // namespace
 
-OptionFields TimingOptions::Fields() {
+OptionFields TimingOptions::PhaseFields() {
   return WithBasics(
       {"shortest_s", "longest_s", "max_solves"},
       {
@@ -250,8 +277,6 @@ OptionFields TimingOptions::Fields() {
           {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase."},
           {"shortest_swing_s", &shortest_swing_s, "s", 0.0, 100.0,
            "Shortest duration of a foot's swing; a swing that starts out shorter keeps its duration as the limit."},
-          {"least_total", &least_total, "1", 0.01, 1.0, "Shortest total time, as a share of the given total time."},
-          {"most_total", &most_total, "1", 1.0, 100.0, "Longest total time, as a multiple of the given total time."},
           {"first_change", &first_change, "1", 0.01, 0.9,
            "Largest relative change of a phase's duration in the first step of the optimiser."},
           {"most_change", &most_change, "1", 0.01, 0.9,
@@ -264,12 +289,18 @@ OptionFields TimingOptions::Fields() {
       });
 }
 
+OptionFields TimingOptions::Fields() {
+  return Joined({PhaseFields(),
+                 {{"least_total", &least_total, "1", 0.01, 1.0, "Shortest total time, as a share of the given total time."},
+                  {"most_total", &most_total, "1", 1.0, 100.0, "Longest total time, as a multiple of the given total time."}}});
+}
+
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning,
-                                 const TimingOptions& options, const RigidBodyPlan* first) {
+                                 const TimingOptions& options, const RigidBodyPlan* first, const PhaseTies* ties) {
   CheckRigidBodyProblem(problem);
   TimingOptions checked = options;
   CheckOptions(checked.Fields());
-  return TimingSearch(problem, planning, options).Run(first);
+  return TimingSearch(problem, planning, options, ties).Run(first);
 }
 
 }  // namespace gaitwright

@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "optimisation/centroidal/phase_ties.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
+#include "optimisation/centroidal/timing_options.h"
 
 namespace gaitwright {
-
-/// Tuning
-///   phases of the gait become too short or long     raise shortest_s, lower longest_s
-///   legs cannot swing as fast as that               raise shortest_swing_s
-///   the total time is too short or too long         raise most_total, lower least_total
-///   cost could fall further                         lower least_gain, raise max_solves
-///   motions from one step to the next are refused   lower first_change, most_change
-struct TimingOptions {
-  double shortest_s = 0.03;
-  double longest_s = 5.0;
-  double shortest_swing_s = 0.15;
-  double least_total = 1.0;
-  double most_total = 1.0;
-  double first_change = 0.2;
-  double most_change = 0.5;
-  double least_gain = 1e-2;
-  int max_solves = 12;
-
-  OptionFields Fields();
-};
 
 /// A motion with optimised timing.
 struct TimedPlan {
@@ -33,6 +15,7 @@ struct TimedPlan {
   bool mended = false;      ///< the given times had no feasible motion
   int steps = 0;            ///< improvements of the durations
   int solves = 0;           ///< number of solves, including refused ones, without the first motion
+  VectorX parts_s;          ///< where phases are tied: the durations of their parts
 };
 
 /// Optimises the durations of a motion's phases (SwitchTimes) within bounds, with fixed or free total time, by a local
@@ -55,7 +38,10 @@ struct TimedPlan {
 /// @throws InvalidArgument as CheckRigidBodyProblem, and for invalid options.
 /// @param first  if given: the motion at the given times, with the same options. It is planned again if some of these
 ///               times are out of bounds and are moved to the bounds.
+/// @param ties   if given: durations of phases follow from those of fewer parts, which are then the variables. The sum
+///               of the parts and the total time are kept; bounds are the longest_s of the options and those of the ties.
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning = {},
-                                 const TimingOptions& options = {}, const RigidBodyPlan* first = nullptr);
+                                 const TimingOptions& options = {}, const RigidBodyPlan* first = nullptr,
+                                 const PhaseTies* ties = nullptr);
 
 }  // namespace gaitwright

@@ -13,6 +13,9 @@
 
 namespace gaitwright {
 
+/// The defaults are those of `walk` and of `bench centroidal`, of which `walk` changes two (MotionOptions): the method
+/// while footholds are free, and swing_lead_s, since the legs of robots have mass.
+///
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
 ///   friction that is barely sufficient        raise friction_sides
@@ -20,14 +23,14 @@ namespace gaitwright {
 ///   a motion that nearly keeps constraints    raise most_price
 struct RigidBodyOptions {
   std::string method = "interior-point";
-  double spacing_s = 0.08;
+  double spacing_s = 0.04;
   int least_intervals = 3;
   double grid_s = 0.0;
   int friction_sides = 8;
-  double force_margin = 1e-5;
+  double force_margin = 0.01;
   double reach_margin_m = 1e-3;
   double swing_lead_s = 0.0125;
-  double tolerance = 1e-6;
+  double tolerance = 1e-5;
   double fault_tolerance = 1e-3;
   int max_refinements = 4;
   double cost_tolerance = 1e-3;
@@ -36,7 +39,7 @@ struct RigidBodyOptions {
   int screening = 40;
   double hopeless = 0.1;
   int max_iterations = 100;
-  RigidBodyWeights weights = {};
+  RigidBodyWeights weights = {.stance = 20.0, .way = 1.0};
   bool turns_by_forces = true;  ///< else rotation is free: a relaxation that tests the forces
 
   OptionFields Fields();

@@ -14,9 +14,10 @@
 #include "optimisation/pipeline/carriage_search.h"
 #include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
+#include "optimisation/pipeline/free_footholds.h"
+#include "optimisation/pipeline/gait_timing.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/motion_passes.h"
-#include "optimisation/pipeline/rigid_body_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/swing/swing_ground.h"
@@ -47,19 +48,11 @@ Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
                                 [&](const Carriage& carriage) { return MotionPasses(task, carriage).RunOnce().ok(); }});
 }
 
-/// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
-FootstepOptions StandingOptions(const MotionOptions& options) {
-  FootstepOptions footsteps = options.footsteps;
-  footsteps.grid_s = options.pipeline.grid_step_s;
-  if (options.centre_of_mass.method == "preview") footsteps.settling_s = options.centre_of_mass.preview_s;
-  return footsteps;
-}
-
 /// The motion of a rigid body on legs, crouched as far as flights need it.
 Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch>& crouch, int& passes) {
-  if (!crouch) return RigidBodyPasses(task).Run(passes);
+  if (!crouch) return RunRigidBodyPasses(task, nullptr, passes);
   const MotionTask crouched{crouch->model, task.terrain, task.skeleton, task.options, task.body, task.cycle_s};
-  return RigidBodyPasses(crouched, &*crouch).Run(passes);
+  return RunRigidBodyPasses(crouched, &*crouch, passes);
 }
 
 /// Whether brief stances, or brief flights near the motors' greatest speed, have too few rows of the grid, as may be
@@ -80,13 +73,20 @@ double SlowestCycle(const std::vector<WalkPart>& parts) {
   return longest;
 }
 
-Provenance MakeProvenance(MotionOptions options) {
+}  // namespace
+
+FootstepOptions StandingOptions(const MotionOptions& options) {
+  FootstepOptions footsteps = options.footsteps;
+  footsteps.grid_s = options.pipeline.grid_step_s;
+  if (options.centre_of_mass.method == "preview") footsteps.settling_s = options.centre_of_mass.preview_s;
+  return footsteps;
+}
+
+Provenance ProvenanceOf(MotionOptions options) {
   Provenance provenance{Version(), "PlanMotion", {}, 0};
   for (const OptionField& field : options.Fields()) provenance.options.emplace_back(field.key, OptionText(field));
   return provenance;
 }
-
-}  // namespace
 
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options) {
@@ -104,7 +104,7 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   if (auto tipped = TippedSole(model, task.terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;
   SetRobot(model, plan);
-  plan.provenance = MakeProvenance(task.options);
+  plan.provenance = ProvenanceOf(task.options);
   plan.parts = task.skeleton.parts;
   plan.goal = task.skeleton.goal;
   plan.terrain = task.terrain;
@@ -144,6 +144,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   const double cycle_s = SlowestCycle(parts);
   const BodyPath body(model, *skeleton, cycle_s);
   const bool dynamic = IsDynamic(skeleton->schedule, options.centre_of_mass);
+  if (dynamic && options.timing == "optimised") return PlanAtBestTimes(model, terrain, parts, options);
   const Result<std::optional<Crouch>> crouch = CrouchOf(model, skeleton->schedule, options);
   if (!crouch) return crouch.failure();
   if (dynamic && WantsFinerGrid(skeleton->footsteps, *crouch, options.pipeline.grid_step_s)) {

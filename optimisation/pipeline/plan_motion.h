@@ -9,6 +9,7 @@
 #include "kinematics/model/robot_model.h"
 #include "optimisation/centroidal/centre_of_mass.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
+#include "optimisation/centroidal/timing_options.h"
 #include "optimisation/swing/plan_swings.h"
 #include "optimisation/whole_body/solve_whole_body.h"
 #include "planning/footsteps/plan_sequence.h"
@@ -59,23 +60,47 @@ struct PipelineOptions {
 };
 
 /// Every option that shapes a motion; the same keys serve YAML, `--set` and the plan's provenance.
+///
+/// Tuning
+///   motors are near their limits, or warm, in a gait with flight    timing=optimised
+///   such a gait has no plan over stones, slopes or steps            footholds=free
 struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;
-  RigidBodyOptions rigid_body = {.method = "ceres",
-                                 .spacing_s = 0.04,
-                                 .force_margin = 0.01,
-                                 .swing_lead_s = 0.02,
-                                 .tolerance = 1e-5,
-                                 .weights = {.stance = 20.0, .way = 1.0}};
+  RigidBodyOptions rigid_body = {.method = "ceres", .swing_lead_s = 0.02};
+  std::string footholds = "held";
+  std::string timing = "fixed";
+  TimingOptions timing_bounds;
   SwingOptions swing;
   WholeBodyOptions whole_body;
   PipelineOptions pipeline;
 
   OptionFields Fields() {
     return Joined({Prefixed("footsteps", footsteps.Fields()), Prefixed("centre_of_mass", centre_of_mass.Fields()),
-                   Prefixed("rigid_body", rigid_body.Fields()), Prefixed("swing", swing.Fields()),
+                   Prefixed("rigid_body", rigid_body.Fields()), ContactFields(), Prefixed("swing", swing.Fields()),
                    Prefixed("whole_body", whole_body.Fields()), Prefixed("pipeline", pipeline.Fields())});
+  }
+
+ private:
+  OptionFields ContactFields() {
+    return Joined({{{"footholds",
+                     &footholds,
+                     "",
+                     0.0,
+                     0.0,
+                     "Footholds on ground that is not level, in motions of a rigid body: 'held' where the search has "
+                     "put them, 'free' to move on their patches by up to a quarter of the leg where that makes a "
+                     "better motion; feet with soles are held.",
+                     {"held", "free"}},
+                    {"timing",
+                     &timing,
+                     "",
+                     0.0,
+                     0.0,
+                     "When contacts begin and end in gaits that are planned as the motion of a rigid body: 'fixed' as "
+                     "the gait says, 'optimised' at times within its cycle that need less torque.",
+                     {"fixed", "optimised"}}},
+                   Prefixed("timing", timing_bounds.PhaseFields())});
   }
 };
 
@@ -89,6 +114,13 @@ struct PlannedMotion {
   std::string summary;           ///< one line
 };
 
+/// How a plan came about.
+Provenance ProvenanceOf(MotionOptions options);
+
+/// Options of the footsteps for a motion, on its grid. With preview control the plan stands one preview longer at both
+/// ends, so that it starts and ends at rest.
+FootstepOptions StandingOptions(const MotionOptions& options);
+
 /// From a command to a whole motion: footsteps, centre of mass, swings, whole body. The multibody ZMP of each pass,
 /// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; once the feet
 /// roll as they were taken to, a pass that does not help is dropped. A plan past limits of joints is given with
@@ -101,7 +133,8 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
                                  const MotionOptions& options);
 
-/// The same over footholds, times and a way of the base that are settled already, as where others planned them.
+/// The same over footholds, times and a way of the base that are settled already, as where others planned them;
+/// options.timing does nothing here.
 /// @param cycle_s  time in which every foot steps about once; the body's height and tilt are evened out over it.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
                                  double cycle_s, const MotionOptions& options);

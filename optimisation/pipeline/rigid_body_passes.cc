@@ -15,19 +15,18 @@
 #include "kinematics/model/actuator.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/body_limits.h"
-#include "optimisation/pipeline/fitted_options.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/mean_height.h"
 #include "optimisation/pipeline/names_of_feet.h"
 #include "optimisation/pipeline/roll_moments.h"
+#include "optimisation/pipeline/walk_problem.h"
 #include "optimisation/swing/plan_swings.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kWorkspaceReserve = 0.03;  // of the legs' workspaces
-constexpr double kFollows = 0.05;           // of the leg, by which a body makes up for what swings are out of reach
-constexpr double kMotorUse = 0.95;          // of what the motors give at most
+constexpr double kFollows = 0.05;   // of the leg, by which a body makes up for what swings are out of reach
+constexpr double kMotorUse = 0.95;  // of what the motors give at most
 
 /// How a motion turns the base at a row.
 BaseTurning TurningOf(const RigidBodySample& sample, const Matrix3& inertia_B) {
@@ -61,31 +60,6 @@ std::vector<bool> PressingIn(const std::vector<std::vector<double>>& loads) {
   return presses;
 }
 
-/// The robot as it stands, or crouches, with its feet no farther below it than legs are fast enough for.
-StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch) {
-  StandingBody body = BodyOf(model, kWorkspaceReserve);
-  if (crouch == nullptr) return body;
-  body.p_SB = crouch->p_SB;
-  if (crouch->highest_m == 0.0) return body;
-  for (RigidFoot& foot : body.feet) foot.workspace_B.push_back({-Vector3::UnitZ(), crouch->highest_m});
-  return body;
-}
-
-/// The swings between a walk's stances.
-std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, double from_s, const FlightSwings& shapes) {
-  std::vector<RigidSwing> swings;
-  for (std::size_t from = 0; from < problem.stances.size(); ++from) {
-    for (std::size_t to = from + 1; to < problem.stances.size(); ++to) {
-      const RigidStance &a = problem.stances[from], &b = problem.stances[to];
-      if (a.foot != b.foot) continue;
-      const FlightSwing shape = shapes.At(from_s + a.end_s, from_s + b.start_s);
-      swings.push_back({from, to, shape.lift_m, shape.cruise});
-      break;
-    }
-  }
-  return swings;
-}
-
 double Largest(const std::vector<PointWrench>& residuals, double weight_n) {
   double largest = 0.0;
   for (const PointWrench& w : residuals)
@@ -99,13 +73,10 @@ RigidBodyPasses::RigidBodyPasses(const MotionTask& task, const Crouch* crouch)
     : task_(task),
       model_(task.model),
       body_(CarriedBody(task.model, crouch)),
-      problem_(ProblemOf(task.model, body_, task.terrain, task.skeleton, task.body)),
       clearance_(task.model, task.terrain),
       shapes_(task.model, task.skeleton.schedule, task.options.swing),
+      problem_(WalkProblem(task, body_, crouch, shapes_)),
       method_(task.options.rigid_body.method) {
-  for (RigidStance& stance : problem_.stances) stance.friction *= task.options.whole_body.friction_use;
-  if (crouch != nullptr) problem_.rise_max_m_s = crouch->fastest_m_s;
-  problem_.swings = SwingsOf(problem_, task.skeleton.schedule.start_s(), shapes_);
   expected_roll_.assign(problem_.stances.size(), Vector3::Zero());
   roll_ = expected_roll_;
 }
@@ -143,10 +114,8 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
 }
 
 RigidBodyOptions RigidBodyPasses::Options() const {
-  RigidBodyOptions options =
-      FittedOptions(model_, LongestFlight(task_.skeleton.schedule), problem_.rise_max_m_s, task_.options.rigid_body);
+  RigidBodyOptions options = WalkOptions(task_, problem_);
   options.method = method_;
-  options.grid_s = task_.options.pipeline.grid_step_s;
   return options;
 }
 

@@ -50,9 +50,9 @@ class RigidBodyPasses {
   const MotionTask task_;
   const RobotModel& model_;
   const StandingBody body_;
-  RigidBodyProblem problem_;
   BodyClearance clearance_;
   const FlightSwings shapes_;
+  RigidBodyProblem problem_;
   RigidBodyMotion motion_;  // of the last pass
   Stage stage_ = Stage::kFree;
   std::string method_;                       // the one asked for until it gives up

@@ -14,10 +14,12 @@ std::string AdjustmentText(const Adjustment& adjustment) {
       {"gait.cycle_s", "cycle"},    {"gait.duty_factor", "duty factor"}};
   const auto known = names.find(adjustment.what);
   const std::string unit = adjustment.unit == "1" ? "" : " " + adjustment.unit;
-  return fmt::format("a {} of {:.3g}{} instead of {:.3g}{}, which fails with '{}'{}",
+  const std::string why = adjustment.why == FailureCode::kTorque
+                              ? "which needs more torque"
+                              : fmt::format("which fails with '{}'", FailureCodeName(adjustment.why));
+  return fmt::format("a {} of {:.3g}{} instead of {:.3g}{}, {}{}",
                      known == names.end() ? adjustment.what : known->second, adjustment.given, unit, adjustment.asked,
-                     unit, FailureCodeName(adjustment.why),
-                     adjustment.part.empty() ? "" : fmt::format(" (part {})", adjustment.part));
+                     unit, why, adjustment.part.empty() ? "" : fmt::format(" (part {})", adjustment.part));
 }
 
 }  // namespace gaitwright

@@ -173,7 +173,27 @@ TEST(OptimiseTiming, TheSameProblemHasTheSameTimes) {
   EXPECT_EQ(SwitchTimes(a.problem), SwitchTimes(c->problem));
 }
 
+/// Feet that are tied together: the phases of a hop whose two stances are one part, of which the flight takes time.
+TEST(OptimiseTiming, TiedPhasesChangeTogetherInTheSameTime) {
+  const RigidBodyProblem problem = rigid_bodies::Hopper();
+  const VectorX given = DurationsOf(problem);
+  ASSERT_EQ(given.size(), 3);
+  PhaseTies ties{MatrixX::Zero(3, 2), VectorX::Zero(3), VectorX(2), VectorX::Constant(2, 0.05)};
+  ties.phases_by_parts << 0.5, 0.0, 0.0, 1.0, 0.5, 0.0;
+  ties.parts_s << given[0] + given[2], given[1];
+  const Result<TimedPlan> timed = OptimiseTiming(problem, {}, {}, nullptr, &ties);
+  ASSERT_TRUE(timed.ok()) << timed.failure().message;
+  EXPECT_LT(timed->plan.summary.cost, 0.97 * timed->first_cost);
+  EXPECT_EQ(timed->problem.duration_s, problem.duration_s);
+  EXPECT_NEAR(timed->parts_s.sum(), ties.parts_s.sum(), 1e-9);
+  const VectorX found = DurationsOf(timed->problem);
+  EXPECT_NEAR(found[0], found[2], 1e-9);
+  EXPECT_NEAR(found[1], timed->parts_s[1], 1e-9);
+  EXPECT_GT(std::abs(found[1] - given[1]), 0.01);
+}
+
 TEST(OptimiseTiming, MendsTimesAtWhichThereIsNoMotion) {
+  const RigidBodyOptions coarse{.spacing_s = 0.08, .force_margin = 1e-5, .tolerance = 1e-6, .weights = {}};
   struct Hop {
     double way_m, flight_s;
   };
@@ -183,8 +203,8 @@ TEST(OptimiseTiming, MendsTimesAtWhichThereIsNoMotion) {
     const double stand_s = 0.5 * (hopper.duration_s - hop.flight_s);
     const TimeMap map(SwitchTimes(hopper), {0.0, stand_s, stand_s + hop.flight_s, hopper.duration_s});
     const RigidBodyProblem problem = Retimed(hopper, map);
-    ASSERT_FALSE(PlanRigidBody(problem).ok());
-    const TimedPlan timed = Timed(problem);
+    ASSERT_FALSE(PlanRigidBody(problem, coarse).ok());
+    const TimedPlan timed = Timed(problem, {}, coarse);
     EXPECT_TRUE(timed.mended);
     EXPECT_EQ(timed.problem.duration_s, problem.duration_s);
     EXPECT_GT(std::abs(DurationsOf(timed.problem)[1] - hop.flight_s), 0.05);

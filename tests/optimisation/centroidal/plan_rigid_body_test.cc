@@ -244,8 +244,7 @@ TEST(PlanRigidBody, SaysWhereFrictionHoldsNoBodyAtRest) {
 
 TEST(PlanRigidBody, BreaksTooFarApartAreToldAndRefined) {
   const RigidBodyProblem problem = rigid_bodies::Walker(1.1);
-  RigidBodyOptions coarse;
-  coarse.spacing_s = 4.0 * coarse.spacing_s;
+  RigidBodyOptions coarse{.spacing_s = 0.32, .force_margin = 1e-5, .tolerance = 1e-6, .weights = {}};
   coarse.least_intervals = 2;
   coarse.reach_margin_m = 0.0;
   coarse.max_refinements = 0;

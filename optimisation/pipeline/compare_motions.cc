@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/compare_motions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/model/actuator.h"
+
+namespace gaitwright {
+
+TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion) {
+  double sum = 0.0;
+  int count = 0;
+  TorqueUse use;
+  for (const Actuator& motor : ActuatorsOf(model)) {
+    if (!std::isfinite(motor.effort_limit)) continue;
+    for (const VectorX& tau : motion.tau) {
+      const double share = std::abs(motor.Effort(tau)) / motor.effort_limit;
+      sum += share * share;
+      ++count;
+      use.peak = std::max(use.peak, share);
+    }
+  }
+  if (count > 0) use.rms = std::sqrt(sum / count);
+  return use;
+}
+
+bool IsBetterMotion(const MotionFigures& motion, const std::optional<MotionFigures>& former, double residual) {
+  constexpr double kLess = 0.99;      // of what it was
+  constexpr double kSlight = 1e-3;    // excess that the audit lets pass
+  constexpr double kBalanced = 10.0;  // times the residual that ends the passes: the audit holds far more
+  if (!former) return true;
+  const double excess = std::max(motion.limit_excess, kSlight), was = std::max(former->limit_excess, kSlight);
+  if (excess > kSlight || was > kSlight) return excess < kLess * was;
+  const bool balanced = motion.residual < kBalanced * residual, was_balanced = former->residual < kBalanced * residual;
+  if (balanced != was_balanced) return balanced;
+  return motion.torque.rms * motion.torque.peak < kLess * former->torque.rms * former->torque.peak;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/walk_problem.h"
+
+#include "kinematics/stability/polygon.h"
+#include "optimisation/centroidal/choose_footholds.h"
+#include "optimisation/pipeline/fitted_options.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kWorkspaceReserve = 0.03;  // of the legs' workspaces
+
+/// The swings between a walk's stances.
+std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, double from_s, const FlightSwings& shapes) {
+  std::vector<RigidSwing> swings;
+  for (std::size_t from = 0; from < problem.stances.size(); ++from) {
+    for (std::size_t to = from + 1; to < problem.stances.size(); ++to) {
+      const RigidStance &a = problem.stances[from], &b = problem.stances[to];
+      if (a.foot != b.foot) continue;
+      const FlightSwing shape = shapes.At(from_s + a.end_s, from_s + b.start_s);
+      swings.push_back({from, to, shape.lift_m, shape.cruise});
+      break;
+    }
+  }
+  return swings;
+}
+
+/// Lets feet without soles that are held in between stand anywhere on their patches near to where they are, as far from
+/// edges as they may roll.
+void FreeFootholds(const MotionTask& task, RigidBodyProblem& problem) {
+  constexpr double kNear = 0.25;  // of the leg
+  const double near_m = kNear * task.model.leg_length_m();
+  for (std::size_t i = 0; i < problem.stances.size(); ++i) {
+    RigidStance& stance = problem.stances[i];
+    const Foothold& foothold = task.skeleton.footsteps.footholds[i];
+    const Foot& foot = task.model.feet[static_cast<std::size_t>(stance.foot)];
+    const bool within = stance.start_s > 0.0 && stance.end_s < problem.duration_s;
+    const bool on_patch = foothold.patch < static_cast<int>(task.terrain.patches.size());
+    if (!stance.held || !within || !on_patch || foot.has_sole()) continue;
+    const double margin_m = task.options.footsteps.foothold.margin_m + foot.radius;
+    if (!PutOnPatch(task.terrain, foothold.patch, foothold.X_WF.translation(), margin_m, stance)) continue;
+    for (const Vector2& normal : {Vector2(1, 0), Vector2(0, 1), Vector2(-1, 0), Vector2(0, -1)})
+      stance.region_F = Clipped(stance.region_F, normal, -near_m);
+    stance.held = stance.region_F.size() < 3;
+  }
+}
+
+}  // namespace
+
+StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch) {
+  StandingBody body = BodyOf(model, kWorkspaceReserve);
+  if (crouch == nullptr) return body;
+  body.p_SB = crouch->p_SB;
+  if (crouch->highest_m == 0.0) return body;
+  for (RigidFoot& foot : body.feet) foot.workspace_B.push_back({-Vector3::UnitZ(), crouch->highest_m});
+  return body;
+}
+
+RigidBodyProblem WalkProblem(const MotionTask& task, const StandingBody& body, const Crouch* crouch,
+                             const FlightSwings& shapes) {
+  RigidBodyProblem problem = ProblemOf(task.model, body, task.terrain, task.skeleton, task.body);
+  if (task.options.footholds == "free") FreeFootholds(task, problem);
+  for (RigidStance& stance : problem.stances) stance.friction *= task.options.whole_body.friction_use;
+  if (crouch != nullptr) problem.rise_max_m_s = crouch->fastest_m_s;
+  problem.swings = SwingsOf(problem, task.skeleton.schedule.start_s(), shapes);
+  return problem;
+}
+
+RigidBodyOptions WalkOptions(const MotionTask& task, const RigidBodyProblem& problem) {
+  RigidBodyOptions options =
+      FittedOptions(task.model, LongestFlight(task.skeleton.schedule), problem.rise_max_m_s, task.options.rigid_body);
+  options.grid_s = task.options.pipeline.grid_step_s;
+  return options;
+}
+
+}  // namespace gaitwright
