@@ -290,9 +290,10 @@ OptionFields TimingOptions::PhaseFields() {
 }
 
 OptionFields TimingOptions::Fields() {
-  return Joined({PhaseFields(),
-                 {{"least_total", &least_total, "1", 0.01, 1.0, "Shortest total time, as a share of the given total time."},
-                  {"most_total", &most_total, "1", 1.0, 100.0, "Longest total time, as a multiple of the given total time."}}});
+  return Joined(
+      {PhaseFields(),
+       {{"least_total", &least_total, "1", 0.01, 1.0, "Shortest total time, as a share of the given total time."},
+        {"most_total", &most_total, "1", 1.0, 100.0, "Longest total time, as a multiple of the given total time."}}});
 }
 
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning,

@@ -39,7 +39,8 @@ struct TimedPlan {
 /// @param first  if given: the motion at the given times, with the same options. It is planned again if some of these
 ///               times are out of bounds and are moved to the bounds.
 /// @param ties   if given: durations of phases follow from those of fewer parts, which are then the variables. The sum
-///               of the parts and the total time are kept; bounds are the longest_s of the options and those of the ties.
+///               of the parts and the total time are kept; bounds are the longest_s of the options and those of the
+///               ties.
 Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning = {},
                                  const TimingOptions& options = {}, const RigidBodyPlan* first = nullptr,
                                  const PhaseTies* ties = nullptr);
