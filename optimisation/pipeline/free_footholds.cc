@@ -20,7 +20,7 @@ Result<MotionPass> RunRigidBodyPasses(const MotionTask& task, const Crouch* crou
   held.footholds = "held";
   const MotionTask over_held{task.model, task.terrain, task.skeleton, held, task.body, task.cycle_s};
   Result<MotionPass> best = RigidBodyPasses(over_held, crouch).Run(passes);
-  if (task.options.footholds == "held" || IsLevelGround(task.terrain)) return best;
+  if (task.options.footholds == "held" || KindOfGround(task.terrain) == GroundKind::kFlat) return best;
   std::optional<MotionFigures> former;
   if (best) former = FiguresOf(task.model, *best);
   int others = 0;

@@ -37,7 +37,7 @@ Failure NoTimes(const std::string& why) {
 /// A walk straight ahead on level ground no longer than it takes to tell what suits its cycles.
 std::vector<WalkPart> Shortened(const Terrain& terrain, std::vector<WalkPart> parts) {
   constexpr double kCycles = 6.0;
-  if (parts.size() > 1 || !IsLevelGround(terrain)) return parts;
+  if (parts.size() > 1 || KindOfGround(terrain) != GroundKind::kFlat) return parts;
   WalkCommand& command = parts.front().command;
   const bool straight = command.lateral_speed_m_s == 0.0 && command.yaw_rate_rad_s == 0.0 && command.speed_m_s > 0.0;
   if (command.extent == WalkCommand::Extent::kDistance && straight)
