@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "kinematics/base/options.h"
+#include "kinematics/base/random.h"
 #include "kinematics/spatial/pose.h"
-#include "optimisation/numerics/split_mix.h"
 
 namespace gaitwright {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "kinematics/base/random.h"
 #include "kinematics/base/result.h"
-#include "optimisation/numerics/split_mix.h"
 
 namespace gaitwright {
 namespace {

@@ -3,19 +3,15 @@
 
 #include <cmath>
 
+#include "kinematics/base/random.h"
 #include "kinematics/trajectory/swing_curve.h"
 
 namespace gaitwright {
 
 double UniformAt(std::int64_t ix, std::int64_t iy, std::uint64_t seed) {
-  std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(ix) * 0xD1B54A32D192ED03ULL +
+  std::uint64_t z = seed * kSplitMixStep + static_cast<std::uint64_t>(ix) * 0xD1B54A32D192ED03ULL +
                     static_cast<std::uint64_t>(iy) * 0x8CB92BA72F3D8DD7ULL;
-  for (int i = 0; i < 2; ++i) {
-    z += 0x9E3779B97F4A7C15ULL;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    z ^= z >> 31U;
-  }
+  for (int i = 0; i < 2; ++i) z = MixBits(z + kSplitMixStep);
   return static_cast<double>(z >> 11U) * 0x1.0p-52 - 1.0;
 }
 

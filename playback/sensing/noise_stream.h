@@ -5,24 +5,21 @@
 #include <cstdint>
 #include <numbers>
 
+#include "kinematics/base/random.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
 
-/// Random numbers of one sensor: a counter put through SplitMix64, so that streams of one seed do not touch each other
-/// and the n-th number of a stream is always the same. The standard library's distributions differ between
-/// implementations. Steele, Lea and Flood, OOPSLA 2014, doi:10.1145/2660193.2660195.
+/// Random numbers of one sensor, so that streams of one seed do not touch each other and the n-th number of a stream is
+/// always the same.
 class NoiseStream {
  public:
   /// @param stream  number of the sensor; each has its own sequence.
   NoiseStream(int seed, int stream)
-      : counter_(Mixed(Mixed(static_cast<std::uint64_t>(seed)) + static_cast<std::uint64_t>(stream))) {}
+      : numbers_(MixBits(MixBits(static_cast<std::uint64_t>(seed)) + static_cast<std::uint64_t>(stream))) {}
 
   /// Evenly in [0, 1).
-  double Uniform() {
-    counter_ += 0x9E3779B97F4A7C15ULL;
-    return static_cast<double>(Mixed(counter_) >> 11) * 0x1p-53;
-  }
+  double Uniform() { return numbers_.Uniform(); }
 
   /// Mean 0, standard deviation 1. Box and Muller, Annals of Mathematical Statistics 29(2), 1958.
   double Normal() {
@@ -50,13 +47,7 @@ class NoiseStream {
   }
 
  private:
-  static std::uint64_t Mixed(std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
-    return x ^ (x >> 31);
-  }
-
-  std::uint64_t counter_;
+  SplitMix numbers_;
   double spare_ = 0.0;
   bool has_spare_ = false;
 };

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "kinematics/base/hash.h"
+#include "kinematics/base/random.h"
 #include "kinematics/base/result.h"
 
 namespace gaitwright {
@@ -15,12 +16,6 @@ namespace {
 
 constexpr double kLeastOfBell = 0.01;
 constexpr std::uint64_t kSeeds = 1ULL << 31;
-
-std::uint64_t Mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
-  return x ^ (x >> 31);
-}
 
 /// Share of a standard bell below z.
 double BellBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
@@ -74,12 +69,10 @@ bool Distribution::varies() const {
   return lowest < highest;
 }
 
-NamedRandom::NamedRandom(std::uint64_t seed, std::string_view name) : counter_(Mixed(Mixed(seed + 1) ^ Fnv1a(name))) {}
+NamedRandom::NamedRandom(std::uint64_t seed, std::string_view name)
+    : counter_(MixBits(MixBits(seed + 1) ^ Fnv1a(name))) {}
 
-std::uint64_t NamedRandom::Next() {
-  counter_ += 0x9E3779B97F4A7C15ULL;
-  return Mixed(counter_);
-}
+std::uint64_t NamedRandom::Next() { return MixBits(counter_ += kSplitMixStep); }
 
 double NamedRandom::Uniform() { return static_cast<double>(Next() >> 11) * 0x1p-53; }
 
@@ -116,7 +109,7 @@ const std::string& DrawWord(const Distribution& d, NamedRandom& random) {
 
 std::uint64_t SeedOfTrial(std::uint64_t run_seed, int i) {
   constexpr std::uint64_t kOddStride = 0x4F1BBCDDULL;  // odd, so that it visits all of them
-  return (Mixed(run_seed + 0x9E3779B97F4A7C15ULL) + kOddStride * static_cast<std::uint64_t>(i)) % kSeeds;
+  return (MixBits(run_seed + kSplitMixStep) + kOddStride * static_cast<std::uint64_t>(i)) % kSeeds;
 }
 
 }  // namespace gaitwright

@@ -42,7 +42,7 @@ struct Distribution {
 };
 
 /// Random numbers that depend on a seed and a name alone, so that what is drawn for one figure does not change with
-/// what else is drawn. A counter through SplitMix64: Steele, Lea and Flood, OOPSLA 2014, doi:10.1145/2660193.2660195.
+/// what else is drawn. A stream as of SplitMix (kinematics/base/random.h).
 class NamedRandom {
  public:
   NamedRandom(std::uint64_t seed, std::string_view name);

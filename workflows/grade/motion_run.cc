@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/hash.h"
-#include "optimisation/numerics/split_mix.h"
+#include "kinematics/base/random.h"
 #include "planning/plan/terrain_scale.h"
 #include "planning/terrain/load_terrain.h"
 #include "workflows/walk/walk_extent.h"

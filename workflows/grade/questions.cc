@@ -9,7 +9,7 @@
 
 #include "kinematics/base/hash.h"
 #include "kinematics/base/nearest_name.h"
-#include "optimisation/numerics/split_mix.h"
+#include "kinematics/base/random.h"
 #include "workflows/grade/questions_internal.h"
 
 namespace gaitwright {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/random.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
-#include "optimisation/numerics/split_mix.h"
 #include "workflows/grade/rubric.h"
 
 namespace gaitwright {

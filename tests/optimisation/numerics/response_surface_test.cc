@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "kinematics/base/random.h"
 #include "kinematics/base/result.h"
 #include "optimisation/numerics/halton.h"
-#include "optimisation/numerics/split_mix.h"
 
 namespace gaitwright {
 namespace {

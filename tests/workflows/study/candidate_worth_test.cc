@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "optimisation/numerics/split_mix.h"
+#include "kinematics/base/random.h"
 
 namespace gaitwright {
 namespace {

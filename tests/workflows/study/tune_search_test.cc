@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "optimisation/numerics/split_mix.h"
+#include "kinematics/base/random.h"
 #include "tests/scratch_folder.h"
 #include "workflows/study/tune_files.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/numerics/split_mix.h"
+#include "kinematics/base/random.h"
 
 #include <gtest/gtest.h>
 
