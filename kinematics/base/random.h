@@ -15,8 +15,8 @@ constexpr std::uint64_t MixBits(std::uint64_t z) {
   return z ^ (z >> 31U);
 }
 
-/// A stream of random numbers that is equal on every machine and with every standard library. Each number depends only
-/// on the seed and its index. Steele et al., SplitMix64, OOPSLA 2014, doi:10.1145/2660193.2660195.
+/// A stream of random numbers that is the same on every machine and with every standard library. Each number depends on
+/// the seed and its place in the stream alone. Steele et al., SplitMix64, OOPSLA 2014, doi:10.1145/2660193.2660195.
 class SplitMix {
  public:
   explicit SplitMix(std::uint64_t seed) : state_(seed) {}

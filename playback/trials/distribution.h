@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "kinematics/base/random.h"
-
 namespace gaitwright {
 
 /// How a figure, or a word, is drawn for each trial.
@@ -44,20 +42,21 @@ struct Distribution {
 };
 
 /// Random numbers that depend on a seed and a name alone, so that what is drawn for one figure does not change with
-/// what else is drawn.
+/// what else is drawn. A stream as of SplitMix (kinematics/base/random.h).
 class NamedRandom {
  public:
   NamedRandom(std::uint64_t seed, std::string_view name);
 
   /// Evenly in [0, 1).
-  double Uniform() { return numbers_.Uniform(); }
+  double Uniform();
   /// Mean 0, standard deviation 1. Box and Muller, Annals of Mathematical Statistics 29(2), 1958.
-  double Normal() { return numbers_.Normal(); }
+  double Normal();
   /// A whole number from 0 to 2^31 - 1, evenly.
-  int Whole() { return static_cast<int>(numbers_.Bits() >> 33U); }
+  int Whole();
 
  private:
-  SplitMix numbers_;
+  std::uint64_t Next();
+  std::uint64_t counter_;
 };
 
 /// A number of that distribution. @throws InvalidArgument for one of words.
