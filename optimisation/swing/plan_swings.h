@@ -17,7 +17,8 @@ namespace gaitwright {
 /// in the middle third of the swing, so it rises before it moves forward to a higher foothold, and moves forward before
 /// it descends to a lower one. Towards both ends, less is required (ClearanceRamp), and beside a riser no more than the
 /// distance of the footholds: a foothold 5 mm from a riser leaves 5 mm. A swing that is also lifted for a flight must
-/// keep an eighth of all that, if possible. Tuning
+/// keep an eighth of all that, if possible.
+/// Tuning
 ///   a foot scuffs the edge of a riser    more clearance_m; footholds farther from the edge
 ///   swings rise too high on rough ground less clearance_m
 struct SwingOptions {
