@@ -22,19 +22,19 @@ class BodyClearance {
  public:
   BodyClearance(const RobotModel& model, const Terrain& terrain);
 
-  /// Takes note of where parts are too near, the worst places of each within each 20 ms.
-  /// @param samples  of the rigid body, one for each row of the whole body's motion.
-  /// @return what the motion lacks [m]; 0 for nothing.
+  /// Records where parts are too close: the worst places of each part within each 20 ms.
+  /// @param samples  samples of the rigid body, one for each row of the whole-body motion.
+  /// @return missing clearance of the motion [m]; 0 for none.
   double Look(const WholeBodyTrajectory& rows, const std::vector<RigidBodySample>& samples);
 
-  /// All that was noted.
+  /// All recorded places.
   std::vector<RigidClearance> Wanted() const;
 
-  /// Wants half of the clearance from now on, no less than a motion may lack. @return whether that is less.
+  /// Halves the required clearance, but not below the failure limit. @return whether it was reduced.
   bool Ease();
 
  private:
-  /// A place that is to be clear, with a clearance of none, and how far.
+  /// A place that must be clear, and its missing clearance.
   struct Place {
     RigidClearance touching;
     double kept_m;

@@ -6,12 +6,12 @@
 
 namespace gaitwright {
 
-/// Options that are given for an A1 at a trot, fitted to a robot and its gait.
-/// Near the motors' greatest speed forces are to end at once at lift-off, for which breaks are nearer to each other.
-/// How far feet are from where they like to stand counts by the leg's length. A body that is thrown up far goes down
-/// and up as far before: where it is over its feet then matters less.
+/// Default options, which suit an A1 at a trot, scaled to a robot and its gait. Near the motors' speed limit, forces
+/// must end abruptly at lift-off, which needs a smaller node spacing. The weight of the feet's distance from their
+/// nominal positions scales with the leg length. Before a long flight the body moves down and up a lot, so its position
+/// above the feet has less weight.
 /// @param flight_s      the longest flight; 0 for none
-/// @param rise_max_m_s  that motors let the body rise at lift-off; 0 where they set no bound
+/// @param rise_max_m_s  largest rising speed at lift-off that the motors allow; 0 without a bound
 RigidBodyOptions FittedOptions(const RobotModel& model, double flight_s, double rise_max_m_s, RigidBodyOptions options);
 
 }  // namespace gaitwright

@@ -10,16 +10,16 @@
 
 namespace gaitwright {
 
-/// How a swing that is in part flight is shaped: see SwingCurve.
+/// Shape of a swing that is partly in flight, see SwingCurve.
 struct FlightSwing {
   double lift_m = 0.0;
   double cruise = 0.0;
 };
 
-/// The shapes of swings in gaits with flight. A foot is lifted by what its body rises in its flight too, and goes along
-/// with it at constant speed for as long as that lasts. Where that would take more than 0.4 of what the motors give to
-/// move all feet that are in the air then (FootAccelerationInFlight), it is lifted by less and, where even the body's
-/// rise is too much, starts and ends more gently: the leg is then longer while it flies.
+/// Shapes of swings in gaits with flight. A foot is additionally lifted by the rise of the body in flight, and moves
+/// with it at constant speed during the flight. If this needs more than 0.4 of the acceleration that the motors can
+/// give all airborne feet (FootAccelerationInFlight), the lift is smaller and, if even the body's rise is too large,
+/// the swing starts and ends more gently: the leg is then longer in flight.
 class FlightSwings {
  public:
   /// @param model, schedule  outlive this.

@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// Mean height of a centre of mass over the plane through the feet [m]: those on the ground where they stand, those in
-/// the air evenly between the footholds that they go between.
+/// Mean height of a centre of mass above the plane through the feet [m]: stance feet at their footholds, swing feet
+/// interpolated between theirs.
 /// @param footsteps  sorted (SortFootholds).
 /// @throws InvalidArgument for a motion without samples, or a foot without footholds.
 double MeanHeightOverFeet(const CentroidalTrajectory& motion, const FootstepPlan& footsteps, int num_feet);

@@ -27,23 +27,24 @@ struct MotionPass {
   FootstepPlan footsteps;
   WholeBodySolution solution;
   double error_m = std::numeric_limits<double>::infinity();
-  double excess = 0.0;     ///< past limits of joints, summed in shares of the limits
-  double outside_m = 0.0;  ///< of supports with area, by the multibody ZMP; on a line its error is all there is
-  double lacks_m = 0.0;    ///< of the least clearance of the body from the ground, as far as that is looked after
+  double excess = 0.0;  ///< beyond joint limits, summed in shares of the limits
+  double outside_m =
+      0.0;  ///< distance of the multibody ZMP outside supports with area; for a line support, see the error
+  double lacks_m = 0.0;  ///< missing clearance of the body from the ground, if checked
   bool settled = false;
 
-  /// Whether this one is rather to be kept.
+  /// Whether this pass is better.
   bool BetterThan(const MotionPass& former) const {
     if (settled != former.settled) return settled;
     return !settled || error_m < former.error_m;
   }
 };
 
-/// How the body is carried.
+/// Height, lean and preferred ZMP of the body.
 struct Carriage {
-  double com_height_m = 0.0;  ///< over the ground under the body
+  double com_height_m = 0.0;  ///< above the ground under the body
   double zmp_inward = 0.0;    ///< see SupportRegions
-  bool in_reach = false;      ///< higher or lower for a while where legs do not reach otherwise
+  bool in_reach = false;      ///< temporarily higher or lower if legs do not reach otherwise
   double lean_rad = 0.0;      ///< forward
 };
 
@@ -54,15 +55,15 @@ struct MotionTask {
   const FootstepSkeleton& skeleton;
   const MotionOptions& options;
   const BodyPath& body;
-  double cycle_s;  ///< of the gait, the longest of several
+  double cycle_s;  ///< of the gait; the longest one of several gaits
 };
 
-/// Plans the stages after the footsteps again and again, feeding back what the multibody did.
+/// Repeats the planning stages after the footsteps, with feedback from the multibody motion.
 class MotionPasses {
  public:
   MotionPasses(const MotionTask& task, const Carriage& carriage);
 
-  /// One pass without corrections, enough to see which limits are kept.
+  /// One pass without corrections, which suffices to check limits.
   Result<MotionPass> RunOnce() { return MakePass(); }
 
   /// Runs passes until the ZMP reaches its reference; stops early if the first ones exceed limits by more than

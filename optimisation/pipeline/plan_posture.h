@@ -9,20 +9,19 @@
 
 namespace gaitwright {
 
-/// A plan of a posture motion on level ground: the feet where they are in standing, but for one that is lifted, the
-/// centre of mass and the base as the keys say, the joints that no foot needs likewise. The reference of the ZMP is
-/// that of the multibody; whether it is in the support is the audit's to say. Its one part stands still, under the
-/// motion's name.
-/// @param options  of which the grid, the contact forces' and `pipeline.com_height_m` count, from which the keys'
-///        shifts are reckoned; 0 for that of standing.
-/// Failure kInfeasible `out_of_reach` for a key that legs do not reach, with the time and the foot.
-/// @throws InvalidArgument for a motion that is none (CheckPostureMotion), or of no duration.
+/// A plan of a posture motion on level ground: feet as in standing, except a lifted one; centre of mass, base and
+/// joints outside the legs as in the keys. The ZMP reference is the multibody ZMP; the audit checks whether it is in
+/// the support. Its single part stands still and has the motion's name.
+/// @param options  of which only the grid, the contact forces' and `pipeline.com_height_m` are used; the latter is the
+///        reference of the keys' shifts, and 0 means that of standing.
+/// Failure kInfeasible `out_of_reach` for a key that is out of the legs' reach, with the time and the foot.
+/// @throws InvalidArgument for an invalid motion (CheckPostureMotion), or zero duration.
 Result<MotionPlan> PlanPosture(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options);
 
-/// A plan with joints outside the legs moved over it as a posture motion has them, from `from_s` on; the body's shifts
-/// and turns are not looked at. Contact forces and the reference of the ZMP are those of the new motion.
-/// Failure kInfeasible as of SolveWholeBody.
-/// @throws InvalidArgument for a motion that is none, or does not end within the plan.
+/// A plan with joints outside the legs moved as in a posture motion, from `from_s` on; the motion's body shifts and
+/// rotations are ignored. Contact forces and the ZMP reference are those of the new motion. Failure kInfeasible as of
+/// SolveWholeBody.
+/// @throws InvalidArgument for an invalid motion, or one that does not end within the plan.
 Result<MotionPlan> WithGesture(const RobotModel& model, const MotionPlan& plan, const PostureMotion& gesture,
                                double from_s, const WholeBodyOptions& options);
 

@@ -14,23 +14,22 @@
 
 namespace gaitwright {
 
-/// Plans the stages after the footsteps as the motion of a single rigid body, for gaits that leave the ground and
-/// speeds at which a pendulum is none. The first pass takes the robot for one stiff body; each one after that reckons
-/// with the momentum that the legs had against it, with how the feet rolled, and with where body and upper legs came
-/// too near to the ground, in the pass before, until the motors and contacts of the whole robot give the motion and it
-/// is clear.
+/// Plans the stages after the footsteps as the motion of a single rigid body, for gaits with flight and for speeds at
+/// which the pendulum model fails. The first pass treats the robot as one rigid body; each later pass includes the leg
+/// angular momentum, the rolling of the feet, and the places where body and upper legs came too close to the ground in
+/// the previous pass, until motors and contacts of the whole robot can produce the motion without collision.
 class RigidBodyPasses {
  public:
   explicit RigidBodyPasses(const MotionTask& task, const Crouch* crouch = nullptr);
 
-  /// Passes until what the whole body needs and its contacts do not give is small. `error_m` of the pass is that, the
-  /// greater of force over m g [1] and moment over m g [m].
+  /// Runs passes until the unbalanced force and moment of the whole body are small. `error_m` of a pass is the larger
+  /// of unbalanced force / m g [1] and moment / m g [m].
   Result<MotionPass> Run(int& passes);
 
  private:
-  /// First footholds are free. Then they are held, and motions found by the quicker interior-point method, each a
-  /// little off the least costly one. Where those differ too much for the legs' momentum to settle, the method asked
-  /// for goes on from them.
+  /// Footholds are free at first. Then they are fixed, and motions are found by the faster interior-point method, each
+  /// slightly suboptimal. If these differ too much for the leg angular momentum to converge, the requested method
+  /// continues from them.
   enum class Stage { kFree, kQuick, kExact };
 
   Result<MotionPass> MakePass();

@@ -7,8 +7,8 @@
 
 namespace gaitwright {
 
-/// A motion of a rigid body has contacts that move evenly over each of its intervals; spheres roll as their legs turn.
-/// What forces give besides, where contacts are those of `problem`, by sample:
+/// In a rigid body's motion, contacts move at constant speed over each interval, but spheres roll as their legs rotate.
+/// The additional moment of the forces for the contacts of `problem`, by sample:
 ///   sum (p_i - p_i of the motion) x f_i.
 /// @param samples  of the motion, in order.
 /// @return [N m], in W.

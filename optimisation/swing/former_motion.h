@@ -18,11 +18,11 @@ using BaseMotion = std::function<Pose(double time_s)>;
 /// because the path is the curve plus the roll since lift-off, and the curve ends short by the total roll.
 class SwingRoll {
  public:
-  SwingRoll() = default;  ///< of a foot that does not roll, or whose roll is unknown: zero
+  SwingRoll() = default;  ///< for a foot that does not roll, or whose roll is unknown: zero
   /// @param off_W  at even fractions of the swing from 0 to 1 [m]; two or more, or none.
   explicit SwingRoll(std::vector<Vector3> off_W) : off_W_(std::move(off_W)) {}
 
-  /// At a fraction of the swing, which is taken into [0, 1]; linear between samples.
+  /// At a fraction of the swing, clamped to [0, 1]; linear between samples.
   Vector3 At(double u) const;
 
  private:
@@ -35,7 +35,7 @@ struct ReachSide {
   double offset_m = 0.0;
 };
 
-/// The sides of a workspace in W, of a body whose frame is at p_W and turned by R_WB: all `beyond_m` farther out.
+/// The sides of a workspace in W, for a body frame at p_W with rotation R_WB, moved outward by `beyond_m`.
 std::vector<ReachSide> SidesInWorld(const std::vector<WorkspaceSide>& workspace_B, const Vector3& p_W,
                                     const Matrix3& R_WB, double beyond_m);
 
@@ -44,13 +44,13 @@ struct FormerMotion {
   BaseMotion base;
   std::function<SwingRoll(const SwingTrajectory& swing)> roll;      ///< empty if unknown
   std::vector<SwingTrajectory> swings = {};                         ///< whose detours are reused if possible
-  std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< of a swing; empty for the usual one
+  std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< of a swing; empty for the default
   std::function<double(const SwingTrajectory& swing)> cruise = {};  ///< of a swing; empty for none
-  /// Where a foot can be at a time, convex; empty where legs tell by `base`, or are left to the audit.
+  /// Convex reach of a foot at a time; empty if it follows from `base`, or is left to the audit.
   std::function<std::vector<ReachSide>(int foot, double time_s)> reach = {};
 };
 
-/// That of a pass: nothing refers to the trajectory afterwards.
+/// The motion of a pass; it keeps no reference to the trajectory.
 FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajectory,
                       const std::vector<SwingTrajectory>& swings = {});
 

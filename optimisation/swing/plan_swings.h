@@ -11,14 +11,14 @@
 
 namespace gaitwright {
 
-/// How high feet are lifted, and how a detour is sought where that is not enough.
+/// Lift of the feet, and search for a detour if the lift is not enough.
 ///
-/// The lift follows the ground: where it is not level under a swing, the foot is asked to keep the whole clearance over
-/// everything from the first third of the swing to the last, so that from a lower foothold to a higher one it rises
-/// before it goes ahead, and goes ahead before it comes down where the way leads down. Towards both ends less is asked
-/// for (ClearanceRamp), and to the side of a riser no more than the foot has beside its footholds: a foothold 5 mm from
-/// a riser leaves 5 mm. What is lifted for the body's flight too is asked for an eighth of all that, where it can be
-/// had. Tuning
+/// The lift follows the ground: if it is not level under a swing, the foot must keep the full clearance to everything
+/// in the middle third of the swing, so it rises before it moves forward to a higher foothold, and moves forward before
+/// it descends to a lower one. Towards both ends, less is required (ClearanceRamp), and beside a riser no more than the
+/// distance of the footholds: a foothold 5 mm from a riser leaves 5 mm. A swing that is also lifted for a flight must
+/// keep an eighth of all that, if possible.
+/// Tuning
 ///   a foot scuffs the edge of a riser    more clearance_m; footholds farther from the edge
 ///   swings rise too high on rough ground less clearance_m
 struct SwingOptions {
@@ -43,16 +43,15 @@ struct SwingOptions {
 };
 
 /// One swing between each two successive footholds of a foot, clear of the ground and of obstacles along the whole
-/// curve, for the whole foot and, where the base's motion is given, the leg above it. The closed form first; where the
-/// ground is not level, or it comes too near to something (less is asked towards both ends, see ClearanceRamp),
-/// RefineSwing finds a detour, with more clearance if need be; then the lift is raised; then ways to either side are
-/// tried. A detour that the leg can follow within its joints' limits, and that leaves the leg clear, is
-/// preferred; where there is none, one over what is in the way, which another height of the body may follow.
-/// Sorted by start time, then foot.
-/// @param former  where the base is while the feet swing, and what they roll in the air, as of the last pass over the
-///                whole body; empty where that is not known: legs and rolls are then left to the audit.
-/// Failure kInfeasible names the foot, the time, and what is hit when no lift up to the leg's length and no way to the
-/// side clears.
+/// curve, for the whole foot and, if the base's motion is given, the leg above it. The closed form is tried first; if
+/// the ground is not level, or the swing comes too close to something (less is required towards both ends, see
+/// ClearanceRamp), RefineSwing finds a detour, with more clearance if needed; then the lift is raised; then detours to
+/// both sides are tried. A detour that the leg can follow within its joint limits and without collision is preferred;
+/// otherwise one above the obstacle, which another body height may allow. Sorted by start time, then foot.
+/// @param former  base motion and rolling of the feet during swings, from the last whole-body pass; empty if unknown:
+///                legs and rolls are then left to the audit.
+/// Failure kInfeasible names the foot, the time and the obstacle if no lift up to the leg length and no sideways detour
+/// is clear.
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
                                                 const FootstepPlan& footsteps, const SwingOptions& options,
                                                 const FormerMotion& former = {});

@@ -15,10 +15,9 @@ namespace gaitwright {
 /// vertical.
 std::vector<std::optional<Vector3>> PlanesOfLegs(const RobotModel& model);
 
-/// Leans the swings of feet that stay in a plane of the base as the base leans at their half time: with n the plane's
-/// normal in W and e its level part, what a swing is off the straight line between its footholds becomes
-///   d - (n.d / n.e) e,
-/// so that a foot that is lifted goes to the side as far as its leg takes it. Swings that cruise are left alone.
+/// Tilts the swings of feet that move in a plane of the base with the base's lean at half time: with n the plane's
+/// normal in W and e its horizontal part, the offset d of a swing from the straight line between its footholds becomes
+///   d - (n.d / n.e) e, so a lifted foot moves sideways with its leg. Swings with a cruise phase are not changed.
 /// @return the largest change of a swing, at half time [m].
 double LeanSwings(const std::vector<std::optional<Vector3>>& planes_B, const BaseMotion& base,
                   std::vector<SwingTrajectory>& swings);

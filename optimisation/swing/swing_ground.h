@@ -8,12 +8,12 @@
 
 namespace gaitwright {
 
-/// The lowest and the highest of an obstacle on the upright line through a point [m], of the box about it along its own
-/// axes; nothing where the line passes by.
+/// Lowest and highest point of an obstacle's bounding box on the vertical line through a point [m]; nothing if the line
+/// misses it.
 std::optional<std::pair<double, double>> HeightsOf(const Obstacle& obstacle, const Vector2& p_W);
 
-/// What a foot has to be lifted over at a point: the ground, and each obstacle that begins lower than `below_m`; what
-/// begins higher, as a lintel, is not lifted over. -infinity where there is nothing.
+/// Height that a foot must be lifted above at a point: the ground, and each obstacle that starts below `below_m`; an
+/// obstacle that starts higher, such as a lintel, is ignored. -infinity if there is nothing.
 double HeightToClear(const Terrain& terrain, const Vector2& p_W, double below_m);
 
 }  // namespace gaitwright

@@ -14,35 +14,35 @@
 
 namespace gaitwright {
 
-/// What a swing comes too near to.
+/// A solid that a swing comes too close to.
 struct SwingHit {
   double at_s = 0.0;
   std::string part;         ///< link of the robot
   std::string solid;        ///< of the terrain
-  double distance_m = 0.0;  ///< negative when they overlap
+  double distance_m = 0.0;  ///< negative if they overlap
   double asked_m = 0.0;
 };
 
-/// Holds whole feet along their swings, and where the base's motion is given the legs above them, against all solids
-/// of a terrain. Feet are where they go: on their curves, and off them by what they roll where that is known.
+/// Checks whole feet along their swings, and the legs above them if the base's motion is given, against all solids of a
+/// terrain. Feet follow their curves, with rolling offsets if known.
 class SwingGuard {
  public:
   SwingGuard(const RobotModel& model, const Terrain& terrain, FormerMotion former);
 
-  /// The first place of a swing at which the foot comes nearer to a solid than `clearance_m` times ClearanceRamp, or a
-  /// part of the leg touches one. Beside a riser less is asked for: no more than the foot has there when it is lifted
-  /// straight up from its footholds by the clearance. Near both ends it may touch the ground as deep as half of what
-  /// SwingDepth lets pass, or as it stands there.
+  /// The first point of a swing at which the foot is closer to a solid than `clearance_m` times ClearanceRamp, or a
+  /// part of the leg touches one. Beside a riser, less is required: no more than the distance of the foot when it is
+  /// lifted straight up from its footholds by the clearance. Near both ends, it may be in the ground by half of
+  /// SwingDepth's tolerance, or as deep as at the foothold.
   std::optional<SwingHit> Check(const SwingTrajectory& swing, double clearance_m, bool with_leg = true) const;
 
-  /// Whether the leg can follow the swing within its joints' limits of position and speed; true where the base's motion
-  /// is not known.
+  /// Whether the leg can follow the swing within its joints' limits of position and speed; true if the base's motion is
+  /// unknown.
   bool LegFollows(const SwingTrajectory& swing) const;
 
-  /// Whether nothing touches the leg where the swing starts and ends; if not, no way between them helps.
+  /// Whether the leg is free of contact at the start and the end of the swing; if not, no path between them helps.
   bool LegHasRoom(const SwingTrajectory& swing) const { return !former_.base || !CheckLeg(swing, kSamples); }
 
-  /// What a sphere rolls off the swing's curve.
+  /// Rolling offset of a sphere from the swing's curve.
   SwingRoll RollOf(const SwingTrajectory& swing) const { return former_.roll ? former_.roll(swing) : SwingRoll(); }
 
  private:

@@ -23,13 +23,13 @@ const RobotModel& A1() {
 Gait GaitOf(const std::string& name) { return *FindGait(A1(), name, 0.5, {}); }
 
 /// A walk of three cycles and the switches of contact of its problem.
-struct Walk {
+struct TiedWalk {
   const RobotModel& model = A1();
   Gait gait;
   FootstepSkeleton skeleton;
   std::vector<double> switches_s;
 
-  explicit Walk(const std::string& name) {
+  explicit TiedWalk(const std::string& name) {
     gait = GaitOf(name);
     WalkCommand command;
     command.speed_m_s = 0.5;
@@ -120,7 +120,7 @@ TEST(GaitCycle, NoSwingBecomesShorterThanItMay) {
 
 TEST(TiesOf, PhasesOfAWalkFollowTheCycle) {
   for (const char* name : {"trot", "bound", "gallop", "pronk"}) {
-    const Walk walk(name);
+    const TiedWalk walk(name);
     const std::optional<CycleTies> tied = walk.Ties();
     ASSERT_TRUE(tied) << name;
     const PhaseTies& ties = tied->ties;
@@ -140,7 +140,7 @@ TEST(TiesOf, PhasesOfAWalkFollowTheCycle) {
 
 /// A walk with the gait at other times has its phases at those that the ties say.
 TEST(TiesOf, ForetellTheScheduleOfTheOtherGait) {
-  Walk walk("bound");
+  TiedWalk walk("bound");
   const std::optional<CycleTies> tied = walk.Ties();
   ASSERT_TRUE(tied);
   VectorX parts = tied->ties.parts_s;
@@ -159,7 +159,7 @@ TEST(TiesOf, ForetellTheScheduleOfTheOtherGait) {
 }
 
 TEST(TiesOf, AreNoneOfContactsThatAreNotThoseOfTheGait) {
-  Walk walk("bound");
+  TiedWalk walk("bound");
   walk.skeleton.parts.front().gait.cycle_s *= 1.3;
   EXPECT_FALSE(walk.Ties());
 }
