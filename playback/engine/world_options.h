@@ -54,7 +54,8 @@ struct WorldOptions {
     return WithBasics(
         {"engine", "step_s", "actuation", "friction", "mass_scale", "motor_strength", "ground_slope_deg",
          "ground_slope_direction_deg", "ground_bumps_m", "bump_wavelength_m", "seed"},
-        {{"step_s", &step_s, "s", 1e-5, 0.01, "Time step of the physics."},
+        {{"engine", &engine, "", 0.0, 0.0, "Physics engine that plays the plan.", {"bullet", "mujoco"}},
+         {"step_s", &step_s, "s", 1e-5, 0.01, "Time step of the physics."},
          {"solver_iterations", &solver_iterations, "1", 1, 10000,
           "Iterations of the contact solver in each time step."},
          {"contact_cfm", &contact_cfm, "m/(N s)", 0.0, 1.0,
