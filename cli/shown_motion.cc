@@ -8,8 +8,8 @@
 
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
-#include "playback/play/play.h"
 #include "playback/log/log_json.h"
+#include "playback/play/play.h"
 #include "playback/report/report_page.h"
 #include "workflows/exchange/motion_file.h"
 #include "workflows/walk/walk.h"

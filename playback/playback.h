@@ -4,15 +4,15 @@
 // Physics: playing a motion plan by a controller, scoring the log, and the report.
 // What this header reaches is installed; all else belongs to the library and may change without notice.
 
-#include "playback/play/make_world.h"
-#include "playback/play/play.h"
-#include "playback/engine/world.h"
 #include "playback/control/controller.h"
 #include "playback/control/gains.h"
 #include "playback/control/joint_pd.h"
 #include "playback/control/stabilised.h"
+#include "playback/engine/world.h"
 #include "playback/log/log_json.h"
 #include "playback/log/playback_log.h"
+#include "playback/play/make_world.h"
+#include "playback/play/play.h"
 #include "playback/report/plot_grid.h"
 #include "playback/report/plot_style.h"
 #include "playback/report/plots.h"

@@ -10,10 +10,10 @@
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "optimisation/search/plan_walk.h"
-#include "playback/play/play.h"
 #include "playback/control/gains.h"
 #include "playback/control/recovering.h"
 #include "playback/control/stabilised.h"
+#include "playback/play/play.h"
 #include "playback/score/stability_report.h"
 #include "playback/sensing/sensing_options.h"
 

@@ -7,9 +7,9 @@
 
 #include "kinematics/base/result.h"
 #include "planning/plan/built_in_terrain.h"
+#include "playback/bullet/bullet_world.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/robot_body_internal.h"
-#include "playback/bullet/bullet_world.h"
 #include "playback/control/joint_pd.h"
 #include "tests/playback/standing_plan.h"
 

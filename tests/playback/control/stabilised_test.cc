@@ -10,9 +10,9 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/model/unknown_motor.h"
-#include "playback/play/play.h"
 #include "playback/control/joint_pd.h"
 #include "playback/log/log_json.h"
+#include "playback/play/play.h"
 #include "playback/score/stability_report.h"
 #include "tests/playback/short_walk.h"
 #include "tests/playback/standing_plan.h"

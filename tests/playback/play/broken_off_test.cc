@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "kinematics/base/result.h"
-#include "playback/play/play.h"
 #include "playback/control/joint_pd.h"
 #include "playback/log/log_json.h"
+#include "playback/play/play.h"
 #include "playback/report/report_page.h"
 #include "playback/score/stability_report.h"
 #include "tests/playback/standing_plan.h"

@@ -5,10 +5,10 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/dynamics/foot_contact.h"
-#include "playback/play/play.h"
 #include "playback/bullet/bullet_world.h"
 #include "playback/control/joint_pd.h"
 #include "playback/log/log_json.h"
+#include "playback/play/play.h"
 #include "tests/playback/standing_plan.h"
 
 namespace gaitwright {

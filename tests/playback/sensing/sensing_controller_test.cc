@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "kinematics/base/result.h"
-#include "playback/play/play.h"
 #include "playback/bullet/bullet_world.h"
 #include "playback/control/joint_pd.h"
 #include "playback/control/stabilised.h"
 #include "playback/log/log_json.h"
+#include "playback/play/play.h"
 #include "playback/score/stability_report.h"
 #include "tests/playback/one_joint.h"
 #include "tests/playback/short_walk.h"
