@@ -190,7 +190,7 @@ void MujocoWorld::PushAt(int body, const Vector3& force_W, const Vector3& p_W) {
 }
 
 void MujocoWorld::Step(const JointCommand& command) {
-  constexpr int kMostSolves = 8;
+  constexpr int kMostSolves = 12;
   Impl& self = *impl_;
   CheckCommand(command, self.model.num_dofs());
   self.motors.Command(command, self.q, self.v);

@@ -23,7 +23,7 @@ double Written(double value) { return std::round(1e4 * value) / 1e4; }
 /// Draws that are the same with every standard library.
 class Draws {
  public:
-  Draws(GroundKind kind, std::uint64_t seed) : engine_(3 * seed + static_cast<std::uint64_t>(kind)) {}
+  Draws(RandomGroundKind kind, std::uint64_t seed) : engine_(3 * seed + static_cast<std::uint64_t>(kind)) {}
 
   double Between(double low, double high) {
     const double share = static_cast<double>(engine_() >> 11U) * 0x1p-53;
@@ -144,29 +144,29 @@ RandomGround Walls(Draws& draws, std::uint64_t seed, const TerrainScale& scale, 
 
 }  // namespace
 
-std::string NameOf(GroundKind kind) {
+std::string NameOf(RandomGroundKind kind) {
   switch (kind) {
-    case GroundKind::kStones:
+    case RandomGroundKind::kStones:
       return "stones";
-    case GroundKind::kRough:
+    case RandomGroundKind::kRough:
       return "rough";
-    case GroundKind::kWalls:
+    case RandomGroundKind::kWalls:
       return "walls";
   }
   return "";
 }
 
-void PrintTo(GroundKind kind, std::ostream* out) { *out << NameOf(kind); }
+void PrintTo(RandomGroundKind kind, std::ostream* out) { *out << NameOf(kind); }
 
-RandomGround MakeRandomGround(GroundKind kind, std::uint64_t seed, const TerrainScale& scale,
+RandomGround MakeRandomGround(RandomGroundKind kind, std::uint64_t seed, const TerrainScale& scale,
                               const std::string& folder) {
   Draws draws(kind, seed);
   switch (kind) {
-    case GroundKind::kStones:
+    case RandomGroundKind::kStones:
       return Stones(draws, seed, scale);
-    case GroundKind::kRough:
+    case RandomGroundKind::kRough:
       return Rough(draws, seed, scale);
-    case GroundKind::kWalls:
+    case RandomGroundKind::kWalls:
       return Walls(draws, seed, scale, folder);
   }
   throw InvalidArgument("no such kind of ground");

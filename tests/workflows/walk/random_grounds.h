@@ -11,10 +11,10 @@
 namespace gaitwright {
 
 /// What a random ground is made of.
-enum class GroundKind { kStones, kRough, kWalls };
+enum class RandomGroundKind { kStones, kRough, kWalls };
 
-std::string NameOf(GroundKind kind);
-void PrintTo(GroundKind kind, std::ostream* out);
+std::string NameOf(RandomGroundKind kind);
+void PrintTo(RandomGroundKind kind, std::ostream* out);
 
 /// A ground made by chance and a walk of 4 to 6 leg lengths over it, in the sizes of a robot.
 struct RandomGround {
@@ -30,7 +30,7 @@ struct RandomGround {
 ///   walls    2 to 5 walls as high as the body at any headings on level ground, between the start and a goal beside the
 ///            way and turned by multiples of 45 degrees; every sixth seed walls the goal in. Written to a file in
 ///            `folder`.
-RandomGround MakeRandomGround(GroundKind kind, std::uint64_t seed, const TerrainScale& scale,
+RandomGround MakeRandomGround(RandomGroundKind kind, std::uint64_t seed, const TerrainScale& scale,
                               const std::string& folder);
 
 }  // namespace gaitwright

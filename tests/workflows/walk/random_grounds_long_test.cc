@@ -61,7 +61,7 @@ void ExpectReason(const Failure& failure) {
   EXPECT_TRUE(NamesQuantity(failure.message)) << failure.message;
 }
 
-class RandomGrounds : public testing::TestWithParam<std::tuple<std::string, GroundKind>> {
+class RandomGrounds : public testing::TestWithParam<std::tuple<std::string, RandomGroundKind>> {
  protected:
   RandomGrounds() : model_(LoadNamedRobot(std::get<0>(GetParam())).value()) {}
 
@@ -127,7 +127,8 @@ TEST_P(RandomGrounds, AreWalkedSoundlyOrRefusedWithTheReason) {
 
 INSTANTIATE_TEST_SUITE_P(All, RandomGrounds,
                          testing::Combine(testing::Values("a1", "nao"),
-                                          testing::Values(GroundKind::kStones, GroundKind::kRough, GroundKind::kWalls)),
+                                          testing::Values(RandomGroundKind::kStones, RandomGroundKind::kRough,
+                                                          RandomGroundKind::kWalls)),
                          [](const auto& of) { return std::get<0>(of.param) + "_" + NameOf(std::get<1>(of.param)); });
 
 }  // namespace
