@@ -155,7 +155,9 @@ TEST_F(Help, AdvancedOptionsAreListedWhenAskedFor) {
       if (i < basic.size()) EXPECT_EQ(all[i], basic[i]);
     }
   }
-  EXPECT_EQ(Run({"walk", "--list-options=some"}).status, 1);
+  const auto refused = Run({"walk", "--list-options=some"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find(": walk: --list-options: 'some' is not accepted"), std::string::npos) << refused.err;
 }
 
 TEST_F(Help, EveryOptionTextStandsAlone) {
