@@ -152,7 +152,9 @@ TEST_F(Help, AdvancedOptionsAreListedWhenAskedFor) {
     EXPECT_LT(basic.size(), all.size()) << verb;
     for (std::size_t i = 0; i < all.size(); ++i) {
       EXPECT_EQ(all[i].at("advanced").get<bool>(), i >= basic.size()) << verb << " " << all[i];
-      if (i < basic.size()) EXPECT_EQ(all[i], basic[i]);
+      if (i < basic.size()) {
+        EXPECT_EQ(all[i], basic[i]);
+      }
     }
   }
   const auto refused = Run({"walk", "--list-options=some"});
