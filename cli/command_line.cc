@@ -162,8 +162,14 @@ Flag Verb::AddSwitch(std::string_view names, std::function<void()> action, std::
 
 Flag Verb::AddSwitchReader(std::string_view names, std::function<void(const std::string&)> read,
                            std::string_view help) const {
-  return Flag(
-      *app_->add_flag(std::string(names))->each(ReadOrRefuse(names, std::move(read)))->description(std::string(help)));
+  const auto read_or_refuse = [read = std::move(read)](const std::string& text) {
+    try {
+      read(text);
+    } catch (const InvalidArgument& error) {
+      throw CLI::ValidationError(std::string(error.what()));  // CLI11 puts the flag's name before it
+    }
+  };
+  return Flag(*app_->add_flag(std::string(names))->each(read_or_refuse)->description(std::string(help)));
 }
 
 void Verb::SetGroup(std::string_view group) const { app_->option_defaults()->group(std::string(group)); }

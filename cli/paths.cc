@@ -42,7 +42,7 @@ void CheckOutput(const NamedPath& output, const Paths& paths) {
   CheckWritable(output.name, output.path, WhyNotWritable(output.path));
   for (const NamedPath& input : paths.read) {
     if (input.path.empty() || !IsSameFile(output.path, input.path)) continue;
-    throw InvalidArgument(fmt::format("{} '{}' would overwrite the input {} '{}'; give another file", output.name,
+    throw InvalidArgument(fmt::format("{} '{}' would overwrite an input, {} '{}'; give another file", output.name,
                                       output.path, input.name, input.path));
   }
   CheckEnding(output);
@@ -54,7 +54,7 @@ void CheckPlots(const Paths& paths) {
   for (const NamedPath& input : paths.read) {
     const fs::path path(input.path), folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (path.extension() != ".svg" || !IsSameFile(folder.string(), paths.plot_folder)) continue;
-    throw InvalidArgument(fmt::format("plots in --plot-dir '{}' could overwrite the input {} '{}'; give another folder",
+    throw InvalidArgument(fmt::format("plots in --plot-dir '{}' could overwrite an input, {} '{}'; give another folder",
                                       paths.plot_folder, input.name, input.path));
   }
 }

@@ -156,10 +156,10 @@ void AddBench(Verb program, int& status) {
   AddText(centroidal, "--timing", "WHICH", a->timing_choice,
           "Then optimise the contact times: 'fixed' keeps the total time, 'free' changes it by a factor of up to 1.5.")
       .AcceptOnly({"fixed", "free"});
-  AddOptionList(centroidal, a->Fields(), a->common.json);
   AddCommon(centroidal, a->common,
             {"bench centroidal --only hyq-1-gap", "bench centroidal --only biped-0-flat --duration 3.6 --json",
              "bench centroidal --only hyq-1 --as-asked --timing fixed"});
+  AddOptionList(centroidal, a->Fields(), a->common.json);
   AddCommon(verb, a->common, {"bench centroidal --only hyq-1-gap"});
   verb.RequireVerbs(1, 1);
   SetWork(centroidal, a->common, status, [a] { return RunBench(*a); });

@@ -206,8 +206,8 @@ void AddSweepFlags(Verb verb, SweepSettings& a) {
 
 void AddSweep(Verb program, int& status) {
   auto a = std::make_shared<SweepSettings>();
-  const Verb verb = program.AddVerb(
-      "sweep", "Plan and play a walk over ranges of options, and map where it stays up and why it fails");
+  const Verb verb =
+      program.AddVerb("sweep", "Plan and play a walk over ranges of options, and map where and why it fails");
   AddSweepFlags(verb, *a);
   AddCommon(verb, a->common,
             {"sweep --distance 0.3 --over speed=0.2:0.4:2 --quiet",

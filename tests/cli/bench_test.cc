@@ -51,7 +51,9 @@ TEST_F(Bench, ATableOfTimesSaysWhatIsGainedOrRefused) {
       << ran.out;
   const Ran refused =
       Run({"bench", "centroidal", "--only", "monoped-3-flat", "--timing", "fixed", "--set", "timing.shortest_s=0.5"});
-  EXPECT_NE(refused.out.find("7 phases take 3.5 s together at their shortest, and there are 2.4 s"), std::string::npos)
+  EXPECT_NE(
+      refused.out.find("7 phases take 3.5 s in all at their shortest durations; the longest accepted total is 2.4 s"),
+      std::string::npos)
       << refused.out;
   EXPECT_NE(refused.out.find("0 of 1 timed motions satisfy all constraints"), std::string::npos) << refused.out;
 }
@@ -62,7 +64,7 @@ TEST_F(Bench, RefusesWhatThereIsNot) {
   ExpectRefused(Run({"bench", "centroidal", "--only", "horse"}), 1, {"no case name contains 'horse'", "hyq-1-gap"});
   ExpectRefused(Run({"bench", "centroidal", "--problems", "none.json"}), 1, {"none.json"});
   ExpectRefused(Run({"bench", "centroidal", "--set", "spacing=1"}), 1, {"spacing_s"});
-  ExpectRefused(Run({"bench", "centroidal", "--only", "hyq-1-flat", "--duration", "-1"}), 1, {"a duration of -1 s"});
+  ExpectRefused(Run({"bench", "centroidal", "--only", "hyq-1-flat", "--duration", "-1"}), 1, {"the duration is -1 s"});
   ExpectRefused(Run({"bench"}), 1, {});
 }
 

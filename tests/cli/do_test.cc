@@ -47,8 +47,8 @@ TEST_F(Do, RefusalsSayWhatToSayInstead) {
   };
   says(refusal("turn 90 degrees"), "(try: left or right)");
   says(refusal("walk sideways"), "(try: left or right)");
-  says(refusal("walk forward 3"), "(try: its unit: metres");
-  says(refusal("nod 1000 times"), "1 to 20 is accepted");
+  says(refusal("walk forward 3"), "(try: a unit: metres");
+  says(refusal("nod 1000 times"), "accepted: 1 to 20");
   says(refusal("walk to the kitchen"), "(try: --terrain");
   says(refusal("walk to the kitchen", "./yard.yaml"), "'red marker'");
   says(refusal("recover from a push"), "--controller recovering");

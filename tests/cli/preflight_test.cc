@@ -144,7 +144,7 @@ TEST_F(BeforeHardware, ThatARobotHangsIsSaidWhereverItsWayIsLookedAt) {
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_TRUE(warnings.at(0).get<std::string>().starts_with(warning)) << warnings;
   for (const char* verb : {"play", "trials"})
-    ExpectRefused(Run({verb, "way.json"}), 1, {"hangs", "play the plan that follows it"});
+    ExpectRefused(Run({verb, "way.json"}), 1, {"held externally", "play the plan that follows it"});
   for (const char* verb : {"audit", "play"})
     EXPECT_EQ(Run({verb, "plan.json", "--json"}).json().at("warnings"), Json::array()) << verb;
 }

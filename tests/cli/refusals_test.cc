@@ -73,7 +73,7 @@ TEST_F(Refusals, Command) {
   ExpectRefused(Walk({"--steps", "1000000"}), 1, {"at most 600 s"});
   ExpectRefused(Walk({"--speed", "1e-9"}), 1, {"at most 600 s"});
   ExpectRefused(Walk({"--distance", "0"}), 1, {"it must be more than 0"});
-  ExpectRefused(Walk({"--goal", "0,0,0"}), 1, {"it must be more than 0"});
+  ExpectRefused(Walk({"--goal", "0,0,0"}), 1, {"it ends where it starts"});
   ExpectRefused(Walk({"--distance", "1e999"}), 1, {"--distance", "1e999"});
   ExpectRefused(Walk({"--distance", "1", "--steps", "4"}), 1, {"--distance", "--goal", "--steps", "one of them"});
   ExpectRefused(Walk({"--duration", "3", "--steps", "4"}), 1, {"--duration", "--steps", "one of them"});
@@ -146,7 +146,7 @@ TEST_F(Refusals, PlanFile) {
   for (const char* verb : {"audit", "play"}) {
     ExpectRefused(Run({verb, "short.json"}), 1, {"short.json", "cut short"});
     ExpectRefused(Run({verb, "newer.json"}), 1, {"newer.json", "schema", "newer program"});
-    ExpectRefused(Run({verb, "older.json"}), 1, {"older.json", "schema", "anew"});
+    ExpectRefused(Run({verb, "older.json"}), 1, {"older.json", "schema", "make the plan again"});
     ExpectRefused(Run({verb, "other.json"}), 1, {"other.json", "not a motion plan"});
     ExpectRefused(Run({verb, "."}), 1, {"folder"});
   }
@@ -205,10 +205,11 @@ TEST_F(Refusals, OutputsOverInputs) {
   std::filesystem::create_symlink("plan.json", In("link.json"));
   std::filesystem::create_symlink(".", In("here"));
   for (const std::string out : {"plan.json", "./plan.json", "here/plan.json", "link.json"}) {
-    ExpectRefused(Run({"play", "plan.json", "--log", out}), 1, {"--log", "'" + out + "'", "'plan.json'", "read"});
-    ExpectRefused(Run({"play", out, "--report", "plan.json"}), 1, {"--report", "'plan.json'", "'" + out + "'", "read"});
+    ExpectRefused(Run({"play", "plan.json", "--log", out}), 1, {"--log", "'" + out + "'", "'plan.json'", "overwrite"});
+    ExpectRefused(Run({"play", out, "--report", "plan.json"}), 1,
+                  {"--report", "'plan.json'", "'" + out + "'", "overwrite"});
   }
-  ExpectRefused(Run({"play", In("plan.json").string(), "--log", "plan.json"}), 1, {"--log", "read"});
+  ExpectRefused(Run({"play", In("plan.json").string(), "--log", "plan.json"}), 1, {"--log", "overwrite"});
   ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", "here/a"}), 1,
                 {"--log", "--report", "are the same file"});
   ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", In("a").string()}), 1, {"are the same file"});
@@ -226,9 +227,9 @@ TEST_F(Refusals, OutputsOverTheRobotOrTheGait) {
   const auto plan = [&](const std::string& out) {
     return Run({"plan", "--urdf", "mine/robot.urdf", "--gait", "gaits.yaml:slow", "--out", out});
   };
-  ExpectRefused(plan("./mine/robot.urdf"), 1, {"'./mine/robot.urdf'", "--urdf", "read"});
-  ExpectRefused(plan("mine/robot.yaml"), 1, {"'mine/robot.yaml'", "robot.yaml", "read"});
-  ExpectRefused(plan("mine/../gaits.yaml"), 1, {"--gait", "'gaits.yaml'", "read"});
+  ExpectRefused(plan("./mine/robot.urdf"), 1, {"'./mine/robot.urdf'", "--urdf", "overwrite"});
+  ExpectRefused(plan("mine/robot.yaml"), 1, {"'mine/robot.yaml'", "robot.yaml", "overwrite"});
+  ExpectRefused(plan("mine/../gaits.yaml"), 1, {"--gait", "'gaits.yaml'", "overwrite"});
   std::filesystem::rename(In("mine/robot.urdf"), In("mine/log.json"));
   ExpectRefused(Run({"walk", "--urdf", "mine/log.json", "--out-dir", "mine"}), 1,
                 {"the log of --out-dir 'mine/log.json'", "--urdf"});

@@ -49,8 +49,8 @@ TEST_F(Sweep, GivesItsObjectAndWritesItsFiles) {
 }
 
 TEST_F(Sweep, RefusesNamesThatSayAnotherFormat) {
-  ExpectRefused(Run(Grid({"--out", "map.json"})), 1, {"--out 'map.json' ends in '.json'", ".csv is written"});
-  ExpectRefused(Run(Grid({"--best", "best.YML"})), 1, {"--best 'best.YML'", "'.yml'", ".json is written"});
+  ExpectRefused(Run(Grid({"--out", "map.json"})), 1, {"--out 'map.json' ends in '.json'", "accepted: .csv"});
+  ExpectRefused(Run(Grid({"--best", "best.YML"})), 1, {"--best 'best.YML'", "'.yml'", "accepted: .json"});
   EXPECT_EQ(Found(), std::vector<std::string>()) << "before anything is done";
   ASSERT_EQ(Run({"sweep", "--gait", "trot", "--distance", "0.3", "--over", "speed=0.3,0.4", "--out", "v0.4", "--quiet"})
                 .status,

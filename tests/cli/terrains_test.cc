@@ -86,8 +86,8 @@ TEST_F(Terrains, WrongOnesAreRefused) {
 
 TEST_F(Terrains, NothingIsWrittenOverTheGroundThatIsRead) {
   Write("ground.yaml", "builtin: flat\n");
-  ExpectRefused(Run({"terrains", "show", "ground.yaml", "--picture", "ground.yaml"}), 1, {"ground.yaml", "read"});
-  ExpectRefused(Run({"plan", "--terrain", "ground.yaml", "--out", "./ground.yaml"}), 1, {"ground.yaml", "read"});
+  ExpectRefused(Run({"terrains", "show", "ground.yaml", "--picture", "ground.yaml"}), 1, {"ground.yaml", "overwrite"});
+  ExpectRefused(Run({"plan", "--terrain", "ground.yaml", "--out", "./ground.yaml"}), 1, {"ground.yaml", "overwrite"});
   EXPECT_EQ(Read("ground.yaml"), "builtin: flat\n");
 }
 

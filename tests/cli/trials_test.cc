@@ -147,7 +147,7 @@ TEST_F(Trials, InWhichNothingVariesAreSaidToAndAreNoEvidence) {
   result["trials"]["rows"][1][1] = result["trials"]["rows"][1][2] = false;
   Write("forged.json", result.dump());
   ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "forged.json"}), 1,
-                {"'forged.json'", "says that 3 of 3 trials survived; of its rows 2 did"});
+                {"'forged.json'", "says that 3 of 3 trials survived, but 2 of its rows did"});
 }
 
 TEST_F(Trials, WrongOnesAreRefused) {

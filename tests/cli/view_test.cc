@@ -67,7 +67,7 @@ TEST_F(View, RendersPicturesFilmsAndFigures) {
 TEST_F(View, RenderRefusesWhatItCannotMake) {
   ExpectRefused(Run({"render", "out/log.json"}), 1, {"nothing to render", "--png"});
   ExpectRefused(Run({"render", "out/log.json", "--figure", "gait.eps"}), 1, {"'.eps'", ".svg or .pdf"});
-  ExpectRefused(Run({"render", "out/log.json", "--png", "p.jpg"}), 1, {"'.jpg'", ".png is written"});
+  ExpectRefused(Run({"render", "out/log.json", "--png", "p.jpg"}), 1, {"'.jpg'", "accepted: .png"});
   ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--cycles", "1001"}), 1, {"1001", "1000"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--view", "above"}), 1, {"'above'", "'top'"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--hide", "gost"}), 1, {"'gost'", "'ghost'"});
