@@ -9,7 +9,7 @@ namespace gaitwright::mujoco {
 namespace {
 
 constexpr double kSlight = 1e-9;  // of a torque: rounding
-constexpr double kFar = 1e6;      // [rad], [m]: of a side without a limit
+constexpr double kNone = 1e-12;   // [rad], [m]: rounding
 
 /// How many joints a coordinate's torque is shared by.
 double CountOf(const std::vector<Member>& members) {
@@ -24,6 +24,7 @@ Motors::Motors(const RobotModel& model, const WorldOptions& options, mjModel& m,
   const int n = model.num_dofs();
   tau_ = motor_torque_ = effort_use_ = VectorX::Zero(n);
   v_ = VectorX::Zero(model.nv());
+  bare_inertia_ = Eigen::Map<const VectorX>(m.dof_invweight0, m.nv).cwiseMax(mjMINVAL).cwiseInverse();
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const Joint& joint = model.joints[i];
     const std::vector<int>& locked = options.locked_dofs;
@@ -42,7 +43,7 @@ Motors::Motors(const RobotModel& model, const WorldOptions& options, mjModel& m,
     bounds_.push_back(engine::BoundOf(model, actuator));
     traits_.push_back(engine::TraitsOf(model, options, dof));
     motors_.emplace_back();
-    stopped_.push_back(false);
+    stops_.emplace_back();
     SetUpJoint(dof);
   }
 }
@@ -63,37 +64,29 @@ double Motors::RateOf(int dof, const mjtNum* rates) const {
   return rate;
 }
 
-/// A joint past a limit goes back by a fifth of that in each step; one that would pass it within the step is stopped
-/// where it is, which is before the limit by no more than the way of a step.
-void Motors::SetStop(int dof, bool stopped) {
-  constexpr double kReturn = 0.2, kNone = 1e-12;
+/// The inertia of a stop: the motor's greatest torque moves it by kMostYield in a step, and what turns with the joint
+/// turns it little.
+double Motors::StopInertia(int dof) const {
+  constexpr double kMostYield = 1e-6, kRatio = 1e3;  // [rad] or [m]; of the joint's own inertia
+  constexpr double kMostEffort = 1e4;                // [N m], [N]: of motors without a limit
   const auto i = static_cast<std::size_t>(dof);
-  if (members_[i].empty()) return;
-  const int id = IdOfLeader(dof);
-  const double position = d_.qpos[m_.jnt_qposadr[id]], h = options_.step_s;
-  const double spare = std::min(traits_[i].upper - position, position - traits_[i].lower);
-  stopped_[i] = stopped;
-  m_.jnt_limited[id] = stopped || spare < 0.0 ? 1 : 0;
-  if (m_.jnt_limited[id] == 0) return;
-  m_.jnt_range[2 * id] = std::max(traits_[i].lower, -kFar);
-  m_.jnt_range[2 * id + 1] = std::min(traits_[i].upper, kFar);
-  m_.jnt_margin[id] = stopped ? spare + kNone : 0.0;
-  m_.jnt_solref[mjNREF * id] = stopped ? -kNone : -kReturn / (h * h);
-  m_.jnt_solref[mjNREF * id + 1] = -1.0 / h;
-  m_.jnt_solimp[mjNIMP * id] = m_.jnt_solimp[mjNIMP * id + 1] = 0.9999;
+  const double effort = std::min(bounds_[i], kMostEffort), h = options_.step_s;
+  return std::max(effort * h * h / kMostYield, kRatio * bare_inertia_[members_[i].front().dof]);
 }
 
 bool Motors::HoldStops() {
+  constexpr double kReturn = 0.2;
+  const double h = options_.step_s;
   bool good = true;
   for (int dof = 0; dof < model_.num_dofs(); ++dof) {
     const auto i = static_cast<std::size_t>(dof);
-    if (members_[i].empty() || stopped_[i]) continue;
-    const int id = IdOfLeader(dof), at = m_.jnt_dofadr[id];
-    const double position = d_.qpos[m_.jnt_qposadr[id]];
-    const double next = position + options_.step_s * (d_.qvel[at] + options_.step_s * d_.qacc[at]);
-    const bool inside = position <= traits_[i].upper && position >= traits_[i].lower;
-    if (!inside || (next <= traits_[i].upper && next >= traits_[i].lower)) continue;
-    SetStop(dof, true);
+    if (members_[i].empty() || stops_[i]) continue;
+    const double position = q_[7 + dof], lower = traits_[i].lower, upper = traits_[i].upper;
+    const double next = position + h * (v_[6 + dof] + h * RateOf(dof, d_.qacc));
+    const double highest = position > upper ? position + kReturn * (upper - position) : upper;
+    const double lowest = position < lower ? position + kReturn * (lower - position) : lower;
+    if (next <= highest + kNone && next >= lowest - kNone) continue;
+    stops_[i] = (std::clamp(next, lowest, highest) - position) / h;
     good = false;
   }
   return good;
@@ -110,8 +103,9 @@ engine::EffortRange Motors::RangeOf(int dof, double speed) const {
 }
 
 void Motors::Command(const JointCommand& command, const VectorX& q, const VectorX& v) {
+  q_ = q;
   v_ = v;
-  for (int dof = 0; dof < model_.num_dofs(); ++dof) SetStop(dof, false);
+  std::fill(stops_.begin(), stops_.end(), std::nullopt);
   const double h = options_.step_s;
   for (int dof = 0; dof < model_.num_dofs(); ++dof) {
     Motor& motor = motors_[static_cast<std::size_t>(dof)];
@@ -126,19 +120,23 @@ void Motors::Command(const JointCommand& command, const VectorX& q, const Vector
   }
 }
 
-/// The armature and the constant torques of the motors as they are held now.
+/// The armature and the constant torques of the motors as they are held now. A stop is a damper: implicit in the step,
+/// it lets the joint end that at the rate it allows. The softness of a joint's dry friction is a share of its inverse
+/// inertia in `dof_invweight0`, which therefore knows the armature.
 void Motors::Apply() {
   const double h = options_.step_s, scale = options_.torque_scale;
   for (int dof = 0; dof < model_.num_dofs(); ++dof) {
     const auto i = static_cast<std::size_t>(dof);
     const Motor& motor = motors_[i];
-    const double by_speed = (motor.held ? 0.0 : scale * motor.by_speed) + traits_[i].damping;
-    const double at_rest = scale * (motor.held ? motor.constant : motor.at_rest);
+    const double stop = stops_[i] ? StopInertia(dof) / h : 0.0;
+    const double by_speed = (motor.held ? 0.0 : scale * motor.by_speed) + traits_[i].damping + stop;
+    const double at_rest = scale * (motor.held ? motor.constant : motor.at_rest) + stop * stops_[i].value_or(0.0);
     const double rate = v_[6 + dof];
     for (const Member& member : members_[i]) {
       if (member.multiplier == 0.0) continue;
-      const double per_joint = member.share / member.multiplier;
-      m_.dof_armature[member.dof] = (traits_[i].rotor_inertia + h * by_speed) * per_joint;
+      double& armature = m_.dof_armature[member.dof];
+      armature = (traits_[i].rotor_inertia + h * by_speed) * member.share / member.multiplier;
+      m_.dof_invweight0[member.dof] = 1.0 / (bare_inertia_[member.dof] + armature);
       d_.qfrc_applied[member.dof] = member.share * (at_rest - by_speed * rate);
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kinematics/model/robot_model.h"
@@ -22,7 +23,7 @@ struct Member {
 /// With h the step, D = damping + h stiffness and t0 the torque at rest of the targets, a motor's torque at the end of
 /// the step is t0 - D v'. So (M + h D) (v' - v) / h = t0 - D v + ...: a step with h D as armature, in which contacts
 /// are solved too, so that no gain is too stiff. Damping of joints is in D. A motor at its limit gives that, and D is
-/// that of the others; which motors those are is found by solving again.
+/// that of the others; which motors those are is found by solving again. So are the joints that reach a stop.
 class Motors {
  public:
   /// Sets the dry friction of the joints in `m`, too. All are kept by reference.
@@ -42,8 +43,8 @@ class Motors {
   void AddSharedRotors();
   /// Whether the motors that are at limits are those that should be, by the accelerations found; else changes them.
   bool Hold();
-  /// Whether no joint passes a limit of its position within the step, by the accelerations found; stops those that do,
-  /// which changes the rows of the constraints.
+  /// Whether no joint passes a limit of its position within the step, by the accelerations found; stops those that do.
+  /// A joint that is past a limit goes back by a fifth of that in each step.
   bool HoldStops();
   /// Takes note of the torques of the step, which ended with rates `v`.
   void Read(const VectorX& v);
@@ -64,7 +65,7 @@ class Motors {
   };
   int IdOfLeader(int dof) const;
   void SetUpJoint(int dof);
-  void SetStop(int dof, bool stopped);
+  double StopInertia(int dof) const;
   engine::EffortRange RangeOf(int motor, double speed) const;
   bool IsImplicit(const Motor& motor) const { return motor.by_speed > 0.0 && options_.actuation != "torque"; }
   double WantedAtEnd(int dof) const;
@@ -81,8 +82,9 @@ class Motors {
   std::vector<double> bounds_;                // by motor; see BoundOf
   std::vector<engine::JointTraits> traits_;   // by dof
   std::vector<Motor> motors_;                 // by dof; `limits` of one of a transmission are those of its motor
-  std::vector<bool> stopped_;                 // by dof: before its limit, in this step
-  VectorX v_, tau_, motor_torque_, effort_use_;
+  std::vector<std::optional<double>> stops_;  // by dof: the rate that a stop allows, where one holds in this step
+  VectorX bare_inertia_;                      // by degree of freedom of m_: felt by a torque there, without motors
+  VectorX q_, v_, tau_, motor_torque_, effort_use_;
 };
 
 }  // namespace gaitwright::mujoco

@@ -73,7 +73,7 @@ struct MujocoWorld::Impl {
     ForwardKinematics(model, q, after);
   }
 
-  void Solve(bool first, bool new_rows) {
+  void Solve(bool first) {
     mjModel* model_of = m.get();
     mjData* data = d.get();
     if (first) {
@@ -83,10 +83,12 @@ struct MujocoWorld::Impl {
     mj_crb(model_of, data);
     motors.AddSharedRotors();
     mj_factorM(model_of, data);
-    if (first) mj_collision(model_of, data);
-    if (new_rows) mj_makeConstraint(model_of, data);
+    if (first) {
+      mj_collision(model_of, data);
+      mj_makeConstraint(model_of, data);
+    }
     mj_projectConstraint(model_of, data);
-    if (new_rows) mj_fwdVelocity(model_of, data);
+    if (first) mj_fwdVelocity(model_of, data);
     mj_fwdActuation(model_of, data);
     mj_fwdAcceleration(model_of, data);
     mj_fwdConstraint(model_of, data);
@@ -194,13 +196,11 @@ void MujocoWorld::Step(const JointCommand& command) {
   Impl& self = *impl_;
   CheckCommand(command, self.model.num_dofs());
   self.motors.Command(command, self.q, self.v);
-  bool new_rows = true;
   for (int i = 0; i < kMostSolves; ++i) {
     self.motors.Apply();
-    self.Solve(i == 0, new_rows);
+    self.Solve(i == 0);
     const bool held = self.motors.Hold();
-    new_rows = !self.motors.HoldStops();
-    if (held && !new_rows) break;
+    if (self.motors.HoldStops() && held) break;
   }
   mj_Euler(self.m.get(), self.d.get());
   mju_zero(self.d->xfrc_applied, 6 * self.m->nbody);

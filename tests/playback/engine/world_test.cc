@@ -185,9 +185,9 @@ TEST_P(WorldTest, StopsHoldTheJointLimits) {
     const double side = k < 500 ? 10.0 : -10.0;
     world.Step(Hold(model_, VectorX::Constant(n, side), 5.0, 0.1));
     for (int dof = 0; dof < n; ++dof) {
-      const double beyond = is_bullet() ? 1e-3 : 0.05;  // [rad]
-      ASSERT_LT(world.q()[7 + dof], model_.dof_upper(dof) + beyond);
-      ASSERT_GT(world.q()[7 + dof], model_.dof_lower(dof) - beyond);
+      constexpr double kBeyond = 1e-3;  // [rad]
+      ASSERT_LT(world.q()[7 + dof], model_.dof_upper(dof) + kBeyond);
+      ASSERT_GT(world.q()[7 + dof], model_.dof_lower(dof) - kBeyond);
     }
   }
 }
