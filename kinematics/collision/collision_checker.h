@@ -20,7 +20,7 @@ struct Overlap {
 struct LeftOutPair {
   std::string link_a, link_b;
   bool adjacent = false;  ///< a joint joins them; else they touch as the robot stands
-  std::string reason;     ///< "adjacent: ...", "always touching: ..." or "touching in the standing posture: ..."
+  std::string reason;     ///< "adjacent: ...", "always touching: ..." or "touching in the standing posture, ..."
 
   bool operator==(const LeftOutPair&) const = default;
 };

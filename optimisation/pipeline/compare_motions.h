@@ -13,6 +13,7 @@ struct TorqueUse {
   double rms = 0.0;   ///< root of the mean square over time and motors
   double peak = 0.0;  ///< the greatest share
 };
+/// @return the use of the motors over all samples of the motion.
 TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion);
 
 /// What of the motion of a rigid body says whether it is better than another one.

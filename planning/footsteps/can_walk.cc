@@ -143,11 +143,11 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
   PointJacobian(model, scratch, foot.body, foot.X_BF.translation(), whole);
   whole.topRows<3>() /= std::max(leg.length_m, 1e-6);
   Demand demand;
-  demand.names = {"moving its foot forward", "moving its foot up"};
+  demand.names = {"a joint to move its foot forward", "a joint to move its foot up"};
   std::vector<int> rows = {0, 2};
   if (walk != Walk::kAhead) {
     rows.push_back(1);
-    demand.names.emplace_back("moving its foot sideways");
+    demand.names.emplace_back("a joint to move its foot sideways");
   }
   if (!foot.sole_F.empty()) {
     rows.push_back(4);

@@ -33,34 +33,34 @@ Distribution Distribution::Fixed(double value) { return {Kind::kFixed, value, va
 
 Distribution Distribution::Uniform(double lowest, double highest) {
   if (!(lowest <= highest))
-    throw InvalidArgument(fmt::format("a uniform distribution from {} to {} runs backward", lowest, highest));
+    throw InvalidArgument(
+        fmt::format("a uniform distribution from {} to {} has its bounds in the wrong order", lowest, highest));
   return {Kind::kUniform, lowest, highest};
 }
 
 Distribution Distribution::Normal(double mean, double std, double lowest, double highest) {
-  if (!(std > 0.0)) throw InvalidArgument(fmt::format("a normal distribution with std {}; over zero is needed", std));
+  if (!(std > 0.0)) throw InvalidArgument(fmt::format("a normal distribution has std {}; it must be above 0", std));
   if (!(lowest < highest)) {
-    throw InvalidArgument(
-        fmt::format("a normal distribution from {} to {}; the second must be over the first", lowest, highest));
+    throw InvalidArgument(fmt::format(
+        "a normal distribution is limited to {} to {}; the second must be above the first", lowest, highest));
   }
   const double share = BellBelow((highest - mean) / std) - BellBelow((lowest - mean) / std);
   if (!(share >= kLeastOfBell)) {
-    throw InvalidArgument(
-        fmt::format("a normal distribution about {} with std {} is hardly ever from {} to {}: {:.3g} of it is, {} is "
-                    "needed",
-                    mean, std, lowest, highest, share, kLeastOfBell));
+    throw InvalidArgument(fmt::format(
+        "a normal distribution with mean {} and std {} has too little probability from {} to {}: {:.3g}; {} is needed",
+        mean, std, lowest, highest, share, kLeastOfBell));
   }
   return {Kind::kNormal, lowest, highest, mean, std};
 }
 
 Distribution Distribution::OneOf(const std::vector<double>& numbers) {
-  if (numbers.empty()) throw InvalidArgument("a choice of nothing; one or more are needed");
+  if (numbers.empty()) throw InvalidArgument("a choice has no values; one or more are needed");
   const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
   return {Kind::kNumbers, *low, *high, 0.0, 0.0, numbers};
 }
 
 Distribution Distribution::OneOf(const std::vector<std::string>& words) {
-  if (words.empty()) throw InvalidArgument("a choice of nothing; one or more are needed");
+  if (words.empty()) throw InvalidArgument("a choice has no values; one or more are needed");
   return {Kind::kWords, 0.0, 0.0, 0.0, 0.0, {}, words};
 }
 
@@ -99,11 +99,12 @@ double Draw(const Distribution& d, NamedRandom& random) {
     case Distribution::Kind::kWords:
       break;
   }
-  throw InvalidArgument("a number was to be drawn from a choice of words");
+  throw InvalidArgument("a number is needed, but the distribution is a choice of words");
 }
 
 const std::string& DrawWord(const Distribution& d, NamedRandom& random) {
-  if (d.kind != Distribution::Kind::kWords) throw InvalidArgument("a word was to be drawn from a choice of numbers");
+  if (d.kind != Distribution::Kind::kWords)
+    throw InvalidArgument("a word is needed, but the distribution is a choice of numbers");
   return Pick(d.words, random.Uniform());
 }
 

@@ -6,6 +6,7 @@
 #include "kinematics/base/text.h"
 #include "planning/tasks/task_plan_json.h"
 #include "workflows/words/items.h"
+#include "workflows/words/language_model.h"
 #include "workflows/words/understand.h"
 
 namespace gaitwright {

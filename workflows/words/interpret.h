@@ -6,10 +6,21 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/base/result.h"
 #include "planning/tasks/task_rules.h"
-#include "workflows/words/language_model.h"
 
 namespace gaitwright {
+
+/// A language model behind an endpoint that speaks as OpenAI's chat completions do.
+struct LanguageModel {
+  std::string url;    ///< the base, such as "http://localhost:8000/v1"; "/chat/completions" is added where it lacks
+  std::string model;  ///< its name there
+  std::string key;    ///< sent as a bearer token; "" sends none
+  double longest_s = 60.0;
+};
+
+/// The key for language models from the environment: GAITWRIGHT_API_KEY, else OPENAI_API_KEY, else "".
+std::string ApiKeyFromEnvironment();
 
 /// Turns an instruction into tasks.
 class Interpreter {

@@ -41,7 +41,7 @@ TEST(LoadYaml, AliasesThatRepeatOneAnotherWithoutEndAreRefused) {
 TEST(LoadYaml, DepthLengthAndDocumentsAreBounded) {
   ExpectWhyNot(std::string(33, '[') + std::string(33, ']'), "lists and maps are nested more than 32 levels deep");
   EXPECT_EQ(WhyNot(std::string(32, '[') + std::string(32, ']')), "");
-  ExpectWhyNot("a: " + std::string(70000, 'x'), "a text of 70000 bytes; at most 65536");
+  ExpectWhyNot("a: " + std::string(70000, 'x'), "a text has 70000 bytes; at most 65536");
   ExpectWhyNot("a: 1\n---\nb: 2\n", "a second YAML document begins; exactly one is accepted");
   ExpectWhyNot("a: \"\\0\"", "0x00");
   ExpectWhyNot(std::string((16U << 20U) + 1U, ' '), "at most 16777216 are read");

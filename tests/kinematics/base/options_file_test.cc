@@ -57,7 +57,8 @@ TEST_F(OptionsFiles, WhatIsNotRightIsRefusedByItsLine) {
   ExpectRefused("gait:\n  cycle_s: 0.4\n", "line 2: option 'gait' is a map");
   ExpectRefused("count: 2\ncount: 3\n", "line 2:");
   ExpectRefused("count: \"2\n", "line");
-  ExpectRefused("count: " + std::string(100, '[') + std::string(100, ']'), "line 1: more than 32 lists");
+  ExpectRefused("count: " + std::string(100, '[') + std::string(100, ']'),
+                "line 1: lists and maps are nested more than 32 levels");
 }
 
 TEST_F(OptionsFiles, AFileThatIsNotThereIsNamed) {

@@ -62,7 +62,7 @@ TEST(MjcfActuators, AddUpAndStayBelowTheJointsOwnLimit) {
 TEST(MjcfActuators, OfDifferentSidesTheWeakerOneCountsAndIsNoted) {
   const ConvertedMjcf converted = Converted(Driven("<motor name='m' joint='j' forcerange='-3 5'/>"));
   EXPECT_DOUBLE_EQ(JointNamed(TreeOf(converted), "j").effort_limit, 3.0);
-  ExpectNote(converted, {"motor 'm'", "'forcerange' is '-3 5'", "3 is taken"});
+  ExpectNote(converted, {"motor 'm'", "'forcerange' is '-3 5'", "3 is used"});
   EXPECT_DOUBLE_EQ(EffortOf("<motor joint='j' forcerange='0 5'/>"), 5.0);
 }
 

@@ -125,7 +125,7 @@ TEST(MjcfDocument, RefusesWhatIsTooLarge) {
   }
   files["4.xml"] = "<mujoco/>";
   ExpectSays(MjcfMessage("<mujoco><worldbody><include file='0.xml'/></worldbody></mujoco>", FilesOf(files)),
-             {"over 200 deep"});
+             {"over 200 levels deep"});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(MjcfRefusals, NameElementAndLine) {
   ExpectSays(MessageOfLeg("<joint name='j' range='1 -1'/>"), {"joint 'j'", "the lower end 1", "-1"});
   ExpectSays(MessageOfLeg("<joint name='j' limited='true'/>"), {"joint 'j'", "limited but has no 'range'"});
   ExpectSays(MessageOfLeg("<joint name='j' limited='maybe'/>"), {"joint 'j'", "'limited' is 'maybe'", "'auto'"});
-  ExpectSays(MessageOfLeg("<joint name='j' range='1e99 2'/>"), {"joint 'j'", "1e99 is absurd"});
+  ExpectSays(MessageOfLeg("<joint name='j' range='1e99 2'/>"), {"joint 'j'", "1e99 is too large"});
   ExpectSays(MessageOfLeg("<joint name='j' type='free'/>"), {"joint 'j'", "body 'leg' has a free joint"});
   ExpectSays(MessageOfLeg("<joint name='j'/>\n<joint name='j'/>"), {"line 10: joint 'j'", "two joints"});
   ExpectSays(MessageOfLeg("<body name='leg'/>"), {"line 9: body 'leg'", "two bodies"});
@@ -49,7 +49,7 @@ TEST(MjcfNotes, TellWhatIsLeftOutWithElementAndLine) {
   ExpectNote(WithLeg("<joint name='j' damping='1 2'/>"), {"joint 'j'", "only the first number of 'damping'"});
   ExpectNote(WithLeg("<joint name='j' type='ball' range='0 50'/>"), {"joint 'j'", "range of a ball joint"});
   ExpectNote(WithLeg("<joint name='j' range='0 50'/>", "<compiler autolimits='false'/>"), {"joint 'j'", "autolimits"});
-  ExpectNote(WithLeg("<joint name='j' rnage='0 50'/>"), {"joint 'j'", "'rnage' is not known", "nearest is 'range'"});
+  ExpectNote(WithLeg("<joint name='j' rnage='0 50'/>"), {"joint 'j'", "'rnage' is unknown", "nearest is 'range'"});
   ExpectNote(WithLeg("<plugin plugin='p'/>"), {"line 9: <plugin>", "left out"});
   ExpectNote(WithLeg("<body name='b' gravcomp='1'/>"), {"body 'b'", "'gravcomp'"});
   ExpectNote(WithLeg("", "<option gravity='0 0 -1.6' density='1.2'><flag contact='disable'/></option>"),

@@ -106,7 +106,7 @@ TEST(MjcfShapes, LeaveOutWhatARobotHasNoUseFor) {
   ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh file='m.msh'/></asset>"),
              {"geom 'g'", "'m.msh' has an unsupported format"});
   ExpectNote(WithGeom("type='box' mesh='m'", "<asset><mesh file='m.stl'/></asset>"),
-             {"geom 'g'", "in place of the box that MuJoCo fits"});
+             {"geom 'g'", "the mesh is used instead of the box"});
   ExpectNote(WithGeom("size='0.1' friction='0.6'"), {"geom 'g'", "'friction' is ignored"});
 }
 

@@ -199,7 +199,7 @@ TEST(WholeBodyIk, OnlyTheYawOfNaoYields) {
   EXPECT_TRUE(WholeBodyIk(a1).notes().empty());
   const WholeBodyIk ik(nao);
   ASSERT_EQ(ik.notes().size(), 1U);
-  EXPECT_NE(ik.notes()[0].find("base yaw yields"), std::string::npos);
+  EXPECT_NE(ik.notes()[0].find("base yaw is not tracked"), std::string::npos);
 }
 
 /// Two legs of six joints below a waist of two.

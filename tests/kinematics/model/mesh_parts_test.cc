@@ -55,7 +55,7 @@ TEST(MeshStl, HeadsThatLieAreRefused) {
   std::string bytes = BinaryStl(Vector3(1.0, 1.0, 1.0));
   EXPECT_EQ(ParseStl(bytes).triangles.size(), 12U);
   bytes[83] = '\x7f';  // the highest byte of the count
-  ExpectSays(WhyNoMesh(ParseStl, bytes), {"its header announces 2130706444 triangles", "there are 684"});
+  ExpectSays(WhyNoMesh(ParseStl, bytes), {"its header announces 2130706444 triangles", "the file has 684"});
   ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacet\nvertex 0 0 0\nendfacet\n"), {"line 4", "a facet of 1 vertices"});
   ExpectSays(WhyNoMesh(ParseStl, "solid a\nvertex 0 0 0\n"), {"ends within a facet"});
   ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacette\n"), {"line 2", "'facette' is not an STL keyword"});

@@ -76,7 +76,7 @@ TEST(RobotYaml, MotorsSayWhatTheyCan) {
   EXPECT_EQ(motor.EffortAt(-9.0, 30.0), 30.0);
   EXPECT_FALSE(model.MotorOf(model.DofIndex("B_knee")).has_curve());
   EXPECT_EQ(model.MotorOf(model.DofIndex("B_knee")).EffortAt(1e3, 30.0), 30.0);
-  ExpectSays(DescribeRobot(model), {"full effort up to 4, none from 8 on", "9 continuously, as mean over 3 s",
+  ExpectSays(DescribeRobot(model), {"full effort up to 4, zero from 8 on", "9 continuously, as mean over 3 s",
                                     "rotor inertia 0.02", "damping 0.3, friction 0.7"});
 }
 
@@ -96,7 +96,7 @@ TEST(RobotYaml, RefusesMotorsThatContradictThemselves) {
   ExpectSays(WhyNot("motors: {A_knee: {continuous_nm: 31}}"),
              {"a continuous effort of 31, above the joint's limit of 30"});
   ExpectSays(WhyNot("motors: {A_knee: {thermal_s: 3}}"), {"line 1", "'A_knee'", "'thermal_s'", "no 'continuous_nm'"});
-  ExpectSays(WhyNot("motors: {A_knee: {continuous_n: 3}}"), {"joint 'A_knee' turns"});
+  ExpectSays(WhyNot("motors: {A_knee: {continuous_n: 3}}"), {"joint 'A_knee' is revolute"});
   ExpectSays(WhyNot("motors: {A_knee: {rotor_inertia_kg_m2: 0}}"), {"rotor_inertia_kg_m2"});
 }
 
@@ -118,9 +118,9 @@ TEST(RobotYaml, RefusesLimitsThatCannotBe) {
              {"line 2", "'A_knee'", "lower limit 2 is above its upper limit 1"});
   ExpectSays(WhyNot("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "over zero"});
   ExpectSays(WhyNot("limits: {A_knee: {effort: 3}}"), {"unknown key 'effort'", "nearest are 'effort_nm', 'effort_n'"});
-  ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' turns", "_rad"});
+  ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' is revolute", "_rad"});
   ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0, effort_nm: 2}}"), {"'A_knee'", "use only one kind"});
-  ExpectSays(MessageOf(Sliding(), "limits: {A_knee: {effort_nm: 2}}"), {"'A_knee' slides", "_n"});
+  ExpectSays(MessageOf(Sliding(), "limits: {A_knee: {effort_nm: 2}}"), {"'A_knee' is prismatic", "_n"});
   ExpectSays(WhyNot("limits: {A_knee: 3}"), {"the limits of 'A_knee'", "a single value", "a map"});
   ExpectSays(WhyNot("limits: 3"), {"'limits' is a single value"});
 }
@@ -181,7 +181,7 @@ TEST(RobotYaml, RefusesSolesThatAreNoConvexPolygon) {
   ExpectSays(sole("[[0, 0], [0.1, .nan], [0, 0.1]]"), {"finite number"});
   ExpectSays(sole("[[0, 0], [0.1, 0.1], [0.2, 0.2]]"), {"area of 0 m^2"});
   ExpectSays(sole("[[0, 0], [0.1, 0.1], [0.1, 0], [0, 0.1]]"), {"crosses itself"});
-  ExpectSays(sole("[[0, 0], [0.1, 0], [0.02, 0.02], [0, 0.1]]"), {"not convex", "fills 40 %"});
+  ExpectSays(sole("[[0, 0], [0.1, 0], [0.02, 0.02], [0, 0.1]]"), {"not convex", "covers 40 %"});
 }
 
 TEST(RobotYaml, LegsTakeKneesAndSides) {
@@ -251,7 +251,7 @@ TEST(RobotYaml, RefusesStandingThatCannotBe) {
   ExpectSays(WhyNot("standing:\n  A_knee: .inf"), {"line 2", "finite"});
   ExpectSays(WhyNot("standing: {A_knee: 1.5}"), {"1.5", "'A_knee' is outside its limits -2 to 1"});
   ExpectSays(MessageOf(FourLegsWhere("A", "<mimic joint='B_knee'/>"), "standing: {A_knee: -1}"),
-             {"'A_knee' mimics another", "give 'B_knee'"});
+             {"'A_knee' mimics another", "name 'B_knee'"});
 }
 
 TEST(RobotYaml, GainsAndOwnSpeed) {
@@ -271,8 +271,8 @@ TEST(RobotYaml, GainsAndOwnSpeed) {
 
 TEST(RobotYaml, KeysOfMotorsThatAreNearAreThoseOfEitherKindOfJoint) {
   ExpectSays(WhyNot("motors: {A_knee: {jerk: 5}}"), {"unknown key 'jerk'", "nearest are 'jerk_rad_s3', 'jerk_m_s3'"});
-  ExpectSays(WhyNot("motors: {A_knee: {jerk_m_s3: 5}}"), {"'A_knee' turns", "_rad_s3"});
-  ExpectSays(MessageOf(Sliding(), "motors: {A_knee: {jerk_rad_s3: 5}}"), {"'A_knee' slides", "_m_s3"});
+  ExpectSays(WhyNot("motors: {A_knee: {jerk_m_s3: 5}}"), {"'A_knee' is revolute", "_rad_s3"});
+  ExpectSays(MessageOf(Sliding(), "motors: {A_knee: {jerk_rad_s3: 5}}"), {"'A_knee' is prismatic", "_m_s3"});
 }
 
 TEST(RobotYaml, RefusesGainsAndSpeedsThatCannotBe) {
@@ -281,7 +281,7 @@ TEST(RobotYaml, RefusesGainsAndSpeedsThatCannotBe) {
   ExpectSays(WhyNot("gains: {A_knee: {stiffness: 5}}"),
              {"unknown key 'stiffness'", "nearest are 'stiffness_nm_rad', 'stiffness_n_m'"});
   ExpectSays(WhyNot("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "over zero"});
-  ExpectSays(WhyNot("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' turns"});
+  ExpectSays(WhyNot("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' is revolute"});
   ExpectSays(WhyNot("gains: {A_kneee: {stiffness_nm_rad: 5}}"), {"no moving joint 'A_kneee'", "nearest is 'A_knee'"});
   ExpectSays(WhyNot("nominal_speed_m_s: 0"), {"'nominal_speed_m_s' is 0"});
   ExpectSays(WhyNot("nominal_speed_m_s: fast"), {"'fast'; a number is needed"});

@@ -181,7 +181,7 @@ TEST(TransmissionYaml, RefusesByLine) {
       {head + "[A_hip, A_kne]\n" + two, {"line 2", "'A_kne'", "A_knee"}},
       {head + "[A_hip, A_hip]\n" + two, {"line 3", "'A_hip' twice"}},
       {head + "[A_hip]\n" + two, {"line 3", "1 joints; 2 to 8"}},
-      {head + "[A_hip, A_knee, B_hip]\n" + two, {"line 4", "2 motors and 3 joints"}},
+      {head + "[A_hip, A_knee, B_hip]\n" + two, {"line 4", "2 motors but 3 joints"}},
       {head + "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0]}, {name: b, ratios: [1]}]\n",
        {"line 4", "motor 'b' has 1 ratios"}},
       {head + "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0]}, {name: a, ratios: [0, 1]}]\n",
@@ -196,7 +196,7 @@ TEST(TransmissionYaml, RefusesByLine) {
       {head +
            "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0], effort_nm: 3, effort_n: 3}, {name: b, ratios: [0, "
            "1]}]\n",
-       {"line 4", "motor 'a'", "turning"}},
+       {"line 4", "motor 'a'", "both a revolute motor and a prismatic one"}},
       {head +
            "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0], corner_velocity_rad_s: 3}, {name: b, ratios: [0, "
            "1]}]\n",

@@ -27,7 +27,7 @@ TEST(UrdfCheck, RefusesMimicsThatCannotBeAndNamesTheJoint) {
   const auto with = [](const std::string& mimic) { return MessageOf(FourLegsWhere("A", "<mimic " + mimic + "/>")); };
   ExpectSays(with("joint='A_knee'"), {"joint 'A_knee'", "mimics itself"});
   ExpectSays(with("joint='B_end'"), {"joint 'A_knee'", "'B_end', which is fixed"});
-  ExpectSays(with("joint='B_kneee'"), {"joint 'A_knee'", "no joint", "nearest is 'B_knee'"});
+  ExpectSays(with("joint='B_kneee'"), {"joint 'A_knee'", "'B_kneee', which is not a joint", "nearest is 'B_knee'"});
   ExpectSays(with("joint='B_knee' multiplier='0'"), {"joint 'A_knee'", "multiplier 0"});
   ExpectSays(with("joint='B_knee' multiplier='nan'"), {"joint 'A_knee'", "multiplier", "not a finite number"});
   ExpectSays(with("joint='B_knee' offset='inf'"), {"joint 'A_knee'", "offset", "not a finite number"});
@@ -35,7 +35,7 @@ TEST(UrdfCheck, RefusesMimicsThatCannotBeAndNamesTheJoint) {
   circle = Replaced(circle, "<!--B_extra-->", "<mimic joint='C_knee'/>");
   EXPECT_EQ(MessageOf(circle), "");
   circle = Replaced(circle, "<!--C_extra-->", "<mimic joint='B_knee'/>");
-  ExpectSays(MessageOf(circle), {"'A_knee' mimics 'B_knee', which mimics 'C_knee', which mimics 'B_knee'", "circle"});
+  ExpectSays(MessageOf(circle), {"'A_knee' mimics 'B_knee', which mimics 'C_knee', which mimics 'B_knee'", "a cycle"});
 }
 
 TEST(UrdfCheck, AChainOfMimicsMovesAsItsProduct) {
@@ -82,7 +82,7 @@ TEST(UrdfCheck, RefusesNumbersThatAreNoneOrAbsurdByName) {
   ExpectSays(With("damping='0.1'", "damping='-3'"), {"joint 'A_hip'", "damping is -3"});
   ExpectSays(With("damping='0.1'", "friction='-3'"), {"joint 'A_hip'", "friction is -3"});
   ExpectSays(MessageOf(FourLegsWhere("C", "<safety_controller k_velocity='inf'/>")), {"joint 'C_knee'", "k_velocity"});
-  ExpectSays(With("mass value='1'", "mass value='0'"), {"robot 'robot'", "weigh 0 kg"});
+  ExpectSays(With("mass value='1'", "mass value='0'"), {"robot 'robot'", "total mass of 0 kg"});
 }
 
 TEST(UrdfCheck, UrdfdomsOwnReasonIsGivenAndNothingPrinted) {

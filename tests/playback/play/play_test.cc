@@ -112,7 +112,7 @@ TEST_P(PlayTest, RefusesPlansThatLackColumns) {
   EXPECT_TRUE(Play(model_, no_torques, controller).ok());
   const Result<PlaybackLog> refused = Play(model_, short_v, controller);
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.failure().message.find("201 rows of q but 200 of v"), std::string::npos)
+  EXPECT_NE(refused.failure().message.find("201 rows of q, but 200 of v"), std::string::npos)
       << refused.failure().message;
 }
 

@@ -65,7 +65,7 @@ TEST(WhyItFell, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
   log = TippingLog(model, plan, 60.0);
   log.options = {{"play.motor_strength", "0.3"}};
   EXPECT_TRUE(Says(Score(model, plan, log).reason,
-                   "'right_y' was at its limit 60.00 N of 200.00 N (less for the motor's strength) from 0.30 s"));
+                   "'right_y' was at its limit 60.00 N of 200.00 N (reduced by the motor's strength) from 0.30 s"));
   log = TippingLog(model, plan, 200.0, 1.0 / 3.0);
   log.options = {{"play.motor_strength", "3"}};
   EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
@@ -85,13 +85,13 @@ TEST(WhyItFell, WhatSpeedAndWarmthTookOfATorqueIsTold) {
     }
     return Score(model, plan, log).reason;
   };
-  EXPECT_TRUE(Says(reason(1.7, 60.0), "limit 60.00 N of 200.00 N (less for the motor's speed) from"));
+  EXPECT_TRUE(Says(reason(1.7, 60.0), "limit 60.00 N of 200.00 N (reduced by the motor's speed) from"));
   EXPECT_TRUE(Says(reason(0.5, 60.0), "limit 60.00 N of 200.00 N from")) << "nothing that is known";
   model.motors[4].continuous_effort = 50.0;
-  EXPECT_TRUE(Says(reason(1.7, 60.0), "(less for the motor's speed) from"));
-  EXPECT_TRUE(Says(reason(1.7, 50.0), "(less for the motor's speed and warmth) from"));
-  EXPECT_TRUE(Says(reason(0.5, 60.0), "(less for the motor's warmth) from"));
-  EXPECT_TRUE(Says(reason(-1.7, 60.0), "(less for the motor's warmth) from")) << "it brakes";
+  EXPECT_TRUE(Says(reason(1.7, 60.0), "(reduced by the motor's speed) from"));
+  EXPECT_TRUE(Says(reason(1.7, 50.0), "(reduced by the motor's speed and warmth) from"));
+  EXPECT_TRUE(Says(reason(0.5, 60.0), "(reduced by the motor's warmth) from"));
+  EXPECT_TRUE(Says(reason(-1.7, 60.0), "(reduced by the motor's warmth) from")) << "it brakes";
   PlaybackLog log = TippingLog(model, plan, 60.0);
   for (Joint& joint : model.joints) joint.effort_limit_is_placeholder = true;
   EXPECT_TRUE(Says(Score(model, plan, log).reason, "'right_y' was at its limit 60.00 N from")) << "no other is known";
@@ -106,7 +106,7 @@ TEST(WhyItFell, AFootThatLiftsIsALostContact) {
   }
   log.body_contacts = {{0.8, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
-  EXPECT_TRUE(Says(reason, "'right' was off the ground where the schedule has it standing")) << reason;
+  EXPECT_TRUE(Says(reason, "'right' was off the ground")) << reason;
   EXPECT_TRUE(Says(reason, "at 0.35 s")) << reason;
   EXPECT_TRUE(Says(reason, "'trunk'")) << reason;
 }
@@ -189,7 +189,7 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
                                              "bumps of 10 mm",
                                              "a friction of 0.3",
                                              "1.2 times the mass",
-                                             "the base's centre of mass 80 mm off",
+                                             "the base's centre of mass shifted by 80 mm",
                                              "a command delay of 30 ms",
                                              "0.3 times the motors' strength",
                                              "the state source estimated",

@@ -73,12 +73,12 @@ TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
   says("friction: 0.5\nmas_scale: 1\n", {"d.yaml", "line 2", "'mas_scale'", "'mass_scale'"});
   says("mass_scale: {uniform: [0.9]}\n", {"line 1", "2 are needed"});
   says("mass_scale: {uniform: [0.9, 11]}\n", {"mass_scale", "11", "0.1 to 10"});
-  says("mass_scale: {uniform: [1.1, 0.9]}\n", {"backward"});
+  says("mass_scale: {uniform: [1.1, 0.9]}\n", {"line 1", "uniform distribution from 1.1 to 0.9"});
   says("mass_scale: {normal: {mean: 1}}\n", {"lacks the key 'std'"});
-  says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"too little probability"});
+  says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"from 2 to 3: 0", "0.01 is needed"});
   says("mass_scale: {unifrm: [0.9, 1.1]}\n", {"'unifrm'", "'uniform'"});
   says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "one is needed"});
-  says("mass_scale: {choice: []}\n", {"choice has no values"});
+  says("mass_scale: {choice: []}\n", {"a choice ", "one or more are needed"});
   says("mass_scale: heavy\n", {"'heavy'", "a number is needed"});
   says("mass_scale: .nan\n", {"finite"});
   says("mass_scale: 1\nmass_scale: 2\n", {"twice"});
