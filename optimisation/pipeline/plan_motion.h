@@ -88,17 +88,16 @@ struct MotionOptions {
                      "",
                      0.0,
                      0.0,
-                     "Footholds on ground that is not level, in motions of a rigid body: 'held' where the search has "
-                     "put them, 'free' to move on their patches by up to a quarter of the leg where that makes a "
-                     "better motion; feet with soles are held.",
+                     "Footholds of rigid-body gaits on uneven ground: 'held' keeps those of the search, 'free' also "
+                     "moves them on their patches; feet with soles are held.",
                      {"held", "free"}},
                     {"timing",
                      &timing,
                      "",
                      0.0,
                      0.0,
-                     "When contacts begin and end in gaits that are planned as the motion of a rigid body: 'fixed' as "
-                     "the gait says, 'optimised' at times within its cycle that need less torque.",
+                     "Contact times of rigid-body gaits: 'fixed' keeps those of the gait, 'optimised' finds times "
+                     "within the cycle that need less torque.",
                      {"fixed", "optimised"}}},
                    Prefixed("timing", timing_bounds.PhaseFields())});
   }

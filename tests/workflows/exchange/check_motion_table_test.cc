@@ -143,7 +143,7 @@ TEST(CheckMotionTable, ClocksAreBounded) {
   table.time_s.back() = 3601.0;
   ImportOptions seconds;
   seconds.time_unit = "s";
-  EXPECT_NE(WhyChecked(table, seconds).find("lasts 3601 s; at most 3600 s are taken"), std::string::npos);
+  EXPECT_NE(WhyChecked(table, seconds).find("lasts 3601 s; at most 3600 s are accepted"), std::string::npos);
   for (std::size_t k = 0; k < table.time_s.size(); ++k) table.time_s[k] = 1e11 + static_cast<double>(k);
   EXPECT_NE(WhyChecked(table, seconds).find("begins at 1e+11 s"), std::string::npos);
 }

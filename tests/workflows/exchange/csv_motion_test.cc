@@ -65,23 +65,23 @@ TEST(ComparedCsv, IsHeldToWhatMotionsAre) {
   milliseconds.time_scale = 1000.0;
   ExpectWhy(CsvOf(degrees), {"use --angle-unit deg for degrees"});
   ExpectWhy(CsvOf(millimetres), {"use --length-unit mm for millimetres"});
-  ExpectWhy(CsvOf(milliseconds), {"--time-unit ms takes them so"});
+  ExpectWhy(CsvOf(milliseconds), {"use --time-unit ms"});
   OtherStance short_turn = Standing(), far = Standing();
   short_turn.turn = "0,0,0,0.5";
   far.base_z_m = 1e9;
   ExpectWhy(CsvOf(NamedRobot("a1"), short_turn), {"the quaternion of row 1 (0 s) has length 0.5"});
-  ExpectWhy(CsvOf(NamedRobot("a1"), far), {"the base's position of row 1", "at most 1e+08"});
+  ExpectWhy(CsvOf(NamedRobot("a1"), far), {"the base's position of row 1", "at most +-1e+08"});
 }
 
 TEST(ComparedCsv, ClocksOfNanosecondsAndLongerAreRefused) {
   OtherStance stance = Standing();
   stance.step_s = 5e6;
-  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"its rows are 5e+06 s apart", "--time-unit ns takes them so"});
+  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"its rows are 5e+06 s apart", "use --time-unit ns"});
   CsvReading seconds;
   seconds.options.time_unit = "s";
-  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"lasts 2.45e+08 s; at most 3600 s are taken"}, seconds);
+  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"lasts 2.45e+08 s; at most 3600 s are accepted"}, seconds);
   stance.step_s = 1e30;
-  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"at most 3600 s are taken"}, seconds);
+  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"at most 3600 s are accepted"}, seconds);
 }
 
 TEST(ComparedCsv, SpeedsThatAreNotGivenAreWorkedOut) {

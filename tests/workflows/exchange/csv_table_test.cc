@@ -96,14 +96,14 @@ TEST(CsvTable, ByteOrderMarkIsNoPartOfAName) {
 TEST(CsvTable, SaysWhereItIsWrong) {
   EXPECT_EQ(WhyCsvTableRefused(""), "'motion.csv': is empty; its first line must name the columns");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n"), "'motion.csv': has no row of numbers below the column names");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2\n3\n"), "'motion.csv': line 3 has 1 cells; line 1 names 2 columns");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2,3\n"), "'motion.csv': line 2 has 3 cells; line 1 names 2 columns");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2\n3\n"), "'motion.csv': line 3 has 1 cells, but line 1 names 2 columns");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2,3\n"), "'motion.csv': line 2 has 3 cells, but line 1 names 2 columns");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,nan\n"),
-            "'motion.csv': line 2, column 2 'b' holds 'nan', which is not a finite number");
+            "'motion.csv': line 2, column 2 'b' contains 'nan', which is not a finite number");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,-inf\n"),
-            "'motion.csv': line 2, column 2 'b' holds '-inf', which is not a finite number");
+            "'motion.csv': line 2, column 2 'b' contains '-inf', which is not a finite number");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,1e999\n"),
-            "'motion.csv': line 2, column 2 'b' holds '1e999', which is not a finite number");
+            "'motion.csv': line 2, column 2 'b' contains '1e999', which is not a finite number");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,\n"),
             "'motion.csv': line 2, column 2 'b' is empty; each cell must hold a number");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n,1\n"),
@@ -112,7 +112,7 @@ TEST(CsvTable, SaysWhereItIsWrong) {
       WhyCsvTableRefused("a;b\n1;2,5\n"),
       "'motion.csv': line 2, column 2 'b' contains '2,5', which is not a finite number; write decimals with a point");
   EXPECT_EQ(WhyCsvTableRefused("a,b\n1,0x10\n"),
-            "'motion.csv': line 2, column 2 'b' holds '0x10', which is not a finite number");
+            "'motion.csv': line 2, column 2 'b' contains '0x10', which is not a finite number");
 }
 
 TEST(CsvTable, SaysWhatIsWrongWithItsNames) {

@@ -198,7 +198,7 @@ TEST(ImportRefusals, UnitsAreFoundByTheMotion) {
              {"_joint' is at -", "within their limits: use --angle-unit deg for degrees"});
   ExpectSays(WhyImportMotionRefused(CsvOf(millimetres)),
              {"the base is 300 m high, but robot 'a1' stands", "--length-unit mm"});
-  ExpectSays(WhyImportMotionRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "--time-unit ms takes them so"});
+  ExpectSays(WhyImportMotionRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "use --time-unit ms"});
   ImportOptions options;
   options.angle_unit = "deg";
   EXPECT_TRUE(Imported("deg.csv", CsvOf(degrees), options).ok());
@@ -233,7 +233,7 @@ TEST(ImportRefusals, TimesMustRise) {
   ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.005,")),
              {"line 4, column 1 'time_s': 0.005 does not come after 0.005 in the previous row; times must increase"});
   ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.001,")), {"0.001 does not come after 0.005"});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\nnan,")), {"line 4, column 1 'time_s' holds 'nan'"});
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\nnan,")), {"line 4, column 1 'time_s' contains 'nan'"});
   std::size_t end = 0;
   for (int line = 0; line < 4; ++line) end = good.find('\n', end) + 1;
   ExpectSays(WhyImportMotionRefused(good.substr(0, end)), {"has 3 rows; a motion needs 5 or more"});
@@ -241,14 +241,14 @@ TEST(ImportRefusals, TimesMustRise) {
 
 TEST(ImportRefusals, ValuesAreSuchAsMotionsHave) {
   ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
-             {"the base's position of row 2 (0.005 s)", "at most 1e+08 up or down"});
+             {"the base's position of row 2 (0.005 s)", "is -1e+90; at most +-1e+08"});
   ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
              {"s from its start", "a position jumps there"});
 }
 
 TEST(ImportRefusals, QuaternionsMustBeRotations) {
   ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), ",0,0,0,1,", ",0,0,0,0.5,")),
-             {"the quaternion of row 1 (0 s) has length 0.5; a rotation's is 1"});
+             {"the quaternion of row 1 (0 s) has length 0.5; it must be 1"});
 }
 
 TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {

@@ -83,7 +83,7 @@ TEST(ImportRows, ALastStepThatIsLongerIsAHoleLikeAnyOther) {
   const Result<ImportedMotion> imported = ImportedRows("late.csv", WithLastRowAgainAt(CsvOf({}), "3.6"));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   EXPECT_NE(HowOf(*imported, "rows"), "");
-  EXPECT_NE(WarningOf(*imported, "rows are missing: for 0.2 s from the file's 3.4 s on"), "");
+  EXPECT_NE(WarningOf(*imported, "rows are missing: there is none for 0.2 s from the file's 3.4 s on"), "");
 }
 
 TEST(ImportRows, HolesAreWarnedOf) {

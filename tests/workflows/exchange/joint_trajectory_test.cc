@@ -63,8 +63,9 @@ TEST(JointTrajectory, TakesVelocitiesAndEfforts) {
 }
 
 TEST(JointTrajectory, IsReadStrictly) {
-  ExpectWhy(Message(kFirst + kFirst), "time_from_start of 0 s does not come after 0 s of the point before");
-  ExpectWhy(Message("- {positions: [1, 2], time_from_start: 0}\n"), "positions has 2 numbers, joint_names 12 names");
+  ExpectWhy(Message(kFirst + kFirst), "time_from_start of 0 s does not come after 0 s of the previous point");
+  ExpectWhy(Message("- {positions: [1, 2], time_from_start: 0}\n"),
+            "positions has 2 numbers, but joint_names has 12 names");
   ExpectWhy(Message("- {positions: {twelve}}\n"), "time_from_start");
   ExpectWhy(Message(kFirst + "- {positions: {twelve}, velocities: {twelve}, time_from_start: 1}\n"),
             "points[1] has velocities, but the points before lack it; all points must have the same fields");
@@ -151,7 +152,7 @@ TEST(JointTrajectoryJson, IsReadByTheReaderOfJson) {
             "'walk.json': 'points[1].time_from_start' of 5e-09 s does not come after 5e-09 s of the previous point; "
             "times must increase");
   EXPECT_EQ(WhyNotJson(JsonMessage(R"({"positions": [1], "time_from_start": 0})")),
-            "'walk.json': 'points[0].positions' has 1 numbers, joint_names 12 names");
+            "'walk.json': 'points[0].positions' has 1 numbers, but joint_names has 12 names");
   EXPECT_EQ(WhyNotJson(JsonMessage(R"({"position": [1], "time_from_start": 0})")),
             "'walk.json': 'points[0]' has an unknown key 'position'; the nearest is 'positions'");
   EXPECT_NE(WhyNotJson(R"({"joint_names": )").find("its JSON is cut short"), std::string::npos);

@@ -225,7 +225,7 @@ TEST(ColumnNamesFile, AndCommandLineMayNotContradictEachOther) {
   EXPECT_EQ(options.angle_unit, "deg");
   const Result<ColumnNames> other = ReadColumnNames(FileWithNames("ignore: []\nangle_unit: rad\n"), options);
   ASSERT_FALSE(other.ok());
-  EXPECT_NE(other.failure().message.find("line 2: 'angle_unit' is 'rad' here and 'deg' on the command line"),
+  EXPECT_NE(other.failure().message.find("line 2: 'angle_unit' is 'rad' here but 'deg' on the command line"),
             std::string::npos)
       << other.failure().message;
   EXPECT_FALSE(ReadColumnNames(FileWithNames("angle_unit: furlong\n"), options).ok()) << "though it is said elsewhere";

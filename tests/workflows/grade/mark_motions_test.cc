@@ -68,7 +68,7 @@ TEST_F(MarkPlan, OneThatBreaksLawsOrFallsLosesWhatThatIsWorth) {
 }
 
 TEST_F(MarkPlan, OneForAnotherRobotGroundOrCommandGetsNothing) {
-  ExpectNothing(MarkOfPlan(Trot(0.1, 0.1, "nao")), {"for robot 'nao'", "about 'a1'"});
+  ExpectNothing(MarkOfPlan(Trot(0.1, 0.1, "nao")), {"for robot 'nao'", "needs 'a1'"});
   ExpectNothing(MarkOfPlan(Trot(0.2, 0.3)), {"another command: speed_m_s is 0.2, not 0.3"});
   ExpectNothing(MarkOfPlan(Trot(0.3, 0.2)), {"another command: distance_m is 0.2, not 0.3"});
   MotionPlan ahead = GoodTrot();  // past what is to be walked over, if there were any
@@ -109,7 +109,7 @@ TEST_F(MarkPlan, OneThatLastsTooLongIsNotPlayed) {
   HandIn("ada", "trot.json", PlanToJson(GoodTrot()));
   std::string part = kTrot;
   part.insert(1, "limits: {motion_s: 0.5}, ");
-  ExpectNothing(Mark(part, "ada"), {"at most 0.5 s are played"});
+  ExpectNothing(Mark(part, "ada"), {"the motion lasts 3.5 s; at most 0.5 s"});
 }
 
 using MarkMotion = MadeClass;
@@ -239,7 +239,7 @@ TEST_F(MarkCodeOfMotions, AControllerIsAskedEachStep) {
       MarkCode(kControl, ControllerThat("assert now.forces_n.shape == (4, 3) and len(now.contact) == 4"));
   EXPECT_EQ(good.points, 4.0) << (good.reasons.empty() ? "" : good.reasons.front());
   const PartMark limp = MarkCode(kControl, ControllerThat("return gw.JointCommand(np.zeros(12))"));
-  ExpectNothing(limp, {"stands is 0", "0 of 1 trials stood", "trial 1: under ", "the robot fell while settling"});
+  ExpectNothing(limp, {"stands is 0", "0 of 1 trials survived", "trial 1: under ", "the robot fell while settling"});
 }
 
 TEST_F(MarkCodeOfMotions, AControllerThatFailsGetsNothing) {

@@ -59,7 +59,7 @@ TEST_F(MarkFunction, AnswersThatAreNoneAreWrongAndToldSo) {
   ExpectNothing(gives("None"), {"the answer is None"});
   ExpectNothing(gives("[]"), {"the answer is 0 numbers"});
   ExpectNothing(gives("[[1, 2], [3]]"), {"row 1 of the answer has another length"});
-  ExpectNothing(gives("[[[[[[1]]]]]]"), {"lists nested too deep"});
+  ExpectNothing(gives("[[[[[[1]]]]]]"), {"ValueError: the answer has lists in lists"});
   ExpectNothing(gives("{'points': 10}"), {"the answer[0] is points; a finite number is needed"});
   ExpectNothing(gives("[True, False]"), {"the answer[0] is True"});
 }
@@ -107,7 +107,7 @@ TEST_F(MarkAnswers, AnswersOfAnotherSeedAreWrong) { EXPECT_EQ(MarkCsv(Answers(4)
 TEST_F(MarkAnswers, TablesThatAreNoneGetNothing) {
   ExpectNothing(MarkCsv("case,answer_0\n0,1\n"), {"no column 'answer_1'"});
   ExpectNothing(MarkCsv("number,answer_0\n0,1\n"), {"no column 'case'"});
-  ExpectNothing(MarkCsv("case,answer_0,answer_1\n0,1,2\n0,1,2\n"), {"case 0 stands in 'hull.csv' twice"});
+  ExpectNothing(MarkCsv("case,answer_0,answer_1\n0,1,2\n0,1,2\n"), {"case 0 is in 'hull.csv' twice"});
   ExpectNothing(MarkCsv("case,answer_0,answer_1\n4,1,2\n"), {"is 4; accepted: 0 to 3"});
   ExpectNothing(MarkCsv("case,answer_0,answer_1\n0,nan,2\n"), {"'hull.csv'"});
   ExpectNothing(MarkCsv("case,answer_0,answer_1\n0,1,=1+1\n"), {"'hull.csv'"});

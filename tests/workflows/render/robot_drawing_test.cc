@@ -81,7 +81,7 @@ TEST(RobotDrawing, DrawsWhatSlidesWhatFollowsAndOddNames) {
   const Result<RobotModel> model = LoadRobotFromText(urdf, "");
   ASSERT_TRUE(model.ok()) << model.failure().message;
   const std::string svg = RobotDrawing(*model, "").svg;
-  EXPECT_NE(svg.find("A_knee (slides)"), std::string::npos);
+  EXPECT_NE(svg.find("A_knee (prismatic)"), std::string::npos);
   EXPECT_NE(svg.find("B_knee (follows 6)"), std::string::npos);
   EXPECT_NE(svg.find("D&amp;&lt;b&gt;hip"), std::string::npos);
   EXPECT_EQ(svg.find("<b>"), std::string::npos);

@@ -63,7 +63,7 @@ TEST(CentroidalBench, SolvesAFlyingTrotOnFlatGroundAndOverAGap) {
 
 TEST(CentroidalBench, OtherPatchesAreFoundWhereTheFirstOnesHaveNoMotion) {
   const CentroidalProblemSet set = Set();
-  for (const char* filter : {"biped-4-block", "anymal-3-block"}) {
+  for (const char* filter : {"hyq-4-stairs", "anymal-3-block"}) {
     const CentroidalOutcome outcome = RunCase(set, CasesOf(set, filter)[0], Asked(set), {});
     EXPECT_TRUE(outcome.solved) << outcome.reason;
     EXPECT_GT(outcome.choices, 1);
@@ -89,7 +89,7 @@ TEST(CentroidalBench, TimesAsVariablesCostLessOnEachGround) {
 
 TEST(CentroidalBench, OtherTimesMendWhatHasNoMotionAsAsked) {
   const CentroidalProblemSet set = Set();
-  const std::vector<CentroidalCase> cases = CasesOf(set, "hyq-3-block");
+  const std::vector<CentroidalCase> cases = CasesOf(set, "anymal-4-stairs");
   ASSERT_EQ(cases.size(), 1U);
   const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, {true, TimingOptions{}});
   EXPECT_FALSE(outcome.solved);

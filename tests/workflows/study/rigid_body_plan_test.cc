@@ -215,7 +215,7 @@ TEST(AuditedMotion, CoarseNodesFailTheAuditAndAreRefinedUntilItPasses) {
   coarse.least_intervals = 2;
   coarse.max_refinements = 0;
   coarse.fault_tolerance = 1.0;
-  for (const char* name : {"biped-1-flat", "anymal-2-flat", "anymal-3-flat", "hyq-1-gap"}) {
+  for (const char* name : {"biped-2-flat", "biped-3-flat", "anymal-3-flat", "hyq-1-gap"}) {
     const Solved solved = Solve(name, coarse);
     const Result<AuditedMotion> motion = RefineByAudit(solved.ground, solved.plan, coarse, 6);
     ASSERT_TRUE(motion.ok()) << name << " " << motion.failure().message;

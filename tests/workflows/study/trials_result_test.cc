@@ -109,14 +109,14 @@ TEST(TrialsResults, CountEachLogOnce) {
 
 TEST(TrialsResults, ThatContradictTheirRowsAreRefused) {
   ExpectNo(WithCell(4, 1, false), "passed every gate but did not survive");
-  ExpectNo(WithCell(1, 1, false), "19 of 20 trials survived; of its rows 18 did");
+  ExpectNo(WithCell(1, 1, false), "19 of 20 trials survived, but 18 of its rows did");
   ExpectNo(WithCell(1, 2, true), "17 of 20 trials passed every gate, but 18 of its rows did");
-  ExpectNo(WithCell(0, 3, "the base tilted"), "1 of 20 trials fell as 'a foot slid'; of its rows 0 did");
+  ExpectNo(WithCell(0, 3, "the base tilted"), "1 of 20 trials fell as 'a foot slid', but 0 of its rows did");
   ExpectNo(WithCell(0, 1, 1), "neither true nor false");
   ExpectNo(WithCell(0, 4, ""), "is empty");
   ExpectNo(With("causes", {{"foo", 1}}), "'foo', which is not a cause of falls");
-  ExpectNo(With("causes", Json::object()), "causes of 0 falls, where 1 fell");
-  ExpectNo(With("causes", {{"a foot slid", 21}}), "21 of 20 trials fell as 'a foot slid'; of its rows 1 did");
+  ExpectNo(With("causes", Json::object()), "causes of 0 falls, but 1 trials fell");
+  ExpectNo(With("causes", {{"a foot slid", 21}}), "21 of 20 trials fell as 'a foot slid', but 1 of its rows did");
   ExpectNo(With("n", 500), "there were 500 trials, but has rows of 20");
   Json json = Good();
   json["trials"]["rows"].erase(7);
@@ -156,7 +156,7 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("n", 0), "'n'");
   ExpectNo(With("n", 20.5), "'n'");
   ExpectNo(With("n", 1e300), "'n'");
-  ExpectNo(With("survived", 21), "21 of 20 trials survived; of its rows 19 did");
+  ExpectNo(With("survived", 21), "21 of 20 trials survived, but 19 of its rows did");
   ExpectNo(With("survived", -1), "'survived'");
   ExpectNo(With("survival", 0.5), "19 of 20");
   ExpectNo(With("survival_low", 0.96), "19 of 20");
@@ -164,7 +164,7 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("survival_high", nullptr), "'survival_high'");
   ExpectNo(With("plan_hash", 3), "'plan_hash'");
   ExpectNo(With("plan_hash", ""), "is empty");
-  ExpectNo(With("passed", 20), "20 of 20 trials passed every gate; of its rows 17 did");
+  ExpectNo(With("passed", 20), "20 of 20 trials passed every gate, but 17 of its rows did");
   ExpectNo(With("whole_plan_hash", ""), "is empty");
   ExpectNo(With("options", "many"), "'options'");
   Json options = Options();
