@@ -205,7 +205,7 @@ TEST_F(Hostile, HandsInWhatIsNoFile) {
   expect("pipe", "'work.py' is a pipe; a file is needed");
   HandIn("large", "work.py", "#");
   fs::resize_file(In("large") / "work.py", 1ULL << 30);
-  expect("large", "'work.py' has 1073741824 bytes; at most 2097152 are taken");
+  expect("large", "'work.py' has 1073741824 bytes; at most 2097152 are accepted");
   HandIn("empty", "work.py", "\n \n");
   expect("empty", "'work.py' is empty");
   HandIn("bytes", "work.py", std::string("\x00\xfe\xff", 3));
