@@ -27,7 +27,7 @@ def told(error):
 def plain(value, depth=0):
     """Numbers in lists, from whatever holds numbers; what is none is told by its word."""
     if depth > 3:
-        raise ValueError("the answer has lists in lists in lists in lists")
+        raise ValueError("the answer has more than three lists inside each other")
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, bool) or value is None:

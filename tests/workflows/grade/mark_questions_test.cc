@@ -59,7 +59,7 @@ TEST_F(MarkFunction, AnswersThatAreNoneAreWrongAndToldSo) {
   ExpectNothing(gives("None"), {"the answer is None"});
   ExpectNothing(gives("[]"), {"the answer is 0 numbers"});
   ExpectNothing(gives("[[1, 2], [3]]"), {"row 1 of the answer has another length"});
-  ExpectNothing(gives("[[[[[[1]]]]]]"), {"ValueError: the answer has lists in lists"});
+  ExpectNothing(gives("[[[[[[1]]]]]]"), {"ValueError: the answer has more than three lists"});
   ExpectNothing(gives("{'points': 10}"), {"the answer[0] is points; a finite number is needed"});
   ExpectNothing(gives("[True, False]"), {"the answer[0] is True"});
 }
