@@ -15,6 +15,7 @@
 #include "playback/log/log_json.h"
 #include "playback/report/plot_style.h"
 #include "playback/report/plots.h"
+#include "playback/score/agreement.h"
 #include "playback/score/report_text.h"
 #include "playback/trials/trial_outcome.h"
 
@@ -41,6 +42,30 @@ std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& dr
     line += fmt::format("{}{} {}", line.empty() ? "" : ", ", name, *end == 0 ? fmt::format("{:.4g}", value) : text);
   }
   return line;
+}
+
+/// Why a plan fails that passes in the first engine.
+std::string WhyItFails(const Judged& judged) {
+  if (const std::string objection = judged.objection(); !objection.empty()) return objection;
+  return fmt::format("in {}: {}", judged.played.second->agreement.name_b, judged.played.second->report.reason);
+}
+
+/// What each engine says, where two have played.
+void AddEngines(const Judged& judged, nlohmann::ordered_json& json) {
+  json["engine"] = EngineOf(judged.played.log);
+  const SecondPlayback* second = judged.played.second.get();
+  if (second == nullptr) return;
+  json["engines"] = nlohmann::ordered_json::array();
+  const ScoredPlayback* const both[] = {&judged.played, second};
+  for (const ScoredPlayback* played : both) {
+    auto one = ParsedJson(ReportJson(played->report));
+    one.erase("robot");
+    one["engine"] = EngineOf(played->log);
+    one["log_hash"] = SamplesHash(played->log);
+    one["playback_realtime_factor"] = played->realtime_factor;
+    json["engines"].push_back(std::move(one));
+  }
+  json["agreement"] = ParsedJson(AgreementJson(second->agreement));
 }
 
 }  // namespace
@@ -75,6 +100,8 @@ Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
   };
   render("plan", outputs.plan, [&] { return PlanToJson(judged.plan); });
   render("log", outputs.log, [&] { return LogToJson(judged.played.log); });
+  if (judged.played.second != nullptr)
+    render("second_log", outputs.second_log, [&] { return LogToJson(judged.played.second->log); });
   render("report", outputs.report, [&] { return WalkReport(judged); });
   if (!outputs.plot_folder.empty()) {
     for (const Plot& plot : MakePlots(judged.model, judged.plan, judged.played.log, judged.played.report))
@@ -97,8 +124,9 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     json["adjustments"] = ParsedJson(AdjustmentsJson(judged.plan.adjustments));
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
-      json["reason"] = judged.objection();
+      json["reason"] = WhyItFails(judged);
     }
+    AddEngines(judged, json);
     const auto drawn = DrawnOf(judged.played.log);
     for (const auto& [name, text] : drawn) json["drawn"][name] = text;
     json["log_hash"] = SamplesHash(judged.played.log);
@@ -113,8 +141,11 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     fmt::print("{}\n", judged.pass() ? "pass" : "fail");
     return;
   }
-  if (judged.played.report.pass && !judged.pass()) fmt::print("FAIL   {}; in physics:\n", judged.objection());
-  fmt::print("{}", ReportText(judged.played.report));
+  if (!judged.objection().empty() && judged.played.report.pass)
+    fmt::print("FAIL   {}; in physics:\n", judged.objection());
+  const SecondPlayback* second = judged.played.second.get();
+  fmt::print("{}", second == nullptr ? ReportText(judged.played.report)
+                                     : ReportText(judged.played.report, second->report, second->agreement));
   if (const std::string parts = PartsText(judged.plan.parts); !parts.empty()) fmt::print("\nparts: {}\n", parts);
   fmt::print("\n{}", AuditText(judged.audit));
   for (const Adjustment& adjustment : judged.plan.adjustments) fmt::print("adjusted: {}\n", AdjustmentText(adjustment));

@@ -13,7 +13,8 @@ namespace gaitwright::cli {
 
 /// Where a verb writes. An empty name is not written; names are within `folder` when that is given.
 struct Outputs {
-  std::string folder, plan = "plan.json", log = "log.json", report = "report.html", plot_folder;
+  std::string folder, plan = "plan.json", log = "log.json", second_log = "log-mujoco.json", report = "report.html",
+                      plot_folder;
 
   void AddTo(Verb verb);
   /// Adds the files of the folder, as those of --out-dir, and the folder of plots.

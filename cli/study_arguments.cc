@@ -65,7 +65,7 @@ Paths StudyArguments::PathsToRead() const {
 }
 
 Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, const Common& common) {
-  play.request.play.world.seed = play.request.sensing.sensors.seed = common.seed;
+  play.SetDefaults(common);
   walk.request.seed = static_cast<std::uint64_t>(common.seed);
   Result<OptionTexts> texts = options.Apply(Fields(), common);
   if (!texts) return texts;

@@ -128,7 +128,7 @@ int RunDo(DoSettings& a) {
     fmt::print("{}", TaskPlanSchema());
     return kPass;
   }
-  a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
+  a.play.SetDefaults(a.common);
   ApplySets("--set", a.common.sets, Joined({a.tasks.motion.Fields(), a.play.Fields()}));
   a.tasks.seed = static_cast<std::uint64_t>(a.common.seed);
   CheckDo(a);

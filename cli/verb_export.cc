@@ -33,6 +33,8 @@ std::string UsualOut(ExportFormat format) {
       return "trajectory.json";
     case ExportFormat::kNpz:
       return "motion.npz";
+    case ExportFormat::kMjcf:
+      return "model.xml";
     case ExportFormat::kSvg:
       break;
   }
@@ -51,6 +53,12 @@ void CheckExportPaths(const ExportSettings& a, ExportFormat format) {
   CheckPaths(paths);
 }
 
+/// What --json calls the output.
+const char* KindOfFile(const std::string& format) {
+  if (format == "svg") return "plots";
+  return format == "mjcf" ? "model" : "motion";
+}
+
 void PrintExported(const ExportSettings& a, const std::string& kind, const std::string& robot,
                    const ExportedMotion& done) {
   if (a.common.json) {
@@ -63,11 +71,7 @@ void PrintExported(const ExportSettings& a, const std::string& kind, const std::
                                    {"end_s", done.end_s},
                                    {"notes", done.notes},
                                    {"files", nlohmann::ordered_json::object()}};
-    if (a.format == "svg") {
-      json["files"]["plots"] = a.out;
-    } else {
-      json["files"]["motion"] = a.out;
-    }
+    json["files"][KindOfFile(a.format)] = a.out;
     PrintJson(json);
     return;
   }
@@ -75,10 +79,13 @@ void PrintExported(const ExportSettings& a, const std::string& kind, const std::
     fmt::print("{}\n", a.out);
     return;
   }
-  fmt::print("{} of {} as {}: {} rows at {:.6g} Hz, {:.3f} to {:.3f} s\n", kind, robot, a.format, done.rows,
-             done.rate_hz, done.start_s, done.end_s);
+  fmt::print("{} of {} as {}", kind, robot, a.format);
+  if (done.rows > 0)
+    fmt::print(": {} rows at {:.6g} Hz, {:.3f} to {:.3f} s", done.rows, done.rate_hz, done.start_s, done.end_s);
+  fmt::print("\n");
   for (const std::string& note : done.notes) fmt::print("note: {}\n", note);
-  for (const OutputFile& file : done.files) fmt::print("{:<7} {}\n", a.format == "svg" ? "plot" : "motion", file.path);
+  for (const OutputFile& file : done.files)
+    fmt::print("{:<7} {}\n", a.format == "svg" ? "plot" : KindOfFile(a.format), file.path);
 }
 
 Result<ExportedMotion> ExportInput(const ExportSettings& a, const MotionInput& input, ExportFormat format) {
@@ -105,17 +112,18 @@ int RunExport(ExportSettings& a) {
 
 void AddExport(Verb program, int& status) {
   auto a = std::make_shared<ExportSettings>();
-  const Verb verb = program.AddVerb("export", "Convert a plan or a log for other programs: CSV, ROS, NumPy, plots");
+  const Verb verb =
+      program.AddVerb("export", "Convert a plan or a log for other programs: CSV, ROS, NumPy, plots, MuJoCo");
   AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as written by 'plan', 'walk' and 'play'.").Require();
   AddText(verb, "--format", "NAME", a->format,
-          "csv, joint-trajectory-yaml, joint-trajectory-json (trajectory_msgs/JointTrajectory of ROS 2), npz (NumPy) "
-          "or svg (plots); default csv.");
+          "csv, joint-trajectory-yaml, joint-trajectory-json (trajectory_msgs/JointTrajectory of ROS 2), npz (NumPy), "
+          "svg (plots) or mjcf (MuJoCo's model of robot, ground, first posture and gains); default csv.");
   AddNumber(verb, "--rate-hz", "Hz", a->rate_hz,
             "Rows per second, from 0.1 to 10000, for a log at most its own rate; default 0: the motion's own rate, for "
             "a plan at least 200.");
-  AddText(
-      verb, "--out", "PATH", a->out,
-      "Output file, or folder of plots; default motion.csv, trajectory.yaml, trajectory.json, motion.npz or plots.");
+  AddText(verb, "--out", "PATH", a->out,
+          "Output file, or folder of plots; default motion.csv, trajectory.yaml, trajectory.json, motion.npz, plots or "
+          "model.xml.");
   a->robot.AddTo(verb);
   AddCommon(verb, a->common,
             {"export plan.json --format csv --rate-hz 500 --out motion.csv",

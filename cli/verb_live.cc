@@ -107,6 +107,8 @@ void AddLive(Verb program, int& status) {
   AddText(verb, "--controller", "NAME", a->play.controller,
           "stabilised, joint-pd or recovering (takes recovery steps when pushed while standing, else as stabilised); "
           "default stabilised.");
+  const OptionFields fields = a->play.Fields();
+  AddField(verb, "--engine", fields, "play.engine");
   verb.SetGroup("Web page");
   AddText(verb, "--host", "ADDRESS", a->address.host,
           "Network address to listen on; the default 127.0.0.1 is local; with any other, everyone who reaches it can "

@@ -32,7 +32,7 @@ Result<PlayedWalk> PlayAsAsked(PlaySettings& a, const RobotModel& model, const M
 }
 
 int RunPlay(PlaySettings& a) {
-  a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
+  a.play.SetDefaults(a.common);
   const Result<OptionTexts> options = a.options.Apply(a.play.Fields(), a.common);
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, a.play.Fields());
@@ -67,7 +67,7 @@ int RunPlay(PlaySettings& a) {
 void AddPlay(Verb program, int& status) {
   auto a = std::make_shared<PlaySettings>();
   const Verb verb = program.AddVerb("play", "Play a plan in physics and score it");
-  a->outputs = {"", "", "", "", ""};
+  a->outputs = {"", "", "", "", "", ""};
   AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as written by 'plan' and 'walk'.").Require();
   a->play.AddTo(verb);
   a->options.AddTo(verb);

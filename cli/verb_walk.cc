@@ -33,7 +33,7 @@ void CheckWalkPaths(const WalkSettings& a) {
 }
 
 int RunWalk(WalkSettings& a) {
-  a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
+  a.play.SetDefaults(a.common);
   const OptionFields fields = Joined({a.walk.Fields(), a.play.Fields()});
   const Result<OptionTexts> options = a.options.Apply(fields, a.common);
   if (!options) return Report(options.failure(), a.common);
@@ -70,6 +70,7 @@ void AddWalk(Verb program, int& status) {
   const Verb verb = program.AddVerb("walk", "Plan, audit, play and score a walk, and write the report");
   a->outputs.folder = "out";
   a->walk.AddTo(verb);
+  a->play.usual_engine = ProvingEngine();
   a->play.AddTo(verb);
   a->options.AddTo(verb);
   a->outputs.AddTo(verb);

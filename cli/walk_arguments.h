@@ -33,6 +33,8 @@ struct WalkArguments {
 /// The flags of a playback, shared by `walk` and `play`.
 struct PlayArguments {
   PlayRequest request;
+  std::string usual_engine = "bullet";  ///< of the verb, where neither --engine nor play.engine is given
+  std::optional<Flag> engine;
   std::string push;
   std::vector<Flag> only_with_push;
   std::optional<Flag> only_with_sensors;
@@ -40,6 +42,8 @@ struct PlayArguments {
 
   void AddTo(Verb verb);
   OptionFields Fields();  ///< of the request
+  /// Before any options are put into the request.
+  void SetDefaults(const Common& common);
   /// @param varied  options that are given one value after another.
   /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given, and for --sensors
   /// where none is read.

@@ -5,13 +5,19 @@
 
 namespace gaitwright {
 
-/// CPU time of the process since the clock was made.
+/// CPU time of the calling thread since the clock was made.
 class CpuClock {
  public:
-  double elapsed_s() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
+  double elapsed_s() const { return Now() - start_; }
 
  private:
-  std::clock_t start_ = std::clock();
+  static double Now() {
+    timespec now = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+  double start_ = Now();
 };
 
 }  // namespace gaitwright

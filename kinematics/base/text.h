@@ -23,4 +23,7 @@ std::optional<std::string> InUtf8(const std::string& text);
 /// A text for messages: its first 60 bytes or so, with dots if it is longer.
 std::string Shortened(const std::string& text);
 
+/// A text for XML and HTML: the five reserved characters escaped, control characters removed.
+std::string EscapedXml(const std::string& text);
+
 }  // namespace gaitwright

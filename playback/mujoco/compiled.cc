@@ -34,8 +34,6 @@ ModelPtr Compile(const ModelText& text) {
   return model;
 }
 
-int IdOf(const mjModel& m, mjtObj type, char kind, std::size_t index) {
-  return mj_name2id(&m, type, fmt::format("{}{}", kind, index).c_str());
-}
+int IdOf(const mjModel& m, mjtObj type, const std::string& name) { return mj_name2id(&m, type, name.c_str()); }
 
 }  // namespace gaitwright::mujoco

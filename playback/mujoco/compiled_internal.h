@@ -4,9 +4,10 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
+#include <string>
 
 #include "kinematics/spatial/pose.h"
-#include "playback/mujoco/model_text_internal.h"
+#include "playback/mjcf/model_text_internal.h"
 
 namespace gaitwright::mujoco {
 
@@ -23,8 +24,8 @@ using DataPtr = std::unique_ptr<mjData, DeleteData>;
 /// @throws InvalidArgument with MuJoCo's message where it refuses the text.
 ModelPtr Compile(const ModelText& text);
 
-/// The number that MuJoCo gives an object by its name, such as `b3`.
-int IdOf(const mjModel& m, mjtObj type, char kind, std::size_t index);
+/// The number that MuJoCo gives an object by its name.
+int IdOf(const mjModel& m, mjtObj type, const std::string& name);
 
 inline Eigen::Map<const Vector3> AsVector(const mjtNum* p) { return Eigen::Map<const Vector3>(p); }
 

@@ -11,7 +11,7 @@ Contacts::Contacts(const RobotModel& model, const Terrain& terrain, const ModelT
                    const mjData& d)
     : model_(model), terrain_(terrain), text_(text), m_(m), d_(d), part_(static_cast<std::size_t>(m.ngeom), -1) {
   for (std::size_t g = 0; g < text.parts.size(); ++g)
-    part_[static_cast<std::size_t>(IdOf(m, mjOBJ_GEOM, 'g', g))] = static_cast<int>(g);
+    part_[static_cast<std::size_t>(IdOf(m, mjOBJ_GEOM, "g" + std::to_string(g)))] = static_cast<int>(g);
   feet_.assign(model.feet.size(), FootContact{});
 }
 

@@ -29,7 +29,7 @@ Motors::Motors(const RobotModel& model, const WorldOptions& options, mjModel& m,
     const Joint& joint = model.joints[i];
     const std::vector<int>& locked = options.locked_dofs;
     if (std::find(locked.begin(), locked.end(), joint.dof) != locked.end()) continue;
-    const int id = IdOf(m, mjOBJ_JOINT, 'j', i);
+    const int id = IdOf(m, mjOBJ_JOINT, joint.name);
     members_[static_cast<std::size_t>(joint.dof)].push_back(
         {m.jnt_qposadr[id], m.jnt_dofadr[id], joint.multiplier, joint.offset, 0.0});
   }
@@ -92,9 +92,7 @@ bool Motors::HoldStops() {
   return good;
 }
 
-int Motors::IdOfLeader(int dof) const {
-  return IdOf(m_, mjOBJ_JOINT, 'j', static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(dof)]));
-}
+int Motors::IdOfLeader(int dof) const { return IdOf(m_, mjOBJ_JOINT, model_.dof_names[static_cast<std::size_t>(dof)]); }
 
 engine::EffortRange Motors::RangeOf(int dof, double speed) const {
   const auto i = static_cast<std::size_t>(dof);

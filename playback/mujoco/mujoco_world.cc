@@ -33,7 +33,7 @@ struct MujocoWorld::Impl {
         after(robot),
         q(q0),
         v(VectorX::Zero(robot.nv())) {
-    for (std::size_t b = 0; b < model.bodies.size(); ++b) body_id.push_back(mujoco::IdOf(*m, mjOBJ_BODY, 'b', b));
+    for (const Body& body : model.bodies) body_id.push_back(mujoco::IdOf(*m, mjOBJ_BODY, body.name));
     Put(q0, v);
     Refresh();
   }

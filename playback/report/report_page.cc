@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "planning/plan/parts_text.h"
+#include "playback/report/engines_part.h"
 #include "playback/report/page_style.h"
 #include "playback/report/plot_style.h"
 #include "playback/report/plots.h"
@@ -89,26 +90,40 @@ struct Subject {
   const MotionPlan& plan;
   const PlaybackLog& log;
   const StabilityReport& report;
+  const ReportWords& words;
+
+  bool pass() const { return report.pass && (!words.second || words.second->report.pass) && words.objection.empty(); }
 };
 
-std::string Head(const Subject& about, const std::string& objection) {
-  const auto& [model, plan, log, report] = about;
-  const bool pass = report.pass && objection.empty();
-  const char* verdict = pass ? "pass" : "fail";
-  const std::string reason = objection.empty()
-                                 ? report.reason
-                                 : objection + "; in physics, " + (report.pass ? "" : "it fails too: ") + report.reason;
+/// "in bullet, REASON; in mujoco, REASON" where there are two engines.
+std::string PhysicsReason(const Subject& about) {
+  const auto& second = about.words.second;
+  if (!second) return about.report.reason;
+  return fmt::format("in {}, {}; in {}, {}", second->agreement.name_a, about.report.reason, second->agreement.name_b,
+                     second->report.reason);
+}
+
+std::string Head(const Subject& about) {
+  const auto& [model, plan, log, report, words] = about;
+  const char* verdict = about.pass() ? "pass" : "fail";
+  const std::string physics = PhysicsReason(about);
+  const std::string reason = words.objection.empty()
+                                 ? physics
+                                 : words.objection + "; in physics, " + (report.pass ? "" : "it fails too: ") + physics;
+  const std::string engines =
+      words.second ? words.second->agreement.name_a + " and " + words.second->agreement.name_b : EngineOf(log);
+  const std::string scores = words.second ? fmt::format("{:.1f} and {:.1f}", report.score, words.second->report.score)
+                                          : fmt::format("{:.1f}", report.score);
   const double duration = log.samples.empty() ? 0.0 : log.samples.back().time_s - log.start_s;
   const std::string parts = PartsText(plan.parts);
   const std::string controller = log.controller.empty() ? "" : ", controller " + log.controller;
   return fmt::format(
       "<div class=\"head\"><span class=\"verdict {0}\">{1}</span><div><h1>{2}</h1><p class=\"soft\">{3:.2f} s played "
-      "in "
-      "physics at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8:.1f}</b><br/>"
+      "in {11} at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8}</b><br/>"
       "<span class=\"soft\">of 100</span></div></div>\n<p class=\"reason {0}\">{9}</p>\n{10}",
-      verdict, pass ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
-      EscapedXml(controller), model.total_mass_kg, log.friction, report.score, Sentence(reason),
-      parts.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>\n", EscapedXml(parts)));
+      verdict, about.pass() ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
+      EscapedXml(controller), model.total_mass_kg, log.friction, scores, Sentence(reason),
+      parts.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>\n", EscapedXml(parts)), EscapedXml(engines));
 }
 
 std::string MarkOf(const Metric& metric) {
@@ -120,27 +135,36 @@ std::string OrDash(const Metric& metric, const std::optional<double>& value) {
   return value ? EscapedXml(FigureText(metric, *value)) : "\u2013";
 }
 
-std::string TableRow(const MetricRule& rule, const Metric& metric) {
+/// @param second  of the other engine, or null.
+std::string TableRow(const MetricRule& rule, const Metric& metric, const Metric* second) {
   const std::string why = metric.not_applied.empty() ? "" : "; not applied: " + metric.not_applied;
+  std::string measured = OrDash(metric, metric.value), mark = MarkOf(metric);
+  if (second != nullptr) {
+    measured += "</td><td class=\"n\">" + OrDash(*second, second->value);
+    if (second->pass != metric.pass || second->applied != metric.applied) mark += " / " + MarkOf(*second);
+  }
   return fmt::format(
       "<tr><td><span class=\"key\">{}</span><span class=\"meaning\">{}{}</span></td><td class=\"n\">{}</td><td "
       "class=\"n\">{}"
       "</td><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td></tr>\n",
-      rule.key, EscapedXml(rule.meaning), EscapedXml(why), OrDash(metric, metric.value), OrDash(metric, metric.planned),
-      PrintedLimit(metric), MarkOf(metric), metric.at_s ? fmt::format("{:.2f} s", *metric.at_s) : "");
+      rule.key, EscapedXml(rule.meaning), EscapedXml(why), measured, OrDash(metric, metric.planned),
+      PrintedLimit(metric), mark, metric.at_s ? fmt::format("{:.2f} s", *metric.at_s) : "");
 }
 
-std::string MetricTable(const StabilityReport& report) {
-  std::string html =
-      "<h2>All figures</h2>\n<div class=\"scroll\"><table><thead><tr><th>metric</th><th class=\"n\">measured</th>"
-      "<th class=\"n\">planned</th><th class=\"n\">limit</th><th>gate</th><th class=\"n\">worst "
+std::string MetricTable(const StabilityReport& report, const std::optional<SecondVerdict>& second) {
+  std::string html = "<h2>All figures</h2>\n<div class=\"scroll\"><table><thead><tr><th>metric</th><th class=\"n\">";
+  html += second ? fmt::format("{}</th><th class=\"n\">{}", EscapedXml(second->agreement.name_a),
+                               EscapedXml(second->agreement.name_b))
+                 : "measured";
+  html +=
+      "</th><th class=\"n\">planned</th><th class=\"n\">limit</th><th>gate</th><th class=\"n\">worst "
       "at</th></tr></thead><tbody>\n";
   for (const MetricRule& rule : MetricRules()) {
     for (const Group& group : kGroups) {
       if (rule.key == group.first_key)
-        html += fmt::format("<tr class=\"group\"><td colspan=\"6\">{}</td></tr>\n", group.title);
+        html += fmt::format("<tr class=\"group\"><td colspan=\"{}\">{}</td></tr>\n", second ? 7 : 6, group.title);
     }
-    html += TableRow(rule, report.At(rule.key));
+    html += TableRow(rule, report.At(rule.key), second ? &second->report.At(rule.key) : nullptr);
   }
   return html +
          "</tbody></table></div>\n<p class=\"soft\">The score is 50 for keeping every gate and up to 50 for the "
@@ -209,16 +233,17 @@ std::string TitleOf(const RobotModel& model, const MotionPlan& plan) {
 
 std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                        const StabilityReport& report, const ReportWords& words) {
+  const Subject about{model, plan, log, report, words};
   const std::vector<Plot> plots = MakePlots(model, plan, log, report);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
       "content=\"width=device-width,initial-scale=1\"/><title>{} \u2013 "
       "{}</title>\n<style>{}{}</style></head>\n<body><main>\n",
-      EscapedXml(TitleOf(model, plan)), report.pass && words.objection.empty() ? "pass" : "fail", PageStyle(),
-      PlotStyle());
-  html += Head({model, plan, log, report}, words.objection) + Cards(report);
+      EscapedXml(TitleOf(model, plan)), about.pass() ? "pass" : "fail", PageStyle(), PlotStyle());
+  html += Head(about) + Cards(report);
   if (!words.viewer.empty()) html += "<h2>In motion</h2>\n" + words.viewer;
-  html += Figures(plots) + MetricTable(report);
+  if (words.second) html += EnginesPart(model, plan, log, report, *words.second);
+  html += Figures(plots) + MetricTable(report, words.second);
   html += ListOf("Audit of the plan", words.audit_lines) + ListOf("Notes", report.notes);
   html += ListOf("Warnings of the plan", plan.warnings) + Origin(plan, log, words.changed_options);
   return html + "</main></body></html>\n";

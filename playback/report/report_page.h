@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kinematics/base/options.h"
 #include "playback/log/playback_log.h"
+#include "playback/score/agreement.h"
 #include "playback/score/stability_report.h"
 
 namespace gaitwright {
+
+/// The same plan played in another physics engine.
+struct SecondVerdict {
+  const PlaybackLog& log;
+  const StabilityReport& report;
+  const Agreement& agreement;
+};
 
 /// Data of a report that is not in the log.
 struct ReportWords {
@@ -16,12 +25,14 @@ struct ReportWords {
   std::vector<OptionChange> changed_options;  ///< of plan and playback, beside their usual values
   std::string objection;    ///< reason of a fail independent of physics, such as a failed audit; empty for none
   std::string viewer = {};  ///< the motion in 3D, as ViewerPart has it; empty for none
+  std::optional<SecondVerdict> second = {};  ///< set beside the first: its verdict, metrics and curves
 };
 
 /// Title of a page about a motion: "a1: trot on flat ground".
 std::string TitleOf(const RobotModel& model, const MotionPlan& plan);
 
-/// The report of one playback as a single HTML page: verdict, figures, plots, the audit's words, and what made it.
+/// The report of a playback as a single HTML page: verdict, figures, plots, the audit's words, and what made it. The
+/// verdict is a pass if all playbacks pass.
 /// Self-contained: no network, and no script except the viewer's; light or dark by the reader's setting. Well-formed
 /// XML.
 /// @throws InvalidArgument as Score does.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/text.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
@@ -15,9 +16,6 @@ std::vector<double> RoundTicks(double lowest, double highest, int count);
 /// A subset of the points from which a line differs by at most `tolerance` (Douglas and Peucker, Cartographica 10(2)
 /// 1973), with the tolerance doubled until at most `most` points are left.
 std::vector<Vector2> Simplified(const std::vector<Vector2>& points, double tolerance, std::size_t most);
-
-/// The five characters that XML reserves, escaped.
-std::string EscapedXml(const std::string& text);
 
 /// Elements of SVG; coordinates in pixels. A text without words is nothing.
 std::string SvgText(double x, double y, const std::string& css, const std::string& words);

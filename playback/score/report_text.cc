@@ -46,6 +46,18 @@ std::string OrDash(const Metric& metric, const std::optional<double>& value) {
   return value ? FigureText(metric, *value) : "-";
 }
 
+/// The gates that do not apply, with the reasons, and the notes.
+std::string AbsentGates(const StabilityReport& report) {
+  std::string text;
+  for (const Metric& metric : report.metrics) {
+    if (metric.bound != Bound::kNone && !metric.applied)
+      text += fmt::format("  {}: {}\n", metric.key, metric.not_applied);
+  }
+  if (!text.empty()) text = "\ngates that do not apply:\n" + text;
+  for (const std::string& note : report.notes) text += "note: " + note + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string FigureText(const Metric& metric, double value) {
@@ -80,14 +92,26 @@ std::string ReportText(const StabilityReport& report) {
     text += fmt::format("{} {:<28} {:>14} {:>14} {:>14} {:>9}\n", Mark(metric), metric.key,
                         OrDash(metric, metric.value), OrDash(metric, metric.planned), LimitText(metric), at);
   }
-  std::string absent;
+  return text + AbsentGates(report);
+}
+
+std::string ReportText(const StabilityReport& report, const StabilityReport& second, const Agreement& agreement) {
+  const auto verdict = [](const std::string& engine, const StabilityReport& of) {
+    return fmt::format("{} in {:<8} score {:.1f} of 100   robot {}\n{}\n", of.pass ? "PASS" : "FAIL", engine, of.score,
+                       of.robot, of.reason);
+  };
+  std::string text = verdict(agreement.name_a, report) + verdict(agreement.name_b, second);
+  text += AgreementText(agreement) + "\n\n";
+  text += fmt::format("   {:<28} {:>14} {:>14} {:>14} {:>14}\n", "metric", agreement.name_a, agreement.name_b,
+                      "planned", "limit");
   for (const Metric& metric : report.metrics) {
-    if (metric.bound != Bound::kNone && !metric.applied)
-      absent += fmt::format("  {}: {}\n", metric.key, metric.not_applied);
+    const Metric& other = second.At(metric.key);
+    if (IsLeftOut(metric) && IsLeftOut(other)) continue;
+    text += fmt::format("{}{} {:<28} {:>14} {:>14} {:>14} {:>14}\n", Mark(metric), Mark(other), metric.key,
+                        OrDash(metric, metric.value), OrDash(other, other.value), OrDash(metric, metric.planned),
+                        LimitText(metric));
   }
-  if (!absent.empty()) text += "\ngates that do not apply:\n" + absent;
-  for (const std::string& note : report.notes) text += "note: " + note + "\n";
-  return text;
+  return text + AbsentGates(report);
 }
 
 std::string ReportJson(const StabilityReport& report) {

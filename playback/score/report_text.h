@@ -3,12 +3,17 @@
 
 #include <string>
 
+#include "playback/score/agreement.h"
 #include "playback/score/stability_report.h"
 
 namespace gaitwright {
 
 /// Text report: the verdict, the score, the reason, and a table of the metrics with planned values and limits.
 std::string ReportText(const StabilityReport& report);
+
+/// Text report of one plan in two engines: the verdict of each, and the metrics of both side by side.
+/// @param agreement  of the two, whose names head the columns.
+std::string ReportText(const StabilityReport& report, const StabilityReport& second, const Agreement& agreement);
 
 /// The stable object of `walk` and `play`: robot, verdict, score, reason, metrics {KEY: {value, planned, unit, limit,
 /// pass, at_s}}, notes. Missing values are null, with the reason in `not_applied`; `pass` is false only where an

@@ -43,14 +43,15 @@ inline const std::vector<Layer> kLayers = {
     {"playback/log", 40},
     {"playback/engine", 41},
     {"playback/bullet", 42},
-    {"playback/mujoco", 43},
-    {"playback/play", 44},
-    {"playback/sensing", 45},
-    {"playback/control", 46},
-    {"playback/score", 47},
-    {"playback/trials", 48},
-    {"playback/report", 49},
-    {"playback/viewer", 50},
+    {"playback/mjcf", 43},
+    {"playback/mujoco", 44},
+    {"playback/play", 45},
+    {"playback/sensing", 46},
+    {"playback/control", 47},
+    {"playback/score", 48},
+    {"playback/trials", 49},
+    {"playback/report", 50},
+    {"playback/viewer", 51},
 
     {"workflows/walk", 55},
     {"workflows/study", 56},
@@ -73,7 +74,7 @@ inline const std::vector<Layer> kLayers = {
 /// The header of a room that its users include: above all folders of the room. The library includes none of them.
 inline const std::vector<Layer> kUmbrellas = {
     {"kinematics/kinematics.h", 19}, {"planning/planning.h", 29},   {"optimisation/optimisation.h", 39},
-    {"playback/playback.h", 51},     {"workflows/workflows.h", 69},
+    {"playback/playback.h", 52},     {"workflows/workflows.h", 69},
 };
 
 /// Most headers that the umbrellas may reach, which are all that is installed.

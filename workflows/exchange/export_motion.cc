@@ -10,6 +10,8 @@
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "planning/plan/json_part_internal.h"
+#include "playback/control/gains.h"
+#include "playback/mjcf/model_file.h"
 #include "playback/play/play.h"
 #include "playback/report/plot_style.h"
 #include "playback/score/stability_report.h"
@@ -43,6 +45,7 @@ std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFo
     case ExportFormat::kNpz:
       return MotionNpz(model, rows);
     case ExportFormat::kSvg:
+    case ExportFormat::kMjcf:
       break;
   }
   throw InvalidArgument("plots are written to a folder, not to a single file");
@@ -111,6 +114,18 @@ ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, Expor
   return exported;
 }
 
+/// The robot on the plan's ground, in the plan's first posture.
+ExportedMotion ExportModel(const RobotModel& model, const MotionPlan& plan, double rate_hz, const std::string& out) {
+  if (rate_hz != 0.0) throw InvalidArgument("--rate-hz has no effect on --format mjcf, which is a model without rows");
+  const Gains gains = DeriveGains(model);
+  ExportedMotion exported;
+  exported.files = MujocoFiles(model, plan.terrain, plan.whole_body.q.front(), gains.stiffness, gains.damping, out);
+  if (!model.transmissions.empty())
+    exported.notes.emplace_back(
+        "transmissions are left out: each joint has an actuator of its own, with the joint's effort limit");
+  return exported;
+}
+
 void CheckBelongs(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan) {
   if (!log.robot_hash.empty() && log.robot_hash != model.hash) {
     throw InvalidArgument(fmt::format("the log is of robot '{}' ({}), not of '{}' ({}); give the robot that was played",
@@ -125,7 +140,8 @@ void CheckBelongs(const RobotModel& model, const PlaybackLog& log, const MotionP
 }  // namespace
 
 const std::vector<std::string>& ExportFormatNames() {
-  static const std::vector<std::string> names = {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg"};
+  static const std::vector<std::string> names = {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg",
+                                                 "mjcf"};
   return names;
 }
 
@@ -141,6 +157,7 @@ ExportFormat ExportFormatOf(const std::string& name) {
 
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
                           const std::string& out) {
+  if (format == ExportFormat::kMjcf) return ExportModel(model, plan, rate_hz, out);
   const double rate = rate_hz != 0.0 ? rate_hz : UsualRate(plan);
   ExportedMotion exported = ExportRows(model, RowsOfPlan(model, plan, rate), format, rate, out);
   AddEndNote(plan.whole_body.end_s(), exported);
@@ -150,6 +167,10 @@ ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, Expor
 ExportedMotion ExportLog(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan, ExportFormat format,
                          double rate_hz, const std::string& out) {
   CheckBelongs(model, log, plan);
+  if (format == ExportFormat::kMjcf) {
+    if (plan == nullptr) throw InvalidArgument("a log does not contain the ground; give --plan FILE for --format mjcf");
+    return ExportModel(model, *plan, rate_hz, out);
+  }
   const double rate = rate_hz != 0.0 ? rate_hz : log.log_rate_hz;
   ExportedMotion exported = ExportRows(model, RowsOfLog(model, log, rate), format, rate, out);
   if (format != ExportFormat::kSvg || plan == nullptr) {

@@ -11,9 +11,10 @@
 namespace gaitwright {
 
 /// Format of an exported motion.
-enum class ExportFormat { kCsv, kTrajectoryYaml, kTrajectoryJson, kNpz, kSvg };
+enum class ExportFormat { kCsv, kTrajectoryYaml, kTrajectoryJson, kNpz, kSvg, kMjcf };
 
-/// Format names, in the order of ExportFormat: "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg".
+/// Format names, in the order of ExportFormat: "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg",
+/// "mjcf".
 const std::vector<std::string>& ExportFormatNames();
 
 /// The format of that name. @throws InvalidArgument listing the formats.
@@ -22,12 +23,13 @@ ExportFormat ExportFormatOf(const std::string& name);
 /// An exported motion: files and notes.
 struct ExportedMotion {
   std::vector<OutputFile> files;  ///< one file, or one for each plot
-  int rows = 0;
+  int rows = 0;                   ///< 0 for a model, which has no times either
   double start_s = 0.0, end_s = 0.0, rate_hz = 0.0;
   std::vector<std::string> notes;  ///< plain sentences, for example on data that the format cannot contain
 };
 
-/// A plan in a format. @param rate_hz  of rows; 0 for UsualRate.  @param out  the file; of plots the folder.
+/// A plan in a format; as "mjcf" the robot on its ground with the first posture and the gains (MujocoFiles).
+/// @param rate_hz  of rows; 0 for UsualRate.  @param out  the file; of plots the folder.
 /// @throws InvalidArgument as RowsOfPlan does, and for a value that is not finite.
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
                           const std::string& out);

@@ -41,7 +41,7 @@ void PlayOwn(const JudgeSetup& setup, const TrialStudy& study, std::uint64_t see
   for (int number = 0; number < setup.part.motion.trials; ++number) {
     const SampledTrial trial = SampleTrial(study.disturbances, study.model, study.plan, SeedOfTrial(seed, number));
     const PlayedWalk played = PlayOnce(setup, study.plan, DisturbedRequest(study.request, trial));
-    Count(OutcomeOf(number, trial, played.log, played.report), outcome);
+    Count(OutcomeOf(number, trial, played.decisive().log, played.decisive().report), outcome);
   }
 }
 
@@ -78,7 +78,7 @@ void Judge(const JudgeSetup& setup, const MotionRun& run, const MotionPlan& plan
                                       AuditFigure(worst.value, worst.unit), AuditFigure(worst.limit, worst.unit));
   }
   const PlayedWalk played = PlayOnce(setup, plan, run.play);
-  outcome.report = played.report;
+  outcome.report = played.decisive().report;
   pages.push_back({fmt::format("{}: {}", setup.part.title, run.title), WalkReport({setup.model, plan, played, audit})});
   PlayTrials(setup, run, plan, outcome);
 }

@@ -11,6 +11,7 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/gait/load_gaits.h"
+#include "playback/play/make_world.h"
 #include "playback/score/motion_series.h"
 #include "playback/viewer/scene.h"
 
@@ -83,7 +84,8 @@ Json GroundJson(const LiveWorld& live) {
   const Eigen::Quaterniond turn(X.linear());
   Json pose = List(Vector3(X.translation()));
   for (const double number : {turn.x(), turn.y(), turn.z(), turn.w()}) pose.push_back(Short(number));
-  return {{"friction", Short(FrictionOf(live.plan().terrain, world, live.world().q().head<2>()))},
+  return {{"engine", world.engine},
+          {"friction", Short(FrictionOf(live.plan().terrain, world, live.world().q().head<2>()))},
           {"slope_deg", world.ground_slope_deg},
           {"slope_direction_deg", world.ground_slope_direction_deg},
           {"pose", pose}};
@@ -136,6 +138,7 @@ std::string LiveGreeting(const LiveWorld& live, const std::optional<std::string>
                      {"schema", 1},
                      {"run", RunName()},
                      {"scene", Json::parse(RobotAndGroundJson(live.model(), live.plan().terrain, mesh_folder))},
+                     {"engines", EngineNames()},
                      {"gaits", GaitsFor(static_cast<int>(live.model().feet.size()))},
                      {"usual_pace", PaceJson(live.usual_pace())},
                      {"step_s", live.step_s()},

@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/base/options.h"
 #include "planning/gait/find_gait.h"
 #include "planning/plan/json_part_internal.h"
+#include "playback/play/make_world.h"
 #include "workflows/walk/idle_options.h"
 
 namespace gaitwright {
@@ -133,6 +135,16 @@ LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
   };
 }
 
+LiveRequest ReadReset(const JsonPart& m, const RobotModel&) {
+  m.Object({"do"}, {"engine"});
+  if (!m.Has("engine")) return [](LiveWorld& live, LiveClock&, HandId) { live.Reset(); };
+  const std::string engine = m.At("engine").Text();
+  const std::vector<std::string>& engines = EngineNames();
+  if (std::find(engines.begin(), engines.end(), engine) == engines.end())
+    m.Refuse(fmt::format("has engine '{}'; accepted: {}", engine, QuotedList(engines)));
+  return [engine](LiveWorld& live, LiveClock&, HandId) { live.ResetIn(engine); };
+}
+
 /// What acts on the robot and says no more.
 template <void (LiveWorld::*Act)()>
 LiveRequest ReadPlain(const JsonPart& m, const RobotModel&) {
@@ -148,7 +160,7 @@ const std::map<std::string, Reader>& Readers() {
                                                         {"pull", ReadPull},
                                                         {"push", ReadPush},
                                                         {"let_go", ReadLetGo},
-                                                        {"reset", ReadPlain<&LiveWorld::Reset>},
+                                                        {"reset", ReadReset},
                                                         {"stand_up", ReadPlain<&LiveWorld::StandUp>},
                                                         {"ground", ReadGround},
                                                         {"options", ReadOptions},

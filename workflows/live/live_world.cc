@@ -93,6 +93,14 @@ LiveWorld::~LiveWorld() {
 
 void LiveWorld::Reset() { Stand(Pose::Identity(), 0.0); }
 
+void LiveWorld::ResetIn(const std::string& engine) {
+  WorldOptions changed = play_.play.world;
+  changed.engine = engine;
+  (void)MakeWorld(model_, first_.plan.terrain, first_.plan.whole_body.q.front(), changed);
+  play_.play.world = changed;
+  Reset();
+}
+
 /// Stands as the first plan begins, moved by X in plan view, at a time.
 void LiveWorld::Stand(const Pose& X, double time_s) {
   const MotionPlan& stands = first_.plan;

@@ -64,6 +64,8 @@ class LiveWorld {
   void AskHeading(double heading_rad);
   /// Stands at the origin again, at time 0.
   void Reset();
+  /// As Reset, in another physics engine. @throws InvalidArgument as of MakeWorld; then nothing changes.
+  void ResetIn(const std::string& engine);
   /// Manual actions on the robot.
   HandsOn& hands() { return hands_; }
   const HandsOn& hands() const { return hands_; }

@@ -131,8 +131,9 @@ PointOutcome RunPoint(const Study& study, std::size_t point, StudyPlans& plans) 
     if (!played) return Refused(point, played.failure());
     PointOutcome outcome;
     outcome.point = point;
-    Judge(outcome, planned->value(), played->report);
-    for (const std::string& key : study.metrics) outcome.metrics.push_back(played->report.At(key).value);
+    const StabilityReport& report = played->decisive().report;
+    Judge(outcome, planned->value(), report);
+    for (const std::string& key : study.metrics) outcome.metrics.push_back(report.At(key).value);
     if (study.trials == 0 || !outcome.audit_pass()) return outcome;
     const Result<PointSurvival> survival = TryOften(study, plan, play);
     if (!survival) return Refused(point, survival.failure());

@@ -196,11 +196,13 @@ Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t
   const PlayRequest disturbed = DisturbedRequest(study.request, trial);
   Result<PlayedWalk> played = PlayWalk(study.model, study.plan, disturbed);
   if (!played) return played.failure();
+  const ScoredPlayback& decisive = played->decisive();
+  PlayedTrial result;
+  result.outcome = OutcomeOf(number, trial, decisive.log, decisive.report);
+  if (result.outcome.survived)
+    result.outcome.steps = GaitStepsOf(study.model, study.plan, disturbed.play, decisive.log);
   for (const SampledValue& one : trial.values)
     played->log.options.emplace_back("trial." + one.name, one.word.empty() ? fmt::format("{}", one.value) : one.word);
-  PlayedTrial result;
-  result.outcome = OutcomeOf(number, trial, played->log, played->report);
-  if (result.outcome.survived) result.outcome.steps = GaitStepsOf(study.model, study.plan, disturbed.play, played->log);
   result.played = std::move(*played);
   return result;
 }

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 
 #include "kinematics/base/cpu_clock.h"
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
 #include "playback/control/joint_pd.h"
+#include "playback/play/make_world.h"
 #include "playback/play/whole_steps.h"
 #include "playback/sensing/sensing_controller.h"
 #include "workflows/walk/idle_options.h"
@@ -121,13 +123,13 @@ std::unique_ptr<Controller> MakeController(const RobotModel& model, const Motion
 namespace {
 
 /// @param controller  behind its sensors.
-Result<PlayedWalk> PlayBy(Controller& controller, const RobotModel& model, const MotionPlan& plan,
-                          const PlayRequest& request) {
+Result<ScoredPlayback> PlayBy(Controller& controller, const RobotModel& model, const MotionPlan& plan,
+                              const PlayRequest& request) {
   PlayRequest checked = request;
   const CpuClock clock;
   Result<PlaybackLog> log = Play(model, plan, controller, request.play);
   if (!log) return log.failure();
-  PlayedWalk played;
+  ScoredPlayback played;
   const double cpu = std::max(clock.elapsed_s(), 1e-9);
   played.log = std::move(*log);
   played.log.options = TextsOf(checked.Fields());
@@ -137,12 +139,52 @@ Result<PlayedWalk> PlayBy(Controller& controller, const RobotModel& model, const
   return played;
 }
 
+constexpr char kBoth[] = "both";
+
+PlayRequest InEngine(PlayRequest request, const std::string& engine) {
+  request.play.world.engine = engine;
+  return request;
+}
+
+/// In the engine of the request.
+Result<ScoredPlayback> PlayInOne(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {
+  return PlayBy(*MakeController(model, plan, request), model, plan, request);
+}
+
+Result<PlayedWalk> AlonePlayed(Result<ScoredPlayback> played) {
+  if (!played) return played.failure();
+  return PlayedWalk{std::move(*played)};
+}
+
+Result<PlayedWalk> BothPlayed(const RobotModel& model, const MotionPlan& plan, Result<ScoredPlayback> first,
+                              Result<ScoredPlayback> second) {
+  if (!first) return first.failure();
+  if (!second) return second.failure();
+  Agreement agreement = AgreementOf(model, plan, first->log, second->log);
+  auto other = std::make_shared<const SecondPlayback>(SecondPlayback{std::move(*second), std::move(agreement)});
+  return PlayedWalk{std::move(*first), std::move(other)};
+}
+
 }  // namespace
+
+std::string ProvingEngine() { return EngineNames().size() > 1 ? kBoth : EngineNames().front(); }
+
+const ScoredPlayback& PlayedWalk::decisive() const {
+  if (second == nullptr) return *this;
+  const bool second_decides = report.pass != second->report.pass ? report.pass : second->report.score < report.score;
+  if (second_decides) return *second;
+  return *this;
+}
 
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {
   PlayRequest checked = request;
   CheckOptions(checked.Fields());
-  return PlayBy(*MakeController(model, plan, request), model, plan, request);
+  if (request.play.world.engine != kBoth) return AlonePlayed(PlayInOne(model, plan, request));
+  PlayRequest other = InEngine(request, "mujoco");
+  other.play.on_phase = {};
+  auto later = std::async(std::launch::async, [&] { return PlayInOne(model, plan, other); });
+  Result<ScoredPlayback> first = PlayInOne(model, plan, InEngine(request, "bullet"));
+  return BothPlayed(model, plan, std::move(first), later.get());
 }
 
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
@@ -151,7 +193,13 @@ Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, con
   CheckOptions(checked.Fields());
   CheckLoop(request);
   CheckRates(request);
-  return PlayBy(*BehindSensors(model, plan, std::move(own), request.sensing), model, plan, request);
+  const std::unique_ptr<Controller> controller = BehindSensors(model, plan, std::move(own), request.sensing);
+  if (request.play.world.engine != kBoth) return AlonePlayed(PlayBy(*controller, model, plan, request));
+  Result<ScoredPlayback> first = PlayBy(*controller, model, plan, InEngine(request, "bullet"));
+  PlayRequest other = InEngine(request, "mujoco");
+  other.play.on_phase = {};
+  controller->Reset();
+  return BothPlayed(model, plan, std::move(first), PlayBy(*controller, model, plan, other));
 }
 
 std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log) {

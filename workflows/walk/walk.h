@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "playback/control/recovering.h"
 #include "playback/control/stabilised.h"
 #include "playback/play/play.h"
+#include "playback/score/agreement.h"
 #include "playback/score/stability_report.h"
 #include "playback/sensing/sensing_options.h"
 
@@ -37,11 +39,30 @@ struct PlayRequest {
 };
 
 /// Log of a playback and its score.
-struct PlayedWalk {
+struct ScoredPlayback {
   PlaybackLog log;
   StabilityReport report;
   double realtime_factor = 0.0;  ///< simulated time over CPU time
 };
+
+/// A playback in a second engine, and how it agrees with the first (A).
+struct SecondPlayback : ScoredPlayback {
+  Agreement agreement;
+};
+
+/// A plan played in one engine, or in two (`play.engine` "both"), both of which must pass.
+struct PlayedWalk : ScoredPlayback {
+  std::shared_ptr<const SecondPlayback> second = {};  ///< null where there is one engine
+
+  bool pass() const { return report.pass && (second == nullptr || second->report.pass); }
+  double score() const { return second == nullptr ? report.score : std::min(report.score, second->report.score); }
+  /// The playback that decides: the one that fails, else the one with the lower score; the first if equal.
+  const ScoredPlayback& decisive() const;
+};
+
+/// The engine with which a plan is proved where nothing is asked for: "both", or "bullet" in a program that was built
+/// without MuJoCo.
+std::string ProvingEngine();
 
 /// A robot by name, or by the path of a URDF if that is not empty.
 Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_path);
@@ -66,11 +87,12 @@ void CheckController(const std::string& name);
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                                            const std::optional<RecoveryPlans>& recovery = {});
 
-/// Plays and scores. The log contains all options of the request, not only those of the physics.
+/// Plays and scores, in both engines at the same time if `play.engine` is "both"; then the request's callbacks are
+/// called from the first only. Logs contain all options of the request, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
 /// As above with your own controller, with the requested sensors; the request's `controller` and its options are
-/// ignored.
+/// ignored. In both engines the controller is reset between the playbacks, which follow each other.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                             std::unique_ptr<Controller> own);
 

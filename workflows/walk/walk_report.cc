@@ -29,6 +29,8 @@ std::string WalkReport(const Judged& judged) {
   ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(plan, played.log), judged.objection()};
   words.viewer = ViewerPart(
       {{TitleOf(model, plan), model, plan, &played.log, &played.report, words.objection, judged.mesh_folder}});
+  if (const SecondPlayback* second = played.second.get())
+    words.second.emplace(SecondVerdict{second->log, second->report, second->agreement});
   return ReportPage(model, plan, played.log, played.report, words);
 }
 

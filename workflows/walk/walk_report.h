@@ -18,8 +18,8 @@ struct Judged {
   bool audit_counts = false;                    ///< the verdict also needs the plan's audit
   std::optional<std::string> mesh_folder = {};  ///< of the robot's URDF, to find its visual meshes
 
-  bool pass() const { return played.report.pass && (!audit_counts || audit.pass()); }
-  /// Reason for a fail independent of the playback; "" if there is none.
+  bool pass() const { return played.pass() && (!audit_counts || audit.pass()); }
+  /// Reason for a fail independent of physics; "" if there is none.
   std::string objection() const;
 };
 

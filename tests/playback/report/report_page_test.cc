@@ -48,6 +48,25 @@ TEST(ReportPage, IsWholeWellFormedAndHoldsEveryPlotAndFigure) {
   }
 }
 
+TEST(ReportPage, SetsASecondEngineBesideTheFirstAndNeedsBothToPass) {
+  const Case c = MakeCase(4, 6, false), fallen = MakeCase(4, 6, true);
+  const auto page = [&](const Case& second) {
+    const Agreement agreement = AgreementOf(c.model, c.plan, c.log, second.log);
+    ReportWords words;
+    words.second.emplace(SecondVerdict{second.log, second.report, agreement});
+    return ReportPage(c.model, c.plan, c.log, c.report, words);
+  };
+  const std::string both = page(c), one = page(fallen), alone = ReportPage(c.model, c.plan, c.log, c.report);
+  for (const std::string& html : {both, one}) {
+    EXPECT_EQ(XmlFault(html), "");
+    EXPECT_TRUE(synthetic::Says(html, "<h2 id=\"engines\">"));
+    EXPECT_TRUE(synthetic::Says(html, "<figure id=\"engines_forces\">"));
+  }
+  EXPECT_TRUE(synthetic::Says(both, "<span class=\"verdict pass\">PASS<"));
+  EXPECT_TRUE(synthetic::Says(one, "<span class=\"verdict fail\">FAIL<")) << "a fall in the second engine is a fail";
+  EXPECT_FALSE(synthetic::Says(alone, "id=\"engines\""));
+}
+
 TEST(ReportPage, ShowsUnevenGroundFromAboveAndFromTheSide) {
   Case c = MakeCase(4, 6, false);
   const auto side = [&] {

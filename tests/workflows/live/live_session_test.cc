@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "playback/play/make_world.h"
 #include "tests/workflows/live/made_world.h"
 #include "tests/workflows/live/socket_client.h"
 
@@ -31,7 +32,7 @@ class Session : public testing::Test {
                  {[this](const std::string& note) { notes_.push_back(note); },
                   [this](const std::string& line) { phases_.push_back(line); }},
                  [this] { return spent_s_ += look_s_; }) {
-    live_.Reset();
+    live_.ResetIn("bullet");
     live_.SetGround(0.0, 0.0, 0.0);
     live_.SetControl({});
     live_.TakeNotes();
@@ -86,6 +87,22 @@ TEST_F(Session, GreetsWithRobotGaitsAndOptions) {
   EXPECT_EQ(greeting_["gaits"][0], "stand");
   EXPECT_NE(std::find(greeting_["gaits"].begin(), greeting_["gaits"].end(), "trot"), greeting_["gaits"].end());
   EXPECT_EQ(greeting_["options"]["gains.stance_damping"]["value"], 0.7);
+}
+
+TEST_F(Session, ResetsInAnotherEngine) {
+  ASSERT_EQ(greeting_["engines"], Json(EngineNames()));
+  EXPECT_EQ(Picture(0.01)["ground"]["engine"], "bullet");
+  for (const std::string& engine : EngineNames()) {
+    EXPECT_FALSE(Say({{"do", "reset"}, {"engine", engine}}).contains("refused"));
+    for (int i = 0; i < 30; ++i) Picture(0.0166667);
+    const Json picture = Picture(0.01);
+    EXPECT_EQ(picture["ground"]["engine"], engine);
+    EXPECT_EQ(picture["mode"], "stands");
+    EXPECT_LT(live_.time_s(), 1.0);
+  }
+  const Json told = Say({{"do", "reset"}, {"engine", "both"}});
+  ASSERT_TRUE(told.contains("refused"));
+  EXPECT_NE(told["refused"].get<std::string>().find("both"), std::string::npos);
 }
 
 TEST_F(Session, GoesAsFastAsTheWallsClock) {

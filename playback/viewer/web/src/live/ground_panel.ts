@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { make } from "../elements";
+import { make, menu } from "../elements";
 import type { Frame, Send } from "./messages";
 import { Slider } from "./slider";
 
-/** Friction and slope of the ground under the robot. */
+/** The physics engine, and friction and slope of the ground under the robot. */
 export class GroundPanel {
   readonly root = make("section", "gw-section");
   private readonly friction: Slider;
   private readonly slope: Slider;
   private readonly direction: Slider;
+  private readonly engine = menu("physics engine");
 
-  constructor(private readonly send: Send) {
+  constructor(engines: string[], private readonly send: Send) {
     const degrees = (value: number) => `${value.toFixed(1)}\u00b0`;
     this.friction = new Slider({
       name: "friction", label: "Friction", title: "coefficient of friction", least: 0.1, most: 1.5, step: 0.05, value: 0.8,
@@ -28,10 +29,17 @@ export class GroundPanel {
       slider.onSet = () => this.ask();
       this.root.append(slider.root);
     }
+    for (const name of engines) this.engine.append(new Option(name, name));
+    this.engine.title = "starts anew in this engine";
+    this.engine.addEventListener("change", () => this.send({ do: "reset", engine: this.engine.value }));
+    const row = make("label", "gw-note", "Engine ");
+    row.append(this.engine);
+    if (engines.length > 1) this.root.append(row);
     this.root.append(make("p", "gw-note", "A robot that walks does not know of the slope: its plan is for the ground as it was."));
   }
 
   show(frame: Frame): void {
+    if (document.activeElement !== this.engine) this.engine.value = frame.ground.engine;
     if ([this.friction, this.slope, this.direction].some((slider) => slider.busy)) return;
     this.friction.follow(frame.ground.friction);
     this.slope.follow(frame.ground.slope_deg);

@@ -38,6 +38,8 @@ export interface Greeting {
   /** Of one start of the program, and of no other. */
   run: string;
   scene: { robot: RobotFile; terrain: TerrainFile };
+  /** Physics engines that the robot can stand in after a reset. */
+  engines: string[];
   gaits: string[];
   usual_pace: Pace;
   step_s: number;
@@ -57,6 +59,7 @@ export interface Balance {
 }
 
 export interface Ground {
+  engine: string;
   friction: number;
   slope_deg: number;
   slope_direction_deg: number;
@@ -114,7 +117,8 @@ export type Saying =
   | { do: "heading"; heading_deg: number }
   | { do: "pull"; body: number; at_m: number[]; by_m: number[]; along: boolean }
   | { do: "push"; force_n: number[]; for_s: number }
-  | { do: "let_go" | "reset" | "stand_up" }
+  | { do: "let_go" | "stand_up" }
+  | { do: "reset"; engine?: string }
   | { do: "clock"; paused?: boolean; steps?: number }
   | { do: "ground"; friction: number; slope_deg: number; slope_direction_deg: number }
   | { do: "options"; options: Record<string, number> }

@@ -56,7 +56,7 @@ export class Session {
     this.pushes = new PushPanel(robot, greeting.spring, send);
     this.response = new ResponsePlot(robot, send);
     this.plan = new PlanView(this.rolling.motion);
-    const others = [new GroundPanel(send), new PosePanel(robot, send), new GainsPanel(greeting.options, send)];
+    const others = [new GroundPanel(greeting.engines, send), new PosePanel(robot, send), new GainsPanel(greeting.options, send)];
     const walking = make("div", "gw-panel");
     walking.append(this.walk.root, this.pushes.root);
     this.panels = [{ root: walking, show: (frame) => this.walk.show(frame) }, ...others];

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/base/text.h"
 #include "kinematics/collision/shape_extent.h"
+#include "kinematics/model/joint_losses.h"
 #include "planning/plan/sole_support.h"
 #include "planning/plan/terrain_shapes.h"
 #include "playback/engine/world.h"
-#include "playback/mujoco/model_text_internal.h"
+#include "playback/mjcf/model_text_internal.h"
 
 namespace gaitwright::mujoco {
 namespace {
@@ -51,8 +53,9 @@ Pose JointMotion(const Joint& joint, double position) {
 
 class Writer {
  public:
-  Writer(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options)
-      : model_(model), terrain_(terrain), q_(q), options_(options), bumps_(BumpsOf(model, q, options)) {
+  Writer(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options,
+         const FileParts* parts)
+      : model_(model), terrain_(terrain), q_(q), options_(options), parts_(parts), bumps_(BumpsOf(model, q, options)) {
     locked_.assign(model.dof_names.size(), false);
     for (const int dof : options.locked_dofs) locked_[static_cast<std::size_t>(dof)] = true;
     children_.resize(model.bodies.size());
@@ -66,14 +69,15 @@ class Writer {
         "<mujoco model=\"{}\">\n"
         "<compiler angle=\"radian\" coordinate=\"local\" inertiafromgeom=\"false\" boundmass=\"{}\" "
         "boundinertia=\"{}\" autolimits=\"false\"/>\n"
-        "<option timestep=\"{}\" gravity=\"0 0 {}\" integrator=\"Euler\" cone=\"elliptic\" solver=\"Newton\" "
+        "<option timestep=\"{}\" gravity=\"0 0 {}\" integrator=\"{}\" cone=\"elliptic\" solver=\"Newton\" "
         "iterations=\"{}\" tolerance=\"1e-12\" jacobian=\"dense\" impratio=\"{}\"/>\n"
         "<size njmax=\"{}\" nconmax=\"{}\"/>\n"
         "<default><geom contype=\"1\" conaffinity=\"2\" condim=\"3\" solref=\"{} 1\" solimp=\"{}\"/></default>\n"
-        "<asset>\n{}</asset>\n<worldbody>\n{}{}</worldbody>\n{}</mujoco>\n",
-        "robot", Number(kLeastMass), Number(kLeastInertia), Number(options_.step_s), Number(-kGravity), kIterations,
-        Number(kImpratio), kMostRows, kMostContacts, Number(std::max(2.0 * options_.step_s, kContactTime)),
-        kContactImpedance, assets_, ground, robot, gears);
+        "<asset>\n{}</asset>\n<worldbody>\n{}{}</worldbody>\n{}{}</mujoco>\n",
+        EscapedXml(model_.name), Number(kLeastMass), Number(kLeastInertia), Number(options_.step_s), Number(-kGravity),
+        parts_ == nullptr ? "Euler" : "implicit", kIterations, Number(kImpratio), kMostRows, kMostContacts,
+        Number(std::max(2.0 * options_.step_s, kContactTime)), kContactImpedance, assets_, ground, robot, gears,
+        parts_ == nullptr ? "" : Motors() + KeyFrame());
     return std::move(text_);
   }
 
@@ -90,15 +94,16 @@ class Writer {
     const Body& body = model_.bodies[i];
     std::string text;
     if (index == 0) {
-      text = "<body name=\"b0\">\n<freejoint name=\"base\"/>\n";
+      text = fmt::format("<body name=\"{}\">\n<freejoint/>\n", EscapedXml(body.name));
     } else {
       const Joint& joint = model_.joints[i - 1];
       const bool fixed = Locked(joint);
       const double position = fixed ? joint.multiplier * q_[7 + joint.dof] + joint.offset : 0.0;
-      text = fmt::format("<body name=\"b{}\" {}>\n", index, PlaceOf(joint.X_PJ * JointMotion(joint, position)));
+      text = fmt::format("<body name=\"{}\" {}>\n", EscapedXml(body.name),
+                         PlaceOf(joint.X_PJ * JointMotion(joint, position)));
       if (!fixed) {
-        text += fmt::format("<joint name=\"j{}\" type=\"{}\" axis=\"{}\"/>\n", index - 1,
-                            joint.is_prismatic() ? "slide" : "hinge", Numbers(joint.axis_J));
+        text += fmt::format("<joint name=\"{}\" type=\"{}\" axis=\"{}\"{}/>\n", EscapedXml(joint.name),
+                            joint.is_prismatic() ? "slide" : "hinge", Numbers(joint.axis_J), Losses(joint));
       }
     }
     text += Inertial(body, index == 0);
@@ -246,9 +251,10 @@ class Writer {
     X_WS.linear() = Eigen::AngleAxisd(0.5 * M_PI, Vector3::UnitZ()).toRotationMatrix();
     X_WS.translation() << field.origin_W + 0.5 * extent, *low;
     const std::size_t number = text_.fields.size();
-    assets_ += fmt::format("<hfield name=\"h{}\" nrow=\"{}\" ncol=\"{}\" size=\"{} {} {} {}\"/>\n", number,
-                           heights.rows, heights.columns, Number(0.5 * extent.y()), Number(0.5 * extent.x()),
-                           Number(rise), Number(kFieldBase));
+    assets_ += fmt::format("<hfield name=\"h{}\" {} size=\"{} {} {} {}\"/>\n", number,
+                           parts_ == nullptr ? fmt::format("nrow=\"{}\" ncol=\"{}\"", heights.rows, heights.columns)
+                                             : fmt::format("file=\"{}\"", EscapedXml(parts_->heights.at(number))),
+                           Number(0.5 * extent.y()), Number(0.5 * extent.x()), Number(rise), Number(kFieldBase));
     text_.fields.push_back(std::move(heights));
     return Solid(fmt::format("type=\"hfield\" hfield=\"h{}\"", number), X_WS, friction);
   }
@@ -260,18 +266,66 @@ class Writer {
       const Joint& joint = model_.joints[i];
       if (!joint.is_mimic || Locked(joint)) continue;
       text += fmt::format(
-          "<joint joint1=\"j{}\" joint2=\"j{}\" polycoef=\"{} {} 0 0 0\" solref=\"{} 1\" solimp=\"0.9999 0.9999 "
+          "<joint joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\" solref=\"{} 1\" solimp=\"0.9999 0.9999 "
           "0.001\"/>\n",
-          i, model_.dof_joint[static_cast<std::size_t>(joint.dof)], Number(joint.offset), Number(joint.multiplier),
+          EscapedXml(joint.name), LeaderOf(joint.dof), Number(joint.offset), Number(joint.multiplier),
           Number(2.0 * options_.step_s));
     }
     return text.empty() ? "" : "<equality>\n" + text + "</equality>\n";
+  }
+
+  std::string LeaderOf(int dof) const { return EscapedXml(model_.dof_names[static_cast<std::size_t>(dof)]); }
+
+  /// Attributes of a joint in a file: its limits, and its share of what the joints of its coordinate lose.
+  std::string Losses(const Joint& joint) const {
+    if (parts_ == nullptr) return "";
+    std::string text =
+        fmt::format(" damping=\"{}\" frictionloss=\"{}\"", Number(joint.damping), Number(joint.friction));
+    if (!joint.is_mimic) text += fmt::format(" armature=\"{}\"", Number(LossesOf(model_, joint.dof).rotor_inertia));
+    if (std::isfinite(joint.lower) && std::isfinite(joint.upper))
+      text += fmt::format(" limited=\"true\" range=\"{} {}\"", Number(joint.lower), Number(joint.upper));
+    return text;
+  }
+
+  /// Of each coordinate a motor with the gains of a PD: control is the target position.
+  std::string Motors() const {
+    std::string text;
+    for (int dof = 0; dof < model_.num_dofs(); ++dof) {
+      const double kp = parts_->stiffness[dof], kd = parts_->damping[dof], limit = model_.dof_effort_limit(dof);
+      const std::string range =
+          std::isfinite(limit) && limit > 0.0
+              ? fmt::format(" forcelimited=\"true\" forcerange=\"{} {}\"", Number(-limit), Number(limit))
+              : "";
+      text += fmt::format(
+          "<general name=\"{0}\" joint=\"{0}\" biastype=\"affine\" gainprm=\"{1}\" biasprm=\"0 -{1} -{2}\"{3}/>\n",
+          LeaderOf(dof), Number(kp), Number(kd), range);
+    }
+    return text.empty() ? "" : "<actuator>\n" + text + "</actuator>\n";
+  }
+
+  /// Positions of all joints in the order of the file, which is that of the bodies as they are written.
+  void AddPositions(int body, std::string& text) const {
+    if (body > 0) {
+      const Joint& joint = model_.joints[static_cast<std::size_t>(body) - 1];
+      if (!Locked(joint)) text += " " + Number(joint.multiplier * q_[7 + joint.dof] + joint.offset);
+    }
+    for (const int child : children_[static_cast<std::size_t>(body)]) AddPositions(child, text);
+  }
+
+  std::string KeyFrame() const {
+    const Eigen::Vector4d xyzw = q_.segment<4>(3);
+    std::string positions =
+        fmt::format("{} {} {}", Numbers(Vector3(q_.head<3>())), Number(xyzw[3]), Numbers(Vector3(xyzw.head<3>())));
+    AddPositions(0, positions);
+    return fmt::format("<keyframe>\n<key name=\"start\" qpos=\"{}\" ctrl=\"{}\"/>\n</keyframe>\n", positions,
+                       Numbers(VectorX(q_.tail(model_.num_dofs()))));
   }
 
   const RobotModel& model_;
   const Terrain& terrain_;
   const VectorX& q_;
   const WorldOptions& options_;
+  const FileParts* parts_;
   const Bumps bumps_;
   std::vector<bool> locked_;
   std::vector<std::vector<int>> children_;  // by body
@@ -285,8 +339,9 @@ class Writer {
 
 }  // namespace
 
-ModelText WriteModel(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options) {
-  return Writer(model, terrain, q, options).Write();
+ModelText WriteModel(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options,
+                     const FileParts* parts) {
+  return Writer(model, terrain, q, options, parts).Write();
 }
 
 }  // namespace gaitwright::mujoco

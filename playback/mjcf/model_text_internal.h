@@ -26,15 +26,24 @@ struct FieldHeights {
 /// A robot on a ground as a file of MuJoCo.
 ///
 /// Bodies, joints and frames are those of RobotModel, so that states need no change but of the base's quaternion and
-/// its angular velocity. Names: body `b<i>` and joint `j<i>` by index, geom `g<i>` by index into `parts`, ground
-/// `t<i>`. Motors, losses of joints and position limits of mimicking joints are not in it: see MujocoWorld.
+/// its angular velocity. Bodies and joints have the model's names, escaped as XML; geoms are `g<i>` by index into
+/// `parts`, ground is `t<i>`.
 struct ModelText {
   std::string mjcf;
   std::vector<GeomPart> parts;
   std::vector<FieldHeights> fields;
 };
 
+/// What a file has that a world of ours does itself.
+struct FileParts {
+  VectorX stiffness, damping;        ///< of the motors, by coordinate
+  std::vector<std::string> heights;  ///< file of each height field
+};
+
 /// @param q  configuration at which locked joints are welded; its x and y are where slope and bumps begin.
-ModelText WriteModel(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
+/// @param parts  null for a world, which has motors, losses of joints and their position limits of its own; else these
+/// are written too, with `q` as the first key frame.
+ModelText WriteModel(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options,
+                     const FileParts* parts = nullptr);
 
 }  // namespace gaitwright::mujoco

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/file.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/terrain.h"
+#include "playback/engine/world_options.h"
+
+namespace gaitwright {
+
+/// A robot on a ground as files of MuJoCo 2.2.2 or later: the model that this program plays, for other programs.
+///
+/// Inertias, joints, contact shapes and contact settings are those of the world in MuJoCo. Besides, the file has the
+/// position limits of joints, their damping, dry friction and rotor inertia, position actuators with the gains and the
+/// effort limits, and the key frame "start". Not in it: torque-speed curves, continuous torques, and transmissions,
+/// whose joints get actuators of their own.
+/// @param q  configuration of the key frame.
+/// @param stiffness, damping  by coordinate, as of DeriveGains (control/gains.h).
+/// @param path  of the model; each height field is a file beside it: STEM_field0.bin.
+/// @return the model, then the height fields.
+std::vector<OutputFile> MujocoFiles(const RobotModel& model, const Terrain& terrain, const VectorX& q,
+                                    const VectorX& stiffness, const VectorX& damping, const std::string& path);
+
+}  // namespace gaitwright

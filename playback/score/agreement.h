@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+#include "playback/log/playback_log.h"
+
+namespace gaitwright {
+
+/// Difference of one quantity between two playbacks of one plan, B - A, over the time that both last.
+struct QuantityAgreement {
+  std::string quantity, unit;                   ///< "normal force of FL_foot", "N"
+  double rms = 0.0, largest = 0.0, at_s = 0.0;  ///< largest magnitude and its time
+  double tolerance = 0.0;
+  std::optional<double> parts_s = {};  ///< first time at which the difference exceeds the tolerance
+  double a = 0.0, b = 0.0;             ///< both values at that time
+};
+
+/// Agreement of two playbacks of one plan, such as those of two physics engines.
+struct Agreement {
+  std::string name_a, name_b;  ///< the engines; with "A" and "B" before them where both are the same
+  double start_s = 0.0, end_s = 0.0;
+  int samples = 0;
+  /// Normal force and slip of each foot, ZMP x and y, position x, y, z and roll, pitch, yaw of the base. Those without
+  /// a value at any time in either playback are left out.
+  std::vector<QuantityAgreement> quantities;
+
+  /// The quantity that parts first; null if all differences are within their tolerances.
+  const QuantityAgreement* first() const;
+};
+
+/// Name of the physics engine of a log; "bullet" for logs that do not tell it.
+std::string EngineOf(const PlaybackLog& log);
+
+/// Compares two playbacks at the samples of A; B is interpolated between its samples.
+///
+/// Forces are means over 50 ms, so that the spike of an impact, which depends on the time step, does not count. Slip is
+/// the way that a foot has slid on the ground since the start. Tolerances: forces 0.25 m g; ZMP 0.1, slip 0.05 and base
+/// position 0.05 of the leg length; base angles 0.05 rad.
+/// @throws InvalidArgument as of MakeMotionSeries.
+Agreement AgreementOf(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& a, const PlaybackLog& b);
+
+/// One line: where they part first and by how much, or how near they stay.
+std::string AgreementText(const Agreement& agreement);
+
+/// The object "agreement" of `walk` and `play`: engines, shared time, first, quantities.
+std::string AgreementJson(const Agreement& agreement);
+
+}  // namespace gaitwright
