@@ -68,7 +68,7 @@ TEST(MotorsExample, AMotorThatIsTooWarmGivesNoMoreThanItsContinuousEffort) {
   const PlayedWalk played = PlayWalk(weak, AWalk(), {}).value();
   EXPECT_GT(*played.report.At("torque_saturated_fraction").value, 0.01);
   EXPECT_FALSE(played.report.pass);
-  EXPECT_NE(played.report.reason.find("of 33.50 N m (less for the motor's warmth)"), std::string::npos)
+  EXPECT_NE(played.report.reason.find("of 33.50 N m (reduced by the motor's warmth)"), std::string::npos)
       << played.report.reason;
 }
 
