@@ -10,6 +10,8 @@
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "kinematics/base/file.h"
+#include "playback/play/play.h"
+#include "playback/score/agreement.h"
 #include "workflows/compare/comparison_text.h"
 
 namespace gaitwright::cli {
@@ -60,6 +62,14 @@ int PrintComparison(const CompareSettings& a, const std::string& text, const std
   return a.require_same && !same ? kVerdictFail : kPass;
 }
 
+/// Of two logs of the plan that is given, such as those of two engines.
+std::optional<Agreement> AgreementOfLogs(const CompareInput& input) {
+  if (!input.played || !input.a->log || !input.b->log) return std::nullopt;
+  const std::string hash = MotionHash(*input.played);
+  if (input.a->log->plan_hash != hash || input.b->log->plan_hash != hash) return std::nullopt;
+  return AgreementOf(input.a->model, *input.played, *input.a->log, *input.b->log);
+}
+
 int RunCompare(CompareSettings& a) {
   ApplySets("--set", a.common.sets, a.Fields());
   CheckComparePaths(a);
@@ -73,7 +83,13 @@ int RunCompare(CompareSettings& a) {
   const MotionComparison motions = CompareMotions(*input->a, *input->b, a.options);
   const std::vector<MetricPair> metrics =
       MetricsOf(*input->a, *input->b, input->played ? &*input->played : nullptr, a.options.tolerance);
-  return PrintComparison(a, ComparisonText(motions, metrics), ComparisonJson(motions, metrics), motions.same(),
+  std::string text = ComparisonText(motions, metrics);
+  auto json = ParsedJson(ComparisonJson(motions, metrics));
+  if (const std::optional<Agreement> agreement = AgreementOfLogs(*input)) {
+    text += "playback: " + AgreementText(*agreement) + "\n";
+    json["agreement"] = ParsedJson(AgreementJson(*agreement));
+  }
+  return PrintComparison(a, text, json.dump(), motions.same(),
                          [&] { return ComparisonPage(*input->a, *input->b, motions, metrics); });
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "cli/helping_rank.h"
 #include "cli/interruptible.h"
@@ -31,6 +33,7 @@ struct TrialsSettings {
   bool resume = false, show = false;
 
   std::string SoFar() const { return out + ".so-far"; }
+  std::string engine() const { return play.request.play.world.engine; }
   OptionFields Fields() { return Joined({Prefixed("trials", trials.Fields()), play.Fields()}); }
 };
 
@@ -58,16 +61,16 @@ void PrintTrialsQuietly(const TrialsSettings& a, const RobustnessReport& report,
   }
 }
 
+nlohmann::ordered_json TrialsJson(const TrialsSettings& a, const TrialRun& run) {
+  auto json = ParsedJson(RobustnessJson(run.report));
+  json["files"] = {{"plan", a.plan}, {"result", a.out}};
+  if (!a.report.empty()) json["files"]["report"] = a.report;
+  if (run.beyond > 0) json["files"]["so_far"] = a.SoFar();
+  return json;
+}
+
 void PrintTrials(const TrialsSettings& a, const TrialRun& run, bool enough) {
   const RobustnessReport& report = run.report;
-  if (a.common.json) {
-    auto json = ParsedJson(RobustnessJson(report));
-    json["files"] = {{"plan", a.plan}, {"result", a.out}};
-    if (!a.report.empty()) json["files"]["report"] = a.report;
-    if (run.beyond > 0) json["files"]["so_far"] = a.SoFar();
-    PrintJson(json);
-    return;
-  }
   if (a.common.quiet) return PrintTrialsQuietly(a, report, enough);
   fmt::print("{}\nresult  {}\n", RobustnessText(report), a.out);
   if (!a.report.empty()) fmt::print("report  {}\n", a.report);
@@ -99,14 +102,35 @@ Result<TrialRun> TrialsWithBar(const TrialsSettings& a, const TrialStudy& study,
   return TrialRun{std::move(*report), book->beyond()};
 }
 
+/// The path with the engine's name before its ending: trials-mujoco.json.
+std::string PathFor(const std::string& path, const std::string& engine) {
+  if (path.empty()) return path;
+  const std::filesystem::path file(path);
+  return (file.parent_path() / (file.stem().string() + "-" + engine + file.extension().string())).string();
+}
+
+/// The runs that are asked for: one, or with --engine both one in each engine, of which the second has files of its
+/// own.
+std::vector<TrialsSettings> RunsOf(const TrialsSettings& a) {
+  if (a.engine() != "both") return {a};
+  std::vector<TrialsSettings> runs = {a, a};
+  runs[0].play.request.play.world.engine = "bullet";
+  runs[1].play.request.play.world.engine = "mujoco";
+  runs[1].out = PathFor(a.out, "mujoco");
+  runs[1].report = PathFor(a.report, "mujoco");
+  return runs;
+}
+
 /// Of the one process that writes: where the others of an MPI run are, the folders may not be.
 void CheckTrialsPaths(const TrialsSettings& a) {
   Paths paths;
   paths.Read("the plan", a.plan);
   if (!a.show) {
-    paths.Write("--out", a.out, {".json"});
-    paths.Write("--report", a.report, {".html"});
-    paths.Write("the run so far", a.SoFar());
+    for (const TrialsSettings& run : RunsOf(a)) {
+      paths.Write("--out", run.out, {".json"});
+      paths.Write("--report", run.report, {".html"});
+      paths.Write("the run so far", run.SoFar());
+    }
   }
   a.disturbances.AddPathTo(paths);
   a.options.AddPathTo(paths);
@@ -147,7 +171,9 @@ Result<TrialInputs> ReadTrialInputs(TrialsSettings& a) {
 std::optional<Failure> HelpWithTrials(TrialsSettings& a, SharedWork& work) {
   const Result<TrialInputs> read = ReadTrialInputs(a);
   if (!read) return read.failure();
-  if (!a.show) ServeTrials(work, {read->model, read->plan, a.play.request, read->disturbances}, a.trials);
+  if (a.show) return std::nullopt;
+  for (const TrialsSettings& run : RunsOf(a))
+    ServeTrials(work, {read->model, read->plan, run.play.request, read->disturbances}, a.trials);
   return std::nullopt;
 }
 
@@ -158,14 +184,29 @@ int RunTrials(TrialsSettings& a) {
   const Result<TrialInputs> read = ReadTrialInputs(a);
   if (!read) return Report(read.failure(), a.common);
   if (a.show) return ShowDisturbances(a, read->disturbances);
-  const Result<TrialRun> run = TrialsWithBar(a, {read->model, read->plan, a.play.request, read->disturbances}, work);
-  if (!run) {
-    const int status = Report(run.failure(), a.common);
-    return run.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
+  nlohmann::ordered_json json;
+  bool all_enough = true;
+  for (const TrialsSettings& one : RunsOf(a)) {
+    const Result<TrialRun> run =
+        TrialsWithBar(one, {read->model, read->plan, one.play.request, read->disturbances}, work);
+    if (!run) {
+      const int status = Report(run.failure(), a.common);
+      return run.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
+    }
+    const bool enough = !a.require_survival || run->report.survival.share >= *a.require_survival;
+    all_enough = all_enough && enough;
+    if (!a.common.json) {
+      if (a.engine() == "both") fmt::print("{}{}: ", json.is_null() || a.common.quiet ? "" : "\n", one.engine());
+      PrintTrials(one, *run, enough);
+    }
+    if (json.is_null()) {
+      json = TrialsJson(one, *run);
+    } else {
+      json["second"] = TrialsJson(one, *run);
+    }
   }
-  const bool enough = !a.require_survival || run->report.survival.share >= *a.require_survival;
-  PrintTrials(a, *run, enough);
-  return enough ? kPass : kVerdictFail;
+  if (a.common.json) PrintJson(json);
+  return all_enough ? kPass : kVerdictFail;
 }
 
 void AddTrialsFlags(Verb verb, TrialsSettings& a) {

@@ -61,8 +61,9 @@ PlayRequest RequestOf(const std::optional<PushTuple>& push, const PhaseCallback&
 }
 
 Playback Play(const std::shared_ptr<Plan>& plan, const py::object& controller, const std::optional<PushTuple>& push,
-              const PhaseCallback& on_phase, const py::dict& options) {
+              const PhaseCallback& on_phase, const py::dict& options, const std::optional<std::string>& engine) {
   PlayRequest request = RequestOf(push, on_phase, options);
+  if (engine) request.play.world.engine = *engine;
   Controller* own = nullptr;
   std::optional<InUse::Turn> turn;
   if (py::isinstance<py::str>(controller)) {
@@ -162,6 +163,19 @@ Playback WithPlan(Result<PlaybackLog> log, const std::string& name, const std::s
   return {plan, std::move(played)};
 }
 
+/// None where there was one engine.
+py::object SecondOf(const Playback& playback) {
+  const SecondPlayback* second = playback.played().second.get();
+  if (second == nullptr) return py::none();
+  return py::cast(Playback(playback.shared_plan(), PlayedWalk{*second}));
+}
+
+py::object AgreementOfBoth(const Playback& playback) {
+  const SecondPlayback* second = playback.played().second.get();
+  if (second == nullptr) return py::none();
+  return py::module_::import("json").attr("loads")(AgreementJson(second->agreement));
+}
+
 py::tuple Pickled(const Playback& playback) {
   return py::make_tuple(std::const_pointer_cast<Plan>(playback.shared_plan()), LogToJson(playback.log()));
 }
@@ -215,12 +229,19 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
           "tau", [](const py::object& self) { return LogTable<&LogSample::tau>(self, "tau"); },
           "Torques of the joints, means over the interval before, N x n.")
       .def_property_readonly("forces_n", ForcesOf, "Ground forces on the feet, N x feet x 3.")
-      .def_property_readonly("passed", [](const Playback& p) { return p.report().pass; })
+      .def_property_readonly(
+          "passed", [](const Playback& p) { return p.played().pass(); }, "In each engine in which it was played.")
+      .def_property_readonly(
+          "engine", [](const Playback& p) { return EngineOf(p.log()); }, "Physics engine of these samples.")
+      .def_property_readonly("second", SecondOf, "The playback in the other engine of engine=\"both\"; else None.")
+      .def_property_readonly(
+          "agreement", AgreementOfBoth,
+          "How the engines of engine=\"both\" differ, as of ``walk --json``: first, quantities; else None.")
       .def_property_readonly(
           "score", [](const Playback& p) { return p.report().score; }, "Of 100.")
       .def_property_readonly(
-          "reason", [](const Playback& p) { return p.report().reason; },
-          "Why it fell or failed, or which gate is tightest.")
+          "reason", [](const Playback& p) { return p.played().decisive().report.reason; },
+          "Why it fell or failed, or which gate is tightest; of two engines that of the worse.")
       .def_property_readonly("metrics", MetricsOf, "By key.")
       .def_property_readonly("controller", [](const Playback& p) { return p.log().controller; })
       .def_property_readonly(
@@ -232,20 +253,26 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
           "save", [](const Playback& p, const fs::path& path) { return Value(SaveLog(p.log(), path.string())); },
           py::arg("path"), "Writes log.json, for the program too; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
-           "Writes the measured motion as csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns notes "
-           "on the result.")
+           "Writes the measured motion as csv, joint-trajectory-yaml, joint-trajectory-json, npz, svg or mjcf; returns "
+           "notes on the result.")
       .def("report_html", ReportHtml, "The report as one HTML page, whole by itself.")
       .def(
           "viewer_html", [](const Playback& p) { return ViewerPage(Shown(p).title, {Shown(p)}); },
           "The motion in 3D as one HTML page, whole by itself.")
       .def(py::pickle(&Pickled, &FromPickle))
-      .def("__str__", [](const Playback& p) { return ReportText(p.report()); })
+      .def("__str__",
+           [](const Playback& p) {
+             const SecondPlayback* second = p.played().second.get();
+             return second == nullptr ? ReportText(p.report())
+                                      : ReportText(p.report(), second->report, second->agreement);
+           })
       .def("__repr__", [](const Playback& p) {
         return fmt::format("<gaitwright.Playback {}: {}, score {:.1f}>", p.log().robot,
-                           p.report().pass ? "pass" : "fail", p.report().score);
+                           p.played().pass() ? "pass" : "fail", p.played().score());
       });
   module.def("play", Play, py::arg("plan").none(false), py::arg("controller") = "stabilised",
              py::arg("push") = py::none(), py::arg("on_phase") = nullptr, py::arg("options") = py::dict(),
+             py::arg("engine") = py::none(),
              R"(Plays a plan in physics and scores it.
 
 Args:
@@ -253,7 +280,8 @@ Args:
     push: (fx, fy, fz, at_s, for_s) on the base, in N and s.
     on_phase: called as on_phase(phase, at_s, met) when a phase of the plan ends, of motions that have such.
     options: as of ``gaitwright play --set``, such as ``{"play.friction": 0.6, "state": "estimated"}``, and
-        ``"sensors"``: "ideal", "good" or "hobby", as of ``--sensors``.)");
+        ``"sensors"``: "ideal", "good" or "hobby", as of ``--sensors``.
+    engine: "bullet", "mujoco" or "both", which passes if both pass; default: that of the options, else "bullet".)");
   module.def(
       "play_trial", PlayOneTrial, py::arg("plan").none(false), py::arg("seed"), py::kw_only(),
       py::arg("disturbances") = "standard", py::arg("controller") = "stabilised", py::arg("options") = py::dict(),

@@ -22,9 +22,10 @@ namespace py = pybind11;
 /// A world with the robot that is in it. One thread works on it at a time.
 class SteppedWorld {
  public:
-  SteppedWorld(SharedRobot robot, const py::object& terrain, const std::optional<VectorX>& q, const py::dict& options)
+  SteppedWorld(SharedRobot robot, const py::object& terrain, const std::optional<VectorX>& q, const py::dict& options,
+               const std::optional<std::string>& engine)
       : robot_(std::move(robot)),
-        options_(From(options)),
+        options_(From(options, engine)),
         world_(MakeWorld(*robot_, TerrainOf(terrain, *robot_), Start(q), options_)) {}
 
   void Step(const JointCommand& command, int steps) {
@@ -63,9 +64,10 @@ class SteppedWorld {
  private:
   static constexpr const char* kName = "this World";
 
-  static WorldOptions From(const py::dict& given) {
+  static WorldOptions From(const py::dict& given, const std::optional<std::string>& engine) {
     WorldOptions options;
     SetOptions(options.Fields(), given);
+    if (engine) options.engine = *engine;
     return options;
   }
   VectorX Start(const std::optional<VectorX>& q) const { return q ? *q : StandingConfiguration(*robot_); }
@@ -97,11 +99,12 @@ void BindWorld(py::module_& module) {
 The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. Deterministic. One thread steps it
 at a time.)")
       .def(
-          py::init<SharedRobot, const py::object&, const std::optional<VectorX>&, const py::dict&>(),
+          py::init<SharedRobot, const py::object&, const std::optional<VectorX>&, const py::dict&,
+                   const std::optional<std::string>&>(),
           py::arg("robot").none(false), py::arg("terrain") = "flat", py::arg("q") = py::none(),
-          py::arg("options") = py::dict(),
+          py::arg("options") = py::dict(), py::arg("engine") = py::none(),
           "A terrain as of `plan_walk`. Options as those of ``play --set`` without their ``play.``, such as step_s and "
-          "friction.")
+          "friction. The engine is \"bullet\" or \"mujoco\"; default: that of the options, else \"bullet\".")
       .def("step", &SteppedWorld::Step, py::arg("command"), py::arg("steps") = 1,
            py::call_guard<py::gil_scoped_release>(), "So many steps with one command.")
       .def("measured", &SteppedWorld::Measured, py::arg("time_s") = py::none(), "Input of a controller at this time.")

@@ -16,8 +16,8 @@ inline RobotModel Make(JointType type) {
   RobotModel model;
   model.name = "one_joint";
   const double no_limit = std::numeric_limits<double>::infinity();
-  for (const double size : {4.0, 1.0})
-    model.bodies.push_back({.name = "body", .mass = size, .I_C = size * Matrix3::Identity()});
+  model.bodies.push_back({.name = "heavy", .mass = 4.0, .I_C = 4.0 * Matrix3::Identity()});
+  model.bodies.push_back({.name = "light", .mass = 1.0, .I_C = Matrix3::Identity()});
   model.joints.push_back({.name = "joint",
                           .type = type,
                           .axis_J = type == JointType::kPrismatic ? Vector3::UnitX() : Vector3::UnitZ(),

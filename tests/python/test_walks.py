@@ -153,3 +153,23 @@ def test_ground_that_cannot_be_is_refused():
         gw.flat_terrain().ground_at(np.inf, 0.0)
     with pytest.raises(gw.BadInputError, match="corner is 60 m high"):
         gw.flat_terrain().with_patch([[0.0, 0.0, 60.0], [1.0, 0.0, 60.0], [1.0, 1.0, 60.0]])
+
+
+def test_both_engines_are_played_and_both_must_pass(trot):
+    both = gw.play(trot, engine="both")
+    assert (both.engine, both.second.engine) == ("bullet", "mujoco")
+    assert both.passed and both.second.passed and both.second.second is None
+    assert both.agreement["engines"] == ["bullet", "mujoco"]
+    assert {"quantity", "largest", "tolerance", "parts_s"} <= both.agreement["quantities"][0].keys()
+    alone = gw.play(trot, engine="mujoco")
+    assert np.array_equal(alone.q, both.second.q) and alone.second is None and alone.agreement is None
+    with pytest.raises(ValueError, match="engine"):
+        gw.play(trot, engine="ode")
+
+
+def test_a_world_stands_in_each_engine(a1):
+    for engine in ("bullet", "mujoco"):
+        world = gw.World(a1, engine=engine)
+        assert world.step_s == 0.001
+    with pytest.raises(ValueError, match="both"):
+        gw.World(a1, engine="both")

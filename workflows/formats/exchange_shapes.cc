@@ -83,6 +83,7 @@ DataShape MotionComparisonShape() {
                  {"metrics", MetricPairsShape()},
                  {"words", WordsShape(), "Differences in text values."},
                  {"notes", TextsShape()},
+                 Optional("agreement", AgreementShape(), "Of two logs of the plan of --plan."),
                  {"files", FilesShape({"report"})}});
 }
 
@@ -106,7 +107,7 @@ DataShape ExportResultShape() {
                  {"start_s", Number()},
                  {"end_s", Number()},
                  {"notes", TextsShape(), "Data that the format cannot contain."},
-                 {"files", FilesShape({"motion", "plots"})}});
+                 {"files", FilesShape({"motion", "plots", "model"})}});
 }
 
 DataShape ImportResultShape() {

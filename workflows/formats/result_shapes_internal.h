@@ -17,6 +17,7 @@ DataShape MarginShape();                                      ///< a margin of t
 DataShape WalkResultShape();
 DataShape DoResultShape();
 DataShape AuditResultShape();
+DataShape AgreementShape();
 DataShape PreflightShape();
 DataShape PlanResultShape();
 DataShape TrialsResultShape();

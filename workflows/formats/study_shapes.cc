@@ -170,6 +170,7 @@ DataShape TrialsResultShape() {
                {"sensitivity", List(SensitivityShape()), "Correlates of falling, the most significant first."},
                {"pushes", List(PushBinShape()), "Results of pushes by direction."},
                {"worst", List(WorstShape())},
+               Optional("second", Anything(), "The run in the second engine of --engine both, with these members."),
                {"robot", Text()},
                {"robot_hash", Text()},
                {"plan_hash", Text()},

@@ -87,10 +87,6 @@ DataShape MetricsShape() {
   return metrics;
 }
 
-}  // namespace
-
-namespace {
-
 /// What --explain lists.
 DataShape TriedShape() {
   return List(Object({{"extent", Text({"start-look", "first-look", "start", "whole"})},
@@ -101,7 +97,36 @@ DataShape TriedShape() {
                       {"refused", OrNull(Text(FailureCodeNames())), "Failure code; null if the plan is sound."}}));
 }
 
+DataShape EnginesShape() {
+  return List(Object({{"verdict", VerdictShape()},
+                      {"score", Number(0.0, 100.0)},
+                      {"reason", Text()},
+                      {"metrics", MetricsShape()},
+                      {"notes", TextsShape()},
+                      {"engine", Text()},
+                      {"log_hash", Text()},
+                      {"playback_realtime_factor", Number()}}),
+              2);
+}
+
 }  // namespace
+
+DataShape AgreementShape() {
+  const DataShape quantity = Object({{"quantity", Text()},
+                                     {"unit", Text()},
+                                     {"rms", Number()},
+                                     {"largest", Number(), "Magnitude of the largest difference."},
+                                     {"at_s", Number(), "Time of the largest difference."},
+                                     {"tolerance", Number()},
+                                     {"parts_s", OrNull(Number()), "First time beyond the tolerance."},
+                                     {"values", List(Number()), "Values of both engines at parts_s."}});
+  return Object({{"engines", List(Text(), 2)},
+                 {"start_s", Number()},
+                 {"end_s", Number()},
+                 {"agree", Truth()},
+                 {"first", OrNull(quantity), "Quantity that parts first; null if the engines agree."},
+                 {"quantities", List(quantity)}});
+}
 
 DataShape WalkResultShape() {
   return Object({{"robot", Text()},
@@ -115,10 +140,13 @@ DataShape WalkResultShape() {
                  {"adjustments", AdjustmentsShape(), "Adjustments that the planner made."},
                  Optional("tried", TriedShape(), "Plans that were tried; with --explain."),
                  Optional("drawn", MapOf(Text()), "Sampled values of a trial, by name."),
+                 {"engine", Text(), "Engine of score, reason, metrics and log; of two the first."},
+                 Optional("engines", EnginesShape(), "What each engine says, where two have played."),
+                 Optional("agreement", AgreementShape(), "How the two engines differ."),
                  {"log_hash", Text(), "Hash of all samples of the log."},
                  {"planning_cpu_s", Number(), "CPU time of planning; 0 for play."},
                  {"playback_realtime_factor", Number()},
-                 {"files", FilesShape({"plan", "log", "report", "plots"})}});
+                 {"files", FilesShape({"plan", "log", "second_log", "report", "plots"})}});
 }
 
 DataShape DoResultShape() {
