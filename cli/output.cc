@@ -44,12 +44,6 @@ std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& dr
   return line;
 }
 
-/// Why a plan fails that passes in the first engine.
-std::string WhyItFails(const Judged& judged) {
-  if (const std::string objection = judged.objection(); !objection.empty()) return objection;
-  return fmt::format("in {}: {}", judged.played.second->agreement.name_b, judged.played.second->report.reason);
-}
-
 /// What each engine says, where two have played.
 void AddEngines(const Judged& judged, nlohmann::ordered_json& json) {
   json["engine"] = EngineOf(judged.played.log);
@@ -81,6 +75,7 @@ void Outputs::AddTo(Verb verb) {
 void Outputs::AddPathsTo(Paths& paths) const {
   paths.Write("the plan of --out-dir", PathOf(plan), {".json"});
   paths.Write("the log of --out-dir", PathOf(log), {".json"});
+  paths.Write("the second log of --out-dir", PathOf(second_log), {".json"});
   paths.Write("the report of --out-dir", PathOf(report), {".html"});
   paths.plot_folder = plot_folder;
 }
@@ -122,10 +117,10 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     json["audit"] = ParsedJson(AuditJson(judged.audit));
     json["warnings"] = judged.plan.warnings;
     json["adjustments"] = ParsedJson(AdjustmentsJson(judged.plan.adjustments));
-    if (judged.played.report.pass && !judged.pass()) {
-      json["verdict"] = "fail";
-      json["reason"] = WhyItFails(judged);
-    }
+    const StabilityReport& decisive = judged.played.decisive().report;
+    json["verdict"] = judged.pass() ? "pass" : "fail";
+    json["score"] = decisive.score;
+    json["reason"] = decisive.pass && !judged.pass() ? judged.objection() : decisive.reason;
     AddEngines(judged, json);
     const auto drawn = DrawnOf(judged.played.log);
     for (const auto& [name, text] : drawn) json["drawn"][name] = text;
@@ -141,8 +136,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     fmt::print("{}\n", judged.pass() ? "pass" : "fail");
     return;
   }
-  if (!judged.objection().empty() && judged.played.report.pass)
-    fmt::print("FAIL   {}; in physics:\n", judged.objection());
+  if (!judged.objection().empty() && judged.played.pass()) fmt::print("FAIL   {}; in physics:\n", judged.objection());
   const SecondPlayback* second = judged.played.second.get();
   fmt::print("{}", second == nullptr ? ReportText(judged.played.report)
                                      : ReportText(judged.played.report, second->report, second->agreement));
@@ -155,7 +149,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
   }
   if (judged.planning_cpu_s > 0.0) fmt::print("planned in {:.2f} s of CPU, ", judged.planning_cpu_s);
   fmt::print("played at {:.1f} times real time\n", judged.played.realtime_factor);
-  for (const auto& [kind, path] : files) fmt::print("{:<7} {}\n", kind, path);
+  for (const auto& [kind, path] : files) fmt::print("{:<7} {}\n", kind == "second_log" ? "log" : kind, path);
 }
 
 }  // namespace gaitwright::cli

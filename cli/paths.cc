@@ -99,4 +99,10 @@ void CheckPaths(const Paths& paths) {
   if (!paths.plot_folder.empty()) CheckPlots(paths);
 }
 
+std::string WithSuffix(const std::string& path, const std::string& suffix) {
+  if (path.empty()) return "";
+  const std::filesystem::path file(path);
+  return (file.parent_path() / (file.stem().string() + suffix + file.extension().string())).string();
+}
+
 }  // namespace gaitwright::cli

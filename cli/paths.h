@@ -33,6 +33,9 @@ struct Paths {
   void AddTerrain(const std::string& terrain);
 };
 
+/// The path with a suffix before its ending: "a/log.json" with "-mujoco" is "a/log-mujoco.json". "" stays "".
+std::string WithSuffix(const std::string& path, const std::string& suffix);
+
 /// Sees to it that what is written can be, as far as that is seen without making anything, and that nothing is written
 /// over what is read, nor twice to one file; by `./` or links too. A name with the ending of another format is refused,
 /// since people and programs go by it; other endings, such as ".bak" or ".3", say nothing. Call it before the work is

@@ -41,6 +41,8 @@ int RunPlay(PlaySettings& a) {
   Paths paths;
   paths.Read("the plan", a.plan);
   paths.Write("--log", a.outputs.log, {".json"});
+  if (a.play.request.play.world.engine == "both") a.outputs.second_log = WithSuffix(a.outputs.log, "-mujoco");
+  paths.Write("the second log of --log", a.outputs.second_log, {".json"});
   paths.Write("--report", a.outputs.report, {".html"});
   paths.plot_folder = a.outputs.plot_folder;
   a.disturbances.AddPathTo(paths);

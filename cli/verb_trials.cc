@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -102,13 +101,6 @@ Result<TrialRun> TrialsWithBar(const TrialsSettings& a, const TrialStudy& study,
   return TrialRun{std::move(*report), book->beyond()};
 }
 
-/// The path with the engine's name before its ending: trials-mujoco.json.
-std::string PathFor(const std::string& path, const std::string& engine) {
-  if (path.empty()) return path;
-  const std::filesystem::path file(path);
-  return (file.parent_path() / (file.stem().string() + "-" + engine + file.extension().string())).string();
-}
-
 /// The runs that are asked for: one, or with --engine both one in each engine, of which the second has files of its
 /// own.
 std::vector<TrialsSettings> RunsOf(const TrialsSettings& a) {
@@ -116,8 +108,8 @@ std::vector<TrialsSettings> RunsOf(const TrialsSettings& a) {
   std::vector<TrialsSettings> runs = {a, a};
   runs[0].play.request.play.world.engine = "bullet";
   runs[1].play.request.play.world.engine = "mujoco";
-  runs[1].out = PathFor(a.out, "mujoco");
-  runs[1].report = PathFor(a.report, "mujoco");
+  runs[1].out = WithSuffix(a.out, "-mujoco");
+  runs[1].report = WithSuffix(a.report, "-mujoco");
   return runs;
 }
 

@@ -26,4 +26,4 @@ configure_package_config_file(cmake/gaitwrightConfig.cmake.in ${CMAKE_BINARY_DIR
                               INSTALL_DESTINATION ${package_dir} PATH_VARS CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/gaitwrightConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/gaitwrightConfig.cmake ${CMAKE_BINARY_DIR}/gaitwrightConfigVersion.cmake
-              cmake/find_ompl.cmake DESTINATION ${package_dir})
+              cmake/find_ompl.cmake cmake/find_mujoco.cmake DESTINATION ${package_dir})

@@ -10,7 +10,6 @@
 #include "planning/footsteps/search_footsteps.h"
 #include "planning/gait/find_gait.h"
 #include "planning/gait/load_gaits.h"
-#include "planning/gait/read_sequence.h"
 #include "planning/paths/standing_feet.h"
 #include "planning/plan/gait.h"
 #include "planning/plan/motion_plan.h"

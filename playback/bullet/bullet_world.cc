@@ -82,7 +82,7 @@ struct BulletWorld::Impl {
     world.setGravity(btVector3(0.0, 0.0, -kGravity));
     btContactSolverInfo& info = world.getSolverInfo();
     info.m_numIterations = options.solver_iterations;
-    info.m_globalCfm = options.contact_cfm;
+    info.m_globalCfm = options.contact_cfm * options.contact_softness;
     info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;  // and so the cone
   }
 

@@ -21,6 +21,7 @@ struct WorldOptions {
   double step_s = 0.001;
   int solver_iterations = 50;
   double contact_cfm = 1e-5;
+  double contact_softness = 1.0;
   std::string actuation = "implicit-pd";
   std::string sole_contact = "auto";
   double friction = 0.0;
@@ -64,6 +65,8 @@ struct WorldOptions {
          {"step_s", &step_s, "s", 1e-5, 0.01, "Time step of the physics."},
          {"solver_iterations", &solver_iterations, "1", 1, 10000,
           "Iterations of the contact solver in each time step."},
+         {"contact_softness", &contact_softness, "1", 0.01, 1000.0,
+          "Factor on the compliance of all contacts: at rest a foot sinks in by so many times the depth at 1."},
          {"contact_cfm", &contact_cfm, "m/(N s)", 0.0, 1.0,
           "Contact softness divided by the time step (CFM); a foot sinks in by CFM x force x step / 0.2."},
          {"actuation",

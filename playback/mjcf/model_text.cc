@@ -76,8 +76,8 @@ class Writer {
         "<asset>\n{}</asset>\n<worldbody>\n{}{}</worldbody>\n{}{}</mujoco>\n",
         EscapedXml(model_.name), Number(kLeastMass), Number(kLeastInertia), Number(options_.step_s), Number(-kGravity),
         parts_ == nullptr ? "Euler" : "implicit", kIterations, Number(kImpratio), kMostRows, kMostContacts,
-        Number(std::max(2.0 * options_.step_s, kContactTime)), kContactImpedance, assets_, ground, robot, gears,
-        parts_ == nullptr ? "" : Motors() + KeyFrame());
+        Number(std::max(2.0 * options_.step_s, kContactTime * std::sqrt(options_.contact_softness))), kContactImpedance,
+        assets_, ground, robot, gears, parts_ == nullptr ? "" : Motors() + KeyFrame());
     return std::move(text_);
   }
 

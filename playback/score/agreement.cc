@@ -14,10 +14,11 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kForceShare = 0.25;  // of the weight
-constexpr double kForceMean_s = 0.05;
-constexpr double kZmpShare = 0.1, kSlipShare = 0.05, kPositionShare = 0.05;  // of the leg length
-constexpr double kAngle_rad = 0.05;
+constexpr double kForceShare = 0.15;  // of the weight
+constexpr double kMean_s = 0.05;
+constexpr double kZmpShare = 0.1, kPositionShare = 0.03, kSlipShare = 0.02, kDepthShare = 0.0006;  // of the leg length
+constexpr double kAngle_rad = 0.03;
+constexpr double kLoaded = 0.5;  // of the weight: where a ZMP counts
 
 /// A quantity of one playback at its samples; not a number where there is none.
 struct TimedValues {
@@ -35,16 +36,18 @@ TimedValues ValuesOf(const std::vector<MotionSample>& samples, const Figure& fig
   return values;
 }
 
-/// Means over a window about each sample, shorter at the ends.
+/// Means over a window about each sample; not a number where the window passes an end.
 TimedValues Smoothed(const TimedValues& rough, double window_s) {
   TimedValues smooth = rough;
+  const double half_s = 0.5 * window_s;
   std::size_t first = 0, end = 0;
   double sum = 0.0;
   for (std::size_t k = 0; k < rough.time_s.size(); ++k) {
-    while (end < rough.time_s.size() && rough.time_s[end] <= rough.time_s[k] + 0.5 * window_s)
-      sum += rough.value[end++];
-    while (rough.time_s[first] < rough.time_s[k] - 0.5 * window_s) sum -= rough.value[first++];
-    smooth.value[k] = sum / static_cast<double>(end - first);
+    const double time_s = rough.time_s[k];
+    while (end < rough.time_s.size() && rough.time_s[end] <= time_s + half_s) sum += rough.value[end++];
+    while (rough.time_s[first] < time_s - half_s) sum -= rough.value[first++];
+    const bool whole = time_s - half_s >= rough.time_s.front() && time_s + half_s <= rough.time_s.back();
+    smooth.value[k] = whole ? sum / static_cast<double>(end - first) : std::nan("");
   }
   return smooth;
 }
@@ -88,16 +91,23 @@ std::vector<Quantity> QuantitiesOf(const RobotModel& model) {
   for (std::size_t foot = 0; foot < model.feet.size(); ++foot) {
     list.push_back({"normal force of " + model.feet[foot].name, "N", kForceShare * model.weight_n(),
                     [foot](const MotionSample& s) { return s.feet[foot].force_W.z(); },
-                    [](const TimedValues& v) { return Smoothed(v, kForceMean_s); }});
+                    [](const TimedValues& v) { return Smoothed(v, kMean_s); }});
     list.push_back(
         {"slip of " + model.feet[foot].name, "m", kSlipShare * leg,
          [foot](const MotionSample& s) { return s.feet[foot].force_W.z() > 0.0 ? s.feet[foot].slide_m_s : 0.0; },
          Integrated});
+    list.push_back({"depth of " + model.feet[foot].name, "m", kDepthShare * leg,
+                    [foot](const MotionSample& s) {
+                      return std::isfinite(s.feet[foot].height_m) ? std::max(0.0, -s.feet[foot].height_m) : 0.0;
+                    },
+                    [](const TimedValues& v) { return Smoothed(v, kMean_s); }});
   }
-  const double none = std::nan("");
+  const double none = std::nan(""), loaded = kLoaded * model.weight_n();
   for (int axis = 0; axis < 2; ++axis) {
-    list.push_back({std::string("ZMP ") + "xy"[axis], "m", kZmpShare * leg,
-                    [axis, none](const MotionSample& s) { return s.has_zmp ? s.p_WZ[axis] : none; }});
+    list.push_back(
+        {std::string("ZMP ") + "xy"[axis], "m", kZmpShare * leg, [axis, none, loaded](const MotionSample& s) {
+           return s.has_zmp && s.normal_n > loaded ? s.p_WZ[axis] : none;
+         }});
   }
   for (int axis = 0; axis < 3; ++axis) {
     list.push_back({std::string("base ") + "xyz"[axis], "m", kPositionShare * leg,
@@ -146,7 +156,7 @@ std::optional<QuantityAgreement> Compared(const Quantity& quantity, const TimedV
 }
 
 std::string ValueText(double value, const std::string& unit) {
-  if (unit == "m") return fmt::format("{:.1f} mm", 1e3 * value);
+  if (unit == "m") return fmt::format("{:.{}f} mm", 1e3 * value, std::abs(value) < 1e-3 ? 2 : 1);
   return unit == "N" ? fmt::format("{:.0f} N", value) : fmt::format("{:.3f} {}", value, unit);
 }
 
@@ -215,8 +225,9 @@ std::string AgreementText(const Agreement& agreement) {
   std::string text = fmt::format("{} and {} agree over {:.2f} s:", agreement.name_a, agreement.name_b,
                                  agreement.end_s - agreement.start_s);
   const char* separator = " ";
-  for (const auto& [begins, words] : {std::pair("normal force", "forces"), std::pair("ZMP", "ZMP"),
-                                      std::pair("slip", "slips"), std::pair("base", "base")}) {
+  for (const auto& [begins, words] :
+       {std::pair("normal force", "forces"), std::pair("ZMP", "ZMP"), std::pair("slip", "slips"),
+        std::pair("depth", "depths"), std::pair("base", "base")}) {
     const QuantityAgreement* most = Largest(agreement, begins);
     if (most == nullptr) continue;
     text += fmt::format("{}{} within {}", separator, words, ValueText(most->largest, most->unit));

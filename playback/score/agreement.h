@@ -25,8 +25,8 @@ struct Agreement {
   std::string name_a, name_b;  ///< the engines; with "A" and "B" before them where both are the same
   double start_s = 0.0, end_s = 0.0;
   int samples = 0;
-  /// Normal force and slip of each foot, ZMP x and y, position x, y, z and roll, pitch, yaw of the base. Those without
-  /// a value at any time in either playback are left out.
+  /// Normal force, slip and depth of each foot, ZMP x and y, position x, y, z and roll, pitch, yaw of the base. Those
+  /// without a value at any time in either playback are left out.
   std::vector<QuantityAgreement> quantities;
 
   /// The quantity that parts first; null if all differences are within their tolerances.
@@ -38,9 +38,10 @@ std::string EngineOf(const PlaybackLog& log);
 
 /// Compares two playbacks at the samples of A; B is interpolated between its samples.
 ///
-/// Forces are means over 50 ms, so that the spike of an impact, which depends on the time step, does not count. Slip is
-/// the way that a foot has slid on the ground since the start. Tolerances: forces 0.25 m g; ZMP 0.1, slip 0.05 and base
-/// position 0.05 of the leg length; base angles 0.05 rad.
+/// Forces and depths are means over 50 ms, so that the spike of an impact, which depends on the time step, does not count. Slip is
+/// the way that a foot has slid on the ground since the start, depth that of its lowest point below the plan's ground.
+/// ZMPs count while the feet of both carry half of the weight. Tolerances: forces 0.15 m g; ZMP 0.1, base position
+/// 0.03, slip 0.02 and depth 0.0006 of the leg length; base angles 0.03 rad.
 /// @throws InvalidArgument as of MakeMotionSeries.
 Agreement AgreementOf(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& a, const PlaybackLog& b);
 

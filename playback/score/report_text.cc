@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -97,10 +98,11 @@ std::string ReportText(const StabilityReport& report) {
 
 std::string ReportText(const StabilityReport& report, const StabilityReport& second, const Agreement& agreement) {
   const auto verdict = [](const std::string& engine, const StabilityReport& of) {
-    return fmt::format("{} in {:<8} score {:.1f} of 100   robot {}\n{}\n", of.pass ? "PASS" : "FAIL", engine, of.score,
-                       of.robot, of.reason);
+    return fmt::format("{}: {}, {:.1f}: {}\n", engine, of.pass ? "pass" : "fail", of.score, of.reason);
   };
-  std::string text = verdict(agreement.name_a, report) + verdict(agreement.name_b, second);
+  std::string text = fmt::format("{}   score {:.1f} of 100   robot {}\n", report.pass && second.pass ? "PASS" : "FAIL",
+                                 std::min(report.score, second.score), report.robot);
+  text += verdict(agreement.name_a, report) + verdict(agreement.name_b, second);
   text += AgreementText(agreement) + "\n\n";
   text += fmt::format("   {:<28} {:>14} {:>14} {:>14} {:>14}\n", "metric", agreement.name_a, agreement.name_b,
                       "planned", "limit");

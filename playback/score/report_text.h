@@ -11,7 +11,8 @@ namespace gaitwright {
 /// Text report: the verdict, the score, the reason, and a table of the metrics with planned values and limits.
 std::string ReportText(const StabilityReport& report);
 
-/// Text report of one plan in two engines: the verdict of each, and the metrics of both side by side.
+/// Text report of one plan in two engines: the verdict of both, which has the lower score, that of each, where they
+/// part, and the metrics side by side.
 /// @param agreement  of the two, whose names head the columns.
 std::string ReportText(const StabilityReport& report, const StabilityReport& second, const Agreement& agreement);
 

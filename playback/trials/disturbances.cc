@@ -31,6 +31,8 @@ std::vector<DisturbanceRule> BodyAndGround() {
       {"com_shift_z_m", "play.com_shift_z_m", "m", -1.0, 1.0, "upward shift of the base link's centre of mass",
        DisturbanceEffect::kOffset},
       {"friction", "play.friction", "1", 0.01, 10.0, "friction coefficient of all ground"},
+      {"contact_softness", "play.contact_softness", "1", 0.01, 1000.0, "factor on the compliance of all contacts",
+       DisturbanceEffect::kFactor},
       {"ground_slope_deg", "play.ground_slope_deg", "deg", -45.0, 45.0, "slope of the ground"},
       {"ground_slope_direction_deg", "play.ground_slope_direction_deg", "deg", -360.0, 360.0,
        "uphill direction of the slope: 0 is x of the world frame, 90 is y"},

@@ -22,7 +22,15 @@ void ExpectJudged(const Json& json) {
   EXPECT_NEAR(json.at("metrics").at("distance_m").at("value"), 0.3, 0.02);
 }
 
-using Answers = Stranger;
+class Answers : public Stranger {
+ protected:
+  /// Whether the program has the engine, by what it says where it has not.
+  bool HasMujoco() {
+    const Ran ran = Run({"walk", "--robot", "a1", "--distance", "0.2", "--engine", "mujoco", "--out-dir", "probe"});
+    std::filesystem::remove_all(In("probe"));
+    return ran.err.find("libmujoco-dev") == std::string::npos;
+  }
+};
 
 TEST_F(Answers, WalkGivesItsObjectAndWritesItsFiles) {
   const Ran ran = Run({"walk", "--robot", "a1", "--distance", "0.3", "--json"});
@@ -38,6 +46,46 @@ TEST_F(Answers, WalkGivesItsObjectAndWritesItsFiles) {
   EXPECT_EQ(Found(), std::vector<std::string>{"out"});
   EXPECT_EQ(Json::parse(Read("out/log.json")).at("robot"), "a1");
   EXPECT_NE(Read("out/report.html").find("</html>"), std::string::npos);
+}
+
+TEST_F(Answers, WalkPlaysInBothEnginesUnlessTold) {
+  if (!HasMujoco()) GTEST_SKIP() << "this program was built without MuJoCo";
+  const Json both = Run({"walk", "--robot", "a1", "--distance", "0.3", "--json"}).json();
+  ASSERT_EQ(both.at("engines").size(), 2U);
+  EXPECT_EQ(both.at("engines")[0].at("engine"), "bullet");
+  EXPECT_EQ(both.at("engines")[1].at("engine"), "mujoco");
+  EXPECT_EQ(both.at("agreement").at("agree"), true);
+  EXPECT_EQ(both.at("score"), std::min(both.at("engines")[0].at("score"), both.at("engines")[1].at("score")));
+  EXPECT_TRUE(std::filesystem::is_regular_file(In(both.at("files").at("second_log").get<std::string>())));
+  const Json one = Run({"play", "out/plan.json", "--engine", "mujoco", "--json"}).json();
+  EXPECT_EQ(one.at("engine"), "mujoco");
+  EXPECT_FALSE(one.contains("engines"));
+  EXPECT_EQ(one.at("log_hash"), both.at("engines")[1].at("log_hash"));
+  const Json set = Run({"walk", "--robot", "a1", "--distance", "0.3", "--set", "play.engine=bullet", "--json"}).json();
+  EXPECT_FALSE(set.contains("engines"));
+  const Ran compared = Run({"compare", "out/log.json", "out/log-mujoco.json", "--plan", "out/plan.json", "--json"});
+  EXPECT_EQ(compared.json().at("agreement").at("engines"), (Json{"bullet", "mujoco"})) << compared.err;
+  const Ran wrong = Run({"walk", "--engine", "ode"});
+  EXPECT_EQ(wrong.status, 1);
+}
+
+TEST_F(Answers, TrialsRunInBothEngines) {
+  ASSERT_EQ(Run({"plan", "--distance", "0.3", "--out", "a.json"}).status, 0);
+  if (!HasMujoco()) GTEST_SKIP() << "this program was built without MuJoCo";
+  const Ran ran = Run({"trials", "a.json", "-n", "2", "--engine", "both", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.json().at("n"), 2);
+  EXPECT_EQ(ran.json().at("second").at("n"), 2);
+  EXPECT_EQ(Found(), (std::vector<std::string>{"a.json", "trials-mujoco.json", "trials.json"}));
+}
+
+TEST_F(Answers, ExportWritesAModelForMujoco) {
+  ASSERT_EQ(Run({"plan", "--distance", "0.3", "--terrain", "rough", "--out", "a.json"}).status, 0);
+  const Ran ran = Run({"export", "a.json", "--format", "mjcf", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.json().at("files"), (Json{{"model", "model.xml"}}));
+  EXPECT_EQ(Found(), (std::vector<std::string>{"a.json", "model.xml", "model_field0.bin"}));
+  EXPECT_EQ(Run({"export", "a.json", "--format", "mjcf", "--rate-hz", "100"}).status, 1);
 }
 
 TEST_F(Answers, PlanAuditAndPlayHandThePlanOn) {

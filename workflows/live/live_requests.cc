@@ -142,7 +142,7 @@ LiveRequest ReadReset(const JsonPart& m, const RobotModel&) {
   const std::vector<std::string>& engines = EngineNames();
   if (std::find(engines.begin(), engines.end(), engine) == engines.end())
     m.Refuse(fmt::format("has engine '{}'; accepted: {}", engine, QuotedList(engines)));
-  return [engine](LiveWorld& live, LiveClock&, HandId) { live.ResetIn(engine); };
+  return [engine](LiveWorld& live, LiveClock&, HandId) { live.Reset(engine); };
 }
 
 /// What acts on the robot and says no more.

@@ -91,14 +91,9 @@ LiveWorld::~LiveWorld() {
   if (planning_.valid()) planning_.wait();
 }
 
-void LiveWorld::Reset() { Stand(Pose::Identity(), 0.0); }
-
-void LiveWorld::ResetIn(const std::string& engine) {
-  WorldOptions changed = play_.play.world;
-  changed.engine = engine;
-  (void)MakeWorld(model_, first_.plan.terrain, first_.plan.whole_body.q.front(), changed);
-  play_.play.world = changed;
-  Reset();
+void LiveWorld::Reset(const std::string& engine) {
+  if (!engine.empty()) play_.play.world.engine = engine;
+  Stand(Pose::Identity(), 0.0);
 }
 
 /// Stands as the first plan begins, moved by X in plan view, at a time.
@@ -172,10 +167,8 @@ void LiveWorld::Ask(const WalkPace& pace) {
 }
 
 void LiveWorld::AskHeading(double heading_rad) {
-  if (mode_ != LiveMode::kWalks || stream_.stops()) {
-    notes_.emplace_back("can turn to a heading only while it walks");
-    return;
-  }
+  if (mode_ != LiveMode::kWalks || stream_.stops())
+    return notes_.emplace_back("can turn to a heading only while it walks"), void();
   WalkPace straight = wanted_ ? wanted_->pace : stream_.pace();
   straight.yaw_rate_rad_s = 0.0;
   if (straight.stands()) {

@@ -62,10 +62,9 @@ class LiveWorld {
   /// Turns to this heading and continues straight at the last commanded speed. If the robot stands or has fallen, it
   /// only reports this.
   void AskHeading(double heading_rad);
-  /// Stands at the origin again, at time 0.
-  void Reset();
-  /// As Reset, in another physics engine. @throws InvalidArgument as of MakeWorld; then nothing changes.
-  void ResetIn(const std::string& engine);
+  /// Stands at the origin again, at time 0. @param engine  to change to, one of EngineNames(); "" keeps the present
+  /// one.
+  void Reset(const std::string& engine = "");
   /// Manual actions on the robot.
   HandsOn& hands() { return hands_; }
   const HandsOn& hands() const { return hands_; }

@@ -189,6 +189,20 @@ TEST_P(KnownAnswers, ABodyOnThreePointsLoadsThemByTheLever) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(world->feet()[i].wrench.force_W.z(), expected[i], 0.01 * weight) << i;
 }
 
+TEST_P(KnownAnswers, ASofterContactSinksInByItsFactor) {
+  const RobotModel ball = Ball();
+  const auto depth = [&](double softness) {
+    WorldOptions options;
+    options.contact_softness = softness;
+    const auto world = Make(ball, OnSlope(kRadius, 0.0), options);
+    Run(*world, 2000);
+    return kRadius - world->q()[2];
+  };
+  const double usual = depth(1.0), soft = depth(20.0);
+  EXPECT_GT(usual, 0.0);
+  EXPECT_NEAR(soft / usual, 20.0, 5.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Engines, KnownAnswers, testing::ValuesIn(EngineNames()),
                          [](const auto& engine) { return engine.param; });
 

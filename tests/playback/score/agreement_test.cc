@@ -32,7 +32,7 @@ TEST_F(AgreementTest, APlaybackAgreesWithItself) {
   const Agreement agreement = With(log_);
   EXPECT_EQ(agreement.first(), nullptr);
   EXPECT_EQ(agreement.samples, static_cast<int>(log_.samples.size()));
-  EXPECT_EQ(agreement.quantities.size(), 2 * model_.feet.size() + 8);
+  EXPECT_EQ(agreement.quantities.size(), 3 * model_.feet.size() + 8);
   for (const QuantityAgreement& one : agreement.quantities) {
     EXPECT_EQ(one.largest, 0.0) << one.quantity;
     EXPECT_EQ(one.rms, 0.0) << one.quantity;
@@ -125,7 +125,7 @@ TEST_F(AgreementTest, JsonHasTheEnginesAndTheFirstQuantity) {
   EXPECT_EQ(json.at("engines"), (nlohmann::json{"bullet", "mujoco"}));
   EXPECT_EQ(json.at("agree"), false);
   EXPECT_EQ(json.at("first").at("quantity"), "base z");
-  EXPECT_EQ(json.at("quantities").size(), 2 * model_.feet.size() + 8);
+  EXPECT_EQ(json.at("quantities").size(), 3 * model_.feet.size() + 8);
   const auto same = nlohmann::json::parse(AgreementJson(With(log_)));
   EXPECT_EQ(same.at("agree"), true);
   EXPECT_TRUE(same.at("first").is_null());

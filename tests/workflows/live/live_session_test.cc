@@ -32,7 +32,7 @@ class Session : public testing::Test {
                  {[this](const std::string& note) { notes_.push_back(note); },
                   [this](const std::string& line) { phases_.push_back(line); }},
                  [this] { return spent_s_ += look_s_; }) {
-    live_.ResetIn("bullet");
+    live_.Reset("bullet");
     live_.SetGround(0.0, 0.0, 0.0);
     live_.SetControl({});
     live_.TakeNotes();
