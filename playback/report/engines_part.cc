@@ -25,8 +25,8 @@ BothMotions MotionsOf(const RobotModel& model, const MotionPlan& plan, const Pla
                       const SecondVerdict& second) {
   BothMotions motions{MakeMotionSeries(model, plan, log, ScoreOptionsOf(log)).measured,
                       MakeMotionSeries(model, plan, second.log, ScoreOptionsOf(second.log)).measured,
-                      second.agreement.name_a,
-                      second.agreement.name_b,
+                      EngineTitle(second.agreement.name_a),
+                      EngineTitle(second.agreement.name_b),
                       0.0,
                       0.0};
   motions.start_s = log.start_s;
@@ -136,11 +136,11 @@ std::string EnginesPart(const RobotModel& model, const MotionPlan& plan, const P
   std::string html =
       "<h2 id=\"engines\">Two engines</h2>\n<div class=\"scroll\"><table><thead><tr><th>engine</th><th>verdict</th><th "
       "class=\"n\">score</th><th>reason</th></tr></thead><tbody>\n";
-  html += VerdictRow(agreement.name_a, report) + VerdictRow(agreement.name_b, second.report);
+  html += VerdictRow(EngineTitle(agreement.name_a), report) + VerdictRow(EngineTitle(agreement.name_b), second.report);
   html += fmt::format("</tbody></table></div>\n<p>{}.</p>\n", EscapedXml(AgreementText(agreement)));
   html += DifferenceTable(agreement);
   const BothMotions motions = MotionsOf(model, plan, log, second);
-  const std::string who = fmt::format("{} is broad and pale, {} thin and dark.", agreement.name_a, agreement.name_b);
+  const std::string who = fmt::format("{} is broad and pale, {} thin and dark.", motions.name_a, motions.name_b);
   html += Figure("engines_balance", BalanceCurves(motions), "ZMP and height of the base as measured; " + who);
   return html + Figure("engines_forces", ForceCurves(model, motions), "Vertical contact force by foot; " + who);
 }

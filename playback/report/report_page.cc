@@ -95,12 +95,12 @@ struct Subject {
   bool pass() const { return report.pass && (!words.second || words.second->report.pass) && words.objection.empty(); }
 };
 
-/// "in bullet, REASON; in mujoco, REASON" where there are two engines.
+/// "in Bullet, REASON; in MuJoCo, REASON" where two engines have different ones.
 std::string PhysicsReason(const Subject& about) {
   const auto& second = about.words.second;
-  if (!second) return about.report.reason;
-  return fmt::format("in {}, {}; in {}, {}", second->agreement.name_a, about.report.reason, second->agreement.name_b,
-                     second->report.reason);
+  if (!second || second->report.reason == about.report.reason) return about.report.reason;
+  return fmt::format("in {}, {}; in {}, {}", EngineTitle(second->agreement.name_a), about.report.reason,
+                     EngineTitle(second->agreement.name_b), second->report.reason);
 }
 
 std::string Head(const Subject& about) {
@@ -111,18 +111,18 @@ std::string Head(const Subject& about) {
                                  ? physics
                                  : words.objection + "; in physics, " + (report.pass ? "" : "it fails too: ") + physics;
   const std::string engines =
-      words.second ? words.second->agreement.name_a + " and " + words.second->agreement.name_b : EngineOf(log);
-  const std::string scores = words.second ? fmt::format("{:.1f} and {:.1f}", report.score, words.second->report.score)
-                                          : fmt::format("{:.1f}", report.score);
+      words.second ? EngineTitle(words.second->agreement.name_a) + " and " + EngineTitle(words.second->agreement.name_b)
+                   : EngineTitle(EngineOf(log));
+  const double score = words.second ? std::min(report.score, words.second->report.score) : report.score;
   const double duration = log.samples.empty() ? 0.0 : log.samples.back().time_s - log.start_s;
   const std::string parts = PartsText(plan.parts);
   const std::string controller = log.controller.empty() ? "" : ", controller " + log.controller;
   return fmt::format(
       "<div class=\"head\"><span class=\"verdict {0}\">{1}</span><div><h1>{2}</h1><p class=\"soft\">{3:.2f} s played "
-      "in {11} at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8}</b><br/>"
+      "in {11} at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8:.1f}</b><br/>"
       "<span class=\"soft\">of 100</span></div></div>\n<p class=\"reason {0}\">{9}</p>\n{10}",
       verdict, about.pass() ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
-      EscapedXml(controller), model.total_mass_kg, log.friction, scores, Sentence(reason),
+      EscapedXml(controller), model.total_mass_kg, log.friction, score, Sentence(reason),
       parts.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>\n", EscapedXml(parts)), EscapedXml(engines));
 }
 
@@ -153,8 +153,8 @@ std::string TableRow(const MetricRule& rule, const Metric& metric, const Metric*
 
 std::string MetricTable(const StabilityReport& report, const std::optional<SecondVerdict>& second) {
   std::string html = "<h2>All figures</h2>\n<div class=\"scroll\"><table><thead><tr><th>metric</th><th class=\"n\">";
-  html += second ? fmt::format("{}</th><th class=\"n\">{}", EscapedXml(second->agreement.name_a),
-                               EscapedXml(second->agreement.name_b))
+  html += second ? fmt::format("{}</th><th class=\"n\">{}", EscapedXml(EngineTitle(second->agreement.name_a)),
+                               EscapedXml(EngineTitle(second->agreement.name_b)))
                  : "measured";
   html +=
       "</th><th class=\"n\">planned</th><th class=\"n\">limit</th><th>gate</th><th class=\"n\">worst "

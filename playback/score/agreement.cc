@@ -186,6 +186,11 @@ std::string EngineOf(const PlaybackLog& log) {
   return name.empty() ? "bullet" : name;
 }
 
+std::string EngineTitle(const std::string& engine) {
+  if (engine == "bullet") return "Bullet";
+  return engine == "mujoco" ? "MuJoCo" : engine;
+}
+
 Agreement AgreementOf(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& a, const PlaybackLog& b) {
   const std::vector<MotionSample> of_a = MakeMotionSeries(model, plan, a, ScoreOptionsOf(a)).measured;
   const std::vector<MotionSample> of_b = MakeMotionSeries(model, plan, b, ScoreOptionsOf(b)).measured;
@@ -215,15 +220,14 @@ Agreement AgreementOf(const RobotModel& model, const MotionPlan& plan, const Pla
 }
 
 std::string AgreementText(const Agreement& agreement) {
-  if (agreement.quantities.empty())
-    return fmt::format("{} and {} have no time in common", agreement.name_a, agreement.name_b);
+  const std::string a = EngineTitle(agreement.name_a), b = EngineTitle(agreement.name_b);
+  if (agreement.quantities.empty()) return fmt::format("{} and {} have no time in common", a, b);
   if (const QuantityAgreement* first = agreement.first()) {
-    return fmt::format("{} and {} part first in the {} at {:.2f} s: {} and {}, tolerance {}", agreement.name_a,
-                       agreement.name_b, first->quantity, *first->parts_s, ValueText(first->a, first->unit),
-                       ValueText(first->b, first->unit), ValueText(first->tolerance, first->unit));
+    return fmt::format("{} and {} part first in the {} at {:.2f} s: {} and {}, tolerance {}", a, b, first->quantity,
+                       *first->parts_s, ValueText(first->a, first->unit), ValueText(first->b, first->unit),
+                       ValueText(first->tolerance, first->unit));
   }
-  std::string text = fmt::format("{} and {} agree over {:.2f} s:", agreement.name_a, agreement.name_b,
-                                 agreement.end_s - agreement.start_s);
+  std::string text = fmt::format("{} and {} agree over {:.2f} s:", a, b, agreement.end_s - agreement.start_s);
   const char* separator = " ";
   for (const auto& [begins, words] :
        {std::pair("normal force", "forces"), std::pair("ZMP", "ZMP"), std::pair("slip", "slips"),

@@ -36,6 +36,9 @@ struct Agreement {
 /// Name of the physics engine of a log; "bullet" for logs that do not tell it.
 std::string EngineOf(const PlaybackLog& log);
 
+/// The name of an engine in texts: "Bullet" for "bullet", "MuJoCo" for "mujoco", and any other as it is.
+std::string EngineTitle(const std::string& engine);
+
 /// Compares two playbacks at the samples of A; B is interpolated between its samples.
 ///
 /// Forces and depths are means over 50 ms, so that the spike of an impact, which depends on the time step, does not count. Slip is

@@ -102,10 +102,10 @@ std::string ReportText(const StabilityReport& report, const StabilityReport& sec
   };
   std::string text = fmt::format("{}   score {:.1f} of 100   robot {}\n", report.pass && second.pass ? "PASS" : "FAIL",
                                  std::min(report.score, second.score), report.robot);
-  text += verdict(agreement.name_a, report) + verdict(agreement.name_b, second);
+  text += verdict(EngineTitle(agreement.name_a), report) + verdict(EngineTitle(agreement.name_b), second);
   text += AgreementText(agreement) + "\n\n";
-  text += fmt::format("   {:<28} {:>14} {:>14} {:>14} {:>14}\n", "metric", agreement.name_a, agreement.name_b,
-                      "planned", "limit");
+  text += fmt::format("   {:<28} {:>14} {:>14} {:>14} {:>14}\n", "metric", EngineTitle(agreement.name_a),
+                      EngineTitle(agreement.name_b), "planned", "limit");
   for (const Metric& metric : report.metrics) {
     const Metric& other = second.At(metric.key);
     if (IsLeftOut(metric) && IsLeftOut(other)) continue;
