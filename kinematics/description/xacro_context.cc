@@ -64,8 +64,8 @@ XacroValue XacroExpander::Resolve(const std::string& name, XacroProperty& proper
     XacroValue value = EvaluateXacroText(*property.value.text(), context);
     property.value = value.text() != nullptr ? XacroLiteral(*value.text()) : std::move(value);
   } catch (XacroProblem& problem) {
-    constexpr std::size_t kMostNamed = 3;
-    if (resolving_.size() <= kMostNamed)
+    constexpr int kMostNamed = 3;  // from the fault outward
+    if (properties_named_++ < kMostNamed)
       problem.message += fmt::format("; the property '{}' is defined in {}", Shortened(name), PlaceOf(*property.where));
     throw;
   }

@@ -106,6 +106,7 @@ class XacroExpander {
   std::vector<const XacroFile*> including_;  ///< files that are being expanded, outer ones first
   std::vector<const Element*> calls_;        ///< calls of macros that are being expanded, outer ones first
   std::vector<std::string> resolving_;       ///< properties that are being evaluated, outer ones first
+  int properties_named_ = 0;                 ///< in the message of a failure
   const Element* at_ = nullptr;
   XacroScope globals_;
   tinyxml2::XMLDocument result_;

@@ -55,6 +55,8 @@ std::string XacroConverted(const XacroConversion& conversion, const XacroValue& 
   const bool whole = std::string_view("dixX").find(conversion.letter) != std::string_view::npos;
   if (whole && !(*number > -9e18 && *number < 9e18))
     RefuseXacroType(fmt::format("%{} needs a whole number of 64 bits", conversion.letter));
+  if ((conversion.letter == 'x' || conversion.letter == 'X') && *number < 0.0)
+    RefuseXacroType(fmt::format("%{} needs a number that is not negative", conversion.letter));
   std::string pattern = "%" + conversion.flags + (conversion.width > 0 ? std::to_string(conversion.width) : "");
   if (conversion.precision >= 0) pattern += "." + std::to_string(conversion.precision);
   pattern += whole ? std::string("ll") + conversion.letter : std::string(1, conversion.letter);

@@ -64,8 +64,10 @@ XacroValue CallRounding(const XacroArguments& arguments, XacroBudget&) {
 /// Python's round(): to the even neighbour half-way; with a number of digits it stays a real number.
 XacroValue CallRound(const XacroArguments& arguments, XacroBudget&) {
   const double number = RealOfXacro(arguments[0]);
-  if (arguments.size() == 1 || arguments[1].is_none()) return XacroWholeFrom(std::nearbyint(number));
+  if (arguments.size() == 1 || arguments[1].is_none())
+    return arguments[0].whole() != nullptr ? arguments[0] : XacroWholeFrom(std::nearbyint(number));
   if (arguments[1].whole() == nullptr) RefuseXacroType("the digits of round() are a whole number");
+  if (arguments[0].whole() != nullptr && *arguments[1].whole() >= 0) return arguments[0];
   const std::int64_t digits = std::clamp<std::int64_t>(*arguments[1].whole(), -20, 20);
   if (!std::isfinite(number)) return {number};
   double rounded = 0.0;

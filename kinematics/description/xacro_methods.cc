@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
@@ -18,12 +19,28 @@ const std::vector<std::string> kXacroTextMethods = {"lower",      "upper", "stri
 const std::vector<std::string> kXacroDictMethods = {"get", "keys", "values", "items"};
 const std::vector<std::string> kXacroListMethods = {"index", "count", "pop"};
 
+/// The largest number of arguments of each method.
+const std::map<std::string, std::size_t> kMostMethodArguments = {
+    {"lower", 0}, {"upper", 0}, {"strip", 1},   {"lstrip", 1}, {"rstrip", 1},     {"capitalize", 0}, {"title", 0},
+    {"split", 2}, {"join", 1},  {"replace", 3}, {"find", 1},   {"count", 1},      {"endswith", 1},   {"isdigit", 0},
+    {"get", 2},   {"keys", 0},  {"values", 0},  {"items", 0},  {"startswith", 1}, {"index", 1},      {"pop", 1}};
+
 /// The text argument at a place.
 const std::string& XacroTextArgument(const std::vector<XacroValue>& arguments, std::size_t place,
                                      const std::string& name) {
   if (place >= arguments.size() || arguments[place].text() == nullptr)
     RefuseXacroType(fmt::format("{}() needs a text as argument {}", name, place + 1));
   return *arguments[place].text();
+}
+
+/// The most parts that a method is to cut or replace, as the argument at a place tells; without bound where it is
+/// absent or negative.
+std::size_t XacroCountArgument(const std::vector<XacroValue>& arguments, std::size_t place, const std::string& name) {
+  if (place >= arguments.size()) return std::string::npos;
+  if (arguments[place].whole() == nullptr)
+    RefuseXacroType(fmt::format("{}() needs a whole number as argument {}", name, place + 1));
+  const std::int64_t count = *arguments[place].whole();
+  return count < 0 ? std::string::npos : static_cast<std::size_t>(count);
 }
 
 XacroValue SplitText(const std::string& text, const std::vector<XacroValue>& arguments, XacroBudget& budget) {
@@ -38,8 +55,10 @@ XacroValue SplitText(const std::string& text, const std::vector<XacroValue>& arg
   } else {
     const std::string& separator = XacroTextArgument(arguments, 0, "split");
     if (separator.empty()) RefuseXacroType("the separator of split() is not empty");
+    const std::size_t most = XacroCountArgument(arguments, 1, "split");
     std::size_t from = 0;
-    for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, from)) {
+    for (std::size_t end = text.find(separator); end != std::string::npos && parts.size() < most;
+         end = text.find(separator, from)) {
       parts.push_back({text.substr(from, end - from)});
       from = end + separator.size();
     }
@@ -62,11 +81,15 @@ XacroValue JoinText(const std::string& separator, const XacroValue& list, XacroB
   return XacroText(std::move(joined));
 }
 
-XacroValue ReplaceText(const std::string& text, const std::string& from, const std::string& to, XacroBudget& budget) {
+XacroValue ReplaceText(const std::string& text, const std::vector<XacroValue>& arguments, XacroBudget& budget) {
+  const std::string &from = XacroTextArgument(arguments, 0, "replace"),
+                    &to = XacroTextArgument(arguments, 1, "replace");
+  std::size_t left = XacroCountArgument(arguments, 2, "replace");
   if (from.empty()) RefuseXacroType("replace() needs a text that is not empty");
   std::string replaced;
   std::size_t at = 0;
-  for (std::size_t found = text.find(from); found != std::string::npos; found = text.find(from, at)) {
+  for (std::size_t found = text.find(from); found != std::string::npos && left > 0; found = text.find(from, at)) {
+    --left;
     replaced.append(text, at, found - at);
     replaced += to;
     at = found + from.size();
@@ -113,15 +136,15 @@ XacroValue TextMethod(const std::string& text, const std::string& name, const st
     if (arguments.size() != 1) RefuseXacroType("join() takes one list");
     return JoinText(text, arguments[0], budget);
   }
+  if (name == "replace") return ReplaceText(text, arguments, budget);
   const std::string& part = XacroTextArgument(arguments, 0, name);
   if (name == "startswith") return {text.starts_with(part)};
   if (name == "endswith") return {text.ends_with(part)};
-  if (name == "replace") return ReplaceText(text, part, XacroTextArgument(arguments, 1, name), budget);
   const std::size_t found = text.find(part);
   if (name == "find") return {found == std::string::npos ? std::int64_t{-1} : static_cast<std::int64_t>(found)};
+  if (part.empty()) return {static_cast<std::int64_t>(text.size() + 1)};
   std::int64_t count = 0;
-  for (std::size_t at = found; at != std::string::npos && !part.empty(); at = text.find(part, at + part.size()))
-    ++count;
+  for (std::size_t at = found; at != std::string::npos; at = text.find(part, at + part.size())) ++count;
   return {count};
 }
 
@@ -179,6 +202,9 @@ XacroValue CallXacroMethod(const XacroValue& object, const std::string& name, co
     throw XacroProblem{FailureCode::kUnknownFunction,
                        fmt::format("the method '{}' of a {} is not known{}", Shortened(name), XacroKind(object),
                                    NearestOrAll(name, *methods))};
+  }
+  if (const std::size_t most = kMostMethodArguments.at(name); arguments.size() > most) {
+    RefuseXacroType(fmt::format("{}() takes {} arguments at most, not {}", name, most, arguments.size()));
   }
   if (object.text() != nullptr) return TextMethod(*object.text(), name, arguments, budget);
   if (object.dict() != nullptr) return DictMethod(*object.dict(), name, arguments, budget);

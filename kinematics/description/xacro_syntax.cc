@@ -207,7 +207,8 @@ class XacroParser {
         keyword = Token().text;
         at_ += 2;
       }
-      parts.push_back(ItemOrComprehension());
+      bool comprehension = false;
+      parts.push_back(ItemOrComprehension(comprehension));
       keywords.push_back(keyword);
       if (!Take(",")) break;
     }
@@ -215,10 +216,11 @@ class XacroParser {
     return XacroNodeOf(XacroNodeKind::kCall, std::move(parts), std::move(keywords));
   }
 
-  /// An expression, or `EXPRESSION for NAME in LIST [if CONDITION]`.
-  XacroNode ItemOrComprehension() {
+  /// An expression, or `EXPRESSION for NAME in LIST [if CONDITION]`, of which `comprehension` is then set.
+  XacroNode ItemOrComprehension(bool& comprehension) {
     XacroNode item = Expression();
     if (!Take("for")) return item;
+    comprehension = true;
     if (Token().kind != XacroToken::Kind::kName) Refuse("; the name of a variable is needed");
     const std::string variable = Token().text;
     ++at_;
@@ -233,15 +235,15 @@ class XacroParser {
   /// The items up to a closing bracket, which is taken too. One comprehension stands for the list itself.
   XacroNode Items(std::string_view close, bool one_is_itself) {
     std::vector<XacroNode> items;
-    bool comma = false;
+    bool comma = false, comprehension = false;  // a list that holds a comprehension's list keeps its own brackets
     while (!Is(close)) {
-      items.push_back(ItemOrComprehension());
+      items.push_back(ItemOrComprehension(comprehension));
       comma = Take(",");
       if (!comma) break;
     }
     Need(close);
     const bool single = items.size() == 1 && !comma;
-    if (single && (one_is_itself || items[0].kind == XacroNodeKind::kComprehension)) return std::move(items[0]);
+    if (single && (one_is_itself || comprehension)) return std::move(items[0]);
     return XacroNodeOf(XacroNodeKind::kList, std::move(items));
   }
 

@@ -78,6 +78,7 @@ class XacroTokenizer {
   XacroToken HexNumber() {
     const std::size_t from = at_;
     std::int64_t number = 0;
+    if (Peek(2) == '-') RefuseNumber(text_.substr(from, 3), from);
     const auto end = std::from_chars(text_.data() + at_ + 2, text_.data() + text_.size(), number, 16);
     at_ = static_cast<std::size_t>(end.ptr - text_.data());
     if (end.ec != std::errc{} || IsXacroLetter(Peek())) RefuseNumber(text_.substr(from, at_ - from + 1), from);

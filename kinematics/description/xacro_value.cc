@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 #include "kinematics/base/non_finite.h"
@@ -51,8 +53,10 @@ std::string QuotedXacroText(const std::string& text) {
   const char quote = text.find('\'') != std::string::npos && text.find('"') == std::string::npos ? '"' : '\'';
   std::string quoted(1, quote);
   for (const char c : text) {
-    if (c == '\n') {
-      quoted += "\\n";
+    constexpr std::string_view kControls = "\n\t\r", kLetters = "ntr";
+    if (const std::size_t control = kControls.find(c); control != std::string_view::npos) {
+      quoted += '\\';
+      quoted += kLetters[control];
       continue;
     }
     if (c == quote || c == '\\') quoted += '\\';
@@ -107,6 +111,17 @@ std::string XacroNumberText(const std::string& text) {
   if (text.size() > 400 || trimmed.find("+-") == 0 || trimmed.find("++") == 0) return "";
   if (!trimmed.empty() && trimmed[0] == '+') trimmed.erase(0, 1);
   return trimmed;
+}
+
+/// Whether a number that no double holds is too small, not too large: its first digit other than 0 is behind the point.
+bool IsXacroUnderflow(const std::string& number) {
+  const std::size_t exponent_at = std::min(number.find_first_of("eE"), number.size());
+  const std::size_t first = number.find_first_of("123456789");
+  if (first >= exponent_at) return true;
+  const std::size_t point = std::min(number.find('.'), exponent_at);
+  const long behind = static_cast<long>(first) - static_cast<long>(point);
+  const long exponent = exponent_at < number.size() ? std::strtol(number.c_str() + exponent_at + 1, nullptr, 10) : 0;
+  return exponent < behind;
 }
 
 }  // namespace
@@ -257,8 +272,7 @@ std::optional<double> XacroRealOf(const std::string& text) {
   const auto end = std::from_chars(number.data(), number.data() + number.size(), real);
   if (number.empty() || end.ptr != number.data() + number.size()) return std::nullopt;
   if (end.ec == std::errc::result_out_of_range) {
-    if (number.find("e-") != std::string::npos || number.find("E-") != std::string::npos) return 0.0;
-    return number[0] == '-' ? -kInfinity : kInfinity;
+    return std::copysign(IsXacroUnderflow(number) ? 0.0 : kInfinity, number[0] == '-' ? -1.0 : 1.0);
   }
   if (end.ec != std::errc{} || number.find('(') != std::string::npos) return std::nullopt;
   return real;

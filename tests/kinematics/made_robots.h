@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "tests/kinematics/ik/synthetic_legs.h"
@@ -33,12 +34,14 @@ inline std::string MadeUrdf(const std::string& kind) {
   return urdf;
 }
 
-/// One of kAnyRobots.
+/// One of kAnyRobots, each of which is loaded once.
 inline RobotModel AnyRobot(const std::string& name) {
-  if (name == "a1" || name == "nao") return Robot(name);
+  static std::map<std::string, RobotModel> loaded;
+  if (const auto known = loaded.find(name); known != loaded.end()) return known->second;
+  if (name == "a1" || name == "nao") return loaded[name] = Robot(name);
   Result<RobotModel> model = LoadRobotFromText(MadeUrdf(name), "");
   EXPECT_TRUE(model.ok()) << (model.ok() ? "" : model.failure().message);
-  return std::move(model).value();
+  return loaded[name] = std::move(model).value();
 }
 
 }  // namespace gaitwright

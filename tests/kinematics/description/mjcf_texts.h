@@ -63,6 +63,18 @@ inline RobotModel TreeOf(const ConvertedMjcf& converted) {
   return model.ok() ? *model : RobotModel();
 }
 
+/// The Failure that a call throws, or a failed test.
+template <class Call>
+Failure MjcfFailureOf(const Call& call) {
+  try {
+    call();
+  } catch (const Failure& failure) {
+    return failure;
+  }
+  ADD_FAILURE() << "the call throws no Failure";
+  return {};
+}
+
 inline const Joint& JointNamed(const RobotModel& model, const std::string& name) {
   return model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(model.DofIndex(name))])];
 }

@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-std::string XacroMacro(const std::string& name, const std::string& params, const std::string& body) {
+std::string MacroText(const std::string& name, const std::string& params, const std::string& body) {
   return "<xacro:macro name=\"" + name + "\" params=\"" + params + "\">" + body + "</xacro:macro>";
 }
 
@@ -17,22 +17,22 @@ void ExpectRefusal(const std::string& inside, const std::vector<std::string>& pa
 }
 
 TEST(XacroMacro, TakesParametersByName) {
-  const std::string leg = XacroMacro("leg", "prefix reflect", "<link name='${prefix}_leg' y='${reflect * 0.1}'/>");
+  const std::string leg = MacroText("leg", "prefix reflect", "<link name='${prefix}_leg' y='${reflect * 0.1}'/>");
   EXPECT_EQ(InnerXacro(leg + "<xacro:leg reflect='-1' prefix='FR'/>"), "<link name=\"FR_leg\" y=\"-0.1\"/>");
 }
 
 TEST(XacroMacro, DefaultsAreEvaluatedWhereItIsCalled) {
   const std::string x = "<xacro:property name='x' value='7'/>";
-  EXPECT_EQ(InnerXacro(XacroMacro("m", "a b:=1 c:=${x + 1}", "${a} ${b} ${c}") + x + "<xacro:m a='0'/>"), "0 1 8");
-  EXPECT_EQ(InnerXacro(XacroMacro("m", "a=5", "${a}") + "<xacro:m/>"), "5");
-  EXPECT_EQ(InnerXacro(XacroMacro("m", "prefix:='' xyz:='0 0 1' rest", "[${prefix}][${xyz}][${rest}]") +
+  EXPECT_EQ(InnerXacro(MacroText("m", "a b:=1 c:=${x + 1}", "${a} ${b} ${c}") + x + "<xacro:m a='0'/>"), "0 1 8");
+  EXPECT_EQ(InnerXacro(MacroText("m", "a=5", "${a}") + "<xacro:m/>"), "5");
+  EXPECT_EQ(InnerXacro(MacroText("m", "prefix:='' xyz:='0 0 1' rest", "[${prefix}][${xyz}][${rest}]") +
                        "<xacro:m rest='r'/>"),
             "[][0 0 1][r]");
-  EXPECT_EQ(InnerXacro(XacroMacro("m", "a:=${1 + 1}\n   b:=${ 'p q' }", "${a} ${b}") + "<xacro:m/>"), "2 p q");
+  EXPECT_EQ(InnerXacro(MacroText("m", "a:=${1 + 1}\n   b:=${ 'p q' }", "${a} ${b}") + "<xacro:m/>"), "2 p q");
 }
 
 TEST(XacroMacro, ForwardsPropertiesOfTheCaller) {
-  const std::string m = XacroMacro("m", "d:=^ f:=^|9", "${d} ${f}");
+  const std::string m = MacroText("m", "d:=^ f:=^|9", "${d} ${f}");
   EXPECT_EQ(InnerXacro(m + "<xacro:property name='d' value='1'/><xacro:m/>"), "1 9");
   EXPECT_EQ(InnerXacro(m + "<xacro:property name='d' value='1'/><xacro:property name='f' value='2'/><xacro:m/>"),
             "1 2");
@@ -41,60 +41,60 @@ TEST(XacroMacro, ForwardsPropertiesOfTheCaller) {
 }
 
 TEST(XacroMacro, InsertsBlocks) {
-  const std::string m = XacroMacro("m", "name *origin **content",
-                                   "<j n='${name}'><xacro:insert_block name='origin'/>"
-                                   "<xacro:insert_block name='content'/><xacro:insert_block name='content'/></j>");
+  const std::string m = MacroText("m", "name *origin **content",
+                                  "<j n='${name}'><xacro:insert_block name='origin'/>"
+                                  "<xacro:insert_block name='content'/><xacro:insert_block name='content'/></j>");
   EXPECT_EQ(InnerXacro(m + "<xacro:m name='a'><origin xyz='${1 + 1} 0 0'/><c><x/>t<y/></c></xacro:m>"),
             "<j n=\"a\"><origin xyz=\"2 0 0\"/><x/>t<y/><x/>t<y/></j>");
 }
 
 TEST(XacroMacro, BlocksAreExpandedWhereTheMacroIsCalled) {
-  const std::string m = XacroMacro("m", "x *b", "<xacro:insert_block name='b'/>");
+  const std::string m = MacroText("m", "x *b", "<xacro:insert_block name='b'/>");
   EXPECT_EQ(InnerXacro("<xacro:property name='x' value='outer'/>" + m + "<xacro:m x='inner'><o v='${x}'/></xacro:m>"),
             "<o v=\"outer\"/>");
-  const std::string made = XacroMacro("origin_of", "z", "<origin xyz='0 0 ${z}'/>");
+  const std::string made = MacroText("origin_of", "z", "<origin xyz='0 0 ${z}'/>");
   EXPECT_EQ(InnerXacro(made + m + "<xacro:m x='1'><xacro:origin_of z='3'/></xacro:m>"), "<origin xyz=\"0 0 3\"/>");
-  const std::string through = XacroMacro("n", "*b", "<xacro:m x='1'><xacro:insert_block name='b'/></xacro:m>");
+  const std::string through = MacroText("n", "*b", "<xacro:m x='1'><xacro:insert_block name='b'/></xacro:m>");
   EXPECT_EQ(InnerXacro(m + through + "<xacro:n><deep v='${2}'/></xacro:n>"), "<deep v=\"2\"/>");
   EXPECT_EQ(InnerXacro(m + through + "<xacro:n><deep v='$${2}'/></xacro:n>"), "<deep v=\"${2}\"/>");
 }
 
 TEST(XacroMacro, MacrosCallMacrosAndThemselves) {
-  const std::string chain = XacroMacro("chain", "n",
-                                       "<link name='l${n}'/><xacro:if value='${n > 0}'><xacro:chain n='${n - 1}'/>"
-                                       "</xacro:if>");
+  const std::string chain = MacroText("chain", "n",
+                                      "<link name='l${n}'/><xacro:if value='${n > 0}'><xacro:chain n='${n - 1}'/>"
+                                      "</xacro:if>");
   EXPECT_EQ(InnerXacro(chain + "<xacro:chain n='2'/>"), "<link name=\"l2\"/><link name=\"l1\"/><link name=\"l0\"/>");
   const std::string deep = InnerXacro(chain + "<xacro:chain n='98'/>");
   EXPECT_NE(deep.find("\"l0\""), std::string::npos) << deep;
-  const std::string inner = XacroMacro("outer", "", XacroMacro("inner", "", "<i/>") + "<xacro:inner/>");
+  const std::string inner = MacroText("outer", "", MacroText("inner", "", "<i/>") + "<xacro:inner/>");
   EXPECT_EQ(InnerXacro(inner + "<xacro:outer/>"), "<i/>");
   ExpectRefusal(inner + "<xacro:outer/><xacro:inner/>", {"unknown_macro", "'inner'"});
 }
 
 TEST(XacroMacro, GoesOverAListByTakingItsItems) {
-  const std::string loop = XacroMacro("loop", "items:=^",
-                                      "<xacro:if value='${items}'><xacro:property name='item' value='${items.pop(0)}'/>"
-                                      "<i v='${item}'/><xacro:loop/></xacro:if>");
+  const std::string loop = MacroText("loop", "items:=^",
+                                     "<xacro:if value='${items}'><xacro:property name='item' value='${items.pop(0)}'/>"
+                                     "<i v='${item}'/><xacro:loop/></xacro:if>");
   EXPECT_EQ(InnerXacro(loop + "<xacro:property name='items' value=\"${[1, 'a', 2.5]}\"/><xacro:loop/>"),
             "<i v=\"1\"/><i v=\"a\"/><i v=\"2.5\"/>");
 }
 
 TEST(XacroMacro, SeesThePropertiesOfItsCaller) {
-  const std::string m = XacroMacro("m", "", "${x}") + XacroMacro("n", "x", "<xacro:m/>");
+  const std::string m = MacroText("m", "", "${x}") + MacroText("n", "x", "<xacro:m/>");
   EXPECT_EQ(InnerXacro(m + "<xacro:n x='4'/>"), "4");
 }
 
 TEST(XacroMacro, IsCalledByAComputedName) {
-  const std::string m = XacroMacro("left_leg", "n", "<l n='${n}'/>");
+  const std::string m = MacroText("left_leg", "n", "<l n='${n}'/>");
   EXPECT_EQ(InnerXacro(m + "<xacro:call macro=\"${'left' + '_leg'}\" n='1'/>"), "<l n=\"1\"/>");
 }
 
 TEST(XacroMacro, TheLastDefinitionCounts) {
-  EXPECT_EQ(InnerXacro(XacroMacro("m", "", "1") + XacroMacro("xacro:m", "", "2") + "<xacro:m/>"), "2");
+  EXPECT_EQ(InnerXacro(MacroText("m", "", "1") + MacroText("xacro:m", "", "2") + "<xacro:m/>"), "2");
 }
 
 TEST(XacroMacro, RefusesWrongCallsByName) {
-  const std::string leg = "\n" + XacroMacro("leg", "prefix reflect *origin", "<a/>") + "\n";
+  const std::string leg = "\n" + MacroText("leg", "prefix reflect *origin", "<a/>") + "\n";
   ExpectRefusal(leg + "<xacro:leg prefix='a'><o/></xacro:leg>",
                 {"macro_parameter: robot.xacro:3: <xacro:leg>", "'leg' (robot.xacro:2)", "its parameter 'reflect'"});
   ExpectRefusal(leg + "<xacro:leg><o/></xacro:leg>", {"its parameters 'prefix', 'reflect'"});
@@ -103,15 +103,15 @@ TEST(XacroMacro, RefusesWrongCallsByName) {
   ExpectRefusal(leg + "<xacro:leg prefix='a' reflect='1'/>", {"macro_parameter", "block '*origin'", "none"});
   ExpectRefusal(leg + "<xacro:leg prefix='a' reflect='1'><o/><p/></xacro:leg>", {"macro_parameter", "<p>"});
   ExpectRefusal(leg + "<xacro:legg prefix='a'/>", {"unknown_macro: robot.xacro:3: <xacro:legg>", "nearest is 'leg'"});
-  ExpectRefusal(XacroMacro("m", "a a", ""), {"xacro_syntax", "'a' appears twice"});
-  ExpectRefusal(XacroMacro("m", "a:1", ""), {"xacro_syntax", "'a:=VALUE'"});
-  ExpectRefusal(XacroMacro("m", "*b:=1", ""), {"xacro_syntax", "block 'b' has a default"});
-  ExpectRefusal(XacroMacro("if", "", ""), {"bad_name", "'if'"});
+  ExpectRefusal(MacroText("m", "a a", ""), {"xacro_syntax", "'a' appears twice"});
+  ExpectRefusal(MacroText("m", "a:1", ""), {"xacro_syntax", "'a:=VALUE'"});
+  ExpectRefusal(MacroText("m", "*b:=1", ""), {"xacro_syntax", "block 'b' has a default"});
+  ExpectRefusal(MacroText("if", "", ""), {"bad_name", "'if'"});
 }
 
 TEST(XacroMacro, AFailureInsideTellsWhichMacrosWereCalled) {
-  const std::string text = "<r>\n" + XacroMacro("foot", "", "\n<a b='${nothing}'/>") + "\n" +
-                           XacroMacro("leg", "", "\n<xacro:foot/>") + "\n<xacro:leg/></r>";
+  const std::string text = "<r>\n" + MacroText("foot", "", "\n<a b='${nothing}'/>") + "\n" +
+                           MacroText("leg", "", "\n<xacro:foot/>") + "\n<xacro:leg/></r>";
   const Result<std::string> expanded = ExpandXacroText(text, "robot.xacro", {}, SourcesWith({}));
   ASSERT_FALSE(expanded.ok());
   EXPECT_EQ(expanded.failure().code, FailureCode::kUnknownProperty);
