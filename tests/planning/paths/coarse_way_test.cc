@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/paths/coarse_way.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tests/named_robot.h"
+#include "tests/planning/paths/walled_grounds.h"
+
+namespace gaitwright {
+namespace {
+
+CoarseProblem CoarseTo(const PlanarPose& goal, double half_width_m = 3.0) {
+  CoarseProblem problem;
+  problem.goal = goal;
+  problem.extent = PlaneExtent(Vector2(std::min(0.0, goal.x_m) - 1.0, -half_width_m),
+                               Vector2(std::max(0.0, goal.x_m) + 1.0, half_width_m));
+  return problem;
+}
+
+CoarseWay CoarseWayOn(const Terrain& terrain, const CoarseProblem& problem) {
+  PoseCheck check(NamedRobot("a1"), terrain, {});
+  return FindCoarseWay(check, problem);
+}
+
+double LeastAbove(const std::vector<PlanarPose>& way, double x_m) {
+  double y = 1e9;
+  for (const PlanarPose& pose : way) {
+    if (std::abs(pose.x_m - x_m) < 0.1) y = std::min(y, std::abs(pose.y_m));
+  }
+  return y;
+}
+
+TEST(CoarseWay, InTheOpenLeadsStraightToTheGoal) {
+  const Terrain flat = FlatTerrain();
+  for (const double yaw_rad : {0.0, 0.5, -1.2}) {
+    const PlanarPose goal{2.0, 0.0, yaw_rad};
+    const CoarseWay way = CoarseWayOn(flat, CoarseTo(goal));
+    EXPECT_TRUE(way.complete);
+    EXPECT_FALSE(way.hindrance);
+    ASSERT_GT(way.poses.size(), 3U);
+    EXPECT_EQ(way.poses.back(), goal);
+    EXPECT_NEAR(LengthOf(way.poses), 2.0, 0.15);
+  }
+}
+
+TEST(CoarseWay, GoesFromCellToCellFacingEighthsOfATurn) {
+  const Terrain flat = FlatTerrain();
+  const CoarseWay way = CoarseWayOn(flat, CoarseTo({1.5, 1.0, 0.0}));
+  ASSERT_TRUE(way.complete);
+  for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
+    const double eighths = way.poses[i].yaw_rad / (0.25 * std::numbers::pi);
+    EXPECT_NEAR(eighths, std::round(eighths), 1e-9);
+  }
+  for (std::size_t i = 1; i + 1 < way.poses.size(); ++i) {
+    const double moved = std::hypot(way.poses[i].x_m - way.poses[i - 1].x_m, way.poses[i].y_m - way.poses[i - 1].y_m);
+    const double turned = std::abs(way.poses[i].yaw_rad - way.poses[i - 1].yaw_rad);
+    EXPECT_TRUE(moved < 1e-9 || turned < 1e-9) << "it either moves or turns";
+    EXPECT_LT(turned, 0.25 * std::numbers::pi + 1e-9) << "by one heading, without jumps";
+  }
+}
+
+TEST(CoarseWay, GoesAroundAWallOnTheShorterSide) {
+  for (const double side : {1.0, -1.0}) {
+    const Terrain terrain = Walled({Wall("wall", {1.0, -side * 2.5}, {1.0, side * 0.6})});
+    const CoarseWay way = CoarseWayOn(terrain, CoarseTo({2.0, 0.0, 0.0}, 4.0));
+    ASSERT_TRUE(way.complete);
+    double y = 0.0;
+    for (const PlanarPose& pose : way.poses) y = std::abs(pose.y_m) > std::abs(y) ? pose.y_m : y;
+    EXPECT_GT(side * y, 0.6);
+    EXPECT_GT(LeastAbove(way.poses, 1.0), 0.6) << "past its end, not through it";
+    PoseCheck check(NamedRobot("a1"), terrain, {});
+    for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) EXPECT_TRUE(check.IsFree(way.poses[i])) << i;
+  }
+}
+
+TEST(CoarseWay, AMirroredProblemCostsAsMuch) {
+  const TravelWeights weights;
+  double cost[2];
+  for (const int i : {0, 1}) {
+    const double side = i == 0 ? 1.0 : -1.0;
+    const Terrain terrain = Walled({Wall("wall", {1.0, -side * 1.0}, {1.0, side * 0.5})});
+    cost[i] = TravelCost(CoarseWayOn(terrain, CoarseTo({2.0, side * 0.3, 0.0})).poses, weights);
+  }
+  EXPECT_NEAR(cost[0], cost[1], 0.02 * cost[0]);
+}
+
+TEST(CoarseWay, WhereNothingLeadsThroughWhatIsInTheWayIsNamed) {
+  const Terrain terrain = Walled({Wall("barrier", {1.0, -3.5}, {1.0, 3.5})});
+  const CoarseWay way = CoarseWayOn(terrain, CoarseTo({2.0, 0.0, 0.0}));
+  EXPECT_FALSE(way.complete);
+  ASSERT_TRUE(way.hindrance);
+  EXPECT_EQ(way.hindrance->what, "barrier");
+  EXPECT_NEAR(way.hindrance->at.x_m, 1.0, 0.6);
+  EXPECT_EQ(way.poses.back().x_m, 2.0) << "it goes through";
+}
+
+TEST(CoarseWay, OfTwoWallsThatCloseTheWayTheThinnerPlaceIsPassed) {
+  // A box around the goal that is thick ahead and thin behind.
+  const Terrain terrain =
+      Walled({Wall("thick", {1.5, -1.5}, {1.5, 1.5}, 1.0), Wall("left", {1.0, 1.5}, {4.0, 1.5}, 1.0),
+              Wall("right", {1.0, -1.5}, {4.0, -1.5}, 1.0), Wall("thin", {4.0, -1.5}, {4.0, 1.5}, 0.05)});
+  CoarseProblem problem = CoarseTo({3.0, 0.0, 0.0});
+  problem.extent = PlaneExtent(Vector2(-1.0, -4.0), Vector2(6.0, 4.0));
+  const CoarseWay way = CoarseWayOn(terrain, problem);
+  EXPECT_FALSE(way.complete);
+  ASSERT_TRUE(way.hindrance);
+  EXPECT_EQ(way.hindrance->what, "thin");
+}
+
+TEST(CoarseWay, StaysWithinItsExtent) {
+  const Terrain terrain = Walled({Wall("wall", {1.0, -0.8}, {1.0, 2.0})});
+  CoarseProblem problem = CoarseTo({2.0, 0.0, 0.0});
+  problem.extent = PlaneExtent(Vector2(-0.5, -0.5), Vector2(2.5, 4.0));
+  const CoarseWay way = CoarseWayOn(terrain, problem);
+  EXPECT_TRUE(way.complete) << "around the far end, as the near one is outside";
+  for (const PlanarPose& pose : way.poses) EXPECT_TRUE(problem.extent.contains(Vector2(pose.x_m, pose.y_m)));
+}
+
+}  // namespace
+}  // namespace gaitwright

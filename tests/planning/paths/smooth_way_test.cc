@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/paths/smooth_way.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "planning/paths/direct_way.h"
+#include "tests/named_robot.h"
+#include "tests/planning/paths/walled_grounds.h"
+
+namespace gaitwright {
+namespace {
+
+const TravelWeights kSmoothWeights;
+
+std::vector<PlanarPose> SmoothedOn(const Terrain& terrain, const std::vector<PlanarPose>& way) {
+  PoseCheck check(NamedRobot("a1"), terrain, {});
+  return SmoothWay(check, way, kSmoothWeights);
+}
+
+/// A wall ahead, and a way around its left end in right angles, facing ahead all the time.
+Terrain SmoothWall() { return Walled({Wall("wall", {1.0, -2.0}, {1.0, 0.3})}); }
+std::vector<PlanarPose> AroundTheWall() { return {{0.0, 0.0, 0.0}, {0.0, 1.6, 0.0}, {2.0, 1.6, 0.0}, {2.0, 0.0, 0.0}}; }
+
+TEST(SmoothWay, InTheOpenADetourBecomesADirectWay) {
+  const Terrain flat = FlatTerrain();
+  const std::vector<PlanarPose> detour = {{0.0, 0.0, 0.0}, {1.0, 1.5, 0.0}, {2.0, -1.0, 0.0}, {3.0, 0.0, 0.0}};
+  const std::vector<PlanarPose> smooth = SmoothedOn(flat, detour);
+  EXPECT_EQ(smooth.front(), detour.front());
+  EXPECT_EQ(smooth.back().x_m, 3.0);
+  EXPECT_NEAR(LengthOf(smooth), 3.0, 0.03);
+  EXPECT_NEAR(TravelCost(smooth, kSmoothWeights), 3.0, 0.05);
+}
+
+TEST(SmoothWay, AStraightWayStaysAsItIs) {
+  const Terrain flat = FlatTerrain();
+  for (const PlanarPose& pose : SmoothedOn(flat, {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}})) {
+    EXPECT_NEAR(pose.y_m, 0.0, 1e-9);
+    EXPECT_NEAR(pose.yaw_rad, 0.0, 1e-9);
+  }
+}
+
+TEST(SmoothWay, AroundAWallIsCheaperAndFreeAllAlong) {
+  const Terrain terrain = SmoothWall();
+  const std::vector<PlanarPose> way = AroundTheWall(), smooth = SmoothedOn(terrain, way);
+  EXPECT_LT(TravelCost(smooth, kSmoothWeights), 0.8 * TravelCost(way, kSmoothWeights));
+  EXPECT_LT(LengthOf(smooth), LengthOf(way));
+  EXPECT_GT(LengthOf(smooth), 2.0 * std::hypot(1.0, 0.3)) << "no shorter than a point's way around the end";
+  PoseCheck check(NamedRobot("a1"), terrain, {});
+  EXPECT_TRUE(check.IsFreeAlong(Densified(smooth, {0.02, 0.02})));
+  EXPECT_EQ(smooth.front(), way.front());
+  EXPECT_EQ(smooth.back().x_m, way.back().x_m);
+  EXPECT_EQ(smooth.back().y_m, way.back().y_m);
+}
+
+TEST(SmoothWay, NeverCostsMoreAndTwiceGainsHardlyAnything) {
+  const Terrain terrain = SmoothWall();
+  const std::vector<PlanarPose> once = SmoothedOn(terrain, AroundTheWall()), twice = SmoothedOn(terrain, once);
+  EXPECT_LE(TravelCost(twice, kSmoothWeights), TravelCost(once, kSmoothWeights) * (1.0 + 1e-9));
+  EXPECT_GT(TravelCost(twice, kSmoothWeights), 0.9 * TravelCost(once, kSmoothWeights));
+}
+
+TEST(SmoothWay, GivesTheSameAgain) {
+  const Terrain terrain = SmoothWall();
+  EXPECT_EQ(SmoothedOn(terrain, AroundTheWall()), SmoothedOn(terrain, AroundTheWall()));
+}
+
+TEST(SmoothWay, DearSideStepsAreReplacedByTurning) {
+  const Terrain flat = FlatTerrain();
+  const std::vector<PlanarPose> smooth = SmoothedOn(flat, {{0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}});
+  EXPECT_LT(TravelCost(smooth, kSmoothWeights), 3.0 + 3.2 * kSmoothWeights.turn_m_rad + 0.2);
+  double turned = 0.0;
+  for (const PlanarPose& pose : smooth) turned = std::max(turned, std::abs(pose.yaw_rad));
+  EXPECT_GT(turned, 1.2) << "it faces the way";
+}
+
+}  // namespace
+}  // namespace gaitwright
