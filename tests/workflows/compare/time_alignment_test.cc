@@ -64,7 +64,7 @@ TEST(TimeAlignment, AMotionOfAnotherSizeAgreesLess) {
     const auto offset = BestOffset(MoveAbout(1.5), MoveAbout(1.7, k), kMovingJoint);
     ASSERT_TRUE(offset);
     EXPECT_NEAR(offset->agreement, 2.0 * k / (1.0 + k * k), 1e-3);
-    EXPECT_NEAR(offset->offset_s, 0.2, 2e-4);
+    EXPECT_NEAR(offset->offset_s, 0.2, 2e-3) << "rows are 5 ms apart, and between them a motion is a little smaller";
   }
 }
 

@@ -57,18 +57,18 @@ ResampledTable ResampledBiped(const MotionTable& table, const ImportOptions& opt
 }
 
 TEST(EvenMotion, TheGridIsTheFilesOwnWhereItsStepsAreAlike) {
-  EXPECT_EQ(GridStepOf(TimesEvery(0.004, 100), {}), 0.004);
-  EXPECT_EQ(GridStepOf(TimesEvery(0.004, 100, 1.7e9), {}), 0.004) << "a clock since 1970 has few digits";
-  EXPECT_EQ(GridStepOf(TimesEvery(0.02, 100), {}), 0.005) << "too coarse";
-  EXPECT_EQ(GridStepOf(TimesEvery(0.0005, 100), {}), 0.005) << "too fine";
-  EXPECT_EQ(GridStepOf({0.0, 0.004, 0.009, 0.012, 0.02}, {}), 0.005) << "uneven";
-  EXPECT_EQ(GridStepOf({0.0}, {}), 0.005);
+  EXPECT_DOUBLE_EQ(GridStepOf(TimesEvery(0.004, 100), {}), 0.004);
+  EXPECT_DOUBLE_EQ(GridStepOf(TimesEvery(0.004, 100, 1.7e9), {}), 0.004) << "a clock since 1970 has few digits";
+  EXPECT_DOUBLE_EQ(GridStepOf(TimesEvery(0.02, 100), {}), 0.005) << "too coarse";
+  EXPECT_DOUBLE_EQ(GridStepOf(TimesEvery(0.0005, 100), {}), 0.005) << "too fine";
+  EXPECT_DOUBLE_EQ(GridStepOf({0.0, 0.004, 0.009, 0.012, 0.02}, {}), 0.005) << "uneven";
+  EXPECT_DOUBLE_EQ(GridStepOf({0.0}, {}), 0.005);
   std::vector<double> short_end = TimesEvery(0.004, 100);
   short_end.push_back(short_end.back() + 0.001);
-  EXPECT_EQ(GridStepOf(short_end, {}), 0.004);
+  EXPECT_DOUBLE_EQ(GridStepOf(short_end, {}), 0.004);
   ImportOptions options;
   options.grid_step_s = 0.002;
-  EXPECT_EQ(GridStepOf(TimesEvery(0.004, 100), options), 0.002);
+  EXPECT_DOUBLE_EQ(GridStepOf(TimesEvery(0.004, 100), options), 0.002);
 }
 
 TEST(EvenMotion, CubicsAreReproducedWithTheirDerivativesBetweenUnevenRows) {

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "workflows/grade/read_part_internal.h"
+#include "workflows/grade/rubric_shape.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -22,13 +23,22 @@ void ExpectWords(const std::string& text, const std::vector<std::string>& words)
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
+/// A part's YAML, with the keys that its kind needs where they are not given.
+std::string WholePart(const std::string& yaml, PartKind kind) {
+  std::string keys = "{name: p, kind: " + PartKindNames()[static_cast<std::size_t>(kind)] + ", file: f, points: 1";
+  if (PlaysMotions(kind)) keys += ", checks: []";
+  const std::string needed = PlaysMotions(kind) ? "robot" : "reference";
+  if (yaml.find(needed + ":") == std::string::npos) keys += ", " + needed + (PlaysMotions(kind) ? ": nao" : ": dcm");
+  return keys + (yaml == "{}" ? "" : ", ") + yaml.substr(1);
+}
+
 RubricPart MotionPartOf(const std::string& yaml, PartKind kind = PartKind::kParameters) {
   RubricPart part;
   part.name = "p";
   part.kind = kind;
-  const YAML::Node node = YAML::Load(yaml);
-  const YamlMap map(node, "a part");
-  ReadMotionSetup(map, node, part);
+  const YAML::Node node = YAML::Load(WholePart(yaml, kind));
+  const DataShape shape = PartShape(kind);
+  ReadMotionSetup(YamlMap(node, "a part", shape), node, part);
   return part;
 }
 
@@ -108,9 +118,9 @@ RubricPart QuestionPartOf(const std::string& yaml, PartKind kind) {
   RubricPart part;
   part.name = "p";
   part.kind = kind;
-  const YAML::Node node = YAML::Load(yaml);
-  const YamlMap map(node, "a part");
-  ReadQuestionSetup(map, node, part);
+  const YAML::Node node = YAML::Load(WholePart(yaml, kind));
+  const DataShape shape = PartShape(kind);
+  ReadQuestionSetup(YamlMap(node, "a part", shape), node, part);
   return part;
 }
 
@@ -127,16 +137,17 @@ TEST(ReadPart, CodeHasTheFunctionOfItsKindUnlessAnotherIsNamed) {
     RubricPart part;
     part.kind = kind;
     part.question.reference = "dcm";
-    const YAML::Node node = YAML::Load(yaml);
-    ReadCodeSetup(YamlMap(node, "a part"), part);
+    const YAML::Node node = YAML::Load(WholePart(yaml, kind));
+    const DataShape shape = PartShape(kind);
+    ReadCodeSetup(YamlMap(node, "a part", shape), part);
     return part;
   };
-  EXPECT_EQ(function_of("{x: 1}", PartKind::kFunction).function, "dcm");
-  EXPECT_EQ(function_of("{x: 1}", PartKind::kPlanner).function, "plan_steps");
-  EXPECT_EQ(function_of("{x: 1}", PartKind::kController).function, "make_controller");
+  EXPECT_EQ(function_of("{}", PartKind::kFunction).function, "dcm");
+  EXPECT_EQ(function_of("{}", PartKind::kPlanner).function, "plan_steps");
+  EXPECT_EQ(function_of("{}", PartKind::kController).function, "make_controller");
   EXPECT_EQ(function_of("{function: mine}", PartKind::kPlanner).function, "mine");
-  EXPECT_FALSE(function_of("{x: 1}", PartKind::kFunction).package);
-  EXPECT_TRUE(function_of("{x: 1}", PartKind::kController).package);
+  EXPECT_FALSE(function_of("{}", PartKind::kFunction).package);
+  EXPECT_TRUE(function_of("{}", PartKind::kController).package);
   EXPECT_TRUE(function_of("{package: true}", PartKind::kFunction).package);
   ExpectWords(RefusalOfYaml([&] { function_of("{package: perhaps}", PartKind::kFunction); }), {"'perhaps'"});
 }

@@ -31,7 +31,7 @@ TEST(Clauses, APartEachForWhatIsJoinedByWordsOrSigns) {
 }
 
 TEST(Clauses, ASecondActionBeginsAClauseOfItsOwn) {
-  EXPECT_EQ(ClauseWords("nod and bow"), (Texts{"nod", "and bow"}));
+  EXPECT_EQ(ClauseWords("nod and bow"), (Texts{"nod", "bow"}));
   EXPECT_EQ(ClauseWords("举手往前走"), (Texts{"举手", "往前走"})) << "the way belongs to the verb after it";
 }
 
