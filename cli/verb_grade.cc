@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct GradeSettings {
   Common common;
-  std::string folder, rubric, out = "grades", python, inputs;
+  std::string folder, rubric, out = "grades", python, inputs, engine;
   bool unconfined = false;
 
   std::string InOut(const std::string& name) const { return (fs::path(out) / name).string(); }
@@ -119,6 +119,9 @@ int RunGrade(const GradeSettings& a) {
   CheckPaths(paths);
   Result<Rubric> rubric = LoadRubric(a.rubric);
   if (!rubric) return Report(rubric.failure(), a.common);
+  if (!a.engine.empty()) {
+    for (RubricPart& part : rubric->parts) part.motion.play_words.emplace_back("play.engine", a.engine);
+  }
   return a.inputs.empty() ? MarkClass(a, std::move(*rubric)) : WriteClassInputs(a, *rubric);
 }
 
@@ -130,6 +133,11 @@ void AddGrade(Verb program, int& status) {
   AddText(verb, "DIR", "DIR", a->folder, "Folder that has one folder for each student.");
   AddText(verb, "--rubric", "FILE", a->rubric, "Rubric: expected files and their marks, as YAML; see docs/grading.md.")
       .Require();
+  AddText(
+      verb, "--engine", "NAME", a->engine,
+      "Physics engine of all motions: bullet, mujoco, or both, of which the worse counts; default: that of the rubric, "
+      "else bullet.")
+      .AcceptOnly({"bullet", "mujoco", "both"});
   verb.SetGroup("Running code");
   AddText(verb, "--python", "PROGRAM", a->python,
           "Python interpreter for submissions; default: /usr/bin/python3, else the one on PATH.");
