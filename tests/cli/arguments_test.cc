@@ -180,25 +180,24 @@ TEST(DisturbanceFlags, AFileIsReadAndTheStandardSetLeavesOutWhatIsSet) {
   ASSERT_EQ(read->figures.size(), 1U);
   EXPECT_EQ(read->figures[0].key, "mass_scale");
   const Result<Disturbances> standard = DisturbanceArguments{"standard"}.Load(model, {}),
-                             besides = DisturbanceArguments{}.Load(model, {}, {"play.mass_scale"});
+                             besides = DisturbanceArguments{}.Load(model, {}, {"play.ground_slope_deg"});
   ASSERT_TRUE(standard.ok() && besides.ok());
-  const auto draws_mass = [](const Disturbances& set) {
+  const auto draws_slope = [](const Disturbances& set) {
     for (const Disturbance& figure : set.figures) {
-      if (figure.key == "mass_scale") return true;
+      if (figure.key == "ground_slope_deg") return true;
     }
     return false;
   };
-  EXPECT_TRUE(draws_mass(*standard));
-  EXPECT_FALSE(draws_mass(*besides)) << "a study varies it";
+  EXPECT_TRUE(draws_slope(*standard));
+  EXPECT_FALSE(draws_slope(*besides)) << "a study varies it";
 }
 
 TEST(DisturbanceFlags, WhatAStudyVariesIsNotDrawnToo) {
-  const Result<Disturbances> twice =
-      DisturbanceArguments{FileOfDisturbances("mass_scale: {uniform: [0.8, 1.2]}\n")}.Load(NamedRobot("a1"), {},
-                                                                                           {"play.mass_scale"});
+  const Result<Disturbances> twice = DisturbanceArguments{FileOfDisturbances("friction: {uniform: [0.5, 0.9]}\n")}.Load(
+      NamedRobot("a1"), {}, {"play.friction"});
   ASSERT_FALSE(twice.ok());
   EXPECT_EQ(twice.failure().code, FailureCode::kInVain);
-  EXPECT_NE(twice.failure().message.find("mass_scale"), std::string::npos);
+  EXPECT_NE(twice.failure().message.find("friction"), std::string::npos);
 }
 
 TEST(JsonTexts, BytesThatAreNoTextAreReplacedAndTheRestIsReadBack) {

@@ -20,7 +20,6 @@ class TwoVerbs {
     walk.AddSwitch("--quiet", quiet, "Says less.");
     walk.SetWork([this] { ++walked; });
     show.AddValue("NAME", name, "Which.").Require();
-    robots.RequireVerbs(1, 1);
   }
 
   std::optional<int> Run(std::vector<std::string> words) {

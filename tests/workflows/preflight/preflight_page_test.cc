@@ -40,7 +40,7 @@ TEST(PreflightPaper, HashesAreWholeAndThereAreLinesToSign) {
   const std::string page = PreflightPage(MakeUpPreflight());
   for (const char* hash : {"robot-hash", "motion-hash", "plan-hash"})
     EXPECT_EQ(TimesOnPage(page, std::string(">") + hash + "<"), 1) << hash;
-  EXPECT_GT(TimesOnPage(page, "Signature"), 0);
+  EXPECT_GT(TimesOnPage(page, "class=\"sign\""), 0);
 }
 
 /// A bar is as full as what is used of the limit.
