@@ -9,7 +9,7 @@
 namespace gaitwright::cli {
 namespace {
 
-using Words = std::vector<std::string>;
+using NumberWords = std::vector<std::string>;
 
 TEST(CliNumbers, FiniteNumbersAreAcceptedInEveryUsualSpelling) {
   for (const char* text : {"0", "-1.5", "+2", "1e-3", "1E5", ".5", "5.", "-0"}) EXPECT_EQ(NotANumber(text), "") << text;
@@ -59,11 +59,11 @@ TEST(CliNumbers, ListsHaveAsManyNumbersAsAreNeeded) {
 }
 
 TEST(CliNumbers, PartsBetweenCommasAreThoseThatWereJoined) {
-  EXPECT_EQ(SplitAtCommas("a,b,c"), (Words{"a", "b", "c"}));
-  EXPECT_EQ(SplitAtCommas("a,,c"), (Words{"a", "", "c"}));
-  EXPECT_EQ(SplitAtCommas("a,"), Words{"a"}) << "no part begins with the last comma";
-  EXPECT_EQ(SplitAtCommas(""), Words{});
-  for (const Words& words : {Words{"a"}, Words{"a", "b c", "d"}, Words{}})
+  EXPECT_EQ(SplitAtCommas("a,b,c"), (NumberWords{"a", "b", "c"}));
+  EXPECT_EQ(SplitAtCommas("a,,c"), (NumberWords{"a", "", "c"}));
+  EXPECT_EQ(SplitAtCommas("a,"), NumberWords{"a"}) << "no part begins with the last comma";
+  EXPECT_EQ(SplitAtCommas(""), NumberWords{});
+  for (const NumberWords& words : {NumberWords{"a"}, NumberWords{"a", "b c", "d"}, NumberWords{}})
     EXPECT_EQ(SplitAtCommas(JoinWords(words, ",")), words);
   EXPECT_EQ(JoinWords({"x", "x"}, " or "), "x or x");
 }
