@@ -34,7 +34,7 @@ double In(const char* what, double value, double lowest, double highest) {
 
 constexpr double kMost = 1e30;   // of any figure, in its unit
 constexpr double kLatest = 1e7;  // on a plan's clock [s]
-constexpr double kMostTrials = 1e9;
+constexpr int kMostTrials = 1000000000;
 
 std::vector<SampledValue> SampledFrom(const Json& list) {
   std::vector<SampledValue> sampled;
@@ -134,7 +134,7 @@ TrialOutcome OutcomeFromLine(const std::string& line) {
   try {
     const Json j = Json::parse(line);
     TrialOutcome o;
-    o.number = static_cast<int>(In("number", j.at("number").get<double>(), 0.0, kMostTrials - 1.0));
+    o.number = JsonPart(j.at("number")).Whole(0, kMostTrials - 1);
     o.seed = JsonPart(j.at("seed")).Natural();
     o.survived = j.at("survived").get<bool>();
     o.passed = j.at("passed").get<bool>();
