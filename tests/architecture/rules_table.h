@@ -183,12 +183,12 @@ struct TestShare {
   double least;
 };
 inline const std::vector<TestShare> kTestShares = {
-    {"kinematics", 0.40}, {"planning", 0.40},  {"optimisation", 0.49},
-    {"playback", 0.57},   {"workflows", 0.41}, {"cli", 0.46},
+    {"kinematics", 0.60}, {"planning", 0.60},  {"optimisation", 0.60},
+    {"playback", 0.60},   {"workflows", 0.60}, {"cli", 0.60},
 };
 
 /// Sources that are longer than this have a test at the same path below tests/, but for so many, which only fall.
 inline constexpr int kLongestUntested = 100;
-inline constexpr int kMostUntested = 212;
+inline constexpr int kMostUntested = 55;
 
 }  // namespace gaitwright::architecture
