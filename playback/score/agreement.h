@@ -41,10 +41,10 @@ std::string EngineTitle(const std::string& engine);
 
 /// Compares two playbacks at the samples of A; B is interpolated between its samples.
 ///
-/// Forces and depths are means over 50 ms, so that the spike of an impact, which depends on the time step, does not count. Slip is
-/// the way that a foot has slid on the ground since the start, depth that of its lowest point below the plan's ground.
-/// ZMPs count while the feet of both carry half of the weight. Tolerances: forces 0.15 m g; ZMP 0.1, base position
-/// 0.03, slip 0.02 and depth 0.0006 of the leg length; base angles 0.03 rad.
+/// Forces and depths are means over 50 ms, so that the spike of an impact, which depends on the time step, does not
+/// count. Slip is the way that a foot has slid on the ground since the start, depth that of its lowest point below the
+/// plan's ground. ZMPs count while the feet of both carry half of the weight. Tolerances: forces 0.15 m g; ZMP 0.1,
+/// base position 0.03, slip 0.02 and depth 0.0006 of the leg length; base angles 0.03 rad.
 /// @throws InvalidArgument as of MakeMotionSeries.
 Agreement AgreementOf(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& a, const PlaybackLog& b);
 
