@@ -2,7 +2,7 @@
 #include "kinematics/base/failure_code.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <ostream>
 
 namespace gaitwright {
@@ -13,7 +13,8 @@ struct NamedCode {
   std::string_view name;
 };
 
-constexpr std::array kNamedCodes = {
+/// Not a std::array of deduced size: clang deduces at most 256 elements.
+constexpr NamedCode kNamedCodes[] = {
     NamedCode{FailureCode::kAction, "action"},
     NamedCode{FailureCode::kAddress, "address"},
     NamedCode{FailureCode::kAmbiguous, "ambiguous"},
@@ -277,7 +278,7 @@ constexpr std::array kNamedCodes = {
 };
 
 constexpr bool IsInOrder() {
-  for (std::size_t i = 0; i < kNamedCodes.size(); ++i)
+  for (std::size_t i = 0; i < std::size(kNamedCodes); ++i)
     if (static_cast<std::size_t>(kNamedCodes[i].code) != i) return false;
   return true;
 }
@@ -297,9 +298,9 @@ const std::vector<std::string>& FailureCodeNames() {
 const std::string& FailureCodeName(FailureCode code) { return FailureCodeNames().at(static_cast<std::size_t>(code)); }
 
 std::optional<FailureCode> FailureCodeOfName(std::string_view name) {
-  const auto* const found = std::lower_bound(kNamedCodes.begin(), kNamedCodes.end(), name,
+  const auto* const found = std::lower_bound(std::begin(kNamedCodes), std::end(kNamedCodes), name,
                                              [](const NamedCode& named, std::string_view n) { return named.name < n; });
-  if (found == kNamedCodes.end() || found->name != name) return std::nullopt;
+  if (found == std::end(kNamedCodes) || found->name != name) return std::nullopt;
   return found->code;
 }
 
