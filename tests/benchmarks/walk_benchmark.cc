@@ -46,11 +46,12 @@ void AuditCall(benchmark::State& state) {
 }
 
 /// At a step of 1 ms, with every joint; the counter is simulated time over CPU time.
-void PlayCall(benchmark::State& state, const char* controller) {
+void PlayCall(benchmark::State& state, const char* controller, const char* engine) {
   const Walk walk(state);
   const MotionPlan plan = walk.Plan();
   PlayRequest request;
   request.controller = controller;
+  request.play.world.engine = engine;
   double times_real_time = 0.0;
   for (auto _ : state) times_real_time = PlayWalk(walk.model, plan, request).value().realtime_factor;
   state.counters["times_real_time"] = times_real_time;
@@ -79,8 +80,9 @@ void PlayLossesCall(benchmark::State& state) {
 
 BENCHMARK(PlanMotionCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(AuditCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(PlayCall, joint_pd, "joint-pd")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(PlayCall, stabilised, "stabilised")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlayCall, joint_pd, "joint-pd", "bullet")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlayCall, stabilised, "stabilised", "bullet")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlayCall, mujoco, "stabilised", "mujoco")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(PlayLossesCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
