@@ -43,14 +43,15 @@ bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q,
 }  // namespace
 
 struct BulletWorld::Impl {
-  Impl(const RobotModel& robot, const Terrain& terrain, const VectorX& q0, const WorldOptions& wanted)
+  Impl(const RobotModel& robot, const Terrain& terrain, const VectorX& q0, const WorldOptions& wanted, bool condenses)
       : model(robot),
         options(Checked(robot, q0, wanted)),
         ground(terrain, options, BumpsOf(robot, q0, options)),
         body(robot, BodyOptionsOf(options, q0, ground)),
         dispatcher(&configuration),
-        solver(body.inertia()),
-        world(&dispatcher, &broadphase, &solver, &configuration),
+        solver(condenses ? std::make_unique<bullet::CondensedSolver>(body.inertia())
+                         : std::make_unique<btMultiBodyConstraintSolver>()),
+        world(&dispatcher, &broadphase, solver.get(), &configuration),
         reader(robot, body, terrain),
         before(robot),
         after(robot) {
@@ -207,7 +208,7 @@ struct BulletWorld::Impl {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher;
   btDbvtBroadphase broadphase;
-  bullet::CondensedSolver solver;
+  std::unique_ptr<btMultiBodyConstraintSolver> solver;
   btMultiBodyDynamicsWorld world;
   std::vector<std::unique_ptr<bullet::MotorRow>> motors;      ///< by dof; null where locked
   std::vector<std::unique_ptr<bullet::SharedMotors>> shared;  ///< of transmissions with a joint that is not locked
@@ -219,8 +220,9 @@ struct BulletWorld::Impl {
   VectorX q, v, tau, motor_torque, feed_forward, effort_use;
 };
 
-BulletWorld::BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options)
-    : impl_(std::make_unique<Impl>(model, terrain, q, options)) {}
+BulletWorld::BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options,
+                         bool condenses)
+    : impl_(std::make_unique<Impl>(model, terrain, q, options, condenses)) {}
 BulletWorld::~BulletWorld() = default;
 void BulletWorld::SetState(const VectorX& q, const VectorX& v) {
   CheckState(impl_->model, q, v);

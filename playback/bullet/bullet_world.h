@@ -14,8 +14,11 @@ class BulletWorld : public World {
  public:
   /// @param q  first configuration, size nq; also where locked joints stay, and its x and y the start point of the
   /// ground.
+  /// @param condenses  whether contacts are solved by our condensed solver; else by Bullet's own, which knows no
+  /// motors, for tests of the two against each other.
   /// @throws InvalidArgument as CheckWorld
-  BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
+  BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options,
+              bool condenses = true);
   ~BulletWorld() override;
 
   void SetState(const VectorX& q, const VectorX& v) override;

@@ -8,54 +8,13 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "playback/play/make_world.h"
+#include "tests/playback/one_body.h"
 #include "tests/playback/one_joint.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kMass = 2.0, kRadius = 0.1;
-
-/// A rigid body whose foot is the ground contact, without joints.
-RobotModel OneBody(const Foot& foot, const Matrix3& inertia) {
-  RobotModel model;
-  model.name = "one_body";
-  model.bodies.push_back({.name = "body", .mass = kMass, .I_C = inertia});
-  model.total_mass_kg = kMass;
-  model.feet = {foot};
-  model.standing_joints = model.stiffness = model.damping = VectorX();
-  return model;
-}
-
-/// A homogeneous ball.
-RobotModel Ball() {
-  Foot foot;
-  foot.name = foot.link = "body";
-  foot.type = FootType::kSphere;
-  foot.radius = kRadius;
-  return OneBody(foot, 0.4 * kMass * kRadius * kRadius * Matrix3::Identity());
-}
-
-/// A homogeneous block that stands on its lower face.
-RobotModel Block(double length, double width, double height) {
-  Foot foot;
-  foot.name = foot.link = "body";
-  foot.type = FootType::kSole;
-  foot.X_BF.translation() = Vector3(0.0, 0.0, -0.5 * height);
-  const double x = 0.5 * length, y = 0.5 * width;
-  foot.sole_F = {{x, -y}, {x, y}, {-x, y}, {-x, -y}};
-  const Vector3 sides(length * length, width * width, height * height);
-  const Vector3 moments = kMass / 12.0 * (Vector3::Constant(sides.sum()) - sides);
-  return OneBody(foot, moments.asDiagonal());
-}
-
-/// A body over the origin at a distance from a slope that falls along x, turned along with it.
-VectorX OnSlope(double height, double slope_rad) {
-  VectorX q = VectorX::Zero(7);
-  const Eigen::AngleAxisd turn(slope_rad, Vector3::UnitY());
-  q[2] = height / std::cos(slope_rad);
-  q.segment<4>(3) = Quaternion(turn).coeffs();
-  return q;
-}
+using one_body::Ball, one_body::Block, one_body::kMass, one_body::kRadius, one_body::OneBody, one_body::OnSlope;
 
 class KnownAnswers : public testing::TestWithParam<std::string> {
  protected:
