@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
 #include "playback/engine/controller.h"
@@ -73,6 +74,12 @@ class World {
   void Push(const Vector3& force_W, const Vector3& p_W) { PushAt(0, force_W, p_W); }
   /// Adds a force [N] on the base for the coming step, at its own centre of mass.
   void PushBase(const Vector3& force_W) { PushBody(0, force_W); }
+};
+
+/// An engine that refuses a robot or a ground which are valid for this program.
+class EngineRefusal : public InvalidArgument {
+ public:
+  using InvalidArgument::InvalidArgument;
 };
 
 /// @throws InvalidArgument for options out of range, an invalid q (CheckState), or a locked dof that does not

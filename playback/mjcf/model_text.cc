@@ -128,7 +128,17 @@ class Writer {
     if (X_BM.linear().determinant() < 0.0) X_BM.linear().col(0) *= -1.0;
     X_BM.translation() = p_BC;
     return fmt::format("<inertial {} mass=\"{}\" diaginertia=\"{}\"/>\n", PlaceOf(X_BM), Number(mass),
-                       Numbers(Vector3(solver.eigenvalues().cwiseMax(kLeastInertia))));
+                       Numbers(Moments(solver.eigenvalues())));
+  }
+
+  /// Principal moments, ascending. MuJoCo refuses those of a plate or a rod that break the triangle inequality by
+  /// rounding.
+  static Vector3 Moments(const Vector3& ascending) {
+    constexpr double kRounding = 1e-9;
+    Vector3 moments = ascending.cwiseMax(kLeastInertia);
+    const double lacking = (1.0 + kRounding) * moments[2] - moments[0] - moments[1];
+    if (lacking > 0.0 && lacking < 1e-3 * moments[2]) moments.head<2>().array() += 0.5 * lacking;
+    return moments;
   }
 
   std::string Part(const GeomPart& part) {

@@ -5,13 +5,13 @@
 #include <cstring>
 #include <mutex>
 
-#include "kinematics/base/result.h"
+#include "playback/engine/world.h"
 #include "playback/mujoco/compiled_internal.h"
 
 namespace gaitwright::mujoco {
 namespace {
 
-[[noreturn]] void ThrowMujocoError(const char* message) { throw InvalidArgument(fmt::format("MuJoCo: {}", message)); }
+[[noreturn]] void ThrowMujocoError(const char* message) { throw EngineRefusal(fmt::format("MuJoCo: {}", message)); }
 
 }  // namespace
 

@@ -184,7 +184,13 @@ Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, con
   other.play.on_phase = {};
   auto later = std::async(std::launch::async, [&] { return PlayInOne(model, plan, other); });
   Result<ScoredPlayback> first = PlayInOne(model, plan, InEngine(request, "bullet"));
-  return BothPlayed(model, plan, std::move(first), later.get());
+  try {
+    Result<ScoredPlayback> second = later.get();
+    return BothPlayed(model, plan, std::move(first), std::move(second));
+  } catch (const EngineRefusal& refusal) {
+    if (first) first->report.notes.push_back(fmt::format("not played in a second engine: {}", refusal.what()));
+    return AlonePlayed(std::move(first));
+  }
 }
 
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,

@@ -88,7 +88,8 @@ std::unique_ptr<Controller> MakeController(const RobotModel& model, const Motion
                                            const std::optional<RecoveryPlans>& recovery = {});
 
 /// Plays and scores, in both engines at the same time if `play.engine` is "both"; then the request's callbacks are
-/// called from the first only. Logs contain all options of the request, not only those of the physics.
+/// called from the first only. Where the second engine refuses the robot or the ground (EngineRefusal), the first
+/// alone decides, and its notes tell that. Logs contain all options of the request, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
 /// As above with your own controller, with the requested sensors; the request's `controller` and its options are

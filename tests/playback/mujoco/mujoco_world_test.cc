@@ -9,6 +9,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
+#include "tests/playback/one_body.h"
 
 namespace gaitwright {
 namespace {
@@ -55,6 +56,31 @@ TEST_P(MujocoWorldTest, ItsTextIsReadAgain) {
   const MujocoWorld world(model_, FlatTerrain(), StandingConfiguration(model_), {});
   EXPECT_NE(world.mjcf().find("<freejoint"), std::string::npos);
   EXPECT_NEAR(world.total_mass_kg(), model_.total_mass_kg, 1e-6 * model_.total_mass_kg);
+}
+
+// The sum of the smaller two moments is the largest one, or less by rounding.
+TEST(MujocoWorldOfPlates, TakesMomentsOfPlatesInAnyAttitude) {
+  for (int k = 0; k < 20; ++k) {
+    const Matrix3 R(Eigen::AngleAxisd(0.3 * k, Vector3(1.0, 0.2 * k, -0.5).normalized()));
+    RobotModel plate = one_body::Ball();
+    plate.bodies[0].I_C = R * Vector3(0.01, 0.02, 0.03 + 1e-12).asDiagonal() * R.transpose();
+    EXPECT_NO_THROW(MujocoWorld(plate, FlatTerrain(), one_body::OnSlope(1.0, 0.0), {}));
+  }
+}
+
+TEST(MujocoWorldOfPlates, WhatMujocoRefusesIsToldApart) {
+  RobotModel twice = one_body::Ball();
+  twice.bodies.push_back(twice.bodies[0]);
+  Joint joint;
+  joint.name = "joint";
+  joint.lower = -1.0;
+  joint.upper = 1.0;
+  twice.joints = {joint};
+  twice.dof_names = {"joint"};
+  twice.dof_joint = {0};
+  VectorX q = VectorX::Zero(8);
+  q[6] = 1.0;
+  EXPECT_THROW(MujocoWorld(twice, FlatTerrain(), q, {}), EngineRefusal) << "two bodies of one name";
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, MujocoWorldTest, ::testing::Values("a1", "h1", "mini_cheetah", "humanoid"),
