@@ -145,7 +145,7 @@ void AddDifferences(const OptionTexts& a, const OptionTexts& b, bool alike, std:
   }
 }
 
-/// What a playback did that is not usual, beside a plan, which knows nothing of it.
+/// Adds the playback options of a log that differ from their defaults. A plan has no such options.
 void AddUnusual(const ComparedMotion& log, bool log_is_b, std::vector<WordDifference>& words) {
   PlayRequest play;
   for (const OptionChange& change : ChangesFrom(play.Fields(), log.log->options)) {
