@@ -95,6 +95,8 @@ def chosen_tests(path, arguments):
     names = [name for name in names if shards[name.rpartition(".")[0]] == shard - 1]
     if arguments.quick:
         names = [name for name in names if name not in seconds]
+    if arguments.at_most:
+        names = [name for name in names if seconds.get(name, 0.0) <= arguments.at_most]
     if arguments.only:
         names = [name for name in names if any(fnmatch.fnmatchcase(name, f"*{part}*") for part in arguments.only)]
     return names
@@ -105,11 +107,13 @@ def main():
     parser.add_argument("program", help="path of the test program")
     parser.add_argument("--shard", default="1/1", metavar="K/N", help="run part K of N; default all")
     parser.add_argument("--quick", action="store_true", help="leave out the tests of tests/slow_tests.txt")
+    parser.add_argument("--at-most", type=float, default=os.environ.get("GAITWRIGHT_TESTS_AT_MOST"), metavar="SECONDS",
+                        help="leave out the tests that tests/slow_tests.txt says to take longer; default $GAITWRIGHT_TESTS_AT_MOST, or none")
     parser.add_argument("--only", action="append", metavar="PART", help="run only tests whose name has this part")
     parser.add_argument("--results", metavar="FILE", help="write the outcome of each test as JSON")
     arguments = parser.parse_args()
     arguments.quick |= bool(os.environ.get("GAITWRIGHT_QUICK_TESTS"))
-    arguments.chosen = arguments.quick or bool(arguments.only)  # a part without any such test is fine
+    arguments.chosen = arguments.quick or bool(arguments.only or arguments.at_most)  # a part without any such test is fine
     path = str(Path(arguments.program).resolve())
     names, results = chosen_tests(path, arguments), []
     to_run = names
