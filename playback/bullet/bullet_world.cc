@@ -189,16 +189,28 @@ struct BulletWorld::Impl {
     }
   }
 
-  /// Of the deepest contact in the ground, along its normal [m].
-  double Depth() {
+  /// Deepest contact, along the ground's normal. The contacts are forgotten, so that the next step finds its own.
+  Penetration Deepest() {
     world.performDiscreteCollisionDetection();
-    double depth = 0.0;
+    Penetration deepest;
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-      const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-      for (int k = 0; k < manifold.getNumContacts(); ++k)
-        depth = std::max(depth, -manifold.getContactPoint(k).getDistance());
+      btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+      for (int k = 0; k < manifold.getNumContacts(); ++k) {
+        if (-manifold.getContactPoint(k).getDistance() > deepest.depth_m) deepest = PenetrationAt(manifold, k);
+      }
+      manifold.clearManifold();
     }
-    return depth;
+    return deepest;
+  }
+
+  Penetration PenetrationAt(const btPersistentManifold& manifold, int index) const {
+    const btManifoldPoint& contact = manifold.getContactPoint(index);
+    const auto* first = btMultiBodyLinkCollider::upcast(manifold.getBody0());
+    const auto* robot = first != nullptr ? first : btMultiBodyLinkCollider::upcast(manifold.getBody1());
+    const bullet::ColliderPart& part =
+        body.part(robot->m_link + 1, first != nullptr ? contact.m_index0 : contact.m_index1);
+    return {-contact.getDistance(), part.link,
+            ground.NameOf(first != nullptr ? manifold.getBody1() : manifold.getBody0())};
   }
 
   const RobotModel& model;
@@ -266,6 +278,8 @@ void BulletWorld::PushBody(int body, const Vector3& force_W) {
   impl_->body.multibody().addLinkForce(body - 1, bullet::ToBullet(force_W));
 }
 
+Penetration BulletWorld::DeepestPenetration() { return impl_->Deepest(); }
+
 double BulletWorld::LiftOutOfGround(const VectorX& as_planned) {
   constexpr double kDeepest = 1e-5;  // [m]
   constexpr int kMostLifts = 20;
@@ -274,7 +288,7 @@ double BulletWorld::LiftOutOfGround(const VectorX& as_planned) {
   q.z() += HighestDrop(impl_->model, as_planned, q);
   for (int i = 0; i < kMostLifts; ++i) {
     SetState(q, impl_->v);
-    const double depth = impl_->Depth();
+    const double depth = impl_->Deepest().depth_m;
     if (depth <= kDeepest) break;
     q.z() += depth;
   }

@@ -20,7 +20,7 @@ constexpr double kObstacleFriction = 0.8;
 }  // namespace
 
 Ground::Ground(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps)
-    : X_tilt_(GroundTilt(terrain, options, bumps.start)) {
+    : X_tilt_(GroundTilt(terrain, options, bumps.start)), names_(SolidNames(terrain, bumps.amplitude > 0.0)) {
   const auto friction = [&](double own) { return options.friction > 0.0 ? options.friction : own; };
   for (const Obstacle& obstacle : terrain.obstacles) AddObstacle(obstacle, friction(kObstacleFriction));
   if (bumps.amplitude > 0.0) {
@@ -80,6 +80,13 @@ void Ground::AddObstacle(const Obstacle& obstacle, double friction) {
         fmt::format("obstacle '{}' is a mesh without vertices; four or more are needed", obstacle.name));
   }
   AddObject(std::move(shape), obstacle.X_WO, friction);
+}
+
+std::string Ground::NameOf(const btCollisionObject* object) const {
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (objects_[i].get() == object) return names_[i];
+  }
+  return "";
 }
 
 void Ground::AddTo(btCollisionWorld& world) {

@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "planning/plan/terrain.h"
@@ -20,6 +21,8 @@ class Ground {
   Ground(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps);
 
   void AddTo(btCollisionWorld& world);
+  /// Name of one of its bodies, see SolidNames; empty for others.
+  std::string NameOf(const btCollisionObject* object) const;
   /// True when contact happens on edges too, so that soles must be plates too.
   bool has_edges() const { return has_edges_; }
   /// Between the points of the finest height field; zero where there is none [m].
@@ -37,6 +40,7 @@ class Ground {
   std::deque<std::vector<double>> heights_;  ///< by field; they stay where they are
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> objects_;
+  std::vector<std::string> names_;  ///< by object
 };
 
 }  // namespace gaitwright::bullet

@@ -50,6 +50,21 @@ void CheckCommand(const JointCommand& command, int num_dofs) {
   }
 }
 
+std::vector<std::string> SolidNames(const Terrain& terrain, bool with_bumps) {
+  std::vector<std::string> names;
+  for (const Obstacle& obstacle : terrain.obstacles) names.push_back(obstacle.name);
+  if (with_bumps) {
+    names.emplace_back("ground");
+    return names;
+  }
+  for (const TerrainPatch& patch : terrain.patches) names.push_back(patch.name);
+  for (const HeightField& field : terrain.height_fields) names.push_back(field.name);
+  for (std::string& name : names) {
+    if (name.empty()) name = "ground";
+  }
+  return names;
+}
+
 double HighestDrop(const RobotModel& model, const VectorX& as_planned, const VectorX& now) {
   DynamicsScratch planned(model), actual(model);
   ForwardKinematics(model, as_planned, planned);

@@ -9,6 +9,7 @@
 #include "planning/plan/motion_plan.h"
 #include "playback/engine/controller.h"
 #include "playback/engine/world_options.h"
+#include "playback/log/playback_log.h"
 
 namespace gaitwright {
 
@@ -54,6 +55,9 @@ class World {
   /// @return the lift [m].
   virtual double LiftOutOfGround(const VectorX& as_planned) = 0;
 
+  /// Deepest contact of the present state. Has no effect on the steps that follow.
+  virtual Penetration DeepestPenetration() = 0;
+
   /// One step. @throws InvalidArgument when the command has a wrong size or is not finite.
   virtual void Step(const JointCommand& command) = 0;
 
@@ -94,6 +98,10 @@ double HighestDrop(const RobotModel& model, const VectorX& as_planned, const Vec
 /// How the unannounced slope turns the ground about the start point: p' = GroundTilt * p, by the slope's angle about
 /// the level axis a quarter turn left of its direction. A robot that stands on it turns along.
 Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vector2& start_W);
+
+/// Names of the solids that a world is made of, in the order in which engines make them: obstacles, patches, height
+/// fields; with bumps obstacles and one solid "ground".
+std::vector<std::string> SolidNames(const Terrain& terrain, bool with_bumps);
 
 /// Coefficient of friction at a place, with the option's override.
 double FrictionOf(const Terrain& terrain, const WorldOptions& options, const Vector2& p_W);

@@ -104,6 +104,7 @@ void CheckLog(const PlaybackLog& log) {
   for (std::size_t k = 0; k < log.samples.size(); ++k) CheckSample(log, k, feet);
   for (const StanceRecord& stance : log.stances) CheckStance(stance, feet);
   for (const TimedPush& push : log.pushes) CheckPush(push);
+  if (log.start_penetration) CheckIn("start_penetration, depth_m", log.start_penetration->depth_m, 0.0, kMost);
 }
 
 }  // namespace gaitwright

@@ -80,6 +80,10 @@ Json HeadJson(const PlaybackLog& log) {
                {"body_contacts", contacts}};
   if (!log.gates.empty()) head["gates"] = GatesJson(log.gates);
   if (!log.pushes.empty()) head["pushes"] = PushesJson(log.pushes);
+  if (log.start_penetration)
+    head["start_penetration"] = {{"depth_m", log.start_penetration->depth_m},
+                                 {"link", log.start_penetration->link},
+                                 {"solid", log.start_penetration->solid}};
   if (!log.broke_off.empty()) head["broke_off"] = log.broke_off;
   return head;
 }
@@ -240,6 +244,12 @@ PlaybackLog ReadLog(const Json& j) {
     }
   }
   if (j.contains("pushes")) log.pushes = ToPushes(ListAt(j, "pushes"));
+  if (j.contains("start_penetration")) {
+    const Json& deepest = j.at("start_penetration");
+    JsonPart(deepest).Object(PenetrationShape());
+    log.start_penetration = {deepest.at("depth_m").get<double>(), deepest.at("link").get<std::string>(),
+                             deepest.at("solid").get<std::string>()};
+  }
   if (j.contains("broke_off")) log.broke_off = j.at("broke_off").get<std::string>();
   ReadSamples(j, log);
   CheckLog(log);

@@ -20,6 +20,7 @@ inline constexpr LogRange kLogFriction{0.0, 100.0};
 // What the parts of a log's file may hold.
 DataShape StanceShape();
 DataShape BodyContactShape();
+DataShape PenetrationShape();
 DataShape LogGateShape();
 DataShape LogPushShape();
 

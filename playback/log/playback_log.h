@@ -49,6 +49,15 @@ struct BodyContact {
   bool operator==(const BodyContact&) const = default;
 };
 
+/// Where a robot is deepest in the ground or in an obstacle.
+struct Penetration {
+  double depth_m = 0.0;  ///< 0 if it touches nothing; the names are empty then
+  std::string link;      ///< of the robot, as in its description
+  std::string solid;     ///< name of the patch, height field or obstacle; "ground" with bumps
+
+  bool operator==(const Penetration&) const = default;
+};
+
 /// A force on the robot for a while.
 struct TimedPush {
   Vector3 force_W = Vector3::Zero();  ///< [N]
@@ -70,6 +79,7 @@ struct GateRecord {
 /// What happened in the simulator; measured only, never copied from the plan. A pure value.
 struct PlaybackLog {
   static constexpr int kSchema = 5;
+  static constexpr double kToldPenetration = 0.001;  ///< [m]
 
   std::string program_version;  ///< of the program that played
   std::string robot, robot_hash, plan_hash, controller;
@@ -82,7 +92,8 @@ struct PlaybackLog {
   std::vector<TimedPush> pushes;           ///< that began while it was played, in that order
   VectorX saturated_s;                     ///< time each motor (ActuatorOf) spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>>
-      options;            ///< every option of the playback, "play." before those of Play
+      options;                                   ///< every option of the playback, "play." before those of Play
+  std::optional<Penetration> start_penetration;  ///< in the first posture, if deeper than kToldPenetration
   std::string broke_off;  ///< reason of an early end, such as a state that is not finite; "" if there was none
 };
 

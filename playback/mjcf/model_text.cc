@@ -220,6 +220,7 @@ class Writer {
 
   std::string Ground() {
     X_tilt_ = GroundTilt(terrain_, options_, bumps_.start);
+    text_.solids = SolidNames(terrain_, bumps_.amplitude > 0.0);
     std::string text;
     for (const Obstacle& obstacle : terrain_.obstacles)
       text += Solid(ShapeText(ShapeOf(obstacle)), obstacle.X_WO, kObstacleFriction);

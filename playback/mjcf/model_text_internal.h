@@ -31,6 +31,7 @@ struct FieldHeights {
 struct ModelText {
   std::string mjcf;
   std::vector<GeomPart> parts;
+  std::vector<std::string> solids;  ///< names of the ground's geoms, see SolidNames
   std::vector<FieldHeights> fields;
 };
 

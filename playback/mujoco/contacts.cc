@@ -9,10 +9,25 @@ namespace gaitwright::mujoco {
 
 Contacts::Contacts(const RobotModel& model, const Terrain& terrain, const ModelText& text, const mjModel& m,
                    const mjData& d)
-    : model_(model), terrain_(terrain), text_(text), m_(m), d_(d), part_(static_cast<std::size_t>(m.ngeom), -1) {
+    : model_(model),
+      terrain_(terrain),
+      text_(text),
+      m_(m),
+      d_(d),
+      part_(static_cast<std::size_t>(m.ngeom), -1),
+      solid_(part_) {
   for (std::size_t g = 0; g < text.parts.size(); ++g)
     part_[static_cast<std::size_t>(IdOf(m, mjOBJ_GEOM, "g" + std::to_string(g)))] = static_cast<int>(g);
+  for (std::size_t t = 0; t < text.solids.size(); ++t)
+    solid_[static_cast<std::size_t>(IdOf(m, mjOBJ_GEOM, "t" + std::to_string(t)))] = static_cast<int>(t);
   feet_.assign(model.feet.size(), FootContact{});
+}
+
+Penetration Contacts::PenetrationOf(const mjContact& contact) const {
+  const auto first = static_cast<std::size_t>(contact.geom1), second = static_cast<std::size_t>(contact.geom2);
+  const int part = std::max(part_[first], part_[second]), solid = std::max(solid_[first], solid_[second]);
+  return {-contact.dist, part < 0 ? "" : text_.parts[static_cast<std::size_t>(part)].link,
+          solid < 0 ? "" : text_.solids[static_cast<std::size_t>(solid)]};
 }
 
 void Contacts::Read(double step_s, const DynamicsScratch& before, const DynamicsScratch& after) {

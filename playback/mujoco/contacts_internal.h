@@ -19,6 +19,9 @@ class Contacts {
   /// @param before, after  kinematics at the start of the step, where contacts were found, and at its end
   void Read(double step_s, const DynamicsScratch& before, const DynamicsScratch& after);
 
+  /// Depth and names of a contact with the ground.
+  Penetration PenetrationOf(const mjContact& contact) const;
+
   const std::vector<FootContact>& feet() const { return feet_; }
   const std::vector<std::string>& body_contacts() const { return body_contacts_; }
 
@@ -30,7 +33,8 @@ class Contacts {
   const ModelText& text_;
   const mjModel& m_;
   const mjData& d_;
-  std::vector<int> part_;  // by geom; -1 for the ground's
+  std::vector<int> part_;   // by geom; -1 for the ground's
+  std::vector<int> solid_;  // by geom; -1 for the robot's
   std::vector<FootContact> feet_;
   std::vector<std::string> body_contacts_;
 };

@@ -94,14 +94,16 @@ struct MujocoWorld::Impl {
     mj_fwdConstraint(model_of, data);
   }
 
-  /// Of the deepest contact in the ground, along its normal [m].
-  double Depth() {
+  /// Deepest contact, along the ground's normal.
+  Penetration Deepest() {
     mj_kinematics(m.get(), d.get());
     mj_comPos(m.get(), d.get());
     mj_collision(m.get(), d.get());
-    double depth = 0.0;
-    for (int c = 0; c < d->ncon; ++c) depth = std::max(depth, -d->contact[c].dist);
-    return depth;
+    int deepest = -1;
+    for (int c = 0; c < d->ncon; ++c) {
+      if (d->contact[c].dist < (deepest < 0 ? 0.0 : d->contact[deepest].dist)) deepest = c;
+    }
+    return deepest < 0 ? Penetration{} : contacts.PenetrationOf(d->contact[deepest]);
   }
 
   const RobotModel& model;
@@ -163,6 +165,8 @@ void MujocoWorld::PushRobot(const Vector3& force_W) {
   PushAt(0, force_W, sum / mass);
 }
 
+Penetration MujocoWorld::DeepestPenetration() { return impl_->Deepest(); }
+
 double MujocoWorld::LiftOutOfGround(const VectorX& as_planned) {
   constexpr double kDeepest = 1e-5;  // [m]
   constexpr int kMostLifts = 20;
@@ -172,7 +176,7 @@ double MujocoWorld::LiftOutOfGround(const VectorX& as_planned) {
   q.z() += HighestDrop(self.model, as_planned, q);
   for (int i = 0; i < kMostLifts; ++i) {
     SetState(q, self.v);
-    const double depth = self.Depth();
+    const double depth = self.Deepest().depth_m;
     if (depth <= kDeepest) break;
     q.z() += depth;
   }

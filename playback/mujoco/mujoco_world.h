@@ -24,6 +24,7 @@ class MujocoWorld : public World {
   void PushAt(int body, const Vector3& force_W, const Vector3& p_W) override;
   void PushRobot(const Vector3& force_W) override;
   double LiftOutOfGround(const VectorX& as_planned) override;
+  Penetration DeepestPenetration() override;
   void Step(const JointCommand& command) override;
   const VectorX& tau() const override;
   const VectorX& motor_torque() const override;

@@ -113,6 +113,8 @@ class Playback {
     }
     controller_.Reset();
     StartLog(start_W);
+    const Penetration deepest = world_->DeepestPenetration();
+    if (deepest.depth_m > PlaybackLog::kToldPenetration) log_.start_penetration = deepest;
     const double end_s = Settle() ? FollowPlan() : log_.start_s;
     FinishEstimates(end_s);
     log_.stances = stances_.Finish(end_s);

@@ -122,6 +122,10 @@ StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const Pla
   report.reason = ReasonOf(in, report.metrics);
   report.cause = CauseOf(in, report.metrics);
   report.notes = NotesOf(model);
+  if (log.start_penetration)
+    report.notes.push_back(fmt::format("in the first posture link '{}' is {:.1f} mm inside '{}' of the ground",
+                                       log.start_penetration->link, 1e3 * log.start_penetration->depth_m,
+                                       log.start_penetration->solid));
   return report;
 }
 
