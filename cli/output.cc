@@ -105,6 +105,10 @@ Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
   }
   const auto written = WriteFilesTogether(texts);
   if (!written) return written.failure();
+  if (judged.played.second == nullptr && !outputs.folder.empty() && !outputs.second_log.empty()) {
+    std::error_code none_of_it;  // the log of an older plan; there need not be one
+    std::filesystem::remove(outputs.PathOf(outputs.second_log), none_of_it);
+  }
   return files;
 }
 

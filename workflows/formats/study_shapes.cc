@@ -99,7 +99,11 @@ DataShape StatusShape() {
   return Text(names);
 }
 
+DataShape EngineVerdictShape() { return Text({"pass", "fail", "fell"}); }
+
 DataShape PointShape() {
+  const DataShape engine =
+      Object({{"engine", Text()}, {"verdict", EngineVerdictShape()}, {"score", Number()}, {"cause", Text()}});
   return Object({{"point", Whole(), "Number of the point, from 0."},
                  {"values", MapOf(ValueShape()), "Values of the axes by option key."},
                  {"status", StatusShape()},
@@ -110,6 +114,7 @@ DataShape PointShape() {
                  {"reason", Text()},
                  {"fell_at_s", NumberOrNull()},
                  {"metrics", MapOf(NumberOrNull()), "Metrics that --metrics selects, by key."},
+                 Optional("engines", List(engine), "Verdict of each engine, if two have played."),
                  Optional("trials", OrNull(Whole())),
                  Optional("survived", OrNull(Whole())),
                  Optional("survival", NumberOrNull()),
@@ -206,6 +211,8 @@ DataShape TuneResultShape() {
                                   {"survival", DifferenceShape()},
                                   {"no_before", Text(), "Reason why the present values give no plan, or empty."}});
   const DataShape metric = Object({{"before", NumberOrNull()}, {"after", NumberOrNull()}});
+  const DataShape verdict = Object({{"verdict", EngineVerdictShape()}, {"score", Number()}});
+  const DataShape engine = Object({Optional("before", verdict), Optional("after", verdict)});
   return Object({{"robot", Text()},
                  {"better", Truth(), "True if the held-out trials confirm the improvement."},
                  {"verdict", Text()},
@@ -217,6 +224,7 @@ DataShape TuneResultShape() {
                  {"options", MapOf(Number()), "Chosen option values."},
                  {"held_out", OrNull(proof), "Held-out trials; null if the present values are the best."},
                  {"metrics", MapOf(metric), "Metrics of the undisturbed walk."},
+                 {"engines", MapOf(engine), "Undisturbed walk in each engine; empty if only one has played."},
                  {"surface_foretold", NumberOrNull()},
                  {"finalists", List(Whole())},
                  {"candidates", List(CandidateShape())},

@@ -79,6 +79,7 @@ void Judge(const JudgeSetup& setup, const MotionRun& run, const MotionPlan& plan
   }
   const PlayedWalk played = PlayOnce(setup, plan, run.play);
   outcome.report = played.decisive().report;
+  outcome.engines = VerdictsOf(played);
   pages.push_back({fmt::format("{}: {}", setup.part.title, run.title), WalkReport({setup.model, plan, played, audit})});
   PlayTrials(setup, run, plan, outcome);
 }
@@ -90,6 +91,7 @@ void AddReasons(const RunOutcome& run, std::vector<std::string>& reasons) {
   if (!run.failure.empty()) return tell(run.failure);
   if (!run.audit_passes) tell("the audit fails: " + ShownWords(run.audit_words));
   if (run.report && !run.report->pass) tell(ShownWords(FirstLine(run.report->reason)));
+  if (!run.engines.empty()) tell(VerdictsText(run.engines));
   if (run.trials > 0) tell(fmt::format("{} of {} trials survived", run.survived, run.trials));
   for (const std::string& fall : run.falls) tell(fall);
 }

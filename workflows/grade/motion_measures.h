@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "playback/score/stability_report.h"
+#include "workflows/walk/engine_verdict.h"
 
 namespace gaitwright {
 
@@ -29,7 +30,8 @@ struct RunOutcome {
   bool audit_passes = false;
   std::string audit_words;  ///< why it fails, in one line
   int trials = 0, survived = 0;
-  std::vector<std::string> falls = {};  ///< the first trials that fell: disturbances and reason of each fall
+  std::vector<std::string> falls = {};      ///< the first trials that fell: disturbances and reason of each fall
+  std::vector<EngineVerdict> engines = {};  ///< of the playback without disturbances, if two engines played it
 };
 
 /// A measure over all runs: a share of the runs or of all their trials; else the worst value of all runs, nothing if a

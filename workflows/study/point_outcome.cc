@@ -31,6 +31,17 @@ PointStatus StatusOf(const std::string& name) {
   throw InvalidArgument(fmt::format("there is no status '{}'", name));
 }
 
+Json EngineRows(const std::vector<EngineVerdict>& engines) {
+  Json list = Json::array();
+  for (const EngineVerdict& v : engines) list.push_back({v.engine, v.pass, v.fell, v.score, v.cause});
+  return list;
+}
+
+EngineVerdict EngineOfRow(const Json& json) {
+  return {json.at(0).get<std::string>(), json.at(1).get<bool>(), json.at(2).get<bool>(),
+          JsonPart(json.at(3)).NumberIn(0.0, 100.0), json.at(4).get<std::string>()};
+}
+
 PointOutcome FromJson(const Json& json) {
   PointOutcome o;
   o.point = JsonPart(json.at("point")).Natural();
@@ -51,6 +62,9 @@ PointOutcome FromJson(const Json& json) {
                                JsonPart(s.at(5)).NumberIn(0.0, 100.0)};
     if (SurvivalOf(o.survival->trials, o.survival->survived, o.survival->score_mean) != *o.survival)
       throw InvalidArgument("its survival rate does not match its trials");
+  }
+  if (json.contains("engines")) {
+    for (const Json& verdict : json.at("engines")) o.engines.push_back(EngineOfRow(verdict));
   }
   return o;
 }
@@ -85,14 +99,15 @@ std::string PointToLine(const PointOutcome& o) {
     const PointSurvival& s = *o.survival;
     survival = Json::array({s.trials, s.survived, s.share, s.low, s.high, s.score_mean});
   }
-  const Json json = {{"point", o.point},
-                     {"status", StatusName(o.status)},
-                     {"code", o.code},
-                     {"reason", o.reason},
-                     {"score", JsonOrNull(o.score)},
-                     {"fell_at_s", JsonOrNull(o.fell_at_s)},
-                     {"metrics", metrics},
-                     {"survival", survival}};
+  Json json = {{"point", o.point},
+               {"status", StatusName(o.status)},
+               {"code", o.code},
+               {"reason", o.reason},
+               {"score", JsonOrNull(o.score)},
+               {"fell_at_s", JsonOrNull(o.fell_at_s)},
+               {"metrics", metrics},
+               {"survival", survival}};
+  if (!o.engines.empty()) json["engines"] = EngineRows(o.engines);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

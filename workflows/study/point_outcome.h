@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics/base/result.h"
+#include "workflows/walk/engine_verdict.h"
 
 namespace gaitwright {
 
@@ -49,6 +50,7 @@ struct PointOutcome {
   std::optional<double> fell_at_s;
   std::vector<std::optional<double>> metrics;  ///< in the study's order
   std::optional<PointSurvival> survival;
+  std::vector<EngineVerdict> engines = {};  ///< if two engines played it; the values above are of the one that decides
 
   bool audit_pass() const { return status != PointStatus::kRefused && status != PointStatus::kAuditFailed; }
   bool operator==(const PointOutcome&) const = default;

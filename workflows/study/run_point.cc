@@ -133,6 +133,7 @@ PointOutcome RunPoint(const Study& study, std::size_t point, StudyPlans& plans) 
     outcome.point = point;
     const StabilityReport& report = played->decisive().report;
     Judge(outcome, planned->value(), report);
+    outcome.engines = VerdictsOf(*played);
     for (const std::string& key : study.metrics) outcome.metrics.push_back(report.At(key).value);
     if (study.trials == 0 || !outcome.audit_pass()) return outcome;
     const Result<PointSurvival> survival = TryOften(study, plan, play);

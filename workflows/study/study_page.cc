@@ -7,6 +7,7 @@
 #include "playback/report/plot_style.h"
 #include "playback/report/svg_plot.h"
 #include "playback/report/svg_tools.h"
+#include "workflows/study/sweep_files.h"
 
 namespace gaitwright {
 namespace {
@@ -46,7 +47,9 @@ std::string Best(const Study& study, const std::vector<PointOutcome>& outcomes) 
     words += fmt::format(", {} of {} trials survived (95 % interval {:.1f} % to {:.1f} %)", best.survival->survived,
                          best.survival->trials, 100.0 * best.survival->low, 100.0 * best.survival->high);
   }
-  return fmt::format("<p class=\"reason pass\">{}. {}.</p>\n", EscapedXml(words), EscapedXml(best.reason));
+  const std::string engines = EnginesText(outcomes);
+  return fmt::format("<p class=\"reason pass\">{}. {}.</p>\n", EscapedXml(words), EscapedXml(best.reason)) +
+         (engines.empty() ? "" : fmt::format("<p>{}</p>\n", EscapedXml("Engines: " + engines + ".")));
 }
 
 std::string Failures(const Study& study, const std::vector<PointOutcome>& outcomes) {
@@ -64,6 +67,8 @@ std::string EveryPoint(const Study& study, const std::vector<PointOutcome>& outc
   for (const StudyAxis& axis : study.axes) heads.push_back(axis.key);
   heads.insert(heads.end(), {"what", "score"});
   if (study.trials > 0) heads.emplace_back("survived");
+  const bool in_two = CountEngines(outcomes).points() > 0;
+  if (in_two) heads.emplace_back("engines");
   heads.emplace_back("why");
   std::vector<std::vector<std::string>> rows = {heads};
   for (const PointOutcome& o : outcomes) {
@@ -72,6 +77,7 @@ std::string EveryPoint(const Study& study, const std::vector<PointOutcome>& outc
     row.insert(row.end(), {WordsOf(o.status), o.score ? fmt::format("{:.1f}", *o.score) : "\u2013"});
     if (study.trials > 0)
       row.push_back(o.survival ? fmt::format("{} of {}", o.survival->survived, o.survival->trials) : "\u2013");
+    if (in_two) row.push_back(o.engines.empty() ? "\u2013" : VerdictsText(o.engines));
     row.push_back(o.reason);
     rows.push_back(row);
   }

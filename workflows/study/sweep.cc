@@ -96,6 +96,20 @@ std::vector<std::vector<std::size_t>> PartsOf(const std::vector<std::size_t>& me
 
 }  // namespace
 
+EngineCounts CountEngines(const std::vector<PointOutcome>& outcomes) {
+  EngineCounts counts;
+  for (const PointOutcome& outcome : outcomes) {
+    if (outcome.engines.size() != 2) continue;
+    const EngineVerdict &first = outcome.engines[0], &second = outcome.engines[1];
+    counts.first = first.engine;
+    counts.second = second.engine;
+    int& count = first.pass ? (second.pass ? counts.both_pass : counts.first_alone)
+                            : (second.pass ? counts.second_alone : counts.none_pass);
+    ++count;
+  }
+  return counts;
+}
+
 SweepSummary SummaryOf(const std::vector<PointOutcome>& outcomes) {
   SweepSummary summary;
   const PointOutcome* best = nullptr;

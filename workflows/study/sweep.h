@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "workflows/study/run_point.h"
@@ -18,6 +19,15 @@ struct SweepSummary {
   /// Number of points with a status.
   int Count(PointStatus status) const { return counts[static_cast<std::size_t>(status)]; }
 };
+
+/// How two engines judge the points that both have played; all zero for one engine.
+struct EngineCounts {
+  std::string first, second;  ///< their names
+  int both_pass = 0, none_pass = 0, first_alone = 0, second_alone = 0;
+
+  int points() const { return both_pass + none_pass + first_alone + second_alone; }
+};
+EngineCounts CountEngines(const std::vector<PointOutcome>& outcomes);
 
 /// Counts outcomes and finds the best.
 SweepSummary SummaryOf(const std::vector<PointOutcome>& outcomes);

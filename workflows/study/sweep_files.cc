@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "planning/plan/json_part_internal.h"
+#include "playback/play/make_world.h"
+#include "playback/score/agreement.h"
 
 namespace gaitwright {
 namespace {
@@ -31,12 +34,29 @@ std::string Row(const std::vector<std::string>& cells) {
   return row + "\n";
 }
 
+bool PlaysInTwo(const Study& study) { return study.play.play.world.engine == "both"; }
+
+/// Verdict and score of each engine; empty where only one has played.
+std::vector<std::string> EngineCells(const PointOutcome& o) {
+  std::vector<std::string> cells;
+  for (const std::string& name : EngineNames()) {
+    const auto of = std::find_if(o.engines.begin(), o.engines.end(), [&](const auto& v) { return v.engine == name; });
+    const bool has_played = of != o.engines.end();
+    cells.push_back(has_played ? VerdictName(*of) : "");
+    cells.push_back(has_played ? fmt::format("{}", of->score) : "");
+  }
+  return cells;
+}
+
 std::vector<std::string> Heads(const Study& study) {
   std::vector<std::string> heads = {"point"};
   for (const StudyAxis& axis : study.axes) heads.push_back(axis.key);
   heads.insert(heads.end(), {"status", "code", "score"});
   heads.insert(heads.end(), study.metrics.begin(), study.metrics.end());
   heads.emplace_back("fell_at_s");
+  if (PlaysInTwo(study)) {
+    for (const std::string& name : EngineNames()) heads.insert(heads.end(), {name + "_verdict", name + "_score"});
+  }
   if (study.trials > 0) {
     heads.insert(heads.end(), {"trials", "survived", "survival", "survival_low", "survival_high", "trial_score_mean"});
   }
@@ -51,6 +71,10 @@ std::vector<std::string> Cells(const Study& study, const PointOutcome& o) {
   for (std::size_t k = 0; k < study.metrics.size(); ++k)
     cells.push_back(k < o.metrics.size() ? OrEmpty(o.metrics[k]) : "");
   cells.push_back(OrEmpty(o.fell_at_s));
+  if (PlaysInTwo(study)) {
+    const std::vector<std::string> of_engines = EngineCells(o);
+    cells.insert(cells.end(), of_engines.begin(), of_engines.end());
+  }
   if (study.trials > 0 && o.survival) {
     const PointSurvival& s = *o.survival;
     cells.insert(cells.end(), {std::to_string(s.trials), std::to_string(s.survived)});
@@ -85,6 +109,13 @@ Json ValuesJson(const Study& study, std::size_t point) {
   return values;
 }
 
+Json EnginesJson(const std::vector<EngineVerdict>& engines) {
+  Json json = Json::array();
+  for (const EngineVerdict& v : engines)
+    json.push_back({{"engine", v.engine}, {"verdict", VerdictName(v)}, {"score", v.score}, {"cause", v.cause}});
+  return json;
+}
+
 Json PointJson(const Study& study, const PointOutcome& o) {
   Json metrics = Json::object();
   for (std::size_t k = 0; k < study.metrics.size(); ++k)
@@ -99,6 +130,7 @@ Json PointJson(const Study& study, const PointOutcome& o) {
                {"reason", o.reason},
                {"fell_at_s", JsonOrNull(o.fell_at_s)},
                {"metrics", metrics}};
+  if (!o.engines.empty()) json["engines"] = EnginesJson(o.engines);
   if (study.trials == 0) return json;
   for (const char* key : {"trials", "survived", "survival", "survival_low", "survival_high", "trial_score_mean"})
     json[key] = Json();
@@ -161,6 +193,14 @@ std::string PlayFlags(const Study& study, std::size_t point) {
   return flags;
 }
 
+std::string EnginesText(const std::vector<PointOutcome>& outcomes) {
+  const EngineCounts counts = CountEngines(outcomes);
+  if (counts.points() == 0) return "";
+  return fmt::format("{} points pass in both, {} in {} alone, {} in {} alone, {} in neither", counts.both_pass,
+                     counts.first_alone, EngineTitle(counts.first), counts.second_alone, EngineTitle(counts.second),
+                     counts.none_pass);
+}
+
 std::string SweepText(const Study& study, const std::vector<PointOutcome>& outcomes) {
   const SweepSummary summary = SummaryOf(outcomes);
   std::string text = fmt::format("{}: {} points: {} pass, {} fail a gate, {} fell, {} fail the audit, {} refused\n",
@@ -179,6 +219,7 @@ std::string SweepText(const Study& study, const std::vector<PointOutcome>& outco
   } else {
     text += "best    none: no plan passes its audit\n";
   }
+  if (const std::string engines = EnginesText(outcomes); !engines.empty()) text += "engines " + engines + "\n";
   for (const FailureGroup& group : FailureGroups(study, outcomes)) {
     text += fmt::format("{} of {} points {} at {}\n    {}\n", group.points.size(), outcomes.size(),
                         StatusName(group.status) + (group.code.empty() ? "" : " (" + group.code + ")"), group.where,

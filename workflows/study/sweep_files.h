@@ -10,8 +10,9 @@
 namespace gaitwright {
 
 /// The map as CSV, one row per point in order: point, each axis by its key, status, code, score, each metric by its
-/// key, fell_at_s, and, with trials, their number, survived, survival, survival_low, survival_high and
-/// trial_score_mean; last the reason. Cells without a value are empty.
+/// key, fell_at_s; with two engines the verdict and score of each, by its name (bullet_verdict, bullet_score); with
+/// trials their number, survived, survival, survival_low, survival_high and trial_score_mean; last the reason. Cells
+/// without a value are empty.
 std::string SweepCsv(const Study& study, const std::vector<PointOutcome>& outcomes);
 
 /// Written files: kind and path.
@@ -22,6 +23,9 @@ std::string SweepJson(const Study& study, const std::vector<PointOutcome>& outco
 
 /// Playback options of a point, which its plan does not contain: "--set KEY=VALUE ..." for `play`, or "".
 std::string PlayFlags(const Study& study, std::size_t point);
+
+/// "10 points pass in both, 1 in Bullet alone, 0 in MuJoCo alone, 2 in neither"; empty for one engine.
+std::string EnginesText(const std::vector<PointOutcome>& outcomes);
 
 /// The sweep as text: counts, the best point, and the failures with their reasons.
 std::string SweepText(const Study& study, const std::vector<PointOutcome>& outcomes);

@@ -62,6 +62,16 @@ Json MetricsJson(const TuneReport& report) {
   return json;
 }
 
+/// Score of each engine before and after; empty for one engine.
+Json UndisturbedJson(const TuneReport& report) {
+  Json json = Json::object();
+  for (const auto& [key, outcome] : {std::pair{"before", &report.before}, std::pair{"after", &report.after}}) {
+    for (const EngineVerdict& v : outcome->engines)
+      json[v.engine][key] = {{"verdict", VerdictName(v)}, {"score", v.score}};
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string VerdictOf(const TuneResult& result) {
@@ -100,6 +110,7 @@ std::string TuneJson(const Study& study, const TuneReport& report, const TuneOpt
                      {"options", ValuesJson(study, result.candidates[result.chosen].values)},
                      {"held_out", proof},
                      {"metrics", MetricsJson(report)},
+                     {"engines", UndisturbedJson(report)},
                      {"surface_foretold", result.surface ? Json(result.surface->foretold) : Json()},
                      {"finalists", result.finalists},
                      {"candidates", candidates},
@@ -117,6 +128,8 @@ std::string TuneText(const Study& study, const TuneReport& report, const TuneOpt
     text += fmt::format("  {:<32} {:>10} -> {:>10} {}\n", study.axes[k].key, result.candidates.front().values[k],
                         result.candidates[result.favourite].values[k], study.axes[k].unit);
   }
+  if (!report.before.engines.empty()) text += "undisturbed before " + VerdictsText(report.before.engines) + "\n";
+  if (!report.after.engines.empty()) text += "undisturbed after  " + VerdictsText(report.after.engines) + "\n";
   if (!result.proof) return text;
   const PairedDifference &score = result.proof->score, &survival = result.proof->survival;
   if (!result.proof->no_before.empty()) {

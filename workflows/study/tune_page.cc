@@ -6,6 +6,7 @@
 
 #include "playback/report/svg_plot.h"
 #include "playback/report/svg_tools.h"
+#include "playback/score/agreement.h"
 #include "playback/score/gates.h"
 #include "workflows/study/study_page.h"
 #include "workflows/study/tune_files.h"
@@ -69,6 +70,9 @@ std::string Metrics(const TuneReport& report) {
     rows.push_back({rule.key, rule.unit == "1" ? "" : rule.unit, Number(before), Number(after), way});
   }
   rows.push_back({"score", "", Number(report.before.score), Number(report.after.score), "higher"});
+  for (std::size_t k = 0; k < std::min(report.before.engines.size(), report.after.engines.size()); ++k)
+    rows.push_back({"verdict, score in " + EngineTitle(report.after.engines[k].engine), "",
+                    VerdictText(report.before.engines[k]), VerdictText(report.after.engines[k]), "higher"});
   return TableOf(rows);
 }
 
