@@ -37,6 +37,53 @@ class KnownAnswers : public testing::TestWithParam<std::string> {
   }
 };
 
+TEST_P(KnownAnswers, TheDeepestContactIsNamedWithItsDepth) {
+  const RobotModel ball = Ball();
+  VectorX q = VectorX::Zero(7);
+  q[6] = 1.0;
+  q[2] = kRadius - 0.012;
+  const auto world = Make(ball, q);
+  const Penetration inside = world->DeepestPenetration();
+  EXPECT_NEAR(inside.depth_m, 0.012, 1e-6);
+  EXPECT_EQ(inside.link, "body");
+  EXPECT_EQ(inside.solid, FlatTerrain().patches.front().name);
+  q[2] = kRadius + 0.1;
+  world->SetState(q, VectorX::Zero(6));
+  EXPECT_EQ(world->DeepestPenetration(), Penetration{});
+}
+
+TEST_P(KnownAnswers, AnObstacleIsTheDeepestWhereItIs) {
+  Terrain terrain = FlatTerrain();
+  Obstacle post;
+  post.name = "post";
+  post.size_m = {0.2, 0.2, 0.4};
+  post.X_WO.translation() = Vector3(0.17, 0.0, 0.2);
+  terrain.obstacles = {post};
+  const RobotModel ball = Ball();
+  VectorX q = VectorX::Zero(7);
+  q[6] = 1.0;
+  q[2] = kRadius - 0.004;
+  WorldOptions options;
+  options.engine = GetParam();
+  const auto world = MakeWorld(ball, terrain, q, options);
+  const Penetration inside = world->DeepestPenetration();
+  EXPECT_NEAR(inside.depth_m, 0.03, 1e-3);
+  EXPECT_EQ(inside.solid, "post");
+}
+
+TEST_P(KnownAnswers, LookingForPenetrationChangesNothingThatFollows) {
+  const RobotModel block = Block(0.2, 0.1, 0.3);
+  VectorX q = VectorX::Zero(7);
+  q[6] = 1.0;
+  q[2] = 0.149;
+  const auto looked = Make(block, q), plain = Make(block, q);
+  (void)looked->DeepestPenetration();
+  Run(*looked, 50);
+  Run(*plain, 50);
+  EXPECT_EQ(looked->q(), plain->q());
+  EXPECT_EQ(looked->v(), plain->v());
+}
+
 // The contact point does not slide if friction is at least 2/7 tan(slope): a = 5/7 g sin(slope).
 TEST_P(KnownAnswers, ABallRollsDownASlopeWithFiveSeventhsOfItsPull) {
   constexpr double kSlope = 0.2;

@@ -10,6 +10,7 @@
 #include "playback/control/joint_pd.h"
 #include "playback/control/stabilised.h"
 #include "playback/log/log_json.h"
+#include "playback/play/make_world.h"
 #include "tests/playback/standing_plan.h"
 
 namespace gaitwright {
@@ -158,6 +159,24 @@ TEST_P(PlayTest, AsksTheControllerOnThePlansClock) {
   EXPECT_NEAR(controller.inputs.back().time_s, 1.299, 1e-12);
   EXPECT_EQ(controller.inputs.back().contact, AllFeet(static_cast<int>(model_.feet.size())));
   EXPECT_GT(controller.inputs.back().wrenches[0].force_W.z(), 0.0);
+}
+
+TEST_P(PlayTest, AFirstPostureInTheGroundIsLoggedWithItsDepthInEachEngine) {
+  EXPECT_EQ(Stand({}).start_penetration, std::nullopt);
+  MotionPlan sunk = plan_;
+  for (VectorX& q : sunk.whole_body.q) q.z() -= 0.006;
+  for (const std::string& engine : EngineNames()) {
+    PlayOptions options;
+    options.world.engine = engine;
+    JointPd controller(model_, sunk);
+    const PlaybackLog log = Play(model_, sunk, controller, options).value();
+    ASSERT_TRUE(log.start_penetration) << engine;
+    EXPECT_NEAR(log.start_penetration->depth_m, 0.006, 1e-4) << engine;
+    const auto is_it = [&](const Foot& foot) { return foot.link == log.start_penetration->link; };
+    EXPECT_TRUE(std::any_of(model_.feet.begin(), model_.feet.end(), is_it)) << log.start_penetration->link;
+    EXPECT_EQ(log.start_penetration->solid, sunk.terrain.patches.front().name);
+    EXPECT_EQ(LogFromJson(LogToJson(log), "log").value().start_penetration, log.start_penetration);
+  }
 }
 
 TEST_P(PlayTest, APushMovesTheRobot) {

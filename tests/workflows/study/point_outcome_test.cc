@@ -26,6 +26,8 @@ TEST(PointOutcome, ALineReadsBackToTheBit) {
   const Result<PointOutcome> read = PointFromLine(line);
   ASSERT_TRUE(read) << read.failure().message;
   EXPECT_EQ(*read, outcome);
+  outcome.engines = {{"bullet", true, false, 200.0 / 3.0, ""}, {"mujoco", false, true, 1.0 / 3.0, "slipped"}};
+  EXPECT_EQ(*PointFromLine(PointToLine(outcome)), outcome);
   const PointOutcome refused = At(3, PointStatus::kRefused, std::nullopt);
   EXPECT_EQ(*PointFromLine(PointToLine(refused)), refused);
 }

@@ -41,6 +41,42 @@ TEST(SweepCsv, HasARowForEachPointWithAsManyCellsAsHeads) {
   EXPECT_NE(last.find("\"the knee, \"\"FL_calf\"\", needs too much\""), std::string::npos) << last;
 }
 
+/// The sweep with its first point played in two engines, of which the second falls.
+MadeUpSweep SweepInTwoEngines() {
+  MadeUpSweep sweep = MakeUpSweep(kOver, 0);
+  sweep.study.play.play.world.engine = "both";
+  sweep.outcomes[0].engines = {{"bullet", true, false, 70.5, ""}, {"mujoco", false, true, 20.25, "slipped"}};
+  return sweep;
+}
+
+TEST(SweepCsv, HasVerdictAndScoreOfEachEngine) {
+  const MadeUpSweep sweep = SweepInTwoEngines();
+  std::istringstream csv(SweepCsv(sweep.study, sweep.outcomes));
+  std::string head, first, second;
+  std::getline(csv, head);
+  std::getline(csv, first);
+  std::getline(csv, second);
+  const std::string names = ",fell_at_s,bullet_verdict,bullet_score,mujoco_verdict,mujoco_score,reason";
+  EXPECT_EQ(head.substr(head.size() - names.size()), names);
+  EXPECT_NE(first.find(",pass,70.5,fell,20.25,"), std::string::npos) << first;
+  EXPECT_NE(second.find(",,,,,"), std::string::npos) << second << ": one that was not played in two";
+}
+
+TEST(SweepJson, APointHasTheVerdictsOfBothEngines) {
+  const MadeUpSweep sweep = SweepInTwoEngines();
+  const Json json = Json::parse(SweepJson(sweep.study, sweep.outcomes, {}));
+  const Json& engines = json.at("points").at(0).at("engines");
+  ASSERT_EQ(engines.size(), 2U);
+  EXPECT_EQ(engines.at(1), (Json{{"engine", "mujoco"}, {"verdict", "fell"}, {"score", 20.25}, {"cause", "slipped"}}));
+  EXPECT_FALSE(json.at("points").at(1).contains("engines"));
+}
+
+TEST(EnginesText, CountsWhereTheyAgreeAndIsEmptyForOneEngine) {
+  EXPECT_EQ(EnginesText(SweepInTwoEngines().outcomes),
+            "0 points pass in both, 1 in Bullet alone, 0 in MuJoCo alone, 0 in neither");
+  EXPECT_EQ(EnginesText(MakeUpSweep(kOver, 0).outcomes), "");
+}
+
 TEST(SweepJson, HoldsAxesPointsBestCountsAndFiles) {
   const MadeUpSweep sweep = MakeUpSweep(kOver, 4);
   const Json json = Json::parse(SweepJson(sweep.study, sweep.outcomes, {{"map", "a.csv"}}));
