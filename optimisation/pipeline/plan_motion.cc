@@ -95,6 +95,18 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
 
 namespace {
 
+/// Options that act on the motion of a rigid body alone, and are set where the motion is that of a pendulum.
+void WarnOfIdleOptions(const MotionOptions& options, std::vector<std::string>& warnings) {
+  const auto warn = [&](const char* key, const std::string& value) {
+    warnings.push_back(fmt::format(
+        "{}={} has no effect: this gait does not leave the ground and is planned as the motion of a pendulum; "
+        "with centre_of_mass.method=rigid-body it has",
+        key, value));
+  };
+  if (options.timing != MotionOptions().timing) warn("timing", options.timing);
+  if (options.footholds != MotionOptions().footholds) warn("footholds", options.footholds);
+}
+
 /// The plan of a motion over what is settled, by a pendulum's passes or those of a rigid body.
 Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::optional<Crouch>& crouch) {
   PlannedMotion planned;
@@ -114,6 +126,7 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   plan.swings = std::move(pass->swings);
   plan.whole_body = std::move(pass->solution.trajectory);
   plan.warnings = task.skeleton.warnings;
+  if (!dynamic) WarnOfIdleOptions(task.options, plan.warnings);
   planned.limit_excess = TotalExcess(model, plan.whole_body, 0.0);
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());

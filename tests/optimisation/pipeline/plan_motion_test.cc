@@ -48,6 +48,19 @@ TEST(PlanMotion, GoesLowerWhereStraightKneesWouldBeTooFast) {
   EXPECT_FALSE(Passes(model, asked));
 }
 
+TEST(PlanMotion, OptionsOfARigidBodyAreNamedWhereTheMotionIsAPendulums) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  MotionOptions timed;
+  timed.timing = "optimised";
+  timed.footholds = "free";
+  const MotionPlan usual = Planned(model, {}), asked = Planned(model, timed);
+  EXPECT_TRUE(usual.warnings.empty());
+  ASSERT_EQ(asked.warnings.size(), 2U);
+  EXPECT_EQ(asked.warnings[0].substr(0, 17), "timing=optimised ");
+  EXPECT_EQ(asked.warnings[1].substr(0, 15), "footholds=free ");
+  EXPECT_EQ(asked.whole_body.q, usual.whole_body.q);
+}
+
 /// The first guess is the standing posture, whose feet are turned otherwise than those of a lower one.
 TEST(PlanMotion, SpheresStandStillOnTheirFootholdsFromTheFirstRowAtAnyHeight) {
   const RobotModel model = *LoadNamedRobot("a1");
