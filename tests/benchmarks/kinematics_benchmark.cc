@@ -3,7 +3,9 @@
 
 #include "kinematics/dynamics/contact_split.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/dynamics_derivatives.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/dynamics/forward_dynamics.h"
 #include "kinematics/ik/leg_ik.h"
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/load_robot.h"
@@ -172,6 +174,21 @@ void WholeBodyIkCall(benchmark::State& state) {
   }
 }
 
+void InverseDynamicsDerivativesCall(benchmark::State& state) {
+  Stand s(state);
+  DynamicsDerivatives derivatives(s.model);
+  InverseDynamicsDerivatives result;
+  for (auto _ : state) derivatives.Compute(s.q, s.v, s.a, result);
+}
+
+void ForwardDynamicsCall(benchmark::State& state) {
+  Stand s(state);
+  ForwardDynamics forward(s.model);
+  const VectorX tau = VectorX::Constant(s.model.nv(), 0.3);
+  VectorX a(s.model.nv());
+  for (auto _ : state) forward.Compute(s.q, s.v, tau, a);
+}
+
 BENCHMARK(ForwardKinematicsCall)->Arg(0)->Arg(1);
 BENCHMARK(FootJacobians)->Arg(0)->Arg(1);
 BENCHMARK(JointScrewsFromConfiguration)->Arg(0)->Arg(1);
@@ -182,6 +199,8 @@ BENCHMARK(CentroidalMomentumCall)->Arg(0)->Arg(1);
 BENCHMARK(CentreOfMassJacobianCall)->Arg(0)->Arg(1);
 BENCHMARK(InverseDynamicsCall)->Arg(0)->Arg(1);
 BENCHMARK(MassMatrixCall)->Arg(0)->Arg(1);
+BENCHMARK(InverseDynamicsDerivativesCall)->Arg(0)->Arg(1);
+BENCHMARK(ForwardDynamicsCall)->Arg(0)->Arg(1);
 BENCHMARK(ContactSplitCall)->Arg(0)->Arg(1);
 BENCHMARK(LegIkClosedForm)->Arg(0)->Arg(1);
 BENCHMARK(LegIkDamped)->Arg(0)->Arg(1);

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/dynamics/dynamics_derivatives.h"
+
+#include "kinematics/dynamics/spatial_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using spatial::Cross, spatial::Dot, spatial::Force, spatial::Motion, spatial::Stacked;
+
+/// B of a body: f = I a + v x* I v changes by 2 B m when its velocity changes by m while its acceleration changes by
+/// v x m less than that of a body that m is fixed in. B (u; w) = (w x momentum; turning w), for any u, so that sums
+/// over bodies are sums of these two.
+struct VelocityEffect {
+  Vector3 momentum = Vector3::Zero();  // linear
+  Matrix3 turning = Matrix3::Zero();
+
+  Force operator*(const Motion& m) const { return {m.angular.cross(momentum), turning * m.angular}; }
+  void Add(const VelocityEffect& other) {
+    momentum += other.momentum;
+    turning += other.turning;
+  }
+};
+
+VelocityEffect EffectOf(const spatial::Inertia& I, const Motion& v) {
+  const Matrix3 spread = 0.5 * I.inertia_O.trace() * Matrix3::Identity() - I.inertia_O;  // integral of r r^T dm
+  VelocityEffect effect;
+  effect.momentum = I.mass * v.linear + v.angular.cross(I.moment_O);
+  effect.turning.noalias() = -v.linear * I.moment_O.transpose();
+  effect.turning.diagonal().array() += v.linear.dot(I.moment_O);
+  for (int k = 0; k < 3; ++k) effect.turning.col(k) -= v.angular.cross(spread.col(k));
+  return effect;
+}
+
+/// What a joint's motion does, in spatial vectors about O.
+struct JointTerms {
+  Motion S;          ///< at unit rate of its coordinate
+  Motion S_rate;     ///< its time derivative
+  Motion S_bending;  ///< a_parent x S + v_parent x S_rate: what a turn by it adds to accelerations beyond
+};
+
+/// What a body and all beyond it are.
+struct Subtree {
+  spatial::Inertia inertia;
+  VelocityEffect effect;
+  Force force;
+
+  void Add(const Subtree& other) {
+    spatial::Add(other.inertia, inertia);
+    effect.Add(other.effect);
+    force = force + other.force;
+  }
+};
+
+}  // namespace
+
+struct DynamicsDerivatives::Impl {
+  explicit Impl(const RobotModel& of)
+      : model(of),
+        scratch(of),
+        joints(of.joints.size()),
+        velocity(of.bodies.size()),
+        acceleration(of.bodies.size()),
+        beyond(of.bodies.size()) {}
+
+  /// Velocities, accelerations (gravity as an upward one of the world) and what each body needs by itself.
+  void Forward(const VectorX& q, const VectorX& v, const VectorX& a) {
+    ForwardKinematics(model, q, scratch);
+    velocity[0] = {Vector3::Zero(), v.segment<3>(3)};
+    acceleration[0] = {a.head<3>() + Vector3(0.0, 0.0, kGravity), a.segment<3>(3)};
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const Joint& joint = model.joints[j];
+      const auto parent = static_cast<std::size_t>(joint.parent_body);
+      JointTerms& terms = joints[j];
+      terms.S = joint.multiplier * spatial::JointMotion(joint, scratch, j);
+      terms.S_rate = Cross(velocity[parent], terms.S);
+      terms.S_bending = Cross(acceleration[parent], terms.S) + Cross(velocity[parent], terms.S_rate);
+      const double rate = v[6 + joint.dof], change = a[6 + joint.dof];
+      velocity[j + 1] = velocity[parent] + rate * terms.S;
+      acceleration[j + 1] = acceleration[parent] + (change * terms.S + rate * terms.S_rate);
+    }
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+      Subtree& body = beyond[i];
+      body.inertia = spatial::InertiaOf(model.bodies[i], scratch.R_WB[i], scratch.p_WB[i] - scratch.p_WB[0]);
+      body.effect = EffectOf(body.inertia, velocity[i]);
+      body.force = body.inertia * acceleration[i] + Cross(velocity[i], body.inertia * velocity[i]);
+    }
+  }
+
+  /// Rows and columns of a joint with itself, its ancestors and the base.
+  void AddJoint(std::size_t j, InverseDynamicsDerivatives& d) const {
+    const JointTerms& own = joints[j];
+    const Subtree& tree = beyond[j + 1];
+    const Eigen::Index column = 6 + model.joints[j].dof;
+    const Force inertial = tree.inertia * own.S;
+    const Force turned = tree.effect * own.S, rated = tree.effect * own.S_rate;
+    const Force swung = tree.inertia * own.S_rate, bent = tree.inertia * own.S_bending;
+    // Change of the force that is needed beyond the joint, by its position and by its rate.
+    const Force carried = Cross(own.S, tree.force);
+    const Force by_q{2.0 * rated.linear + bent.linear, 2.0 * rated.angular + bent.angular};
+    const Force by_v{2.0 * (turned.linear + swung.linear), 2.0 * (turned.angular + swung.angular)};
+    const Force by_q_carried = by_q + carried;
+    // S^T 2 B (u; w) = effect . w
+    const Vector3 effect =
+        2.0 * (tree.effect.momentum.cross(own.S.linear) + tree.effect.turning.transpose() * own.S.angular);
+    d.tau[column] += Dot(own.S, tree.force);
+    d.M(column, column) += Dot(own.S, inertial);
+    d.by_q(column, column) += Dot(own.S, by_q);
+    d.by_v(column, column) += Dot(own.S, by_v);
+    for (int i = model.joints[j].parent_body; i > 0; i = model.joints[static_cast<std::size_t>(i - 1)].parent_body) {
+      const auto k = static_cast<std::size_t>(i - 1);
+      const JointTerms& other = joints[k];
+      const Eigen::Index row = 6 + model.joints[k].dof;
+      const double coupling = Dot(other.S, inertial);
+      d.M(row, column) += coupling;
+      d.M(column, row) += coupling;
+      d.by_q(row, column) += Dot(other.S, by_q_carried);
+      d.by_v(row, column) += Dot(other.S, by_v);
+      d.by_q(column, row) += effect.dot(other.S_rate.angular) + Dot(other.S_bending, inertial);
+      d.by_v(column, row) += effect.dot(other.S.angular) + 2.0 * Dot(other.S_rate, inertial);
+    }
+    d.M.col(column).head<6>() += Stacked(inertial);
+    d.by_q.col(column).head<6>() += Stacked(by_q_carried);
+    d.by_v.col(column).head<6>() += Stacked(by_v);
+    // A rotation e of the base moves by (0; e), and its own rate of change is (0; w x e).
+    const Vector3& w = velocity[0].angular;
+    d.by_v.row(column).segment<3>(3) += effect + inertial.angular.cross(w);
+  }
+
+  void AddBase(InverseDynamicsDerivatives& d) const {
+    const Subtree& whole = beyond[0];
+    const Vector3& w = velocity[0].angular;
+    d.tau.head<6>() = Stacked(whole.force);
+    d.M.topLeftCorner<3, 3>() = whole.inertia.mass * Matrix3::Identity();
+    d.M.block<3, 3>(0, 3) = -Skew(whole.inertia.moment_O);
+    d.M.block<3, 3>(3, 0) = Skew(whole.inertia.moment_O);
+    d.M.block<3, 3>(3, 3) = whole.inertia.inertia_O;
+    for (int k = 0; k < 3; ++k) {
+      const Motion turn{Vector3::Zero(), Vector3::Unit(k)}, rate{Vector3::Zero(), w.cross(Vector3::Unit(k))};
+      const Force effect = whole.effect * turn, inertial = whole.inertia * rate;
+      d.by_v.col(3 + k).head<3>() = 2.0 * effect.linear + inertial.linear;
+      d.by_v.col(3 + k).segment<3>(3) = 2.0 * effect.angular + inertial.angular;
+    }
+    d.M.bottomLeftCorner(model.num_dofs(), 6) = d.M.topRightCorner(6, model.num_dofs()).transpose();
+  }
+
+  /// Derivatives by the base's rotation: with the world turned along, forces turn along, so that a turn of the robot
+  /// alone is a turn of both and a turn back of velocities, accelerations and gravity.
+  void AddRotation(InverseDynamicsDerivatives& d) const {
+    const Vector3 &w = velocity[0].angular, &linear = acceleration[0].linear, &angular = acceleration[0].angular;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 e = Vector3::Unit(k);
+      auto column = d.by_q.col(3 + k);
+      column.noalias() = -d.by_v.middleCols<3>(3) * e.cross(w);
+      column.noalias() -= d.M.leftCols<3>() * e.cross(linear);
+      column.noalias() -= d.M.middleCols<3>(3) * e.cross(angular);
+      column.head<3>() += e.cross(beyond[0].force.linear);
+      column.segment<3>(3) += e.cross(beyond[0].force.angular);
+    }
+  }
+
+  const RobotModel& model;
+  DynamicsScratch scratch;
+  std::vector<JointTerms> joints;
+  std::vector<Motion> velocity, acceleration;  ///< by body
+  std::vector<Subtree> beyond;                 ///< by body
+};
+
+DynamicsDerivatives::DynamicsDerivatives(const RobotModel& model) : impl_(std::make_unique<Impl>(model)) {}
+DynamicsDerivatives::~DynamicsDerivatives() = default;
+
+const DynamicsScratch& DynamicsDerivatives::kinematics() const { return impl_->scratch; }
+
+void DynamicsDerivatives::Compute(const VectorX& q, const VectorX& v, const VectorX& a,
+                                  InverseDynamicsDerivatives& result) {
+  Impl& self = *impl_;
+  const Eigen::Index nv = self.model.nv();
+  result.tau.setZero(nv);
+  for (MatrixX* matrix : {&result.by_q, &result.by_v, &result.M}) matrix->setZero(nv, nv);
+  self.Forward(q, v, a);
+  for (std::size_t j = self.joints.size(); j-- > 0;) {
+    self.AddJoint(j, result);
+    self.beyond[static_cast<std::size_t>(self.model.joints[j].parent_body)].Add(self.beyond[j + 1]);
+  }
+  self.AddBase(result);
+  self.AddRotation(result);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "kinematics/dynamics/dynamics.h"
+
+namespace gaitwright {
+
+/// Inverse dynamics and its derivatives, all of size nv or nv x nv.
+///
+/// Columns of `by_q` are along the same directions as v: base origin in W [m], rotation of the base by a small vector
+/// in W [rad], joints; v and a keep their numbers. M is the derivative by `a`. The first three columns of `by_q` and
+/// `by_v` are zero, since nothing depends on where the base is or how fast its origin moves.
+struct InverseDynamicsDerivatives {
+  VectorX tau;         ///< as of InverseDynamics
+  MatrixX by_q, by_v;  ///< of tau
+  MatrixX M;           ///< as of MassMatrix
+};
+
+/// Differentiates InverseDynamics analytically at q (nq), v (nv), a (nv). One object serves one model and one thread;
+/// after the first call it does not allocate.
+///
+/// Each pair of joints on one branch is visited once: O(n d) for n joints at a depth of d. Formulas: Carpentier and
+/// Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018, in the form of Singh, Russo and
+/// Wensing, Efficient analytical derivatives of rigid-body dynamics using spatial vector algebra, RA-L 2022.
+/// Derivatives by the base's rotation follow from the invariance of the dynamics under rotations of the world together
+/// with gravity.
+class DynamicsDerivatives {
+ public:
+  /// The model must outlive this.
+  explicit DynamicsDerivatives(const RobotModel& model);
+  ~DynamicsDerivatives();
+
+  void Compute(const VectorX& q, const VectorX& v, const VectorX& a, InverseDynamicsDerivatives& result);
+
+  /// Kinematics of the last call: poses, not velocities.
+  const DynamicsScratch& kinematics() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gaitwright
