@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "cli/word_list.h"
+#include "kinematics/base/file.h"
 #include "kinematics/base/result.h"
-#include "kinematics/base/same_file.h"
 #include "kinematics/base/writable.h"
 #include "planning/gait/find_gait.h"
 #include "planning/gait/read_sequence.h"

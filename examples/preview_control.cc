@@ -14,7 +14,6 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/result.h"
-#include "kinematics/base/same_file.h"
 #include "optimisation/centroidal/preview_control.h"
 #include "playback/report/plot_grid.h"
 #include "playback/report/plot_style.h"

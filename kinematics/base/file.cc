@@ -16,7 +16,6 @@
 #include <set>
 #include <system_error>
 
-#include "kinematics/base/same_file.h"
 #include "kinematics/base/writable.h"
 
 namespace gaitwright {

@@ -20,6 +20,10 @@ Result<std::string> ReadBytes(const std::string& path, std::size_t most = kLarge
 /// does; a failure names the file, and the line of a byte that is not text.
 Result<std::string> ReadFile(const std::string& path, std::size_t most = kLargestFile);
 
+/// Whether two paths lead to the same file, however they are written: relative or absolute, with '.' and '..', through
+/// symbolic links. Neither need exist.
+bool IsSameFile(const std::string& a, const std::string& b);
+
 /// Writes the text to a temporary file beside `path` and renames it, so that no half-written file is ever seen.
 /// Parent folders are made. @return the path written.
 Result<std::string> WriteFileAtomically(const std::string& path, const std::string& text);

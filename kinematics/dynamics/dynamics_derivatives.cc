@@ -43,14 +43,23 @@ struct JointTerms {
 struct Subtree {
   spatial::Inertia inertia;
   VelocityEffect effect;
-  Force force;
+  Force force, momentum;
 
   void Add(const Subtree& other) {
     spatial::Add(other.inertia, inertia);
     effect.Add(other.effect);
+    momentum = momentum + other.momentum;
     force = force + other.force;
   }
 };
+
+/// A point at r from O that is fixed in a body: its velocity without that of O, its acceleration with gravity's.
+struct PointState {
+  Vector3 r, velocity, turning, acceleration, turning_rate;
+};
+
+/// Linear part of a motion at a point.
+Vector3 At(const Motion& m, const Vector3& r) { return m.linear + m.angular.cross(r); }
 
 }  // namespace
 
@@ -66,6 +75,7 @@ struct DynamicsDerivatives::Impl {
   /// Velocities, accelerations (gravity as an upward one of the world) and what each body needs by itself.
   void Forward(const VectorX& q, const VectorX& v, const VectorX& a) {
     ForwardKinematics(model, q, scratch);
+    origin_velocity = v.head<3>();
     velocity[0] = {Vector3::Zero(), v.segment<3>(3)};
     acceleration[0] = {a.head<3>() + Vector3(0.0, 0.0, kGravity), a.segment<3>(3)};
     for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -83,7 +93,8 @@ struct DynamicsDerivatives::Impl {
       Subtree& body = beyond[i];
       body.inertia = spatial::InertiaOf(model.bodies[i], scratch.R_WB[i], scratch.p_WB[i] - scratch.p_WB[0]);
       body.effect = EffectOf(body.inertia, velocity[i]);
-      body.force = body.inertia * acceleration[i] + Cross(velocity[i], body.inertia * velocity[i]);
+      body.momentum = body.inertia * velocity[i];
+      body.force = body.inertia * acceleration[i] + Cross(velocity[i], body.momentum);
     }
   }
 
@@ -159,8 +170,44 @@ struct DynamicsDerivatives::Impl {
     }
   }
 
+  /// Columns of a point at r from O by a joint that carries it.
+  void AddPoint(std::size_t j, const PointState& at, PointDerivatives& d) const {
+    const JointTerms& joint = joints[j];
+    const Eigen::Index column = 6 + model.joints[j].dof;
+    const Vector3& turn = joint.S.angular;
+    const Vector3 rated = At(joint.S_rate, at.r), bent = At(joint.S_bending, at.r);
+    const Vector3 &rated_turn = joint.S_rate.angular, &bent_turn = joint.S_bending.angular;
+    d.velocity_by_q.col(column).head<3>() += turn.cross(at.velocity) + rated;
+    d.velocity_by_q.col(column).tail<3>() += turn.cross(at.turning) + rated_turn;
+    d.acceleration_by_q.col(column).head<3>() +=
+        turn.cross(at.acceleration) + bent + 2.0 * rated_turn.cross(at.velocity);
+    d.acceleration_by_q.col(column).tail<3>() += turn.cross(at.turning_rate) + bent_turn + rated_turn.cross(at.turning);
+    d.acceleration_by_v.col(column).head<3>() += 2.0 * (rated + turn.cross(at.velocity));
+    d.acceleration_by_v.col(column).tail<3>() += 2.0 * rated_turn + turn.cross(at.turning);
+  }
+
+  /// The same by the base's rotation and its rate, see AddRotation.
+  void AddPointRotation(const PointState& at, PointDerivatives& d) const {
+    const Vector3 &w = velocity[0].angular, &linear = acceleration[0].linear, &angular = acceleration[0].angular;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 e = Vector3::Unit(k);
+      d.acceleration_by_v.col(3 + k).head<3>() = w.cross(e).cross(at.r) + 2.0 * e.cross(at.velocity);
+      d.acceleration_by_v.col(3 + k).tail<3>() = w.cross(e) + e.cross(at.turning);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 e = Vector3::Unit(k), w_back = e.cross(w), angular_back = e.cross(angular);
+      d.velocity_by_q.col(3 + k).head<3>() = e.cross(at.velocity) - w_back.cross(at.r);
+      d.velocity_by_q.col(3 + k).tail<3>() = e.cross(at.turning) - w_back;
+      auto column = d.acceleration_by_q.col(3 + k);
+      column.noalias() = -d.acceleration_by_v.middleCols<3>(3) * w_back;
+      column.head<3>() += e.cross(at.acceleration - linear) - angular_back.cross(at.r);
+      column.tail<3>() += e.cross(at.turning_rate) - angular_back;
+    }
+  }
+
   const RobotModel& model;
   DynamicsScratch scratch;
+  Vector3 origin_velocity = Vector3::Zero();  ///< of the base
   std::vector<JointTerms> joints;
   std::vector<Motion> velocity, acceleration;  ///< by body
   std::vector<Subtree> beyond;                 ///< by body
@@ -184,6 +231,57 @@ void DynamicsDerivatives::Compute(const VectorX& q, const VectorX& v, const Vect
   }
   self.AddBase(result);
   self.AddRotation(result);
+}
+
+void DynamicsDerivatives::DifferentiatePoint(int body, const Vector3& p_BQ, PointDerivatives& result) const {
+  const Impl& self = *impl_;
+  const auto b = static_cast<std::size_t>(body);
+  for (MatrixX* matrix : {&result.velocity_by_q, &result.acceleration_by_q, &result.acceleration_by_v})
+    matrix->setZero(6, self.model.nv());
+  const Motion &v = self.velocity[b], &a = self.acceleration[b];
+  PointState at;
+  at.r = self.scratch.p_WB[b] - self.scratch.p_WB[0] + self.scratch.R_WB[b] * p_BQ;
+  at.velocity = At(v, at.r);
+  at.turning = v.angular;
+  at.acceleration = At(a, at.r) + v.angular.cross(at.velocity);
+  at.turning_rate = a.angular;
+  for (int i = body; i > 0; i = self.model.joints[static_cast<std::size_t>(i - 1)].parent_body)
+    self.AddPoint(static_cast<std::size_t>(i - 1), at, result);
+  self.AddPointRotation(at, result);
+}
+
+void DynamicsDerivatives::DifferentiateMomentum(MomentumDerivatives& result) const {
+  const Impl& self = *impl_;
+  const Subtree& whole = self.beyond[0];
+  const double mass = whole.inertia.mass;
+  const Vector3 p_OC = whole.inertia.moment_O / mass;
+  const Vector3 &linear = whole.momentum.linear, &w = self.velocity[0].angular;
+  result.by_q.setZero(6, self.model.nv());
+  result.by_v.setZero(6, self.model.nv());
+  result.momentum << linear + mass * self.origin_velocity, whole.momentum.angular - p_OC.cross(linear);
+  result.by_v.topLeftCorner<3, 3>() = mass * Matrix3::Identity();
+  result.by_v.block<3, 3>(0, 3) = -Skew(whole.inertia.moment_O);
+  result.by_v.block<3, 3>(3, 3) = whole.inertia.inertia_O + Skew(p_OC) * Skew(whole.inertia.moment_O);
+  for (std::size_t j = 0; j < self.joints.size(); ++j) {
+    const JointTerms& joint = self.joints[j];
+    const Subtree& tree = self.beyond[j + 1];
+    const Eigen::Index column = 6 + self.model.joints[j].dof;
+    const Force moved = tree.inertia * joint.S;  // its linear part is mass times the motion of the centre of mass
+    const Force changed = Cross(joint.S, tree.momentum) + tree.inertia * joint.S_rate;
+    result.by_v.col(column).head<3>() += moved.linear;
+    result.by_v.col(column).tail<3>() += moved.angular - p_OC.cross(moved.linear);
+    result.by_q.col(column).head<3>() += changed.linear;
+    result.by_q.col(column).tail<3>() +=
+        changed.angular - p_OC.cross(changed.linear) - moved.linear.cross(linear) / mass;
+  }
+  // A turn of the robot alone is a turn of robot and velocities, and a turn back of the base's velocity.
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 e = Vector3::Unit(k);
+    auto column = result.by_q.col(3 + k);
+    column.noalias() = -result.by_v.middleCols<3>(3) * e.cross(w);
+    column.head<3>() += e.cross(linear);
+    column.tail<3>() += e.cross(result.momentum.tail<3>());
+  }
 }
 
 }  // namespace gaitwright

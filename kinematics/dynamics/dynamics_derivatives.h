@@ -18,6 +18,19 @@ struct InverseDynamicsDerivatives {
   MatrixX M;           ///< as of MassMatrix
 };
 
+/// Derivatives of the velocity and the acceleration [linear; angular] of a point fixed in a body, each of size 6 x nv,
+/// along the same directions. Those of the velocity by v and of the acceleration by a are PointJacobian.
+struct PointDerivatives {
+  MatrixX velocity_by_q, acceleration_by_q, acceleration_by_v;
+};
+
+/// Centroidal momentum (as of CentroidalMomentum) and its derivatives, each of size 6 x nv.
+struct MomentumDerivatives {
+  Vector6 momentum;
+  MatrixX by_q;
+  MatrixX by_v;  ///< the centroidal momentum matrix: Orin, Goswami and Lee, Autonomous Robots, 2013
+};
+
 /// Differentiates InverseDynamics analytically at q (nq), v (nv), a (nv). One object serves one model and one thread;
 /// after the first call it does not allocate.
 ///
@@ -32,7 +45,13 @@ class DynamicsDerivatives {
   explicit DynamicsDerivatives(const RobotModel& model);
   ~DynamicsDerivatives();
 
+  /// All of `result`, at q (nq), v (nv), a (nv); the vectors must have these sizes.
   void Compute(const VectorX& q, const VectorX& v, const VectorX& a, InverseDynamicsDerivatives& result);
+
+  /// Of a point fixed in a body, in the state of the last call of Compute.
+  void DifferentiatePoint(int body, const Vector3& p_BQ, PointDerivatives& result) const;
+  /// Of the whole robot, in the state of the last call of Compute.
+  void DifferentiateMomentum(MomentumDerivatives& result) const;
 
   /// Kinematics of the last call: poses, not velocities.
   const DynamicsScratch& kinematics() const;

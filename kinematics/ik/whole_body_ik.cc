@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "kinematics/ik/square_solver.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 
@@ -71,13 +72,15 @@ void Integrate(const VectorX& step, VectorX& q) {
 
 }  // namespace
 
+WholeBodyIk::~WholeBodyIk() = default;
+
 WholeBodyIk::WholeBodyIk(const RobotModel& model) : model_(&model), scratch_(model) {
   foot_jacobians_.assign(model.legs.size(), MatrixX::Zero(6, model.nv()));
   com_jacobian_ = MatrixX::Zero(3, model.nv());
   ListRows();
   ChooseRows();
   const auto n = static_cast<Eigen::Index>(columns_.size());
-  system_ = SquareSolver(n);
+  system_ = std::make_unique<SquareSolver>(n);
   rhs_.resize(n);
   solution_.resize(n);
   step_ = VectorX::Zero(model.nv());
@@ -208,12 +211,12 @@ double WholeBodyIk::Coefficient(const Row& row, int column) const {
 }
 
 void WholeBodyIk::AssembleSystem() {
-  MatrixX& system = system_.matrix();
+  MatrixX& system = system_->matrix();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     for (std::size_t c = 0; c < columns_.size(); ++c)
       system(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = Coefficient(rows_[r], columns_[c]);
   }
-  system_.Factor();
+  system_->Factor();
 }
 
 void WholeBodyIk::FillRightHandSide() {
@@ -257,7 +260,7 @@ Result<int> WholeBodyIk::SolvePosition(const BodyTarget& target, VectorX& q) {
     if (rhs_.lpNorm<Eigen::Infinity>() < kConverged) return iteration;
     UpdateJacobians(target);
     AssembleSystem();
-    system_.Solve(rhs_, solution_);
+    system_->Solve(rhs_, solution_);
     const double largest = solution_.lpNorm<Eigen::Infinity>();
     if (largest > kLongestStep) solution_ *= kLongestStep / largest;
     for (std::size_t c = 0; c < columns_.size(); ++c) step_[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
@@ -322,7 +325,7 @@ void WholeBodyIk::SolveRates(const BodyTarget& target, const VectorX& q, VectorX
       TakeOutHeld(held);
       for (const int dof : held_) out[6 + dof] = held[dof];
     }
-    system_.Solve(rhs_, solution_);
+    system_->Solve(rhs_, solution_);
     for (std::size_t c = 0; c < columns_.size(); ++c) out[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
   };
   for (Task& task : tasks_) task.value_W = Rate(task, target);

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "kinematics/base/result.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/ik/square_solver.h"
 #include "kinematics/model/robot_model.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
+
+class SquareSolver;
 
 /// Desired motion of a foot at one time. The controlled frame is F of Foot: the middle of a sole, the centre of a
 /// sphere.
@@ -59,6 +61,7 @@ struct BodyTarget {
 class WholeBodyIk {
  public:
   explicit WholeBodyIk(const RobotModel& model);
+  ~WholeBodyIk();
 
   /// Moves q (the first guess; size nq) onto the target; joints that are held go to the target's posture, or stay where
   /// they are. @return the iterations taken. Failure kInfeasible names the
@@ -112,7 +115,7 @@ class WholeBodyIk {
   std::vector<MatrixX> foot_jacobians_;
   MatrixX com_jacobian_;
   VectorX rhs_, solution_, step_;
-  SquareSolver system_;
+  std::unique_ptr<SquareSolver> system_;
   std::vector<std::string> notes_;
 };
 

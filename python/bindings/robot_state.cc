@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/dynamics_derivatives.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/dynamics/forward_dynamics.h"
 #include "kinematics/ik/leg_ik.h"
 #include "kinematics/model/check_state.h"
 #include "python/bindings/arrays.h"
@@ -94,6 +96,22 @@ class RobotState {
     return tau;
   }
 
+  VectorX Accelerations(const VectorX& tau, const std::optional<VectorX>& rotor_inertia) const {
+    CheckSize("tau", tau, robot_->nv());
+    const VectorX rotors = rotor_inertia ? *rotor_inertia : VectorX();
+    if (rotor_inertia) CheckSize("rotor_inertia", rotors, robot_->num_dofs());
+    VectorX a;
+    ForwardDynamics(*robot_).Compute(q_, v_, tau, a, rotors);
+    return a;
+  }
+  py::tuple Derivatives(const std::optional<VectorX>& a) const {
+    const VectorX accelerations = a ? *a : VectorX(VectorX::Zero(robot_->nv()));
+    CheckSize("a", accelerations, robot_->nv());
+    InverseDynamicsDerivatives result;
+    DynamicsDerivatives(*robot_).Compute(q_, v_, accelerations, result);
+    return py::make_tuple(result.by_q, result.by_v, result.M);
+  }
+
  private:
   const Frame& FrameOf(const std::string& link) const {
     return robot_->frames[static_cast<std::size_t>(robot_->FrameIndex(link))];
@@ -151,7 +169,17 @@ Everything is in world axes. A point is given in the axes of its link [m]; spati
       .def("inverse_dynamics", &RobotState::Forces, py::arg("a") = py::none(),
            R"(Generalised forces, size nv, without those of contacts: tau = M a + h(q, v), gravity included.
 
-The first six are the wrench on the base: force, then moment about its origin. Without a: h.)");
+The first six are the wrench on the base: force, then moment about its origin. Without a: h.)")
+      .def(
+          "inverse_dynamics_derivatives", &RobotState::Derivatives, py::arg("a") = py::none(),
+          R"(Derivatives of `inverse_dynamics` by q, by v and by a: three arrays, each nv x nv, the last the mass matrix.
+
+Columns of the first are along the same directions as v: base origin [m], rotation of the base by a small vector in the
+world [rad], joints; v and a keep their numbers.)")
+      .def("forward_dynamics", &RobotState::Accelerations, py::arg("tau"), py::arg("rotor_inertia") = py::none(),
+           R"(Accelerations, size nv, that generalised forces `tau` give: the inverse of `inverse_dynamics`.
+
+`rotor_inertia` is by joint, seen at the joint [kg m^2]; without it rotors have none.)");
   module.def("leg_joints", LegJoints, py::arg("robot").none(false), py::arg("foot"),
              "Names of the joints that move a foot, base first, in the order of `solve_leg`.");
   module.def("solve_leg", SolveLeg, py::arg("robot").none(false), py::arg("foot"), py::arg("pose_in_base"),

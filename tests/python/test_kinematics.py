@@ -59,6 +59,27 @@ def test_dynamics_obey_their_laws(a1):
         assert state.energy_j - at_rest.energy_j == pytest.approx(0.5 * v @ M @ v, rel=1e-9)
 
 
+def test_forward_dynamics_and_derivatives_agree_with_inverse_dynamics(a1):
+    random = np.random.default_rng(10)
+    q, v = random_state(a1, random)
+    a, along = random.normal(size=a1.nv), random.normal(size=a1.nv)
+    state = gw.RobotState(a1, q, v)
+    assert state.forward_dynamics(state.inverse_dynamics(a)) == pytest.approx(a, abs=1e-8)
+    by_q, by_v, M = state.inverse_dynamics_derivatives(a)
+    assert by_q.shape == by_v.shape == (a1.nv, a1.nv)
+    assert M == pytest.approx(state.mass_matrix(), abs=1e-12)
+    step = 1e-6
+    ahead, behind = gw.RobotState(a1, q, v + step * along), gw.RobotState(a1, q, v - step * along)
+    difference = (ahead.inverse_dynamics(a) - behind.inverse_dynamics(a)) / (2.0 * step)
+    assert by_v @ along == pytest.approx(difference, abs=1e-6)
+    joint = np.zeros(a1.nv - 6)
+    joint[4] = step
+    moved = gw.RobotState(a1, q + np.concatenate([np.zeros(7), joint]), v)
+    assert (moved.inverse_dynamics(a) - state.inverse_dynamics(a)) / step == pytest.approx(by_q[:, 10], abs=1e-3)
+    with pytest.raises(ValueError):
+        state.forward_dynamics(np.zeros(3))
+
+
 def test_a_leg_is_brought_to_where_a_foot_was(a1):
     random = np.random.default_rng(10)
     for foot in a1.feet:

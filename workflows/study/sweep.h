@@ -27,6 +27,7 @@ struct EngineCounts {
 
   int points() const { return both_pass + none_pass + first_alone + second_alone; }
 };
+/// Counts the points that were played in two engines.
 EngineCounts CountEngines(const std::vector<PointOutcome>& outcomes);
 
 /// Counts outcomes and finds the best.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kinematics/base/same_file.h"
+#include "kinematics/base/file.h"
 
 #include <gtest/gtest.h>
 
