@@ -123,6 +123,24 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
   }
 }
 
+void CheckRanges(const RobotModel& model, std::vector<Finding>& findings) {
+  constexpr double kTurns = 4.0 * std::numbers::pi, kDegrees = 720.0;  // [rad], [deg]
+  constexpr std::size_t kFewest = 2;                                   // joints; one may be a winch
+  std::vector<const Joint*> wide;
+  for (const Joint& joint : model.joints) {
+    const double largest = std::max(std::abs(joint.lower), std::abs(joint.upper));
+    if (!joint.is_prismatic() && joint.upper - joint.lower > kTurns && largest <= kDegrees) wide.push_back(&joint);
+  }
+  if (wide.size() < kFewest) return;
+  for (const Joint* joint : wide) {
+    findings.push_back(
+        {FindingLevel::kWarning, FailureCode::kBadLimit, fmt::format("joint '{}'", joint->name), 0,
+         fmt::format("its range is {:.4g} to {:.4g} rad, which is {:.0f} turns; the file may give it in "
+                     "degrees",
+                     joint->lower, joint->upper, (joint->upper - joint->lower) / (2.0 * std::numbers::pi))});
+  }
+}
+
 void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
   constexpr double kLargestPower = 5e4;  // [W] torque times speed of one joint
   constexpr double kStrongest = 5.0;     // times what it takes to lift the whole robot at arm's length
@@ -151,6 +169,9 @@ void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
       add(FindingLevel::kWarning, FailureCode::kStrongMotor,
           fmt::format("its torque limit is {:.4g} N m; lifting the whole robot at its leg length takes {:.3g}", effort,
                       lift));
+    if (of_leg && joint.velocity_limit_is_placeholder && joint.velocity_limit > 0.0)
+      add(FindingLevel::kInfo, FailureCode::kFastMotor,
+          fmt::format("its speed limit of {:.4g} rad/s is a placeholder and is not checked", joint.velocity_limit));
     if (std::isfinite(speed) && speed > kFastest)
       add(FindingLevel::kWarning, FailureCode::kFastMotor,
           fmt::format("its speed limit is {:.4g} rad/s; few joints reach 60", speed));

@@ -10,6 +10,9 @@ namespace gaitwright {
 /// Mass, inertia and size of each body against each other.
 void CheckBodies(const RobotModel& model, std::vector<Finding>& findings);
 
+/// Ranges of joints of so many turns that they may be in degrees.
+void CheckRanges(const RobotModel& model, std::vector<Finding>& findings);
+
 /// Torque and speed of each joint against what motors have.
 void CheckMotors(const RobotModel& model, std::vector<Finding>& findings);
 

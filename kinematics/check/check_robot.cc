@@ -167,6 +167,7 @@ void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
 std::vector<Finding> CheckRobot(const RobotModel& model) {
   std::vector<Finding> findings = model.findings;
   CheckBodies(model, findings);
+  CheckRanges(model, findings);
   CheckMotors(model, findings);
   CheckHolding(model, findings);
   CheckSides(model, findings);

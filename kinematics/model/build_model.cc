@@ -284,10 +284,10 @@ class Builder {
   std::map<std::size_t, std::string> leader_;
 };
 
-/// What a strict reader refuses: an inertia that is mended by the sizes of shapes.
+/// What a strict reader refuses: an inertia that is replaced by that of shapes.
 std::optional<Failure> RefusedInertia(const RobotModel& model) {
   for (const Finding& finding : model.findings) {
-    if (finding.code != FailureCode::kImpossibleInertia) continue;
+    if (finding.code != FailureCode::kImpossibleInertia && finding.code != FailureCode::kPlaceholderInertia) continue;
     return Failure{FailureKind::kBadInput, finding.code, "LoadRobot", finding.part + ": " + finding.message, {}};
   }
   return std::nullopt;

@@ -14,6 +14,7 @@
 #include "kinematics/model/find_feet.h"
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/model/lowest_reach.h"
+#include "kinematics/model/shape_support.h"
 #include "kinematics/model/standing_posture.h"
 #include "kinematics/model/yaml_line.h"
 
@@ -22,7 +23,8 @@ namespace {
 
 constexpr std::size_t kMostLegs = 64;  // that a set of feet as bits holds
 
-/// A limb whose end can come down, and how far [m].
+/// A limb whose end can come down, and how far [m]: over the origin of the base, or over the roots of limbs where they
+/// are higher, since the origin may be at the ground or below it, as that of a `base_footprint`.
 struct LimbThatReaches {
   double lowest = 0.0;
   std::vector<int> chain;
@@ -34,6 +36,39 @@ constexpr std::size_t kMostShared = 2;  // joints that legs may have in common, 
 std::size_t SharedJoints(const std::vector<int>& one, const std::vector<int>& other) {
   const auto [end, unused] = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
   return static_cast<std::size_t>(end - one.begin());
+}
+
+/// Height of the root of a limb in the base frame [m].
+double RootHeight(const RobotModel& model, const LimbThatReaches& limb) {
+  return model.joints[static_cast<std::size_t>(limb.chain.front())].X_PJ.translation().z();
+}
+
+/// Lowest point of the base's own shapes in the base frame [m]; minus infinity where no shape is known.
+double BottomOfBase(const RobotModel& model) {
+  double bottom = std::numeric_limits<double>::infinity();
+  for (const Shape& shape : model.collision_shapes) {
+    if (shape.body != 0) continue;
+    const Vector3 down_S = -shape.X_BS.linear().row(2).transpose();
+    bottom = std::min(bottom, (shape.X_BS * SupportPoint(shape, down_S)).z());
+  }
+  return std::isfinite(bottom) ? bottom : -bottom;
+}
+
+/// Leaves the limbs that come down below the base's origin; where fewer than two do since it is below the whole robot,
+/// those that go far below the base's shapes. Reaches are then over the root of the longest, where that is above the
+/// origin.
+/// @param limbs  lowest first
+void KeepThoseThatReachTheGround(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
+  constexpr double kBelow = 0.6;  // share of a leg that is below the base's shapes; arms of a bust hang beside them
+  if (limbs.empty()) return;
+  const double from_m = std::max(0.0, RootHeight(model, limbs.front())), bottom_m = BottomOfBase(model);
+  const auto below_origin = [](const LimbThatReaches& limb) { return limb.lowest < 0.0; };
+  const bool any = std::count_if(limbs.begin(), limbs.end(), below_origin) >= 2;
+  std::erase_if(limbs, [&](const LimbThatReaches& limb) {
+    if (any || !(bottom_m > 0.0)) return !below_origin(limb);
+    return bottom_m - limb.lowest < kBelow * (RootHeight(model, limb) - limb.lowest);
+  });
+  for (LimbThatReaches& limb : limbs) limb.lowest -= from_m;
 }
 
 /// Of limbs that part late, as the fingers of a hand or the toes of a foot do, the one that comes down farthest is
@@ -92,7 +127,7 @@ Failure NoLegs(const RobotModel& model, std::size_t found) {
   const std::string name_feet = "name the feet in robot.yaml: feet: [{link: NAME}, ...]";
   if (model.joints.empty())
     return refused(
-        ": its URDF has no moving joints, and a leg is a chain of moving joints",
+        ": its description has no moving joints, and a leg is a chain of moving joints",
         "make the joints of the legs revolute, continuous or prismatic in the URDF; a robot.yaml cannot do this");
   if (Limbs(model).empty())
     return refused(fmt::format(": each of its limbs has one joint, such as '{}', and a stepping leg needs at least two",
@@ -153,7 +188,7 @@ std::vector<int> EndBodies(const RobotModel& model) {
   std::vector<LimbThatReaches> limbs;
   for (const std::vector<int>& limb : Limbs(model)) limbs.push_back({LowestReach(model, limb), limb});
   std::stable_sort(limbs.begin(), limbs.end(), [](const auto& a, const auto& b) { return a.lowest < b.lowest; });
-  std::erase_if(limbs, [](const auto& limb) { return !(limb.lowest < 0.0); });
+  KeepThoseThatReachTheGround(model, limbs);
   DropBranches(limbs);
   DropArms(model, limbs);
   constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
@@ -184,7 +219,7 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
     Leg leg;
     leg.foot = static_cast<int>(i);
     leg.joints = ChainTo(model, ends[i]);
-    model.feet.push_back(FindFoot(model, leg, given, feet.empty() ? nullptr : &feet[i], standing));
+    model.feet.push_back(FindFoot(model, leg, given, feet.empty() ? nullptr : &feet[i], standing, ends.size() == 2));
     leg.name = model.feet.back().name;
     MeasureLeg(model, leg, model.feet.back());
     model.legs.push_back(leg);

@@ -18,7 +18,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kSoleJoints = 5;  // legs of fewer have no sole
+constexpr std::size_t kSoleJoints = 5;  // legs of fewer have no sole, but those of a biped with one ankle joint
 
 std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
   std::vector<const Shape*> shapes;
@@ -247,7 +247,7 @@ double FarthestExtent(const RobotModel& model, int body) {
 }
 
 Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices, const FootOverride* given,
-              const VectorX& standing) {
+              const VectorX& standing, bool biped) {
   Foot foot;
   foot.body = leg.joints.back() + 1;
   foot.link = model.bodies[static_cast<std::size_t>(foot.body)].name;
@@ -263,8 +263,8 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices
       given != nullptr && given->sole_give_m ? given->sole_give_m : choices.sole_give_m;
   if (given != nullptr && !given->sole_m.empty()) {
     TakeSole(model, *given, foot);
-  } else if (tip || (!FindWheel(model, shapes, foot) &&
-                     (leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, standing, give_m, foot)))) {
+  } else if (tip || (!FindWheel(model, shapes, foot) && (leg.joints.size() < kSoleJoints - (biped ? 1 : 0) ||
+                                                         !FindSole(model, leg, shapes, standing, give_m, foot)))) {
     FindTip(model, shapes, foot);
     if (give_m && !tip) CheckGiveIsIdle(model, leg, shapes, choices, given, standing);
   }

@@ -24,6 +24,13 @@ bool HasShapeOrFoot(const RobotModel& model, int body) {
          std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return foot.body == body; });
 }
 
+/// Whether a finding has said what is used for the missing meshes of a link, as for feet.
+bool IsReported(const RobotModel& model, const std::string& link) {
+  const std::string part = fmt::format("link '{}'", link);
+  return std::any_of(model.findings.begin(), model.findings.end(),
+                     [&](const Finding& f) { return f.code == FailureCode::kMissingMesh && f.part == part; });
+}
+
 }  // namespace
 
 std::optional<Shape> InertiaBox(const RobotModel& model, int body) {
@@ -46,17 +53,24 @@ std::optional<Shape> InertiaBox(const RobotModel& model, int body) {
 void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model) {
   for (const MissingMesh& mesh : missing) {
     const int body = BodyOfLink(model, mesh.link);
-    std::optional<Shape> box;
-    if (body >= 0 && !HasShapeOrFoot(model, body)) box = InertiaBox(model, body);
-    if (!box || box->size.maxCoeff() > model.leg_length_m()) {
-      model.notes.push_back(fmt::format("link '{}': {}; its contacts are unknown", mesh.link, mesh.why));
+    const auto add = [&](FindingLevel level, const std::string& message) {
+      model.findings.push_back({level, FailureCode::kMissingMesh, fmt::format("link '{}'", mesh.link), 0, message});
+    };
+    if (IsReported(model, mesh.link)) continue;
+    if (body >= 0 && HasShapeOrFoot(model, body)) {
+      add(FindingLevel::kInfo, fmt::format("{}: only the other shapes of its body are used", mesh.why));
       continue;
     }
-    box->size *= kCore;
-    model.findings.push_back(
-        {FindingLevel::kWarning, FailureCode::kMissingMesh, fmt::format("link '{}'", mesh.link), 0,
-         fmt::format("{}: the core of its inertia's box, {:.3f} x {:.3f} x {:.3f} m, is used instead", mesh.why,
-                     box->size.x(), box->size.y(), box->size.z())});
+    std::optional<Shape> box;
+    if (body >= 0) box = InertiaBox(model, body);
+    if (box) box->size *= kCore;
+    if (!box || box->size.maxCoeff() > model.leg_length_m()) {
+      add(FindingLevel::kWarning, fmt::format("{}: no contact of this link is checked", mesh.why));
+      continue;
+    }
+    add(FindingLevel::kWarning,
+        fmt::format("{}: the core of its inertia's box, {:.3f} x {:.3f} x {:.3f} m, is used instead", mesh.why,
+                    box->size.x(), box->size.y(), box->size.z()));
     model.collision_shapes.push_back(std::move(*box));
   }
 }

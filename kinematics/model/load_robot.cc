@@ -11,6 +11,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "kinematics/base/options.h"
+#include "kinematics/description/mjcf.h"
 #include "kinematics/model/apply_transmissions.h"
 #include "kinematics/model/apply_yaml.h"
 #include "kinematics/model/ball_joints.h"
@@ -59,6 +60,15 @@ void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
   std::erase_if(yaml.standing, is_fixed);
   std::erase_if(yaml.gains, is_fixed);
   std::erase_if(yaml.motors, is_fixed);
+}
+
+/// What a strict reader refuses: a mesh that is replaced or left out.
+std::optional<Failure> RefusedMesh(const RobotModel& model) {
+  for (const Finding& finding : model.findings) {
+    if (finding.code != FailureCode::kMissingMesh || finding.level == FindingLevel::kInfo) continue;
+    return BadInput(finding.code, finding.part + ": " + finding.message);
+  }
+  return std::nullopt;
 }
 
 /// What a robot is made of.
@@ -143,6 +153,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   if (!legs) return legs.failure();
   if (const auto failure = CheckFeetAreKnown(model, yaml.feet, missing)) return *failure;
   TakeInertiaBoxes(missing, model);
+  if (const auto failure = texts.strict ? RefusedMesh(model) : std::nullopt) return *failure;
   model.missing_meshes = std::move(missing);
   ApplyStanding(yaml, model);
   ApplyRests(yaml, model);
@@ -180,22 +191,39 @@ void NoteMissingPictures(const std::string& folder, const PackageFolders& packag
   }
 }
 
-/// Gives findings on a link or a joint the line on which the text begins it.
+/// The line on which the text begins a part such as "link 'trunk'"; 0 where it does not.
+int LineOfPart(const std::string& text, const std::string& part) {
+  const std::size_t quote = part.find(" '");
+  if (quote == std::string::npos) return 0;
+  const std::string kind = "<" + part.substr(0, quote);
+  const std::string name = part.substr(quote + 2, part.size() - quote - 3);
+  for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind, at + 1)) {
+    const std::string head = text.substr(at, std::min(text.find('>', at), text.size()) - at);
+    if (head.find("\"" + name + "\"") == std::string::npos && head.find("'" + name + "'") == std::string::npos)
+      continue;
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  }
+  return 0;
+}
+
+/// Gives findings on a link or a joint their lines.
 void FillLines(const std::string& text, std::vector<Finding>& findings) {
   for (Finding& finding : findings) {
-    const std::size_t quote = finding.part.find(" '");
-    if (finding.line > 0 || quote == std::string::npos) continue;
-    const std::string kind = "<" + finding.part.substr(0, quote);
-    const std::string name = finding.part.substr(quote + 2, finding.part.size() - quote - 3);
-    for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind, at + 1)) {
-      const std::string head = text.substr(at, std::min(text.find('>', at), text.size()) - at);
-      if (head.find("\"" + name + "\"") == std::string::npos && head.find("'" + name + "'") == std::string::npos)
-        continue;
-      finding.line =
-          1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-      break;
-    }
+    if (finding.line == 0) finding.line = LineOfPart(text, finding.part);
   }
+}
+
+/// Puts file and line before a message on a link or a joint.
+Failure WithLine(Failure failure, const std::string& path, const std::string& text) {
+  for (const char* kind : {"link '", "joint '"}) {
+    if (!failure.message.starts_with(kind)) continue;
+    const std::size_t end = failure.message.find('\'', std::char_traits<char>::length(kind));
+    const int line = LineOfPart(text, failure.message.substr(0, std::min(end, failure.message.size() - 1) + 1));
+    if (line > 0)
+      failure.message = fmt::format("{}, line {}: {}", fs::path(path).filename().string(), line, failure.message);
+    break;
+  }
+  return failure;
 }
 
 }  // namespace
@@ -245,11 +273,14 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
     }
     if (other || !stands) model = std::move(other);
   }
-  if (!model) return model;
+  // Lines of a text that was made of the file mean nothing to its reader.
+  const Result<std::string> text = ReadFile(path);
+  const bool has_lines = description->findings.empty() && !(text && IsMjcf(*text));
+  if (!model) return has_lines ? WithLine(model.failure(), path, description->urdf) : model.failure();
   NoteMissingPictures(folder.string(), packages, *model);
-  if (description->findings.empty()) {
+  if (has_lines) {
     FillLines(description->urdf, model->findings);
-  } else {  // lines of a text that was made of the file mean nothing to its reader
+  } else {
     for (Finding& finding : model->findings) finding.line = 0;
   }
   model->findings.insert(model->findings.begin(), description->findings.begin(), description->findings.end());

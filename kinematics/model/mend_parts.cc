@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -91,6 +93,15 @@ bool MendShapes(XMLElement& link, const PartNotes& notes) {
   return mended;
 }
 
+bool HasInertiaWithoutMass(const XMLElement& mass, const XMLElement& inertia) {
+  const char* value = mass.Attribute("value");
+  if (value == nullptr || !IsZero(value)) return false;
+  constexpr std::array kMoments = {"ixx", "iyy", "izz"};
+  return std::any_of(kMoments.begin(), kMoments.end(), [&](const char* name) {
+    return inertia.Attribute(name) != nullptr && !IsZero(inertia.Attribute(name));
+  });
+}
+
 bool MendInertial(XMLElement& link, const PartNotes& notes) {
   XMLElement* inertial = link.FirstChildElement("inertial");
   if (inertial == nullptr) return false;
@@ -102,6 +113,9 @@ bool MendInertial(XMLElement& link, const PartNotes& notes) {
     return true;
   }
   bool mended = false;
+  if (mass != nullptr && inertia != nullptr && HasInertiaWithoutMass(*mass, *inertia))
+    notes.Add(FindingLevel::kInfo, FailureCode::kNoMass, *inertial,
+              "its mass is 0 but its inertia is not: both are used");
   if (mass == nullptr) {
     inertial->InsertNewChildElement("mass")->SetAttribute("value", "0");
     notes.Add(FindingLevel::kWarning, FailureCode::kNoMass, *inertial, "it has an inertia but no mass: 0 kg is used");

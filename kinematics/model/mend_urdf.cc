@@ -5,6 +5,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <set>
@@ -27,6 +28,11 @@ std::vector<XMLElement*> ElementsOf(XMLElement& robot, const char* kind) {
   for (XMLElement* e = robot.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind))
     elements.push_back(e);
   return elements;
+}
+
+bool IsZeroNumber(const char* text) {
+  char* end = nullptr;
+  return text != nullptr && std::strtod(text, &end) == 0.0 && end != text;
 }
 
 std::string LinkAt(const XMLElement& joint, const char* end) {
@@ -63,7 +69,8 @@ class Mender {
     DropDoubleLinks();
     DropLooseLinks();
     RenameDoubleJoints();
-    const std::set<std::string> roots = Roots();
+    FreePlaceholderRanges();
+    const std::set<std::string> roots = FreeRoots();
     for (XMLElement* link : ElementsOf(robot_, "link"))
       mended_ = MendLink(*link, PartOf("link", *link), findings_) || mended_;
     for (XMLElement* joint : ElementsOf(robot_, "joint")) {
@@ -82,11 +89,40 @@ class Mender {
     mended_ = true;
   }
 
-  std::set<std::string> Roots() const {
+  /// Roots from which one joint at most moves: more are limbs of the root, and a floating one is not the base's.
+  std::set<std::string> FreeRoots() const {
     std::set<std::string> roots;
     for (const XMLElement* link : ElementsOf(robot_, "link")) roots.insert(TextOr(link->Attribute("name")));
-    for (const XMLElement* joint : ElementsOf(robot_, "joint")) roots.erase(LinkAt(*joint, "child"));
+    std::map<std::string, int> moving;
+    for (const XMLElement* joint : ElementsOf(robot_, "joint")) {
+      roots.erase(LinkAt(*joint, "child"));
+      if (TextOr(joint->Attribute("type")) != "fixed") ++moving[LinkAt(*joint, "parent")];
+    }
+    std::erase_if(roots, [&](const std::string& root) { return moving[root] > 1; });
     return roots;
+  }
+
+  /// Programs that write URDFs give all joints the range 0 to 0 where the user enters none.
+  void FreePlaceholderRanges() {
+    constexpr std::size_t kFewest = 2;  // joints
+    std::vector<XMLElement*> limited;
+    for (XMLElement* joint : ElementsOf(robot_, "joint")) {
+      const std::string type = TextOr(joint->Attribute("type"));
+      if (type == "revolute" || type == "prismatic") limited.push_back(joint);
+    }
+    const bool all = std::all_of(limited.begin(), limited.end(), [](const XMLElement* joint) {
+      const XMLElement* limit = joint->FirstChildElement("limit");
+      return limit != nullptr && IsZeroNumber(limit->Attribute("lower")) && IsZeroNumber(limit->Attribute("upper"));
+    });
+    if (!all || limited.size() < kFewest) return;
+    for (XMLElement* joint : limited) {
+      XMLElement* limit = joint->FirstChildElement("limit");
+      limit->DeleteAttribute("lower");
+      limit->DeleteAttribute("upper");
+      findings_.push_back({FindingLevel::kWarning, FailureCode::kMissingLimit, PartOf("joint", *joint),
+                           joint->GetLineNum(), "its position range is 0 to 0, as that of all joints: not used"});
+      mended_ = true;
+    }
   }
 
   void DropDoubleLinks() {

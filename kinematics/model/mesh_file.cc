@@ -122,6 +122,10 @@ Result<Mesh> ReadMesh(const std::string& path) {
   }
   const Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
   if (!bytes) return bytes.failure();
+  if (bytes->starts_with("version https://git-lfs")) {
+    return Refused(FailureCode::kNoFile,
+                   fmt::format("the mesh '{}' is a pointer of Git LFS; fetch the file with 'git lfs pull'", path));
+  }
   Mesh mesh;
   try {
     mesh = Kind(path) == ".stl" ? ParseStl(*bytes) : Kind(path) == ".obj" ? ParseObj(*bytes) : ParseCollada(*bytes);

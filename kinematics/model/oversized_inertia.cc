@@ -13,6 +13,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kFarOut = 4.0;  // radius of gyration over the extent
+constexpr double kPoint = 1e-3;  // [m] a link of a smaller extent is a point, and its shapes do not tell its size
 
 }  // namespace
 
@@ -33,7 +34,7 @@ double LinkExtent(const std::vector<const Shape*>& shapes, std::vector<Vector3> 
 
 std::optional<MendedInertia> MendOversizedInertia(const Matrix3& I, double mass, double extent_m,
                                                   const std::vector<const Shape*>& shapes) {
-  if (!(mass > 0.0) || !(extent_m > 0.0)) return std::nullopt;
+  if (!(mass > 0.0) || !(extent_m > kPoint)) return std::nullopt;
   const double gyration = std::sqrt(0.5 * I.trace() / mass);
   if (!(gyration >= kFarOut * extent_m)) return std::nullopt;
   const auto solid = SolidInertia(shapes, mass);

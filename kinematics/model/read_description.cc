@@ -92,6 +92,14 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
     if (!expanded) return expanded.failure();
     description.urdf = std::move(*expanded);
     note(FailureCode::kXacro, "the file is a xacro file and was expanded");
+  } else if (text->starts_with("version https://git-lfs")) {
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kNotUrdf,
+                   "LoadRobot",
+                   fmt::format("'{}' is a pointer of Git LFS, not the file itself", path),
+                   {"fetch the file with 'git lfs pull'"}};
+  } else if (text->find_first_not_of(" \t\r\n") == std::string::npos) {
+    return Failure{FailureKind::kBadInput, FailureCode::kNotUrdf, "LoadRobot", fmt::format("'{}' is empty", path), {}};
   } else if (RootOf(*text) == "sdf") {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kNotUrdf,

@@ -30,6 +30,7 @@ Foot BottomOf(const RobotModel& model, const std::vector<Pose>& X_OB, int body) 
 
 bool IsToe(const RobotModel& model, const std::vector<Pose>& X_OB, int joint) {
   constexpr double kSameLevel = 3e-3, kLevelAxis = 0.3;  // [m], sine to the horizontal
+  constexpr double kSmallestHeel = 0.25;                 // share of the toe's area
   const Joint& toe = model.joints[static_cast<std::size_t>(joint)];
   const auto follows = [&](const Joint& other) { return &other != &toe && other.is_mimic && other.dof == toe.dof; };
   if (toe.is_mimic || toe.is_prismatic() || std::any_of(model.joints.begin(), model.joints.end(), follows))
@@ -37,7 +38,7 @@ bool IsToe(const RobotModel& model, const std::vector<Pose>& X_OB, int joint) {
   const Vector3 axis = X_OB[static_cast<std::size_t>(joint) + 1].linear() * toe.axis_J;
   if (std::abs(axis.z()) > kLevelAxis) return false;
   const Foot heel = BottomOf(model, X_OB, toe.parent_body), end = BottomOf(model, X_OB, joint + 1);
-  if (heel.sole_F.empty() || end.sole_F.empty() || Area(heel.sole_F) < Area(end.sole_F)) return false;
+  if (heel.sole_F.empty() || end.sole_F.empty() || Area(heel.sole_F) < kSmallestHeel * Area(end.sole_F)) return false;
   const auto level = [&](const Foot& foot) {
     return (X_OB[static_cast<std::size_t>(foot.body)] * foot.X_BF).translation().z();
   };

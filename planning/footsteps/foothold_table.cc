@@ -12,6 +12,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLattice = 1.0 / 16.0;  // of the leg length, between places around the foot's own
+constexpr double kBesideGoal = 4.0;      // tolerances of the goal within which feet end beside it
 constexpr double kSafeRisk = 0.05;       // below which few other places are offered
 
 PlanarPose InPlan(const Pose& X_WF) { return {X_WF.translation().x(), X_WF.translation().y(), YawOf(X_WF.linear())}; }
@@ -37,10 +38,11 @@ std::uint64_t KeyOf(const PlacedFoot& placed) {
 }  // namespace
 
 FootholdTable::FootholdTable(const RobotModel& model, const FootholdChecker& checker, const FootstepQuery& query,
-                             const FootstepSearchOptions& options)
+                             const FootstepSearchOptions& options, bool beside_goal)
     : checker_(&checker),
       query_(&query),
       options_(options),
+      beside_goal_(beside_goal),
       standing_(StandingFeet(model)),
       leg_m_(model.leg_length_m()),
       offset_m_(options.offset * leg_m_) {
@@ -143,7 +145,8 @@ void FootholdTable::Locate(FootholdChoice& choice, int step) const {
   constexpr int kParts = 4;  // of a step of the route
   const int foot = choice.placed.foot, around = static_cast<int>(std::ceil(offset_m_ / step_m_)) + 1;
   const PlanarPose own = InPlan(choice.placed.X_WF);
-  const double tolerance = std::min(options_.goal_tolerance * leg_m_, 0.5 * stride_m_);
+  const double given = options_.goal_tolerance * leg_m_;
+  const double tolerance = beside_goal_ ? kBesideGoal * given : std::min(given, 0.5 * stride_m_);
   choice.departure_m = std::numeric_limits<double>::infinity();
   for (int i = kParts * std::max(0, step - around); i <= kParts * std::min(num_steps_, step + around); ++i) {
     const double station = i * step_m_ / kParts, distance = Distance(PlaceAt(foot, station), own);

@@ -27,9 +27,9 @@ class FootholdTable {
   /// How often each fault was met while footholds of a foot and step were looked for.
   using Faults = std::array<int, static_cast<std::size_t>(FootholdFault::kObstacle) + 1>;
 
-  /// All must outlive it.
+  /// All must outlive it. @param beside_goal  feet count as at the goal within four times the goal tolerance.
   FootholdTable(const RobotModel& model, const FootholdChecker& checker, const FootstepQuery& query,
-                const FootstepSearchOptions& options);
+                const FootstepSearchOptions& options, bool beside_goal = false);
 
   /// Indices of the footholds near a foot's place at step `step` of the route, best first.
   const std::vector<int>& Near(int foot, int step);
@@ -73,6 +73,7 @@ class FootholdTable {
   const FootholdChecker* checker_;
   const FootstepQuery* query_;
   FootstepSearchOptions options_;
+  bool beside_goal_;
   std::vector<Pose> standing_;
   double leg_m_, offset_m_, stride_m_, advance_m_, step_m_;
   int num_steps_;

@@ -111,6 +111,19 @@ bool Sidesteps(const BasePath& path) {
   });
 }
 
+/// The command as far as a skeleton of SearchSkeleton goes, which ends beside the goal where it has a warning.
+WalkCommand AsReached(WalkCommand command, const FootstepSkeleton& skeleton) {
+  if (skeleton.warnings.empty()) return command;
+  const PlanarPose &from = skeleton.path.pose.front(), &to = skeleton.goal;
+  const double c = std::cos(from.yaw_rad), s = std::sin(from.yaw_rad), x = to.x_m - from.x_m, y = to.y_m - from.y_m;
+  if (command.extent == WalkCommand::Extent::kDistance) command.distance_m = std::hypot(x, y);
+  if (command.extent == WalkCommand::Extent::kGoal) {
+    command.goal_x_m = c * x + s * y;
+    command.goal_y_m = c * y - s * x;
+  }
+  return command;
+}
+
 /// A skeleton of one part alone, of a robot that can turn and step sideways if it does.
 Result<FootstepSkeleton> WithPart(const RobotModel& model, Result<FootstepSkeleton> skeleton, const Gait& gait,
                                   const WalkCommand& command) {
@@ -190,14 +203,17 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
   if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
   const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
-  return WithPart(model, SearchSkeleton(model, terrain, query, options), gait, command);
+  const Result<FootstepSkeleton> found = SearchSkeleton(model, terrain, query, options);
+  return WithPart(model, found, gait, found ? AsReached(command, *found) : command);
 }
 
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
   if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
-  if (KindOfGround(terrain) != GroundKind::kFlat)
-    return WithPart(model, FindFootsteps(model, terrain, gait, command, options), gait, command);
+  if (KindOfGround(terrain) != GroundKind::kFlat) {
+    const Result<FootstepSkeleton> found = FindFootsteps(model, terrain, gait, command, options);
+    return WithPart(model, found, gait, found ? AsReached(command, *found) : command);
+  }
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
   if (auto failure = WhyOutOfReach(model, *skeleton, options.reach)) return *failure;

@@ -14,6 +14,7 @@
 #include "planning/footsteps/explain_blockage.h"
 #include "planning/footsteps/foothold_table.h"
 #include "planning/footsteps/footstep_graph.h"
+#include "planning/footsteps/search_beside_goal.h"
 #include "planning/footsteps/stance_check.h"
 
 namespace gaitwright {
@@ -217,12 +218,12 @@ FootstepSearchOptions OptionsFor(const Gait& gait, FootstepSearchOptions options
 /// All that a search works with. The members refer to each other, so it stays where it is made.
 struct Problem {
   Problem(const RobotModel& the_model, const Terrain& terrain, const FootstepQuery& query,
-          const FootholdOptions& footholds, const FootstepSearchOptions& the_options)
+          const FootholdOptions& footholds, const FootstepSearchOptions& the_options, bool beside_goal = false)
       : model(the_model),
         options(OptionsFor(query.gait, the_options)),
         ground(terrain, kCell * model.leg_length_m()),
         checker(model, ground, footholds),
-        table(model, checker, query, options),
+        table(model, checker, query, options, beside_goal),
         stances(model, ground, query, footholds, options),
         graph(model, query, table, stances, ground, options),
         search(graph, options),
@@ -351,6 +352,20 @@ Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain&
     return ExplainBlockage({model, problem.ground, query, problem.checker, problem.options}, problem.graph, blockage);
   }
   return problem.Found();
+}
+
+Result<FootstepSequence> SearchBesideGoal(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                                          const FootholdOptions& footholds, const FootstepSearchOptions& options) {
+  if (const auto failure = CheckQuery(model, query)) return *failure;
+  Problem problem(model, terrain, query, footholds, options, true);
+  if (auto failure = problem.Start()) return *failure;
+  problem.search.Run();
+  if (problem.search.goal() >= 0) return problem.Found();
+  return Failure{FailureKind::kInfeasible,
+                 FailureCode::kNoFootholds,
+                 "SearchFootsteps",
+                 "the ground near the goal holds no feet",
+                 {}};
 }
 
 bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,

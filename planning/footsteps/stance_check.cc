@@ -9,6 +9,7 @@
 #include "kinematics/base/non_finite.h"
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/base_height.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/plan_view.h"
@@ -126,12 +127,12 @@ StanceFault StanceChecker::Check(const std::vector<Pose>& X_WF, const std::vecto
   constexpr double kSteepest = 40.0 * std::numbers::pi / 180.0;
   if (std::max(std::abs(base.pitch_rad), std::abs(base.roll_rad)) > kSteepest) return StanceFault::kTilt;
   const auto height = std::find_if(kHeights.begin(), kHeights.end(), [&](double share) {
-    return ReachFrom(X_WF, PoseOver(base, share * model_->standing_base_height_m));
+    return ReachFrom(X_WF, PoseOver(base, BaseHeightAtShare(*model_, share)));
   });
   if (height == kHeights.end()) return StanceFault::kReach;
   const StanceFault fault = BodyRoom(base, PoseOver(base, model_->standing_base_height_m));
   if (fault != StanceFault::kNone) return fault;
-  if (!LegsClear(X_WF, PoseOver(base, *height * model_->standing_base_height_m))) return StanceFault::kLegLow;
+  if (!LegsClear(X_WF, PoseOver(base, BaseHeightAtShare(*model_, *height)))) return StanceFault::kLegLow;
   if (query_->body_free && !query_->body_free(base.plan, base.ground_m)) return StanceFault::kBodyObstacle;
   return StanceFault::kNone;
 }

@@ -8,6 +8,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/base_over_feet.h"
+#include "planning/footsteps/search_beside_goal.h"
 #include "planning/footsteps/stance_check.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/standing_feet.h"
@@ -170,22 +171,47 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
 namespace {
 
 /// With the base well over soles that stand alone, or else as far as it has to be.
+/// @param search  SearchFootsteps or SearchBesideGoal
+template <class Search>
 Result<FootstepSequence> SearchAtEase(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
-                                      const FootstepOptions& options) {
+                                      const FootstepOptions& options, Search search) {
   FootstepSearchOptions easy = options.search;
   easy.sway = std::max(options.search.sway, options.search.easy_sway);
   if (easy.sway > options.search.sway && !LoneSoles(model, query.gait).empty()) {
-    Result<FootstepSequence> sequence = SearchFootsteps(model, terrain, query, options.foothold, easy);
+    Result<FootstepSequence> sequence = search(model, terrain, query, options.foothold, easy);
     if (sequence) return sequence;
   }
-  return SearchFootsteps(model, terrain, query, options.foothold, options.search);
+  return search(model, terrain, query, options.foothold, options.search);
+}
+
+bool IsStraight(const FootstepRoute& route) {
+  constexpr double kSame = 1e-6;  // [m], [rad]
+  const PlanarPose &from = route.pose.front(), &to = route.pose.back();
+  return std::abs(std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) - route.length_m()) < kSame &&
+         std::abs(WrapAngle(to.yaw_rad - from.yaw_rad)) < kSame;
+}
+
+/// Puts the goal on the straight route beside the end of the path, and says so.
+void MoveGoal(const FootstepRoute& route, FootstepSkeleton& skeleton) {
+  const PlanarPose &from = route.pose.front(), &asked = route.pose.back(), &end = skeleton.path.pose.back();
+  const Vector2 along = Vector2(asked.x_m - from.x_m, asked.y_m - from.y_m).normalized();
+  const double reached_m = along.dot(Vector2(end.x_m - from.x_m, end.y_m - from.y_m));
+  skeleton.goal = {from.x_m + reached_m * along.x(), from.y_m + reached_m * along.y(), asked.yaw_rad};
+  skeleton.warnings.push_back(
+      fmt::format("the path ends after {:.3f} m instead of {:.3f} m, because the ground nearer to its end is too rough "
+                  "for the feet",
+                  reached_m, route.length_m()));
 }
 
 }  // namespace
 
 Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                         const FootstepOptions& options) {
-  const Result<FootstepSequence> sequence = SearchAtEase(model, terrain, query, options);
+  Result<FootstepSequence> sequence = SearchAtEase(model, terrain, query, options, SearchFootsteps);
+  const bool at_goal = sequence.ok();
+  if (!at_goal && !terrain.height_fields.empty() && IsStraight(query.route)) {
+    if (auto beside = SearchAtEase(model, terrain, query, options, SearchBesideGoal)) sequence = *beside;
+  }
   if (!sequence) return sequence.failure();
   ScheduleRequest request;
   request.initial_stand_s = options.initial_stand_s + options.settling_s;
@@ -200,6 +226,7 @@ Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& 
   const GroupTimes times = PutFootholds(*sequence, skeleton.schedule, skeleton.footsteps);
   skeleton.path = PathOver(model, *sequence, times, skeleton.schedule.end_s());
   skeleton.goal = query.route.pose.back();
+  if (!at_goal) MoveGoal(query.route, skeleton);
   skeleton.search = sequence->stats;
   return skeleton;
 }

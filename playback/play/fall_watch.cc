@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/base_height.h"
 #include "playback/play/fall_watch_internal.h"
 
 namespace gaitwright::playing {
@@ -14,15 +15,19 @@ constexpr double kKeptAfterFall = 0.3;  // [s]
 
 Matrix3 RotationOf(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix(); }
 
+/// Height in W of a point of the base [m].
+double HeightOf(const VectorX& q, const Vector3& p_B) { return q[2] + (RotationOf(q) * p_B).z(); }
+
 FootSet StanceAt(const MotionPlan& plan, int feet, double time_s) {
   if (plan.schedule.phases.empty()) return AllFeet(feet);
   return plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, time_s))].stance;
 }
 
-/// Height of the base over the standing feet by row; where none stands, over those that stood last.
+/// Height of the base's HeightPoint over the standing feet by row; where none stands, over those that stood last.
 std::vector<double> PlannedHeights(const RobotModel& model, const MotionPlan& plan) {
   DynamicsScratch scratch(model);
   const int feet = static_cast<int>(model.feet.size());
+  const Vector3 p_B = HeightPoint(model);
   std::vector<double> heights;
   double ground_m = GroundAt(plan.terrain, plan.whole_body.q.front().head<2>()).height_m;
   for (const VectorX& q : plan.whole_body.q) {
@@ -37,7 +42,7 @@ std::vector<double> PlannedHeights(const RobotModel& model, const MotionPlan& pl
       ++standing;
     }
     if (standing > 0) ground_m = sum / standing;
-    heights.push_back(q[2] - ground_m);
+    heights.push_back(HeightOf(q, p_B) - ground_m);
   }
   return heights;
 }
@@ -49,8 +54,9 @@ FallWatch::FallWatch(const RobotModel& model, const MotionPlan& plan, double hei
       start_s_(plan.whole_body.start_s),
       step_s_(plan.whole_body.step_s),
       height_lowest_(height_lowest),
+      height_point_B_(HeightPoint(model)),
       planned_height_(PlannedHeights(model, plan)),
-      ground_m_(plan.whole_body.q.front()[2] - planned_height_.front()) {}
+      ground_m_(HeightOf(plan.whole_body.q.front(), height_point_B_) - planned_height_.front()) {}
 
 bool FallWatch::Sunk(double time_s, const World& world) {
   double sum = 0.0;
@@ -63,7 +69,8 @@ bool FallWatch::Sunk(double time_s, const World& world) {
   if (touching > 0) ground_m_ = sum / touching;
   const double last = static_cast<double>(planned_height_.size() - 1);
   const auto row = static_cast<std::size_t>(std::clamp(std::round((time_s - start_s_) / step_s_), 0.0, last));
-  return height_lowest_ > 0.0 && world.q()[2] - ground_m_ < height_lowest_ * planned_height_[row];
+  return height_lowest_ > 0.0 &&
+         HeightOf(world.q(), height_point_B_) - ground_m_ < height_lowest_ * planned_height_[row];
 }
 
 void FallWatch::Add(double time_s, const World& world) {

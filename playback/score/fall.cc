@@ -34,8 +34,8 @@ class Bounds {
     }
     const double planned_ground = GroundUnder(planned);
     if (!measured.support.empty()) higher_ground_m_ = GroundUnder(measured) - planned_ground;
-    const double height = measured.X_WB.translation().z() - planned_ground - higher_ground_m_;
-    const double planned_height = planned.X_WB.translation().z() - planned_ground;
+    const double height = measured.base_height_m - planned_ground - higher_ground_m_;
+    const double planned_height = planned.base_height_m - planned_ground;
     if (height < options_.fall_height_lowest * planned_height ||
         height > options_.fall_height_highest * planned_height) {
       return Fall{true, measured.time_s, FallKind::kLeftHeight,

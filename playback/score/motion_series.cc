@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kinematics/base/result.h"
+#include "kinematics/model/base_height.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/plan/check_motion.h"
 
@@ -27,7 +28,7 @@ struct TotalWrench {
 class Sampler {
  public:
   Sampler(const RobotModel& model, const MotionPlan& plan, const ScoreOptions& options)
-      : model_(model), plan_(plan), options_(options), scratch_(model) {}
+      : model_(model), plan_(plan), options_(options), height_point_B_(HeightPoint(model)), scratch_(model) {}
 
   /// Everything that follows from the posture and its velocity.
   MotionSample Posture(double time_s, FootSet stance, const VectorX& q, const VectorX& v) {
@@ -37,6 +38,7 @@ class Sampler {
     sample.stance = stance;
     sample.X_WB.linear() = scratch_.R_WB[0];
     sample.X_WB.translation() = scratch_.p_WB[0];
+    sample.base_height_m = (sample.X_WB * height_point_B_).z();
     sample.p_WC = CentreOfMass(model_, scratch_);
     sample.v_WC = CentroidalMomentum(model_, scratch_).head<3>() / model_.total_mass_kg;
     sample.support = SupportOf(model_, scratch_, plan_.terrain, stance);
@@ -104,6 +106,7 @@ class Sampler {
   const RobotModel& model_;
   const MotionPlan& plan_;
   const ScoreOptions& options_;
+  Vector3 height_point_B_;
   DynamicsScratch scratch_;
 };
 

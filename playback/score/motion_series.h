@@ -25,6 +25,7 @@ struct MotionSample {
   double time_s = 0.0;
   FootSet stance = 0;  ///< scheduled
   Pose X_WB = Pose::Identity();
+  double base_height_m = 0.0;  ///< z of the base's HeightPoint in W, for falls
   Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero();
   double omega_rad_s = 0.0;         ///< sqrt(g / height of C over S, or over the ground in flight)
   Vector2 dcm_W = Vector2::Zero();  ///< c + c' / omega

@@ -92,6 +92,26 @@ TEST(CheckMotors, AnUnknownLimitOfALegIsReportedOnce) {
   EXPECT_EQ(MotorCodes(model), std::vector<FailureCode>{FailureCode::kUnknownEffort});
 }
 
+TEST(CheckMotors, ASpeedLimitThatIsAPlaceholderIsReported) {
+  RobotModel model = SoundFour();
+  model.joints[2].velocity_limit_is_placeholder = true;
+  model.joints[2].velocity_limit = 5000.0;
+  EXPECT_EQ(MotorCodes(model), std::vector<FailureCode>{FailureCode::kFastMotor});
+}
+
+TEST(CheckRanges, RangesOfManyTurnsMayBeInDegrees) {
+  RobotModel model = SoundFour();
+  std::vector<Finding> findings;
+  CheckRanges(model, findings);
+  model.joints[0].lower = -90.0;
+  CheckRanges(model, findings);
+  EXPECT_TRUE(findings.empty()) << "one joint may be a winch";
+  model.joints[2].upper = 120.0;
+  CheckRanges(model, findings);
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[1].part, "joint '" + model.joints[2].name + "'");
+}
+
 TEST(NumbersDiffer, ByMoreThanOnePercent) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(NumbersDiffer(100.0, 100.5));

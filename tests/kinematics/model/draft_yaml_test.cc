@@ -56,7 +56,7 @@ TEST(DraftRobotYaml, NamesLimbsOfOneJointToo) {
 TEST(DraftRobotYaml, WhereNothingMovesTheMessageSaysSo) {
   const Result<RobotModel> model = LoadRobotFromText("<robot name='x'>" + Link("body") + "</robot>", "");
   ASSERT_FALSE(model.ok());
-  EXPECT_NE(model.failure().message.find("its URDF has no moving joints"), std::string::npos)
+  EXPECT_NE(model.failure().message.find("its description has no moving joints"), std::string::npos)
       << model.failure().message;
   ASSERT_EQ(model.failure().suggestions.size(), 1U);
   EXPECT_NE(model.failure().suggestions[0].text.find("a robot.yaml cannot"), std::string::npos)

@@ -4,9 +4,11 @@
 #include <limits>
 
 #include "kinematics/base/result.h"
+#include "kinematics/spatial/convex_hull.h"
 #include "kinematics/stability/polygon.h"
 #include "tests/kinematics/made_robots.h"
 #include "tests/kinematics/model/small_urdf.h"
+#include "tests/unusual_robots.h"
 
 namespace gaitwright {
 namespace {
@@ -29,6 +31,26 @@ TEST(FindFeet, ALegOfFewJointsEndsInABallOrAPoint) {
   EXPECT_EQ(box.type, FootType::kPoint) << "no sole without an ankle";
   EXPECT_LT((box.X_BF.translation() - Vector3(0, 0, -0.21)).norm(), 1e-12) << "the middle of the farthest corners";
   EXPECT_EQ(FootOfShape("<sphere radius='0.0005'/>").type, FootType::kPoint) << "a ball of less than a millimetre";
+}
+
+TEST(FindFeet, ABipedOfOneAnkleJointStandsOnItsSoles) {
+  unusual::UrdfText urdf;
+  urdf.Link("body", 8.0, 0.25, urdf.Block(0.15, 0.2, 0.2, -0.1));
+  for (const double side : {1.0, -1.0}) {
+    const std::string n = side > 0.0 ? "l" : "r";
+    for (const char* part : {"1", "2", "3"}) urdf.Link(n + part, 0.5, 0.15);
+    urdf.Link(n + "_foot", 0.5, 0.12, urdf.Block(0.2, 0.1, 0.02, 0.04));
+    urdf.Joint("body", n + "1", {0.0, 0.1 * side, -0.05}, {.axis = "1 0 0", .lower = -0.6, .upper = 0.6});
+    urdf.Joint(n + "1", n + "2", {0.0, 0.0, 0.0}, {});
+    urdf.Joint(n + "2", n + "3", {0.0, 0.0, -0.25}, {.lower = 0.0, .upper = 2.2});
+    urdf.Joint(n + "3", n + "_foot", {0.0, 0.0, -0.25}, {.lower = -1.0, .upper = 1.0});
+  }
+  const RobotModel model = LoadRobotFromText(urdf.Done("one_ankle_joint"), "").value();
+  ASSERT_EQ(model.feet.size(), 2U);
+  for (const Foot& foot : model.feet) {
+    EXPECT_EQ(foot.type, FootType::kLine);
+    EXPECT_NEAR(Area(foot.sole_F), 0.2 * 0.1, 1e-9);
+  }
 }
 
 TEST(FindFeet, WithoutShapesTheFarthestFrameIsThePoint) {

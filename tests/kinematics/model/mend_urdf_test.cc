@@ -50,6 +50,34 @@ TEST(MendUrdf, LimitsThatAreNotGivenAreNone) {
   EXPECT_TRUE(std::isinf(Mended(" effort='30'", "", FailureCode::kMissingLimit, "joint 'A_hip'").dof_effort_limit(0)));
 }
 
+TEST(MendUrdf, RangesOfZeroOfAllJointsArePlaceholders) {
+  const std::string none = Replaced(FourLegs(), "lower='-2' upper='1'", "lower='0' upper='0.0'");
+  const RobotModel model = LoadRobotFromText(none, "").value();
+  const Finding* finding = FindingOf(model, FailureCode::kMissingLimit);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->level, FindingLevel::kWarning);
+  EXPECT_TRUE(std::isinf(model.dof_lower(0)) && std::isinf(model.dof_upper(0)));
+  const std::string one = Replaced(none, "<joint name='A_hip' type='revolute'>",
+                                   "<joint name='A_hip' type='revolute'><limit lower='-2' upper='1' effort='9' "
+                                   "velocity='9'/>");
+  EXPECT_TRUE(MendUrdf(one).findings.empty()) << "joints that are held beside one that moves";
+}
+
+TEST(MendUrdf, AFloatingJointOfALimbIsNotTheBases) {
+  const std::string urdf =
+      Replaced(FourLegs(), "<joint name='A_hip' type='revolute'>", "<joint name='A_hip' type='floating'>");
+  ExpectSays(MessageOf(urdf), {"joint 'A_hip'", "type 'floating' is not supported"});
+}
+
+TEST(MendUrdf, AnInertiaWithoutMassIsReported) {
+  const std::string urdf = Replaced(FourLegs(), "<link name='A_foot'><inertial><mass value='1'/>",
+                                    "<link name='A_foot'><inertial><mass value='0'/>");
+  const RobotModel model = LoadRobotFromText(urdf, "").value();
+  const Finding* finding = FindingOf(model, FailureCode::kNoMass);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->part, "link 'A_foot'");
+}
+
 TEST(MendUrdf, LimitsOfAContinuousJointHoldItWhereTheyAreLessThanATurn) {
   const auto knees = [](const std::string& limit) {
     const std::string urdf = Replaced(FourLegs(), "type='revolute'", "type='continuous'");

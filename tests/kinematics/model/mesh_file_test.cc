@@ -134,7 +134,7 @@ TEST_F(MeshFile, AMissingPictureIsANote) {
   ExpectSays(notes, {"link 'A_foot': not drawn", "'no.dae' does not exist"});
 }
 
-TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsANote) {
+TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsReported) {
   const std::string mesh = "<collision><geometry><mesh filename='no.stl'/></geometry></collision></link>";
   const std::string thigh = SmallLink("A_thigh"), foot = SmallLink("A_foot", "<sphere radius='0.02'/>");
   std::string urdf = FourLegs();
@@ -144,9 +144,12 @@ TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsANote) {
   EXPECT_EQ(model->feet[0].type, FootType::kSphere);
   EXPECT_EQ(model->feet[0].radius, 0.02);
   ASSERT_EQ(model->missing_meshes.size(), 2U);
-  std::string notes;
-  for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_foot': the mesh 'no.stl' does not exist", "its contacts are unknown"});
+  const auto said = std::find_if(model->findings.begin(), model->findings.end(), [](const Finding& f) {
+    return f.code == FailureCode::kMissingMesh && f.part == "link 'A_foot'";
+  });
+  ASSERT_NE(said, model->findings.end());
+  EXPECT_EQ(said->level, FindingLevel::kInfo);
+  ExpectSays(said->message, {"the mesh 'no.stl' does not exist", "only the other shapes of its body are used"});
   const Result<RobotModel> text = LoadRobotFromText(model->urdf_text, "", model->name, model->meshes);
   ASSERT_TRUE(text.ok()) << text.failure().message;
   EXPECT_EQ(text->hash, model->hash);
@@ -172,6 +175,36 @@ TEST_F(MeshFile, TheCoreOfItsInertiaBoxStandsForAMissingMesh) {
                                     [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
   ASSERT_NE(warning, model->findings.end());
   EXPECT_EQ(warning->part, "link 'A_thigh'");
+}
+
+TEST_F(MeshFile, AMissingMeshIsAWarningWhereNothingStandsForIt) {
+  const std::string mesh = "<collision><geometry><mesh filename='no.stl'/></geometry></collision></link>";
+  const std::string thigh = SmallLink("A_thigh");
+  const std::string large = Replaced(Replaced(thigh, "</link>", mesh), "='0.01'", "='0.9'");  // a box of 2.3 m
+  const std::string file = Write("robot.urdf", Replaced(FourLegs(), thigh, large));
+  const Result<RobotModel> model = LoadRobot(file);
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  const auto warning = std::find_if(model->findings.begin(), model->findings.end(),
+                                    [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
+  ASSERT_NE(warning, model->findings.end());
+  EXPECT_EQ(warning->level, FindingLevel::kWarning);
+  ExpectSays(warning->message, {"no contact of this link is checked"});
+  EXPECT_FALSE(LoadRobot(file, {.strict = true}).ok());
+}
+
+TEST_F(MeshFile, ARefusalHasFileAndLine) {
+  const std::string broken = Replaced(FourLegs(), "<link name='A_shank'>", "\n\n<link name='A_shank'>");
+  const std::string file = Write("robot.urdf", Replaced(broken, "<link name='A_shank'><inertial><mass value='1'/>",
+                                                        "<link name='A_shank'><inertial><mass value='-1'/>"));
+  const Result<RobotModel> model = LoadRobot(file);
+  ASSERT_FALSE(model.ok());
+  ExpectSays(model.failure().message, {"robot.urdf, line 3: link 'A_shank': its mass is -1 kg"});
+}
+
+TEST_F(MeshFile, APointerOfGitLfsAndAnEmptyFileAreNamed) {
+  const auto message = [&](const std::string& text) { return LoadRobot(Write("robot.urdf", text)).failure().message; };
+  ExpectSays(message("version https://git-lfs.github.com/spec/v1\noid sha256:4d\nsize 9\n"), {"Git LFS"});
+  ExpectSays(message(" \n"), {"is empty"});
 }
 
 TEST_F(MeshFile, AFootThatNothingElseTellsOfIsToBeSaid) {

@@ -42,6 +42,14 @@ TEST(OversizedInertia, TheShapesTellInsteadFromFourTimesTheExtentOn) {
   EXPECT_FALSE(MendOversizedInertia(of_gyration(100.0), 2.0, extent, {}).has_value()) << "nothing tells its shape";
 }
 
+TEST(OversizedInertia, APointTellsNoSize) {
+  Shape point;
+  point.type = ShapeType::kSphere;
+  point.size = Vector3(1e-4, 0.0, 0.0);
+  const Matrix3 I = 1e-5 * Matrix3::Identity();
+  EXPECT_FALSE(MendOversizedInertia(I, 0.05, LinkExtent({&point}, {Vector3::Zero()}), {&point}).has_value());
+}
+
 TEST(OversizedInertia, PointsFarFromTheShapesAreOfTheLinkToo) {
   Shape ball;
   ball.type = ShapeType::kSphere;

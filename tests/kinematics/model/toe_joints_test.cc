@@ -14,22 +14,23 @@ namespace gaitwright {
 namespace {
 
 /// A biped with soles of 0.16 m by 0.1 m, 0.05 m below the ankle, and toes ahead of them. @param above_m  of the toes
-/// over the soles.
-std::string Toed(double above_m) {
+/// over the soles.  @param long_m  length of the toes.
+std::string Toed(double above_m, double long_m = 0.05) {
   unusual::UrdfText urdf;
   urdf.Link("body", 10.0, 0.25, urdf.Block(0.15, 0.2, 0.3, -0.15));
   for (const double side : {1.0, -1.0}) {
     const std::string n = side > 0.0 ? "l" : "r";
     for (const char* part : {"1", "2", "3", "4", "5"}) urdf.Link(n + part, 0.5, 0.15);
     urdf.Link(n + "_foot", 0.5, 0.12, urdf.Block(0.16, 0.1, 0.02, 0.04));
-    urdf.Link(n + "_toes", 0.1, 0.06, urdf.Block(0.05, 0.1, 0.02, 0.0));
+    urdf.Link(n + "_toes", 0.1, 0.06, urdf.Block(long_m, 0.1, 0.02, 0.0));
     urdf.Joint("body", n + "1", {0.0, 0.1 * side, -0.05}, {.axis = "0 0 1", .lower = -0.8, .upper = 0.8});
     urdf.Joint(n + "1", n + "2", {0.0, 0.0, 0.0}, {.axis = "1 0 0", .lower = -0.6, .upper = 0.6});
     urdf.Joint(n + "2", n + "3", {0.0, 0.0, 0.0}, {});
     urdf.Joint(n + "3", n + "4", {0.0, 0.0, -0.25}, {.lower = 0.0, .upper = 2.2});
     urdf.Joint(n + "4", n + "5", {0.0, 0.0, -0.25}, {.lower = -1.0, .upper = 1.0});
     urdf.Joint(n + "5", n + "_foot", {0.0, 0.0, 0.0}, {.axis = "1 0 0", .lower = -0.5, .upper = 0.5});
-    urdf.Joint(n + "_foot", n + "_toes", {0.105, 0.0, -0.04 + above_m}, {.lower = -0.3, .upper = 0.8, .effort = 10.0});
+    urdf.Joint(n + "_foot", n + "_toes", {0.08 + 0.5 * long_m, 0.0, -0.04 + above_m},
+               {.lower = -0.3, .upper = 0.8, .effort = 10.0});
   }
   return urdf.Done("toed");
 }
@@ -42,6 +43,12 @@ TEST(ToeJoints, BothLinksAreOneSole) {
   EXPECT_EQ(std::count_if(model.findings.begin(), model.findings.end(),
                           [](const Finding& f) { return f.code == FailureCode::kToeHeld; }),
             2);
+}
+
+TEST(ToeJoints, TheHeelMayBeShorterThanTheToes) {
+  const RobotModel model = LoadRobotFromText(Toed(0.0, 0.24), "").value();
+  ASSERT_EQ(model.feet.size(), 2U);
+  for (const Foot& foot : model.feet) EXPECT_NEAR(Area(foot.sole_F), 0.4 * 0.1, 1e-9);
 }
 
 TEST(ToeJoints, RobotYamlMayStillSpeakOfThem) {
