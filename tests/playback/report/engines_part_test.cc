@@ -73,7 +73,7 @@ TEST(EnginesPart, EachEngineHasItsOwnVerdict) {
 TEST(EnginesPart, EqualPlaybacksHaveEqualCurves) {
   const synthetic::Drawn c(synthetic::Walked(2, {.count = 2}));
   const std::string html = EnginesPartOf(c, MadeAgreement());
-  for (const char* ink : {"zmp", "com", "foot"}) {
+  for (const char* ink : {"zmp", "foot"}) {  // the height is constant
     const auto a = CurvesOf(html, std::string(ink) + " planned"), b = CurvesOf(html, std::string(ink) + " measured");
     ASSERT_FALSE(a.empty()) << ink;
     EXPECT_EQ(a, b) << ink;

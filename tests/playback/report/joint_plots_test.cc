@@ -48,7 +48,7 @@ TEST(JointPlots, BarsAreSharesOfTheLimit) {
   for (Joint& joint : c.model.joints) joint.effort_limit = 1000.0;
   for (LogSample& sample : c.log.samples) sample.tau_peak.setConstant(10.0);
   c.log.samples[3].tau_peak.setConstant(420.0);
-  const std::string& svg = synthetic::PlotNamed(JointPlots(c.Data()), "torque_use").svg;
+  const std::string svg = synthetic::PlotNamed(JointPlots(c.Data()), "torque_use").svg;
   const svg_marks::Box axes = svg_marks::Boxes(svg, "frame").at(0);
   const auto bars = svg_marks::Boxes(svg, "joint bar-measured");
   ASSERT_GE(static_cast<int>(bars.size()), c.model.num_dofs());
