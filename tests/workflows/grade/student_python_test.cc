@@ -20,6 +20,14 @@ TEST(ShownWords, HaveNoAddressesOfMemory) {
   EXPECT_EQ(ShownWords("0xff is short"), "0xff is short") << "a number of the student's";
 }
 
+// 400 bytes end inside of the 134th character of three bytes.
+TEST(ShownWords, EndBetweenCharacters) {
+  std::string words, shown;
+  for (int i = 0; i < 200; ++i) words += "\u932f";
+  for (int i = 0; i < 133; ++i) shown += "\u932f";
+  EXPECT_EQ(ShownWords(words), shown);
+}
+
 TEST(ShownWords, AreShort) { EXPECT_EQ(ShownWords(std::string(1000, 'x')), std::string(400, 'x')); }
 
 TEST(EndedIt, OnlyWhatTheSubmissionSaysLeavesItRunning) {
