@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "kinematics/base/result.h"
-#include "kinematics/spatial/rotation.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "tests/playback/short_walk.h"
 #include "tests/playback/standing_plan.h"
 
 namespace gaitwright {
@@ -104,6 +107,27 @@ TEST_P(RecoveringTest, BracesWhenTheDcmIsTooFarOut) {
   EXPECT_TRUE(Braces(*Made(), Pushed(3.0)));
   EXPECT_FALSE(Braces(*Made(), Pushed(0.01)));
   EXPECT_FALSE(Braces(*Made(far), Pushed(3.0)));
+}
+
+// The DCM is at the front edge of the feet: nearer than step_margin, and not yet where a fall is certain.
+TEST_P(RecoveringTest, StepsNearTheEdgeWhereItHasSteps) {
+  const MotionPlan steps = model_.legs.size() == 4 ? ShortWalk(model_, "trot", 4, 0.0) : ShortWalk(model_, "", 4, 0.0);
+  const auto with = MakeRecovering(model_, plan_, {steps, low_}), without = Made();
+  DynamicsScratch scratch(model_);
+  ForwardKinematics(model_, plan_.whole_body.q.front(), scratch);
+  double front_m = -1.0;
+  for (int foot = 0; foot < static_cast<int>(model_.legs.size()); ++foot) {
+    for (const Vector3& p_W : ContactPoints(model_, scratch, foot)) front_m = std::max(front_m, p_W.x());
+  }
+  const double speed_m_s = plan_.centroidal.omega_rad_s * (front_m - CentreOfMass(model_, scratch).x());
+  EXPECT_EQ(with->Update(Standing()).q, without->Update(Standing()).q) << "it stands in the middle of its feet";
+  EXPECT_NE(with->Update(Pushed(speed_m_s)).q, low_);
+  EXPECT_NE(without->Update(Pushed(speed_m_s)).q, low_);
+  ControlInput later = Standing();
+  later.time_s += 0.1;
+  const VectorX stepping = with->Update(later).q, standing = without->Update(later).q;
+  EXPECT_GT((stepping - standing).cwiseAbs().maxCoeff(), 0.02) << "a foot is in the air";
+  EXPECT_NE(stepping, low_);
 }
 
 TEST_P(RecoveringTest, RefusesPlansThatDoNotStand) {

@@ -2,6 +2,8 @@
 // Data of plots whose every figure is known.
 #pragma once
 
+#include <stdexcept>
+
 #include "playback/report/plots.h"
 #include "playback/report/svg_plot.h"
 #include "tests/playback/played.h"
