@@ -59,12 +59,18 @@ std::optional<std::string> InUtf8(const std::string& text) {
   return mended;
 }
 
+std::string FirstBytes(const std::string& text, std::size_t most) {
+  constexpr std::size_t kMostBehindFirst = 3;  // bytes of a character
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while (end > 0 && most - end < kMostBehindFirst && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end);
+}
+
 std::string Shortened(const std::string& text) {
   constexpr std::size_t kLongest = 60;
   if (text.size() <= kLongest) return text;
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside of a character
-  return text.substr(0, end) + "...";
+  return FirstBytes(text, kLongest) + "...";
 }
 
 std::string EscapedXml(const std::string& text) {

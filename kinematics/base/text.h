@@ -20,6 +20,9 @@ bool IsPlainText(const std::string& text);
 /// already.
 std::optional<std::string> InUtf8(const std::string& text);
 
+/// The beginning of a UTF-8 text: so many bytes or, where these end inside of a character, those before it.
+std::string FirstBytes(const std::string& text, std::size_t most);
+
 /// A text for messages: its first 60 bytes or so, with dots if it is longer.
 std::string Shortened(const std::string& text);
 

@@ -28,7 +28,7 @@ std::string Told(const Json& json) {
   if (!json.is_string()) return json.dump();
   constexpr std::size_t kLongest = 30;
   const auto& text = json.get_ref<const std::string&>();
-  return "'" + (text.size() > kLongest ? text.substr(0, kLongest) + "..." : text) + "'";
+  return "'" + (text.size() > kLongest ? FirstBytes(text, kLongest) + "..." : text) + "'";
 }
 
 /// Notes the last key before the text breaks, and where that is.

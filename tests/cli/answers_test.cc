@@ -79,15 +79,6 @@ TEST_F(Answers, TrialsRunInBothEngines) {
   EXPECT_EQ(Found(), (std::vector<std::string>{"a.json", "trials-mujoco.json", "trials.json"}));
 }
 
-TEST_F(Answers, ExportWritesAModelForMujoco) {
-  ASSERT_EQ(Run({"plan", "--distance", "0.3", "--terrain", "rough", "--out", "a.json"}).status, 0);
-  const Ran ran = Run({"export", "a.json", "--format", "mjcf", "--json"});
-  EXPECT_EQ(ran.status, 0) << ran.err;
-  EXPECT_EQ(ran.json().at("files"), (Json{{"model", "model.xml"}}));
-  EXPECT_EQ(Found(), (std::vector<std::string>{"a.json", "model.xml", "model_field0.bin"}));
-  EXPECT_EQ(Run({"export", "a.json", "--format", "mjcf", "--rate-hz", "100"}).status, 1);
-}
-
 TEST_F(Answers, PlanAuditAndPlayHandThePlanOn) {
   const Ran planned = Run({"plan", "--distance", "0.3", "--out", "a.json", "--json"});
   EXPECT_EQ(planned.status, 0) << planned.err;
@@ -174,22 +165,6 @@ TEST_F(Answers, TheLogIsAsDenseAsAsked) {
   EXPECT_EQ(dense.at("log_rate_hz"), 500.0);
   EXPECT_EQ(2 * dense.at("q").size(), 5 * usual.at("q").size());
   EXPECT_TRUE(Read("dense.json") == Read("out/log.json")) << "a plan's log is the same from walk and from play";
-}
-
-TEST_F(Answers, RobotsShowListsThePairsThatAreNotHeldApartAndWhy) {
-  for (const char* robot : {"a1", "nao"}) {
-    const Json shown = Run({"robots", "show", robot, "--json"}).json().at("self_collision");
-    EXPECT_GT(shown.at("pairs"), 50) << robot;
-    EXPECT_GT(shown.at("left_out").size(), 5U);
-    const std::string words = Run({"robots", "show", robot}).out;
-    for (const Json& pair : shown.at("left_out")) {
-      EXPECT_EQ(pair.at("links").size(), 2U);
-      const std::string reason = pair.at("reason");
-      EXPECT_TRUE(reason.starts_with("adjacent: ") || reason.find("touching") != std::string::npos) << reason;
-      const std::string first = pair.at("links")[0], second = pair.at("links")[1];
-      EXPECT_NE(words.find(first + " and " + second + ": " + reason), std::string::npos) << first << ' ' << second;
-    }
-  }
 }
 
 TEST_F(Answers, NegativeNumbersAreNoFlags) {

@@ -18,7 +18,7 @@ namespace {
 /// How much of a cell a message shows.
 constexpr std::size_t kShown = 40;
 
-std::string Shown(const std::string& cell) { return cell.size() <= kShown ? cell : cell.substr(0, kShown) + "..."; }
+std::string Shown(const std::string& cell) { return cell.size() <= kShown ? cell : FirstBytes(cell, kShown) + "..."; }
 
 /// The lines of a text one after the other, without their ends.
 class Lines {

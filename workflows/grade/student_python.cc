@@ -156,7 +156,7 @@ bool EndedIt(const Failure& failure) { return failure.code != FailureCode::kSubm
 
 std::string ShownWords(const std::string& words) {
   static const std::regex kAddress("0x[0-9a-fA-F]{6,}");
-  std::string shown = words.substr(0, kMostWords);
+  std::string shown = FirstBytes(words, kMostWords);
   if (!IsPlainText(shown)) {
     for (char& c : shown) {
       if (c < ' ' || c > '~') c = '?';

@@ -145,5 +145,14 @@ TEST(WhyNoJson, TellsWhereTheTextBreaks) {
   }
 }
 
+// 30 bytes end inside of the tenth character of three bytes.
+TEST(JsonPartPlace, ALongTextIsCutBetweenCharacters) {
+  std::string text = "a", shown = "a";
+  for (int i = 0; i < 20; ++i) text += "\u932f";
+  for (int i = 0; i < 9; ++i) shown += "\u932f";
+  EXPECT_EQ(RefusalOfReading("[\"" + text + "\"]", [](const JsonPart& part) { (void)part.List()[0].Number(); }),
+            "'[0]' is '" + shown + "...'; a number is needed");
+}
+
 }  // namespace
 }  // namespace gaitwright

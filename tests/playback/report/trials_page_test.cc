@@ -35,26 +35,6 @@ TEST(TrialsPageTest, SaysAtItsHeadWhatWasTried) {
     EXPECT_NE(head.find(part), std::string::npos) << part;
 }
 
-TEST(TrialsPageTest, TheLegendHasNoLineThatIsNotDrawn) {
-  const std::string page = TrialsPage(ReduceTrials(made::Subject(), made::Outcomes(40, 1000.0)));
-  EXPECT_NE(page.find(">largest survived<"), std::string::npos);
-  EXPECT_EQ(page.find("smallest fatal"), std::string::npos) << "no push was";
-}
-
-TEST(TrialsPageTest, SaysOfSurvivalWhatIsDrawn) {
-  const auto page = [](int trials) { return TrialsPage(ReduceTrials(made::Subject(), made::Outcomes(trials, 20.0))); };
-  const std::string line = "the line is the share of each group that survived",
-                    legend = ">share in groups of equal size<";
-  EXPECT_NE(page(20).find(line), std::string::npos);
-  EXPECT_NE(page(20).find(legend), std::string::npos);
-  const std::string few = page(19);
-  ASSERT_NE(few.find("id=\"survival_by_cause\""), std::string::npos);
-  EXPECT_EQ(few.find(line), std::string::npos);
-  EXPECT_EQ(few.find(legend), std::string::npos);
-  EXPECT_NE(few.find("Each mark is a trial"), std::string::npos);
-  EXPECT_NE(few.find("need 20 trials"), std::string::npos);
-}
-
 TEST(TrialsPageTest, SaysWhereTrialsRepeatOthers) {
   std::vector<TrialOutcome> outcomes = made::Outcomes(20, 25.0);
   EXPECT_EQ(TrialsPage(ReduceTrials(made::Subject(), outcomes)).find("identical"), std::string::npos);

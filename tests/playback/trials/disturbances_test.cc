@@ -21,12 +21,6 @@ const OptionFields kSensors = {{"noise_rad", &noise, "rad", 0.0, 0.1, "", {}},
 
 Disturbances Read(const std::string& text) { return ReadDisturbances(text, kSensors, "d.yaml").value(); }
 
-std::string Refusal(const std::string& text) {
-  const auto read = ReadDisturbances(text, kSensors, "d.yaml");
-  EXPECT_FALSE(read.ok()) << text;
-  return read.ok() ? "" : read.failure().message;
-}
-
 double Value(const SampledTrial& trial, const std::string& name) {
   for (const SampledValue& one : trial.values) {
     if (one.name == name) return one.value;
@@ -45,67 +39,7 @@ class DisturbancesTest : public testing::Test {
   const MotionPlan plan_ = standing::Plan(model_, 2.0);
 };
 
-TEST_F(DisturbancesTest, EveryKeyIsReadAndWrittenBack) {
-  std::string text;
-  for (const DisturbanceRule& rule : DisturbanceRules()) {
-    if (rule.key.find('.') != std::string::npos || rule.key.starts_with("com_shift_m")) continue;
-    text += rule.key + ": {uniform: [" + std::to_string(rule.lowest) + ", " + std::to_string(rule.highest) + "]}\n";
-  }
-  text += "start:\n  x_m: 0.1\n  joints_rad: {normal: {mean: 0, std: 0.01}}\n";
-  text += "sensors:\n  noise_rad: {choice: [0, 0.001]}\n";
-  text += "pushes:\n  - size_n: {uniform: [0, 50]}\n    place: {choice: [base, robot, FR_calf]}\n    at_s: 1\n";
-  const Disturbances disturbances = Read(text);
-  ASSERT_EQ(disturbances.pushes.size(), 1U);
-  const Disturbances quoted = Read("pushes:\n  - {size_n: 1, place: {choice: ['a: b', 'no', '1', 'x-y#']}}\n");
-  EXPECT_EQ(Read(DisturbancesText(quoted)), quoted);
-  EXPECT_EQ(disturbances.figures.back().key, "sensors.noise_rad");
-  const std::string again = DisturbancesText(disturbances);
-  EXPECT_EQ(DisturbancesText(Read(again)), again);
-  EXPECT_EQ(Read(again).pushes, disturbances.pushes);
-  EXPECT_EQ(Read(again).figures.size(), disturbances.figures.size());
-}
-
-TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
-  const auto says = [](const std::string& text, const std::vector<std::string>& parts) {
-    const std::string message = Refusal(text);
-    for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << ": " << message;
-  };
-  says("friction: 0.5\nmas_scale: 1\n", {"d.yaml", "line 2", "'mas_scale'", "'mass_scale'"});
-  says("mass_scale: {uniform: [0.9]}\n", {"line 1", "2 are needed"});
-  says("mass_scale: {uniform: [0.9, 11]}\n", {"mass_scale", "11", "0.1 to 10"});
-  says("mass_scale: {uniform: [1.1, 0.9]}\n", {"line 1", "uniform distribution from 1.1 to 0.9"});
-  says("mass_scale: {normal: {mean: 1}}\n", {"lacks the key 'std'"});
-  says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"from 2 to 3: 0", "0.01 is needed"});
-  says("mass_scale: {unifrm: [0.9, 1.1]}\n", {"'unifrm'", "'uniform'"});
-  says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "one is needed"});
-  says("mass_scale: {choice: []}\n", {"a choice ", "one or more are needed"});
-  says("mass_scale: heavy\n", {"'heavy'", "a number is needed"});
-  says("mass_scale: .nan\n", {"finite"});
-  says("mass_scale: 1\nmass_scale: 2\n", {"twice"});
-  says("com_shift_m: 0.01\ncom_shift_x_m: 0.01\n", {"com_shift_m", "com_shift_x_m"});
-  says("start: {rol_rad: 0.1}\n", {"'rol_rad'", "'roll_rad'"});
-  says("sensors: {noise: 0.1}\n", {"'noise'", "'noise_rad'"});
-  says("sensors: {seed: 1}\n", {"'seed'"});
-  says("pushes:\n  - direction_deg: 90\n", {"has no size"});
-  says("pushes:\n  - {size_n: 1, size_of_weight: 0.1}\n", {"size_n", "size_of_weight"});
-  says("pushes:\n  - {size_n: 1, at_s: 1, at_share: 0.5}\n", {"at_s", "at_share"});
-  says("pushes:\n  - {size_n: 1, place: {uniform: [0, 1]}}\n", {"words are needed"});
-  says("pushes: {size_n: 1}\n", {"a list is needed"});
-  says("", {"contains no disturbances"});
-  says("pushes: []\nstart: {}\n", {"contains no disturbances"});
-  says("bump_seed: 1.5\n", {"line 1", "bump_seed is 1.5", "whole number"});
-  says("bump_seed: {choice: [1, 2.5]}\n", {"2.5", "whole number"});
-  says("bump_seed: {uniform: [0, 3.5]}\n", {"3.5", "whole number"});
-  says("a: [", {"not valid YAML"});
-}
-
-TEST_F(DisturbancesTest, APushWithoutImpulseIsNone) {
-  for (const char* duration :
-       {"0", "{uniform: [0, 0.2]}", "{choice: [0.1, 0]}", "{normal: {mean: 0, std: 1, lowest: 0}}"}) {
-    const std::string why = Refusal("pushes:\n  - {size_n: 3000, duration_s: " + std::string(duration) + "}\n");
-    EXPECT_NE(why.find("line 2: duration_s"), std::string::npos) << why;
-    EXPECT_NE(why.find(" is 0; accepted: 0.0001 to 100"), std::string::npos) << why;
-  }
+TEST_F(DisturbancesTest, APushDrawnFromABellHasADuration) {
   const Disturbances bell = Read("pushes:\n  - {size_n: 30, duration_s: {normal: {mean: 0.1, std: 0.1}}}\n");
   for (std::uint64_t seed = 0; seed < 200; ++seed) EXPECT_GT(Sample(bell, seed).pushes[0].for_s, 0.0);
 }
@@ -269,19 +203,6 @@ TEST_F(DisturbancesTest, JointsStartEachByItsOwn) {
   EXPECT_NE(trial.start_joints[0], trial.start_joints[1]);
   EXPECT_LE(trial.start_joints.cwiseAbs().maxCoeff(), 0.01);
   EXPECT_EQ(Value(trial, "start.joint." + model_.dof_names[3] + "_rad"), trial.start_joints[3]);
-}
-
-TEST_F(DisturbancesTest, TheStandardSetScalesAndReadsBack) {
-  const RobotModel nao = standing::Load("nao");
-  const Disturbances a1 = StandardDisturbances(model_);
-  EXPECT_EQ(DisturbancesText(Read(DisturbancesText(a1))), DisturbancesText(a1));
-  const auto bumps = [](const Disturbances& d) {
-    for (const Disturbance& figure : d.figures) {
-      if (figure.key == "ground_bumps_m") return figure.distribution.highest;
-    }
-    return 0.0;
-  };
-  EXPECT_NEAR(bumps(a1) / bumps(StandardDisturbances(nao)), model_.leg_length_m() / nao.leg_length_m(), 1e-9);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,35 +12,14 @@
 #include "kinematics/base/result.h"
 #include "playback/score/motion_series.h"
 #include "tests/playback/played.h"
+#include "tests/playback/viewer/unpacked.h"
 
 namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The bytes of base64, read without the code that wrote it.
-std::string Unpacked(const std::string& text) {
-  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bits, bytes;
-  for (const char c : text) {
-    const std::size_t value = letters.find(c);
-    if (value == std::string::npos) break;
-    for (int bit = 5; bit >= 0; --bit) bits += value >> bit & 1U ? '1' : '0';
-  }
-  for (std::size_t i = 0; i + 8 <= bits.size(); i += 8)
-    bytes += static_cast<char>(std::stoi(bits.substr(i, 8), nullptr, 2));
-  return bytes;
-}
-
-template <class Number>
-std::vector<Number> Numbers(const Json& packed, const char* kind) {
-  const std::string bytes = Unpacked(packed.at(kind).get<std::string>());
-  std::vector<Number> numbers(bytes.size() / sizeof(Number));
-  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
-  return numbers;
-}
-
-std::vector<float> Floats(const Json& packed) { return Numbers<float>(packed, "f32"); }
+using unpacked::Floats, unpacked::Numbers;
 
 Json SceneOf(const synthetic::Played& c, const StabilityReport* report = nullptr) {
   return Json::parse(SceneJson({{"a <walk>", c.model, c.plan, &c.log, report}}))["motions"][0];

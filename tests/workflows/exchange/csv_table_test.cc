@@ -143,5 +143,14 @@ TEST(CsvTable, FileThatIsNotThereIsNamed) {
   EXPECT_NE(table.failure().message.find("/nowhere/motion.csv"), std::string::npos);
 }
 
+// 40 bytes end inside of the 13th character of three bytes.
+TEST(CsvTable, ALongCellIsShownUpToACharactersEnd) {
+  std::string cell = "ab", shown = "ab";
+  for (int i = 0; i < 20; ++i) cell += "\u932f";
+  for (int i = 0; i < 12; ++i) shown += "\u932f";
+  const std::string why = WhyCsvTableRefused("time_s,x\n0," + cell + "\n");
+  EXPECT_NE(why.find("'" + shown + "...'"), std::string::npos) << why;
+}
+
 }  // namespace
 }  // namespace gaitwright

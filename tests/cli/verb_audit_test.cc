@@ -200,5 +200,46 @@ TEST_F(BeforeHardware, TrialsOfAPlanWhoseGroundWasChangedSinceAreRefused) {
                 {"another plan", "plan_hash"});
 }
 
+using Verdicts = Stranger;
+
+/// Doubles what the first motor does.
+void DoubleFirstTorque(Json& plan) {
+  for (Json& row : plan.at("tau_nm")) row.at(0) = 2.0 * row.at(0).get<double>() + 1.0;
+}
+
+TEST_F(Verdicts, ABrokenPlanFailsItsAudit) {
+  Json plan = MakePlan("plan.json");
+  DoubleFirstTorque(plan);
+  Write("broken.json", plan.dump());
+  const Ran ran = Run({"audit", "broken.json", "--json"});
+  EXPECT_EQ(ran.status, 3) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  const Json json = ran.json();
+  EXPECT_EQ(json.at("verdict"), "fail");
+  ASSERT_FALSE(json.at("violations").empty());
+  bool dynamics = false;
+  for (const Json& violation : json.at("violations")) {
+    EXPECT_TRUE(violation.at("at_s").is_number());
+    EXPECT_GT(violation.at("value"), violation.at("limit"));
+    EXPECT_FALSE(violation.at("where").get<std::string>().empty());
+    EXPECT_FALSE(violation.at("unit").get<std::string>().empty());
+    dynamics = dynamics || violation.at("law") == "dynamics";
+  }
+  EXPECT_TRUE(dynamics) << json.dump();
+  EXPECT_EQ(Run({"audit", "broken.json", "--quiet"}).out, "fail\n");
+  EXPECT_NE(Run({"audit", "broken.json"}).out.find("dynamics"), std::string::npos);
+}
+
+TEST_F(Verdicts, DeratedLimitsFail) {
+  MakePlan("plan.json");
+  const Ran ran = Run({"audit", "plan.json", "--derate", "torque=0.1,speed=0.9", "--json"});
+  EXPECT_EQ(ran.status, 3);
+  EXPECT_EQ(ran.json().at("violations").at(0).at("law"), "joint_torque");
+  ExpectRefused(Run({"audit", "plan.json", "--derate", "torqe=0.1"}), 1, {"'torqe'", "'torque'"});
+  ExpectRefused(Run({"audit", "plan.json", "--derate", "torque"}), 1, {"--derate", "key=value"});
+  for (const char* twice : {"torque=0.2,torque=1", "torque=1,speed=1,torque=0.2"})
+    ExpectRefused(Run({"audit", "plan.json", "--derate", twice}), 1, {"--derate: 'torque' is given twice"});
+}
+
 }  // namespace
 }  // namespace gaitwright::cli

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether people who are colour-blind can tell the inks apart: those of plots, and of the page in 3D.
+#include "playback/report/plot_style.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,7 +13,6 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/spatial/pose.h"
-#include "playback/report/plot_style.h"
 #include "tests/built_paths.h"
 
 namespace gaitwright {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The linter of robot descriptions.
+// The linter of robot descriptions, and robots that are shown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -184,6 +184,32 @@ TEST_F(RobotsCheck, TwoDescriptionsOfOneRobotAreCompared) {
   EXPECT_TRUE(Of(same.json(), "descriptions_differ").empty());
   const Ran differ = Run({"robots", "check", "a.urdf", "--against", "b.urdf", "--json"});
   EXPECT_EQ(Of(differ.json(), "descriptions_differ").size(), 8U);
+}
+
+TEST_F(RobotsCheck, RobotsShowListsThePairsThatAreNotHeldApartAndWhy) {
+  for (const char* robot : {"a1", "nao"}) {
+    const Json shown = Run({"robots", "show", robot, "--json"}).json().at("self_collision");
+    EXPECT_GT(shown.at("pairs"), 50) << robot;
+    EXPECT_GT(shown.at("left_out").size(), 5U);
+    const std::string words = Run({"robots", "show", robot}).out;
+    for (const Json& pair : shown.at("left_out")) {
+      EXPECT_EQ(pair.at("links").size(), 2U);
+      const std::string reason = pair.at("reason");
+      EXPECT_TRUE(reason.starts_with("adjacent: ") || reason.find("touching") != std::string::npos) << reason;
+      const std::string first = pair.at("links")[0], second = pair.at("links")[1];
+      EXPECT_NE(words.find(first + " and " + second + ": " + reason), std::string::npos) << first << ' ' << second;
+    }
+  }
+}
+
+TEST_F(RobotsCheck, ShowTellsTheRobotsNumbers) {
+  const Json shown = Run({"robots", "show", "nao", "--json"}).json();
+  EXPECT_EQ(shown.at("name"), "nao");
+  EXPECT_EQ(shown.at("legs").size(), 2U);
+  EXPECT_EQ(shown.at("mirror_pairs").size(), 1U);
+  EXPECT_EQ(shown.at("standing").size(), shown.at("motors").get<std::size_t>());
+  EXPECT_EQ(shown.at("limits").size(), shown.at("motors").get<std::size_t>());
+  ExpectRefused(Run({"robots", "show", "noa"}), 1, {"'noa'", "'nao'"});
 }
 
 }  // namespace

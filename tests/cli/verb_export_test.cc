@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/cli/exchanged.h"
+
+namespace gaitwright::cli {
+namespace {
+
+TEST_F(Exchange, ExportWritesEachFormatOfAPlanAndALog) {
+  for (const char* format : {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz"}) {
+    SCOPED_TRACE(format);
+    for (const char* name : {"one", "two"}) {
+      const Ran ran = Run({"export", "out/plan.json", "--format", format, "--rate-hz", "250", "--out", name, "--json"});
+      ASSERT_EQ(ran.status, 0) << ran.err;
+      EXPECT_EQ(ran.json().at("format"), format);
+      EXPECT_EQ(ran.json().at("from"), "plan");
+      EXPECT_EQ(ran.json().at("files"), (Json{{"motion", name}}));
+    }
+    EXPECT_TRUE(Read("one") == Read("two")) << "the same bytes";
+    EXPECT_GT(Read("one").size(), 10000U);
+  }
+  const Ran log = Run({"export", "out/log.json", "--robot", "a1", "--out", "log.csv", "--json"});
+  ASSERT_EQ(log.status, 0) << log.err;
+  EXPECT_EQ(log.json().at("rate_hz"), 200.0);
+  EXPECT_EQ(LinesIn(Read("log.csv")), log.json().at("rows").get<std::size_t>() + 1);
+  EXPECT_EQ(Run({"export", "out/log.json", "--plan", "out/plan.json", "--format", "svg", "--quiet"}).out, "plots\n");
+  for (const char* plot : {"zmp_com_x.svg", "joint_torques.svg"})
+    EXPECT_TRUE(std::filesystem::is_regular_file(In("plots") / plot)) << plot;
+}
+
+TEST_F(Exchange, ExportRefusesWhatItCannotDo) {
+  ExpectRefused(Run({"export", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE", "--robot a1"});
+  ExpectRefused(Run({"export", "out/log.json", "--robot", "nao"}), 1, {"the log is of robot 'a1'", "'nao'"});
+  ExpectRefused(Run({"export", "out/log.json", "--plan", "slow.json"}), 1, {"the log was played from plan"});
+  ExpectRefused(Run({"export", "out/log.json", "--robot", "a1", "--rate-hz", "1000"}), 1,
+                {"1000 Hz", "200 Hz", "--log-rate-hz"});
+  ExpectRefused(Run({"export", "out/plan.json", "--format", "cvs"}), 1, {"'cvs'", "nearest is 'csv'", "'npz'"});
+  ExpectRefused(Run({"export", "out/plan.json", "--rate-hz", "1e6"}), 1, {"10000"});
+  ExpectRefused(Run({"export", "out/plan.json", "--rate-hz", "-5"}), 1, {"-5", "0.1"});
+  ExpectRefused(Run({"export", "out/plan.json", "--robot", "a1"}), 1, {"contains its robot"});
+  ExpectRefused(Run({"export", "out/plan.json", "--out", "out/plan.json"}), 1, {"would overwrite"});
+  ExpectRefused(Run({"export", "none.json"}), 1, {"none.json"});
+  Write("text.txt", "nothing");
+  ExpectRefused(Run({"export", "text.txt"}), 1, {"text.txt", "neither a plan nor a log"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"out", "slow.json", "text.txt"})) << "nothing was written";
+}
+
+using ExportedModel = Stranger;
+
+TEST_F(ExportedModel, ExportWritesAModelForMujoco) {
+  ASSERT_EQ(Run({"plan", "--distance", "0.3", "--terrain", "rough", "--out", "a.json"}).status, 0);
+  const Ran ran = Run({"export", "a.json", "--format", "mjcf", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.json().at("files"), (Json{{"model", "model.xml"}}));
+  EXPECT_EQ(Found(), (std::vector<std::string>{"a.json", "model.xml", "model_field0.bin"}));
+  EXPECT_EQ(Run({"export", "a.json", "--format", "mjcf", "--rate-hz", "100"}).status, 1);
+}
+
+}  // namespace
+}  // namespace gaitwright::cli

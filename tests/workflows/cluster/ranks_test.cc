@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A process that no launcher of MPI started.
+#include "workflows/cluster/ranks.h"
+
+#include <gtest/gtest.h>
+
+namespace gaitwright {
+namespace {
+
+TEST(Ranks, AProcessOfItsOwnLeadsAlone) {
+  const Ranks ranks = Ranks::Join();
+  EXPECT_EQ(ranks.rank(), 0);
+  EXPECT_EQ(ranks.count(), 1);
+  EXPECT_TRUE(ranks.leads());
+  const Ranks copy = ranks;
+  EXPECT_EQ(copy.rank(), ranks.rank());
+}
+
+TEST(Ranks, AbortEndsTheProcessWithItsStatus) { EXPECT_EXIT(Ranks::Join().Abort(7), testing::ExitedWithCode(7), ""); }
+
+TEST(Ranks, TheBuildWithMpiIsTheOneThatHasALauncher) {
+#ifdef GAITWRIGHT_MPIRUN
+  EXPECT_TRUE(BuiltWithMpi());
+#else
+  EXPECT_FALSE(BuiltWithMpi());
+#endif
+}
+
+}  // namespace
+}  // namespace gaitwright
