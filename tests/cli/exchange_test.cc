@@ -10,7 +10,9 @@ namespace {
 class Exchange : public Stranger {
  protected:
   Exchange() {
-    EXPECT_EQ(Run({"walk", "--distance", "0.3", "--quiet", "--out-dir", "out"}).status, 0);
+    EXPECT_EQ(Run({"walk", "--speed", "0.5", "--distance", "0.3", "--engine", "bullet", "--quiet", "--out-dir", "out"})
+                  .status,
+              0);
     EXPECT_EQ(Run({"plan", "--distance", "0.3", "--speed", "0.2", "--out", "slow.json", "--quiet"}).status, 0);
   }
 

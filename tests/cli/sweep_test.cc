@@ -16,7 +16,7 @@ class Sweep : public Stranger {
   std::vector<std::string> Grid(const std::vector<std::string>& more) const {
     std::vector<std::string> all = {
         "sweep",  "--gait",         "trot", "--distance", "0.3", "--over", "stabilised.dcm_gain=1,1.5",
-        "--over", "speed=0.3:0.4:2"};
+        "--over", "speed=0.5:0.6:2"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
@@ -29,7 +29,7 @@ TEST_F(Sweep, GivesItsObjectAndWritesItsFiles) {
   const Json json = ran.json();
   EXPECT_EQ(json.at("points").size(), 4U);
   EXPECT_EQ(json.at("counts").at("pass"), 4);
-  EXPECT_EQ(json.at("points").at(1).at("values"), (Json{{"stabilised.dcm_gain", 1.0}, {"speed", 0.4}}));
+  EXPECT_EQ(json.at("points").at(1).at("values"), (Json{{"stabilised.dcm_gain", 1.0}, {"speed", 0.6}}));
   double best = 0.0;
   for (const Json& point : json.at("points")) best = std::max(best, point.at("score").get<double>());
   EXPECT_EQ(json.at("best").at("score"), best);
@@ -52,7 +52,7 @@ TEST_F(Sweep, RefusesNamesThatSayAnotherFormat) {
   ExpectRefused(Run(Grid({"--out", "map.json"})), 1, {"--out 'map.json' ends in '.json'", "accepted: .csv"});
   ExpectRefused(Run(Grid({"--best", "best.YML"})), 1, {"--best 'best.YML'", "'.yml'", "accepted: .json"});
   EXPECT_EQ(Found(), std::vector<std::string>()) << "before anything is done";
-  ASSERT_EQ(Run({"sweep", "--gait", "trot", "--distance", "0.3", "--over", "speed=0.3,0.4", "--out", "v0.4", "--quiet"})
+  ASSERT_EQ(Run({"sweep", "--gait", "trot", "--distance", "0.3", "--over", "speed=0.5,0.6", "--out", "v0.4", "--quiet"})
                 .status,
             0);
   EXPECT_EQ(Found(), std::vector<std::string>({"v0.4"})) << "a number is no ending";
@@ -183,12 +183,12 @@ TEST_F(Sweep, RefusalsSayWhatIsAccepted) {
 using Tuned = Sweep;
 
 TEST_F(Tuned, OptionsThatCannotBeWrittenInTheEndAreNotLost) {
-  const Ran ran = RunUntil({"tune", "--gait", "trot", "--distance", "0.3", "--over", "stabilised.dcm_gain=1:2",
-                            "--evaluations", "2", "--trials", "1", "--held-out", "6", "--quiet"},
-                           SIGCONT, [&] {
-                             return std::filesystem::exists(In("tuned.yaml.so-far")) &&
-                                    std::filesystem::create_directory(In("tuned.yaml"));
-                           });
+  const Ran ran = RunUntil(
+      {"tune", "--gait", "trot", "--speed", "0.6", "--distance", "0.2", "--over", "stabilised.dcm_gain=1:2",
+       "--evaluations", "2", "--trials", "1", "--held-out", "6", "--quiet"},
+      SIGCONT, [&] {
+        return std::filesystem::exists(In("tuned.yaml.so-far")) && std::filesystem::create_directory(In("tuned.yaml"));
+      });
   ExpectRefused(ran, 1,
                 {"cannot write 'tuned.yaml': it is a folder", "--resume", "'tuned.yaml.so-far' keeps the results"});
   EXPECT_TRUE(std::filesystem::exists(In("tuned.yaml.so-far")));
@@ -198,8 +198,10 @@ TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
   const std::vector<std::string> tune = {"tune",
                                          "--gait",
                                          "trot",
+                                         "--speed",
+                                         "0.6",
                                          "--distance",
-                                         "0.3",
+                                         "0.2",
                                          "--over",
                                          "gait.cycle_s=0.4:0.6",
                                          "--over",
@@ -231,10 +233,12 @@ TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
   two_threads.insert(two_threads.end(), {"--threads", "2"});
   EXPECT_EQ(Run(two_threads).out, ran.out);
 
-  const Ran planned = Run({"plan", "--distance", "0.3", "--gait", "trot", "--options", "tuned.yaml"});
+  const Ran planned = Run({"plan", "--speed", "0.6", "--distance", "0.2", "--gait", "trot", "--options", "tuned.yaml"});
   EXPECT_EQ(planned.status, 0) << planned.err;
   EXPECT_NE(planned.err.find("': stabilised.dcm_gain"), std::string::npos) << planned.err;
-  EXPECT_EQ(Run({"walk", "--distance", "0.3", "--gait", "trot", "--options", "tuned.yaml", "--json"}).err, "");
+  EXPECT_EQ(
+      Run({"walk", "--speed", "0.6", "--distance", "0.2", "--gait", "trot", "--options", "tuned.yaml", "--json"}).err,
+      "");
 }
 
 TEST_F(Tuned, OptionsOfAFileAreThoseOfSetAndSetWins) {

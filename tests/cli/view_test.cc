@@ -7,7 +7,11 @@ namespace {
 
 class View : public Stranger {
  protected:
-  View() { EXPECT_EQ(Run({"walk", "--distance", "0.3", "--quiet", "--out-dir", "out"}).status, 0); }
+  View() {
+    EXPECT_EQ(Run({"walk", "--speed", "0.5", "--distance", "0.3", "--engine", "bullet", "--quiet", "--out-dir", "out"})
+                  .status,
+              0);
+  }
 
   bool Begins(const std::string& name, const std::string& with) const { return Read(name).starts_with(with); }
 };
