@@ -159,7 +159,7 @@ TEST_F(Answers, TheLogIsAsDenseAsAsked) {
   MakePlan("plan.json");
   EXPECT_EQ(Run({"play", "plan.json", "--log", "usual.json", "--quiet"}).status, 0);
   EXPECT_EQ(Run({"play", "plan.json", "--log", "dense.json", "--log-rate-hz", "500", "--quiet"}).status, 0);
-  EXPECT_EQ(Run({"walk", "--distance", "0.3", "--log-rate-hz", "500", "--quiet"}).status, 0);
+  EXPECT_EQ(Run({"walk", "--distance", "0.3", "--engine", "bullet", "--log-rate-hz", "500", "--quiet"}).status, 0);
   const Json usual = Json::parse(Read("usual.json")), dense = Json::parse(Read("dense.json"));
   EXPECT_EQ(usual.at("log_rate_hz"), 200.0);
   EXPECT_EQ(dense.at("log_rate_hz"), 500.0);

@@ -57,7 +57,7 @@ TEST_F(Cluster, TrialsAreThoseOfOneProcess) {
 TEST_F(Cluster, ASweepIsThatOfOneProcess) {
   const auto to = [](const std::string& file) {
     return Arguments{
-        "sweep",    "--distance", "0.3",    "--over", "speed=0.2:0.4:2", "--over", "stabilised.dcm_gain=1,1.5",
+        "sweep",    "--distance", "0.3",    "--over", "speed=0.5:0.6:2", "--over", "stabilised.dcm_gain=1,1.5",
         "--trials", "1",          "--seed", "5",      "--out",           file,     "--json"};
   };
   const Ran alone = Run(to("one.csv"));

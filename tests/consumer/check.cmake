@@ -3,6 +3,14 @@
 set(work ${BINARY_DIR}/tests/consumer)
 set(prefix ${work}/prefix)
 file(REMOVE_RECURSE ${work})
+# What is shown is that it compiles, links and runs: not optimised, and through ccache where it is installed.
+set(compiling "-DCMAKE_CXX_FLAGS=${CXX_FLAGS} -O0")
+find_program(ccache ccache)
+if(ccache)
+  set(ENV{CCACHE_BASEDIR} ${BINARY_DIR})
+  set(ENV{CCACHE_NOHASHDIR} 1)
+  list(APPEND compiling -D CMAKE_CXX_COMPILER_LAUNCHER=${ccache})
+endif()
 
 function(step what)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
@@ -14,7 +22,7 @@ endfunction()
 
 step(install ${CMAKE_COMMAND} --install ${BINARY_DIR} --prefix ${prefix})
 step(configure ${CMAKE_COMMAND} -S ${SOURCE_DIR}/tests/consumer -B ${work}/build -G ${GENERATOR}
-     -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+     -D CMAKE_PREFIX_PATH=${prefix} ${compiling})
 step(build ${CMAKE_COMMAND} --build ${work}/build)
 step(run ${work}/build/consumer)
 message("${out}")
@@ -68,7 +76,7 @@ step("the installed program" ${prefix}/bin/gaitwright --version)
 # The course is a project outside of the tree too, as it is handed out: without solutions.
 file(COPY ${SOURCE_DIR}/examples/course DESTINATION ${work} PATTERN solutions EXCLUDE)
 step("configuring the course" ${CMAKE_COMMAND} -S ${work}/course -B ${work}/course/build -G ${GENERATOR}
-     -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+     -D CMAKE_PREFIX_PATH=${prefix} ${compiling})
 step("building the course" ${CMAKE_COMMAND} --build ${work}/course/build --target course_1_zmp_start)
 step("questions for it" ${prefix}/bin/gaitwright grade --rubric ${work}/course/1-zmp/rubric-cpp.yaml --seed 1
      --write-inputs ${work}/questions)

@@ -30,13 +30,15 @@ Json AnswerOf(const std::string& line) {
   return json["answer"];
 }
 
-double NumberIn(const Json& json, const std::string& where) {
+/// A finite number; `where()` is asked for its place only where it is none, as answers come each control step.
+template <typename Where>
+double NumberIn(const Json& json, const Where& where) {
   if (json.is_string())
     throw InvalidArgument(
-        fmt::format("the answer{} is {}; a finite number is needed", where, ShownWords(json.get<std::string>())));
-  if (!json.is_number()) throw InvalidArgument(fmt::format("the answer{} is not a number", where));
+        fmt::format("the answer{} is {}; a finite number is needed", where(), ShownWords(json.get<std::string>())));
+  if (!json.is_number()) throw InvalidArgument(fmt::format("the answer{} is not a number", where()));
   const double value = json.get<double>();
-  if (!std::isfinite(value)) throw InvalidArgument(fmt::format("the answer{} is not finite", where));
+  if (!std::isfinite(value)) throw InvalidArgument(fmt::format("the answer{} is not finite", where()));
   return value;
 }
 
@@ -44,7 +46,7 @@ void AddRow(const Json& row, std::size_t number, QuestionValue& value) {
   if (!row.is_array() || row.size() != static_cast<std::size_t>(value.shape[1]))
     throw InvalidArgument(fmt::format("row {} of the answer has another length than the first one", number));
   for (std::size_t i = 0; i < row.size(); ++i)
-    value.numbers.push_back(NumberIn(row[i], fmt::format("[{}, {}]", number, i)));
+    value.numbers.push_back(NumberIn(row[i], [&] { return fmt::format("[{}, {}]", number, i); }));
 }
 
 }  // namespace
@@ -53,12 +55,13 @@ QuestionValue ParseAnswer(const std::string& line) {
   const Json json = AnswerOf(line);
   QuestionValue value{"answer", {}, {}};
   if (!json.is_array()) {
-    value.numbers = {NumberIn(json, "")};
+    value.numbers = {NumberIn(json, [] { return ""; })};
     return value;
   }
   value.shape = {static_cast<int>(json.size())};
   if (json.empty() || !json[0].is_array()) {
-    for (std::size_t i = 0; i < json.size(); ++i) value.numbers.push_back(NumberIn(json[i], fmt::format("[{}]", i)));
+    for (std::size_t i = 0; i < json.size(); ++i)
+      value.numbers.push_back(NumberIn(json[i], [&] { return fmt::format("[{}]", i); }));
     return value;
   }
   value.shape.push_back(static_cast<int>(json[0].size()));
@@ -74,11 +77,13 @@ std::vector<AnsweredStep> ParseSteps(const std::string& line, std::size_t most) 
   if (json.empty()) throw InvalidArgument("the planner gave no steps");
   std::vector<AnsweredStep> steps;
   for (const Json& step : json) {
-    const std::string where = fmt::format(" of step {}", steps.size() + 1);
+    const auto place = [&](const char* what) {
+      return [&, what] { return fmt::format(" of step {}, {}", steps.size() + 1, what); };
+    };
     if (!step.is_array() || step.size() != 4 || !step[0].is_string())
       throw InvalidArgument(fmt::format("step {} is not (foot, x, y, yaw)", steps.size() + 1));
-    steps.push_back({ShownWords(step[0].get<std::string>()), NumberIn(step[1], where + ", x"),
-                     NumberIn(step[2], where + ", y"), NumberIn(step[3], where + ", yaw")});
+    steps.push_back({ShownWords(step[0].get<std::string>()), NumberIn(step[1], place("x")),
+                     NumberIn(step[2], place("y")), NumberIn(step[3], place("yaw"))});
   }
   return steps;
 }

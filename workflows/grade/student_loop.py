@@ -30,6 +30,8 @@ def plain(value, depth=0):
         raise ValueError("the answer has more than three lists inside each other")
     if hasattr(value, "tolist"):
         value = value.tolist()
+    if type(value) is list and set(map(type, value)) == {float} and all(map(math.isfinite, value)):
+        return value
     if isinstance(value, bool) or value is None:
         return str(value)
     if isinstance(value, (int, float)):

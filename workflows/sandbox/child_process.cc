@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "workflows/sandbox/start_child_internal.h"
@@ -32,11 +32,14 @@ constexpr double kMegabyte = 1 << 20;
 double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Time that a process's first thread had a processor, or could have run on one which others had [s]; of what Linux
-/// tells in /proc/PID/schedstat, in nanoseconds. 0 where it tells nothing: then all time is taken for sleep.
-double ActiveSeconds(pid_t process) {
-  std::ifstream stream(fmt::format("/proc/{}/schedstat", process));
-  double ran_ns = 0.0, queued_ns = 0.0;
-  return stream >> ran_ns >> queued_ns ? 1e-9 * (ran_ns + queued_ns) : 0.0;
+/// tells in /proc/PID/schedstat, which is open, in nanoseconds. 0 where it tells nothing: then all time is taken for
+/// sleep.
+double ActiveSeconds(int schedstat) {
+  std::array<char, 128> text{};
+  if (schedstat < 0 || pread(schedstat, text.data(), text.size() - 1, 0) <= 0) return 0.0;
+  char* end = text.data();
+  const double ran_ns = std::strtod(end, &end);
+  return 1e-9 * (ran_ns + std::strtod(end, nullptr));
 }
 
 Failure Broken(FailureCode code, const std::string& message) {
@@ -111,12 +114,18 @@ Result<ChildProcess> ChildProcess::Start(const ChildSetup& setup) {
 }
 
 ChildProcess::ChildProcess(int process, int requests, int answers, ChildSetup setup)
-    : process_(process), requests_(requests), answers_(answers), setup_(std::move(setup)), looked_(Clock::now()) {}
+    : process_(process),
+      requests_(requests),
+      answers_(answers),
+      schedstat_(open(fmt::format("/proc/{}/schedstat", process).c_str(), O_RDONLY | O_CLOEXEC)),
+      setup_(std::move(setup)),
+      looked_(Clock::now()) {}
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
       requests_(std::exchange(other.requests_, -1)),
       answers_(std::exchange(other.answers_, -1)),
+      schedstat_(std::exchange(other.schedstat_, -1)),
       setup_(std::move(other.setup_)),
       slept_s_(other.slept_s_),
       looked_(other.looked_),
@@ -132,8 +141,8 @@ void ChildProcess::Kill() {
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
-  CloseAll({requests_, answers_});
-  process_ = requests_ = answers_ = -1;
+  CloseAll({requests_, answers_, schedstat_});
+  process_ = requests_ = answers_ = schedstat_ = -1;
 }
 
 Failure ChildProcess::End(FailureCode code, const std::string& message) {
@@ -181,7 +190,7 @@ bool ChildProcess::OverFileLimit() {
 
 std::optional<Failure> ChildProcess::WaitFor(int handle, short what) {
   const Clock::time_point start = Clock::now();
-  const double active_s = ActiveSeconds(process_), before_s = slept_s_;
+  const double active_s = ActiveSeconds(schedstat_), before_s = slept_s_;
   while (true) {
     if (SecondsSince(looked_) * 1000.0 >= kLookEach) {
       looked_ = Clock::now();
@@ -191,7 +200,7 @@ std::optional<Failure> ChildProcess::WaitFor(int handle, short what) {
     }
     pollfd ready{handle, what, 0};
     const int found = poll(&ready, 1, kLookEach);
-    slept_s_ = before_s + std::max(0.0, SecondsSince(start) - (ActiveSeconds(process_) - active_s));
+    slept_s_ = before_s + std::max(0.0, SecondsSince(start) - (ActiveSeconds(schedstat_) - active_s));
     if (found > 0) return std::nullopt;
     if (slept_s_ > setup_.limits.longest_sleep_s())
       return End(FailureCode::kChildTime,

@@ -80,6 +80,7 @@ class ChildProcess {
 
   int process_ = -1;
   int requests_ = -1, answers_ = -1;
+  int schedstat_ = -1;  ///< /proc/PID/schedstat; -1 where there is none
   ChildSetup setup_;
   double slept_s_ = 0.0;  ///< while waiting for it
   std::chrono::steady_clock::time_point looked_;

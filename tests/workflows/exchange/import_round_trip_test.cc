@@ -145,7 +145,7 @@ TEST(ImportRoundTrip, ExportedGaitsThatFlyPassTheirAudit) {
   for (const char* gait : {"pace", "bound", "pronk"}) {
     WalkRequest request;
     request.gait = gait;
-    request.command.distance_m = 0.6;
+    request.command.distance_m = 0.3;
     request.command.speed_m_s = 0.5;
     const Result<PlannedWalk> walk = PlanWalk(NamedRobot("a1"), request);
     ASSERT_TRUE(walk.ok()) << walk.failure().message;

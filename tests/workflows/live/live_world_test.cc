@@ -257,13 +257,13 @@ TEST_F(Live, FallsWhenItIsPulledOverAndStandsUp) {
 }
 
 TEST_F(Live, WhatHasNoPlanIsSaidAndChangesNothing) {
-  live_->Ask({.gait = "trot", .speed_m_s = 30.0});
+  live_->Ask({.gait = "trot", .speed_m_s = 12.0});
   live_->WaitForPlan();
   live_->Step();
   EXPECT_EQ(live_->mode(), LiveMode::kStands);
   const auto notes = live_->TakeNotes();
   ASSERT_FALSE(notes.empty());
-  EXPECT_NE(notes.front().find("trot at 30 m/s"), std::string::npos) << notes.front();
+  EXPECT_NE(notes.front().find("trot at 12 m/s"), std::string::npos) << notes.front();
 }
 
 }  // namespace

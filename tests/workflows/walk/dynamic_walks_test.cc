@@ -17,7 +17,7 @@ TEST(DynamicWalks, A1TrotsFastWithItsBodyAtOneHeight) {
   WalkRequest request;
   request.gait = "trot";
   request.command.speed_m_s = 1.5;
-  request.command.distance_m = 2.0;
+  request.command.distance_m = 1.2;
   const RobotModel a1 = *LoadNamedRobot("a1");
   const Result<PlannedWalk> planned = PlanWalk(a1, request);
   ASSERT_TRUE(planned.ok()) << planned.failure().message;
@@ -47,7 +47,7 @@ TEST(DynamicWalks, ABipedRuns) {
   WalkRequest request;
   request.gait = "run";
   request.command.speed_m_s = 0.8;
-  request.command.distance_m = 1.0;
+  request.command.distance_m = 0.6;
   ExpectToFly(*LoadRobotFromText(unusual::Runner(), ""), request);
 }
 

@@ -38,7 +38,7 @@ TEST(Sequences, RefusalsNameThePart) {
 }
 
 TEST(Sequences, APartThatIsTooFastIsNamedWithASpeedThatServes) {
-  const std::string why = Why("trot: speed=0.4, distance=0.5; stand: duration=1; walk: speed=1.5, distance=0.5");
+  const std::string why = Why("trot: speed=0.4, distance=0.2; stand: duration=0.5; walk: speed=1.5, distance=0.3");
   EXPECT_NE(why.find("part 3, 'walk'"), std::string::npos) << why;
   EXPECT_NE(why.find("the largest speed with gait 'crawl' is"), std::string::npos) << why;
 }

@@ -40,7 +40,7 @@ TEST(OddRobots, TheGoatTrotsTurnsAndSits) {
 TEST(OddRobots, TheHexapodIsAsFastAsItsServos) {
   const RobotModel hexapod = Odd("hexapod");
   WalkRequest request;
-  request.command.distance_m = 0.3;
+  request.command.distance_m = 0.2;
   const Result<PlannedWalk> own = PlanWalk(hexapod, request);
   ASSERT_TRUE(own.ok()) << own.failure().message;
   const double speed = own->motion.plan.parts.front().command.speed_m_s;
