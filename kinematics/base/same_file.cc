@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kinematics/base/file.h"
-
 #include <filesystem>
 #include <system_error>
+
+#include "kinematics/base/file.h"
 
 namespace gaitwright {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kinematics/base/file.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "kinematics/base/file.h"
 #include "tests/scratch_folder.h"
 
 namespace gaitwright {
