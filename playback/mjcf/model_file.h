@@ -24,4 +24,13 @@ namespace gaitwright {
 std::vector<OutputFile> MujocoFiles(const RobotModel& model, const Terrain& terrain, const VectorX& q,
                                     const VectorX& stiffness, const VectorX& damping, const std::string& path);
 
+/// A ground alone as files of MuJoCo 2.2.2 or later, to be loaded or included in a model: the ground of MujocoFiles.
+///
+/// Geoms have the names of the ground's parts, and a number where these would be the same. They collide with all geoms
+/// whose contype or conaffinity has bit 0, as by default, and their own friction counts. The file has no options and no
+/// defaults, and its geoms and meshes do not depend on those of a file that includes it.
+/// @param path  of the file; each height field is a file beside it: STEM_field0.bin.
+/// @return the ground, then the height fields.
+std::vector<OutputFile> MujocoGroundFiles(const Terrain& terrain, const std::string& path);
+
 }  // namespace gaitwright

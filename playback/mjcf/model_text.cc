@@ -11,6 +11,7 @@
 #include "planning/plan/sole_support.h"
 #include "planning/plan/terrain_shapes.h"
 #include "playback/engine/world.h"
+#include "playback/mjcf/elements_internal.h"
 #include "playback/mjcf/model_text_internal.h"
 
 namespace gaitwright::mujoco {
@@ -20,25 +21,8 @@ constexpr double kPointFootRadius = 0.005;   // of a point foot's sphere [m]
 constexpr double kSoleSphereRadius = 0.002;  // [m]
 constexpr double kPlateThickness = 0.01;     // [m]
 constexpr double kPlateLift = 0.0002;        // of the plate over the corners: it touches where they do not [m]
-constexpr double kObstacleFriction = 0.8;
-constexpr double kFieldBase = 1.0;       // depth of the solid under a height field [m]
-constexpr double kLeastMass = 1e-11;     // [kg] of bodies without mass, which MuJoCo does not have
-constexpr double kLeastInertia = 1e-14;  // [kg m^2]
-
-std::string Number(double value) { return fmt::format("{:.17g}", value); }
-
-template <class Vector>
-std::string Numbers(const Vector& values) {
-  std::string text;
-  for (Eigen::Index i = 0; i < values.size(); ++i) text += (i > 0 ? " " : "") + Number(values[i]);
-  return text;
-}
-
-std::string PlaceOf(const Pose& X) {
-  const Quaternion q(X.linear());
-  return fmt::format("pos=\"{}\" quat=\"{} {} {} {}\"", Numbers(Vector3(X.translation())), Number(q.w()), Number(q.x()),
-                     Number(q.y()), Number(q.z()));
-}
+constexpr double kLeastMass = 1e-11;         // [kg] of bodies without mass, which MuJoCo does not have
+constexpr double kLeastInertia = 1e-14;      // [kg m^2]
 
 /// X_JB of the child when its joint stands at a position.
 Pose JointMotion(const Joint& joint, double position) {
@@ -64,7 +48,9 @@ class Writer {
   }
 
   ModelText Write() {
-    const std::string ground = Ground(), robot = BodyText(0), gears = Gears();
+    WriteGroundOfWorld();
+    const std::string robot = BodyText(0), gears = Gears();
+    text_.fields = std::move(ground_.fields);
     text_.mjcf = fmt::format(
         "<mujoco model=\"{}\">\n"
         "<compiler angle=\"radian\" coordinate=\"local\" inertiafromgeom=\"false\" boundmass=\"{}\" "
@@ -72,20 +58,18 @@ class Writer {
         "<option timestep=\"{}\" gravity=\"0 0 {}\" integrator=\"{}\" cone=\"elliptic\" solver=\"Newton\" "
         "iterations=\"{}\" tolerance=\"1e-12\" jacobian=\"dense\" impratio=\"{}\"/>\n"
         "<size njmax=\"{}\" nconmax=\"{}\"/>\n"
-        "<default><geom contype=\"1\" conaffinity=\"2\" condim=\"3\" solref=\"{} 1\" solimp=\"{}\"/></default>\n"
-        "<asset>\n{}</asset>\n<worldbody>\n{}{}</worldbody>\n{}{}</mujoco>\n",
+        "<default><geom contype=\"1\" conaffinity=\"2\" {}/></default>\n"
+        "<asset>\n{}{}</asset>\n<worldbody>\n{}{}</worldbody>\n{}{}</mujoco>\n",
         EscapedXml(model_.name), Number(kLeastMass), Number(kLeastInertia), Number(options_.step_s), Number(-kGravity),
         parts_ == nullptr ? "Euler" : "implicit", kIterations, Number(kImpratio), kMostRows, kMostContacts,
-        Number(std::max(2.0 * options_.step_s, kContactTime * std::sqrt(options_.contact_softness))), kContactImpedance,
-        assets_, ground, robot, gears, parts_ == nullptr ? "" : Motors() + KeyFrame());
+        ContactAttributes(options_), ground_.assets, assets_, ground_.geoms, robot, gears,
+        parts_ == nullptr ? "" : Motors() + KeyFrame());
     return std::move(text_);
   }
 
  private:
   static constexpr int kIterations = 100, kMostContacts = 400, kMostRows = 3 * kMostContacts + 300;
-  static constexpr double kImpratio = 100.0;     // friction is harder than normals: feet creep less
-  static constexpr double kContactTime = 0.004;  // [s]
-  static constexpr const char* kContactImpedance = "0.95 0.99 0.0005";
+  static constexpr double kImpratio = 100.0;  // friction is harder than normals: feet creep less
 
   bool Locked(const Joint& joint) const { return locked_[static_cast<std::size_t>(joint.dof)]; }
 
@@ -154,7 +138,8 @@ class Writer {
     for (const Shape& shape : model_.collision_shapes) {
       if (shape.body != body || IsShapeOfAFoot(model_, shape)) continue;
       if (shape.type == ShapeType::kMesh && shape.vertices.size() < 4) continue;
-      text += fmt::format("<geom {} {} {}/>\n", Part({-1, shape.link}), ShapeText(shape), PlaceOf(shape.X_BS));
+      text += fmt::format("<geom {} {} {}/>\n", Part({-1, shape.link}), ShapeText(shape, NextMesh(), assets_),
+                          PlaceOf(shape.X_BS));
     }
     return text;
   }
@@ -171,103 +156,40 @@ class Writer {
     if (foot.type == FootType::kSphere) sphere(Vector3::Zero(), foot.radius);
     if (foot.type == FootType::kPoint) sphere({0.0, 0.0, kPointFootRadius}, kPointFootRadius);
     if (!foot.has_sole()) return text;
-    const bool all_over = foot.type == FootType::kSole && options_.sole_contact == "auto" && finest_m_ > 0.0;
-    const std::vector<Vector2> places = all_over ? SoleSamples(foot.sole_F, kSoleSampling * finest_m_) : foot.sole_F;
+    const bool all_over = foot.type == FootType::kSole && options_.sole_contact == "auto" && ground_.finest_m > 0.0;
+    const std::vector<Vector2> places =
+        all_over ? SoleSamples(foot.sole_F, kSoleSampling * ground_.finest_m) : foot.sole_F;
     for (const Vector2& p : places) sphere({p.x(), p.y(), kSoleSphereRadius}, kSoleSphereRadius);
-    const bool plate = options_.sole_contact == "plate" || (options_.sole_contact == "auto" && has_edges_);
+    const bool plate = options_.sole_contact == "plate" || (options_.sole_contact == "auto" && ground_.has_edges);
     if (!plate || foot.sole_F.size() < 3) return text;
     std::vector<Vector3> corners;
     for (const Vector2& p : foot.sole_F) {
       corners.emplace_back(p.x(), p.y(), kPlateLift);
       corners.emplace_back(p.x(), p.y(), kPlateLift + kPlateThickness);
     }
-    text += fmt::format("<geom {} {} {}/>\n", Part(part), MeshText(corners), PlaceOf(foot.X_BF));
+    text += fmt::format("<geom {} {} {}/>\n", Part(part), MeshText(corners, NextMesh(), assets_), PlaceOf(foot.X_BF));
     return text;
   }
 
-  /// A mesh of points, of which MuJoCo takes the convex hull. It moves a mesh to its own centre and principal axes and
-  /// makes up for that in the geom's pose.
-  std::string MeshText(const std::vector<Vector3>& vertices) {
-    const int number = meshes_++;
-    assets_ += fmt::format("<mesh name=\"m{}\" vertex=\"", number);
-    for (const Vector3& p : vertices) assets_ += Numbers(p) + " ";
-    assets_ += "\"/>\n";
-    return fmt::format("type=\"mesh\" mesh=\"m{}\"", number);
-  }
+  std::string NextMesh() { return fmt::format("m{}", meshes_++); }
 
-  std::string ShapeText(const Shape& shape) {
-    switch (shape.type) {
-      case ShapeType::kBox:
-        return fmt::format("type=\"box\" size=\"{}\"", Numbers(Vector3(0.5 * shape.size)));
-      case ShapeType::kSphere:
-        return fmt::format("type=\"sphere\" size=\"{}\"", Number(std::max(shape.size.x(), 1e-6)));
-      case ShapeType::kCylinder:
-        return fmt::format("type=\"cylinder\" size=\"{} {}\"", Number(shape.size.x()), Number(0.5 * shape.size.y()));
-      case ShapeType::kCapsule:
-        return fmt::format("type=\"capsule\" size=\"{} {}\"", Number(shape.size.x()), Number(0.5 * shape.size.y()));
-      case ShapeType::kMesh:
-        break;
+  /// The ground as it is played: turned, and with bumps instead of its surfaces.
+  void WriteGroundOfWorld() {
+    const bool has_bumps = bumps_.amplitude > 0.0;
+    text_.solids = SolidNames(terrain_, has_bumps);
+    GroundStyle style;
+    style.X_tilt = GroundTilt(terrain_, options_, bumps_.start);
+    style.friction = options_.friction;
+    style.attributes = "contype=\"2\" conaffinity=\"1\" priority=\"1\"";
+    for (std::size_t i = 0; i < text_.solids.size(); ++i) style.names.push_back(fmt::format("t{}", i));
+    if (parts_ != nullptr) style.height_files = parts_->heights;
+    if (!has_bumps) {
+      ground_ = WriteGround(terrain_, style);
+      return;
     }
-    return MeshText(shape.vertices);
-  }
-
-  std::string Solid(const std::string& shape, const Pose& X_WS, double friction) {
-    const double coefficient = options_.friction > 0.0 ? options_.friction : friction;
-    return fmt::format(
-        "<geom name=\"t{}\" {} {} friction=\"{} 0 0\" contype=\"2\" conaffinity=\"1\" priority=\"1\"/>\n", solids_++,
-        shape, PlaceOf(X_tilt_ * X_WS), Number(coefficient));
-  }
-
-  std::string Ground() {
-    X_tilt_ = GroundTilt(terrain_, options_, bumps_.start);
-    text_.solids = SolidNames(terrain_, bumps_.amplitude > 0.0);
-    std::string text;
-    for (const Obstacle& obstacle : terrain_.obstacles)
-      text += Solid(ShapeText(ShapeOf(obstacle)), obstacle.X_WO, kObstacleFriction);
-    if (bumps_.amplitude > 0.0)
-      return text + FieldText(BumpyGround(terrain_, options_, bumps_), FrictionOf(terrain_, options_, bumps_.start));
-    for (const TerrainPatch& patch : terrain_.patches) text += PatchText(patch);
-    for (const HeightField& field : terrain_.height_fields) text += FieldText(field, field.friction);
-    return text;
-  }
-
-  std::string PatchText(const TerrainPatch& patch) {
-    if (patch.outline_T.empty()) return Solid("type=\"plane\" size=\"0 0 1\"", patch.X_WT, patch.friction);
-    has_edges_ = true;
-    std::vector<Vector3> corners;
-    for (const Vector3& corner_W : SolidUnder(patch)) corners.push_back(patch.X_WT.inverse() * corner_W);
-    return Solid(MeshText(corners), patch.X_WT, patch.friction);
-  }
-
-  /// MuJoCo parts the cells of a field by the diagonal that ours do not have: so the field is turned a quarter to the
-  /// left, where its rows go along our x.
-  std::string FieldText(const HeightField& field, double friction) {
-    finest_m_ = finest_m_ > 0.0 ? std::min(finest_m_, field.resolution_m) : field.resolution_m;
-    const auto [low, high] = std::minmax_element(field.height_m.begin(), field.height_m.end());
-    const double rise = std::max(*high - *low, 1e-6);
-    FieldHeights heights;
-    heights.rows = field.columns;  // of MuJoCo's: along its own y, which is our -x
-    heights.columns = field.rows;  // along its own x, which is our y
-    heights.heights.resize(field.height_m.size());
-    for (int row = 0; row < heights.rows; ++row) {
-      for (int column = 0; column < heights.columns; ++column) {
-        const int x = field.columns - 1 - row, y = column;
-        const double height = field.height_m[static_cast<std::size_t>(y * field.columns + x)];
-        heights.heights[static_cast<std::size_t>(row * heights.columns + column)] =
-            static_cast<float>((height - *low) / rise);
-      }
-    }
-    const Vector2 extent = field.resolution_m * Vector2(field.columns - 1, field.rows - 1);
-    Pose X_WS = Pose::Identity();
-    X_WS.linear() = Eigen::AngleAxisd(0.5 * M_PI, Vector3::UnitZ()).toRotationMatrix();
-    X_WS.translation() << field.origin_W + 0.5 * extent, *low;
-    const std::size_t number = text_.fields.size();
-    assets_ += fmt::format("<hfield name=\"h{}\" {} size=\"{} {} {} {}\"/>\n", number,
-                           parts_ == nullptr ? fmt::format("nrow=\"{}\" ncol=\"{}\"", heights.rows, heights.columns)
-                                             : fmt::format("file=\"{}\"", EscapedXml(parts_->heights.at(number))),
-                           Number(0.5 * extent.y()), Number(0.5 * extent.x()), Number(rise), Number(kFieldBase));
-    text_.fields.push_back(std::move(heights));
-    return Solid(fmt::format("type=\"hfield\" hfield=\"h{}\"", number), X_WS, friction);
+    Terrain bumpy{terrain_.name, {}, {BumpyGround(terrain_, options_, bumps_)}, terrain_.obstacles};
+    bumpy.height_fields.front().friction = FrictionOf(terrain_, options_, bumps_.start);
+    ground_ = WriteGround(bumpy, style);
   }
 
   /// Mimicking joints follow by equality constraints, as stiff as the step allows.
@@ -340,10 +262,8 @@ class Writer {
   const Bumps bumps_;
   std::vector<bool> locked_;
   std::vector<std::vector<int>> children_;  // by body
-  Pose X_tilt_ = Pose::Identity();
-  bool has_edges_ = false;
-  double finest_m_ = 0.0;
-  int meshes_ = 0, solids_ = 0;
+  GroundText ground_;
+  int meshes_ = 0;
   std::string assets_;
   ModelText text_;
 };

@@ -8,6 +8,7 @@
 #include "planning/plan/terrain.h"
 #include "playback/engine/bumps.h"
 #include "playback/engine/world_options.h"
+#include "playback/mjcf/ground_text_internal.h"
 
 namespace gaitwright::mujoco {
 
@@ -15,12 +16,6 @@ namespace gaitwright::mujoco {
 struct GeomPart {
   int foot = -1;     ///< index of the foot that it is part of, -1 for none
   std::string link;  ///< URDF link
-};
-
-/// A height field of the world: MuJoCo reads its heights from memory, not from its text.
-struct FieldHeights {
-  int rows = 0, columns = 0;
-  std::vector<float> heights;  ///< row by row, from 0 to 1 of the field's rise
 };
 
 /// A robot on a ground as a file of MuJoCo.

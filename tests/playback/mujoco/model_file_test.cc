@@ -6,8 +6,10 @@
 
 #include <cmath>
 
+#include "kinematics/base/random.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/load_robot.h"
+#include "planning/plan/built_in_terrain.h"
 #include "playback/control/gains.h"
 #include "playback/mujoco/compiled_internal.h"
 #include "tests/scratch_folder.h"
@@ -83,6 +85,100 @@ TEST_P(ModelFileTest, HasHeightFieldsInFilesOfTheirOwn) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, ModelFileTest, testing::Values("a1", "h1", "mini_cheetah"),
                          [](const auto& robot) { return std::string(robot.param); });
+
+/// A ground written alone, and what MuJoCo reads of the file or of another one that includes it.
+mujoco::ModelPtr ReadGround(const Terrain& terrain, const std::string& including = "") {
+  const auto written = WriteFilesTogether(MujocoGroundFiles(terrain, ScratchFile("ground_file.xml")));
+  EXPECT_TRUE(written.ok());
+  if (!including.empty()) {
+    EXPECT_TRUE(WriteFileAtomically(ScratchFile("including.xml"), including).ok());
+  }
+  const std::string path = ScratchFile(including.empty() ? "ground_file.xml" : "including.xml");
+  char error[500] = "";
+  mujoco::ModelPtr read(mj_loadXML(path.c_str(), nullptr, error, sizeof error));
+  EXPECT_NE(read, nullptr) << error;
+  return read;
+}
+
+/// The height at which a ray from above meets the ground; -1 where it meets nothing.
+double HeightByRay(const mjModel& m, const mjData& d, const Vector2& p) {
+  constexpr double kAbove = 20.0;
+  const mjtNum from[3] = {p.x(), p.y(), kAbove}, down[3] = {0.0, 0.0, -1.0};
+  int geom = -1;
+  const double length = mj_ray(&m, &d, from, down, nullptr, 1, -1, &geom);
+  return geom < 0 ? -1.0 : kAbove - length;
+}
+
+TEST(GroundFile, HasTheHeightsOfEveryBuiltInGround) {
+  for (const BuiltInTerrain& entry : BuiltInTerrains()) {
+    SCOPED_TRACE(entry.name);
+    const Terrain terrain = *MakeTerrain(entry.name, {});
+    const mujoco::ModelPtr m = ReadGround(terrain);
+    ASSERT_NE(m, nullptr);
+    EXPECT_EQ(static_cast<std::size_t>(m->ngeom),
+              terrain.obstacles.size() + static_cast<std::size_t>(terrain.num_surfaces()));
+    for (const TerrainPatch& patch : terrain.patches) {
+      const int geom = mujoco::IdOf(*m, mjOBJ_GEOM, patch.name);
+      ASSERT_GE(geom, 0) << patch.name;
+      EXPECT_NEAR(m->geom_friction[3 * geom], patch.friction, 1e-12);
+    }
+    const mujoco::DataPtr d(mj_makeData(m.get()));
+    mj_forward(m.get(), d.get());
+    SplitMix random(5);
+    int compared = 0;
+    for (int i = 0; i < 500; ++i) {
+      const Vector2 p(-1.0 + 5.0 * random.Uniform(), -1.0 + 2.0 * random.Uniform());
+      const GroundPoint ground = GroundAt(terrain, p);
+      const double height = HeightByRay(*m, *d, p);
+      if (ground.patch < 0 || (!terrain.obstacles.empty() && height > ground.height_m + 0.01)) continue;
+      ++compared;
+      ASSERT_NEAR(height, ground.height_m, 2e-5) << p.transpose();  // MuJoCo's meshes have 32-bit floats
+    }
+    EXPECT_GT(compared, 50);
+  }
+}
+
+TEST(GroundFile, HasCellsPartedByOurDiagonal) {
+  Terrain ridge;
+  HeightField cell;
+  cell.columns = cell.rows = 2;
+  cell.resolution_m = 1.0;
+  cell.height_m = {1.0, 0.0, 0.0, 1.0};  // the middle is as high as the ends of the diagonal
+  ridge.height_fields = {cell};
+  ASSERT_NEAR(GroundAt(ridge, {0.5, 0.5}).height_m, 1.0, 1e-12);
+  const mujoco::ModelPtr m = ReadGround(ridge, R"(<mujoco><include file="ground_file.xml"/>
+<worldbody><body pos="0.5 0.5 1.05"><freejoint/><geom type="sphere" size="0.1"/></body></worldbody></mujoco>)");
+  ASSERT_NE(m, nullptr);
+  const mujoco::DataPtr d(mj_makeData(m.get()));
+  mj_forward(m.get(), d.get());
+  ASSERT_GT(d->ncon, 0) << "the ball is over a valley";
+  EXPECT_NEAR(d->contact[0].dist, -0.05, 0.005);
+}
+
+TEST(GroundFile, IsIncludedInAFileWithOtherDefaults) {
+  Terrain terrain;
+  terrain.patches = {PatchThrough("ground", {{-1, -1, 0.5}, {1, -1, 0.5}, {1, 1, 0.5}, {-1, 1, 0.5}}, 0.6)};
+  terrain.patches.push_back(PatchThrough("ground", {{1, -1, 0.1}, {3, -1, 0.1}, {3, 1, 0.1}, {1, 1, 0.1}}, 0.6));
+  HeightField field;
+  field.columns = field.rows = 2;
+  field.origin_W = Vector2(4.0, 0.0);
+  field.resolution_m = 1.0;
+  field.height_m = {0.0, 0.1, 0.2, 0.3};
+  terrain.height_fields = {field};
+  const mujoco::ModelPtr m = ReadGround(terrain, R"(<mujoco model="ball">
+<compiler angle="degree"/>
+<default><geom contype="0" conaffinity="0" condim="1" friction="0"/><mesh scale="0.001 0.001 0.001"/></default>
+<include file="ground_file.xml"/>
+<worldbody><body name="ball" pos="0 0 0.7"><freejoint/><geom type="sphere" size="0.05" mass="1" contype="1"/></body></worldbody>
+</mujoco>)");
+  ASSERT_NE(m, nullptr);
+  EXPECT_EQ(m->nhfield, 1);
+  EXPECT_EQ(m->ngeom, 4);
+  EXPECT_GE(mujoco::IdOf(*m, mjOBJ_GEOM, "ground 2"), 0);
+  const mujoco::DataPtr d(mj_makeData(m.get()));
+  for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
+  EXPECT_NEAR(d->qpos[2], 0.55, 1e-3);
+}
 
 }  // namespace
 }  // namespace gaitwright
