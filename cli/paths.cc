@@ -26,14 +26,14 @@ void CheckWritable(const std::string& what, const std::string& path, const std::
 }
 
 void CheckEnding(const NamedPath& output) {
-  static const std::vector<std::string> kOfFormats = {".avi", ".csv",  ".gif",  ".html", ".jpeg", ".jpg", ".json",
-                                                      ".mkv", ".mp4",  ".npy",  ".npz",  ".pdf",  ".png", ".svg",
-                                                      ".txt", ".urdf", ".webm", ".xml",  ".yaml"};
+  static const std::vector<std::string> kOfFormats = {".avi", ".csv", ".gif",  ".html", ".jpeg", ".jpg", ".json",
+                                                      ".mkv", ".mp4", ".npy",  ".npz",  ".obj",  ".pdf", ".png",
+                                                      ".svg", ".txt", ".urdf", ".webm", ".xml",  ".yaml"};
   const std::string written = EndingOf(output.path), ending = written == ".yml" ? ".yaml" : written;
   const auto has = [&](const std::vector<std::string>& endings) {
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
   };
-  if (output.endings.empty() || has(output.endings) || !has(kOfFormats)) return;
+  if (output.endings.empty() || has(output.endings) || (!output.ending_decides && !has(kOfFormats))) return;
   throw InvalidArgument(fmt::format("{} '{}' ends in '{}'; accepted: {}", output.name, output.path, written,
                                     JoinWords(output.endings, " or ")));
 }
@@ -71,6 +71,12 @@ void Paths::Read(std::string_view name, const std::string& path) { read.push_bac
 
 void Paths::Write(std::string_view name, const std::string& path, std::initializer_list<std::string_view> endings) {
   written.push_back({std::string(name), path, {endings.begin(), endings.end()}});
+}
+
+void Paths::WriteByEnding(std::string_view name, const std::string& path,
+                          std::initializer_list<std::string_view> endings) {
+  Write(name, path, endings);
+  written.back().ending_decides = true;
 }
 
 void Paths::AddGait(const std::string& gait) { Read("--gait", GaitFileOf(gait)); }

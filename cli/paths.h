@@ -12,6 +12,7 @@ namespace gaitwright::cli {
 struct NamedPath {
   std::string name, path;
   std::vector<std::string> endings = {};  ///< of a file that is written: those of its format, ".csv"; none: any
+  bool ending_decides = false;            ///< which format is written, so that no other ending is accepted
 };
 
 /// The ending of a path in small letters, as ".svg".
@@ -25,6 +26,8 @@ struct Paths {
   /// Adds a file that is read, and a file that is written.
   void Read(std::string_view name, const std::string& path);
   void Write(std::string_view name, const std::string& path, std::initializer_list<std::string_view> endings = {});
+  /// Adds a file whose format is that of its ending.
+  void WriteByEnding(std::string_view name, const std::string& path, std::initializer_list<std::string_view> endings);
   /// Adds the file of `gait` when it names one.
   void AddGait(const std::string& gait);
   /// Adds the file of `sequence` when it names one.
@@ -38,8 +41,8 @@ std::string WithSuffix(const std::string& path, const std::string& suffix);
 
 /// Sees to it that what is written can be, as far as that is seen without making anything, and that nothing is written
 /// over what is read, nor twice to one file; by `./` or links too. A name with the ending of another format is refused,
-/// since people and programs go by it; other endings, such as ".bak" or ".3", say nothing. Call it before the work is
-/// done.
+/// since people and programs go by it; other endings, such as ".bak" or ".3", say nothing, but are refused where the
+/// ending decides. Call it before the work is done.
 /// @throws InvalidArgument naming what is wrong: the flag, the path and why, or both of two.
 void CheckPaths(const Paths& paths);
 

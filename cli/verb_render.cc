@@ -43,14 +43,12 @@ void CheckRenderPaths(const RenderSettings& a) {
   paths.Write("--png", a.png, {".png"});
   paths.Write("--gif", a.gif, {".gif"});
   paths.Write("--mp4", a.mp4, {".mp4"});
-  paths.Write("--figure", a.figure, {".svg", ".pdf"});
+  paths.WriteByEnding("--figure", a.figure, {".svg", ".pdf"});
   CheckPaths(paths);
   if (!a.wants_page() && a.figure.empty())
     throw InvalidArgument("nothing to render: give --png, --gif, --mp4 or --figure with a file");
   if (a.wants_page() && !HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which makes pictures");
-  if (const std::string ending = EndingOf(a.figure); !a.figure.empty() && ending != ".svg" && ending != ".pdf")
-    throw InvalidArgument(fmt::format("--figure '{}' ends in '{}'; accepted: .svg or .pdf", a.figure, ending));
 }
 
 /// Nothing that is said is passed over: a flag of pictures or figures that are not made is refused.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/ground_file.h"
 #include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 struct TerrainsSettings {
   Common common;
   RobotFlags robot;
-  std::string terrain, picture;
+  std::string terrain, picture, out;
 };
 
 Json ParametersJson(const std::vector<TerrainParameter>& parameters) {
@@ -150,14 +151,15 @@ void PrintParts(const Terrain& terrain) {
   }
 }
 
-/// A ground as it is for a robot.
+/// A ground as it is for a robot, and the files that are made of it.
 struct ShownTerrain {
   std::string description;
   std::vector<TerrainParameter> parameters;
   Terrain terrain;
+  GroundFiles written = {};
 };
 
-Json ShownTerrainJson(const ShownTerrain& shown, const std::string& robot, const std::string& picture) {
+Json ShownTerrainJson(const ShownTerrain& shown, const std::string& robot, const TerrainsSettings& a) {
   Json patches = Json::array(), fields = Json::array(), obstacles = Json::array(), markers = Json::array(),
        files = Json::object();
   for (const TerrainPatch& patch : shown.terrain.patches) patches.push_back(PatchJson(patch));
@@ -165,16 +167,20 @@ Json ShownTerrainJson(const ShownTerrain& shown, const std::string& robot, const
   for (const Obstacle& obstacle : shown.terrain.obstacles) obstacles.push_back(ObstacleJson(obstacle));
   for (const TerrainMarker& marker : shown.terrain.markers)
     markers.push_back({{"name", marker.name}, {"position_m", {marker.p_W.x(), marker.p_W.y()}}});
-  if (!picture.empty()) files["picture"] = picture;
-  return {{"name", shown.terrain.name},
-          {"description", shown.description},
-          {"robot", robot},
-          {"parameters", ParametersJson(shown.parameters)},
-          {"patches", patches},
-          {"height_fields", fields},
-          {"obstacles", obstacles},
-          {"markers", markers},
-          {"files", files}};
+  if (!a.picture.empty()) files["picture"] = a.picture;
+  if (!a.out.empty()) files["ground"] = a.out;
+  Json json = {{"name", shown.terrain.name},
+               {"description", shown.description},
+               {"robot", robot},
+               {"parameters", ParametersJson(shown.parameters)},
+               {"patches", patches},
+               {"height_fields", fields},
+               {"obstacles", obstacles},
+               {"markers", markers},
+               {"files", files}};
+  if (!shown.written.terrain.empty()) json["terrain"] = shown.written.terrain;
+  if (!a.out.empty()) json["notes"] = shown.written.notes;
+  return json;
 }
 
 Result<ShownTerrain> LookAtTerrain(const std::string& text, const TerrainScale& scale) {
@@ -192,31 +198,49 @@ Result<ShownTerrain> LookAtTerrain(const std::string& text, const TerrainScale& 
   return shown;
 }
 
+/// Makes the files that are asked for and writes all of them or none.
+Result<std::vector<std::string>> WriteFilesOf(ShownTerrain& shown, const TerrainScale& scale,
+                                              const TerrainsSettings& a) {
+  if (!a.out.empty()) {
+    Result<GroundFiles> made = MakeGroundFiles(shown.terrain, a.out);
+    if (!made) return made.failure();
+    shown.written = std::move(*made);
+  }
+  std::vector<OutputFile> files = shown.written.files;
+  if (!a.picture.empty()) files.push_back({a.picture, TerrainPicture(shown.terrain, scale)});
+  return WriteFilesTogether(files);
+}
+
+void PrintShownTerrain(const ShownTerrain& shown, const std::string& robot, const std::vector<std::string>& files) {
+  fmt::print("{}: {}\n", shown.terrain.name, shown.description);
+  if (!shown.parameters.empty()) fmt::print("parameters, with the sizes for {}\n", robot);
+  PrintParameters(shown.parameters);
+  PrintParts(shown.terrain);
+  for (const std::string& file : files) fmt::print("wrote {}\n", file);
+  for (const std::string& note : shown.written.notes) fmt::print("note: {}\n", note);
+  if (!shown.written.terrain.empty()) fmt::print("read it back with --terrain {}\n", shown.written.terrain);
+}
+
 int ShowTerrain(const TerrainsSettings& a) {
   Paths paths;
   a.robot.AddTo(paths);
   paths.AddTerrain(a.terrain);
   paths.Write("--picture", a.picture, {".svg"});
+  paths.WriteByEnding("--out", a.out, {".xml", ".obj", ".png"});
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
   const TerrainScale scale = ScaleOf(*model);
-  const Result<ShownTerrain> shown = LookAtTerrain(a.terrain, scale);
+  Result<ShownTerrain> shown = LookAtTerrain(a.terrain, scale);
   if (!shown) return Report(shown.failure(), a.common);
-  if (!a.picture.empty()) {
-    const Result<std::string> written = WriteFileAtomically(a.picture, TerrainPicture(shown->terrain, scale));
-    if (!written) return Report(written.failure(), a.common);
-  }
+  const Result<std::vector<std::string>> written = WriteFilesOf(*shown, scale, a);
+  if (!written) return Report(written.failure(), a.common);
   if (a.common.json) {
-    PrintJson(ShownTerrainJson(*shown, model->name, a.picture));
+    PrintJson(ShownTerrainJson(*shown, model->name, a));
   } else if (a.common.quiet) {
     fmt::print("{}\n", shown->terrain.name);
   } else {
-    fmt::print("{}: {}\n", shown->terrain.name, shown->description);
-    if (!shown->parameters.empty()) fmt::print("parameters, with the sizes for {}\n", model->name);
-    PrintParameters(shown->parameters);
-    PrintParts(shown->terrain);
-    if (!a.picture.empty()) fmt::print("wrote {}\n", a.picture);
+    PrintShownTerrain(*shown, model->name, *written);
   }
   return kPass;
 }
@@ -233,9 +257,14 @@ void AddTerrains(Verb program, int& status) {
       .Require();
   a->robot.AddTo(show, "Robot whose size sets the default dimensions; default a1.");
   AddText(show, "--picture", "FILE", a->picture, "Draw the ground into this SVG file, from above and from the side.");
+  AddText(
+      show, "--out", "FILE", a->out,
+      "Write the ground for other programs. The ending decides the format: .xml (MuJoCo's MJCF), .obj (triangles) or "
+      ".png (16-bit greyscale heights); see docs/terrain-format.md.");
   AddCommon(verb, a->common, {"terrains", "terrains show stairs"});
   AddCommon(show, a->common,
-            {"terrains show stairs --robot nao", "terrains show rough:amplitude_m=0.03,seed=2 --picture rough.svg"});
+            {"terrains show stairs --robot nao", "terrains show rough:amplitude_m=0.03,seed=2 --picture rough.svg",
+             "terrains show stairs --out stairs.xml"});
   verb.RequireVerbs(0, 1);
   SetWork(verb, a->common, status, [a] {
     ApplySets("--set", a->common.sets, {});

@@ -61,6 +61,18 @@ TEST_F(CliPaths, NewFilesAndNoFilesAreAccepted) {
   EXPECT_FALSE(fs::exists(In("new.csv"))) << "a check makes nothing";
 }
 
+TEST_F(CliPaths, AnEndingThatDecidesIsOneOfThoseAccepted) {
+  const auto refusal = [&](const std::string& name) {
+    Paths paths;
+    paths.WriteByEnding("--out", name.empty() ? "" : In(name), {".obj", ".png"});
+    return Refusal(paths);
+  };
+  for (const char* good : {"a.obj", "a.PNG", ""}) EXPECT_EQ(refusal(good), "") << good;
+  for (const char* wrong : {"a", "a.bak", "a.xml"})
+    EXPECT_NE(refusal(wrong).find("accepted: .obj or .png"), std::string::npos) << wrong;
+  EXPECT_EQ(RefusalOfOutput(In("a.bak"), {".obj"}), "") << "elsewhere a foreign ending says nothing";
+}
+
 TEST_F(CliPaths, NothingIsWrittenOverAnInput) {
   const std::string input = Made("plan.json");
   fs::create_symlink(input, In("link.json"));

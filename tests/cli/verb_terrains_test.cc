@@ -74,6 +74,40 @@ TEST_F(Terrains, FilesAreShownAndPlannedOn) {
   EXPECT_EQ(Json::parse(Read("plan.json")).at("terrain").at("name"), "yard.yaml");
 }
 
+TEST_F(Terrains, AGroundIsWrittenForOtherPrograms) {
+  for (const std::string file : {"ground.xml", "ground.obj", "ground.png", "LOUD.OBJ"}) {
+    SCOPED_TRACE(file);
+    const Ran ran = Run({"terrains", "show", "stairs", "--out", "out/" + file, "--json"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(ran.json().at("files"), (Json{{"ground", "out/" + file}}));
+    EXPECT_TRUE(ran.json().at("notes").is_array());
+    EXPECT_EQ(ran.json().contains("terrain"), file != "ground.xml");
+    if (file == "ground.xml") continue;
+    const Ran again = Run({"terrains", "show", ran.json().at("terrain"), "--json"});
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_EQ(again.json().at("patches").size() + again.json().at("height_fields").size(),
+              file == "ground.png" ? 1U : ran.json().at("patches").size());
+  }
+  EXPECT_TRUE(Read("out/ground.obj") == Read("out/LOUD.OBJ"));
+  const Ran words = Run({"terrains", "show", "rough", "--out", "rough.xml", "--picture", "rough.svg"});
+  ASSERT_EQ(words.status, 0) << words.err;
+  for (const char* file : {"rough.xml", "rough_field0.bin", "rough.svg"}) {
+    EXPECT_NE(words.out.find(std::string("wrote ") + file), std::string::npos) << words.out;
+    EXPECT_TRUE(std::filesystem::is_regular_file(In(file))) << file;
+  }
+  const std::string flat = Run({"terrains", "show", "flat", "--out", "flat.obj"}).out;
+  EXPECT_NE(flat.find("note: the infinite surface 'ground' is cut"), std::string::npos) << flat;
+  EXPECT_NE(flat.find("read it back with --terrain flat.obj\n"), std::string::npos) << flat;
+  EXPECT_FALSE(Run({"terrains", "show", "flat", "--json"}).json().contains("notes"));
+}
+
+TEST_F(Terrains, TheEndingOfAGroundDecides) {
+  for (const std::string wrong : {"ground", "ground.stl", "ground.bak", "ground.csv"})
+    ExpectRefused(Run({"terrains", "show", "stairs", "--out", wrong}), 1, {"--out", wrong, ".xml or .obj or .png"});
+  ExpectRefused(Run({"terrains", "show", "stairs", "--out", "no/"}), 1, {"no/"});
+  EXPECT_EQ(Found(), std::vector<std::string>{});
+}
+
 TEST_F(Terrains, WrongOnesAreRefused) {
   ExpectRefused(Run({"terrains", "show", "stair"}), 1, {"'stair'", "'stairs'"});
   ExpectRefused(Run({"plan", "--terrain", "stairs:rise_m=300"}), 1, {"rise_m", "300", "accepted"});

@@ -93,6 +93,7 @@ def made(tmp_path_factory):
     keep("gaits", "gaits")
     keep("terrains", "terrains")
     keep("terrain", "terrains", "show", "stairs", "--picture", "stairs.svg")
+    keep("ground", "terrains", "show", "stairs", "--out", "stairs.png")
     (folder / "porch.yaml").write_text(block_named("porch.yaml"))
     keep("porch", "terrains", "show", "porch.yaml")
     keep("view", "view", "out/log.json", "--out", "view.html")
@@ -118,7 +119,7 @@ def block_named(name):
     ("tune-result", ["tune.json", "tune-file.json"]), ("compare-result", ["compare.json", "compare-reports.json"]),
     ("export-result", ["export.json"]), ("import-result", ["import.json"]), ("task-plan", ["tasks.json"]),
     ("grade-result", ["grade.json", "inputs.json"]), ("robots-result", ["robots.json", "robot.json"]),
-    ("gaits-result", ["gaits.json"]), ("terrains-result", ["terrains.json", "terrain.json", "porch.json"]),
+    ("gaits-result", ["gaits.json"]), ("terrains-result", ["terrains.json", "terrain.json", "ground.json", "porch.json"]),
     ("view-result", ["view.json"]), ("render-result", ["figure.json"]), ("bench-result", ["bench.json"]),
     ("option-list", ["options.json"]), ("reference-result", ["schemas.json", "written.json"]), ("error", ["error.json"]), ("options", ["tuned.yaml"])])
 def test_what_is_written_fits_its_schema(made, name, files):

@@ -147,7 +147,9 @@ DataShape TerrainShape() {
                  {"height_fields", List(field)},
                  {"obstacles", List(ObstacleShape())},
                  {"markers", List(Object({{"name", Text()}, {"position_m", Numbers(2)}}))},
-                 {"files", FilesShape({"picture"})}});
+                 {"files", FilesShape({"picture", "ground"})},
+                 Optional("terrain", Text(), "Text for --terrain that reads the file of --out back; .obj and .png."),
+                 Optional("notes", List(Text()), "In which respects the file of --out differs from the terrain.")});
 }
 
 }  // namespace
