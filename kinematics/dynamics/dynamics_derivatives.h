@@ -31,10 +31,10 @@ struct MomentumDerivatives {
   MatrixX by_v;  ///< the centroidal momentum matrix: Orin, Goswami and Lee, Autonomous Robots, 2013
 };
 
-/// Differentiates InverseDynamics analytically at q (nq), v (nv), a (nv). One object serves one model and one thread;
-/// after the first call it does not allocate.
+/// Analytic derivatives of InverseDynamics. An object works for one model and in one thread at a time. Only its first
+/// call allocates memory.
 ///
-/// Each pair of joints on one branch is visited once: O(n d) for n joints at a depth of d. Formulas: Carpentier and
+/// The cost is O(n d) for n joints and a tree of depth d. Formulas: Carpentier and
 /// Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018, in the form of Singh, Russo and
 /// Wensing, Efficient analytical derivatives of rigid-body dynamics using spatial vector algebra, RA-L 2022.
 /// Derivatives by the base's rotation follow from the invariance of the dynamics under rotations of the world together

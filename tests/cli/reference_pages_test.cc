@@ -51,7 +51,7 @@ TEST(ReferencePages, EveryVerbHasItsHeadingBeforeThoseBelowIt) {
   EXPECT_LT(walk, robots);
   EXPECT_LT(robots, show);
   EXPECT_LT(show, common);
-  EXPECT_EQ(CountIn(page, "`--quiet`"), 1) << "flags of every verb are told once";
+  EXPECT_EQ(CountIn(page, "`--quiet`"), 1) << "the page lists the common flags once";
 }
 
 TEST(ReferencePages, CellsOfATableStayCells) {

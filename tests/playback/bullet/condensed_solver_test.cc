@@ -15,26 +15,22 @@ namespace {
 /// One gear twice says nothing new; the impulses of the two are not unique, the motion is.
 TEST(CondensedSolver, GearsThatDependOnEachOtherAreHeldStill) {
   const RobotModel model = AnyRobot("mimic");
-  const auto follows =
-      std::find_if(model.joints.begin(), model.joints.end(), [](const Joint& j) { return j.is_mimic; });
-  ASSERT_NE(follows, model.joints.end());
-  const int follower = static_cast<int>(follows - model.joints.begin());
-  const int leader = model.dof_joint[static_cast<std::size_t>(follows->dof)];
+  const Gear of = FirstGear(model);
   VectorX q = StandingConfiguration(model);
   q[2] += 50.0;
   const auto rate_after = [&](int gears) {
     SmallWorld<CondensedSolver> made(model, FlatTerrain(), q);
     std::vector<std::unique_ptr<GearRow>> rows;
     for (int k = 0; k < gears; ++k) {
-      rows.push_back(std::make_unique<GearRow>(made.body, *follows, follower, leader));
+      rows.push_back(std::make_unique<GearRow>(made.body, of.joint, of.follower, of.leader));
       made.world.addMultiBodyConstraint(rows.back().get());
     }
     for (int k = 0; k < 100; ++k) {
-      made.body.multibody().addJointTorque(leader, 0.01);
+      made.body.multibody().addJointTorque(of.leader, 0.01);
       made.world.stepSimulation(0.001, 0);
       for (const auto& row : rows) EXPECT_LT(std::abs(row->Error()), 1e-6);
     }
-    return made.body.multibody().getJointVel(leader);
+    return made.body.multibody().getJointVel(of.leader);
   };
   const double free = rate_after(0), geared = rate_after(1);
   EXPECT_GT(std::abs(free - geared), 1e-3 * std::abs(free));

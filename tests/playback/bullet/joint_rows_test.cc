@@ -7,6 +7,7 @@
 
 #include "playback/bullet/joint_rows_internal.h"
 #include "tests/kinematics/made_robots.h"
+#include "tests/playback/bullet/small_world.h"
 #include "tests/playback/one_joint.h"
 
 namespace gaitwright::bullet {
@@ -150,16 +151,12 @@ TEST(JointRowsOfGears, PositionAndRateAreTheCoordinates) {
 
 TEST(JointRowsOfGears, AGearTakesHalfOfItsErrorBackInAStep) {
   const RobotModel model = AnyRobot("mimic");
-  const auto follows =
-      std::find_if(model.joints.begin(), model.joints.end(), [](const Joint& j) { return j.is_mimic; });
-  ASSERT_NE(follows, model.joints.end());
-  const int follower = static_cast<int>(follows - model.joints.begin());
-  const int leader = model.dof_joint[static_cast<std::size_t>(follows->dof)];
+  const Gear of = FirstGear(model);
   const VectorX q = StandingConfiguration(model);
   RobotBody robot(model, {.locked_dofs = {}, .q0 = q});
-  GearRow gear(robot, *follows, follower, leader);
+  GearRow gear(robot, of.joint, of.follower, of.leader);
   EXPECT_NEAR(gear.Error(), 0.0, 1e-12);
-  robot.multibody().setJointPos(follower, robot.multibody().getJointPos(follower) + 0.002);
+  robot.multibody().setJointPos(of.follower, robot.multibody().getJointPos(of.follower) + 0.002);
   EXPECT_NEAR(gear.Error(), 0.002, 1e-12);
   robot.inertia().Update();
   btMultiBodyConstraintArray rows;

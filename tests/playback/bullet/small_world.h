@@ -9,6 +9,20 @@
 
 namespace gaitwright::bullet {
 
+/// A joint that follows another one, with the indices of both.
+struct Gear {
+  const Joint& joint;
+  int follower, leader;
+};
+
+/// The first mimic joint of a model that has one.
+inline Gear FirstGear(const RobotModel& model) {
+  int follower = 0;
+  while (!model.joints.at(static_cast<std::size_t>(follower)).is_mimic) ++follower;
+  const Joint& joint = model.joints[static_cast<std::size_t>(follower)];
+  return {joint, follower, model.dof_joint[static_cast<std::size_t>(joint.dof)]};
+}
+
 /// A robot alone in a world of Bullet's.
 template <class Solver>
 struct SmallWorld {

@@ -67,7 +67,7 @@ TEST(Tasks, WhatIsTooMuchIsToldWithTheMostThatIsNot) {
       << deep.failure().suggestions[0].text;
 }
 
-/// What is told to be possible is.
+/// The largest bow that the suggestion names can be planned.
 TEST(Tasks, ABowTooDeepIsToldTheRange) {
   const Result<PlannedTasks> deep = Planned("a1", "bow 60 degrees", FlatTerrain());
   ASSERT_FALSE(deep.ok());
