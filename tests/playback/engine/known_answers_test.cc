@@ -71,6 +71,28 @@ TEST_P(KnownAnswers, AnObstacleIsTheDeepestWhereItIs) {
   EXPECT_EQ(inside.solid, "post");
 }
 
+// Its two highest nodes lie on the diagonal that cuts it (see HeightField), so that the middle of the cell is as high.
+TEST_P(KnownAnswers, ACellOfAHeightFieldIsARidgeWhereItsDiagonalIsHigh) {
+  Terrain terrain;
+  HeightField cell;
+  cell.name = "cell";
+  cell.columns = cell.rows = 2;
+  cell.resolution_m = 1.0;
+  cell.height_m = {1.0, 0.0, 0.0, 1.0};
+  terrain.height_fields = {cell};
+  const RobotModel ball = Ball();
+  VectorX q = VectorX::Zero(7);
+  q.head<3>() = Vector3(0.5, 0.5, 1.0 + kRadius - 0.01);
+  q[6] = 1.0;
+  WorldOptions options;
+  options.engine = GetParam();
+  const auto world = MakeWorld(ball, terrain, q, options);
+  EXPECT_NEAR(world->DeepestPenetration().depth_m, 0.01, 0.005);
+  q.z() += 0.02;
+  world->SetState(q, VectorX::Zero(6));
+  EXPECT_EQ(world->DeepestPenetration().depth_m, 0.0);
+}
+
 TEST_P(KnownAnswers, LookingForPenetrationChangesNothingThatFollows) {
   const RobotModel block = Block(0.2, 0.1, 0.3);
   VectorX q = VectorX::Zero(7);

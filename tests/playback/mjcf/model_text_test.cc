@@ -141,9 +141,9 @@ TEST(ModelText, TheFrictionOfTheGroundIsTheTerrainsUnlessGiven) {
   EXPECT_EQ(friction(0.9), (std::vector<double>{0.9, 0.0, 0.0}));
 }
 
-// The field is turned a quarter: MuJoCo's rows go along our -x, its columns along our y; heights are shares of the
-// rise.
-TEST(ModelText, AHeightFieldIsTurnedAQuarterAndScaledToItsRise) {
+// Rows along x as in HeightField; heights are shares of the rise. Which diagonal cuts a cell, MuJoCo itself is asked by
+// the tests of its world.
+TEST(ModelText, AHeightFieldKeepsItsRowsAndIsScaledToItsRise) {
   Terrain rough;
   HeightField field;
   field.columns = 3;
@@ -155,15 +155,15 @@ TEST(ModelText, AHeightFieldIsTurnedAQuarterAndScaledToItsRise) {
   const ModelText text = TextOf(one_body::Ball(), {}, rough);
   ASSERT_EQ(text.fields.size(), 1U);
   const FieldHeights& heights = text.fields[0];
-  EXPECT_EQ(heights.rows, 3);
-  EXPECT_EQ(heights.columns, 2);
-  const std::vector<float> expected = {0.5F, 0.5F, 0.25F, 0.0F, 0.0F, 1.0F};
+  EXPECT_EQ(heights.rows, 2);
+  EXPECT_EQ(heights.columns, 3);
+  const std::vector<float> expected = {0.0F, 0.25F, 0.5F, 1.0F, 0.0F, 0.5F};
   ASSERT_EQ(heights.heights.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(heights.heights[i], expected[i], 1e-6) << i;
   const auto size = NumbersOf(TagsOf(text.mjcf, "<hfield ").at(0), "size");
   ASSERT_EQ(size.size(), 4U);
-  EXPECT_NEAR(size[0], 0.25, 1e-12) << "half of the length along our y";
-  EXPECT_NEAR(size[1], 0.5, 1e-12);
+  EXPECT_NEAR(size[0], 0.5, 1e-12) << "half of the length along x";
+  EXPECT_NEAR(size[1], 0.25, 1e-12);
   EXPECT_NEAR(size[2], 0.4, 1e-12);
   const auto at = NumbersOf(TagsOf(text.mjcf, "<geom name=\"t0\"").at(0), "pos");
   ASSERT_EQ(at.size(), 3U);
