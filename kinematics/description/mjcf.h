@@ -10,20 +10,27 @@
 
 namespace gaitwright {
 
+/// Triangles of a mesh, in its own frame and unit.
+struct MjcfMesh {
+  std::vector<Vector3> vertices;
+  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
+};
+
+/// A mesh given by its vertices in the model itself.
+struct MjcfInlineMesh {
+  std::string file;  ///< name that the URDF has in place of a file: "inline:NAME"
+  MjcfMesh mesh;
+};
+
 /// A robot of a MuJoCo model (MJCF) as the texts that LoadRobotFromText takes.
 struct ConvertedMjcf {
   std::string urdf;
+  std::vector<MjcfInlineMesh> meshes;  ///< meshes that the model contains instead of naming a file
   std::string yaml;                  ///< name, standing posture, gains, rotor inertias: data that a URDF cannot contain
   std::string yaml_without_posture;  ///< for a keyframe in which the feet do not stand on level ground: then the
                                      ///< posture is refused (code `robot_yaml`), and can be derived instead
   std::vector<std::string>
       notes;  ///< elements that were left out or converted differently, each with file, line and element
-};
-
-/// Triangles of a mesh file, in its own frame and unit.
-struct MjcfMesh {
-  std::vector<Vector3> vertices;
-  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
 };
 
 /// Reads a mesh file by the path that the URDF has: relative to the model's folder, or absolute. Needed only for bodies

@@ -36,9 +36,10 @@ MjcfUrdfShape AroundMjcfEllipsoid(MjcfContext& context, const MjcfGeom& geom) {
   return MjcfRound("capsule", middle, 2.0 * (longest - middle), X_BS);
 }
 
-/// Why a mesh file cannot be used; "" where it can.
-std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset) {
-  if (asset.file.empty()) return "its mesh is in the model itself and not in a file";
+/// Why a mesh cannot be used; "" where it can. A file for collision that cannot be read is reported by who loads it.
+std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset, bool collides) {
+  if (asset.file.empty()) return "its mesh has neither 'file' nor 'vertex'";
+  if (!asset.inner.vertices.empty() || collides) return "";
   const std::string kind = LowerCase(std::filesystem::path(asset.file).extension().string());
   if (kind == ".stl" || kind == ".obj" || kind == ".dae") return "";
   return fmt::format("its mesh '{}' has an unsupported format; accepted: '.stl', '.obj', '.dae'",
@@ -47,7 +48,7 @@ std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset) {
 
 std::optional<MjcfUrdfShape> MeshOfMjcfGeom(MjcfContext& context, const MjcfGeom& geom, const MjcfMeshAssets& assets) {
   const MjcfMeshAsset& asset = MjcfMeshOf(geom, assets);
-  if (const std::string reason = ReasonNoMjcfMesh(asset); !reason.empty()) {
+  if (const std::string reason = ReasonNoMjcfMesh(asset, geom.collides); !reason.empty()) {
     context.Note(geom.owner, reason + "; left out");
     return std::nullopt;
   }

@@ -14,9 +14,10 @@ namespace gaitwright {
 /// The hull of a mesh by its file as the URDF names it.
 using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
 
-/// Gives the collision meshes their vertices, and takes out those that are not there. @return the hulls used.
-Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
-                                         std::vector<MissingMesh>& missing);
+/// Gives the collision meshes their vertices, and takes out those that do not exist or cannot be read.
+/// @return the hulls used.
+std::vector<MeshHull> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
+                                 std::vector<MissingMesh>& missing);
 
 /// Uses the visual shapes of a foot without collision shape for contact.
 /// @param named  feet that the user names; empty if they are to be derived.

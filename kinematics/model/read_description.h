@@ -7,6 +7,7 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/model/finding.h"
+#include "kinematics/model/robot_model.h"
 
 namespace gaitwright {
 
@@ -23,6 +24,7 @@ struct RobotDescription {
   std::string urdf;
   std::string yaml;  ///< the robot.yaml, with what an MJCF says and a URDF cannot where it does not say it
   std::string yaml_without_posture;  ///< of an MJCF, whose keyframe need not stand level; else ""
+  std::vector<MeshHull> meshes;      ///< hulls of the meshes that an MJCF contains itself
   std::vector<Finding> findings;     ///< on how the file was read
 };
 

@@ -42,7 +42,7 @@ std::string NameOf(const XMLElement& element, const std::string& what) {
   return name;
 }
 
-void CheckJoint(const XMLElement& joint, Tree& tree) {
+void CheckJoint(const XMLElement& joint, bool strict, Tree& tree) {
   const std::string name = NameOf(joint, "a joint");
   const std::string owner = fmt::format("joint '{}'", name);
   if (!tree.joint_names.insert(name).second) {
@@ -74,7 +74,7 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   tree.joint_of[ends[1]] = name;
   if (type == "spherical" && joint.FirstChildElement("mimic") != nullptr)
     Refuse(FailureCode::kBadMimic, fmt::format("{}: a spherical joint cannot mimic another joint", owner));
-  if (type != "fixed") CheckMotion(joint, type, owner);
+  if (type != "fixed") CheckMotion(joint, type, strict, owner);
 }
 
 void CheckRoots(const Tree& tree) {
@@ -178,7 +178,7 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
   if (tree.links.empty()) Refuse(FailureCode::kNotUrdf, "the URDF has no link");
   for (const XMLElement* joint = robot->FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
-    CheckJoint(*joint, tree);
+    CheckJoint(*joint, strict, tree);
   }
   CheckMimics(*robot);
   CheckRoots(tree);

@@ -13,7 +13,8 @@ namespace gaitwright {
 /// not finite or far too large, a negative mass, a zero axis, a missing or inverted limit, a mimic of an unknown or
 /// fixed joint, of itself, in a cycle or with multiplier 0, an unsupported joint type, a size that is not positive, a
 /// mesh without a file.
-/// @param strict  a non-physical inertia is refused too; else it is repaired later.
+/// @param strict  a non-physical inertia is refused too, which is repaired later otherwise, and so are an inertia
+/// without mass and a position range of 0 to 0.
 /// @return the first error, naming the element, or nothing.
 std::optional<Failure> CheckUrdf(const std::string& urdf_text, bool strict = false);
 

@@ -26,11 +26,12 @@ double Number(const tinyxml2::XMLElement& element, const char* name, const std::
 /// Refuses an <origin> in `parent` whose numbers are none.
 void CheckOrigin(const tinyxml2::XMLElement& parent, const std::string& owner);
 
-/// Refuses an impossible mass or geometry of a link, and where `strict` an impossible inertia.
+/// Refuses an impossible mass or geometry of a link, and where `strict` an impossible inertia or one without mass.
 void CheckLink(const tinyxml2::XMLElement& link, bool strict, const std::string& owner);
 
-/// Refuses a joint's axis, limits and dynamics that are missing or wrong.
-void CheckMotion(const tinyxml2::XMLElement& joint, const std::string& type, const std::string& owner);
+/// Refuses a joint's axis, limits and dynamics that are missing or wrong, and where `strict` a position range of 0 to
+/// 0.
+void CheckMotion(const tinyxml2::XMLElement& joint, const std::string& type, bool strict, const std::string& owner);
 
 /// Refuses what joints mimic wrongly: no such joint, a fixed one, themselves, in a circle, with numbers that are none.
 void CheckMimics(const tinyxml2::XMLElement& robot);

@@ -177,6 +177,28 @@ TEST_F(MeshFile, TheCoreOfItsInertiaBoxStandsForAMissingMesh) {
   EXPECT_EQ(warning->part, "link 'A_thigh'");
 }
 
+TEST_F(MeshFile, AMeshThatCannotBeReadIsReplacedAsAMissingOneIs) {
+  const std::string thigh = SmallLink("A_thigh");
+  Write("bad.stl", "solid nonsense");
+  Write("skin.ply", "ply");
+  for (const auto& [mesh, reason] :
+       {std::pair("bad.stl", "cannot be read"), std::pair("skin.ply", "in an unsupported format")}) {
+    const std::string with =
+        Replaced(thigh, "</link>",
+                 std::string("<collision><geometry><mesh filename='") + mesh + "'/></geometry></collision></link>");
+    const std::string file = Write("robot.urdf", Replaced(FourLegs(), thigh, with));
+    const Result<RobotModel> model = LoadRobot(file);
+    ASSERT_TRUE(model.ok()) << model.failure().message;
+    const auto warning = std::find_if(model->findings.begin(), model->findings.end(),
+                                      [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
+    ASSERT_NE(warning, model->findings.end()) << mesh;
+    EXPECT_EQ(warning->part, "link 'A_thigh'");
+    ExpectSays(warning->message, {mesh, reason, "inertia's box"});
+    EXPECT_FALSE(LoadRobot(file, {.strict = true}).ok());
+    ExpectSays(Load(std::string("<mesh filename='") + mesh + "'/>"), {"robot.urdf, line 1: link 'A_foot'", reason});
+  }
+}
+
 TEST_F(MeshFile, AMissingMeshIsAWarningWhereNothingStandsForIt) {
   const std::string mesh = "<collision><geometry><mesh filename='no.stl'/></geometry></collision></link>";
   const std::string thigh = SmallLink("A_thigh");
