@@ -182,7 +182,7 @@ TEST_F(MeshFile, AMeshThatCannotBeReadIsReplacedAsAMissingOneIs) {
   Write("bad.stl", "solid nonsense");
   Write("skin.ply", "ply");
   for (const auto& [mesh, reason] :
-       {std::pair("bad.stl", "cannot be read"), std::pair("skin.ply", "in an unsupported format")}) {
+       {std::pair("bad.stl", "has no triangles"), std::pair("skin.ply", "in an unsupported format")}) {
     const std::string with =
         Replaced(thigh, "</link>",
                  std::string("<collision><geometry><mesh filename='") + mesh + "'/></geometry></collision></link>");

@@ -28,11 +28,11 @@ class MeshHullsOfFiles : public testing::Test {
   std::string folder_;
 };
 
-const Vector3 kHalf(0.11, 0.057, 0.013);
+const Vector3 kHulledBox(0.11, 0.057, 0.013);
 
 TEST_F(MeshHullsOfFiles, EqualFilesAreHulledOnce) {
   MeshHulls hulls;
-  const std::string one = Write("one.stl", BinaryStl(kHalf)), two = Write("other/two.STL", BinaryStl(kHalf));
+  const std::string one = Write("one.stl", BinaryStl(kHulledBox)), two = Write("other/two.STL", BinaryStl(kHulledBox));
   const Result<std::vector<Vector3>> first = hulls.Of(one), second = hulls.Of(two), again = hulls.Of(one);
   ASSERT_TRUE(first.ok() && second.ok() && again.ok());
   EXPECT_EQ(hulls.size(), 1U);
@@ -43,9 +43,9 @@ TEST_F(MeshHullsOfFiles, EqualFilesAreHulledOnce) {
 
 TEST_F(MeshHullsOfFiles, AFileThatChangedIsReadAnew) {
   MeshHulls hulls;
-  const std::string file = Write("one.stl", BinaryStl(kHalf));
+  const std::string file = Write("one.stl", BinaryStl(kHulledBox));
   const std::vector<Vector3> before = hulls.Of(file).value();
-  Write("one.stl", BinaryStl(2.0 * kHalf));  // as many bytes
+  Write("one.stl", BinaryStl(2.0 * kHulledBox));  // as many bytes
   const std::vector<Vector3> after = hulls.Of(file).value();
   EXPECT_EQ(hulls.size(), 2U);
   EXPECT_NEAR(after[0].norm(), 2.0 * before[0].norm(), 1e-6);
@@ -53,8 +53,8 @@ TEST_F(MeshHullsOfFiles, AFileThatChangedIsReadAnew) {
 
 TEST_F(MeshHullsOfFiles, TheEndingBelongsToTheContent) {
   MeshHulls hulls;
-  ASSERT_TRUE(hulls.Of(Write("box.obj", Obj(kHalf))).ok());
-  EXPECT_FALSE(hulls.Of(Write("box.stl", Obj(kHalf))).ok());
+  ASSERT_TRUE(hulls.Of(Write("box.obj", Obj(kHulledBox))).ok());
+  EXPECT_FALSE(hulls.Of(Write("box.stl", Obj(kHulledBox))).ok());
   EXPECT_EQ(hulls.size(), 1U);
 }
 
@@ -62,8 +62,8 @@ TEST_F(MeshHullsOfFiles, AFailureIsNotKept) {
   MeshHulls hulls;
   EXPECT_FALSE(hulls.Of(folder_ + "/one.stl").ok());
   Write("one.stl", "solid nonsense");
-  EXPECT_EQ(hulls.Of(folder_ + "/one.stl").failure().code, FailureCode::kMeshUnreadable);
-  Write("one.stl", BinaryStl(kHalf));
+  EXPECT_EQ(hulls.Of(folder_ + "/one.stl").failure().code, FailureCode::kMeshEmpty);
+  Write("one.stl", BinaryStl(kHulledBox));
   EXPECT_TRUE(hulls.Of(folder_ + "/one.stl").ok());
 }
 
