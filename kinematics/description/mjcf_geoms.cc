@@ -111,7 +111,8 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   if (attributes.Has("mass")) geom.mass = attributes.Number("mass", 0.0);
   geom.density = attributes.Number("density", geom.density);
   if (geom.mass.value_or(0.0) < 0.0 || geom.density < 0.0)
-    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: its mass or density is negative", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: its mass or density is negative: {}", geom.owner,
+                                                   geom.mass.value_or(0.0) < 0.0 ? *geom.mass : geom.density));
   return geom;
 }
 

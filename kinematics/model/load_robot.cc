@@ -226,8 +226,15 @@ void FillLines(const std::string& text, std::vector<Finding>& findings) {
   }
 }
 
-/// Puts file and line before a message on a link or a joint.
+/// Puts file and line before a message on a link or a joint, and the file before one on the whole document.
 Failure WithLine(Failure failure, const std::string& path, const std::string& text) {
+  for (const FailureCode code :
+       {FailureCode::kNotXml, FailureCode::kNotUrdf, FailureCode::kUrdfRoots, FailureCode::kUrdfMissing}) {
+    const bool is_of_part = failure.message.starts_with("link '") || failure.message.starts_with("joint '");
+    if (failure.code != code || is_of_part) continue;
+    failure.message = fmt::format("{}: {}", fs::path(path).filename().string(), failure.message);
+    return failure;
+  }
   for (const char* kind : {"link '", "joint '"}) {
     if (!failure.message.starts_with(kind)) continue;
     const std::size_t end = failure.message.find('\'', std::char_traits<char>::length(kind));

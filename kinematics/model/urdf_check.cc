@@ -36,7 +36,7 @@ struct Tree {
 
 /// The name of a link or a joint.
 std::string NameOf(const XMLElement& element, const std::string& what) {
-  std::string name = Attribute(element, "name", what);
+  std::string name = Attribute(element, "name", fmt::format("{} in line {}", what, element.GetLineNum()));
   if (name.empty())
     Refuse(FailureCode::kUrdfMissing, fmt::format("{} in line {} has an empty name", what, element.GetLineNum()));
   return name;
@@ -83,7 +83,9 @@ void CheckRoots(const Tree& tree) {
     if (!tree.parent_of.contains(link)) roots.push_back(link);
   }
   if (roots.size() > 1) {
-    Refuse(FailureCode::kUrdfRoots, fmt::format("the links {} have no parent: one root is needed", QuotedList(roots)));
+    Refuse(FailureCode::kUrdfRoots,
+           fmt::format("the links {} have no parent: one root is needed; connect the others by joints",
+                       QuotedList(roots)));
   }
   for (const std::string& link : tree.link_names) {
     std::string at = link;
@@ -156,7 +158,8 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf_text.c_str(), urdf_text.size()) != tinyxml2::XML_SUCCESS) {
     Refuse(FailureCode::kNotXml,
-           fmt::format("the URDF is not XML: line {}: {}", document.ErrorLineNum(), document.ErrorName()));
+           fmt::format("the URDF is not XML: line {}: an element is not closed, or the text is damaged ({})",
+                       document.ErrorLineNum(), document.ErrorName()));
   }
   const XMLElement* robot = document.RootElement();
   if (robot == nullptr || std::strcmp(robot->Name(), "robot") != 0) {

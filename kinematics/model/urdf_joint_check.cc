@@ -31,8 +31,9 @@ void CheckLimit(const XMLElement& joint, const std::string& type, bool strict, c
     Refuse(FailureCode::kMissingLimit, fmt::format("{}: a {} joint needs a <limit>", owner, type));
   }
   for (const char* name : {"effort", "velocity"}) {
-    if (Number(*limit, name, owner) < 0.0)
-      Refuse(FailureCode::kBadLimit, fmt::format("{}: its {} limit is negative", owner, name));
+    if (const double value = Number(*limit, name, owner); value < 0.0)
+      Refuse(FailureCode::kBadLimit,
+             fmt::format("{}: its {} limit is {}, which is negative; zero or more is accepted", owner, name, value));
   }
   if (is_free) return;
   const double lower = PositionLimit(*limit, "lower", owner), upper = PositionLimit(*limit, "upper", owner);
@@ -88,7 +89,9 @@ void CheckMotion(const XMLElement& joint, const std::string& type, bool strict, 
   const XMLElement* axis = joint.FirstChildElement("axis");
   if (axis != nullptr && type != "spherical") {
     const auto a = Numbers(Attribute(*axis, "xyz", owner), 3, owner + ", axis");
-    if (std::hypot(a[0], a[1], a[2]) < 1e-9) Refuse(FailureCode::kZeroAxis, fmt::format("{}: its axis is zero", owner));
+    if (std::hypot(a[0], a[1], a[2]) < 1e-9)
+      Refuse(FailureCode::kZeroAxis,
+             fmt::format("{}: its axis is zero; give a direction, such as xyz=\"0 1 0\"", owner));
   }
   CheckLimit(joint, type, strict, owner);
   CheckNumbers(joint, "dynamics", {"damping", "friction"}, true, owner);

@@ -46,12 +46,21 @@ class CarriageSearch {
     for (const Change& change : ChangesFor(problem_)) {
       if (change.applies && Excess(best_) > 0.0) Try(change);
     }
-    if (problem_.asked_m == 0.0 && Excess(best_) > 0.0) Lower();
+    if (problem_.asked_m != 0.0 || Excess(best_) == 0.0 || !Lower()) return std::move(best_);
+    // What did not help the higher body may be all that the lower one lacks.
+    for (const Change& change : ChangesFor(problem_)) {
+      const bool is_posture = change.lean_rad != 0.0 || change.inward != 1.0;
+      if (change.applies && is_posture && !IsMade(change) && Excess(best_) > 0.0) Try(change);
+    }
     return std::move(best_);
   }
 
  private:
   static double Excess(const Result<MotionPass>& pass) { return pass ? pass->excess : kUnbounded; }
+
+  bool IsMade(const Change& change) const {
+    return change.lean_rad != 0.0 ? carriage_.lean_rad != 0.0 : carriage_.zmp_inward != problem_.zmp_inward;
+  }
 
   void Try(const Change& change) {
     Carriage changed = carriage_;
@@ -70,7 +79,8 @@ class CarriageSearch {
     return true;
   }
 
-  void Lower() {
+  /// @return whether a lower body has less excess; it is kept.
+  bool Lower() {
     constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
     constexpr int kPatience = 2;                   // heights without gain
     const auto at = [&](double share) {
@@ -79,20 +89,22 @@ class CarriageSearch {
       return lower;
     };
     // What is out of reach at the lowest is so at all heights.
-    if (!best_ && !trials_.reaches(at(kLowest))) return;
+    if (!best_ && !trials_.reaches(at(kLowest))) return false;
+    const double before = carriage_.com_height_m;
     double gain = kUnbounded;
     int without_gain = 0;
     for (double share = 1.0 - kStep; share >= kLowest && Excess(best_) > 0.0 && without_gain < kPatience;
          share -= kStep) {
       // Lowering helps less and less: the rest is not tried where it cannot be enough.
       const double least = Excess(best_), steps_left = std::round((share - kLowest) / kStep) + 1.0;
-      if (least - gain * steps_left > (least > hopeless_ ? hopeless_ : 0.0)) return;
+      if (least - gain * steps_left > (least > hopeless_ ? hopeless_ : 0.0)) break;
       Result<MotionPass> lower = trials_.plan(at(share), hopeless_);
       const double excess = Excess(lower);
       without_gain = excess < least || !lower ? 0 : without_gain + 1;
       gain = !lower ? gain : std::max(0.0, least - excess);
-      Take(std::move(lower));
+      if (Take(std::move(lower))) carriage_ = at(share);
     }
+    return carriage_.com_height_m != before;
   }
 
   const CarriageProblem& problem_;

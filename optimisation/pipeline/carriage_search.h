@@ -30,8 +30,9 @@ struct CarriageTrials {
 /// kept where the excess is less. Over uneven ground the body is higher or lower for a while, and over single soles it
 /// leans forward too, which bends a hip less that is behind; on one sole the ZMP runs farther inward of its middle, as
 /// is needed by ankles and hips that bend sideways. Last, and unless a height is asked for, the body is ever lower
-/// while that helps some foot that is out of reach or joints that are past limits, as knees are that straighten. Where
-/// no carriage keeps all limits, the one with the least excess; the failure of the first where none reaches all feet.
+/// while that helps some foot that is out of reach or joints that are past limits, as knees are that straighten; at
+/// that height lean and ZMP are tried once more. Where no carriage keeps all limits, the one with the least excess; the
+/// failure of the first where none reaches all feet.
 Result<MotionPass> FindCarriage(const CarriageProblem& problem, const CarriageTrials& trials);
 
 }  // namespace gaitwright

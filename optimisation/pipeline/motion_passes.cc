@@ -48,6 +48,16 @@ std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double
   return feet;
 }
 
+/// Excess of a body that is carried higher and lower so quickly that it hops: legs that straighten and bend again
+/// within one step keep their limits, and controllers do not follow them. It stays below what ends a search, so that
+/// such a motion is taken if no other way to carry the body is better.
+double HopExcess(const CentroidalTrajectory& motion) {
+  constexpr double kQuick = 0.1 * kGravity, kMost = 0.04;
+  double quickest = 0.0;
+  for (const Vector3& a_WC : motion.a_WC) quickest = std::max(quickest, std::abs(a_WC.z()));
+  return std::clamp(kMost * (quickest / kQuick - 1.0), 0.0, kMost);
+}
+
 }  // namespace
 
 MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
@@ -190,6 +200,7 @@ Result<MotionPass> MotionPasses::MakePass() {
   }
   pass.outside_m = Outside(pass);
   pass.excess = TotalExcess(model_, pass.solution.trajectory, kRangeMargin);
+  if (in_reach_) pass.excess += HopExcess(pass.centroidal);
   return pass;
 }
 

@@ -223,6 +223,20 @@ TEST_F(MeshFile, ARefusalHasFileAndLine) {
   ExpectSays(model.failure().message, {"robot.urdf, line 3: link 'A_shank': its mass is -1 kg"});
 }
 
+TEST_F(MeshFile, ARefusalOfTheWholeDocumentHasTheFile) {
+  const auto message = [&](const std::string& text) {
+    const Result<RobotModel> model = LoadRobot(Write("robot.urdf", text));
+    return model.ok() ? "" : model.failure().message;
+  };
+  ExpectSays(message("<robot>\n<link name='a'>\n</robot>"), {"robot.urdf: ", "not XML: line", "not closed"});
+  ExpectSays(message("<html/>"), {"robot.urdf: the root element is <html>"});
+  ExpectSays(message("<robot/>"), {"robot.urdf: the URDF has no link"});
+  ExpectSays(message("<robot>\n<link/></robot>"), {"robot.urdf: a link in line 2", "has no 'name'"});
+  const std::string apart = Replaced(FourLegs(), "<child link='A_thigh'/>", "<child link='A_foot'/>");
+  ExpectSays(message(Replaced(apart, "<link name='A_foot'", "<link name='B_extra'/><link name='A_foot'")),
+             {"robot.urdf"});
+}
+
 TEST_F(MeshFile, APointerOfGitLfsAndAnEmptyFileAreNamed) {
   const auto message = [&](const std::string& text) { return LoadRobot(Write("robot.urdf", text)).failure().message; };
   ExpectSays(message("version https://git-lfs.github.com/spec/v1\noid sha256:4d\nsize 9\n"), {"Git LFS"});

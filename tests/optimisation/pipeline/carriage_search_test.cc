@@ -57,6 +57,29 @@ TEST(FindCarriage, LowersTheBodyUntilLimitsAreKept) {
   EXPECT_EQ(tried.carriages.size(), 6U);
 }
 
+TEST(FindCarriage, WhatDidNotHelpTheHigherBodyIsTriedWithTheLowerOne) {
+  CarriageProblem problem = Standing();
+  problem.on_one_sole = true;
+  // The ZMP farther inward helps a body that is low, and no other.
+  const auto excess = [](const Carriage& c) {
+    const double high = std::max(0.01, c.com_height_m - 0.45);
+    return c.zmp_inward > 0.15 ? (c.com_height_m < 0.47 ? 0.0 : 0.2) : high;
+  };
+  const Tried tried = Find(problem, excess);
+  ASSERT_TRUE(tried.found.ok());
+  EXPECT_EQ(tried.found->excess, 0.0);
+  EXPECT_EQ(tried.carriages.back().zmp_inward, 0.2);
+  EXPECT_LT(tried.carriages.back().com_height_m, 0.47);
+}
+
+TEST(FindCarriage, TheZmpIsNotMovedInwardTwice) {
+  CarriageProblem problem = Standing();
+  problem.on_one_sole = true;
+  const Tried tried =
+      Find(problem, [](const Carriage& c) { return 0.02 + 0.1 * c.com_height_m - (c.zmp_inward > 0.15 ? 0.01 : 0.0); });
+  for (const Carriage& carriage : tried.carriages) EXPECT_LE(carriage.zmp_inward, 0.2);
+}
+
 TEST(FindCarriage, KeepsAHeightThatIsAskedFor) {
   CarriageProblem problem = Standing();
   problem.asked_m = 0.48;
