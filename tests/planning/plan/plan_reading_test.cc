@@ -67,7 +67,7 @@ TEST(PlanReading, KindsThatAreWrongAreNamed) {
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["schedule"][0][2] = -1; }),
             "'schedule[0][2]' is -1; a whole number, 0 or more, is needed");
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["schedule"][0].erase(2); }),
-            "'schedule[0]' has 2 parts; start, end and stance are needed");
+            "'schedule[0]' has 2 values; three are needed: start, end and stance");
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["provenance"]["options"]["a"] = 1; }),
             "'provenance.options.a' is 1; a text is needed");
 }
@@ -109,7 +109,7 @@ TEST(PlanReading, ValuesThatCannotBeAreRefused) {
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {0, 9}, {9, 9}, {9, 0}};
             }),
-            "'terrain.patches[0].outline_m' runs clockwise; counter-clockwise is needed");
+            "'terrain.patches[0].outline_m' runs clockwise; it must run counter-clockwise");
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{-9, -9}, {9, -9}, {0, 0}, {9, 9}, {-9, 9}};
             }).find("'terrain.patches[0].outline_m' covers 0.75 of its convex hull"),
@@ -228,7 +228,7 @@ TEST(PlanReading, ASwingCruisesForLessThanItsTime) {
   for (const double cruise : {-0.5, 1.0}) {
     EXPECT_EQ(WhyPlanRefused([&](ReadJson& j) {
                 j["swings"][0]["cruise"] = cruise;
-              }).find("'swings[0]' cruises for a share of "),
+              }).find("'swings[0]' has 'cruise' "),
               0U)
         << cruise;
   }
@@ -242,7 +242,7 @@ TEST(PlanReading, GatesNameFeetThatAPlanHas) {
     });
   };
   EXPECT_EQ(gated(15), "");
-  EXPECT_EQ(gated(16), "'gates[0].contact' names feet beyond 4");
+  EXPECT_EQ(gated(16), "'gates[0].contact' names a foot beyond the robot's 4 feet");
 }
 
 TEST(PlanReading, AnAdjustmentHasACodeOfAFailure) {
