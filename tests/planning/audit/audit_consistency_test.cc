@@ -125,7 +125,8 @@ TEST_P(AuditConsistency, OfThePartsWithTheGridAndEachOther) {
   const auto standing = [](MotionPlan& plan) {
     plan.parts.front().gait = StandingGait(plan.parts.front().gait.num_feet());
   };
-  EXPECT_LT(Changed("feet on the ground while it stands", standing).value, static_cast<double>(model().feet.size()));
+  EXPECT_LT(Changed("feet on the ground while the robot stands", standing).value,
+            static_cast<double>(model().feet.size()));
   EXPECT_NEAR(Changed("goal of standing still", standing).value, good().goal.x_m, 5e-3);
 }
 

@@ -66,7 +66,7 @@ TEST_P(AuditSwings, OfASwingWithItsFootholds) {
   const auto turned = [&](MotionPlan& plan) {
     for (Pose* X_WF : {&plan.swings[i].X_WF_start, &plan.swings[i].X_WF_end}) X_WF->linear() *= YawRotation(0.1);
   };
-  EXPECT_NEAR(Changed(foot() + " swing turned from its footholds", turned).value, 0.1, 1e-6);
+  EXPECT_NEAR(Changed(foot() + " swing rotated from its footholds", turned).value, 0.1, 1e-6);
 }
 
 TEST_P(AuditSwings, OfSwingsWithTheSchedule) {
@@ -82,8 +82,7 @@ TEST_P(AuditSwings, OfSwingsWithTheSchedule) {
   const Violation twice =
       Changed(foot() + " number of swings", [&](MotionPlan& plan) { plan.swings.push_back(plan.swings[i]); });
   EXPECT_EQ(twice.value, twice.limit + 1.0);
-  const Violation nobody =
-      Changed("swing of a foot that does not exist", [&](MotionPlan& plan) { plan.swings[i].foot = -1; });
+  const Violation nobody = Changed("swing of an unknown foot", [&](MotionPlan& plan) { plan.swings[i].foot = -1; });
   EXPECT_EQ(nobody.value, -1.0);
 }
 
