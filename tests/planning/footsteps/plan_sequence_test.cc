@@ -169,7 +169,8 @@ TEST(PlanSequence, WhatCannotBeNamesItsPart) {
   goal.command.extent = WalkCommand::Extent::kGoal;
   EXPECT_NE(why({Part("trot", 0.4, 0.5), goal}).find("part 2, 'trot': a part of a sequence cannot have a goal"),
             std::string::npos);
-  EXPECT_NE(why({Stand(0.01), goal}).find("part 1, 'stand': standing still for 0.01 s"), std::string::npos);
+  EXPECT_NE(why({Stand(0.01), goal}).find("part 1, 'stand': the duration of standing still is 0.01 s"),
+            std::string::npos);
 }
 
 TEST(PlanSequence, StandingIsEnough) {
