@@ -12,7 +12,7 @@ namespace gaitwright {
 
 /// Tuning
 ///   feet stand too near to edges                       raise edge_margin_m
-///   the way is refused although there is one           raise max_trials, lower spacing_s
+///   the path is refused although one exists             raise max_trials, lower spacing_s
 struct ChooseFootholdsOptions {
   double edge_margin_m = 0.01;
   double spacing_s = 0.1;

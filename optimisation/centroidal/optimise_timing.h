@@ -15,7 +15,7 @@ struct TimedPlan {
   bool mended = false;      ///< the given times had no feasible motion
   int steps = 0;            ///< improvements of the durations
   int solves = 0;           ///< number of solves, including refused ones, without the first motion
-  VectorX parts_s;          ///< where phases are tied: the durations of their parts
+  VectorX parts_s;          ///< durations of the parts, if phases are tied
 };
 
 /// Optimises the durations of a motion's phases (SwitchTimes) within bounds, with fixed or free total time, by a local

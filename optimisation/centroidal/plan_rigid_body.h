@@ -13,8 +13,8 @@
 
 namespace gaitwright {
 
-/// The defaults are those of `walk` and of `bench centroidal`, of which `walk` changes two (MotionOptions): the method
-/// while footholds are free, and swing_lead_s, since the legs of robots have mass.
+/// The defaults are those of `walk` and of `bench centroidal`. `walk` changes two of them (MotionOptions): the method
+/// while footholds are free, and swing_lead_s, because the legs of robots have mass.
 ///
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m

@@ -35,7 +35,7 @@ void CheckMotors(const RigidStance& stance, std::size_t points, std::size_t numb
   }
 }
 
-/// Of so many even places: the one before a place, and how far it is to the next one from there.
+/// For `count` uniform places: index of the one before `place`, and the fraction of the distance to the next one.
 std::pair<std::size_t, double> PartOf(double place, std::size_t count) {
   const double last = static_cast<double>(count) - 1.0, at = std::clamp(place, 0.0, last);
   const double before = std::min(std::floor(at), last - 1.0);

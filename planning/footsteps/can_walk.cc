@@ -21,8 +21,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kThin = 0.01;  // smallest width of a support, as a share of the leg's length
-constexpr double kWeak =
-    0.02;  // smallest motion of a movable foot per radian of its joints, as a share of the leg's length
+constexpr double kWeak = 0.02;  // smallest motion of a movable foot, in leg lengths per radian of its joints
 
 Failure Cannot(FailureCode code, const std::string& message, const std::vector<Suggestion>& suggestions) {
   return {FailureKind::kInfeasible, code, "PlanFootsteps", message, suggestions};
