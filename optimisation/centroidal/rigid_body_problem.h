@@ -30,7 +30,7 @@ struct RigidStance {
   double start_s = 0.0, end_s = 0.0;
   Pose X_WF = Pose::Identity();   ///< initial guess; z along the ground's normal, along which it is fixed
   bool held = false;              ///< true: the foothold is fixed there
-  std::vector<Vector2> region_F;  ///< otherwise its region in the plane: convex, counter-clockwise; empty if unbounded [m]
+  std::vector<Vector2> region_F;  ///< its region if not held: convex, counter-clockwise; empty if unbounded [m]
   double friction = 0.8;
   /// Displacement of its contact points along the ground at uniform times from start to end, for rolling spheres; empty
   /// for none [m].
