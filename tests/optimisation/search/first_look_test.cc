@@ -102,7 +102,7 @@ void ExpectHintServes(const Asked& asked) {
   WalkRequest request = asked.Request();
   const Result<PlannedWalk> refused = PlanWalk(a1, request);
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.failure().message.find("may serve with gait '" + asked.gait), std::string::npos)
+  EXPECT_NE(refused.failure().message.find("may be feasible with gait '" + asked.gait), std::string::npos)
       << refused.failure().message;
   const std::string& hint = refused.failure().suggestions.front().text;
   const bool by_speed = hint.starts_with("--speed ");
