@@ -50,7 +50,7 @@ TEST(RigidBodyProblem, TheBodiesOfTheTestsAreInOrder) {
     EXPECT_NO_THROW(CheckRigidBodyProblem(problem));
 }
 
-/// What is said to a walker's problem that is spoilt.
+/// The refusal of a walker's problem with an error.
 std::string RefusalOf(const std::function<void(RigidBodyProblem&)>& spoil) {
   RigidBodyProblem problem = rigid_bodies::Walker();
   spoil(problem);

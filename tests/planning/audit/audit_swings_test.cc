@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Swings of a good plan changed: the audit names the swing that does not agree with q, footholds or schedule.
+// Swings of a good plan are changed: the audit names the swing that disagrees with q, the footholds or the schedule.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ class AuditSwings : public testing::TestWithParam<std::string> {
   const MotionPlan& good() const { return GoodPlanOf(GetParam()).plan; }
   const std::string& foot() const { return model().feet[0].name; }
 
-  /// Changes the good plan; only consistency is broken then, and at this place.
+  /// Changes the good plan. Only consistency may be violated then, and only at this place.
   Violation Changed(const std::string& where, const std::function<void(MotionPlan&)>& change) const {
     MotionPlan plan = good();
     change(plan);
@@ -47,7 +47,7 @@ TEST_P(AuditSwings, OfASwingWithTheWayOfItsFoot) {
   EXPECT_GT(Changed(foot() + " off its swing", detour).value, 0.01);
 }
 
-/// A swing's own curve is held against the ground too, whatever way the foot goes in q.
+/// The curve of a swing is checked against the ground, too, whatever path the foot has in q.
 TEST_P(AuditSwings, ASwingsCurveThroughTheGroundIsNamedForThat) {
   MotionPlan plan = good();
   SwingTrajectory& swing = plan.swings[SwingOfFoot0(plan)];

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// The failure of an audit of a good plan with one thing changed.
+/// The failure of the audit for a good plan with one change.
 Failure MisfitOf(const std::function<void(MotionPlan&)>& change) {
   const GoodPlan& good = GoodPlanOf("a1");
   MotionPlan plan = good.plan;

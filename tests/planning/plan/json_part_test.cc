@@ -14,7 +14,7 @@ namespace {
 
 using Json = JsonPart::Json;
 
-/// What a reading of a text is refused with; "none" if it is read.
+/// The refusal when a text is read; "none" if it is accepted.
 std::string RefusalOfReading(const std::string& text, const std::function<void(const JsonPart&)>& read) {
   const Json json = ParseJsonOnce(text);
   try {
@@ -145,7 +145,7 @@ TEST(WhyNoJson, TellsWhereTheTextBreaks) {
   }
 }
 
-// 30 bytes end inside of the tenth character of three bytes.
+// 30 bytes end inside of the tenth three-byte character.
 TEST(JsonPartPlace, ALongTextIsCutBetweenCharacters) {
   std::string text = "a", shown = "a";
   for (int i = 0; i < 20; ++i) text += "\u932f";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of a plan file that are read: each wrong value is refused with its place, the value and what is accepted.
+// The parts of a plan file: each wrong value is refused with its place, the value and what is accepted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ const ReadJson& GoodReadJson() {
   return json;
 }
 
-/// Why the good plan with a change is refused; empty when it is not.
+/// The reason why the good plan with a change is refused; empty if it is accepted.
 std::string WhyPlanRefused(const std::function<void(ReadJson&)>& change) {
   ReadJson changed = GoodReadJson();
   change(changed);
@@ -159,7 +159,7 @@ TEST(PlanReading, RowsThatDoNotBelongTogetherAreRefused) {
             "'centroidal' has rows of 10 numbers; 11 are needed");
 }
 
-/// A box on the ground, as a plan file has it.
+/// A box on the ground, as in a plan file.
 ReadJson BoxOfReading() {
   return {{"name", "post"}, {"type", "box"}, {"pose", {5, 0, 0.5, 0, 0, 0, 1}}, {"size_m", {0.1, 0.2, 1.0}}};
 }
@@ -226,9 +226,7 @@ TEST(PlanReading, AFootholdMayNotEndBeforeItBegins) {
 TEST(PlanReading, ASwingCruisesForLessThanItsTime) {
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][0]["cruise"] = 0.99; }), "");
   for (const double cruise : {-0.5, 1.0}) {
-    EXPECT_EQ(WhyPlanRefused([&](ReadJson& j) {
-                j["swings"][0]["cruise"] = cruise;
-              }).find("'swings[0]' has 'cruise' "),
+    EXPECT_EQ(WhyPlanRefused([&](ReadJson& j) { j["swings"][0]["cruise"] = cruise; }).find("'swings[0]' has 'cruise' "),
               0U)
         << cruise;
   }

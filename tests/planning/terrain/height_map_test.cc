@@ -24,7 +24,7 @@ TEST(HeightMap, ACsvLiesAsSeenFromAbove) {
   EXPECT_EQ(field.columns, 3);
   EXPECT_EQ(field.rows, 2);
   EXPECT_EQ(field.friction, 0.6);
-  // Right is x, up is y, and the middle is where it was said.
+  // Right is x, up is y, and the centre is at the given place.
   const std::vector<std::pair<Vector2, double>> known = {
       {{0.9, 2.05}, 0.51}, {{1.0, 2.05}, 0.52}, {{1.1, 2.05}, 0.53}, {{0.9, 1.95}, 0.54}, {{1.1, 1.95}, 0.56}};
   for (const auto& [p, height] : known)
