@@ -38,8 +38,7 @@ struct TurningTerm {
   Vector3 lost_by_half, lost;     // momentum given to the legs, until the middle and the end
   std::array<Vector3, 3> unseen;  // corrections at start, middle and end for the rest of the interval
 
-  /// For a force that is linear from `from` to `to`: integral over the first part of an interval, divided by its
-  /// length,
+  /// For a force that is linear from `from` to `to`: integral over the first part of an interval, over its length,
   ///   from * from_share + to * to_share,
   /// and the integral of the same times the elapsed share of the interval.
   struct Shares {

@@ -9,8 +9,7 @@
 namespace gaitwright {
 
 /// Radical inverse of `index` in `base`: its digits mirrored at the point. For example, 6 = 110 in base 2 becomes 0.011
-/// = 3/8.
-/// In [0, 1).  @throws InvalidArgument unless base is 2 or more.
+/// = 3/8. In [0, 1).  @throws InvalidArgument unless base is 2 or more.
 double RadicalInverse(std::uint64_t index, std::uint64_t base);
 
 /// Largest number of coordinates of HaltonPoint; for larger bases the points lie on lines.

@@ -131,7 +131,7 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
   const std::string left = dynamic
-                               ? fmt::format("unbalanced force {:.1e} m g", pass->error_m)
+                               ? fmt::format("contact forces leave at most {:.1e} m g unbalanced", pass->error_m)
                                : fmt::format("multibody ZMP within {:.1f} mm of its reference", 1e3 * pass->error_m);
   (dynamic ? planned.residual : planned.zmp_error_max_m) = pass->error_m;
   planned.summary = fmt::format("{:.2f} s, {} footholds, {} passes, {}", plan.duration_s(),

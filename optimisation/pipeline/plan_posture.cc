@@ -27,7 +27,7 @@ Gait GaitOf(const RobotModel& model, const PostureMotion& motion, const std::str
             double end_s) {
   Gait gait = StandingGait(static_cast<int>(model.legs.size()));
   gait.name = name;
-  gait.description = "standing still";
+  gait.description = "feet stay where they are";
   for (const FootLift& lift : motion.lifts) {
     const double up_s = motion.TimeOf(lift.from_key), down_s = motion.TimeOf(lift.to_key);
     if (up_s < start_s - kTime || down_s > end_s + kTime) continue;

@@ -9,13 +9,11 @@
 namespace gaitwright {
 
 /// Reason why a robot cannot walk for any command, or nothing. Failure kInfeasible:
-///   `parallel_legs`  two legs turn about one axis on one side of the base: they are halves of one leg with an open
-///   loop
+///   `parallel_legs`  two legs turn about one axis on one side of the base: halves of one leg with an open loop
 ///   `passive_joint`  a joint of a leg has no motor: see IsPassive
 ///   `no_support`     the contacts of the standing posture span no area: for example, two point feet cannot stand still
-///   `freedoms`       a leg cannot move its foot in some direction, or cannot keep its sole level; names the leg, the
-///   missing
-///                    motion and the joints of the leg
+///   `freedoms`       a leg cannot move its foot in some direction, or cannot keep its sole level; names the leg,
+///                    the missing motion and the joints of the leg
 /// Lateral motion of a foot, and roll and yaw of a sole, are optional: without them the robot walks only forward and
 /// backward.
 std::optional<Failure> WhyCannotWalk(const RobotModel& model);

@@ -55,16 +55,13 @@ struct Placing {
 
 /// Places feet on the ground and checks whether they can stand there.
 ///
-///   point, sphere  on the highest ground. The distance from edges and risers is at least the margin, for a sphere also
-///   its
-///                  radius and, to risers, the distance that it rolls during the stance
+///   point, sphere  on the highest ground. The distance from edges and risers is at least the margin; for a sphere it
+///                  also includes the radius and, to risers, the distance that it rolls during the stance
 ///   sole, line     in the plane of a surface, with no ground above it under the sole; at least `least_on` of the sole
-///   is
-///                  on the surface, inside the margin. On a height field: in the plane in which the sole rests when
-///                  loaded
-///                  at its middle; at least `least_on` of it touches, and it does not rock. Across surfaces, for
-///                  example
-///                  where a slope begins: all corners are on the ground, and no ground between them is above the sole
+///                  is on the surface, inside the margin. On a height field: in the plane in which the sole rests when
+///                  loaded at its middle; at least `least_on` of it touches, and it does not rock. Across surfaces, for
+///                  example where a slope begins: all corners are on the ground, and no ground between them is above
+///                  the sole
 ///
 /// The distance from obstacles is at least the margin, up to half a leg length above the foothold. All distances are
 /// measured in plan view; they are never longer than those on the slope. An edge beyond which the ground continues with

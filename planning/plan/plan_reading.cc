@@ -220,7 +220,7 @@ SwingTrajectory ToSwing(const JsonPart& part, int feet) {
   if (part.Has("detour_m")) swing.detour_W = ToPoints(part.At("detour_m"));
   if (part.Has("cruise")) swing.cruise = part.At("cruise").Number();
   if (swing.cruise < 0.0 || swing.cruise >= 1.0)
-    part.Refuse(fmt::format("has 'cruise' {}; accepted: from 0 to less than 1", swing.cruise));
+    part.Refuse(fmt::format("has 'cruise' {}; accepted: 0 to less than 1", swing.cruise));
   return swing;
 }
 

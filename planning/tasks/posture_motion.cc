@@ -101,7 +101,7 @@ void CheckPostureMotion(const RobotModel& model, const PostureMotion& motion) {
   for (const FootLift& lift : motion.lifts) {
     if (lift.foot < 0 || lift.foot >= legs || lift.from_key >= lift.to_key || lift.to_key >= motion.keys.size() ||
         !(lift.height_m > 0.0 && std::isfinite(lift.height_m)))
-      refuse("lifts an unknown foot, lifts it outside of its keys, or to a height of 0 or less");
+      refuse("lifts a foot that is unknown, outside of its keys, or to a height of 0 or less");
   }
   for (const RestStay& stay : motion.rests) {
     if (stay.rest < legs || stay.rest >= feet || stay.from_key >= stay.to_key || stay.to_key >= motion.keys.size())

@@ -260,7 +260,7 @@ TEST_P(MotorLaw, MarginsOfABrokenLimitAreNegative) {
   EXPECT_EQ(at->where, name()) << "the least of a law comes first";
   EXPECT_NEAR(at->margin, -0.1 * most, 1e-9);
   EXPECT_NEAR(*at->share, -1.0 / 9.0, 1e-9);
-  EXPECT_NE(AuditText(report).find("margins, the smallest"), std::string::npos);
+  EXPECT_NE(AuditText(report).find("smallest margin of each check"), std::string::npos);
   EXPECT_NE(AuditJson(report).find("\"margins\""), std::string::npos);
 }
 
