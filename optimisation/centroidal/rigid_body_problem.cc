@@ -122,8 +122,8 @@ void CheckStances(const RigidBodyProblem& problem) {
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     const RigidStance& stance = problem.stances[s];
     if (stance.foot < 0 || stance.foot >= static_cast<int>(problem.feet.size())) {
-      throw InvalidArgument(
-          fmt::format("rigid body: stance {} names foot {} of {}", s, stance.foot, problem.feet.size()));
+      throw InvalidArgument(fmt::format("rigid body: stance {} names foot {}, but there are {} feet", s, stance.foot,
+                                        problem.feet.size()));
     }
     double& from = free_from[static_cast<std::size_t>(stance.foot)];
     if (!(stance.start_s >= from && stance.end_s > stance.start_s && stance.end_s <= problem.duration_s)) {

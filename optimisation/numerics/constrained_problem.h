@@ -100,8 +100,8 @@ struct ConstrainedSolution {
 /// The first rho matches the curvature of the constraints to that of the cost, which makes the iterates independent of
 /// the cost's scale; rho grows if the violation does not fall. A solve that stops without a step is repeated with a
 /// smaller tolerance before any update. Failure kInfeasible names the violated constraint and the amount, or that the
-/// cost does not converge. @throws InvalidArgument as CheckConstrainedProblem, and if a function is not finite at the
-/// start. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
+/// cost does not converge. @throws InvalidArgument as CheckConstrainedProblem does, and if a function is not finite at
+/// the start. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
 /// @param last  if given: the last iterate, also if it is not a solution.
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {},
                                   ConstrainedSolution* last = nullptr);

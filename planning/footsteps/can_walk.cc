@@ -133,7 +133,7 @@ struct Demand {
 enum class Walk { kAhead, kSideways, kTurning };
 
 const char* What(Walk walk) {
-  return walk == Walk::kTurning ? "turn as it walks" : walk == Walk::kSideways ? "walk sideways" : "walk";
+  return walk == Walk::kTurning ? "turn while it walks" : walk == Walk::kSideways ? "walk sideways" : "walk";
 }
 
 Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg, const std::vector<int>& dofs,

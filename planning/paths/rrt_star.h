@@ -24,8 +24,7 @@ struct RrtStarProblem {
 /// Where samples are drawn. The caller may change it during the search when a better route is found.
 struct SampleFocus {
   std::vector<PlanarPose> route;  ///< half of the samples are near this route; may be empty
-  double cost =
-      0.0;  ///< of the best solution, which bounds the samples by their distances to start and goal; 0 for none
+  double cost = 0.0;  ///< cost of the best solution; bounds the samples by their distances to start and goal; 0 if none
 };
 
 /// Statistics of a search.
