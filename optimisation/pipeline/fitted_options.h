@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// Scales the default options, which suit a 12 kg quadruped at a trot, to a robot and its gait. Near the motors' speed
+/// Scales the default options, which suit a small quadruped at a trot, to a robot and its gait. Near the motors' speed
 /// limit, forces must end abruptly at lift-off, which needs a smaller node spacing. The weight of the feet's distance
 /// from their nominal positions scales with the leg length. Before a long flight the body moves down and up a lot, so
 /// its position above the feet has less weight.
