@@ -40,7 +40,7 @@ struct BodyWayMisfit {
   int stance = -1;   ///< the stance farthest out; -1 if all are within reach
 };
 
-/// Of one stance's foot, and of all.
+/// Misfit of one stance's foot; below, of all feet.
 BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance);
 BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way);
 

@@ -12,7 +12,7 @@ namespace gaitwright {
 
 /// Tuning
 ///   feet stand too near to edges                       raise edge_margin_m
-///   the way is refused although there is one           raise max_trials, lower spacing_s
+///   the path is refused although one exists             raise max_trials, lower spacing_s
 struct ChooseFootholdsOptions {
   double edge_margin_m = 0.01;
   double spacing_s = 0.1;
@@ -44,7 +44,7 @@ bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double ed
 ///                        does not suffice at any place that its feet reach from there
 ///   `out_of_reach`       names the foot that stays out of its workspace by more than hopeless_m for any forces, the
 ///                        time, and the distance that the body moves during the stance
-/// @throws InvalidArgument as CheckRigidBodyProblem.
+/// @throws InvalidArgument as CheckRigidBodyProblem does.
 Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
                                         const ChooseFootholdsOptions& options = {});
 

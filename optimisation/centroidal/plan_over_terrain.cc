@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// How far stances are from what they must keep: out of region and reach [m], and beyond friction [0.1 m g], by stance.
+/// Violation of each stance: distances out of region and out of reach [m], and force beyond friction [0.1 m g].
 std::vector<double> TroubleOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion) {
   std::vector<double> trouble(problem.stances.size(), 0.0);
   for (const RigidBodySample& sample : Sample(motion, 0.01)) {
@@ -38,7 +38,7 @@ std::vector<double> TroubleOf(const RigidBodyProblem& problem, const RigidBodyMo
   return trouble;
 }
 
-/// How far a stance's foot is in plan view from where it could stand on a patch.
+/// Distance in plan view of a stance's foot from the nearest possible foothold on a patch.
 double Far(const Terrain& terrain, const PlanOverPatches& plan, std::size_t s, int patch, double edge_margin_m) {
   const Vector3 p_W = plan.plan.motion.X_WF[s].translation();
   RigidStance on = plan.choice.problem.stances[s];
@@ -46,7 +46,7 @@ double Far(const Terrain& terrain, const PlanOverPatches& plan, std::size_t s, i
   return (on.X_WF.translation() - p_W).head<2>().norm();
 }
 
-/// A stance and those that last as long as it on the same patch.
+/// A stance and the stances of the same time on the same patch.
 std::vector<std::size_t> Together(const ChosenFootholds& choice, std::size_t s) {
   const std::vector<RigidStance>& stances = choice.problem.stances;
   std::vector<std::size_t> together;
@@ -94,7 +94,7 @@ class PatchSearch {
     return plan;
   }
 
-  /// Tries others until one is better, which is the best then, with its plan. @return false where none is.
+  /// Plans other patches until a choice is better, which then becomes the best one. @return false if none is better.
   bool TryOthers(Result<RigidBodyPlan>& plan) {
     for (const PatchChange& change : PatchChanges(terrain_, best_, choosing_.edge_margin_m, search_.near_m)) {
       if (steps_ >= search_.most_steps) return false;

@@ -13,8 +13,8 @@
 
 namespace gaitwright {
 
-/// The defaults are those of `walk` and of `bench centroidal`, of which `walk` changes two (MotionOptions): the method
-/// while footholds are free, and swing_lead_s, since the legs of robots have mass.
+/// The defaults are those of `walk` and of `bench centroidal`. `walk` changes two of them (MotionOptions): the method
+/// while footholds are free, and swing_lead_s, because the legs of robots have mass.
 ///
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
@@ -40,7 +40,7 @@ struct RigidBodyOptions {
   double hopeless = 0.1;
   int max_iterations = 100;
   RigidBodyWeights weights = {.stance = 20.0, .way = 1.0};
-  bool turns_by_forces = true;  ///< else rotation is free: a relaxation that tests the forces
+  bool turns_by_forces = true;  ///< false: rotation is free, a relaxation that tests the forces
 
   OptionFields Fields();
 };
@@ -50,7 +50,7 @@ struct RigidBodySummary {
   int variables = 0, constraints = 0;   ///< of the last solve
   int iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
-  bool settled = true;      ///< else the motion satisfies all constraints but is not optimal
+  bool settled = true;      ///< false: satisfies all constraints, but is not optimal
   bool gave_up = false;     ///< the requested solver left constraints violated, so the interior-point method continued
   double violation = 0.0;   ///< largest, in m, rad, rad/s and m g
   double violations = 0.0;  ///< sum of all
@@ -88,7 +88,7 @@ struct RigidBodyPlan {
 /// with additional reach checks if only reach is violated, else with half the node spacing. Failure kInfeasible
 /// `unmet_law` names the violated constraints with place and size, `faults_between` those violated between nodes after
 /// all refinements; `last` then has the last state.
-/// @throws InvalidArgument as CheckRigidBodyProblem.
+/// @throws InvalidArgument as CheckRigidBodyProblem does.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
 

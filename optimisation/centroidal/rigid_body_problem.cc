@@ -35,7 +35,7 @@ void CheckMotors(const RigidStance& stance, std::size_t points, std::size_t numb
   }
 }
 
-/// Of so many even places: the one before a place, and how far it is to the next one from there.
+/// For `count` uniform places: index of the one before `place`, and the fraction of the distance to the next one.
 std::pair<std::size_t, double> PartOf(double place, std::size_t count) {
   const double last = static_cast<double>(count) - 1.0, at = std::clamp(place, 0.0, last);
   const double before = std::min(std::floor(at), last - 1.0);
@@ -122,8 +122,8 @@ void CheckStances(const RigidBodyProblem& problem) {
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     const RigidStance& stance = problem.stances[s];
     if (stance.foot < 0 || stance.foot >= static_cast<int>(problem.feet.size())) {
-      throw InvalidArgument(
-          fmt::format("rigid body: stance {} names foot {} of {}", s, stance.foot, problem.feet.size()));
+      throw InvalidArgument(fmt::format("rigid body: stance {} names foot {}, but there are {} feet", s, stance.foot,
+                                        problem.feet.size()));
     }
     double& from = free_from[static_cast<std::size_t>(stance.foot)];
     if (!(stance.start_s >= from && stance.end_s > stance.start_s && stance.end_s <= problem.duration_s)) {

@@ -49,7 +49,7 @@ class RigidBodyTerms {
   Constraint Region(std::size_t stance) const;
 
  private:
-  // In rigid_body_reach.cc, with what is public of reach and clearance.
+  // Implemented in rigid_body_reach.cc, together with the public functions for reach and clearance.
   Constraint ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place, double time_s,
                      double margin_m) const;
 

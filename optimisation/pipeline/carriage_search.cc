@@ -12,20 +12,20 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// More excess than the passes after the first can mend; such plans are finished only for those who want them.
+/// Limit violation that later passes cannot correct; motions beyond it are completed only on request.
 constexpr double kHopeless = 0.05;
 
-/// A change of the carriage that may have less excess.
+/// A change of the body posture that may reduce the limit violation.
 struct Change {
   bool applies = false;
   bool in_reach = false;
   double lean_rad = 0.0;
-  double inward = 1.0;  ///< factor of the preferred ZMP's share
+  double inward = 1.0;  ///< factor of zmp_inward
 };
 
-/// In the order in which they are tried, each from what was best before.
+/// In the order of the trials. Each change starts from the best posture so far.
 std::vector<Change> ChangesFor(const CarriageProblem& problem) {
-  constexpr double kLean = 0.1;    // [rad] moves the hips of NAO by 3 cm, a quarter of what a hip bends to behind
+  constexpr double kLean = 0.1;  // [rad] moves the hips of a humanoid by 3 cm, a quarter of the rearward bend of a hip
   constexpr double kInward = 2.0;  // more than twice the preferred share leaves no margin on the other side
   return {{problem.uneven, true, 0.0, 1.0},
           {problem.uneven && problem.on_one_sole, true, kLean, 1.0},
@@ -58,12 +58,12 @@ class CarriageSearch {
     changed.in_reach |= change.in_reach;
     changed.lean_rad += change.lean_rad;
     changed.zmp_inward *= change.inward;
-    // The ZMP does not bring a foot within reach; that it runs inward is for lower bodies to use.
+    // The inward ZMP does not bring feet into reach; it is only useful together with a lowered body.
     const bool is_known = change.inward != 1.0 && !best_;
     if (is_known || Take(trials_.plan(changed, hopeless_))) carriage_ = changed;
   }
 
-  /// Takes what has less excess.
+  /// Keeps a motion if its limit violation is smaller.
   bool Take(Result<MotionPass> other) {
     if (Excess(other) >= Excess(best_)) return false;
     best_ = std::move(other);
@@ -71,20 +71,20 @@ class CarriageSearch {
   }
 
   void Lower() {
-    constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
-    constexpr int kPatience = 2;                   // heights without gain
+    constexpr double kStep = 0.02, kLowest = 0.8;  // share of the standing height
+    constexpr int kPatience = 2;                   // number of heights without improvement
     const auto at = [&](double share) {
       Carriage lower = carriage_;
       lower.com_height_m = share * problem_.standing_m;
       return lower;
     };
-    // What is out of reach at the lowest is so at all heights.
+    // A foothold out of reach at the lowest height is out of reach at all heights.
     if (!best_ && !trials_.reaches(at(kLowest))) return;
     double gain = kUnbounded;
     int without_gain = 0;
     for (double share = 1.0 - kStep; share >= kLowest && Excess(best_) > 0.0 && without_gain < kPatience;
          share -= kStep) {
-      // Lowering helps less and less: the rest is not tried where it cannot be enough.
+      // Each further lowering helps less, so the search ends if the remaining heights cannot suffice.
       const double least = Excess(best_), steps_left = std::round((share - kLowest) / kStep) + 1.0;
       if (least - gain * steps_left > (least > hopeless_ ? hopeless_ : 0.0)) return;
       Result<MotionPass> lower = trials_.plan(at(share), hopeless_);

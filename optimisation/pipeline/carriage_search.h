@@ -8,30 +8,31 @@
 
 namespace gaitwright {
 
-/// What decides how the body may be carried.
+/// Inputs of the search for a body posture.
 struct CarriageProblem {
   double standing_m = 0.0;    ///< height of the centre of mass in standing
-  double asked_m = 0.0;       ///< height that is asked for; 0 for none
-  double zmp_inward = 0.0;    ///< preferred, see SupportRegions
-  bool uneven = false;        ///< the ground is not level and bare
-  bool on_one_sole = false;   ///< the robot stands on one sole alone for a while
-  bool finishes_all = false;  ///< motions past limits are finished too, since one of them may be taken
+  double asked_m = 0.0;       ///< requested height of the centre of mass; 0 if none
+  double zmp_inward = 0.0;    ///< preferred value, see SupportRegions
+  bool uneven = false;        ///< true unless the ground is one level plane without objects
+  bool on_one_sole = false;   ///< the robot stands on a single sole at some time
+  bool finishes_all = false;  ///< complete also motions that violate limits, because one of them may be returned
 };
 
-/// Motions of one walk with the body carried in different ways.
+/// Functions that plan one walk with a given body posture.
 struct CarriageTrials {
-  /// The motion with a carriage; one that is first farther past limits than `hopeless` is not finished.
+  /// Plans the motion. It is not completed if its first limit violation exceeds `hopeless`.
   std::function<Result<MotionPass>(const Carriage&, double hopeless)> plan;
-  /// Whether all feet are reached with a carriage.
+  /// Whether all feet reach their footholds.
   std::function<bool(const Carriage&)> reaches;
 };
 
-/// Finds how the body is carried over its feet: as preferred, and where that is past limits by other carriages, each
-/// kept where the excess is less. Over uneven ground the body is higher or lower for a while, and over single soles it
-/// leans forward too, which bends a hip less that is behind; on one sole the ZMP runs farther inward of its middle, as
-/// is needed by ankles and hips that bend sideways. Last, and unless a height is asked for, the body is ever lower
-/// while that helps some foot that is out of reach or joints that are past limits, as knees are that straighten. Where
-/// no carriage keeps all limits, the one with the least excess; the failure of the first where none reaches all feet.
+/// Finds the height, lean and preferred ZMP of the body. The preferred posture is tried first. If it violates limits,
+/// other postures are tried, and each is kept if it reduces the limit violation. On uneven ground the body is
+/// temporarily higher or lower. Above single soles it also leans forward, so that the rear hip bends less; on one sole
+/// the ZMP moves inward, which helps ankles and hips with small roll ranges. Finally, unless a height is requested, the
+/// body is lowered step by step while that brings feet into reach or reduces violations, for example of straight knees.
+/// If no posture keeps all limits, returns the motion with the smallest violation; if no posture reaches all feet, the
+/// failure of the first one.
 Result<MotionPass> FindCarriage(const CarriageProblem& problem, const CarriageTrials& trials);
 
 }  // namespace gaitwright

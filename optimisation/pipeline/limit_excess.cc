@@ -12,8 +12,8 @@
 namespace gaitwright {
 namespace {
 
-/// What the trajectory asks of a joint's position, and of the speed and effort of the motor of the same index, beyond
-/// their limits; not positive where it keeps them.
+/// Limit violations of a joint's position, and of the speed and effort of the motor with the same index; not positive
+/// if the limits are kept.
 struct LimitExcess {
   double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
 };

@@ -20,19 +20,20 @@
 namespace gaitwright {
 namespace {
 
-/// [m] Out of a support. A reference that hands over from a line starts on the edge, so that every error shows there.
+/// [m] Tolerance outside of a support. A reference that leaves a line starts on the edge, so that every error shows
+/// there.
 constexpr double kOutside = 5e-7;
-constexpr int kAdapting = 2;    // passes in which the body's height is sought
-constexpr double kBend = 0.12;  // of a cycle, over which its bends are spread
+constexpr int kAdapting = 2;    // passes that adapt the body's height
+constexpr double kBend = 0.12;  // share of a cycle over which bends of the body's height are spread
 constexpr double kFirstSpareReach = 0.03,
-                 kSpareReach = 0.02;  // of the leg, kept of its reach: by guess, and with a pass made
+                 kSpareReach = 0.02;  // margin of reach in leg lengths: at first, and after the first pass
 
-/// Where the centre of mass is in plan view in standing, the base's origin at a planar pose.
+/// Position of the centre of mass in plan view in the standing posture, with the base's origin at a planar pose.
 Vector2 CentreOfMassAt(const RobotModel& model, const PlanarPose& at) {
   return Vector2(at.x_m, at.y_m) + (YawRotation(at.yaw_rad) * StandingCentreOfMass(model)).head<2>();
 }
 
-/// Controlled frames of the feet at a time, on their footholds or swinging.
+/// Controlled frames of the feet at a time, on their footholds or in swing.
 std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double time_s) {
   std::vector<Pose> feet;
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
@@ -82,7 +83,7 @@ Result<MotionPass> MotionPasses::Run(int& passes, double hopeless) {
   MotionPass best;
   double gain = 1.0;
   const int most = task_.options.pipeline.max_passes;
-  bool nears = false;  // the ZMP came nearer to its reference in the last pass, and is not as near as an audit asks
+  bool nears = false;  // the last pass reduced the ZMP error, and the error is still above the audit's limit
   for (passes = 0; passes < most || (nears && passes < 2 * most); ++passes) {
     adapts_ = in_reach_ && passes < kAdapting;
     Result<MotionPass> made = MakePass();
@@ -115,8 +116,8 @@ double MotionPasses::Outside(const MotionPass& pass) const {
   return outside;
 }
 
-/// Lifts the pendulum onto the ground that the body is carried over. What that changes of the ZMP is made good like
-/// all that the pendulum leaves out.
+/// Moves the pendulum up by the height of the ground below the body. The resulting change of the ZMP is corrected like
+/// all other effects that the pendulum model ignores.
 void MotionPasses::FollowGround(CentroidalTrajectory& motion) const {
   for (int k = 0; k < motion.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -127,7 +128,7 @@ void MotionPasses::FollowGround(CentroidalTrajectory& motion) const {
   }
 }
 
-/// Carries the body higher or lower where legs do not reach their feet.
+/// Raises or lowers the body where legs do not reach their feet.
 void MotionPasses::KeepInReach(MotionPass& pass) {
   const ReachHeight height(model_);
   const FormerMotion former = Former(pass.centroidal);
@@ -136,17 +137,17 @@ void MotionPasses::KeepInReach(MotionPass& pass) {
     const double time_s = body_.KnotTime(k), ground_m = body_.GroundAt(time_s).value;
     const auto change = height.Changes(former.base(time_s), FeetAt(model_, pass, time_s),
                                        former_.base ? kSpareReach : kFirstSpareReach);
-    constexpr double kAnything = 10.0;  // [m] for others to tell
+    constexpr double kAnything = 10.0;  // [m] no limit here; others check the height
     reach_.push_back({ground_m + (change ? change->low : -kAnything), ground_m + (change ? change->high : kAnything)});
   }
   body_.KeepWithin(reach_, kBend * task_.cycle_s);
   FollowGround(pass.centroidal);
 }
 
-/// The whole body's motion; where a leg does not reach after all, with the body lower around that time.
+/// The whole-body motion. If a leg is out of reach nevertheless, lowers the body around that time.
 Result<WholeBodySolution> MotionPasses::SolveBody(MotionPass& pass) {
   constexpr int kTries = 12;
-  constexpr double kLower = 0.01;  // of the leg
+  constexpr double kLower = 0.01;  // share of the leg length
   const WholeBodyProblem problem{&task_.terrain, &task_.skeleton.schedule,
                                  &footsteps_,    &pass.centroidal,
                                  &pass.swings,   [this](double time_s) { return body_.TurningAt(time_s); }};
@@ -193,13 +194,13 @@ Result<MotionPass> MotionPasses::MakePass() {
   return pass;
 }
 
-/// What swings over ground that is not level reckon with: the pass before, or where the base is carried at first.
+/// The assumed motion for swings over uneven ground: that of the previous pass, or the initial motion of the base.
 FormerMotion MotionPasses::Former(const CentroidalTrajectory& motion) const {
   if (level_ || former_.base) return former_;
   return {CarriedBase(model_, body_, motion), {}, {}};
 }
 
-/// True when the rolls are what the swings were aimed by.
+/// True if the rolls equal those assumed by the swings.
 bool MotionPasses::UpdateRolls(const WholeBodySolution& solution) {
   support_.contact_W = solution.contact_W;
   constexpr double kSettled = 2e-4;
@@ -215,7 +216,7 @@ bool MotionPasses::UpdateRolls(const WholeBodySolution& solution) {
   return change < kSettled;
 }
 
-/// True when the base leaned as the swings of legs that stay in a plane were made for.
+/// True if the base leaned as assumed by the swings of planar legs.
 bool MotionPasses::UpdateLeans(const MotionPass& pass) {
   constexpr double kSettled = 2e-4;  // [m]
   if (!is_planar_) return true;
@@ -224,7 +225,7 @@ bool MotionPasses::UpdateLeans(const MotionPass& pass) {
   return LeanSwings(planes_, leans_by_.base, swings) < kSettled;
 }
 
-/// Feet that roll on in their last stance, on what is level, are put down so much before.
+/// Moves the last footholds of rolling feet on level ground back by the distance that they roll in their last stance.
 void MotionPasses::EndAsStanding() {
   constexpr double kTime = 1e-6, kUpright = 1.0 - 1e-9;  // [s], cosine
   const double end_s = task_.skeleton.schedule.end_s();

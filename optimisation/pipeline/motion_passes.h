@@ -63,7 +63,7 @@ class MotionPasses {
  public:
   MotionPasses(const MotionTask& task, const Carriage& carriage);
 
-  /// One pass without corrections, which suffices to check limits.
+  /// One pass without corrections, which is sufficient to check limits.
   Result<MotionPass> RunOnce() { return MakePass(); }
 
   /// Runs passes until the ZMP reaches its reference; stops early if the first ones exceed limits by more than
@@ -86,13 +86,13 @@ class MotionPasses {
   const RobotModel& model_;
   BodyPath body_;
   const bool in_reach_, level_;
-  bool adapts_ = false;        // the body's height is still sought
-  std::vector<Bounds> reach_;  // of the ground under the body, by its knots
+  bool adapts_ = false;        // the body's height is still being adapted
+  std::vector<Bounds> reach_;  // bounds from reach for the height of the body, by knot
   FormerMotion former_;        // over ground that is not level
   FootstepPlan footsteps_;
-  std::vector<std::optional<Vector3>> planes_;  // of legs that cannot leave theirs
-  bool is_planar_ = false;                      // there are such legs
-  FormerMotion leans_by_;                       // their swings, of the pass before
+  std::vector<std::optional<Vector3>> planes_;  // planes of legs that cannot leave them
+  bool is_planar_ = false;                      // true if there are such legs
+  FormerMotion leans_by_;                       // assumed motion for their swings, from the previous pass
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;
   SupportInputs support_;

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// Corners of a foot's contact with the ground at a time since the start of the grid, in plan view.
+/// Corners of a foot's contact with the ground in plan view, at a time since the start of the grid.
 std::vector<Vector2> CornersAt(const Foot& foot, const Foothold& foothold, double since_start_s,
                                const SupportInputs& inputs, const Polygon& support_F) {
   const auto index = static_cast<std::size_t>(foothold.foot);
@@ -28,14 +28,14 @@ std::vector<Vector2> CornersAt(const Foot& foot, const Foothold& foothold, doubl
   return corners;
 }
 
-/// What a phase's region is made from.
+/// Inputs for the region of a phase.
 struct Scene {
   const RobotModel& model;
   const FootstepPlan& footsteps;
   const SupportInputs& inputs;
   double start_s;
 
-  /// What carries a foot at its foothold, in F.
+  /// Support polygon of a foot at its foothold, in F.
   const Polygon& SupportAt(int foothold) const {
     const auto i = static_cast<std::size_t>(foothold);
     if (!inputs.support_F.empty()) return inputs.support_F[i];
@@ -72,7 +72,7 @@ ZmpPhase MovingHull(const Scene& scene, const ContactPhase& phase) {
   return region;
 }
 
-/// Where the ZMP is best while a foot stands alone.
+/// Preferred ZMP of single support.
 class Homes {
  public:
   explicit Homes(const RobotModel& model) : model_(model), scratch_(model) {
@@ -80,7 +80,7 @@ class Homes {
     height_m_ = CentreOfMass(model, scratch_).z();
   }
 
-  /// The middle, in F, of that part of what carries a sole in which its ankle holds the robot.
+  /// The middle, in F, of the part of the support polygon in which the ankle can hold the robot.
   Vector2 Of(int foot, const Polygon& support_F) const {
     constexpr double kUse = 1.0;
     const Foot& sole = model_.feet[static_cast<std::size_t>(foot)];
@@ -100,8 +100,8 @@ class Homes {
   double height_m_ = 0.0;
 };
 
-/// Where the ZMP is wanted at an end of a phase: the middle of its region; under a single sole its home, moved towards
-/// where the other feet are or stood last.
+/// Preferred ZMP at an end of a phase: the middle of its region. Under a single sole it is the sole's preferred ZMP,
+/// moved towards the other feet or their last footholds.
 Vector2 Preferred(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& region,
                   const Homes& homes) {
   if (std::popcount(phase.stance) != 1) return Centroid(region);
@@ -121,7 +121,7 @@ Vector2 Preferred(const Scene& scene, const ContactPhase& phase, const std::vect
   return (place(foot) * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
 
-/// Where one stance goes over into a larger or smaller one, both want the point of the smaller.
+/// At a change to a larger or smaller stance, both phases get the preferred point of the smaller one.
 void JoinPreferred(const std::vector<ContactPhase>& phases, std::vector<ZmpPhase>& regions) {
   const std::vector<ZmpPhase> own = regions;
   for (std::size_t i = 0; i + 1 < regions.size(); ++i) {
@@ -133,7 +133,7 @@ void JoinPreferred(const std::vector<ContactPhase>& phases, std::vector<ZmpPhase
   }
 }
 
-/// How far the corners of a phase are from where they are taken to be between its ends [m].
+/// Largest distance of the corners in a phase from their linear interpolation between its ends [m].
 double Bend(const Scene& scene, const ContactPhase& phase, const ZmpPhase& region) {
   const double middle_s = 0.5 * (phase.start_s + phase.end_s);
   const std::vector<Vector2> corners = StanceCorners(scene, phase, middle_s);
@@ -146,8 +146,8 @@ double Bend(const Scene& scene, const ContactPhase& phase, const ZmpPhase& regio
   return bend;
 }
 
-/// A phase on a line, in as many parts as keep its corners within half a millimetre of straight ways between their
-/// ends: feet roll to and fro under a body that sways, and off the line nothing holds.
+/// Divides a phase on a line into parts, such that the corners stay within 0.5 mm of straight lines between the ends of
+/// a part. Feet roll back and forth under a swaying body, and off the line no force can act.
 void AppendParts(const Scene& scene, const ContactPhase& phase, const ZmpPhase& region, std::vector<ZmpPhase>& parts) {
   constexpr double kStraight = 5e-4;  // [m]
   constexpr int kFewestSteps = 8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a swing's curve keeps of what is asked of it: clearance and reach.
+// Clearance and reach of a swing's curve.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ std::vector<Vector3> UndersideOf(const Foot& foot) {
   constexpr int kAround = 8;
   for (int i = 0; foot.radius > 0.0 && i < kAround; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kAround;
-    for (const double share : {0.6, 1.0}) {  // of the radius: 0.2 and 1 of it up
+    for (const double share : {0.6, 1.0}) {  // of the radius; heights 0.2 and 1 of the radius
       const Vector2 away = share * foot.radius * Vector2(std::cos(angle), std::sin(angle));
       points.emplace_back(away.x(), away.y(), foot.radius * (1.0 - std::sqrt(1.0 - share * share)));
     }
@@ -25,7 +25,7 @@ std::vector<Vector3> UndersideOf(const Foot& foot) {
   points.clear();
   Vector2 middle = Vector2::Zero();
   for (const Vector2& corner : foot.sole_F) middle += corner / static_cast<double>(foot.sole_F.size());
-  constexpr int kPieces = 4;  // of an edge
+  constexpr int kPieces = 4;  // samples of an edge
   for (std::size_t i = 0; i < foot.sole_F.size(); ++i) {
     const Vector2 &corner = foot.sole_F[i], &next = foot.sole_F[(i + 1) % foot.sole_F.size()];
     for (int piece = 0; piece < kPieces; ++piece) {

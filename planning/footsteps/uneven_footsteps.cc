@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// Mean distance of the standing feet from under the base: what they move by when it turns.
+/// Mean distance of the standing feet from the base's axis: motion of the feet per radian of turning.
 double TurnRadius(const RobotModel& model) {
   double sum = 0.0;
   const std::vector<Pose> standing = StandingFeet(model);
@@ -24,8 +24,8 @@ double TurnRadius(const RobotModel& model) {
   return sum / static_cast<double>(standing.size());
 }
 
-/// Heights, or any other quantity, through knots in time: at rest at both ends, and never beyond neighbouring knots.
-/// Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984.
+/// Monotone cubic (PCHIP) through knots in time of heights or another quantity: at rest at both ends, without
+/// overshoot. Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984.
 class SmoothWay {
  public:
   SmoothWay(std::vector<double> time_s, std::vector<double> value)
@@ -53,12 +53,12 @@ class SmoothWay {
   std::vector<double> time_s_, value_, slope_;
 };
 
-/// Swings of a schedule, as the groups of a sequence take them.
+/// Swings of a schedule, assigned to the groups of a sequence.
 struct GroupTimes {
   std::vector<double> liftoff_s, touchdown_s;
 };
 
-/// Footholds of the sequence in the intervals of the schedule, and when each group swings.
+/// Puts the footholds of a sequence into the intervals of the schedule. Returns the swing times of the groups.
 GroupTimes PutFootholds(const FootstepSequence& sequence, const ContactSchedule& schedule, FootstepPlan& plan) {
   std::vector<std::vector<ContactInterval>> intervals;
   std::vector<std::size_t> next(sequence.start.size(), 1);
@@ -170,7 +170,7 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
 
 namespace {
 
-/// With the base well over soles that stand alone, or else as far as it has to be.
+/// Searches with `easy_sway` first, so that ankles get more room, and then with `sway`.
 /// @param search  SearchFootsteps or SearchBesideGoal
 template <class Search>
 Result<FootstepSequence> SearchAtEase(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
@@ -191,7 +191,7 @@ bool IsStraight(const FootstepRoute& route) {
          std::abs(WrapAngle(to.yaw_rad - from.yaw_rad)) < kSame;
 }
 
-/// Puts the goal on the straight route beside the end of the path, and says so.
+/// Moves the goal to the end of the path, beside which it lies, and adds a warning.
 void MoveGoal(const FootstepRoute& route, FootstepSkeleton& skeleton) {
   const PlanarPose &from = route.pose.front(), &asked = route.pose.back(), &end = skeleton.path.pose.back();
   const Vector2 along = Vector2(asked.x_m - from.x_m, asked.y_m - from.y_m).normalized();

@@ -9,27 +9,28 @@
 
 namespace gaitwright {
 
-/// Extent of the plane in which ways are looked for.
+/// Rectangle of the plane that is searched.
 using PlaneExtent = Eigen::AlignedBox2d;
 
-/// A way to be found on a grid.
+/// Problem of the grid search.
 struct CoarseProblem {
-  PlanarPose start, goal;  ///< both free
-  PlaneExtent extent;      ///< holds both
+  PlanarPose start, goal;  ///< both must be free
+  PlaneExtent extent;      ///< contains both
   TravelWeights weights;
 };
 
-/// A way over a grid, and what had to be passed through for it.
+/// A path over a grid, with the first obstacle that it passes through.
 struct CoarseWay {
-  std::vector<PlanarPose> poses;       ///< from the start to the goal, facing one of eight ways but for the goal
-  std::optional<Hindrance> hindrance;  ///< the first on the path, if it passes any
-  bool complete = false;               ///< it passes none
+  std::vector<PlanarPose> poses;       ///< from start to goal; headings are multiples of 45 degrees, except at the goal
+  std::optional<Hindrance> hindrance;  ///< the first one on the path, if any
+  bool complete = false;               ///< true if the path passes through no obstacle
 };
 
-/// The cheapest path over a grid of a quarter of the leg's length and eight headings: a guide for a finer search,
-/// because only the grid's poses are checked. If it is much longer than the straight line, a path over a grid of a
-/// tenth, which finds narrower openings, replaces it if it is clearly cheaper. If there is none, the path passes
-/// obstacles for the shortest possible distance and reports the first one. A* (Hart, Nilsson and Raphael, 1968).
+/// The cheapest path over a grid with cells of a quarter of the leg's length and eight headings. It is a guide for a
+/// finer search, because only the grid's poses are checked. If it is much longer than the straight line, a grid of a
+/// tenth of the leg's length is searched too, which finds narrower openings; its path is used if it is clearly cheaper.
+/// If no path exists, the result passes through obstacles for the shortest possible distance and reports the first one.
+/// A* (Hart, Nilsson and Raphael, 1968).
 CoarseWay FindCoarseWay(PoseCheck& check, const CoarseProblem& problem);
 
 }  // namespace gaitwright

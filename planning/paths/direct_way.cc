@@ -16,7 +16,7 @@ PlanarPose After(const PlanarPose& a, const PlanarPose& step) {
   return {a.x_m + c * step.x_m - s * step.y_m, a.y_m + s * step.x_m + c * step.y_m, a.yaw_rad + step.yaw_rad};
 }
 
-/// b as seen from a.
+/// Pose b in the frame of a.
 PlanarPose SeenFrom(const PlanarPose& a, const PlanarPose& b) {
   const double c = std::cos(a.yaw_rad), s = std::sin(a.yaw_rad), dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
   return {c * dx + s * dy, c * dy - s * dx, b.yaw_rad - a.yaw_rad};
@@ -33,7 +33,7 @@ std::vector<PlanarPose> Arc(const PlanarPose& a, const PlanarPose& b, const Spac
   return way;
 }
 
-/// Corners of a direct way that goes straight.
+/// Corners of a direct path that consists of straight lines.
 std::vector<PlanarPose> CornersOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b) {
   PlanarPose end = b;
   end.yaw_rad = UnwrappedNear(b.yaw_rad, a.yaw_rad);

@@ -8,10 +8,10 @@
 
 namespace gaitwright {
 
-/// Ways from a pose to another without going around anything.
+/// Direct paths from a pose to another one, which ignore obstacles.
 enum class DirectWay {
-  kTwist,     ///< a constant twist of the body: an arc
-  kStraight,  ///< straight, turning evenly
+  kTwist,     ///< constant planar twist: an arc
+  kStraight,  ///< straight line with a constant yaw rate
   kAhead,     ///< turns towards the goal, walks forward, turns
   kBackward   ///< turns away from the goal, walks backward, turns
 };
@@ -19,22 +19,22 @@ enum class DirectWay {
 inline constexpr DirectWay kDirectWays[] = {DirectWay::kTwist, DirectWay::kStraight, DirectWay::kAhead,
                                             DirectWay::kBackward};
 
-/// How far apart waypoints are at most.
+/// Largest distances between waypoints.
 struct Spacing {
   double way_m = 0.05;
   double turn_rad = 0.1;
 };
 
-/// Waypoints of a direct way, a first and b last. The yaw of b is taken as the nearest to that before it.
+/// Waypoints of a direct path from a to b. The yaw of b is unwrapped to the value nearest to the previous yaw.
 std::vector<PlanarPose> WaypointsOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const Spacing& spacing);
 
-/// Cost of a direct route, see TravelCost.
+/// Cost of a direct path, see TravelCost.
 double CostOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
-/// A way with more waypoints between those that it has, and none twice.
+/// A path with additional waypoints between its own, without duplicates.
 std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& way, const Spacing& spacing);
 
-/// The direct ways by their cost, the cheapest first.
+/// The direct paths with their costs, the cheapest first.
 std::vector<std::pair<double, DirectWay>> ByCost(const PlanarPose& a, const PlanarPose& b,
                                                  const TravelWeights& weights);
 

@@ -8,10 +8,10 @@
 
 namespace gaitwright {
 
-/// A way among free poses made cheaper: parts are replaced by direct ways where those are free and cheaper (the best
-/// choice of them over its waypoints), then waypoints are moved and turned while that is cheaper, coarsely first. Never
-/// costs more than it did. Deterministic.
-/// @param way  free, yaws unwrapped; first and last stay.
+/// Makes a path among free poses cheaper. First, parts are replaced by direct paths where these are free and cheaper
+/// (the best choice over the waypoints). Then waypoints are moved and rotated while this reduces the cost, with large
+/// steps first. Never increases the cost. Deterministic.
+/// @param way  free, yaws unwrapped; first and last pose are kept.
 std::vector<PlanarPose> SmoothWay(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights);
 
 }  // namespace gaitwright

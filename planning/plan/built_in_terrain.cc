@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// A ground with its parameters as a text gives them.
+/// A ground, and the values of its parameters as text.
 struct Made {
   Terrain terrain;
   std::vector<TerrainParameter> parameters;
@@ -24,7 +24,7 @@ std::vector<TerrainParameter> ParametersOf(const OptionFields& fields) {
   return parameters;
 }
 
-/// @throws InvalidArgument for parameters that are wrong.
+/// @throws InvalidArgument for wrong parameters.
 template <class Ground>
 Made Make(const TerrainScale& scale, const OptionTexts& texts) {
   Ground ground(scale);

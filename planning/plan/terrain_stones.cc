@@ -11,7 +11,7 @@
 namespace gaitwright::terrain {
 namespace {
 
-/// The least odd number of rows, `spacing` apart, that are wider together than the robot by a row on each side.
+/// Smallest odd number of rows with this spacing that is wider than the robot by one row on each side.
 int OddRows(double robot_width, double spacing) {
   const int beside = static_cast<int>(std::ceil(0.5 * robot_width / spacing));
   return 2 * std::clamp(beside, 1, 50) + 1;

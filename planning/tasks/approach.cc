@@ -34,7 +34,7 @@ struct Move {
   double duration_s = 0.0;
 };
 
-/// q of the robot as it hangs, its joints left at zero: over the place where the plan begins, with the plan's heading.
+/// q with the joints at zero and the base hanging over the start of the plan, with the plan's heading.
 VectorX HangingBase(const RobotModel& model, const MotionPlan& plan, const StartPosture& start) {
   VectorX q = VectorX::Zero(model.nq());
   q.head<2>() = plan.whole_body.q.front().head<2>();
@@ -53,7 +53,7 @@ std::string PairText(const Overlap& pair) {
   return fmt::format("'{}' and '{}' collide, {:.1f} mm deep", pair.link_a, pair.link_b, 1e3 * pair.depth_m);
 }
 
-/// The postures to go by, the ends included, or why there is no free way.
+/// Postures of a collision-free motion, including both ends; a failure if none is found.
 Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, const VectorX& from, const VectorX& to) {
   const auto blocked = [&](const char* posture, const Overlap& pair) {
     return Failure{FailureKind::kBadInput,
@@ -88,7 +88,7 @@ struct Shares {
   double speed, acceleration, jerk, torque;
 };
 
-/// The time that the limits of speed, acceleration and jerk ask of a move.
+/// Duration of a move within the limits of speed, acceleration and jerk.
 double TimeOf(const RobotModel& model, const ApproachOptions& options, const Shares& shares, const VectorX& from,
               const VectorX& to) {
   constexpr double kSpeed = 1.875, kAcceleration = 5.7735026918962582, kJerk = 60.0;
@@ -121,7 +121,7 @@ void AddRow(const Move& move, double time_s, const VectorX& q_base, MotionPlan& 
   plan.whole_body.a.push_back(a);
 }
 
-/// The rows of joints, of torques and of the centre of mass of moves one after the other.
+/// Fills in the rows of joints, torques and centre of mass for consecutive moves.
 void FillRows(const RobotModel& model, const std::vector<Move>& moves, const VectorX& q_base, MotionPlan& plan) {
   WholeBodyTrajectory& w = plan.whole_body;
   CentroidalTrajectory& c = plan.centroidal;
@@ -148,7 +148,7 @@ void FillRows(const RobotModel& model, const std::vector<Move>& moves, const Vec
   c.omega_rad_s = std::sqrt(kGravity * static_cast<double>(w.q.size()) / height);
 }
 
-/// A motor that has to give more than its share, and whether it has to at rest too.
+/// A motor that needs more than its share of effort, and whether it needs that at rest too.
 struct Overload {
   int motor = 0;
   double effort = 0.0, limit = 0.0;
@@ -206,7 +206,7 @@ void Close(const RobotModel& model, const VectorX& q_base, MotionPlan& plan) {
   plan.schedule.phases = {{0.0, end_s, 0}};
 }
 
-/// Why an approach of that time is not planned, or nothing.
+/// Failure if an approach of this duration is too long.
 std::optional<Failure> TooLong(double time_s, double step_s) {
   const std::vector<Suggestion> suggestions = {
       "move the joints by hand closer to the plan's first posture and measure again",
@@ -232,7 +232,7 @@ double TimeOf(const std::vector<Move>& moves) {
   return time_s;
 }
 
-/// Slows the moves down until no motor is overloaded, or says which one is however slow they are.
+/// Slows the moves down until no motor is overloaded. Failure that names the motor if it is overloaded at any speed.
 std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, std::vector<Move>& moves,
                                 const VectorX& q_base, MotionPlan& plan) {
   constexpr int kMostTries = 20;
@@ -255,7 +255,7 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
   }
 }
 
-/// Why the way is none for this robot, or nothing.
+/// Failure if the plan or the start posture does not fit the robot.
 std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, const StartPosture& from) {
   const auto bad = [](const std::string& message) {
     return Failure{FailureKind::kBadInput, FailureCode::kMisfit, kApproachStage, message, {}};
@@ -272,7 +272,7 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, c
   return std::nullopt;
 }
 
-/// The law that a way breaks, held against what the plan is held against, but for where it starts.
+/// Failure of the audit check that the motion violates. The start posture of the plan is not checked.
 std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& way, AuditOptions reserve) {
   reserve.start.reset();
   reserve.margins = false;

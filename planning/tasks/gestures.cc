@@ -13,9 +13,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kOffStops = 0.05;  // of a joint's range
+constexpr double kOffStops = 0.05;  // margin to the joint limits, as a share of the range
 
-/// Where a limb's end is, by joints, with the base upright.
+/// Position of a limb's end as a function of the joints, with the base upright.
 class LimbEnd {
  public:
   LimbEnd(const RobotModel& model, const Limb& limb)
@@ -36,7 +36,7 @@ class LimbEnd {
   VectorX q_;
 };
 
-/// What a joint may be moved between: a full turn where it has no limits.
+/// Range of a joint; a full turn if it has no limits.
 struct Range {
   double low, high;
 
@@ -48,7 +48,7 @@ struct Range {
   double Clamp(double position) const { return std::clamp(position, low, high); }
 };
 
-/// One joint where it serves best, by samples over its range that get finer around the best.
+/// Moves one joint to its best value. Samples its range, then ever finer around the best sample.
 void MoveToBest(LimbEnd& end, const VectorX& from, double metre_rad, const Range& range, int dof, VectorX& joints) {
   constexpr int kSamples = 24, kRefinements = 3;
   const auto worth = [&](double position) {
@@ -71,7 +71,7 @@ void MoveToBest(LimbEnd& end, const VectorX& from, double metre_rad, const Range
   joints[dof] = best;
 }
 
-/// The share of a straight way that is free, and what ends it.
+/// The collision-free share of a straight line in joint space, and the pair of links that ends it.
 struct FreeShare {
   double share = 1.0;
   std::optional<Overlap> met;

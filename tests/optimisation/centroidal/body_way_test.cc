@@ -52,7 +52,7 @@ TEST(BodyWay, ABodyPitchesWhereItsForeFeetStandHigherThanALevelOneReaches) {
   FitBodyWay(problem, way);
   double nose_up = 0.0;
   for (const Vector3& angles : way.angles_rad) nose_up = std::min(nose_up, angles.y());
-  EXPECT_LT(nose_up, -0.1);  // by the right hand about y, which points left
+  EXPECT_LT(nose_up, -0.1);  // right-hand rotation about y, which points left
   EXPECT_LT(OutOfReach(problem, way).largest_m, 0.05);
 }
 
@@ -66,7 +66,7 @@ TEST(BodyWay, FittingKeepsFootholdsInTheirRegionsAndHeldOnesWhereTheyAre) {
   const Vector3 moved = tile.inverse() * problem.stances[1].X_WF.translation();
   EXPECT_GE(moved.x(), -0.2 - 1e-9);
   EXPECT_LE(moved.x(), -0.15 + 1e-9);
-  EXPECT_NEAR(problem.stances[1].region_F[1].x() + moved.x(), -0.15, 1e-9);  // the region stays where it is
+  EXPECT_NEAR(problem.stances[1].region_F[1].x() + moved.x(), -0.15, 1e-9);  // the region does not move
 }
 
 TEST(BodyWay, OutOfReachIsTheFarthestBeyondAnySideAndItsStance) {

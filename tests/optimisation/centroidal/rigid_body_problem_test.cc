@@ -50,7 +50,7 @@ TEST(RigidBodyProblem, TheBodiesOfTheTestsAreInOrder) {
     EXPECT_NO_THROW(CheckRigidBodyProblem(problem));
 }
 
-/// What is said to a walker's problem that is spoilt.
+/// The refusal of a walker's problem with an error.
 std::string RefusalOf(const std::function<void(RigidBodyProblem&)>& spoil) {
   RigidBodyProblem problem = rigid_bodies::Walker();
   spoil(problem);
@@ -188,7 +188,8 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
   EXPECT_EQ(RefusalOf([](auto& p) { p.duration_s = -1.0; }),
             "rigid body: the duration is -1 s; it must be finite and above 0");
   EXPECT_EQ(RefusalOf([](auto& p) { p.goal.p_WC.x() = NAN; }), "rigid body: the goal state is not finite");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].foot = 2; }), "rigid body: stance 1 names foot 2 of 2");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].foot = 2; }),
+            "rigid body: stance 1 names foot 2, but there are 2 feet");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].start_s = 0.2; }),
             "rigid body: stance 1 lasts from 0.2 to 1.2 s, but foot 0 is free only from 0.3 to 1.9 s");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[4].friction = 0.0; }), "rigid body: stance 4 has no friction");

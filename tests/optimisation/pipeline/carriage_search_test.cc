@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the body's carriage is found, with made-up motions whose excess is a function of the carriage.
+// The search for a body posture, with artificial motions whose limit violation is a function of the posture.
 #include "optimisation/pipeline/carriage_search.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ struct Tried {
   Result<MotionPass> found = MotionPass{};
 };
 
-/// Runs the search over motions with the excess of a function of the carriage, infinite for one that is out of reach.
+/// Runs the search over motions with the limit violation given by a function of the posture; infinite means out of
+/// reach.
 Tried Find(const CarriageProblem& problem, const std::function<double(const Carriage&)>& excess) {
   Tried tried;
   const auto plan = [&](const Carriage& carriage, double) -> Result<MotionPass> {

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// One row with the standing posture, but for one joint's position or speed.
+/// One row with the standing posture, except for one joint's position or speed.
 class LimitExcess : public ::testing::Test {
  protected:
   WholeBodyTrajectory With(double position, double speed = 0.0) const {

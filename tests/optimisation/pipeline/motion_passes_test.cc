@@ -34,7 +34,7 @@ TEST(MotionPass, IsBetterWhereItHasConvergedThenWhereItIsLaterOrNearer) {
   EXPECT_FALSE(PassOf(true, 0.1).BetterThan(settled)) << "no nearer";
 }
 
-/// Standing still, or a few steps ahead, as a task for passes.
+/// Standing still, or a few steps forward, as a task for the passes.
 struct PassesTask {
   PassesTask(const RobotModel& robot, int steps, double step_length_m = 0.03) : model(robot) {
     options.pipeline.grid_step_s = 0.01;
@@ -54,7 +54,7 @@ struct PassesTask {
     cycle_s = gait.cycle_s;
   }
 
-  /// Keeps references to this and the body.
+  /// Keeps references to this object and to the body.
   MotionTask Task(const BodyPath& body) const { return {model, terrain, skeleton, options, body, cycle_s}; }
 
   Carriage Upright() const {

@@ -96,7 +96,7 @@ TEST(SpareClearance, LowerGroundGivesAsMuchMore) {
 TEST(SpareClearance, OfARidgeInMidSwingIsTheHeightAboveIt) {
   const SwingCurve curve = StepAhead(0.2, 0.08);
   const GroundHeight ridge = [](const Vector2& p_W) { return std::abs(p_W.x() - 0.1) < 0.004 ? 0.05 : kNoGround; };
-  // At half way the foot is 0.08 m high, 0.03 m above the ridge, of which 0.02 m are asked for.
+  // Half-way, the foot is 0.08 m high, 0.03 m above the ridge; 0.02 m are required.
   EXPECT_NEAR(SpareClearance(curve, kTip, ridge, 0.02), 0.01, 1e-3);
   EXPECT_LT(SpareClearance(curve, kTip, ridge, 0.04), 0.0);
 }

@@ -17,7 +17,7 @@ class StartPostures : public testing::Test {
   const MotionPlan& plan() const { return GoodPlanOf("a1").plan; }
   VectorX First() const { return plan().whole_body.q.front().tail(model().num_dofs()); }
 
-  /// The file of a posture; a name that is empty is left out.
+  /// Text of a posture file without the joint `without`, if given.
   std::string FileOf(const VectorX& joints, const std::string& without = "", const std::string& indent = "") const {
     std::string text;
     for (int d = 0; d < model().num_dofs(); ++d) {

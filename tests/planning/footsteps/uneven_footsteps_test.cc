@@ -18,7 +18,7 @@ Result<FootstepSkeleton> Plan(const char* robot, const char* gait, const Terrain
   return PlanFootsteps(model, terrain, found, command, {});
 }
 
-/// Level ground that is not known to be so.
+/// Level ground of several patches, so that it is treated as uneven.
 Terrain LevelPatches() {
   Terrain terrain = FlatTerrain();
   terrain.patches.push_back(Rectangle("aside", {0.0, 8.0}, {1.0, 9.0}, 0.1));

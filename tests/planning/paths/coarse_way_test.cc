@@ -99,7 +99,7 @@ TEST(CoarseWay, WhereNothingLeadsThroughWhatIsInTheWayIsNamed) {
 }
 
 TEST(CoarseWay, OfTwoWallsThatCloseTheWayTheThinnerPlaceIsPassed) {
-  // A box around the goal that is thick ahead and thin behind.
+  // A box around the goal that is thick in front and thin behind.
   const Terrain terrain =
       Walled({Wall("thick", {1.5, -1.5}, {1.5, 1.5}, 1.0), Wall("left", {1.0, 1.5}, {4.0, 1.5}, 1.0),
               Wall("right", {1.0, -1.5}, {4.0, -1.5}, 1.0), Wall("thin", {4.0, -1.5}, {4.0, 1.5}, 0.05)});

@@ -20,7 +20,7 @@ const RobotModel& RobotCalled(const char* name) {
   return std::string(name) == "a1" ? a1 : nao;
 }
 
-/// The outermost x and y of the room's boxes.
+/// The smallest and largest x and y of the robot's boxes.
 Eigen::AlignedBox2d PlanOf(const BodySpace& space) {
   Eigen::AlignedBox2d plan;
   for (const Shape& box : space.boxes) {
@@ -180,7 +180,7 @@ TEST(PoseCheck, HeightFieldsAndPatchesOfTheSameGroundAgree) {
   EXPECT_LE(differing, 9) << "a cell of the field beside the edge";
 }
 
-/// The ground seen in a mirror along x.
+/// The ground mirrored along x.
 Terrain Mirrored(Terrain terrain) {
   for (Obstacle& obstacle : terrain.obstacles) {
     obstacle.X_WO.translation().y() *= -1.0;

@@ -19,7 +19,7 @@ std::vector<PlanarPose> SmoothedOn(const Terrain& terrain, const std::vector<Pla
   return SmoothWay(check, way, kSmoothWeights);
 }
 
-/// A wall ahead, and a way around its left end in right angles, facing ahead all the time.
+/// A wall in front, and a path around its left end with right angles and constant heading.
 Terrain SmoothWall() { return Walled({Wall("wall", {1.0, -2.0}, {1.0, 0.3})}); }
 std::vector<PlanarPose> AroundTheWall() { return {{0.0, 0.0, 0.0}, {0.0, 1.6, 0.0}, {2.0, 1.6, 0.0}, {2.0, 0.0, 0.0}}; }
 

@@ -29,7 +29,7 @@ PlanarTwist Fastest(const BasePath& path) {
   return most;
 }
 
-/// An L: ahead, turning on the spot, ahead, and sideways.
+/// An L: forward, a turn on the spot, forward, and sideways.
 std::vector<PlanarPose> Corners() {
   const double left = 0.5 * std::numbers::pi;
   return Densified({{}, {1.0, 0.0, 0.0}, {1.0, 0.0, left}, {1.0, 1.0, left}, {0.5, 1.0, left}}, {0.05, 0.1});

@@ -67,7 +67,7 @@ TEST(NoddedHead, LooksDown) {
   const Limb head = *FindUpperBody(nao).head;
   const int pitch = nao.DofIndex("HeadPitch");
   const VectorX down = NoddedHead(nao, head, nao.standing_joints, 0.3);
-  EXPECT_NEAR(down[pitch] - nao.standing_joints[pitch], 0.3, 1e-9);  // of this robot a positive pitch looks down
+  EXPECT_NEAR(down[pitch] - nao.standing_joints[pitch], 0.3, 1e-9);  // for this robot a positive pitch looks down
   const VectorX far = NoddedHead(nao, head, nao.standing_joints, 3.0);
   EXPECT_LE(far[pitch], nao.dof_upper(pitch));
   EXPECT_GT(far[pitch], 0.4);

@@ -25,7 +25,7 @@ TEST_P(OfFourFeet, ARestIsTheFlatBottomOfItsLink) {
   EXPECT_EQ(rest.body, 0);
   EXPECT_GE(rest.sole_F.size(), 4U);
   EXPECT_NE(model->hash, bare.hash);
-  // The plan of such a robot carries it in its texts.
+  // The plan of such a robot contains its texts.
   const RobotModel again = LoadRobotFromText(model->urdf_text, model->yaml_text, model->name, model->meshes).value();
   EXPECT_EQ(again.hash, model->hash);
 }

@@ -108,7 +108,7 @@ TEST(TaskPlanJson, WhatIsWrongIsNamed) {
   EXPECT_NE(why("sit"), "");
 }
 
-/// The schema names each action and parameter that there is, and only actions that are asked for.
+/// The schema names each known action and parameter, and only the requested actions.
 TEST(TaskPlanJson, TheSchemaIsThatOfTheRules) {
   const std::string schema = TaskPlanSchema();
   for (const ActionRule& rule : ActionRules())

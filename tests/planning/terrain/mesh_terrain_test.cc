@@ -17,7 +17,7 @@ using terrain_files::Says;
 using terrain_files::WhyRefused;
 using terrain_files::Written;
 
-/// Adds a level or tilted rectangle of 2 * n * n triangles that look up.
+/// Adds a level or tilted rectangle of 2 * n * n triangles that face up.
 void AddRectangle(Mesh& mesh, const Vector3& corner, const Vector3& along, const Vector3& across, int n = 1) {
   const auto first = static_cast<int>(mesh.vertices.size());
   for (int j = 0; j <= n; ++j) {
@@ -32,7 +32,7 @@ void AddRectangle(Mesh& mesh, const Vector3& corner, const Vector3& along, const
   }
 }
 
-/// Each triangle with corners of its own, as in STL.
+/// Each triangle has separate corners, as in STL.
 std::string Stl(const Mesh& mesh) {
   std::string text = "solid s\n";
   for (const Eigen::Vector3i& t : mesh.triangles) {

@@ -156,7 +156,7 @@ TEST(JointTrajectoryJson, IsReadByTheReaderOfJson) {
   EXPECT_EQ(WhyNotJson(JsonMessage(R"({"position": [1], "time_from_start": 0})")),
             "'walk.json': 'points[0]' has an unknown key 'position'; the nearest is 'positions'");
   EXPECT_NE(WhyNotJson(R"({"joint_names": )").find("its JSON is cut short"), std::string::npos);
-  EXPECT_NE(WhyNotJson("joint_names: []").find("its JSON is broken"), std::string::npos);
+  EXPECT_NE(WhyNotJson("joint_names: []").find("its JSON has a syntax error"), std::string::npos);
   EXPECT_NE(WhyNotJson("[]").find("object"), std::string::npos) << WhyNotJson("[]");
 }
 

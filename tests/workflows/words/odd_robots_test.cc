@@ -93,7 +93,7 @@ TEST(OddRobots, TheStorkSaysThatItCannotTurn) {
   const Result<PlannedWalk> curved = PlanWalk(Odd("stork"), curve);
   ASSERT_FALSE(curved.ok());
   EXPECT_EQ(curved.failure().code, FailureCode::kFreedoms);
-  EXPECT_NE(curved.failure().message.find("cannot turn as it walks"), std::string::npos) << curved.failure().message;
+  EXPECT_NE(curved.failure().message.find("cannot turn while it walks"), std::string::npos) << curved.failure().message;
 }
 
 }  // namespace
