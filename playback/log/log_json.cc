@@ -88,7 +88,7 @@ Json HeadJson(const PlaybackLog& log) {
   return head;
 }
 
-/// One row a sample and a line; written by hand since most of a log is these.
+/// One row and one line per sample; written directly, because the samples are most of a log.
 template <class Row>
 void AppendRows(std::string& text, const char* key, const std::vector<LogSample>& samples, Row row) {
   fmt::format_to(std::back_inserter(text), ",\n\"{}\": [", key);
@@ -130,7 +130,7 @@ VectorX ToVector(const Json& j) {
   return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The list of a key. @throws InvalidArgument where it holds anything else.
+/// The list at a key. @throws InvalidArgument if it is not a list.
 const Json& ListAt(const Json& j, const char* key) {
   if (!j.at(key).is_array()) throw InvalidArgument(fmt::format("'{}' is not a list", key));
   return j.at(key);
@@ -145,7 +145,8 @@ StanceRecord ToStance(const Json& j) {
           j.at("friction_use_max").get<double>()};
 }
 
-/// The rows of a key into the samples. @throws InvalidArgument unless there is one a sample and all are of one length.
+/// Reads the rows of a key into the samples. @throws InvalidArgument unless there is one row per sample, all of one
+/// length.
 template <class Take>
 void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, Take take) {
   const Json& rows = ListAt(j, key);
