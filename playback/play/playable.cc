@@ -14,13 +14,13 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLongestPlan = 3600.0;   // [s]
-constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
+constexpr double kBumpsBeyondPlan = 2.0;  // ground with bumps beyond the region of the plan [m]
 
 Failure Mismatch(FailureCode code, const std::string& message, const std::string& hint) {
   return {FailureKind::kBadInput, code, "Play", message, {hint}};
 }
 
-/// Why the plan cannot be played by this robot; nothing when it can.
+/// Reason for which this robot cannot play the plan; nothing if it can.
 std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   if (w.size() == 0 || w.step_s <= 0.0) {
@@ -51,7 +51,7 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
   return std::nullopt;
 }
 
-/// Why a push of the options never comes; nothing when all do, or none is asked for.
+/// Failure for a push that begins after the end; nothing if there is none.
 std::optional<Failure> LatePush(const MotionPlan& plan, const PlayOptions& options) {
   const double end_s = plan.whole_body.end_s() + options.hold_s;
   for (const TimedPush& push : playing::PushesOf(options)) {

@@ -316,7 +316,7 @@ TEST(SensorOptions, SetsAreNamedAndTheirFiguresAreLegal) {
     SensorsOfKind("bad");
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_STREQ(error.what(), "there is no set of sensors 'bad'; there are 'ideal', 'good', 'hobby'");
+    EXPECT_STREQ(error.what(), "unknown set of sensors 'bad'; accepted: 'ideal', 'good', 'hobby'");
   }
   EXPECT_EQ(StateSourceOf("estimated"), StateSource::kEstimated);
   EXPECT_THROW(StateSourceOf("guessed"), InvalidArgument);
