@@ -8,7 +8,7 @@ namespace gaitwright {
 /// Assumptions of LegOdometry, in addition to the sensors' data (SensorOptions).
 ///
 /// Tuning
-///   position or heading drifts slowly in a walk      lower stance_slip_m_s_sqrt_hz if feet do not slip
+///   drifts slowly in place or heading             lower stance_slip_m_s_sqrt_hz if feet do not slip
 ///   jumps when feet land                          raise landing_slip_m_s_sqrt_hz or trust_s
 ///   follows a foot that slides                    lower gate
 ///   leans on sloping ground                       raise start_tilt_rad

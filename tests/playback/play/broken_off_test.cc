@@ -85,7 +85,7 @@ class BrokenOff : public testing::Test {
 TEST_F(BrokenOff, WhileItSettles) {
   const PlaybackLog log = Played(Failing(model_, plan_, 30));
   EXPECT_EQ(log.samples.size(), 1U);
-  ExpectFall(log, 0.0, "the controller gave a command that is not finite", "the controller came to no number");
+  ExpectFall(log, 0.0, "the controller gave a command that is not finite", "the controller's output was not finite");
 }
 
 TEST_F(BrokenOff, BeforeTheFirstSample) {
@@ -93,7 +93,7 @@ TEST_F(BrokenOff, BeforeTheFirstSample) {
   options.more_pushes = {{kBlowUp, 0.002, 0.1, "base"}};
   const PlaybackLog log = Played(JointPd(model_, plan_), options);
   EXPECT_EQ(log.samples.size(), 1U);
-  ExpectFall(log, 0.002, "the physics gave a state that is not finite", "the physics came to no number");
+  ExpectFall(log, 0.002, "the physics gave a state that is not finite", "the simulation diverged");
 }
 
 TEST_F(BrokenOff, OnTheWayAndAfterThePlan) {
@@ -101,13 +101,13 @@ TEST_F(BrokenOff, OnTheWayAndAfterThePlan) {
     PlayOptions options;
     options.more_pushes = {{kBlowUp, at_s, 0.1, "base"}};
     const PlaybackLog log = Played(JointPd(model_, plan_), options);
-    ExpectFall(log, at_s, "the physics gave a state that is not finite", "the physics came to no number");
+    ExpectFall(log, at_s, "the physics gave a state that is not finite", "the simulation diverged");
   }
 }
 
 TEST_F(BrokenOff, WithAnEstimateThatGoesAstray) {
   const std::string why = "the controller's estimate of the base is not finite",
-                    cause = "the controller came to no number";
+                    cause = "the controller's output was not finite";
   ExpectFall(Played(Astray(model_, plan_, 30)), 0.0, why, cause);
   const PlaybackLog log = Played(Astray(model_, plan_, 400));
   ExpectFall(log, 0.195, why, cause);

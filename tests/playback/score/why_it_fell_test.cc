@@ -215,7 +215,7 @@ TEST(WhyItFell, APushThatCameAfterTheFallIsNotItsCause) {
                 {Vector3(4.0, 0.0, 0.0), 1.6, 0.1, "base"}};
   log.body_contacts = {{1.5, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
-  EXPECT_TRUE(Says(reason, "under a push of 2 N ahead from 0.50 s for 0.10 s, a push of 260 N ahead from 1.00 s"))
+  EXPECT_TRUE(Says(reason, "under a push of 2 N forward from 0.50 s for 0.10 s, a push of 260 N forward from 1.00 s"))
       << reason;
   EXPECT_FALSE(Says(reason, "4 N")) << reason;
 }
