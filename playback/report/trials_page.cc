@@ -105,7 +105,7 @@ std::string MetricTable(const RobustnessReport& report) {
                rows);
 }
 
-/// What was tried, named as a preflight names it.
+/// The subject of the trials, in the words of a preflight.
 std::string SubjectLine(const TrialSubject& subject) {
   return fmt::format(
       "<p class=\"soft\">Robot {}, robot hash {}; plan hash {}, that of its logs {}; controller {}; seed {}.</p>\n",
