@@ -47,7 +47,7 @@ const std::vector<Metric> kReasonBroken = {AtMost("goal_error_m", 0.01, 0.05), A
 
 struct OptionWords {
   const char *key, *text;
-  const char* words;  ///< empty where the plan knows it
+  const char* words;  ///< empty if the plan knows it
 };
 
 class OneDisturbance : public testing::TestWithParam<OptionWords> {};
