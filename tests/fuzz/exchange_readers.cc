@@ -20,8 +20,8 @@
 namespace gaitwright::fuzz {
 namespace {
 
-constexpr double kMostOfAnything = 1e9;  // far beyond any motion, far from where sums lose themselves
-constexpr double kShort_s = 1.0;         // motions that are made a plan of: longer ones take too long for a million
+constexpr double kMostOfAnything = 1e9;  // far beyond any motion, and small enough to avoid overflow of sums
+constexpr double kShort_s = 1.0;         // longer motions are not planned: they take too long for a million inputs
 
 const RobotModel& Quadruped() {
   static const RobotModel model = *ChooseRobot("a1", "");
@@ -35,7 +35,7 @@ void CheckLength(const MotionTable& table, const Column& column) {
   Require(column.empty() || column.size() == table.time_s.size(), "a column has a value for each row, or none");
 }
 
-/// What is true of each table that was accepted. Speeds and torques of joints that a file lacks are not numbers.
+/// Laws of each accepted table. Missing speeds and torques of joints are NaN.
 void CheckTableLaws(const MotionTable& table) {
   Require(table.rows() > 0, "a motion has rows");
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
@@ -63,7 +63,7 @@ void CheckTableLaws(const MotionTable& table) {
   }
 }
 
-/// A short motion becomes a plan like any other, or is refused.
+/// A short motion gives a valid plan, or is refused.
 void CheckPlanOf(const MotionTable& table, const std::string& file) {
   if (table.time_s.back() - table.time_s.front() > kShort_s || table.rows() > 200) return;
   ImportRequest request;
@@ -97,7 +97,7 @@ Verdict ReadMotionCsv(const std::string& input) {
   return CheckMotion(MotionOfCsv(Quadruped(), *csv, reading), file);
 }
 
-/// What is true of each table that may be compared. What it does not say is not a number.
+/// Laws of each table that may be compared. Missing values are NaN.
 void CheckComparedLaws(const ComparedMotion& motion) {
   const MotionRows& rows = motion.rows;
   Require(rows.size() > 0 && rows.q.size() == rows.time_s.size() && rows.v.size() == rows.time_s.size(),
@@ -175,7 +175,7 @@ Verdict ReadReportFile(const std::string& input) {
   return Verdict::kAccepted;
 }
 
-/// Rows of the A1 standing, as a CSV with all that it may have.
+/// Rows of the standing A1, as a CSV with all possible columns.
 std::string StandingCsv(const std::string& joint_prefix, const std::string& joint_suffix) {
   const RobotModel& model = Quadruped();
   std::string text = "time_s,base_x_m,base_y_m,base_z_m,base_qx,base_qy,base_qz,base_qw";

@@ -43,7 +43,7 @@ Verdict ReadARubric(const std::string& input) {
   return Verdict::kAccepted;
 }
 
-/// A mark has no more points than there are, and says why where it has fewer.
+/// A mark does not exceed the available points, and gives a reason if it is lower.
 Verdict MarkAnswersOf(const std::string& input) {
   static const Rubric rubric = ReadRubric(kAnswersPart, "rubric").value();
   const fs::path file = InFile(input, ".csv");
@@ -56,7 +56,7 @@ Verdict MarkAnswersOf(const std::string& input) {
   return mark.checks.front().value ? Verdict::kAccepted : Verdict::kRefused;
 }
 
-/// Answers as numbers, as steps and as rows: whatever is taken is finite and has its shape.
+/// Answers as numbers, as steps and as rows: every accepted answer is finite and has the required shape.
 Verdict ReadCodeAnswer(const std::string& input) {
   Verdict verdict = Verdict::kRefused;
   try {

@@ -69,7 +69,7 @@ Verdict HeightMap(const std::string& path) {
 Verdict ReadCsv(const std::string& input) { return HeightMap(InFile(input, ".csv")); }
 Verdict ReadPng(const std::string& input) { return HeightMap(InFile(input, ".png")); }
 
-/// A mesh as ground; what a mesh may be is tried by mesh_obj.
+/// A mesh as ground; the reader mesh_obj tests the mesh format.
 Verdict ReadMeshGround(const std::string& input) {
   const Result<Mesh> mesh = ReadMesh(InFile(input, ".obj"));
   if (!mesh) return Verdict::kRefused;

@@ -11,7 +11,7 @@
 namespace gaitwright::fuzz {
 namespace {
 
-/// A robot that can do everything, somewhere with places.
+/// A robot with all abilities, on a ground with named places.
 TaskScope Scope() {
   TaskScope scope;
   scope.robot = "any";

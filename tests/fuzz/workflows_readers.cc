@@ -63,14 +63,14 @@ Verdict ReadAxis(const std::string& input, StudyLayout layout) {
   if (axis.is_range()) {
     Require(std::isfinite(axis.low) && std::isfinite(axis.high) && axis.low < axis.high, "a range goes forward");
     for (const double share : {0.0, 0.37, 1.0})
-      ApplyPoint({axis}, {ValueAt(axis, share)}, walk, play);  // throws on a value that the option does not take
+      ApplyPoint({axis}, {ValueAt(axis, share)}, walk, play);  // throws for a value that the option does not accept
   }
   Require(axis.values.size() <= kMostStudyPoints, "there are no more values than points");
   for (std::size_t k = 0; k < axis.values.size() && k < 100; ++k) ApplyPoint({axis}, {axis.values[k]}, walk, play);
   return Verdict::kAccepted;
 }
 
-/// The first byte says what the axis is of.
+/// The first byte selects the option of the axis.
 Verdict ReadAnyAxis(const std::string& input) {
   if (input.empty()) return Verdict::kRefused;
   const StudyLayout layouts[] = {StudyLayout::kGrid, StudyLayout::kSamples, StudyLayout::kTuning};
@@ -120,7 +120,7 @@ std::vector<std::string> MadePoints() {
   return {PointToLine(good), PointToLine(refused)};
 }
 
-/// Reading does nothing yet, so that no robot has to walk here.
+/// Only reads the request, so that no robot has to walk here.
 Verdict ReadLive(const std::string& input) {
   static const RobotModel model = LoadNamedRobot("a1").value();
   try {
@@ -143,7 +143,7 @@ std::vector<std::string> MadeRequests() {
           R"({"do":"stand_up"})"};
 }
 
-/// What was found is found again, with what is added.
+/// Results that were stored are found again, together with new ones.
 Verdict ReadJournal(const std::string& input) {
   const std::string path = InFile(input, ".so-far");
   std::size_t found = 0;
@@ -160,7 +160,7 @@ Verdict ReadJournal(const std::string& input) {
   return Verdict::kAccepted;
 }
 
-/// A journal as it is written, and what is left of it when it is cut.
+/// A journal as it is written, and the rest of it after a cut.
 std::vector<std::string> MadeJournals() {
   const std::string path = InFile("", ".so-far");
   std::filesystem::remove(path);
