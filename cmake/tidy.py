@@ -111,9 +111,9 @@ def told(done, file):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("rooms", nargs="+", help="folders whose files are looked at")
-    parser.add_argument("--alone", action="store_true", help="compile each file by itself; the build is build/editor")
+    parser.add_argument("--alone", action="store_true", help="compile each file separately; uses build/editor")
     parser.add_argument("--build", type=Path, help="default build/release")
-    parser.add_argument("--clean", default=ROOT / "build/long-tests/clean", type=Path, help="folder that keeps what is clean")
+    parser.add_argument("--clean", default=ROOT / "build/long-tests/clean", type=Path, help="folder that records clean sources")
     arguments = parser.parse_args()
     build = arguments.build or ROOT / "build" / ("editor" if arguments.alone else "release")
     clean = arguments.clean / "alone" if arguments.alone else arguments.clean

@@ -41,7 +41,7 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
     return Mismatch(FailureCode::kPlanOfOtherRobot,
                     fmt::format("the plan was made for robot '{}' ({}), but the given robot is '{}' ({})", plan.robot,
                                 plan.robot_hash, model.name, model.hash),
-                    "play it with the robot in the plan itself, or plan again");
+                    "play it with the robot that the plan contains, or plan again for the given robot");
   }
   try {
     CheckMotion(model, w);
@@ -58,7 +58,7 @@ std::optional<Failure> LatePush(const MotionPlan& plan, const PlayOptions& optio
     if (push.at_s < end_s) continue;
     return Mismatch(FailureCode::kLatePush,
                     fmt::format("the push begins at {} s, but the playback ends at {:.3f} s", push.at_s, end_s),
-                    "push earlier");
+                    "begin the push earlier (push_at_s)");
   }
   return std::nullopt;
 }

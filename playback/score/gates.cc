@@ -164,7 +164,7 @@ const MetricRule& RuleOf(const std::string& key) {
     keys.push_back(rule.key);
   }
   throw InvalidArgument(
-      fmt::format("there is no metric '{}'{}", key, NearestOrAll(key, keys, "docs/scores.md lists all metrics")));
+      fmt::format("unknown metric '{}'{}", key, NearestOrAll(key, keys, "docs/scores.md lists all metrics")));
 }
 
 GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {

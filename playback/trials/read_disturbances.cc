@@ -108,7 +108,7 @@ Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rul
   if (node.IsScalar()) return fixed(node);
   const YamlMap map(node, fmt::format("the distribution of '{}'", rule.key), kKinds);
   if (map.entries().size() != 1) {
-    RefuseYaml(node, fmt::format("the distribution of '{}' has {} keys; one is needed of {}", rule.key,
+    RefuseYaml(node, fmt::format("the distribution of '{}' has {} keys; give exactly one of {}", rule.key,
                                  map.entries().size(), QuotedList(kKinds)));
   }
   const auto& [kind, key_node, value] = map.entries().front();
@@ -195,7 +195,8 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
     }
   }
   if (disturbances.figures.empty() && disturbances.pushes.empty())
-    RefuseYaml(root, "the file contains no disturbances: its groups are empty; for none, write mass_scale: 1");
+    RefuseYaml(root,
+               "the file contains no disturbances: its groups are empty; to disturb nothing, write mass_scale: 1");
   for (const char* axis : {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"})
     NotBoth(root, disturbances.figures, "com_shift_m", axis);
   return disturbances;
@@ -257,7 +258,7 @@ Result<Disturbances> ReadDisturbances(const std::string& text, const OptionField
   try {
     const YAML::Node root = LoadYaml(text);
     if (!root.IsMap() || root.size() == 0)
-      return bad("line 1: contains no disturbances; a map of keys is needed; for none, write mass_scale: 1");
+      return bad("line 1: contains no disturbances; a map of keys is needed; to disturb nothing, write mass_scale: 1");
     return ReadRoot(root, sensors);
   } catch (const YAML::Exception& error) {
     return bad(fmt::format("line {}: not valid YAML from here on", error.mark.line + 1));

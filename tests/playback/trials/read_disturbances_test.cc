@@ -64,7 +64,7 @@ TEST(ReadDisturbancesTest, RefusalsNameLineAndNearest) {
   says("mass_scale: {normal: {mean: 1}}\n", {"lacks the key 'std'"});
   says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"from 2 to 3: 0", "0.01 is needed"});
   says("mass_scale: {unifrm: [0.9, 1.1]}\n", {"'unifrm'", "'uniform'"});
-  says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "one is needed"});
+  says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "give exactly one"});
   says("mass_scale: {choice: []}\n", {"a choice ", "one or more are needed"});
   says("mass_scale: heavy\n", {"'heavy'", "a number is needed"});
   says("mass_scale: .nan\n", {"finite"});
