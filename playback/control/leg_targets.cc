@@ -95,7 +95,7 @@ void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {
   if (!model_.transmissions.empty()) KeepMotorSpeeds(dofs, v);
 }
 
-/// Limits joint speeds to those that motors which drive several joints of the leg can reach.
+/// Limits the joint speeds of transmissions to those that their motors can reach.
 void LegTargets::KeepMotorSpeeds(const std::vector<int>& dofs, VectorX& v) const {
   const Eigen::Index n = model_.num_dofs();
   const VectorX kept = ClampedSpeeds(model_, v.tail(n));

@@ -90,8 +90,8 @@ PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& fo
 }
 
 /// Distributes a wrench over the contacts. If several feet stand, each keeps a part of its planned load, so that
-/// correcting the base attitude does not lift a foot. If more than two stand, each also keeps `least_share` of the
-/// weight, until it is about to leave the ground.
+/// correcting the base attitude does not lift a foot. If more than two stand, each also keeps up to `least_share` of
+/// the weight, until it is about to leave the ground.
 void StanceFeedback::Split(const Situation& now, PointWrench wanted, double least_share) {
   constexpr double kKept = 0.1;      // of the load
   constexpr double kMost = 0.3;      // of the wanted normal force

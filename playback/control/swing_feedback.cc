@@ -114,8 +114,8 @@ double SwingFeedback::WantedHeight(const Situation& now, int foot) const {
   return footing_.mean_offset_W.z() + footing_.ground_tilt_W.cross(arm).z();
 }
 
-/// Moves along a minimum-jerk trajectory from the current to the wanted offset, at rest at touch-down, within the
-/// turning speed of the leg.
+/// Moves along a minimum-jerk trajectory from the current to the wanted offset, at rest at touch-down. The move is
+/// shortened so that its acceleration does not exceed `swing_acceleration_m_s2`.
 void SwingFeedback::MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const {
   const double h = now.step_s, left = std::max(swing.touchdown_s - now.time_s, options_.settle_s);
   constexpr double kPeak = 5.7735;  // acceleration of a minimum-jerk move of 1 m in 1 s [m/s^2]

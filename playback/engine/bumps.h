@@ -9,8 +9,8 @@
 
 namespace gaitwright {
 
-/// Bumps: ValueNoise around `start` within [-amplitude, amplitude], times a factor that rises from zero at the distance
-/// `free_radius` to one half a wavelength further out.
+/// Bumps: ValueNoise around `start` within [-amplitude, amplitude], times a factor that is 0 up to the distance
+/// `free_radius` and rises to 1 half a wavelength further out.
 struct Bumps {
   Vector2 start = Vector2::Zero();
   double amplitude = 0.0, wavelength = 0.4, free_radius = 0.0;

@@ -59,7 +59,7 @@ class Interval {
     sample_.q = world.q();
     sample_.v = world.v();
     sample_.tau *= share;
-    constexpr double kDigits = 1e4;  // far from every limit
+    constexpr double kDigits = 1e4;  // rounding down keeps values below a limit from reaching it
     sample_.effort_use = (kDigits * sample_.effort_use).array().floor() / kDigits;
     for (ContactWrench& wrench : sample_.wrenches) {
       wrench.force_W *= share;
