@@ -22,7 +22,7 @@ Verdict ReadUrdf(const std::string& input) {
   if (!model) return Verdict::kRefused;
   const MendedUrdf mended = MendUrdf(input);
   Require(!CheckUrdf(mended.text), "a robot is not made of a URDF that the check refuses");
-  Require(MendUrdf(mended.text).text == mended.text, "what is mended needs no mending");
+  Require(MendUrdf(mended.text).text == mended.text, "a mended file needs no further mending");
   CheckRobotLaws(*model);
   return Verdict::kAccepted;
 }
@@ -62,8 +62,8 @@ Verdict ReadXacro(const std::string& input) {
   // An escape, which a second pass would evaluate
   if (expanded->find('$') != std::string::npos) return Verdict::kAccepted;
   const Result<std::string> again = ExpandInput(*expanded);
-  Require(again.ok(), "what is expanded is plain XML");
-  Require(ExpandInput(*again).value() == *again, "what is expanded stays as it is");
+  Require(again.ok(), "expanded text is plain XML");
+  Require(ExpandInput(*again).value() == *again, "expanding again changes nothing");
   return Verdict::kAccepted;
 }
 
@@ -89,18 +89,18 @@ Verdict ReadMjcf(const std::string& input) {
   };
   const Result<ConvertedMjcf> converted = ConvertMjcfText(input, files);
   if (!converted) {
-    Require(IsPlainText(converted.failure().message), "the reason why a model is refused can be shown");
+    Require(IsPlainText(converted.failure().message), "the reason for a refusal is printable");
     return Verdict::kRefused;
   }
-  Require(IsMjcf(input), "what is converted is known as a model");
-  for (const std::string& note : converted->notes) Require(IsPlainText(note), "a note can be shown");
+  Require(IsMjcf(input), "a converted file is recognised as a model");
+  for (const std::string& note : converted->notes) Require(IsPlainText(note), "a note is printable");
   Result<RobotModel> model = LoadRobotFromText(converted->urdf, converted->yaml);
   if (!model && model.failure().code == FailureCode::kRobotYaml)  // the keyframe is not a stance
     model = LoadRobotFromText(converted->urdf, converted->yaml_without_posture);
   if (!model) {
     Require(model.failure().code != FailureCode::kNotXml && model.failure().code != FailureCode::kRobotYaml &&
                 model.failure().code != FailureCode::kUnknownLink && model.failure().code != FailureCode::kUrdfMissing,
-            "the URDF and the robot.yaml of a model are whole: " + model.failure().message);
+            "the URDF and the robot.yaml of a model are valid: " + model.failure().message);
     return Verdict::kRefused;
   }
   CheckRobotLaws(*model);
