@@ -14,10 +14,10 @@
 namespace gaitwright {
 
 /// Tuning
-///   steps although it would not have fallen            lower step_margin
-///   steps too late and falls      raise step_margin
-///   braces although a step would have sufficed     raise brace_margin
-///   falls before it has crouched        lower brace_margin or brace_tilt_rad
+///   steps although it would not have fallen       lower step_margin
+///   steps too late and falls                      raise step_margin
+///   braces although a step would have sufficed    raise brace_margin
+///   falls before it has crouched                  lower brace_margin or brace_tilt_rad
 struct RecoveringOptions {
   double step_margin = 0.02;
   double brace_margin = 0.25;
@@ -45,12 +45,9 @@ struct RecoveryPlans {
 
 /// Stands by `stabilised`, and in addition:
 ///   steps     when the DCM comes near to the edge of the support. The plan of steps is moved to the robot's place and
-///   starts
-///             at the lift of a foot. `stabilised` follows it and moves its footholds so that they stop the fall. The
-///             foot
-///             towards which the robot falls stays on the ground. After its end the robot stands again, and steps again
-///             if
-///             needed;
+///             starts at the lift of a foot. `stabilised` follows it and moves its footholds so that they stop the
+///             fall. The foot towards which the robot falls stays on the ground. After the end of the plan the robot
+///             stands again, and steps again if needed;
 ///   braces    when a fall is certain: the joints move to the protective crouch with low gains, and stay there.
 /// The DCM is c + c' / w of the centre of mass c; Englsberger et al., T-RO 31(2), 2015. Steps of bipeds begin without
 /// the weight shift of a planned walk, because there is no time for it.

@@ -104,9 +104,8 @@ struct StabilisedOptions {
 ///
 ///   attitude, height:  M = I (k^2 e_R + 2 k e_w),  F_z = m (k^2 e_z + 2 k e_vz)
 ///   DCM:               the ZMP is moved by dcm_gain times the error xi - xi_planned, as a horizontal force on C
-///   lean:              the soles of standing feet measure the ground's tilt; the base leans with it, so that swings
-///   meet
-///                      the ground
+///   lean:              the soles of standing feet measure the ground's tilt; the base leans with it, so
+///                      that swings meet the ground
 ///   split:             planned wrench plus feedback over the feet in stance, inside their cones;
 ///                      tau -= J^T (f - f_planned)
 ///   standing legs:     tau += M J^+ a, the torque for their inertia under the vertical acceleration beyond the plan's

@@ -83,10 +83,8 @@ std::vector<std::string> DrawnInPlaceOf(const Disturbances& disturbances, const 
 /// The default disturbances of trials: uncertainties of the robot, and pushes, scaled to its leg length and weight.
 ///   mass, inertia, gains within 10 %, motors down to 90 %, centre of mass of the base within 3 % of the leg length,
 ///   friction 0.5 to 1.0, slope up to 2 degrees in any direction, bumps up to 1 % of the leg length, commands delayed
-///   by up
-///   to 4 ms, start within 1 % of the leg length and 0.02 rad, joints within 0.01 rad; one push of up to 10 % of the
-///   weight
-///   in any direction, for 0.1 s, at a time between 10 % and 90 % of the plan.
+///   by up to 4 ms, start within 1 % of the leg length and 0.02 rad, joints within 0.01 rad; one push of up to 10 % of
+///   the weight in any direction, for 0.1 s, at a time between 10 % and 90 % of the plan.
 Disturbances StandardDisturbances(const RobotModel& model);
 
 /// A sampled value.
