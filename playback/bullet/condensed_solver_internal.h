@@ -16,15 +16,15 @@ namespace gaitwright::bullet {
 /// Solves the rows of one multibody on static ground. Motors and gears are solved directly; contacts and stops are then
 /// solved by projected Gauss-Seidel.
 ///
-/// With M the mass matrix, J the rows, s the softness and p the impulses, the change x of the velocities is M x = J^T
-/// p, and each row requires J x + s p = b within the bounds of p. Motors and gears are linear unless saturated, so they
-/// are eliminated:
+/// With M the mass matrix, J the rows, s the softness and p the impulses, the change x of the velocities is
+/// M x = J^T p, and each row requires J x + s p = b within the bounds of p. Motors and gears are linear unless
+/// saturated, so they are eliminated:
 ///   a row on one joint's rate, J = c, s > 0   p = (b - c x) / s: adds c^2 / s to the diagonal of M and c b / s to the
 ///                                             right-hand side; M keeps the zeros of the robot's tree
 ///   a row on one joint's rate, s = 0          x = b / c is known; the joint is removed from M, and p holds it
 ///   other rows (D), such as gears and twins   (A_DD + s_D) p_D = b_D - A_DI p_I, with A = J M^-1 J^T of this M
-/// Motors of a transmission are in D. In addition to its own softness, the row of motor i has a shared softness S_ij
-/// p_j (SharedMotors), which counts as part of A between the two rows.
+/// Motors of a transmission are in D. In addition to its own softness, the row of motor i has a shared softness
+/// S_ij p_j (SharedMotors), which counts as part of A between the two rows.
 /// Only contacts, stops and saturated motors (I) need iterations, in the small dense matrix
 ///   A'_II = A_II - A_ID (A_DD + s_D)^-1 A_DI.
 /// A motor whose impulse exceeds its limit moves to I, and the step is solved again. Dry friction of a joint is in D if

@@ -63,9 +63,9 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
 /// every gain. Limits apply to the sum of feed-forward and PD. A share of this sum reaches the joint.
 ///
 /// Losses are implicit too. Damping d and rotor inertia J give  p = -J (qd' - qd) - h d qd', with qd the velocity at
-/// the start of the step (Bullet has added the step's forces to its own velocity before rows are made). The row is qd'
-/// + p / (J + h d) = J qd / (J + h d). Dry friction f is the row qd' = 0 with an impulse within +-h f. No loss can add
-/// energy.
+/// the start of the step (Bullet has added the step's forces to its own velocity before rows are made). The row is
+/// qd' + p / (J + h d) = J qd / (J + h d). Dry friction f is the row qd' = 0 with an impulse within +-h f. No loss can
+/// add energy.
 class MotorRow : public JointSpaceConstraint {
  public:
   /// Indices of the rows, see JointSpaceConstraint.

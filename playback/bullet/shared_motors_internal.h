@@ -37,8 +37,8 @@ class SharedMotorRow : public JointSpaceConstraint {
 /// = Notation =
 ///   R  the transmission's matrix; w' = R v' motor speeds after the step, p impulses of the motors
 ///   G  diag(1 / (h^2 kp + h kd)) of the joints, h the step
-/// The joints' PD requires joint impulses P = h (kp (q* - q - h v') + kd (v* - v')), i.e. v' + G P = h G c with c = kp
-/// (q* - q) + kd v*. With P = R^T p this is, in motor coordinates,
+/// The joints' PD requires joint impulses P = h (kp (q* - q - h v') + kd (v* - v')), i.e. v' + G P = h G c with
+/// c = kp (q* - q) + kd v*. With P = R^T p this is, in motor coordinates,
 ///   w' + S p = h R G c,   S = R G R^T,
 /// with limits on each p. S couples the motors (SofteningOf); CondensedSolver takes this coupling into account. If a
 /// motor is at its limit, the others bring the joint impulses nearest to the required ones, with each joint's deviation
