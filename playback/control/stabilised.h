@@ -104,20 +104,20 @@ struct StabilisedOptions {
 ///
 ///   attitude, height:  M = I (k^2 e_R + 2 k e_w),  F_z = m (k^2 e_z + 2 k e_vz)
 ///   DCM:               the ZMP is moved by dcm_gain times the error xi - xi_planned, as a horizontal force on C
-///   lean:              soles that stand tell the ground's tilt; the base leans with it, so that swings meet the ground
+///   lean:              the soles of standing feet measure the ground's tilt; the base leans with it, so
+///                      that swings meet the ground
 ///   split:             planned wrench plus feedback over the feet in stance, inside their cones;
 ///                      tau -= J^T (f - f_planned)
-///   standing legs:     tau += M J^+ a, what their inertia takes for the vertical acceleration asked for beyond the
-///                      plan's
-///   foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a foothold
-///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come with the flight after
+///   standing legs:     tau += M J^+ a, the torque for their inertia under the vertical acceleration beyond the plan's
+///   foot placement:    the DCM error predicted for touch-down, e^{w t} (dxi - dp) + dp, is corrected by a foothold
+///                      shift of (e^{w T} - lambda) / (e^{w T} - 1) times it, T the next stance plus the flight after
 ///                      it.
 ///   plans with flights: wrench and foot placement by the feedback of MomentumGains instead
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
 /// @param gains  of the joints, as for JointPd.
-/// @throws InvalidArgument for an option out of its range, or a plan without motion of this robot's size, without its
-/// torques and contact forces, or without contact schedule. Model and plan must outlive it.
+/// @throws InvalidArgument for an option out of its range, or a plan without motion of this robot's size, torques,
+/// contact forces or contact schedule. Model and plan must outlive the controller.
 std::unique_ptr<Controller> MakeStabilised(const RobotModel& model, const MotionPlan& plan,
                                            const StabilisedOptions& options, const GainOptions& gains = {});
 

@@ -42,15 +42,15 @@ struct WorldOptions {
   double rotor_inertia_kg_m2 = 0.0;
   double torque_scale = 1.0;
 
-  /// Independent joints that are held at their first position without a motor, as if welded.
+  /// Independent joints that stay at their first position without a motor, as if welded.
   std::vector<int> locked_dofs = {};
-  /// Bumps reach this far in plan view [m]; there is no bumpy ground beyond. Play sets it from the plan.
+  /// Extent of the bumps in plan view [m]; outside there are no bumps. Play sets it from the plan.
   Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
 
-  /// All of them, by name.
+  /// All options, by name.
   OptionFields Fields() { return Joined({PhysicsFields(), ActuatorFields()}); }
 
-  /// Those of the time step, the contacts and the ground.
+  /// Options of the time step, the contacts and the ground.
   OptionFields PhysicsFields() {
     return WithBasics(
         {"engine", "step_s", "actuation", "friction", "mass_scale", "motor_strength", "ground_slope_deg",
@@ -113,7 +113,7 @@ struct WorldOptions {
          {"seed", &seed, "1", 0, 2147483647, "Random seed of the ground bumps."}});
   }
 
-  /// Those of the motors and joints.
+  /// Options of the motors and joints.
   OptionFields ActuatorFields() {
     return WithBasics(
         {"joint_losses", "motor_curve", "thermal_limit"},

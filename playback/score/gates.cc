@@ -17,7 +17,7 @@ constexpr double kGoalLeast = 0.02;  // [m]
 constexpr auto kLower = Better::kLower;
 constexpr auto kHigher = Better::kHigher;
 
-/// A figure that is told and scored, but fails nothing.
+/// A metric that is reported and scored, but has no gate.
 MetricRule Told(std::string key, std::string unit, Better better, double weight, double scale, bool scales,
                 std::string meaning) {
   MetricRule rule;
@@ -37,7 +37,8 @@ MetricRule Gated(MetricRule rule, Bound bound, double limit) {
   return rule;
 }
 
-// Columns: key, unit, better, weight in the score, value at quality one half, lengths scale with the leg, meaning.
+// Columns: key, unit, better, weight in the score, value at quality one half, whether lengths scale with the leg,
+// meaning.
 std::vector<MetricRule> ProgressRules() {
   return {
       Gated(Told("fell", "1", kLower, 0.0, 1.0, false,
@@ -125,7 +126,7 @@ std::vector<MetricRule> JointRules() {
   };
 }
 
-/// Of the controller's estimate of the base against the truth; they score nothing.
+/// Errors of the controller's estimate of the base; they do not affect the score.
 std::vector<MetricRule> EstimateRules() {
   return {
       Told("estimate_drift_m", "m", kLower, 0.0, 0.1, false,
@@ -163,7 +164,7 @@ const MetricRule& RuleOf(const std::string& key) {
     keys.push_back(rule.key);
   }
   throw InvalidArgument(
-      fmt::format("there is no metric '{}'{}", key, NearestOrAll(key, keys, "docs/scores.md lists all metrics")));
+      fmt::format("unknown metric '{}'{}", key, NearestOrAll(key, keys, "docs/scores.md lists all metrics")));
 }
 
 GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {

@@ -8,7 +8,7 @@ namespace gaitwright {
 /// Assumptions of LegOdometry, in addition to the sensors' data (SensorOptions).
 ///
 /// Tuning
-///   drifts or turns off slowly while it walks     lower stance_slip_m_s_sqrt_hz, where feet do not slip
+///   drifts slowly in place or heading             lower stance_slip_m_s_sqrt_hz if feet do not slip
 ///   jumps when feet land                          raise landing_slip_m_s_sqrt_hz or trust_s
 ///   follows a foot that slides                    lower gate
 ///   leans on sloping ground                       raise start_tilt_rad

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostTold = 8;  // of a ranking in words
+constexpr std::size_t kMostTold = 8;  // largest number of ranked quantities in the text
 
 Json MetricsJson(const RobustnessReport& report) {
   Json metrics = Json::object();
@@ -103,7 +103,7 @@ Json WorstJson(const RobustnessReport& report) {
   return list;
 }
 
-/// One row a trial: what is the same for all stands once.
+/// One row per trial; data that all trials share are written once.
 Json TrialsJson(const RobustnessReport& report) {
   Json columns = {"seed", "survived", "passed", "score", "ended_s", "cause", "log_hash"};
   if (report.n > 0) {
@@ -145,7 +145,7 @@ std::string SensitivityLines(const RobustnessReport& report) {
   return text;
 }
 
-/// "ground_height and push_left" of what varied.
+/// "ground_height and push_left": the disturbances that varied.
 std::string VariedWords(const GaitSensitivity& gait) {
   std::string words;
   for (std::size_t d = 0; d < gait.varied.size(); ++d) {

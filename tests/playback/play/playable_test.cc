@@ -23,7 +23,7 @@ struct PlayableCase {
 struct Unplayable {
   const char* name;
   std::function<void(PlayableCase&)> spoil;
-  std::optional<FailureCode> code;  ///< nothing where it is played
+  std::optional<FailureCode> code;  ///< nothing if it is played
 };
 
 void PrintTo(const Unplayable& one, std::ostream* out) { *out << one.name; }

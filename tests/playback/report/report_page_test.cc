@@ -92,8 +92,8 @@ TEST(ReportPage, TellsTheOptionsThatAreNotUsual) {
   const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{}, {{"a.gain", "<2>", "1.5"}}, ""});
   EXPECT_EQ(XmlFault(page), "");
   EXPECT_TRUE(synthetic::Says(page, ">a.gain</span></td><td>&lt;2&gt;</td><td>1.5</td>"));
-  EXPECT_FALSE(synthetic::Says(page, "usual value."));
-  EXPECT_TRUE(synthetic::Says(ReportPage(c.model, c.plan, c.log, c.report), "Every option was at its usual value."));
+  EXPECT_FALSE(synthetic::Says(page, "default value."));
+  EXPECT_TRUE(synthetic::Says(ReportPage(c.model, c.plan, c.log, c.report), "Every option had its default value."));
 }
 
 TEST(ReportPage, AnObjectionOverrulesPhysics) {

@@ -147,7 +147,7 @@ TEST_F(RunTrialsTest, PhysicsThatBlowsUpIsAFallAndNotTheEndOfTheRun) {
     ASSERT_TRUE(report.ok()) << report.failure().message;
     EXPECT_EQ(report->survived, 0);
     ASSERT_EQ(report->causes.size(), 1U);
-    EXPECT_EQ(report->causes[0].what, "the physics came to no number");
+    EXPECT_EQ(report->causes[0].what, "the simulation diverged");
     for (const TrialOutcome& outcome : report->outcomes) {
       EXPECT_NEAR(outcome.ended_s, at_s, 0.01);
       EXPECT_NE(outcome.reason.find("the physics gave a state that is not finite"), std::string::npos)
