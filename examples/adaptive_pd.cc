@@ -25,8 +25,7 @@ VectorX TorquePerKilogram(const RobotModel& model, const VectorX& q, const std::
 AdaptivePd::AdaptivePd(const RobotModel& model, const MotionPlan& plan, double rate_per_s)
     : model_(model),
       plan_(plan),
-      gains_(
-          DeriveGains(model, {.stiffness_scale = 0.3, .damping_scale = 0.3})),  // soft, like the joints of real robots
+      gains_(DeriveGains(model, {.stiffness_scale = 0.3, .damping_scale = 0.3})),  // soft, like real joints
       scratch_(model) {
   if (!(rate_per_s >= 0.0)) throw InvalidArgument(fmt::format("rate_per_s is {}; it must be 0 or more", rate_per_s));
   SampleWholeBody(plan.whole_body, plan.whole_body.start_s, wanted_);

@@ -29,8 +29,7 @@ std::optional<JointState> HardwareAdapter::Exchange(double now_s, const JointCom
   VectorX row(1 + 5 * n);
   row << static_cast<double>(sent_), command.q, command.v, command.tau_ff, command.stiffness, command.damping;
   if (stopped_) row.segment(1 + n, 3 * n).setZero();
-  send(socket_, row.data(), static_cast<std::size_t>(row.size()) * sizeof(double),
-       0);  // if sending fails, the command counts as lost
+  send(socket_, row.data(), static_cast<std::size_t>(row.size()) * sizeof(double), 0);  // a failure counts as lost
   ++sent_;
   std::optional<JointState> newest;
   for (auto said = Receive(patience_s, 1 + 2 * n); said; said = Receive(0.0, 1 + 2 * n)) {
