@@ -11,7 +11,7 @@ NOT_RUN = {
                         " --state estimated --sensors hobby --out result.json"):
         "500 trials take minutes; tests/cli/cluster_test.cc runs fewer under mpirun",
     ("docs/cluster.md", "sbatch job.sh"): "there is no Slurm here",
-    ("docs/live.md", "gaitwright live --robot a1                # http://127.0.0.1:8017/, and opens it where there is a desktop"):
+    ("docs/live.md", "gaitwright live --robot a1                # http://127.0.0.1:8017/; opens the page if there is a desktop"):
         "serves until it is stopped; tests/cli/live_test.cc starts and stops it",
     ("docs/install.md", "./run --version"):
         "installs into the machine; tests/consumer and tests/python/test_installed.py install into a folder",
