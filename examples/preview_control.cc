@@ -167,7 +167,7 @@ int PreviewControlMain(int argc, const char* const* argv) {
   double com_height_m = 0.814, preview_s = 1.6;
   app.add_option("--zmp", zmp, "Reference: CSV with the columns time_s,zmp_x_m,zmp_y_m; default: a built-in walk");
   app.add_option("--com-height", com_height_m, "Height of the centre of mass [m]")->capture_default_str();
-  app.add_option("--preview", preview_s, "How far the controller looks ahead [s]")->capture_default_str();
+  app.add_option("--preview", preview_s, "Preview time of the controller [s]")->capture_default_str();
   app.add_option("--out", out, "CSV to write")->capture_default_str();
   app.add_option("--plot", plot, "SVG to write; default without --zmp: preview_control.svg");
   try {
