@@ -7,9 +7,9 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("Plans a walk for a robot of which nothing is known but its URDF", "own_robot");
+  CLI::App app("Plans a walk for a robot from its URDF alone", "own_robot");
   std::string urdf;
-  app.add_option("URDF", urdf, "Path of the file")->required();
+  app.add_option("URDF", urdf, "Path of the URDF file")->required();
   try {
     app.parse(argc, argv);
     const Result<RobotModel> model = examples::ReadOwnRobot(urdf);
