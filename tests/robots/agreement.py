@@ -71,7 +71,7 @@ def main():
     parser.add_argument("--at-least", type=float, metavar="SHARE", help="share of walks that must pass in MuJoCo of those that pass in Bullet")
     arguments = parser.parse_args()
     walks = handbook_walks() if arguments.handbook else listed_walks(arguments.walks or Path(__file__).with_name("walks.txt"))
-    print(f"| walk | Bullet | MuJoCo | {' | '.join(COLUMNS)} | part first |\n|{'---|' * (len(COLUMNS) + 4)}")
+    print(f"| walk | Bullet | MuJoCo | {' | '.join(COLUMNS)} | first difference |\n|{'---|' * (len(COLUMNS) + 4)}")
     passed, both, parted = 0, 0, 0
     for walk in walks:
         with tempfile.TemporaryDirectory() as folder:
