@@ -18,7 +18,8 @@ std::size_t LegOf(const RobotModel& model, const std::string& foot, int line) {
     if (model.legs[i].name == foot) return i;
     names.push_back(model.legs[i].name);
   }
-  RefuseYamlLine(line, fmt::format("robot '{}' has no foot '{}'; its feet are {}", model.name, foot, QuotedList(names)));
+  RefuseYamlLine(line,
+                 fmt::format("robot '{}' has no foot '{}'; its feet are {}", model.name, foot, QuotedList(names)));
 }
 
 std::vector<std::string> JointNames(const RobotModel& model, const Leg& leg) {

@@ -75,9 +75,9 @@ double Spread(const std::vector<Limb>& limbs, int axis) {
   return high->to[axis] - low->to[axis];
 }
 
-/// Whether the limbs bend about x: more of their joints rotate about x than about y, and no joint rotates about z, which
-/// would rotate the plane of a leg. If no joint rotates about y, no leg can step along x. Otherwise the limbs must
-/// mirror each other along x too.
+/// Whether the limbs bend about x: more of their joints rotate about x than about y, and no joint rotates about z,
+/// which would rotate the plane of a leg. If no joint rotates about y, no leg can step along x. Otherwise the limbs
+/// must mirror each other along x too.
 bool BendSideways(const std::vector<Limb>& limbs, bool mirror_along_x) {
   std::array<int, 3> turning = {};
   for (const Limb& limb : limbs) {

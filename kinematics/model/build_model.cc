@@ -105,8 +105,7 @@ class Builder {
     return X;
   }
 
-  /// Adds a link to a body. A placeholder inertia is replaced by the inertia of the link's shapes, and an inertia that is
-  /// not physical is repaired.
+  /// Adds a link to a body, with the inertia of its shapes for a placeholder, and a repaired inertia if not physical.
   void AddLink(const urdf::Link& link, const Pose& X_BL, Body& body) {
     const urdf::Inertial& inertial = *link.inertial;
     const Pose X_LI = Scaled(inertial.origin), X_BI = X_BL * X_LI;
@@ -246,8 +245,7 @@ class Builder {
     }
   }
 
-  /// Gives each joint that does not mimic another one a coordinate. A mimic joint gets the coordinate of its leader, also
-  /// through a chain of mimic joints.
+  /// Gives each joint a coordinate. A mimic joint, also in a chain, gets the coordinate of the leading joint.
   void AssignCoordinates() {
     std::map<std::string, std::size_t> index;
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {

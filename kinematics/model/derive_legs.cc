@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t kMostLegs = 64;  // bits in a set of feet
 
-/// A limb and the lowest height of its end [m], above the origin of the base or, if the roots of limbs are higher, above
-/// those roots. The origin of a base such as `base_footprint` may be on or below the ground.
+/// A limb and the lowest height of its end [m], above the origin of the base or, if the roots of limbs are higher,
+/// above those roots. The origin of a base such as `base_footprint` may be on or below the ground.
 struct LimbThatReaches {
   double lowest = 0.0;
   std::vector<int> chain;
@@ -55,11 +55,12 @@ double BottomOfBase(const RobotModel& model) {
 }
 
 /// Keeps the limbs that reach below the origin of the base. If fewer than two do, because the origin is below the whole
-/// robot, keeps the limbs that reach far below the shapes of the base. Then `lowest` becomes relative to the root of the
-/// longest limb, if this root is above the origin.
+/// robot, keeps the limbs that reach far below the shapes of the base. Then `lowest` becomes relative to the root of
+/// the longest limb, if this root is above the origin.
 /// @param limbs  lowest first.
 void KeepThoseThatReachTheGround(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
-  constexpr double kBelow = 0.6;  // share of a leg that is below the shapes of the base; the arms of a bust are beside them
+  constexpr double kBelow =
+      0.6;  // share of a leg that is below the shapes of the base; the arms of a bust are beside them
   if (limbs.empty()) return;
   const double from_m = std::max(0.0, RootHeight(model, limbs.front())), bottom_m = BottomOfBase(model);
   const auto below_origin = [](const LimbThatReaches& limb) { return limb.lowest < 0.0; };
@@ -71,8 +72,8 @@ void KeepThoseThatReachTheGround(const RobotModel& model, std::vector<LimbThatRe
   for (LimbThatReaches& limb : limbs) limb.lowest -= from_m;
 }
 
-/// Limbs with many joints in common are branches of one limb, such as the fingers of a hand or the toes of a foot. Keeps
-/// only the branch that reaches lowest.
+/// Limbs with many joints in common are branches of one limb, such as the fingers of a hand or the toes of a foot.
+/// Keeps only the branch that reaches lowest.
 void DropBranches(std::vector<LimbThatReaches>& limbs) {
   std::vector<LimbThatReaches> kept;
   for (LimbThatReaches& limb : limbs) {
@@ -84,8 +85,8 @@ void DropBranches(std::vector<LimbThatReaches>& limbs) {
   limbs = std::move(kept);
 }
 
-/// Legs come in pairs of left and right. If there is such a pair, a limb without a counterpart that has more joints than
-/// the pair is an arm, a neck or a tail, even if it reaches low.
+/// Legs come in pairs of left and right. If there is such a pair, a limb without a counterpart that has more joints
+/// than the pair is an arm, a neck or a tail, even if it reaches low.
 void DropArms(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
   constexpr double kSame = 0.1;  // share of the reach
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));

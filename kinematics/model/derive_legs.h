@@ -40,16 +40,16 @@ struct LegChoices {
   std::vector<FootOverride> feet;
   std::vector<LegOverride> legs;
   std::optional<std::vector<MirrorPair>> mirror_pairs;  ///< all of them, if given
-  std::optional<double> sole_give_m;  ///< parts of a foot's shapes up to this height above the lowest point are its sole
+  std::optional<double> sole_give_m;  ///< height above a foot's lowest point up to which its shapes are its sole
   int sole_give_line = 0;
 };
 
 /// Derives legs, feet, symmetry and a standing posture from the tree and its collision geometry; names are not used.
 ///
-///   legs      chains whose ends reach nearly as low as the lowest one (arms and heads do not)
-///   feet      A leg of five or more joints has a sole: the flat bottom of boxes, cylinders, meshes or corner spheres (a
-///             line if no joint rolls it). Otherwise a sphere at the far end of the last body, which rolls. Otherwise
-///             the farthest point.
+///   legs      Chains whose ends reach nearly as low as the lowest one. Arms and heads do not.
+///   feet      A leg of five or more joints has a sole: the flat bottom of boxes, cylinders, meshes or corner spheres.
+///             It is a line if no joint rolls it. Otherwise the foot is a sphere at the far end of the last body, which
+///             rolls. Otherwise it is the farthest point.
 ///   posture   Each leg bends in its own upright plane (leg_plane.h). A foot without a sole is below its hip at 0.62 of
 ///             the straight length, or where its prismatic joints are at half their stroke. The foot of a sprawling leg
 ///             is as far out from the leg's upright axis as it is below its hip. A foot with a sole is at 0.92 of the

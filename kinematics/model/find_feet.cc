@@ -90,8 +90,8 @@ bool FindAslantBottom(const Pose& X_OE, const std::vector<const Shape*>& shapes,
   return largest > 0.0 && FindFlatBottom(X_OL, shapes, std::nullopt, foot);
 }
 
-/// The flat bottom of the last body's shapes at joint positions zero, as a sole. If the flat bottom in a given posture is
-/// much larger, the sole is tilted at zero and the bottom in that posture is used. If there is neither, the largest
+/// The flat bottom of the last body's shapes at joint positions zero, as a sole. If the flat bottom in a given posture
+/// is much larger, the sole is tilted at zero and the bottom in that posture is used. If there is neither, the largest
 /// bottom over many orientations of the foot (FindAslantBottom).
 bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, const VectorX& given,
               std::optional<double> give_m, Foot& foot) {
@@ -185,8 +185,8 @@ bool FindWheel(const RobotModel& model, const std::vector<const Shape*>& shapes,
   return true;
 }
 
-/// Refuses a sole give that has no effect or removes the sole: for a foot with its own value and no sole, and for a foot
-/// that would have a sole without this key.
+/// Refuses a sole give that has no effect or removes the sole: for a foot with its own value and no sole, and for a
+/// foot that would have a sole without this key.
 void CheckGiveIsIdle(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes,
                      const LegChoices& choices, const FootOverride* given, const VectorX& standing) {
   Foot foot;
@@ -213,7 +213,8 @@ void TakeSole(const RobotModel& model, const FootOverride& given, Foot& foot) {
   foot.derived_from = fmt::format("its {} corners from robot.yaml", given.sole_m.size());
 }
 
-/// Replaces type and radius of a foot by those given by the user. @throws InvalidArgument for a sphere without a radius.
+/// Replaces type and radius of a foot by those given by the user. @throws InvalidArgument for a sphere without a
+/// radius.
 void TakeType(const FootOverride& given, Foot& foot) {
   foot.link = given.link;
   if (given.radius_m > 0.0) {

@@ -69,8 +69,8 @@ void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model
       continue;
     }
     add(FindingLevel::kWarning,
-        fmt::format("{}: a box of {:.3f} x {:.3f} x {:.3f} m, half the size of the link's inertia box, is used instead", mesh.why,
-                    box->size.x(), box->size.y(), box->size.z()));
+        fmt::format("{}: a box of {:.3f} x {:.3f} x {:.3f} m, half the size of the link's inertia box, is used instead",
+                    mesh.why, box->size.x(), box->size.y(), box->size.z()));
     model.collision_shapes.push_back(std::move(*box));
   }
 }

@@ -17,8 +17,8 @@ struct JointLosses {
 };
 
 /// The losses of coordinate `dof` from robot.yaml and URDF. Damping and friction are sums over all joints that the
-/// coordinate moves: of multiplier^2 * damping and of |multiplier| * friction.
-/// Rotors of a transmission are not included, because they couple its joints (Transmission::RotorInertia).
+/// coordinate moves: of multiplier^2 * damping and of |multiplier| * friction. Rotors of a transmission are not
+/// included, because they couple its joints (Transmission::RotorInertia).
 JointLosses LossesOf(const RobotModel& model, int dof);
 
 /// The robot without joint losses: no damping, friction or rotor inertia.

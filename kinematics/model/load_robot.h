@@ -24,8 +24,9 @@ Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::st
                                      const std::string& name = "robot", const std::vector<MeshHull>& meshes = {},
                                      bool strict = false);
 
-/// Loads a robot of the `robots` folder by name. The environment variable GAITWRIGHT_ROBOTS sets the folder; its default
-/// is the folder that comes with the program (see DataPath). The failure for an unknown name lists the known names.
+/// Loads a robot of the `robots` folder by name. The environment variable GAITWRIGHT_ROBOTS sets the folder; its
+/// default is the folder that comes with the program (see DataPath). The failure for an unknown name lists the known
+/// names.
 Result<RobotModel> LoadNamedRobot(const std::string& name);
 
 /// The robot with an additional link to lie on: `rests` of its robot.yaml. Failure: as in LoadRobotFromText.

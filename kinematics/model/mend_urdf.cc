@@ -89,8 +89,8 @@ class Mender {
     mended_ = true;
   }
 
-  /// Roots with at most one moving joint. With more moving joints the root carries limbs, and a floating joint is not the
-  /// floating base.
+  /// Roots with at most one moving joint. With more moving joints the root carries limbs, and a floating joint is not
+  /// the floating base.
   std::set<std::string> FreeRoots() const {
     std::set<std::string> roots;
     for (const XMLElement* link : ElementsOf(robot_, "link")) roots.insert(TextOr(link->Attribute("name")));
@@ -121,7 +121,8 @@ class Mender {
       limit->DeleteAttribute("lower");
       limit->DeleteAttribute("upper");
       findings_.push_back({FindingLevel::kWarning, FailureCode::kMissingLimit, PartOf("joint", *joint),
-                           joint->GetLineNum(), "its position range is 0 to 0, like that of all joints: the range is not used"});
+                           joint->GetLineNum(),
+                           "its position range is 0 to 0, like that of all joints: the range is not used"});
       mended_ = true;
     }
   }

@@ -70,7 +70,7 @@ TEST(ApplyTransmissions, RefusesByLine) {
              {"'A_hipp'", "'A_hip'"});
   ExpectSays(TransmissionRefusal([](RobotYaml& y) { y.transmissions[0].joints[0] = "A_end"; }), {"'A_end'"});
   ExpectSays(TransmissionRefusal([](RobotYaml& y) { y.transmissions[1].motors[0].name = "front_2"; }),
-             {"line 4", "two motors 'front_2'"});
+             {"line 4", "two motors are named 'front_2'"});
   ExpectSays(TransmissionRefusal([](RobotYaml& y) { y.transmissions[0].motors[1].name = "C_hip"; }),
              {"line 5", "'C_hip'", "does not drive"});
   EXPECT_EQ(TransmissionRefusal([](RobotYaml& y) { y.transmissions[0].motors[1].name = "A_hip"; }), "")
