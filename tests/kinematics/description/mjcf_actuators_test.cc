@@ -47,7 +47,7 @@ TEST(MjcfActuators, RangesCountAsTheirFlagsSay) {
   EXPECT_DOUBLE_EQ(
       EffortOf("<motor joint='j' forcerange='-3 3' forcelimited='true'/>", "", "<compiler autolimits='false'/>"), 3.0);
   ExpectSays(MjcfMessage(Driven("<motor name='m' joint='j' forcelimited='true'/>")),
-             {"motor 'm'", "limited but has no 'forcerange'"});
+             {"motor 'm'", "limited, but 'forcerange' is missing"});
   ExpectSays(MjcfMessage(Driven("<motor name='m' joint='j' ctrlrange='2 1'/>")), {"motor 'm'", "the lower end 2"});
 }
 
@@ -151,9 +151,9 @@ TEST(MjcfActuators, RefusesOrNotesWhatDrivesNoJoint) {
              {"model.xml, line 2: motor 'm'", "'t' by 'tendon'", "left out"});
   ExpectNote(Converted(Driven("<motor name='m' cranksite='s'/>")), {"motor 'm'", "'s' by 'cranksite'"});
   ExpectSays(message("<motor name='m' joint='jj'/>"), {"motor 'm'", "no joint 'jj'", "nearest is 'j'"});
-  ExpectNote(Converted(Driven("<motor name='m' site='s'/>")), {"motor 'm'", "drives no joint; left out"});
+  ExpectNote(Converted(Driven("<motor name='m' site='s'/>")), {"motor 'm'", "drives no joint; it is left out"});
   ExpectNote(Converted(Driven("<adhesion name='m' body='b'/>")), {"adhesion 'm'", "left out"});
-  ExpectNote(Converted(Driven("<engine name='m' joint='j'/>")), {"engine 'm'", "not known"});
+  ExpectNote(Converted(Driven("<engine name='m' joint='j'/>")), {"engine 'm'", "unknown"});
 }
 
 /// 'j' and 'k', driven, and 'p', which a tendon ties to them.

@@ -83,7 +83,7 @@ TEST(MjcfDefaults, RefusesClassesByNameAndLine) {
   ExpectSays(MjcfMessage(MjcfOf(LegOf("", "z"), kClasses)), {"body 'leg'", "no class 'z'"});
   ExpectSays(with("<default><default><joint/></default></default>"), {"line 2: <default>", "no 'class'"});
   ExpectSays(with("<default><default class='a'/>\n<default class='a'/></default>"),
-             {"line 3: default 'a'", "two classes of that name"});
+             {"line 3: default 'a'", "two classes have this name"});
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(MjcfEquality, WithoutASecondJointHoldsTheFirstStill) {
   const ConvertedMjcf converted = Converted(Chain(sections, "", "ref='0.2'"));
   const RobotModel model = TreeOf(converted);
   ASSERT_EQ(model.num_dofs(), 1);  // b stands still at 0.5, and c, which follows it
-  ExpectNote(converted, {"joint 'e'", "'b' is held at 0.5"});
+  ExpectNote(converted, {"joint 'e'", "'b' is locked at 0.5"});
   const Frame& two = model.frames[static_cast<std::size_t>(model.FrameIndex("two"))];
   EXPECT_LT((two.X_BF.linear() - RotationExp({0, 0.3, 0})).norm(), 1e-12);
   EXPECT_LT((two.X_BF.translation() - Vector3(0, 0, -1)).norm(), 1e-12);

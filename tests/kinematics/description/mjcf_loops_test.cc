@@ -30,7 +30,7 @@ TEST(MjcfLoops, InAHandStandStillAsTheFileDrawsThem) {
     const RobotModel model = TreeOf(converted);
     EXPECT_EQ(model.dof_names, (std::vector<std::string>{"leg", "wrist"}));
     EXPECT_NEAR(model.total_mass_kg, 1.0 + 0.3 + 9.0, 1e-12);
-    ExpectNote(converted, {"'e'", "loop of the joints 'rod', 'finger'", "are fixed"});
+    ExpectNote(converted, {"'e'", "loop of the joints 'rod', 'finger'", "are locked"});
   }
 }
 

@@ -77,7 +77,7 @@ TEST(MjcfRotation, RefusesWhatIsNoRotation) {
   const auto with = [](const std::string& pose) { return MjcfMessage(MjcfOf(MjcfBodyOf("leg", "", pose))); };
   ExpectSays(with("quat='0 0 0 0'"), {"model.xml, line 7", "body 'leg'", "'quat' is zero"});
   ExpectSays(with("quat='1 0 0'"), {"line 7", "'quat'", "'1 0 0'", "3 numbers; 4 are needed"});
-  ExpectSays(with("zaxis='0 0 0'"), {"body 'leg'", "'zaxis'", "direction is not defined"});
+  ExpectSays(with("zaxis='0 0 0'"), {"body 'leg'", "'zaxis'", "does not define a direction"});
   ExpectSays(with("xyaxes='1 0 0 2 0 0'"), {"body 'leg'", "'xyaxes'", "parallel"});
   ExpectSays(with("euler='1 2 nan'"), {"body 'leg'", "'euler'", "'nan' is not a finite number"});
   ExpectSays(with("euler='1 2 3' quat='1 0 0 0'"), {"body 'leg'", "2 orientations"});

@@ -119,13 +119,14 @@ TEST(MjcfShapes, RefuseSizesByLine) {
   ExpectSays(with("type='cylinder' size='0.1 0'"), {"'size' contains 0; it must be positive"});
   ExpectSays(with("type='cone' size='1'"), {"'type' is 'cone'", "'sphere'"});
   ExpectSays(with("type='sphere' size='1' fromto='0 0 0 0 0 1'"), {"'fromto' is for capsule"});
-  ExpectSays(with("type='capsule' size='1' fromto='0 0 1 0 0 1'"), {"'fromto' are one point"});
+  ExpectSays(with("type='capsule' size='1' fromto='0 0 1 0 0 1'"), {"'fromto' are the same point"});
   ExpectSays(with("type='capsule' size='1' fromto='0 0 0 0 0 1' pos='1 0 0'"), {"both 'pos' and 'fromto'"});
   ExpectSays(with("size='1' mass='-1'"), {"mass or density is negative"});
-  ExpectSays(with("type='mesh'"), {"it is a mesh, and has no 'mesh'"});
+  ExpectSays(with("type='mesh'"), {"it is of type mesh, but has no 'mesh'"});
   ExpectSays(with("type='mesh' mesh='m'", "<asset><mesh file='m.stl' scale='1 1 2' refquat='1 1 0 0'/></asset>"),
              {"line 2: <mesh>", "'refquat' together with a scale"});
-  ExpectSays(with("", "<asset><mesh file='m.stl'/>\n<mesh file='n/m.stl'/></asset>"), {"line 3", "two meshes 'm'"});
+  ExpectSays(with("", "<asset><mesh file='m.stl'/>\n<mesh file='n/m.stl'/></asset>"),
+             {"line 3", "two meshes are named 'm'"});
   ExpectSays(with("", "<asset><mesh file='m.stl' scale='1 0 1'/></asset>"), {"its scale is 0"});
 }
 
@@ -136,7 +137,7 @@ TEST(MjcfShapes, WhereNoGeomCollidesThoseThatAreNotShownDo) {
   const UrdfParts parts = SplitUrdf(converted.urdf, 1.0);
   ASSERT_EQ(parts.collision.size(), 1U);
   EXPECT_EQ(parts.collision[0].size.x(), 2.0);
-  ExpectNote(converted, {"no geom of the robot can touch", "group 3"});
+  ExpectNote(converted, {"exclude every contact of the robot's geoms", "group 3"});
   const std::string pair = "<contact><pair geom1='skin' geom2='skin'/></contact>";
   const UrdfParts paired = SplitUrdf(Converted(MjcfOf(geoms, none + pair)).urdf, 1.0);
   ASSERT_EQ(paired.collision.size(), 1U);
