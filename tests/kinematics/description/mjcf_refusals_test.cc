@@ -31,7 +31,8 @@ TEST(MjcfRefusals, NameElementAndLine) {
   ExpectSays(MessageOfLeg("<body name='&#1;'/>"), {"line 9: <body>", "'name' is not valid UTF-8"});
   ExpectSays(MessageOfLeg(fmt::format("<body name='{}'/>", std::string(501, 'a'))), {"'name' has 501 bytes"});
   ExpectSays(MjcfMessage(MjcfOf("<joint name='j'/>")), {"body 'base'", "free joint as well as other joints"});
-  ExpectSays(MjcfMessage("<mujoco><worldbody>\n<joint/></worldbody></mujoco>"), {"line 2: <joint>", "no joint"});
+  ExpectSays(MjcfMessage("<mujoco><worldbody>\n<joint/></worldbody></mujoco>"),
+             {"line 2: <joint>", "cannot have a joint"});
 }
 
 TEST(MjcfRefusals, OfAWorldThatIsOnlyFurnishedThereAreNone) {

@@ -131,7 +131,7 @@ TEST_F(MeshFile, AMissingPictureIsANote) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   std::string notes;
   for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_foot': not drawn", "'no.dae' does not exist"});
+  ExpectSays(notes, {"link 'A_foot' is not drawn", "'no.dae' does not exist"});
 }
 
 TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsReported) {
