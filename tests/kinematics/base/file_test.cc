@@ -113,7 +113,8 @@ TEST_F(Files, OnlyTextIsRead) {
   const Result<std::string> latin = ReadFile(In("latin"));
   ASSERT_FALSE(latin);
   EXPECT_EQ(latin.failure().code, FailureCode::kNotText);
-  EXPECT_NE(latin.failure().message.find("line 2 is not text in UTF-8: there is a byte 0xe9"), std::string::npos);
+  EXPECT_NE(latin.failure().message.find("line 2 is not UTF-8 text: it contains an invalid byte 0xe9"),
+            std::string::npos);
   ASSERT_TRUE(WriteFileAtomically(In("marked"), "\xef\xbb\xbfname: caf\xc3\xa9\n"));
   EXPECT_EQ(*ReadFile(In("marked")), "name: caf\xc3\xa9\n");
 }
@@ -166,7 +167,7 @@ TEST_F(Files, AByteOfNothingIsNoText) {
   ASSERT_TRUE(WriteFileAtomically(In("nul"), std::string("a: 1\nb\0c", 8)));
   const Result<std::string> nul = ReadFile(In("nul"));
   ASSERT_FALSE(nul);
-  EXPECT_NE(nul.failure().message.find("line 2 is not text: there is a byte 0x00"), std::string::npos);
+  EXPECT_NE(nul.failure().message.find("line 2 is not text: it contains a byte 0x00"), std::string::npos);
   EXPECT_EQ(ReadBytes(In("nul"))->size(), 8U);
 }
 
