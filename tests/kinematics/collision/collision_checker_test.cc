@@ -47,7 +47,7 @@ TEST(CollisionChecker, NeighboursAreLeftOutAndOthersAreChecked) {
   EXPECT_EQ(checker.num_pairs(), 3) << "0-2, 0-3, 1-3";
   ASSERT_EQ(checker.left_out().size(), 3U);
   for (const LeftOutPair& pair : checker.left_out()) EXPECT_TRUE(pair.adjacent);
-  EXPECT_EQ(checker.left_out()[0], (LeftOutPair{"l0", "l1", true, "adjacent: joint 'j1' joins them"}));
+  EXPECT_EQ(checker.left_out()[0], (LeftOutPair{"l0", "l1", true, "adjacent: joint 'j1' connects them"}));
 }
 
 TEST(CollisionChecker, LinksWithoutShapesAndJointsInOnePointJoinTheirNeighbours) {

@@ -161,7 +161,7 @@ TEST(LeftOutPairs, AreNamedOnceWithTheirReason) {
   const CollisionChecker checker(a1);
   const LeftOutPair* knee = PairOf(checker, "FL_thigh", "FL_calf");
   ASSERT_NE(knee, nullptr);
-  EXPECT_EQ(knee->reason, "adjacent: joint 'FL_calf_joint' joins them");
+  EXPECT_EQ(knee->reason, "adjacent: joint 'FL_calf_joint' connects them");
   EXPECT_EQ(PairOf(checker, "FL_calf", "FR_calf"), nullptr) << "these are checked";
 }
 
