@@ -84,7 +84,7 @@ TEST_F(Files, OneThatCannotBeWrittenLeavesAllAsItWas) {
 }
 
 TEST_F(Files, TheSystemsReasonIsSaidOfOneThatCannotBeMade) {
-  const auto written = WriteFileAtomically("/proc/none", "text");  // where nobody can make files
+  const auto written = WriteFileAtomically("/proc/none", "text");  // where files cannot be created
   ASSERT_FALSE(written);
   const std::string begin = "cannot write '/proc/none': ";
   EXPECT_TRUE(written.failure().message.starts_with(begin)) << written.failure().message;
@@ -98,8 +98,8 @@ TEST_F(Files, OneNamedTwiceIsRefused) {
   EXPECT_TRUE(Found().empty());
 }
 
-/// A file cannot take its name although its temporary could be written, since another made a folder of that name: those
-/// renamed before it go back.
+/// The temporary file can be written, but not renamed, because there is a folder of that name. The files that were
+/// renamed before are restored.
 TEST_F(Files, AFailureWhileRenamingIsUndone) {
   ASSERT_TRUE(WriteFileAtomically(In("former"), "old"));
   const auto written = WriteFilesTogether({{In("new"), "1"}, {In("former"), "2"}, {In("x"), "3"}, {In("x/y"), "4"}});
@@ -119,7 +119,7 @@ TEST_F(Files, OnlyTextIsRead) {
   EXPECT_EQ(*ReadFile(In("marked")), "name: caf\xc3\xa9\n");
 }
 
-/// A program that is asked to end while it writes leaves whole files and nothing else.
+/// A program that receives a signal to end while it writes leaves complete files and no temporary ones.
 TEST_F(Files, AnEndWhileWritingWaitsForWholeFiles) {
   const std::string text(8'000'000, 'x');
   const pid_t writer = fork();

@@ -10,8 +10,8 @@
 namespace gaitwright {
 namespace {
 
-/// A chain of balls of 0.1 m: base, then links along x with hinges about z, each so far from the one before. Links
-/// without a ball are named in `bare`.
+/// A chain of balls of 0.1 m: the base, then links along x with hinges about z.
+/// @param distances  of each hinge from the previous one [m]. @param bare  links without a ball.
 RobotModel ChainOfBalls(const std::vector<double>& distances, const std::vector<int>& bare = {}) {
   RobotModel model;
   model.name = "chain";

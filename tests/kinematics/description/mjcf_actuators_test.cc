@@ -7,13 +7,13 @@
 namespace gaitwright {
 namespace {
 
-/// A body with two joints after one another, 'j' and 'k', and these actuators.
+/// A body with two joints in series, 'j' and 'k', and these actuators.
 std::string Driven(const std::string& actuators, const std::string& joint = "", const std::string& sections = "") {
   return MjcfOf(MjcfBodyOf("thigh", "<joint name='j' " + joint + "/>" + MjcfBodyOf("shank", "<joint name='k'/>")),
                 sections + "<actuator>" + actuators + "<motor name='of_k' joint='k' ctrlrange='-1 1'/></actuator>");
 }
 
-/// 0 where none is known.
+/// The effort of a joint; 0 if it is unknown.
 double EffortOf(const std::string& actuators, const std::string& joint = "", const std::string& sections = "") {
   const Joint of = JointNamed(TreeOf(Converted(Driven(actuators, joint, sections))), "j");
   return of.effort_limit_is_placeholder ? 0.0 : of.effort_limit;
@@ -36,7 +36,7 @@ TEST(MjcfActuators, OfAMotorControlTimesGainBoundsForceToo) {
   EXPECT_DOUBLE_EQ(EffortOf("<motor joint='j' gear='5' ctrlrange='-2 2' forcerange='-1 1'/>"), 5.0);
   EXPECT_DOUBLE_EQ(EffortOf("<general joint='j' gainprm='30' ctrlrange='-2 2'/>"), 60.0);
   EXPECT_DOUBLE_EQ(EffortOf("<general joint='j' gainprm='30' ctrlrange='-2 2' dyntype='filter'/>"), 60.0);
-  // The control of a servo is no force.
+  // The control of a servo is not a force.
   EXPECT_DOUBLE_EQ(EffortOf("<position joint='j' ctrlrange='-2 2'/>"), 0.0);
   EXPECT_DOUBLE_EQ(EffortOf("<general joint='j' ctrlrange='-2 2' dyntype='integrator'/>"), 0.0);
 }
@@ -156,7 +156,7 @@ TEST(MjcfActuators, RefusesOrNotesWhatDrivesNoJoint) {
   ExpectNote(Converted(Driven("<engine name='m' joint='j'/>")), {"engine 'm'", "unknown"});
 }
 
-/// 'j' and 'k', driven, and 'p', which a tendon ties to them.
+/// The driven joints 'j' and 'k', and the joint 'p', which a tendon ties to them.
 std::string WithTendon(const std::string& attributes) {
   const std::string joints = MjcfBodyOf("thigh", "<joint name='j'/>" + MjcfBodyOf("shank", "<joint name='k'/>")) +
                              MjcfBodyOf("waist", "<joint name='p'/>");

@@ -12,7 +12,7 @@ std::string Light(const std::string& name, const std::string& inside, const std:
   return Replaced(MjcfBodyOf(name, inside, "pos='" + pos + "'"), "mass='1'", "mass='0.1'");
 }
 
-/// A finger and a rod that is tied to it, both on a palm, and a heavy leg. @param palm  where the palm is.
+/// A finger and a rod that is tied to it, both on a palm, and a heavy leg. @param palm  position of the palm.
 std::string Gripper(const std::string& palm, const std::string& equality) {
   const std::string finger = Light("finger", "<joint name='finger' axis='0 1 0'/><site name='tip'/>", "0.1 0 0");
   const std::string rod = Light("rod", "<joint name='rod' type='ball'/><frame><site name='end'/></frame>", "0 0.1 0");

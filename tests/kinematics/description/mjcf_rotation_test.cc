@@ -48,9 +48,9 @@ TEST(MjcfRotation, EulerAnglesGoByTheirSequence) {
     const char* sequence;
     Matrix3 wanted;
   } cases[] = {
-      {"xyz", TurnX(10) * TurnY(20) * TurnZ(30)},  // small letters: axes turn with the frame
+      {"xyz", TurnX(10) * TurnY(20) * TurnZ(30)},  // small letters: axes rotate with the frame
       {"zyx", TurnZ(10) * TurnY(20) * TurnX(30)}, {"zxz", TurnZ(10) * TurnX(20) * TurnZ(30)},
-      {"XYZ", TurnZ(30) * TurnY(20) * TurnX(10)},  // capital letters: axes stand still, as roll, pitch, yaw
+      {"XYZ", TurnZ(30) * TurnY(20) * TurnX(10)},  // capital letters: axes are fixed, as for roll, pitch, yaw
       {"ZYX", TurnX(30) * TurnY(20) * TurnZ(10)}, {"xYz", TurnY(20) * TurnX(10) * TurnZ(30)},
   };
   for (const auto& one : cases) {

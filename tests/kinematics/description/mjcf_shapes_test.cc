@@ -48,7 +48,7 @@ TEST(MjcfShapes, OfEllipsoidsLieAroundThem) {
   EXPECT_NEAR(capsule.size.x(), 0.1, 1e-12);
   EXPECT_NEAR(0.5 * capsule.size.y() + capsule.size.x(), 0.3, 1e-12);
   EXPECT_LT((capsule.X_BS.linear().col(2).cwiseAbs() - Vector3(1, 0, 0)).norm(), 1e-12);
-  // Points of the ellipsoid are in the capsule.
+  // Points of the ellipsoid must be in the capsule.
   for (double turn = 0.0; turn < 6.3; turn += 0.1) {
     const Vector3 p(0.3 * std::cos(turn), 0.1 * std::sin(turn), 0.0);
     const Vector3 on_axis(std::clamp(p.x(), -0.5 * capsule.size.y(), 0.5 * capsule.size.y()), 0.0, 0.0);
@@ -72,7 +72,7 @@ TEST(MjcfShapes, CollideOrAreShownAsTheirGroupsAndBitsSay) {
       TreeOf(Converted(MjcfOf("<geom size='1'/><geom size='2' group='4' contype='0' conaffinity='0'/>")));
   EXPECT_EQ(two.collision_shapes.size(), 1U);
   EXPECT_EQ(two.visual_shapes.size(), 1U);
-  // A pair collides whatever its bits say.
+  // The geoms of a pair collide regardless of contype and conaffinity.
   EXPECT_EQ(count("group='4' contype='0' conaffinity='0'", "<contact><pair geom1='floor' geom2='g'/></contact>"),
             std::pair(1UL, 0UL));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hostile descriptions end soon, with a message.
+// Malicious descriptions are refused quickly, with a message.
 #include <gtest/gtest.h>
 
 #include "tests/kinematics/description/xacro_files.h"
@@ -19,7 +19,7 @@ std::string RepeatedXacro(const std::string& text, int times) {
   return all;
 }
 
-/// Names n0 to n<count>, each the one before twice; the first holds `first`.
+/// Properties n0 to n<count>. Each contains the previous one twice, and the first contains `first`.
 std::string DoublingProperties(int count, const std::string& first, const std::string& twice) {
   std::string text = "<xacro:property name='n0' value=\"" + first + "\"/>";
   for (int i = 1; i <= count; ++i) {

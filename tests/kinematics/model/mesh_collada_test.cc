@@ -32,7 +32,7 @@ std::string ColladaMessage(const std::string& text) {
 
 const char kInstance[] = "<instance_geometry url=\"#g\"/>";
 
-/// The vertex that corner (+, +, +) of the box becomes.
+/// The vertex of corner (+, +, +) of the box.
 Vector3 LastCorner(const std::string& text) {
   const Mesh mesh = ParseCollada(text);
   EXPECT_GE(mesh.vertices.size(), 8U);

@@ -29,7 +29,7 @@ double AreaOf(const Mesh& mesh) {
   return area;
 }
 
-/// A dented face of area 2.5, which a fan from its first corner would fill as one of more.
+/// A non-convex face of area 2.5. A fan from its first corner would have a larger area.
 TEST(MeshFaces, DentedOnesAreCutIntoTheirOwnArea) {
   const std::string dented = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\n";
   for (const char* face : {"f 1 2 3 4 5", "f 5 4 3 2 1", "f 3 4 5 1 2", "f -2 -1 -5 -4 -3"}) {
@@ -61,7 +61,7 @@ TEST(MeshStl, HeadsThatLieAreRefused) {
   ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacette\n"), {"line 2", "'facette' is not an STL keyword"});
 }
 
-/// Both made other readers run out of stack or out of bounds.
+/// Both kinds of files caused stack overflows or out-of-bounds accesses in other readers.
 TEST(MeshCollada, WhatGoesRoundOrBeyondIsRefused) {
   const std::string good = Collada(Vector3(1.0, 1.0, 1.0), 1.0);
   EXPECT_EQ(ParseCollada(good).triangles.size(), 12U);
