@@ -287,7 +287,8 @@ Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
   return {FailureKind::kInfeasible,
           FailureCode::kOutOfReach,
           "WholeBodyIk",
-          fmt::format("foot '{}' cannot reach its target: it is {:.1f} mm short (the centre of mass is {:.1f} mm off)",
+          fmt::format("foot '{}' cannot reach its target: it is {:.1f} mm away (the centre of mass is {:.1f} mm away "
+                      "from its target)",
                       model_->feet[worst].name, 1e3 * distance, 1e3 * com_gap),
           {"lower the speed or the step length, or lower the centre of mass"}};
 }

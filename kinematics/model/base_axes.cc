@@ -15,8 +15,8 @@ constexpr double kAlong = 0.9;  // cosine of 25 degrees
 /// A chain of two joints or more from the base to a leaf, at joint positions zero.
 struct Limb {
   Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< positions of its first and last joint
-  Vector3 middle = Vector3::Zero();                      ///< mean position of the last body's shapes to the last joint
-  std::array<int, 3> turning = {};                       ///< number of its joints about x, y and z, within 25 degrees
+  Vector3 middle = Vector3::Zero();  ///< mean position of the last body's shapes from the last joint
+  std::array<int, 3> turning = {};   ///< number of its joints about x, y and z, within 25 degrees
 };
 
 std::vector<Limb> LimbsOf(const RobotModel& model) {

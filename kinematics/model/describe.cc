@@ -106,9 +106,9 @@ std::string MotorText(const Motor& motor, const Joint& joint) {
     if (known) text += (text.empty() ? "" : ", ") + words;
   };
   add(motor.has_curve(),
-      fmt::format("full effort up to {:g}, zero from {:g} on", motor.corner_speed, motor.no_load_speed));
+      fmt::format("full effort up to speed {:g}, none from {:g} on", motor.corner_speed, motor.no_load_speed));
   add(std::isfinite(motor.continuous_effort),
-      fmt::format("{:g} continuously, as mean over {:g} s", motor.continuous_effort, motor.thermal_s));
+      fmt::format("continuous {:g} (root mean square over {:g} s)", motor.continuous_effort, motor.thermal_s));
   add(motor.rotor_inertia > 0.0, fmt::format("rotor inertia {:g}", motor.rotor_inertia));
   add(std::isfinite(motor.acceleration_limit), fmt::format("acceleration to {:g}", motor.acceleration_limit));
   add(std::isfinite(motor.jerk_limit), fmt::format("jerk to {:g}", motor.jerk_limit));

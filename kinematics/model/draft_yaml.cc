@@ -51,7 +51,7 @@ std::vector<LimbEnd> EndsOf(const RobotModel& model, const std::vector<std::vect
   return ends;
 }
 
-/// The chains of one joint, for a robot whose limbs have no more.
+/// All chains of one joint, for a robot whose limbs have one joint each.
 std::vector<std::vector<int>> LimbsOfOneJoint(const RobotModel& model) {
   std::vector<std::vector<int>> limbs;
   for (int j = 0; j < static_cast<int>(model.joints.size()); ++j) limbs.push_back({j});

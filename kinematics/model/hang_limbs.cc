@@ -88,7 +88,7 @@ std::vector<std::string> HangLimbs(const RobotModel& model, const VectorX& given
     const int aside = TurnAside(model, limb, given, joints);
     done.push_back(fmt::format("the limb beyond joint '{}' hangs{}", model.joints[static_cast<std::size_t>(limb)].name,
                                aside < 0 ? ""
-                                         : fmt::format(", {} rad away from the body by '{}'", kAside,
+                                         : fmt::format(", rotated {} rad away from the body at joint '{}'", kAside,
                                                        model.joints[static_cast<std::size_t>(aside)].name)));
   }
   return done;

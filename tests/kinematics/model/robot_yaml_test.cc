@@ -76,8 +76,9 @@ TEST(RobotYaml, MotorsSayWhatTheyCan) {
   EXPECT_EQ(motor.EffortAt(-9.0, 30.0), 30.0);
   EXPECT_FALSE(model.MotorOf(model.DofIndex("B_knee")).has_curve());
   EXPECT_EQ(model.MotorOf(model.DofIndex("B_knee")).EffortAt(1e3, 30.0), 30.0);
-  ExpectSays(DescribeRobot(model), {"full effort up to 4, zero from 8 on", "9 continuously, as mean over 3 s",
-                                    "rotor inertia 0.02", "damping 0.3, friction 0.7"});
+  ExpectSays(DescribeRobot(model),
+             {"full effort up to speed 4, none from 8 on", "continuous 9 (root mean square over 3 s)",
+              "rotor inertia 0.02", "damping 0.3, friction 0.7"});
 }
 
 TEST(RobotYaml, ACurveWithoutAPeakIsNoted) {
