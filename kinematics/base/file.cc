@@ -187,7 +187,7 @@ Result<std::string> ReadBytes(const std::string& path, std::size_t most) {
   }
   if (bytes.size() > most) {
     return FileFailure(FailureCode::kLargeFile,
-                       fmt::format("'{}' has more than {} bytes; no more are read", path, most));
+                       fmt::format("'{0}' has more than {1} bytes; at most {1} are read", path, most));
   }
   if (stream.bad()) return FileFailure(FailureCode::kUnreadableFile, fmt::format("cannot read '{}'", path));
   return bytes;

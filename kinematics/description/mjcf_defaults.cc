@@ -69,7 +69,7 @@ void MjcfDefaults::Read(const tinyxml2::XMLElement& section, const std::string& 
     }
     MergeMjcfValues(classes_[name][kind], values);
     if (classes_[name][kind].size() > kMostMjcfDefaults)
-      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: over {} attributes in <default>; no more are read",
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{0}: over {1} attributes in <default>; at most {1} are read",
                                                       document_.Owner(*child), kMostMjcfDefaults));
   }
   for (const tinyxml2::XMLElement* inner : nested) {
@@ -79,7 +79,7 @@ void MjcfDefaults::Read(const tinyxml2::XMLElement& section, const std::string& 
     if (classes_.contains(own) || outermost_.contains(own))
       RefuseMjcf(FailureCode::kMjcfClass, fmt::format("{}: two classes have this name", attributes.owner()));
     if (classes_.size() >= kMostMjcfClasses)
-      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: the model has over {} classes; no more are read",
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{0}: the model has over {1} classes; at most {1} are read",
                                                       attributes.owner(), kMostMjcfClasses));
     classes_[own] = Class(classes_.at(name));
     Read(*inner, own);

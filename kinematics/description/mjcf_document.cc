@@ -81,14 +81,14 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
   bytes_ += text.size();
   if (bytes_ > kLargestMjcf) {
     RefuseMjcf(FailureCode::kLargeMjcf,
-               fmt::format("{}: the model and its included files have more than {} bytes; no more are read", name,
+               fmt::format("{0}: the model and its included files have more than {1} bytes; at most {1} are read", name,
                            kLargestMjcf));
   }
   if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
     RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it is not XML: it contains the character 0x00", name));
   if (HasManyMjcfAttributes(text))
     RefuseMjcf(FailureCode::kLargeMjcf,
-               fmt::format("{}: an element has over {} attributes; no more are read", name, kMostMjcfAttributes));
+               fmt::format("{0}: an element has over {1} attributes; at most {1} are read", name, kMostMjcfAttributes));
   if (!IsPlainText(text))
     RefuseMjcf(FailureCode::kNotText, fmt::format("{}: it is not valid UTF-8 or contains a control character", name));
   files_.push_back(std::make_unique<File>());
@@ -110,7 +110,7 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
     RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has no 'file'", Owner(include)));
   if (files_.size() >= kMostMjcfFiles)
     RefuseMjcf(FailureCode::kLargeMjcf,
-               fmt::format("{}: over {} files are included; no more are read", Owner(include), kMostMjcfFiles));
+               fmt::format("{0}: over {1} files are included; at most {1} are read", Owner(include), kMostMjcfFiles));
   if (!read_text)
     RefuseMjcf(FailureCode::kNoFile,
                fmt::format("{}: the file '{}' was not given with the model's text", Owner(include), Shortened(named)));
@@ -138,7 +138,7 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
 void MjcfDocument::Include(const tinyxml2::XMLElement& parent, int depth, const TextReader& read_text) {
   if (depth > kDeepestMjcf) {
     RefuseMjcf(FailureCode::kLargeMjcf,
-               fmt::format("{}: elements are nested over {} levels deep; no more levels are read", Owner(parent),
+               fmt::format("{0}: elements are nested over {1} levels deep; at most {1} levels are read", Owner(parent),
                            kDeepestMjcf));
   }
   for (const auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {

@@ -61,7 +61,7 @@ class MjcfTreeReader {
   void ReadBody(const MjcfPart& part, int parent) {
     const MjcfAttributes attributes = context_.defaults.Of(*part.element, "body");
     if (tree_.bodies.size() >= kMostMjcfBodies)
-      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: the model has over {} bodies; no more are read",
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{0}: the model has over {1} bodies; at most {1} are read",
                                                       attributes.owner(), kMostMjcfBodies));
     MjcfBody body;
     body.owner = attributes.owner();
@@ -100,7 +100,7 @@ class MjcfTreeReader {
                              joint.owner, ShownMjcf(of.name)));
     if (tree_.joints.size() >= kMostMjcfJoints)
       RefuseMjcf(FailureCode::kLargeMjcf,
-                 fmt::format("{}: the model has over {} joints; no more are read", joint.owner, kMostMjcfJoints));
+                 fmt::format("{0}: the model has over {1} joints; at most {1} are read", joint.owner, kMostMjcfJoints));
     const int index = static_cast<int>(tree_.joints.size());
     if (!joint.name.empty() && !tree_.joint_named.emplace(joint.name, index).second)
       RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: two joints have this name", joint.owner));

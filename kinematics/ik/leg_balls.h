@@ -18,8 +18,8 @@ struct Ball {
 /// poses with the ground.
 ///
 /// The bounding box of a shape along its own axes is filled with balls. Their radius is half of the smallest edge, and
-/// their spacing is at most a twentieth of the leg's length or their own diameter. So balls are inside the box, and for
-/// a long shape they leave out only its edges.
+/// their spacing is at most a twentieth of the leg's length, or their diameter if it is larger. So balls are inside the
+/// box, and for a long shape they leave out only its edges.
 class LegBalls {
  public:
   LegBalls(const RobotModel& model, int leg);

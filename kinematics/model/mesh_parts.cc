@@ -69,8 +69,9 @@ void AddFace(const std::vector<int>& corners, Mesh& mesh) {
 
 void CheckMeshSize(std::size_t points, std::size_t triangles) {
   if (points > kMostMeshPoints || triangles > kMostMeshTriangles) {
-    throw InvalidArgument(fmt::format("it has more than {} points or {} triangles; no more are read", kMostMeshPoints,
-                                      kMostMeshTriangles));
+    throw InvalidArgument(
+        fmt::format("it has more than {0} points or {1} triangles; at most {0} points and {1} triangles are read",
+                    kMostMeshPoints, kMostMeshTriangles));
   }
 }
 
