@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why the user in whose name this runs may not do `what` (W_OK, X_OK) with what is there.
+/// Error if the user of this process has no permission `what` (W_OK, X_OK) for an existing path.
 std::error_code Denied(const fs::path& path, int what) {
   if (::faccessat(AT_FDCWD, path.c_str(), what, AT_EACCESS) == 0) return {};
   return {errno, std::generic_category()};

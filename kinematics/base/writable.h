@@ -10,7 +10,8 @@ namespace gaitwright {
 /// or the nearest existing one above it, must allow new files. A full disk is not detected.
 std::string WhyNotWritable(const std::string& path);
 
-/// Reason why new files could not be written in a folder, which may not exist yet; "" is the present one.
+/// Reason why new files could not be written in a folder, as text; "" if they can. The folder may not exist yet. The
+/// argument "" is the current folder.
 std::string WhyNoNewFiles(const std::string& folder);
 
 }  // namespace gaitwright

@@ -13,7 +13,7 @@ namespace {
 const std::vector<std::string> kMjcfGeomTypes = {"sphere", "capsule", "cylinder", "ellipsoid", "box",
                                                  "mesh",   "plane",   "hfield",   "sdf"};
 
-/// How many numbers of `size` a type has.
+/// Number of values of `size` for a type of geom.
 std::size_t MjcfSizes(MjcfGeomType type, bool from_to) {
   switch (type) {
     case MjcfGeomType::kSphere:
@@ -43,7 +43,7 @@ void ReadMjcfSize(const MjcfAttributes& attributes, bool from_to, MjcfGeom& geom
   }
 }
 
-/// Pose and length of a geom from its ends; the ends lie on its z axis, which points to the first.
+/// Pose and length of a geom from its ends. The ends are on its z axis, which points to the first one.
 void ReadMjcfEnds(const MjcfAttributes& attributes, const Pose& X_BF, MjcfGeom& geom) {
   if (geom.type == MjcfGeomType::kSphere || geom.type == MjcfGeomType::kMesh)
     RefuseMjcf(FailureCode::kMjcfGeom,
@@ -52,7 +52,7 @@ void ReadMjcfEnds(const MjcfAttributes& attributes, const Pose& X_BF, MjcfGeom& 
   const Vector3 from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
   const double half = 0.5 * (from - to).norm();
   if (half < 1e-9)
-    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: the ends of 'fromto' are one point", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: the two ends of 'fromto' are the same point", geom.owner));
   if (!attributes.Three("pos", Vector3::Zero()).isZero(0.0))
     RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it has both 'pos' and 'fromto'", geom.owner));
   if (geom.type == MjcfGeomType::kEllipsoid || geom.type == MjcfGeomType::kBox) {
@@ -71,7 +71,7 @@ MjcfGeomType MjcfTypeNamed(const std::string& type) {
                                    kMjcfGeomTypes.begin());
 }
 
-/// Nothing for kinds of geoms that a robot has no use for.
+/// Reads a geom. Nothing for types that are not used for a robot.
 std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part, const std::set<std::string>& paired) {
   const MjcfAttributes attributes = context.defaults.Of(*part.element, "geom", part.childclass);
   MjcfGeom geom;
@@ -85,7 +85,7 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   }
   geom.type = MjcfTypeNamed(type);
   if (geom.type == MjcfGeomType::kMesh && geom.mesh.empty())
-    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it is a mesh, and has no 'mesh'", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it is of type mesh, but has no 'mesh'", geom.owner));
   if (geom.type != MjcfGeomType::kMesh && !geom.mesh.empty()) {
     context.Note(geom.owner, fmt::format("the mesh is used instead of the {} that MuJoCo fits to it", type));
     geom.type = MjcfGeomType::kMesh;
@@ -147,7 +147,7 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     if (name.empty())
       RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has neither 'name' nor 'file'", mesh.owner));
     if (!assets.emplace(name, mesh).second)
-      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: there are two meshes '{}'", mesh.owner, ShownMjcf(name)));
+      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: two meshes are named '{}'", mesh.owner, ShownMjcf(name)));
   }
   return assets;
 }
@@ -189,8 +189,8 @@ void LetHiddenMjcfGeomsCollide(MjcfContext& context, std::vector<std::vector<Mjc
   if (any([](const MjcfGeom& geom) { return geom.collides; })) return;
   if (!any([](const MjcfGeom& geom) { return !geom.is_shown; })) return;
   context.Note(context.document.Owner(context.document.root()),
-               "no geom of the robot can touch another by 'contype' and 'conaffinity' or <pair>; geoms of group 3 and "
-               "up, which are not shown, are used as collision geometry");
+               "'contype', 'conaffinity' and <pair> exclude every contact of the robot's geoms; geoms of group 3 and "
+               "above, which are not shown, are used as collision geometry");
   for (std::vector<MjcfGeom>& of_body : geoms) {
     for (MjcfGeom& geom : of_body) geom.collides = !geom.is_shown;
   }

@@ -11,14 +11,15 @@
 namespace gaitwright {
 namespace {
 
-/// Index of the leg of that foot.
+/// Index of the leg that ends in this foot.
 std::size_t LegOf(const RobotModel& model, const std::string& foot, int line) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < model.legs.size(); ++i) {
     if (model.legs[i].name == foot) return i;
     names.push_back(model.legs[i].name);
   }
-  RefuseYamlLine(line, fmt::format("robot '{}' has no foot '{}'; there are {}", model.name, foot, QuotedList(names)));
+  RefuseYamlLine(line,
+                 fmt::format("robot '{}' has no foot '{}'; its feet are {}", model.name, foot, QuotedList(names)));
 }
 
 std::vector<std::string> JointNames(const RobotModel& model, const Leg& leg) {

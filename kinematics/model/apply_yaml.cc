@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kLevelFeet = 5e-3;  // [m] how far feet may stand apart in height
 
-/// A joint of a model that may be const.
+/// The joint of that name; the model may be const.
 template <class Model>
 auto& JointNamed(Model& model, const std::string& name, int line) {
   std::vector<std::string> names;
@@ -30,7 +30,7 @@ auto& JointNamed(Model& model, const std::string& name, int line) {
                  fmt::format("robot '{}' has no moving joint '{}'{}", model.name, name, NearestOrAll(name, names)));
 }
 
-/// The coordinate of a joint that mimics none.
+/// The coordinate of a joint. Refuses a joint that mimics another one.
 int DofNamed(const RobotModel& model, const std::string& name, int line) {
   const Joint& joint = JointNamed(model, name, line);
   if (!joint.is_mimic) return joint.dof;
@@ -79,7 +79,7 @@ void CheckLevel(const RobotYaml& yaml, const RobotModel& model) {
                   *yaml.standing_base_height_m, stands, 1e3 * std::abs(*yaml.standing_base_height_m - stands)));
 }
 
-/// Puts what is given of a motor into the model. @throws InvalidArgument where its values contradict each other.
+/// Copies the given data of a motor to the model. @throws InvalidArgument if the values contradict each other.
 void ApplyMotor(const RobotYaml::JointMotor& given, RobotModel& model) {
   const int dof = DofNamed(model, given.joint, given.line);
   Joint& joint = JointNamed(model, given.joint, given.line);

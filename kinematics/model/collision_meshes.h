@@ -11,15 +11,15 @@
 
 namespace gaitwright {
 
-/// The hull of a mesh by its file as the URDF names it.
+/// Returns the hull of a mesh for the file name in the URDF.
 using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
 
-/// Gives the collision meshes their vertices, and takes out those that are not there. @return the hulls used.
+/// Sets the vertices of the collision meshes and removes meshes whose files are missing. @return the hulls used.
 Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
                                          std::vector<MissingMesh>& missing);
 
-/// Uses the visual shapes of a foot without collision shape for contact.
-/// @param named  feet that the user names; empty if they are to be derived.
+/// Uses the visual shapes of a foot without collision shapes for contact.
+/// @param named  feet that the user names; empty if the feet are derived.
 void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource& source, RobotModel& model,
                        std::vector<MeshHull>& meshes);
 

@@ -25,7 +25,7 @@ constexpr int kMostLinks = 1000, kMostMoving = 300, kMostShapes = 5000;
 
 const std::vector<std::string> kSupportedJoints = {"revolute", "continuous", "prismatic", "spherical", "fixed"};
 
-/// What the joints say of the tree.
+/// The tree of links and joints.
 struct Tree {
   std::set<std::string> links;
   std::vector<std::string> link_names;
@@ -51,7 +51,7 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   const std::string type = Attribute(joint, "type", owner);
   if (std::find(kSupportedJoints.begin(), kSupportedJoints.end(), type) == kSupportedJoints.end()) {
     Refuse(FailureCode::kJointType,
-           fmt::format("{}: type '{}' is not supported; there are {}", owner, type, QuotedList(kSupportedJoints)));
+           fmt::format("{}: type '{}' is not supported; supported: {}", owner, type, QuotedList(kSupportedJoints)));
   }
   CheckOrigin(joint, owner);
   std::string ends[2];
@@ -120,7 +120,7 @@ void CheckText(const std::string& urdf_text) {
   }
 }
 
-/// Counts elements of a kind below a parent, and refuses more than `most`.
+/// Counts the elements of a kind in a parent and refuses more than `most`.
 int Count(const XMLElement& parent, const char* kind, int most, const std::string& owner) {
   int count = 0;
   for (const XMLElement* e = parent.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind)) ++count;
@@ -130,7 +130,7 @@ int Count(const XMLElement& parent, const char* kind, int most, const std::strin
   return count;
 }
 
-/// Refuses a robot of so many parts that deriving its legs would take for ever.
+/// Refuses a robot with so many parts that deriving its legs would take too long.
 void CheckCounts(const XMLElement& robot) {
   Count(robot, "link", kMostLinks, "the robot");
   Count(robot, "joint", kMostLinks, "the robot");

@@ -13,7 +13,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// The URDF gives a limit that is left out the value 0; a joint cannot be meant to stop there unsaid.
+/// In the URDF format, a missing limit has the value 0. This is unlikely to be intended, so it is refused.
 double PositionLimit(const XMLElement& limit, const char* name, const std::string& owner) {
   if (limit.Attribute(name) == nullptr) {
     Refuse(FailureCode::kMissingLimit, fmt::format("{}: its <limit> has no '{}', which the URDF format reads as 0; add "
@@ -41,7 +41,7 @@ void CheckLimit(const XMLElement& joint, const std::string& type, const std::str
            fmt::format("{}: its lower limit {} is above its upper limit {}", owner, lower, upper));
 }
 
-/// Numbers of an element of a joint that may be left out; negative ones are refused where `positive`.
+/// Checks optional numbers of an element of a joint. @param positive  refuses negative numbers.
 void CheckNumbers(const XMLElement& joint, const char* element, const std::vector<const char*>& names, bool positive,
                   const std::string& owner) {
   const XMLElement* e = joint.FirstChildElement(element);

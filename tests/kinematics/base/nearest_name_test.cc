@@ -6,7 +6,8 @@
 namespace gaitwright {
 namespace {
 
-/// The distance of two words goes with the product of their lengths: of a million letters each it would take hours.
+/// The time for the distance of two words is proportional to the product of their lengths: with a million letters each,
+/// it would take hours.
 TEST(NearestName, OfWordsOfAnyLengthIsFoundAtOnce) {
   const std::string long_word(1000000, 'a');
   EXPECT_EQ(NearestName(long_word, {"b", long_word + "c", "d"}), long_word + "c");

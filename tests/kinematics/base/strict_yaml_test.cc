@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The message with which a call is refused, or "".
+/// The message of a refused call, or "".
 template <class Call>
 std::string YamlRefusal(const Call& call) {
   try {

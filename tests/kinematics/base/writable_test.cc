@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whom permissions bind: the user of the tests, or nobody in the place of root, whom they do not.
+/// Runs as a user to whom permissions apply: the user of the tests or, if that is root, the user nobody.
 class AsAUser {
  public:
   AsAUser() { Become(kNobody); }

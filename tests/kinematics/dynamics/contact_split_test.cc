@@ -77,9 +77,9 @@ TEST(ContactSplit, IsContinuousWhereACornerLetsGo) {
   EXPECT_NEAR(last[0].norm(), 0.0, 1.0);
 }
 
-/// The same problem by a second road: the forces in their cones that come nearest to the wrench, by projected gradient
-/// with momentum (Beck and Teboulle, SIAM J. Imaging Sciences 2(1), 2009). Level ground only.
-/// @return the square of what is left, force and moment about the contacts' mean over their size.
+/// An independent solution of the same problem: the forces in their cones that are nearest to the wrench, by projected
+/// gradient with momentum (Beck and Teboulle, SIAM J. Imaging Sciences 2(1), 2009). Level ground only.
+/// @return the squared error of force and moment; the moment is about the mean of the contacts, over their size.
 class Nearest {
  public:
   explicit Nearest(const std::vector<ContactPoint>& contacts) : contacts_(contacts) {

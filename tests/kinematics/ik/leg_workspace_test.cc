@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kWorkspaceReserve = 0.03;
 
-/// Poses around that of the standing posture: up to a third of the leg away, soles turned and tilted a little.
+/// Poses near the standing pose: up to a third of the leg away, with soles rotated and tilted a little.
 std::vector<Pose> PosesAround(const Pose& X_BF, double leg_m, int count) {
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);

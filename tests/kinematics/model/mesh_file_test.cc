@@ -32,7 +32,7 @@ class MeshFile : public testing::Test {
     const Result<Mesh> mesh = ReadMesh(path);
     return mesh.ok() ? "" : mesh.failure().message;
   }
-  /// What loading a robot of four legs with that foot says.
+  /// The message of loading a robot with four legs and this foot.
   std::string Load(const std::string& foot) {
     const Result<RobotModel> model = LoadRobot(Write("robot.urdf", FourLegs(foot)));
     return model.ok() ? "" : model.failure().message;
@@ -131,7 +131,7 @@ TEST_F(MeshFile, AMissingPictureIsANote) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   std::string notes;
   for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_foot': not drawn", "'no.dae' does not exist"});
+  ExpectSays(notes, {"link 'A_foot' is not drawn", "'no.dae' does not exist"});
 }
 
 TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsReported) {

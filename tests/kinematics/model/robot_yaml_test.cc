@@ -32,7 +32,7 @@ std::string NotesOf(const RobotModel& model) {
                          [](const auto& all, const auto& note) { return all + note + "\n"; });
 }
 
-/// A robot like the small one whose knees slide.
+/// The small robot with prismatic knees.
 std::string Sliding() {
   return Replaced(Replaced(FourLegs(), "_knee' type='revolute'", "_knee' type='prismatic'"), "lower='-2' upper='1'",
                   "lower='-0.1' upper='0.1'");
@@ -76,8 +76,9 @@ TEST(RobotYaml, MotorsSayWhatTheyCan) {
   EXPECT_EQ(motor.EffortAt(-9.0, 30.0), 30.0);
   EXPECT_FALSE(model.MotorOf(model.DofIndex("B_knee")).has_curve());
   EXPECT_EQ(model.MotorOf(model.DofIndex("B_knee")).EffortAt(1e3, 30.0), 30.0);
-  ExpectSays(DescribeRobot(model), {"full effort up to 4, zero from 8 on", "9 continuously, as mean over 3 s",
-                                    "rotor inertia 0.02", "damping 0.3, friction 0.7"});
+  ExpectSays(DescribeRobot(model),
+             {"full effort up to speed 4, none from 8 on", "continuous 9 (root mean square over 3 s)",
+              "rotor inertia 0.02", "damping 0.3, friction 0.7"});
 }
 
 TEST(RobotYaml, ACurveWithoutAPeakIsNoted) {
@@ -239,7 +240,7 @@ TEST(RobotYaml, StandingPositionsAndTheirHeight) {
   EXPECT_NEAR(model.standing_base_height_m, height, 1e-12);
   EXPECT_NEAR(With(all + "standing_base_height_m: 0.372").standing_base_height_m, 0.372, 1e-12);
   ExpectSays(WhyNot(all + "standing_base_height_m: 0.5"), {"line 2", "is 0.5", "0.3710 m", "129.0 mm off"});
-  // One knee straighter: its foot is lower and the others float.
+  // One knee is straighter, so its foot is lower and the other feet do not touch the ground.
   ExpectSays(WhyNot(Replaced(all, "C_knee: -1.0", "C_knee: -0.9")),
              {"foot 'A_foot' is", "mm above foot 'C_foot'", "5 mm"});
   ExpectSays(WhyNot("standing_base_height_m: -1"), {"'standing_base_height_m' is -1"});
@@ -304,7 +305,7 @@ TEST(RobotYaml, RefusesWhatIsNoMapOfKnownKeysOnce) {
   EXPECT_EQ(WhyNot("# nothing\n"), "");
 }
 
-/// The keys of an object, and those of what is in it.
+/// Adds the keys of an object and of the objects in it.
 void AddKeys(const DataShape& shape, std::vector<std::string>& keys) {
   for (const ShapeMember& member : shape.members) {
     keys.push_back(member.key);

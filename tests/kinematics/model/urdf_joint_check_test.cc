@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// Why a joint of a type is refused; code kInternal where it is not.
+/// The failure of a refused joint of a type; code kInternal if it is accepted.
 Failure CheckedJoint(const std::string& type, const std::string& inside) {
   tinyxml2::XMLDocument xml;
   xml.Parse(("<joint>" + inside + "</joint>").c_str());
@@ -23,7 +23,7 @@ Failure CheckedJoint(const std::string& type, const std::string& inside) {
   return {};
 }
 
-/// Why the mimics of joints are refused. Each row: name, type, what stands in it.
+/// The failure of refused mimics of joints. Each row has name, type and content of a joint.
 Failure CheckedMimics(const std::vector<std::array<std::string, 3>>& joints) {
   std::string text = "<robot>";
   for (const auto& [name, type, inside] : joints)
