@@ -111,7 +111,7 @@ def test_an_input_of_another_robot_is_refused(nao, trot):
     with pytest.raises(gw.BadInputError, match="q has .* numbers; 'a1' needs 19"):
         controller.update(gw.World(nao, gw.flat_terrain()).measured())
     start = trot.at(0.0)
-    with pytest.raises(gw.BadInputError, match="forces_n is of 0 feet; 'a1' has 4"):
+    with pytest.raises(gw.BadInputError, match="forces_n has 0 feet; 'a1' has 4"):
         controller.update(gw.ControlInput(0.0, 0.001, start["q"], start["v"], np.zeros((0, 3)), []))
     with pytest.raises(gw.BadInputError, match="finite"):
         controller.update(gw.ControlInput(0.0, 0.001, start["q"] * np.nan, start["v"], np.zeros((4, 3)), [True] * 4))
