@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostInOrder = 8;  // told in words
+constexpr std::size_t kMostInOrder = 8;  // listed in the text
 
 std::string Number(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 std::string NumberOrDash(const std::optional<double>& value) { return value ? Number(*value) : "-"; }

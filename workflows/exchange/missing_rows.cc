@@ -35,7 +35,7 @@ std::vector<TimeGap> GapsOf(const std::vector<double>& time_s, double longest_st
 }
 
 bool InGap(const std::vector<TimeGap>& gaps, double at_s) {
-  constexpr double kAtRow = 1e-6;  // [s]: a clock that counts from 1970 is no finer
+  constexpr double kAtRow = 1e-6;  // [s]: resolution of a double that counts seconds from 1970
   const auto after = std::upper_bound(gaps.begin(), gaps.end(), at_s - kAtRow,
                                       [](double time_s, const TimeGap& gap) { return time_s < gap.start_s; });
   return after != gaps.begin() && at_s < std::prev(after)->end_s - kAtRow;

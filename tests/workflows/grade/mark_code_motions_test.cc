@@ -110,7 +110,7 @@ TEST_F(MarkCodeOfMotions, AControllerThatFailsGetsNothing) {
                 {"negative stiffness or damping"});
   ExpectNothing(does("return {'score': 100}"), {"the submission says"});
   ExpectNothing(does("if now.time_s > 0.1: raise ValueError('enough')"), {"ValueError: enough"});
-  ExpectNothing(MarkCode(kControl, "def make_controller(plan): return 3\n"), {"gave no controller"});
+  ExpectNothing(MarkCode(kControl, "def make_controller(plan): return 3\n"), {"did not return a controller"});
 }
 
 }  // namespace
