@@ -73,7 +73,7 @@ int RunLive(LiveSettings& a) {
   if (!model) return Report(model.failure(), a.common);
   Result<std::unique_ptr<LiveServer>> server = LiveServer::Start(a.address, LivePage(model->name + ", live"));
   if (!server) return Report(server.failure(), a.common);
-  if (!a.common.quiet) fmt::print(stderr, "plans how {} walks\n", model->name);
+  if (!a.common.quiet) fmt::print(stderr, "planning the first walk of {}\n", model->name);
   Result<std::unique_ptr<LiveWorld>> live = LiveWorld::Make(*model, a.walk, a.play);
   if (!live) return Report(live.failure(), a.common);
   const std::optional<std::string> meshes = a.robot.is_file() ? std::optional(a.robot.folder()) : std::nullopt;

@@ -102,7 +102,7 @@ void LiveSession::Hear(double until_s) {
   }
 }
 
-/// What a controller or a plan refuses on the way does not end the session for all who look.
+/// Makes one step. If a controller or a plan refuses it, the simulation restarts, so that the session continues.
 void LiveSession::StepOnce() {
   try {
     live_.Step();

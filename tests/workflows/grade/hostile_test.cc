@@ -75,7 +75,9 @@ TEST_F(Hostile, LoopsForEver) {
   ExpectNothing(MarkBody("exec('while True: pass')", kSoon), {"more than 1 s of CPU time"});
 }
 
-TEST_F(Hostile, Sleeps) { ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"the code slept for 11 s in all"}); }
+TEST_F(Hostile, Sleeps) {
+  ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"the code slept for more than 11 s in total"});
+}
 
 TEST_F(Hostile, TakesAllMemory) { ExpectNothing(MarkBody("bytearray(10 ** 10)"), {"MemoryError"}); }
 
