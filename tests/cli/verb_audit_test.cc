@@ -191,7 +191,7 @@ TEST_F(BeforeHardware, TrialsOfAPlanWhoseGroundWasChangedSinceAreRefused) {
   const Ran trials = Run({"trials", "plan.json", "-n", "2", "--friction", "0.7", "--out", "two.json", "--quiet"});
   EXPECT_EQ(trials.status, 0) << trials.err;
   const Ran same = Run({"audit", "plan.json", "--preflight", "--trials-result", "two.json"});
-  EXPECT_NE(same.out.find("play.friction 0.7 (usually 0)"), std::string::npos) << same.out << same.err;
+  EXPECT_NE(same.out.find("play.friction 0.7 (default 0)"), std::string::npos) << same.out << same.err;
   EXPECT_NE(same.out.find("mass_scale"), std::string::npos) << "disturbances";
   Json plan = Json::parse(Read("plan.json"));
   plan["terrain"]["patches"][0]["friction"] = 0.4;

@@ -104,7 +104,7 @@ double WalkStream::heading_rad() const {
   return YawOf(BaseRotation(sample.q));
 }
 
-/// Shortens a long time of standing, which is equivalent to one that has just begun.
+/// Continues standing up to a time. Only the last part of a long stand is kept, since its duration does not matter.
 void WalkStream::Stand(double until_s) {
   constexpr double kLong = 1.0;
   const double step_s = plan_.whole_body.step_s, end_s = plan_.whole_body.end_s();

@@ -86,7 +86,7 @@ std::string EveryPoint(const Study& study, const std::vector<PointOutcome>& outc
 
 Ink InkOf(PointStatus status) { return status == PointStatus::kPass ? Ink::kZmp : Ink::kBad; }
 
-/// The score of every point over one axis of numbers.
+/// Plots the score of every point over one axis of numbers.
 std::string ScoreOver(const Study& study, const std::vector<PointOutcome>& outcomes, std::size_t axis) {
   const StudyAxis& a = study.axes[axis];
   SvgPlot::Options options;

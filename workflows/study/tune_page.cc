@@ -21,9 +21,8 @@ std::string Number(const std::optional<double>& value) { return value ? fmt::for
 std::string Head(const Study& study, const TuneReport& report, const TuneOptions& options) {
   const TuneResult& result = report.result;
   return fmt::format(
-      "<h1>{}: {} tuned</h1>\n<p class=\"soft\">{} candidates of {} trials each on {} ground; a trial counts its "
-      "score, "
-      "and {:g} more where the robot stands to the end</p>\n<p class=\"reason {}\">{}.</p>\n",
+      "<h1>{}: {} tuned</h1>\n<p class=\"soft\">{} candidates of {} trials each on {} ground; the value of a trial is "
+      "its score, plus {:g} if the robot survives to the end</p>\n<p class=\"reason {}\">{}.</p>\n",
       EscapedXml(study.model.name), EscapedXml(study.walk.gait.empty() ? "its best gait" : study.walk.gait),
       result.candidates.size(), options.trials, EscapedXml(study.walk.terrain), options.survival_weight,
       result.better() ? "pass" : "fail", EscapedXml(VerdictOf(result)));
@@ -108,7 +107,7 @@ std::string History(const TuneResult& result) {
   return FigureOf({"history", "Progress of the search. Crosses have no plan that passes its audit.", plot.Svg()});
 }
 
-/// The fitted surface along one option through the favourite, where that lies within the ranges.
+/// The fitted surface along one option through the favourite, if the favourite is within the ranges.
 std::vector<Vector2> Slice(const Study& study, const TuneResult& result, std::size_t axis) {
   std::vector<Vector2> line;
   VectorX at = SharesOf(study.axes, result.candidates[result.favourite].values).cwiseMax(0.0).cwiseMin(1.0);

@@ -233,7 +233,7 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
   const Json json = Json::parse(PreflightJson(preflight)), trials = json.at("trials");
   for (const char* part :
        {"483 of 500 trials also passed every gate: 96.6 %", "a go requires a survival rate of at least 85 %",
-        "state true", "sensors not used", "command_delay_s 0", "play.friction 0.4 (usually 0)"}) {
+        "state true", "sensors not used", "command_delay_s 0", "play.friction 0.4 (default 0)"}) {
     EXPECT_TRUE(Says(text, part)) << part;
     EXPECT_TRUE(Says(page, part)) << part;
   }

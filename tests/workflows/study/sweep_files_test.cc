@@ -73,7 +73,7 @@ TEST(SweepJson, APointHasTheVerdictsOfBothEngines) {
 
 TEST(EnginesText, CountsWhereTheyAgreeAndIsEmptyForOneEngine) {
   EXPECT_EQ(EnginesText(SweepInTwoEngines().outcomes),
-            "0 points pass in both, 1 in Bullet alone, 0 in MuJoCo alone, 0 in neither");
+            "0 points pass in both, 1 only in Bullet, 0 only in MuJoCo, 0 in neither");
   EXPECT_EQ(EnginesText(MakeUpSweep(kOver, 0).outcomes), "");
 }
 
