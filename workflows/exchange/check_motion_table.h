@@ -9,6 +9,7 @@
 namespace gaitwright {
 
 /// Checks that the values of a motion file are plausible.
+///
 /// It refuses too few rows, more than an hour, a start beyond 1e10 s, quaternions whose length differs from 1 by more
 /// than 0.01, and values over 1e8. It also refuses data that are probably in other units or another order than assumed,
 /// and names the option that sets them: times in milli-, micro- or nanoseconds (rows half a second apart), angles in

@@ -16,6 +16,7 @@ namespace gaitwright {
 /// by staying as upright as in the standing posture and close to the previous row. A foot that touches down is moved
 /// onto the ground within 0.1 s. If the contact column has no foot on the ground, the base moves ballistically; without
 /// a contact column it never does. The result is smoothed with smoothing_hz, or 10 Hz.
+///
 /// Stance feet are those of the contact column. Without it, they are first the feet within `contact_height` of the
 /// lowest one; then the base is derived twice more with the stance feet that ScheduleOf finds.
 /// @param turned  the motion has the base's rotation, which is kept; only its position is derived.

@@ -42,12 +42,13 @@ struct MotionTable {
 };
 
 /// Options for interpreting a file and for deriving missing data.
+///
 /// With `detect`, order and units are x y z w, radians, metres and seconds. A motion that contradicts them is refused,
 /// and the message names the option to set. Other values are used without a check.
 ///
 /// Tuning
-/// contacts flicker, or come late       raise contact_height, contact_speed; or add a column of contacts
-/// torques are rough, speeds are noisy set smoothing_hz to three times the frequency of the fastest steps
+///   contacts flicker, or come late       raise contact_height, contact_speed; or add a column of contacts
+///   torques are rough, speeds are noisy  set smoothing_hz to three times the frequency of the fastest steps
 struct ImportOptions {
   std::string quaternion_order = "detect", angle_unit = "detect", length_unit = "detect", time_unit = "detect";
   std::string velocities = "given", missing_joints = "refuse";

@@ -10,6 +10,7 @@ namespace gaitwright {
 /// should be upright, with its lowest foot near the ground and not sliding. Heights count only if the robot is upright
 /// with its feet near the ground in one of the orders; otherwise they are wrong for another reason, and only tilt and
 /// sliding count.
+///
 /// A robot that stands in place looks the same in both orders if its rotation is zero in one order and pi in the other;
 /// then the named order is used.
 /// @param ground  the ground that the feet should be near; null if the motion has another world frame, so that heights

@@ -37,6 +37,7 @@ struct WalkWish {
 std::string NameOf(LiveMode mode);
 
 /// A simulated robot that accepts commands while it moves.
+///
 /// Speeds are planned in a separate thread while the robot continues. A speed without a feasible plan is reported in
 /// the notes and changes nothing. When a new plan takes over, its controller is initialised with the robot's recent
 /// states, so it keeps its estimates of the ground and of its footholds.

@@ -48,6 +48,7 @@ inline constexpr unsigned kNobody = 65534;
 /// An untrusted process with a line-based protocol: it reads file descriptor 3 and writes 4; its standard streams are
 /// closed off. It has its own session and no other open files, cannot start processes (if confined), and ends with this
 /// object or with this process.
+///
 /// No call of this class takes longer than the limits allow, or more memory than the longest answer. Time for which the
 /// process waits for a busy processor does not count, so marks do not depend on the machine's load.
 class ChildProcess {

@@ -9,6 +9,7 @@ namespace gaitwright {
 std::string WhyNoCallFilter();
 
 /// Writes the filter of system calls for one process to an open file, for ApplyCallFilter.
+///
 /// The filter is a list of the calls that Python and NumPy need: files (Landlock decides which), memory, clocks,
 /// waiting, limits and signals of the process itself, exec. All other calls fail with EPERM, also calls that newer
 /// kernels add. Some calls that the C library tries first fail with ENOSYS, so that it uses older ones, whose arguments

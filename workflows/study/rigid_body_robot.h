@@ -11,6 +11,7 @@
 namespace gaitwright {
 
 /// A single rigid body as a robot (URDF and robot.yaml), so that the audit of robots applies to it.
+///
 /// The trunk has the mass and inertia; the origin of its frame is the centre of mass. Each foot has three prismatic
 /// joints along the trunk's x, y and z; at zero it is at its nominal position, and the joint limits are its workspace.
 /// A foot with three or more contact points is a sole and rotates relative to the last prismatic joint about z, y and x

@@ -15,8 +15,8 @@
 namespace gaitwright {
 
 /// Tuning
-/// the tuned gait is no better on held-out trials    raise trials: with few trials, noise hides the difference
-/// the best point is at the end of a range widen the range
+///   the tuned gait is no better on held-out trials    raise trials: with few trials, noise hides the difference
+///   the best point is at the end of a range           widen the range
 struct TuneOptions {
   int evaluations = 90;
   int trials = 10;
@@ -94,11 +94,11 @@ VectorX SharesOf(const std::vector<StudyAxis>& axes, const StudyPoint& values);
 /// Searches the option values with the highest mean value over trials; all candidates get the same trials:
 ///   1. the present values, and points of a Halton sequence for a third of the evaluations;
 ///   2. while quadratic surfaces predict the values (see `smooth_above`): rounds of four candidates, at the maximum of
-///     the surface in the whole ranges and in boxes of a half, a quarter and an eighth of them around the best so far;
+///      the surface in the whole ranges and in boxes of a half, a quarter and an eighth of them around the best so far;
 ///   3. otherwise CMA-ES around the best so far; refused candidates rank last;
 ///   4. the finalists get twice as many further trials; all their trials decide;
 ///   5. the favourite and the present values are compared on held-out trials, in pairs; if the present values have no
-///     plan, only the favourite is tested.
+///      plan, only the favourite is tested.
 /// Trial numbers: the search uses those below `trials`, the finalists the next 2 `trials`, the held-out test those
 /// after them. The result is deterministic for a seed, for any number of threads and for resumed runs.
 /// @return a failure `interrupted` if it was stopped (checked before each job), or `held_out` if held-out trials could
