@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is done wrong is refused, and ends nothing: threads, sizes, lifetimes, arguments that do not go together."""
+"""Misuse is refused without a crash: threads, sizes, lifetimes, arguments that contradict each other."""
 
 import threading
 
@@ -9,7 +9,7 @@ import pytest
 
 
 def in_threads(count, act):
-    """What each thread raised."""
+    """The exceptions that the threads raised."""
     raised = []
 
     def run():

@@ -1,5 +1,5 @@
-#SPDX - License - Identifier : BSD - 3 - Clause
-"""Controllers and footstep planners that are written in Python."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Controllers and footstep planners written in Python."""
 
 import gaitwright as gw
 import numpy as np
@@ -7,7 +7,7 @@ import pytest
 
 
 class FollowThePlan(gw.Controller):
-    """PD about the plan with its torques as feed-forward."""
+    """PD control around the plan, with the plan's torques as feed-forward."""
 
     def __init__(self, plan):
         super().__init__()
@@ -83,7 +83,7 @@ def test_a_controller_needs_an_update(trot):
 
 
 def test_a_controller_can_be_asked_step_by_step(trot):
-    """The same loop as a playback's, in Python: it walks as far."""
+    """The loop of a playback, written in Python: the robot walks as far."""
     robot = trot.robot
     world = gw.World(robot, trot.terrain, trot.q[0])
     controller = gw.make_controller(trot, "stabilised")
@@ -118,7 +118,7 @@ def test_an_input_of_another_robot_is_refused(nao, trot):
 
 
 def steps_ahead(robot, terrain, goal):
-    """Left and right in turn, 4 cm ahead each, to the goal."""
+    """Left and right steps in turn, 4 cm forward each, to the goal."""
     left, right = robot.feet[:2]
     beside = {foot: gw.RobotState(robot).contact_frame(foot)[:2, 3] for foot in (left, right)}
     x, count = 0.0, 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions whose differences are known in closed form, since they were put there.
+// Motions with known differences, which the test adds.
 #include "workflows/compare/compare_motions.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ ComparedMotion PlanSide(const synthetic::Played& walker) {
 }
 ComparedMotion LogSide(const synthetic::Played& walker) { return ComparedLog(walker.model, walker.log, "log.json"); }
 
-/// The log as somebody else's table, its clock `ahead_s` ahead.
+/// The log as an external table, with its clock `ahead_s` ahead.
 ComparedMotion TableSide(const synthetic::Played& walker, double ahead_s) {
   MotionTable table;
   for (const LogSample& sample : walker.log.samples) {

@@ -205,7 +205,7 @@ TEST(PreflightWithTrials, RefusesThoseOfAnotherPlanOrRobot) {
   EXPECT_TRUE(Says(of_robot.failure().message, "another robot"));
 }
 
-/// The trials' plan with one thing changed in it, which makes the trials another plan's.
+/// The plan of the trials with one change, so that the trials belong to another plan.
 void ExpectOther(const std::function<void(MotionPlan&)>& change, const std::string& part) {
   Walked changed = AWalk();
   change(changed.plan);

@@ -41,7 +41,7 @@ TEST(SweepCsv, HasARowForEachPointWithAsManyCellsAsHeads) {
   EXPECT_NE(last.find("\"the knee, \"\"FL_calf\"\", needs too much\""), std::string::npos) << last;
 }
 
-/// The sweep with its first point played in two engines, of which the second falls.
+/// The sweep with its first point played in two engines; the robot falls in the second.
 MadeUpSweep SweepInTwoEngines() {
   MadeUpSweep sweep = MakeUpSweep(kOver, 0);
   sweep.study.play.play.world.engine = "both";

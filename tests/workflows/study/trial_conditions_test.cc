@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// What is told of a request, a line each.
+/// The reported conditions of a request, one line each.
 std::vector<std::string> Told(PlayRequest request) {
   std::vector<std::string> lines;
   for (const OptionChange& condition : TrialConditions(TextsOf(request.Fields())))
