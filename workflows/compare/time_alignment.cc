@@ -9,10 +9,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kStep = 0.005;  // of the search [s]
-constexpr double kLeastShare =
-    1.0 / 3.0;  // least share of the energy of the less energetic motion that the compared part of each side must have
-constexpr double kRest = 1e-9;  // smaller energy counts as no motion
+constexpr double kStep = 0.005;            // of the search [s]
+constexpr double kLeastShare = 1.0 / 3.0;  // least energy of each compared part, relative to the less energetic motion
+constexpr double kRest = 1e-9;             // smaller energy counts as no motion
 
 /// Joint speeds of a motion on a uniform time grid, one row per time.
 struct EvenSpeeds {

@@ -16,7 +16,7 @@ struct CsvReading {
   std::string columns_file = {};  ///< ReadColumnNames; "" to use the header's names
   ImportOptions options = {};
   std::vector<std::string> elsewhere = {};  ///< columns of another table that the names file also covers
-  bool some_joints = false;                 ///< missing joints are NaN, whatever the options say
+  bool some_joints = false;                 ///< true: missing joints are NaN, regardless of the options
 };
 
 /// The motion in a table whose column names are those of the names file, of OCS2 or of this program. Units and

@@ -54,7 +54,7 @@ std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFo
 /// Whether the size is within the limits of `import`; other programs may read more.
 bool IsReadBack(const RobotModel& model, const MotionRows& rows, ExportFormat format, std::size_t bytes) {
   constexpr std::size_t kOthersInYaml = 15,
-                        kOthersInJson = 8;  // values of a point for keys, lists and times, as readers count them
+                        kOthersInJson = 8;  // keys, lists and times of a point
   const std::size_t n = rows.time_s.size(), lists = 2U + (rows.a.empty() ? 0U : 1U) + (rows.tau.empty() ? 0U : 1U);
   const std::size_t numbers = lists * model.dof_names.size();
   switch (format) {

@@ -21,7 +21,7 @@ inline constexpr std::size_t kLargestTrajectoryYaml = std::size_t{48} << 20, kMo
 /// be left out or empty in all points; accelerations are not used. Unknown joints are refused with the nearest name;
 /// missing joints are handled by `missing_joints`. The result has no base and no contacts. Failure kBadInput
 /// `joint_trajectory`, which names the line.
-/// @param source  name in messages.  @param some_joints  positions of missing joints are NaN, whatever the options say.
+/// @param source  name in messages. @param some_joints positions of missing joints are NaN, regardless of the options.
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                          const ImportOptions& options, bool some_joints = false);
 

@@ -25,8 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr mode_t kFolderMayPass =
-    0711;  // so that a submission's code, which may run as user nobody, reaches its folder
+constexpr mode_t kFolderMayPass = 0711;  // a submission's code may run as user nobody and must reach its folder
 
 Json JsonOf(const PartMark& mark) {
   Json checks = Json::array(), pages = Json::array();

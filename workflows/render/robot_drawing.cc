@@ -20,8 +20,8 @@ namespace {
 constexpr double kSheetWide = 1280.0;              // [px]
 constexpr double kEdge = 20.0, kTitleHigh = 62.0;  // margin around the sheet; space above the views [px]
 constexpr double kAround = 52.0,
-                 kViewTitle = 24.0;  // margin around the robot for arrows and numbers; space above a view [px]
-constexpr double kAxisRoom = 40.0;   // space left of and below a view for its axes [px]
+                 kViewTitle = 24.0;                      // margin for arrows and numbers; space above a view [px]
+constexpr double kAxisRoom = 40.0;                       // space left of and below a view for its axes [px]
 constexpr double kHighest = 560.0, kHighestLow = 400.0;  // height of a view in one row, and in one of two rows [px]
 
 constexpr char kDrawingStyle[] =
@@ -54,7 +54,7 @@ enum ViewIndex { kSide, kFront, kCorner, kAbove };
 
 std::array<DrawnView, 4> ViewsOf(const DrawnRobot& robot) {
   constexpr double kTurned = -0.6,
-                   kRaised = 0.35;  // angles of the view from a corner: about z, and above the ground [rad]
+                   kRaised = 0.35;  // corner view: angle about z, elevation [rad]
   std::array<DrawnView, 4> views;
   views[kSide] = {"from its right side", Vector3::UnitX(), Vector3::UnitZ(), -Vector3::UnitY(), "x [m]", "z [m]"};
   views[kFront] = {"from its front", Vector3::UnitY(), Vector3::UnitZ(), Vector3::UnitX(), "y [m]", "z [m]"};

@@ -40,7 +40,7 @@ bool IsOfSteps(const std::string& text, const Clause& clause, std::size_t at);
 /// Whether a verb means going back: "go back" and similar.
 bool GoesBack(const std::string& word);
 
-/// Whether a clause has 点 but not 头 (head), so that it is not a nod.
+/// Whether a clause has 点 without 头 (head), which is not a nod.
 bool NodsInVain(const std::string& text, const Clause& clause);
 
 }  // namespace gaitwright::words

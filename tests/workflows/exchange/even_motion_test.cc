@@ -137,8 +137,7 @@ TEST(EvenMotion, GivenVelocitiesAreMetAtTheRowsUnlessTheyAreNotWanted) {
   MotionTable table = CubicTable(TimesEvery(0.02, 10));
   for (const double t : table.time_s) {
     VectorX v(6);
-    for (int d = 0; d < 6; ++d)
-      v[d] = CubicRate(d, t) + 0.01;  // slightly different from the derivatives of the positions
+    for (int d = 0; d < 6; ++d) v[d] = CubicRate(d, t) + 0.01;  // not exactly the derivatives of the positions
     table.v.push_back(v);
   }
   const ResampledTable given = ResampledBiped(table);
