@@ -157,7 +157,7 @@ std::string PreflightPage(const Preflight& p) {
       "content=\"width=device-width,initial-scale=1\"/><title>Preflight of {} \u2013 {}</title>\n<style>{}{}</style>"
       "</head>\n<body><main>\n",
       EscapedXml(p.robot), p.go() ? "go" : "no-go", PageStyle(), PaperStyle());
-  html += Head(p) + ListOf("Reasons for no-go", p.reasons) + ListOf("To mind", p.remarks) + Trials(p) + Limits(p);
+  html += Head(p) + ListOf("Reasons for no-go", p.reasons) + ListOf("Remarks", p.remarks) + Trials(p) + Limits(p);
   html += Joints(p) + ListOf("Assumptions", p.assumptions) + ListOf("Not checked", p.not_checked);
   html += "<div class=\"signing\"><h2>Signed</h2>\n<div class=\"sign\">";
   for (int line = 0; line < 2; ++line) html += "<div>name</div><div>signature</div><div>date</div>";

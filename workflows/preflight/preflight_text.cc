@@ -114,7 +114,7 @@ std::string PreflightText(const Preflight& p) {
       "  checked  by gaitwright {}, {} samples at {:.0f} Hz\n",
       p.robot, p.mass_kg, p.robot_hash, p.motion, p.duration_s, p.made_by, p.whole_plan_hash, p.plan_hash,
       p.program_version, p.audit.samples, p.audit.rate_hz);
-  text += Section("Reasons for no-go", p.reasons) + Section("To mind", p.remarks) + TrialsText(p) + LimitsText(p) +
+  text += Section("Reasons for no-go", p.reasons) + Section("Remarks", p.remarks) + TrialsText(p) + LimitsText(p) +
           JointsText(p);
   text += Section("Assumptions", p.assumptions) + Section("Not checked", p.not_checked);
   return text +

@@ -59,7 +59,7 @@ std::string Proof(const TuneResult& result) {
 }
 
 std::string Metrics(const TuneReport& report) {
-  Rows rows = {{"metric", "unit", "before", "after", "is better"}};
+  Rows rows = {{"metric", "unit", "before", "after", "better if"}};
   for (std::size_t k = 0; k < report.metrics.size(); ++k) {
     const MetricRule& rule = RuleOf(report.metrics[k]);
     const auto of = [&](const PointOutcome& o) { return k < o.metrics.size() ? o.metrics[k] : std::nullopt; };
@@ -165,7 +165,7 @@ std::string EveryCandidate(const Study& study, const TuneResult& result) {
 std::string TunePage(const Study& study, const TuneReport& report, const TuneOptions& options) {
   const TuneResult& result = report.result;
   std::string body = Head(study, report, options) + "<h2>Values</h2>\n" + Values(study, result);
-  body += "<h2>Proof on held-out trials</h2>\n" + Proof(result);
+  body += "<h2>Test on held-out trials</h2>\n" + Proof(result);
   body += "<h2>Search</h2>\n" + History(result);
   for (std::size_t k = 0; k < study.axes.size(); ++k) body += Response(study, result, k);
   body += "<h2>The undisturbed walk</h2>\n" + Metrics(report);

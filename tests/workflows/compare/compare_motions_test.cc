@@ -218,7 +218,7 @@ TEST(CompareMotions, OptionsOfOneSideAloneAreToldInOneLine) {
   ASSERT_EQ(folded.each.size(), 1U) << "a group that both have is told option by option";
   EXPECT_EQ(folded.each[0].key, "pipeline.on");
   const std::string text = ComparisonText(c, {});
-  EXPECT_TRUE(synthetic::Says(text, "  options of A alone: gait, swing.*, seed\n")) << text;
+  EXPECT_TRUE(synthetic::Says(text, "  options only in A: gait, swing.*, seed\n")) << text;
   EXPECT_FALSE(synthetic::Says(text, "against -")) << text;
   EXPECT_TRUE(synthetic::Says(ComparisonJson(c, {}), "swing.clearance_m")) << "programs are told all";
   EXPECT_TRUE(synthetic::Says(ComparisonPage(PlanSide(first), PlanSide(imported), c, {}), "gait, swing.*, seed"));

@@ -252,7 +252,7 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
 TEST(PreflightAsText, HasTheMarginsOfEachJointAsThePageDoes) {
   const Preflight preflight = Of({});
   const JointMargins table = JointMarginsOf(preflight.audit.margins);
-  EXPECT_EQ(table.headings, (std::vector<std::string>{"to its stop", "speed", "torque"}));
+  EXPECT_EQ(table.headings, (std::vector<std::string>{"position", "speed", "torque"}));
   ASSERT_EQ(table.rows.size(), AWalk().model.dof_names.size());
   std::istringstream lines(PreflightText(preflight));
   std::map<std::string, std::string> found;
