@@ -11,7 +11,7 @@ namespace gaitwright::cli {
 /// A file of a command line, and its name in messages: its flag, or words such as "the log".
 struct NamedPath {
   std::string name, path;
-  std::vector<std::string> endings = {};  ///< of an output: endings of its format, ".csv"; empty: any
+  std::vector<std::string> endings = {};  ///< accepted endings of an output, such as ".csv"; empty: any
   bool ending_decides = false;            ///< the ending decides the format, so that no other ending is accepted
 };
 

@@ -16,10 +16,10 @@ namespace {
 
 using PlanBox = Eigen::AlignedBox2d;
 
-constexpr double kLeft = 60.0, kTop = 50.0;           // of the first picture [px]
-constexpr double kWidest = 1000.0, kHighest = 560.0;  // of the first picture [px]
+constexpr double kLeft = 60.0, kTop = 50.0;           // of the top view [px]
+constexpr double kWidest = 1000.0, kHighest = 560.0;  // of the top view [px]
 constexpr double kSection = 200.0, kBetween = 100.0;  // largest height of the section, and the gap above it [px]
-constexpr double kCell = 4.0;                         // of the shading [px]
+constexpr double kCell = 4.0;                         // size of a cell of the shading [px]
 constexpr int kShades = 32;
 constexpr double kNear = 10.0;  // edges of wide ground farther off are not shown [m]
 

@@ -29,8 +29,8 @@ class Flag {
   Flag AcceptOnly(const std::vector<std::string>& choices) const;
   /// @param reason_refused  says why a text is not accepted, or "" if it is accepted.
   Flag Check(std::function<std::string(const std::string&)> reason_refused) const;
-  Flag SplitAt(char separator) const;  ///< of a list: one text may hold several values
-  Flag Repeat() const;                 ///< of a list: the flag may be given several times, with one value each
+  Flag SplitAt(char separator) const;  ///< for lists: one text may have several values
+  Flag Repeat() const;                 ///< for lists: the flag may be given several times, with one value each
 
   bool given() const;
   bool is_positional() const;

@@ -23,7 +23,7 @@
 namespace gaitwright::cli {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of cycles
+constexpr double kRounding = 1e-6;  // rounding of cycle counts
 
 struct RenderSettings {
   Common common;

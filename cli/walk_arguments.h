@@ -22,7 +22,7 @@ struct WalkArguments {
   std::vector<KeyedFlag> keyed;  ///< the flags that a study may vary by key
 
   void AddTo(Verb verb);
-  OptionFields Fields();  ///< of the request
+  OptionFields Fields();  ///< fields of the request
   /// Puts the flags into the request. @throws InvalidArgument for flags that contradict each other or do not parse.
   void Finish(const RobotModel& model);
 
@@ -41,7 +41,7 @@ struct PlayArguments {
   std::vector<KeyedFlag> keyed;  ///< the flags that a study may vary by key
 
   void AddTo(Verb verb);
-  OptionFields Fields();  ///< of the request
+  OptionFields Fields();  ///< fields of the request
   /// Call this before any options are put into the request.
   void SetDefaults(const Common& common);
   /// @param varied  options that a study varies.

@@ -42,7 +42,7 @@ struct FootDifference {
   std::string foot;
   int stances_a = 0, stances_b = 0;  ///< within the time that both share
   int unmatched = 0;                 ///< stances that overlap with none of the other side
-  SeriesDifference timing;           ///< of touch-downs and lift-offs, B - A [s]
+  SeriesDifference timing;           ///< times of touch-down and lift-off, B - A [s]
 };
 
 /// The first difference: at equal times, measured quantities before computed ones, then the one farthest beyond its

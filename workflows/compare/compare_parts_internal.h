@@ -20,9 +20,8 @@ struct ComparedSeries {
   std::string quantity, unit;
   SeriesScale scale = SeriesScale::kLength;
   std::vector<double> a, b;
-  double resolution = 0.0;  ///< of a measured position: the coarser resolution of the two sides
-  std::vector<double> noise_gain =
-      {};  ///< of a computed speed: factor from the noise of positions to that of the speed [1/s]
+  double resolution = 0.0;              ///< of a measured position: the coarser resolution of the two sides
+  std::vector<double> noise_gain = {};  ///< of a computed speed: its noise per position noise [1/s]
 };
 
 /// The times at which two motions are compared, and the joints and feet that both have.

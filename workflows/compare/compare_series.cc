@@ -17,7 +17,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLeastDifference = 1e-9;  // smaller differences are ignored, in any unit
-constexpr double kLeastOfSpan = 0.1;       // of the largest span of a joint, so that a joint at rest has a scale
+constexpr double kLeastOfSpan = 0.1;       // share of the largest span of a joint, so that a joint at rest has a scale
 constexpr double kAttitudeScale = 1.0;     // [rad]
 
 double Weight(SeriesScale scale) {

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kStep = 0.005;            // of the search [s]
+constexpr double kStep = 0.005;            // step of the search [s]
 constexpr double kLeastShare = 1.0 / 3.0;  // least energy of each compared part, relative to the less energetic motion
 constexpr double kRest = 1e-9;             // smaller energy counts as no motion
 

@@ -87,7 +87,7 @@ void CheckAngles(const RobotModel& model, const MotionTable& table, const Import
 }
 
 void CheckLengths(const RobotModel& model, const MotionTable& table, const ImportOptions& options) {
-  constexpr double kTall = 10.0, kLow = 0.2, kHigh = 3.0;  // of the standing height
+  constexpr double kTall = 10.0, kLow = 0.2, kHigh = 3.0;  // multiples of the standing height
   if (table.base_m.empty() || options.length_unit != "detect") return;
   std::vector<double> heights;
   for (const Vector3& p : table.base_m) heights.push_back(p.z());

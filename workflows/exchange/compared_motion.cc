@@ -167,7 +167,7 @@ ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, 
 
 double ResolutionOf(const std::vector<double>& positions) {
   constexpr std::size_t kFewest = 16;
-  constexpr double kAligned = 1e-3;  // of a step
+  constexpr double kAligned = 1e-3;  // share of a step
   std::vector<double> steps;
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t k = 1; k < positions.size(); ++k) {

@@ -18,8 +18,8 @@ struct ComparedMotion {
   std::string name;                                        ///< its name: the file as given
   std::string kind;                                        ///< "plan", "log", "csv" or "trajectory"
   RobotModel model;                                        ///< defines the order of its rows
-  std::optional<MotionPlan> plan = {};                     ///< of a plan
-  std::optional<PlaybackLog> log = {};                     ///< of a log
+  std::optional<MotionPlan> plan = {};                     ///< set for a plan
+  std::optional<PlaybackLog> log = {};                     ///< set for a log
   MotionRows rows = {};                                    ///< on its own clock; missing values are NaN
   std::vector<std::vector<ContactInterval>> stances = {};  ///< by foot; empty if contacts are unknown
   double torque_age_s = 0.0;                               ///< age of a row's torque, which is a mean over an interval

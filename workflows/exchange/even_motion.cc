@@ -16,7 +16,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kUsualStep = 0.005;  // [s]
-constexpr double kOnGrid = 1e-3;      // of a step: times nearer to a row of the grid are on the grid
+constexpr double kOnGrid = 1e-3;      // share of a step: times nearer to a row of the grid are on the grid
 
 /// The quintic over unit time with given value, rate and acceleration at both ends, in that unit of time.
 Motion1 Quintic(const Motion1& a, const Motion1& b, double u) {
@@ -265,7 +265,7 @@ class Resampler {
   template <class Row>
   bool TakeRate(const std::string& what, const std::vector<Row>& given, std::vector<VectorX>& worked_out,
                 const std::vector<int>& columns, int behind) {
-    constexpr double kAgrees = 0.5, kSlight = 0.1;  // of the root mean square, in the unit of the rate
+    constexpr double kAgrees = 0.5, kSlight = 0.1;  // share of the root mean square; in the unit of the rate
     if (given.empty()) return false;
     double apart = 0.0, size = 0.0;
     for (std::size_t k = 0; k < worked_out.size(); ++k) {

@@ -14,7 +14,7 @@ namespace gaitwright {
 /// @throws InvalidArgument that names the joint and the time of a value that is not finite.
 std::string JointTrajectoryYaml(const RobotModel& model, const MotionRows& rows);
 
-/// The same message as JSON, with the same keys.
+/// The message of JointTrajectoryYaml as JSON, with the same keys.
 std::string JointTrajectoryJson(const RobotModel& model, const MotionRows& rows);
 
 }  // namespace gaitwright

@@ -122,7 +122,7 @@ std::vector<FootTrack> FeetOf(const RobotModel& model, const Terrain& terrain, c
 
 ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, const std::vector<FootTrack>& feet,
                            const ImportOptions& options, std::vector<DerivedPart>& derived) {
-  constexpr double kStill = 1e-3;  // of the leg
+  constexpr double kStill = 1e-3;  // share of the leg length
   const double height_m = options.contact_height * model.leg_length_m();
   const double speed_m_s = options.contact_speed * std::sqrt(kGravity * model.leg_length_m());
   const int least_rows = static_cast<int>(std::ceil(options.contact_least_s / motion.step_s));

@@ -286,7 +286,7 @@ class FootstepReader {
   std::vector<int> patch_;
   std::optional<double> swing_s_, pause_s_;
   double now_s_ = 0.0, last_s_ = 0.0, final_stand_s_ = kStand;
-  std::vector<std::vector<AskedStep>> steps_;  // of each foot, in time
+  std::vector<std::vector<AskedStep>> steps_;  // by foot, in order of time
 };
 
 /// Time in which each foot makes one step; the tilt of the body is averaged over it.

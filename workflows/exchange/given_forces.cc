@@ -77,7 +77,7 @@ class ForceTaker {
 
   /// Leaves out feet with nearly no load, whose forces are only rounding errors. @return whether there were any.
   bool DropUnloaded(std::vector<ContactWrench>& wrenches) {
-    constexpr double kNothing = 5e-3;  // of the weight
+    constexpr double kNothing = 5e-3;  // share of the weight
     if (!motion_.force_W.empty()) return false;
     const auto unloaded = [&](const Free& part) {
       return wrenches[part.foot].force_W.norm() < kNothing * model_.weight_n();
@@ -93,7 +93,7 @@ class ForceTaker {
   /// Moves forces onto their friction cones if they are outside by no more than the error of derived accelerations, and
   /// solves for the forces of the other feet again. The remaining error of the base is within the audit's tolerance.
   void KeepInCones(std::size_t k, VectorX before, std::vector<ContactWrench>& wrenches) {
-    constexpr double kRounding = 0.015;  // of the weight
+    constexpr double kRounding = 0.015;  // share of the weight
     const double time_s = motion_.TimeOf(static_cast<int>(k));
     for (bool more = true; more;) {
       more = false;

@@ -49,7 +49,7 @@ class Builder {
  private:
   /// Checks that the feet reach the ground; a constant height error means wrong frames or units.
   void CheckGround() {
-    constexpr double kFar = 0.05, kSlight = 1e-3;  // of the leg, [m]
+    constexpr double kFar = 0.05, kSlight = 1e-3;  // share of the leg length, [m]
     std::vector<double> lowest;
     for (std::size_t k = 0; k < motion_.q.size(); ++k) {
       double least = feet_.front().height_m[k];
@@ -148,7 +148,7 @@ class Builder {
 
   /// Rows in which the ground carries some of the weight.
   std::vector<bool> Pressing() const {
-    constexpr double kPresses = 0.02;  // of the weight
+    constexpr double kPresses = 0.02;  // share of the weight
     std::vector<bool> presses;
     for (const std::vector<ContactWrench>& row : plan_.whole_body.wrenches) {
       double normal = 0.0;
@@ -232,7 +232,7 @@ class Builder {
 
   /// Notes that playback starts from rest if the motion does not.
   void NoteStart() {
-    constexpr double kSlow = 0.02;  // of sqrt(g leg)
+    constexpr double kSlow = 0.02;  // share of sqrt(g x leg length)
     const double speed = motion_.v.front().head<3>().norm();
     if (speed > kSlow * std::sqrt(kGravity * model_.leg_length_m())) {
       notes_.warnings.push_back(

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kStepRounding = 1e-6;      // of a step
+constexpr double kStepRounding = 1e-6;      // share of a step
 constexpr double kUsualLowestRate = 200.0;  // [Hz]
 
 void CheckRate(double rate_hz) {

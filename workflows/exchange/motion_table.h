@@ -28,7 +28,7 @@ struct MotionTable {
   std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory"
   std::vector<double> time_s;
   std::vector<Vector3> base_m;              ///< p_WB, of the URDF's root link
-  std::vector<Eigen::Vector4d> quaternion;  ///< of R_WB, x y z w
+  std::vector<Eigen::Vector4d> quaternion;  ///< quaternion of R_WB, x y z w
   bool turned_by_angles = false;   ///< quaternions were computed from roll, pitch and yaw, so their order is known
   std::vector<Vector6> base_rate;  ///< v_WB, w_WB: linear, then angular, in W [m/s, rad/s]
   std::vector<Vector6> base_acceleration;     ///< their rates [m/s^2, rad/s^2]

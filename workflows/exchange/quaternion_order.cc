@@ -110,7 +110,7 @@ std::string Said(const Look& look, const Terrain* ground) {
 }  // namespace
 
 void CheckQuaternionOrder(const RobotModel& model, const Terrain* ground, double lift_m, const MotionTable& table) {
-  constexpr double kNear = 0.25, kClearly = 3.0, kSlightly = 1.2, kStill = 0.02;  // of the leg, [1], [1], [m/s]
+  constexpr double kNear = 0.25, kClearly = 3.0, kSlightly = 1.2, kStill = 0.02;  // share of the leg, [1], [1], [m/s]
   Looker looker(model, ground, lift_m, table);
   const Look named = looker.At(false), other = looker.At(true);
   const auto stands = [&](const Look& look) {

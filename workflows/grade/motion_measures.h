@@ -31,7 +31,7 @@ struct RunOutcome {
   std::string audit_words;  ///< why it fails, in one line
   int trials = 0, survived = 0;
   std::vector<std::string> falls = {};      ///< the first trials that fell: disturbances and reason of each fall
-  std::vector<EngineVerdict> engines = {};  ///< of the playback without disturbances, if two engines played it
+  std::vector<EngineVerdict> engines = {};  ///< verdicts on the playback without disturbances, if two engines played it
 };
 
 /// A measure over all runs: for shares, the share of the runs or of all their trials; otherwise the worst value of all

@@ -10,7 +10,7 @@ namespace {
 
 using Values = std::vector<QuestionValue>;
 
-constexpr int kSamples = 101;  // of a swing over a step
+constexpr int kSamples = 101;  // samples of a swing over a step
 // Rules for a swing over a step: distance from its ends within which it may be lower [m], height that it may have above
 // its clearance [m], and, as shares of its length, the longest motion in the first and last interval and in any
 // interval.

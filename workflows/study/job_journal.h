@@ -64,7 +64,7 @@ class JobJournal {
   int file_ = -1;
   std::mutex mutex_;
   std::map<std::size_t, Place> lines_;
-  std::int64_t length_ = 0;  ///< of the valid part
+  std::int64_t length_ = 0;  ///< length of the valid part
   bool empty_ = false;       ///< begun, but without a result
   bool spoilt_ = false;      ///< a line could not be written
 };

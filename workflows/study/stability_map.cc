@@ -24,7 +24,7 @@ std::string TitleOf(const StudyAxis& axis) {
 /// One set of axes: the values of all further axes are fixed.
 struct Panel {
   StudyPoint further;
-  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;  ///< of the cells' area [px]
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;  ///< area of the cells [px]
 };
 
 /// Position of a value on an axis, and the size of a cell, both as shares of the axis length.

@@ -70,7 +70,7 @@ struct Item {
   Meaning meaning = Meaning::kUnknown;
   std::string name;
   double value = 0.0;                           ///< of a number, an amount or an ordinal; for an action, see above
-  std::map<std::string, TaskValue> parameters;  ///< of an action
+  std::map<std::string, TaskValue> parameters;  ///< parameters of an action
   std::size_t begin = 0, end = 0;               ///< bytes of the text
 
   /// Whether it has this meaning.

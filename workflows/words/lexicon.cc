@@ -12,7 +12,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// In the order of Meaning.
+/// Names in the order of Meaning.
 const std::vector<std::string> kMeaningNames = {
     "action", "raise",  "lower", "put",     "direction", "side",   "sideways",  "both",   "arm",
     "foot",   "plural", "part",  "up",      "down",      "number", "amount",    "unit",   "ordinal",

@@ -9,7 +9,7 @@
 namespace gaitwright {
 
 /// Places before and behind stairs, which have no patches: at the same distance from the steps as the robot's start.
-/// They exist for "step 1", "step 2", ... and for "step 1 down", ...
+/// Both exist for stairs of patches "step 1", "step 2", ... and of patches "step 1 down", ...
 inline constexpr char kStartOfStairs[] = "start of the stairs", kEndOfStairs[] = "end of the stairs";
 
 /// The named places of a ground: markers; patches without a number; patches with a name and a number ("step 2"), as one
