@@ -21,7 +21,7 @@ std::vector<TimeGap> GapsOf(const std::vector<double>& time_s, double longest_st
 /// Whether a time is in one of the gaps, which must be in order without overlap. Rows at the ends of gaps are outside.
 bool InGap(const std::vector<TimeGap>& gaps, double at_s);
 
-/// "rows are missing: there is none for 1 s from the file's 0.8 s on; rows are usually 5 ms apart". For several gaps,
+/// "rows are missing: there are none for 1 s from the file's 0.8 s on; rows are usually 5 ms apart". For several gaps,
 /// the text gives their number and the longest one. Empty if there are none.
 std::string MissingRowsText(const std::vector<double>& time_s);
 

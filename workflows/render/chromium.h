@@ -11,8 +11,7 @@ namespace gaitwright {
 
 /// The browser and the size of its page.
 struct ChromiumOptions {
-  std::string program =
-      {};  ///< its path; "": that of GAITWRIGHT_CHROMIUM, otherwise the first of Chromium's usual names on PATH
+  std::string program = {};  ///< its path; "": GAITWRIGHT_CHROMIUM, otherwise a Chromium on PATH
   int width_px = 1280, height_px = 720;
   double pixel_ratio = 1.0;  ///< drawn pixels per page pixel; a smaller ratio draws faster
   bool dark = false;         ///< colour scheme of the page (prefers-color-scheme): dark or light
