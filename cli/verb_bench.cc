@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// By how much a free total time may be shorter or longer, unless options say.
+/// Default factor by which a free total time may be shorter or longer.
 constexpr double kFreeTotal = 1.5;
 
 struct BenchSettings {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `gaitwright bench` says.
+// Output of `gaitwright bench`.
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {

@@ -8,12 +8,12 @@
 namespace gaitwright {
 namespace {
 
-// The first letter of a message says what it is.
+// The first letter of a message is its type.
 constexpr char kReady = 'r', kProblem = 'x', kPiece = 'p', kOutcome = 'o', kDone = 'd', kRefused = 'f';
 
 std::string Message(char kind, const std::string& text) { return std::string(1, kind) + text; }
 
-/// Why the readiness of a rank, as it sent it, does not do; empty when it does.
+/// Why a rank cannot take part, from its readiness message; empty if it can.
 std::string Misgiving(int rank, const std::string& hello, const RankReadiness& own) {
   if (hello.empty() || hello[0] == kProblem)
     return fmt::format("rank {}: {}", rank, hello.substr(hello.empty() ? 0 : 1));

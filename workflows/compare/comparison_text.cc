@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostInOrder = 8;  // told in words
+constexpr std::size_t kMostInOrder = 8;  // listed in the text
 
 std::string Number(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 std::string NumberOrDash(const std::optional<double>& value) { return value ? Number(*value) : "-"; }
@@ -112,8 +112,8 @@ std::string WordLines(const std::vector<WordDifference>& words) {
   const FoldedWords folded = Folded(words);
   for (const WordDifference& word : folded.each)
     text += fmt::format("  {}: {} against {}\n", word.key, NumberOrDash(word.a), NumberOrDash(word.b));
-  if (!folded.only_a.empty()) text += fmt::format("  options of A alone: {}\n", folded.only_a);
-  if (!folded.only_b.empty()) text += fmt::format("  options of B alone: {}\n", folded.only_b);
+  if (!folded.only_a.empty()) text += fmt::format("  options only in A: {}\n", folded.only_a);
+  if (!folded.only_b.empty()) text += fmt::format("  options only in B: {}\n", folded.only_b);
   return text;
 }
 

@@ -24,7 +24,7 @@ bool RunsCode(const Rubric& rubric) {
                      [](const RubricPart& part) { return RunsCode(part.kind); });
 }
 
-/// What the rubric asks for is there: its grounds, options and commands.
+/// Failure if a ground, an option or a command of the rubric does not exist.
 std::optional<Failure> WhyNotAsked(const GradeRequest& request) {
   for (const RubricPart& part : request.rubric.parts) {
     if (!PlaysMotions(part.kind)) continue;
@@ -51,7 +51,7 @@ bool LiesIn(const fs::path& path, const fs::path& folder) {
   return end == outer.end() || (std::next(end) == outer.end() && end->empty());
 }
 
-/// Grades in the folder of the submissions would be a student's.
+/// Failure if the folder of grades is inside the folder of submissions, where it would count as a student.
 std::optional<Failure> WhyNotThere(const GradeRequest& request) {
   std::error_code error;
   if (!LiesIn(fs::absolute(request.out_folder, error), fs::absolute(request.folder, error))) return std::nullopt;
@@ -63,7 +63,7 @@ std::optional<Failure> WhyNotThere(const GradeRequest& request) {
       {"give another folder with --out-dir"});
 }
 
-/// What a submission's code could read that it must not.
+/// Failure if the code of a submission could read a file that it must not read.
 std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProgram& python) {
   std::vector<std::string> readable = python.readable;
   if (!python.package.empty()) readable.push_back((fs::path(python.package) / "gaitwright").string());
@@ -102,7 +102,7 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
   return WhyReadable(request, python);
 }
 
-/// Runs code of the program's own as submissions are run, so that what keeps all of them from running is told first.
+/// Runs test code as a submission, so that a problem that affects all submissions is reported first.
 std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLimits& limits, bool package,
                                       bool confined) {
   const std::string text =
@@ -126,7 +126,7 @@ std::optional<Failure> WhyNotTriedOut(const GradeRequest& request, const Marking
   return std::nullopt;
 }
 
-/// What marks are made with; where no part runs code nothing of that is looked for.
+/// Sets up the tools for marking; looks for Python only if a part runs code.
 Result<MarkingSetup> SetUp(const GradeRequest& request) {
   MarkingSetup setup;
   setup.seed = request.seed;

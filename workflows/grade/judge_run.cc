@@ -26,7 +26,7 @@ PlayedWalk PlayOnce(const JudgeSetup& setup, const MotionPlan& plan, const PlayR
 
 std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Counts a trial, and keeps why it fell.
+/// Counts a trial, and stores the reason of a fall.
 void Count(const TrialOutcome& trial, RunOutcome& outcome) {
   if (trial.survived) {
     ++outcome.survived;
@@ -35,7 +35,7 @@ void Count(const TrialOutcome& trial, RunOutcome& outcome) {
   }
 }
 
-/// The trials of an own controller, one after the other; those of the program's go on all cores.
+/// Plays the trials of a submitted controller in sequence; trials of built-in controllers use all cores.
 void PlayOwn(const JudgeSetup& setup, const TrialStudy& study, std::uint64_t seed, RunOutcome& outcome) {
   if (const auto failure = WhyNotTried(study)) throw InvalidArgument(failure->message);
   for (int number = 0; number < setup.part.motion.trials; ++number) {

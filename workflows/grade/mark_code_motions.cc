@@ -45,7 +45,7 @@ std::string StepsRequest(const RobotModel& model, const MotionRun& run, const Pl
       .dump();
 }
 
-/// One ground of a planner. @throws BrokenCode
+/// Runs a planner on one ground. @throws BrokenCode
 RunOutcome WalkOver(const HandedIn& in, const RobotModel& model, const MotionRun& run, StudentPython& code,
                     std::vector<MotionPage>& pages) {
   RunOutcome outcome;
@@ -71,8 +71,8 @@ RunOutcome WalkOver(const HandedIn& in, const RobotModel& model, const MotionRun
   }
 }
 
-/// A controller that is a submission's code, asked over its pipes. Once it fails it asks no more, and the motors do
-/// nothing.
+/// A controller whose commands come from a submission's code, over pipes. After a failure it sends no more requests,
+/// and the motors are passive.
 class AskedController final : public Controller {
  public:
   AskedController(StudentPython& code, int dofs, std::string& broken) : code_(code), dofs_(dofs), broken_(broken) {}
@@ -116,7 +116,7 @@ class AskedController final : public Controller {
   std::string& broken_;
 };
 
-/// Lends the plan to the code, and has it make a controller for each playback.
+/// Writes the plan for the code, which makes a controller for each playback.
 ControllerMaker MakerOf(StudentPython& code, const RobotModel& model, const std::string& plan_path,
                         std::string& broken) {
   return [&code, &model, plan_path, &broken](const MotionPlan&) {

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// A spring's force, cut to the most that it has.
+/// The force of a spring, limited to its largest force.
 Vector3 ForceOf(const PullSpring& spring, const Vector3& way_W) {
   const Vector3 force = spring.n_per_m * way_W;
   return force.norm() > spring.most_n ? Vector3(spring.most_n / force.norm() * force) : force;
@@ -76,7 +76,7 @@ void HandsOn::Off() {
   nudged_.reset();
 }
 
-/// Legs that stand are moved by torques alone: the joint is held by its own gains for so long.
+/// Offsets a joint command. Stance legs follow torques only, so the joint is held by its own gains during this time.
 void HandsOn::Apply(Nudged& nudged, const World& world, const Gains& gains, JointCommand& command) {
   const int d = nudged.dof;
   if (!nudged.from) nudged.from = world.q()[7 + d];

@@ -28,7 +28,7 @@ struct PreflightOptions {
 
 /// Inputs of a preflight, in addition to robot and plan.
 struct PreflightInput {
-  AuditOptions audit;  ///< margins are always computed, whatever this says
+  AuditOptions audit;  ///< margins are always computed, regardless of these options
   PreflightOptions options;
   std::optional<TrialsResult> trials;
   std::string approach;  ///< a sentence on the approach to the first posture, or why there is none; "" if not requested

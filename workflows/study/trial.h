@@ -36,12 +36,12 @@ Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request
 /// Why some sampled trial could not be played with any plan; nothing if all can. Reasons: a value that is both sampled
 /// and set (code `said_twice`); an option that sampling puts out of its range, alone or together with the request
 /// (sensor noise times `sensor_noise_scale`), or a push on a link that does not exist: code `disturbances`. @throws
-/// InvalidArgument where the request itself has an option out of its range.
+/// InvalidArgument if the request itself has an option out of range.
 std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
                                      const Disturbances& disturbances);
 
-/// As above for a given plan: also a push that may come after its end (code `late_push`), and everything else that Play
-/// refuses.
+/// As above for a given plan. Further reasons: a push that may come after its end (code `late_push`), and everything
+/// that Play refuses.
 std::optional<Failure> WhyNotTried(const TrialStudy& study);
 
 /// Plays and scores one trial: a pure function of the study and the seed, so logs are equal to the byte on all machines

@@ -9,7 +9,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// One parameter alone, in a task that lacks nothing.
+/// A task with this parameter and the required ones only.
 Task Alone(const Task& task, const std::string& key, const ActionRule& rule) {
   Task alone{task.action, {{key, task.parameters.at(key)}}, "", {}};
   for (const std::string& required : rule.required) {
@@ -56,13 +56,13 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
   }
 }
 
-/// The words of a parameter that is missing.
+/// The accepted words of a missing parameter.
 std::string WhatToSay(const std::string& key) {
   if (key == "direction") return "left or right";
   return fmt::format("one of {}", fmt::join(FindParameter(key)->words, ", "));
 }
 
-/// "walk sideways"
+/// Checks "walk sideways", which needs a side.
 void CheckSideways(const std::string& text, const Task& task, const Draft& draft) {
   if (!draft.sideways || task.action == "lower_arm") return;  // arms hang at the sides
   const std::string words = TextOf(text, *draft.sideways);

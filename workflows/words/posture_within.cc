@@ -12,14 +12,14 @@
 namespace gaitwright::tasks {
 namespace {
 
-/// Laws that more time does not mend.
+/// Whether a check does not depend on speed, so that a slower motion does not help.
 bool IsOfPlace(Law law) {
   constexpr std::array<Law, 5> kOfPlace = {Law::kJointPosition, Law::kReach, Law::kSelfCollision, Law::kFootClearance,
                                            Law::kBodyClearance};
   return std::find(kOfPlace.begin(), kOfPlace.end(), law) != kOfPlace.end();
 }
 
-/// One size, slower and slower.
+/// Tries one size at decreasing speeds.
 Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options) {
   constexpr std::array<double, 5> kStretches = {1.0, 1.4, 2.0, 2.8, 4.0};
   Failure failure;
@@ -53,7 +53,7 @@ Failure WhyBroken(const std::string& what, const AuditReport& audit) {
   return {FailureKind::kInfeasible,
           FailureCodeOf(worst.law),
           "PlanTasks",
-          fmt::format("'{}' breaks the law '{}': {}", what, LawName(worst.law), LimitText(worst)),
+          fmt::format("'{}' fails the check '{}': {}", what, LawName(worst.law), LimitText(worst)),
           {},
           worst};
 }

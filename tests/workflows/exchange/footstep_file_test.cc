@@ -114,7 +114,7 @@ TEST(FootstepFile, ManyStepsAreReadAndNoMoreThanThere) {
   ExpectNoSteps(ManySteps(10001), "has 10001 footsteps; at most 10000 are read");
 }
 
-/// All feet in turn, each put where the standing posture has it about the origin, turned to each of these headings.
+/// Steps of all feet in turn: each at its standing position relative to the origin, rotated to each of these headings.
 std::string Turning(double from_rad, double to_rad, int rounds) {
   const std::vector<Pose> standing = StandingFeet(FourFeet());
   const auto place = [&](std::size_t f, double yaw) {

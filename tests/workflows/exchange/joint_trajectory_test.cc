@@ -121,7 +121,7 @@ TEST(JointTrajectory, ANumberHasTheUnitOfTimes) {
   EXPECT_EQ(motion->time_s, (std::vector<double>{0.5, 2.0})) << "what says its unit keeps it";
 }
 
-/// The same messages as JSON.
+/// These messages as JSON.
 std::string JsonMessage(const std::string& points) {
   std::string text = "{\"joint_names\": [";
   for (const std::string& name : Quadruped().dof_names) text += (text.back() == '[' ? "\"" : ", \"") + name + "\"";
@@ -160,7 +160,7 @@ TEST(JointTrajectoryJson, IsReadByTheReaderOfJson) {
   EXPECT_NE(WhyNotJson("[]").find("object"), std::string::npos) << WhyNotJson("[]");
 }
 
-constexpr int kLong = 60000;  // points; a million values of other YAML is read
+constexpr int kLong = 60000;  // points; more than the million values that other YAML files may have
 
 TEST(JointTrajectory, LongOnesAreReadInBothLanguages) {
   std::string yaml = "- {positions: &p {twelve}, velocities: *p, effort: *p, time_from_start: 0}\n",

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 MadeClass::MadeClass() {
   std::string name = (fs::temp_directory_path() / "class-XXXXXX").string();
   folder_ = mkdtemp(name.data());
-  fs::permissions(folder_, fs::perms(0711));  // so that nobody can pass to what is below
+  fs::permissions(folder_, fs::perms(0711));  // so that user nobody can enter the folders below
 }
 
 MadeClass::~MadeClass() {

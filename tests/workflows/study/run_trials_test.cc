@@ -140,7 +140,7 @@ TEST_F(RunTrialsTest, StopsEarlyWhereTheIntervalIsNarrowWhoeverIsQuick) {
 }
 
 TEST_F(RunTrialsTest, PhysicsThatBlowsUpIsAFallAndNotTheEndOfTheRun) {
-  disturbances_.pushes.clear();  // which fell it before
+  disturbances_.pushes.clear();  // the pushes made it fall before
   for (const double at_s : {0.0, 0.3}) {
     request_.play.more_pushes = {{Vector3(0.0, std::nan(""), 0.0), at_s, 0.1, "base"}};
     const auto report = RunTrials(Study(), Some(3, 2));
