@@ -19,7 +19,7 @@ namespace gaitwright {
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
 ///   friction that is barely sufficient        raise friction_sides
-///   infeasible problems take long             lower screening, hopeless
+///   infeasible problems take long             lower screening, infeasible
 ///   a motion that nearly keeps constraints    raise max_penalty
 struct RigidBodyOptions {
   std::string method = "interior-point";
@@ -94,7 +94,7 @@ Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const Rigid
 
 /// Checks before PlanRigidBody, at a tenth of its cost, whether forces could carry the body at all with free rotation,
 /// free swings and the full reach and friction cones. @return kInfeasible `not_carried` with the violated constraints
-/// if violations exceed `hopeless` in all; nothing if a motion may exist. If the planner is not interior-point, the
+/// if violations exceed `infeasible` in all; nothing if a motion may exist. If the planner is not interior-point, the
 /// full problem is checked by that method too, with `unmet_law` if violations exceed five times as much.
 std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
 

@@ -7,7 +7,7 @@ namespace gaitwright {
 
 /// Tuning
 ///   problems that have a solution end with a small violation   raise max_penalty
-///   problems without one take many iterations                  lower screening, hopeless
+///   problems without one take many iterations                  lower screening, infeasible
 ///   short steps from the start                                 raise first_gap
 struct ElasticOptions {
   double tolerance = 1e-8;

@@ -20,7 +20,7 @@ struct BodyStrategyProblem {
 
 /// Functions that plan one walk with a given body posture.
 struct BodyStrategyTrials {
-  /// Plans the motion. It is not completed if its first limit violation exceeds `hopeless`.
+  /// Plans the motion. It is not completed if its first limit violation exceeds `infeasible`.
   std::function<Result<MotionPass>(const BodyStrategy&, double infeasible)> plan;
   /// Whether all feet reach their footholds.
   std::function<bool(const BodyStrategy&)> reaches;

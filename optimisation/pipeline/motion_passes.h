@@ -67,7 +67,7 @@ class MotionPasses {
   Result<MotionPass> RunOnce() { return MakePass(); }
 
   /// Runs passes until the ZMP reaches its reference; stops early if the first ones exceed limits by more than
-  /// `hopeless`.
+  /// `infeasible`.
   Result<MotionPass> Run(int& passes, double infeasible);
 
  private:
