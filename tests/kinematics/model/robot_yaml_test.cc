@@ -117,7 +117,7 @@ TEST(RobotYaml, RefusesLimitsThatCannotBe) {
   ExpectSays(WhyNot("limits: {A_kne: {effort_nm: 3}}"), {"line 1", "no moving joint 'A_kne'", "nearest is 'A_knee'"});
   ExpectSays(WhyNot("limits:\n  A_knee: {lower_rad: 2}"),
              {"line 2", "'A_knee'", "lower limit 2 is above its upper limit 1"});
-  ExpectSays(WhyNot("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "over zero"});
+  ExpectSays(WhyNot("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "above 0"});
   ExpectSays(WhyNot("limits: {A_knee: {effort: 3}}"), {"unknown key 'effort'", "nearest are 'effort_nm', 'effort_n'"});
   ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' is revolute", "_rad"});
   ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0, effort_nm: 2}}"), {"'A_knee'", "use only one kind"});
@@ -281,7 +281,7 @@ TEST(RobotYaml, RefusesGainsAndSpeedsThatCannotBe) {
   ExpectSays(WhyNot("gains: {A_knee: 5}"), {"the gains of 'A_knee' is a single value"});
   ExpectSays(WhyNot("gains: {A_knee: {stiffness: 5}}"),
              {"unknown key 'stiffness'", "nearest are 'stiffness_nm_rad', 'stiffness_n_m'"});
-  ExpectSays(WhyNot("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "over zero"});
+  ExpectSays(WhyNot("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "above 0"});
   ExpectSays(WhyNot("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' is revolute"});
   ExpectSays(WhyNot("gains: {A_kneee: {stiffness_nm_rad: 5}}"), {"no moving joint 'A_kneee'", "nearest is 'A_knee'"});
   ExpectSays(WhyNot("nominal_speed_m_s: 0"), {"'nominal_speed_m_s' is 0"});
