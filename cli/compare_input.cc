@@ -98,9 +98,10 @@ void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
   if (!files.columns_b.empty() && !b.table)
     throw InvalidArgument(fmt::format("--columns-b is given, but '{}' is not a CSV file", b.path));
   if (!files.columns.empty() && !a.table && (!b.table || !files.columns_b.empty()))
-    throw InvalidArgument("--columns is given, but neither file is a CSV that it applies to");
+    throw InvalidArgument(b.table ? "--columns is given, but A is not a CSV file and B is read with --columns-b"
+                                  : "--columns is given, but neither file is a CSV file");
   if (units && !a.has_units() && !b.has_units())
-    throw InvalidArgument("units or a quaternion order are given, but neither file is a CSV or a trajectory");
+    throw InvalidArgument("a unit or --quaternion-order is given, but neither file is a CSV or a ROS joint trajectory");
   a.reading = {files.columns, files.units};
   b.reading = {files.columns_b.empty() ? files.columns : files.columns_b, files.units};
   if (!a.table || !b.table || !files.columns_b.empty()) return;

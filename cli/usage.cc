@@ -52,7 +52,7 @@ std::string UnexpectedWord(Verb program, Verb verb, const std::string& word) {
   const std::vector<std::string> verbs = VerbNames(verb);
   if (verbs.empty()) return fmt::format("{}: unexpected argument '{}'", verb.words(), word);
   const std::string list = QuotedList(verbs);
-  return verb == program ? fmt::format("there is no verb '{}'{}; there are {}", word, NearestHint(word, verbs), list)
+  return verb == program ? fmt::format("there is no verb '{}'{}; accepted: {}", word, NearestHint(word, verbs), list)
                          : fmt::format("'{} {}' does not exist; accepted: {}", verb.words(), word, list);
 }
 
@@ -60,7 +60,7 @@ std::string UsageText(Verb program, Verb verb, const UsageError& error) {
   const bool no_verb = verb == program;
   if (!error.unread.empty() && (no_verb || error.kind == UsageError::Kind::kUnexpectedWord))
     return UnexpectedWord(program, verb, error.unread.front());
-  if (no_verb) return fmt::format("a verb is needed; there are {}", QuotedList(VerbNames(program)));
+  if (no_verb) return fmt::format("a verb is needed; accepted: {}", QuotedList(VerbNames(program)));
   std::string what = error.what();
   what = what.substr(0, what.find('\n'));
   if (error.kind == UsageError::Kind::kCountOfValues) {

@@ -173,7 +173,7 @@ void AddDo(Verb program, int& status) {
   AddText(verb, "--model", "NAME", a->interpreter.model, "Name of the language model, with --interpreter.");
   AddNumber(verb, "--interpreter-timeout", "s", a->interpreter.longest_s,
             "Time limit for one answer of the language model, 0.1 to 3600; default 60.");
-  verb.AddSwitch("--yes", a->yes, "Carry it out without asking; default: ask on a terminal.");
+  verb.AddSwitch("--yes", a->yes, "Carry out the task plan without confirmation; default: ask on a terminal.");
   verb.AddSwitch("--tasks-only", a->only_tasks, "Print the task plan as JSON and exit.");
   verb.AddSwitch("--schema", a->schema, "Print the JSON schema of task plans and exit.");
   verb.SetGroup("Options");

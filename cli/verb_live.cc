@@ -105,14 +105,14 @@ void AddLive(Verb program, int& status) {
   verb.SetGroup("Robot");
   a->robot.AddTo(verb);
   AddText(verb, "--controller", "NAME", a->play.controller,
-          "stabilised, joint-pd or recovering (takes recovery steps when pushed while standing, else as stabilised); "
+          "stabilised, joint-pd or recovering (as stabilised, but takes recovery steps if pushed while standing); "
           "default stabilised.");
   const OptionFields fields = a->play.Fields();
   AddField(verb, "--engine", fields, "play.engine");
   verb.SetGroup("Web page");
   AddText(verb, "--host", "ADDRESS", a->address.host,
-          "Network address to listen on; the default 127.0.0.1 is local; with any other, everyone who reaches it can "
-          "move the robot.");
+          "Network address to listen on; default 127.0.0.1, which only this machine can reach. Everyone who can reach "
+          "another address can move the robot.");
   AddWholeNumber(verb, "--port", 0, a->address.port, "Port; 0 uses any free port; default 8017.");
   verb.AddSwitch("--no-open", a->no_open, "Do not open the page in this desktop's browser.");
   AddNumber(verb, "--for", "s", a->for_s, "End after this time; default 0: run until Ctrl-C.");

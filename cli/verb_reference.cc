@@ -29,7 +29,7 @@ int PrintSchema(const std::string& name) {
   const auto at = std::find(names.begin(), names.end(), name);
   if (at == names.end())
     throw InvalidArgument(fmt::format("--schema: '{}' does not exist{}", name,
-                                      NearestOrAll(name, names, "reference prints all of them")));
+                                      NearestOrAll(name, names, "'gaitwright reference' lists all schemas")));
   fmt::print("{}", documents[static_cast<std::size_t>(at - names.begin())].schema);
   return kPass;
 }

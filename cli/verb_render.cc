@@ -156,7 +156,8 @@ void AddPictureFlags(Verb verb, RenderSettings& a) {
                 fmt::format("Parts to hide: {}; default: none.", JoinWords(OverlayNames(), ", ")))
       .SetType("NAME,...")
       .SplitAt(',');
-  verb.AddSwitch("--dark", a.picture.dark, "Light lines on dark ground; default: dark on light.");
+  verb.AddSwitch("--dark", a.picture.dark,
+                 "Light lines on a dark background; default: dark lines on a light background.");
   AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles,
                  "Number of gait cycles in the figure, at most 1000; default 10.");
 }

@@ -187,9 +187,9 @@ void AddSweepFlags(Verb verb, SweepSettings& a) {
   AddWholeNumber(verb, "--samples", 1, a.samples,
                  "Number of points of a Halton sequence (see --seed), instead of a grid; default: a grid.");
   verb.SetGroup("Work at each point");
-  AddWholeNumber(
-      verb, "--trials", 0, a.trials,
-      "Randomised playbacks for each point whose plan passes its audit; all points get the same; default 0.");
+  AddWholeNumber(verb, "--trials", 0, a.trials,
+                 "Randomised playbacks for each point whose plan passes its audit; all points get the same "
+                 "disturbances; default 0.");
   a.study.disturbances.AddTo(verb);
   AddText(verb, "--metrics", "KEYS", a.metrics, "Comma-separated metrics to report; default " + a.metrics + ".");
   a.study.AddWorkTo(verb);

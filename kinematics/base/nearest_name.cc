@@ -81,7 +81,7 @@ std::string NearestOrAll(const std::string& word, const std::vector<std::string>
   std::string hint = NearestHint(word, candidates);
   if (!hint.empty() || candidates.empty()) return hint;
   if (candidates.size() > kMostListed) return listed_by.empty() ? "" : "; " + listed_by;
-  return fmt::format("; there {} {}", candidates.size() == 1 ? "is" : "are", QuotedList(candidates));
+  return "; accepted: " + QuotedList(candidates);
 }
 
 }  // namespace gaitwright

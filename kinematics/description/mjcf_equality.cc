@@ -43,8 +43,11 @@ class MjcfCoupler {
       return;
     }
     if (!JointAt(first).is_scalar() || (second >= 0 && !JointAt(second).is_scalar()) || first == second)
-      RefuseMjcf(FailureCode::kMjcfEquality,
-                 fmt::format("{}: it couples a ball joint, or a joint to itself", attributes.owner()));
+      RefuseMjcf(
+          FailureCode::kMjcfEquality,
+          fmt::format(
+              "{}: it couples a ball joint, or a joint to itself; two different hinge or slide joints are accepted",
+              attributes.owner()));
     std::vector<double> a = {0.0, 1.0, 0.0, 0.0, 0.0};
     const std::vector<double> given = attributes.Numbers("polycoef", 1, a.size());
     std::copy(given.begin(), given.end(), a.begin());

@@ -47,7 +47,8 @@ void ReadMjcfSize(const MjcfAttributes& attributes, bool from_to, MjcfGeom& geom
 void ReadMjcfEnds(const MjcfAttributes& attributes, const Pose& X_BF, MjcfGeom& geom) {
   if (geom.type == MjcfGeomType::kSphere || geom.type == MjcfGeomType::kMesh)
     RefuseMjcf(FailureCode::kMjcfGeom,
-               fmt::format("{}: 'fromto' is for capsule, cylinder, ellipsoid and box", geom.owner));
+               fmt::format("{}: 'fromto' is for capsule, cylinder, ellipsoid and box, not for a {}", geom.owner,
+                           geom.type == MjcfGeomType::kSphere ? "sphere" : "mesh"));
   const std::vector<double> ends = attributes.Numbers("fromto", 6, 6);
   const Vector3 from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
   const double half = 0.5 * (from - to).norm();
@@ -108,8 +109,12 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   geom.is_shell = attributes.Flag("shellinertia", false);
   if (attributes.Has("mass")) geom.mass = attributes.Number("mass", 0.0);
   geom.density = attributes.Number("density", geom.density);
-  if (geom.mass.value_or(0.0) < 0.0 || geom.density < 0.0)
-    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: its mass or density is negative", geom.owner));
+  const double mass = geom.mass.value_or(0.0);
+  if (mass < 0.0 || geom.density < 0.0) {
+    const std::string value =
+        mass < 0.0 ? fmt::format("mass is {} kg", mass) : fmt::format("density is {} kg/m^3", geom.density);
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: its {}; zero or more is accepted", geom.owner, value));
+  }
   return geom;
 }
 
@@ -135,11 +140,13 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     mesh.scale = attributes.Three("scale", Vector3::Ones());
     mesh.p_ref = attributes.Three("refpos", Vector3::Zero());
     if (mesh.scale.cwiseAbs().minCoeff() == 0.0)
-      RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its scale is 0", mesh.owner));
+      RefuseMjcf(FailureCode::kMjcfMesh,
+                 fmt::format("{}: its scale is 0 along an axis; other values are accepted", mesh.owner));
     if (const auto q = attributes.Numbers("refquat", 4, 4); !q.empty()) {
       const Quaternion quaternion(q[0], q[1], q[2], q[3]);
       if (quaternion.norm() < 1e-9)
-        RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its refquat is zero", mesh.owner));
+        RefuseMjcf(FailureCode::kMjcfMesh,
+                   fmt::format("{}: its 'refquat' is zero, which is not a rotation", mesh.owner));
       mesh.R_ref = quaternion.normalized().toRotationMatrix();
     }
     std::string name = attributes.Name("name");

@@ -83,7 +83,8 @@ class MjcfTreeReader {
     if (tag == "geom") {
       of.geoms.push_back(part);
     } else if (tag == "inertial") {
-      if (of.inertial) RefuseMjcf(FailureCode::kMjcfElement, fmt::format("{}: it has two <inertial>", of.owner));
+      if (of.inertial)
+        RefuseMjcf(FailureCode::kMjcfElement, fmt::format("{}: it has two <inertial>; one is accepted", of.owner));
       of.inertial = part;
     } else if (tag == "joint" || tag == "freejoint") {
       AddJoint(ReadMjcfJoint(context_, part), body);
@@ -177,7 +178,8 @@ void NoteMjcfBase(MjcfContext& context, const MjcfTree& tree) {
                    "it joins the robot's first body to the world; it is left out, because the base floats freely");
   }
   if (is_free && base.joints.size() > 1)
-    RefuseMjcf(FailureCode::kMjcfJoint, fmt::format("{}: it has a free joint as well as other joints", base.owner));
+    RefuseMjcf(FailureCode::kMjcfJoint,
+               fmt::format("{}: it has a free joint as well as other joints; remove the other joints", base.owner));
   if (base.joints.empty())
     context.Note(base.owner, "it has no free joint, so MuJoCo fixes it to the world; here it is a floating base");
 }

@@ -84,9 +84,9 @@ LegIk::LegIk(const RobotModel& model, int leg, Method method) : chain_(model, le
   if (method == Method::kDamped) return;
   form_ = FitForm(chain_, method);
   if (!form_) {
-    throw InvalidArgument(
-        fmt::format("foot '{}': its leg of {} joints does not have the geometry of the {} form; use '{}'",
-                    chain_.foot_name, chain_.links.size(), NameOf(method), NameOf(MethodOf(model, leg))));
+    throw InvalidArgument(fmt::format("foot '{}': its leg of {} joints does not fit the IK method '{}'; use '{}'",
+                                      chain_.foot_name, chain_.links.size(), NameOf(method),
+                                      NameOf(MethodOf(model, leg))));
   }
   const Vector6 a = PositionsOf(chain_, chain_.lower), b = PositionsOf(chain_, chain_.upper);
   lower_ = a.cwiseMin(b);

@@ -55,8 +55,9 @@ void ApplyLegs(const std::vector<LegOverride>& given, RobotModel& model) {
     }
     const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
     if (said.knee_sign > 0.0 ? knee.upper <= 0.0 : knee.lower >= 0.0) {
-      RefuseYamlLine(said.line, fmt::format("knee '{}' cannot bend to {}: its limits are {} to {}", knee.name,
-                                            said.knee_sign > 0.0 ? "plus" : "minus", knee.lower, knee.upper));
+      RefuseYamlLine(said.line,
+                     fmt::format("knee '{}' cannot bend to {} (its 'knee_side'): its limits are {} to {}", knee.name,
+                                 said.knee_sign > 0.0 ? "plus" : "minus", knee.lower, knee.upper));
     }
     leg.knee_sign = said.knee_sign;
   }

@@ -182,13 +182,13 @@ void ApplyRests(const RobotYaml& yaml, RobotModel& model) {
     for (const Frame& frame : model.frames) links.push_back(frame.name);
     if (std::find(links.begin(), links.end(), rest.link) == links.end()) {
       RefuseYamlLine(rest.line,
-                     fmt::format("there is no link '{}' to lie on{}", rest.link, NearestHint(rest.link, links)));
+                     fmt::format("link '{}' of 'rests' does not exist{}", rest.link, NearestHint(rest.link, links)));
     }
     const auto of_link = [&](const Foot& foot) { return foot.link == rest.link; };
     if (std::any_of(model.feet.begin(), model.feet.end(), of_link))
-      RefuseYamlLine(rest.line, fmt::format("link '{}' is already a foot or a support link of lying", rest.link));
+      RefuseYamlLine(rest.line, fmt::format("link '{}' of 'rests' is a foot or is listed twice", rest.link));
     const std::optional<Foot> found = FindRest(model, rest.link, yaml.sole_give_m);
-    if (!found) RefuseYamlLine(rest.line, fmt::format("link '{}' has no flat bottom to lie on", rest.link));
+    if (!found) RefuseYamlLine(rest.line, fmt::format("link '{}' of 'rests' has no flat bottom", rest.link));
     model.feet.push_back(*found);
     model.notes.push_back(fmt::format("it may lie on link '{}': {}", rest.link, found->derived_from));
   }

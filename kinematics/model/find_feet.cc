@@ -195,11 +195,14 @@ void CheckGiveIsIdle(const RobotModel& model, const Leg& leg, const std::vector<
   const bool own = given != nullptr && given->sole_give_m.has_value();
   const int line = own ? given->line : choices.sole_give_line;
   if (leg.joints.size() >= kSoleJoints && FindSole(model, leg, shapes, standing, std::nullopt, foot)) {
-    RefuseYamlLine(line, fmt::format("'sole_give_m' leaves foot '{}' without a sole: no area of its shapes lies within "
-                                     "{} m of their lowest point; a sole is found without this key",
+    RefuseYamlLine(line, fmt::format("foot '{}' has no sole with 'sole_give_m' {}: its shapes have no area within this "
+                                     "height [m] of their lowest point; leave the key out to find a sole",
                                      name, own ? *given->sole_give_m : *choices.sole_give_m));
   }
-  if (own) RefuseYamlLine(line, fmt::format("foot '{}' has 'sole_give_m', but no sole is found in its shapes", name));
+  if (own)
+    RefuseYamlLine(line, fmt::format("foot '{}' has 'sole_give_m', but no sole is found in its shapes; leave the key "
+                                     "out, or give the sole's corners: 'sole_m'",
+                                     name));
 }
 
 /// Sets the sole given by the user.

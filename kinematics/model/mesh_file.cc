@@ -115,7 +115,7 @@ std::vector<Vector3> FarthestAlong(const std::vector<Vector3>& points, const std
 Result<Mesh> ReadMesh(const std::string& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error))
-    return Refused(FailureCode::kNoFile, fmt::format("there is no file '{}'", path));
+    return Refused(FailureCode::kNoFile, fmt::format("file '{}' does not exist", path));
   if (std::find(kKinds.begin(), kKinds.end(), Kind(path)) == kKinds.end()) {
     return Refused(FailureCode::kMeshKind,
                    fmt::format("'{}' is a mesh in an unsupported format; accepted: {}", path, QuotedList(kKinds)));
@@ -123,8 +123,10 @@ Result<Mesh> ReadMesh(const std::string& path) {
   const Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
   if (!bytes) return bytes.failure();
   if (bytes->starts_with("version https://git-lfs")) {
-    return Refused(FailureCode::kNoFile,
-                   fmt::format("the mesh '{}' is a pointer of Git LFS; fetch the file with 'git lfs pull'", path));
+    return Refused(
+        FailureCode::kNoFile,
+        fmt::format("the mesh '{}' is a Git LFS pointer, not the file itself; fetch the file with 'git lfs pull'",
+                    path));
   }
   Mesh mesh;
   try {

@@ -19,8 +19,9 @@ int VertexOf(const std::string& corner, std::size_t vertices, const std::string&
   const bool is_number = error == std::errc{} && stop == word.data() + word.size();
   if (is_number && index >= 1 && index <= count) return static_cast<int>(index - 1);
   if (is_number && index <= -1 && index >= -count) return static_cast<int>(count + index);
-  throw InvalidArgument(fmt::format("{}: the corner '{}' names no vertex; the lines before it define {}", place,
-                                    Shortened(corner), vertices));
+  throw InvalidArgument(
+      fmt::format("{}: face corner '{}' refers to a vertex that does not exist; the lines before it define {} vertices",
+                  place, Shortened(corner), vertices));
 }
 
 void TakeLine(const std::string& line, const std::string& place, Mesh& mesh) {

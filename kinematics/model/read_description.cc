@@ -96,7 +96,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
     return Failure{FailureKind::kBadInput,
                    FailureCode::kNotUrdf,
                    "LoadRobot",
-                   fmt::format("'{}' is a pointer of Git LFS, not the file itself", path),
+                   fmt::format("'{}' is a Git LFS pointer, not the file itself", path),
                    {"fetch the file with 'git lfs pull'"}};
   } else if (text->find_first_not_of(" \t\r\n") == std::string::npos) {
     return Failure{FailureKind::kBadInput, FailureCode::kNotUrdf, "LoadRobot", fmt::format("'{}' is empty", path), {}};

@@ -46,7 +46,7 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   const std::string name = NameOf(joint, "a joint");
   const std::string owner = fmt::format("joint '{}'", name);
   if (!tree.joint_names.insert(name).second) {
-    Refuse(FailureCode::kDoubleName, fmt::format("{}: there are two joints of that name", owner));
+    Refuse(FailureCode::kDoubleName, fmt::format("{}: two joints have this name", owner));
   }
   const std::string type = Attribute(joint, "type", owner);
   if (std::find(kSupportedJoints.begin(), kSupportedJoints.end(), type) == kSupportedJoints.end()) {
@@ -90,7 +90,8 @@ void CheckRoots(const Tree& tree) {
     std::set<std::string> seen;
     while (tree.parent_of.contains(at)) {
       if (!seen.insert(at).second)
-        Refuse(FailureCode::kUrdfLoop, fmt::format("link '{}' is part of a cycle of joints: a closed loop", link));
+        Refuse(FailureCode::kUrdfLoop,
+               fmt::format("link '{}' is part of a cycle of joints: a closed loop; the joints must form a tree", link));
       at = tree.parent_of.at(at);
     }
   }
@@ -171,7 +172,7 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
     const std::string name = NameOf(*link, "a link");
     const std::string owner = fmt::format("link '{}'", name);
     if (!tree.links.insert(name).second)
-      Refuse(FailureCode::kDoubleName, fmt::format("{}: there are two links of that name", owner));
+      Refuse(FailureCode::kDoubleName, fmt::format("{}: two links have this name", owner));
     tree.link_names.push_back(name);
     CheckLink(*link, strict, owner);
   }

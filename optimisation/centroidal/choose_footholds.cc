@@ -102,8 +102,8 @@ class Chooser {
         FailureKind::kInfeasible,
         FailureCode::kOutOfReach,
         "ChooseFootholds",
-        fmt::format("foot {}, on the ground from {:.2f} to {:.2f} s while the body moves {:.2f} m, stays {:.3f} m "
-                    "outside its workspace at {:.2f} s on the best path found, for any forces",
+        fmt::format("foot {} is on the ground from {:.2f} to {:.2f} s while the body moves {:.2f} m; on the best path "
+                    "found, it is {:.3f} m outside its workspace at {:.2f} s",
                     stance.foot, stance.start_s, stance.end_s, (last - first).norm(), misfit.largest_m, misfit.at_s),
         {"allow more time, a shorter path or shorter stances"}};
   }
@@ -286,9 +286,9 @@ OptionFields ChooseFootholdsOptions::Fields() {
           {"spacing_s", &spacing_s, "s", 0.01, 1.0,
            "Distance between the positions of the body at which reach is checked."},
           {"misfit_m", &misfit_m, "m", 0.0, 1.0,
-           "Distance out of reach up to which no other patch is tried for a foothold."},
+           "Distance of a foothold outside its foot's workspace above which other patches are tried for it."},
           {"infeasible_m", &infeasible_m, "m", 0.0, 10.0,
-           "Largest distance out of reach that a foothold may keep; the problem is infeasible beyond it."},
+           "Distance of a foothold outside its foot's workspace above which the problem is refused as infeasible."},
           {"max_trials", &max_trials, "1", 1, 1000, "Maximum number of paths of the body that are fitted."}};
 }
 

@@ -45,8 +45,8 @@ Failure NoTiming(const VectorX& durations, const char* which, const char* of_tot
   return {FailureKind::kInfeasible,
           FailureCode::kNoTiming,
           "OptimiseTiming",
-          fmt::format("{} phases take {:g} s in all at their {} durations; the {} accepted total is {:g} s",
-                      durations.size(), durations.sum(), which, of_total, total_s),
+          fmt::format("the {} durations of the {} phases sum to {:g} s; the {} accepted total is {:g} s", which,
+                      durations.size(), durations.sum(), of_total, total_s),
           {"change shortest_s, shortest_swing_s, longest_s, least_total or most_total"}};
 }
 
@@ -276,7 +276,7 @@ OptionFields TimingOptions::PhaseFields() {
           {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase."},
           {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase."},
           {"shortest_swing_s", &shortest_swing_s, "s", 0.0, 100.0,
-           "Shortest duration of a foot's swing; a swing that starts out shorter keeps its duration as the limit."},
+           "Shortest duration of a foot's swing; a swing that is shorter at first must not become even shorter."},
           {"first_change", &first_change, "1", 0.01, 0.9,
            "Largest relative change of a phase's duration in the first step of the optimiser."},
           {"most_change", &most_change, "1", 0.01, 0.9,
@@ -284,8 +284,8 @@ OptionFields TimingOptions::PhaseFields() {
           {"least_gain", &least_gain, "1", 1e-6, 1.0,
            "Relative decrease of the cost below which the optimisation ends."},
           {"max_solves", &max_solves, "1", 0, 1000,
-           "Maximum number of motions planned while the cost falls; the search for a first feasible motion may use as "
-           "many."},
+           "Maximum number of motions planned to lower the cost; the search for a first feasible motion has the same "
+           "limit again."},
       });
 }
 

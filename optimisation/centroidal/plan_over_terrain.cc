@@ -154,9 +154,9 @@ ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, con
 OptionFields PatchSearchOptions::Fields() {
   return {{"near_m", &near_m, "m", 0.0, 10.0, "Largest distance from a foot at which another patch is tried for it."},
           {"better", &better, "1", 0.0, 1.0,
-           "Share of the former sum of violations that a change of patches must stay below to be accepted."},
+           "A change of patches is accepted if the sum of violations falls below this share of the former sum."},
           {"screening_steps", &screening_steps, "1", 1, 10000,
-           "Iterations after which an infeasible solve that compares patches is stopped."},
+           "Number of iterations after which a solve that compares patches is stopped if it is still infeasible."},
           {"most_steps", &most_steps, "1", 1, 100000,
            "Total number of iterations after which no other patches are tried."}};
 }

@@ -53,8 +53,8 @@ void CheckRests(const RigidBodyProblem& problem) {
     if (!(rest.start_s > since_s && rest.end_s > rest.start_s && rest.end_s < problem.duration_s) ||
         !rest.p_WC.allFinite() || !rest.angles_rad.allFinite()) {
       throw InvalidArgument(
-          fmt::format("rigid body: the rest from {} s to {} s does not fit a motion of {} s or its other rests, or its "
-                      "pose is not finite",
+          fmt::format("rigid body: the rest from {} s to {} s must lie within the motion of {} s and after the rest "
+                      "before it, and have a finite pose",
                       rest.start_s, rest.end_s, problem.duration_s));
     }
     since_s = rest.end_s;
@@ -84,7 +84,8 @@ void CheckBody(const RigidBodyProblem& problem) {
 void CheckRegion(const RigidStance& stance, std::size_t number) {
   const auto n = stance.region_F.size();
   if (n == 1 || n == 2)
-    throw InvalidArgument(fmt::format("rigid body: stance {} has a region of {} corners", number, n));
+    throw InvalidArgument(
+        fmt::format("rigid body: stance {} has a region of {} corners; accepted: none, or three or more", number, n));
   for (std::size_t i = 0; i < n; ++i) {
     const Vector2 edge = stance.region_F[(i + 1) % n] - stance.region_F[i];
     const Vector2 next = stance.region_F[(i + 2) % n] - stance.region_F[(i + 1) % n];
@@ -132,7 +133,9 @@ void CheckStances(const RigidBodyProblem& problem) {
                       stance.start_s, stance.end_s, stance.foot, from, problem.duration_s));
     }
     from = stance.end_s;
-    if (!(stance.friction > 0.0)) throw InvalidArgument(fmt::format("rigid body: stance {} has no friction", s));
+    if (!(stance.friction > 0.0))
+      throw InvalidArgument(
+          fmt::format("rigid body: stance {} has the friction coefficient {}; it must be above 0", s, stance.friction));
     if (!stance.X_WF.matrix().allFinite())
       throw InvalidArgument(fmt::format("rigid body: the foothold of stance {} is not finite", s));
     CheckRegion(stance, s);
@@ -169,7 +172,7 @@ void CheckSwings(const RigidBodyProblem& problem) {
     if (swing.free && (swing.detour_W.empty() || swing.detour_W.size() % 2 != 0))
       throw InvalidArgument(
           fmt::format("rigid body: the free swing from stance {} has {} control points; accepted: an "
-                      "even count of them",
+                      "even number",
                       swing.from, swing.detour_W.size()));
     CheckShares(swing);
   }
@@ -264,7 +267,8 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
   CheckBody(problem);
   for (std::size_t f = 0; f < problem.feet.size(); ++f) {
     if (problem.feet[f].contacts_F.empty() || !(problem.feet[f].force_max_n > 0.0))
-      throw InvalidArgument(fmt::format("rigid body: foot {} cannot carry any load", f));
+      throw InvalidArgument(fmt::format(
+          "rigid body: foot {} cannot carry any load; it needs a contact point and a largest force above 0", f));
   }
   CheckStances(problem);
   CheckSwings(problem);

@@ -69,7 +69,7 @@ RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, std::vecto
     : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0), breaks_s_(std::move(breaks_s)) {
   if (breaks_s_.size() < 2 ||
       std::adjacent_find(breaks_s_.begin(), breaks_s_.end(), std::greater_equal<>()) != breaks_s_.end())
-    throw InvalidArgument("rigid body: its nodes must rise from its start to its end");
+    throw InvalidArgument("rigid body: two or more nodes at increasing times are needed");
   for (const double t : SwitchTimes(problem)) {
     const double nearest = breaks_s_[Nearest(breaks_s_, t)];
     if (std::abs(nearest - t) > kSameSwitch_s)

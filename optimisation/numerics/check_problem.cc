@@ -20,8 +20,9 @@ void CheckInterval(const std::string& what, const VectorX& lower, const VectorX&
   }
   for (Eigen::Index i = 0; i < size; ++i) {
     if (!(lower[i] <= upper[i]))
-      throw InvalidArgument(
-          fmt::format("Solve: {}: bounds {} are {} (lower) and {} (upper)", what, i, lower[i], upper[i]));
+      throw InvalidArgument(fmt::format(
+          "Solve: {}: bounds {} are {} (lower) and {} (upper); the lower one must not be above the upper one", what, i,
+          lower[i], upper[i]));
   }
 }
 

@@ -21,7 +21,8 @@ struct CmaEsOptions {
   OptionFields Fields() {
     return {{"population", &population, "1", 0.0, 1000.0,
              "Number of points in a generation; 0 uses 4 + 3 ln n for n unknowns."},
-            {"spread", &spread, "1", 1e-6, 1.0, "Standard deviation of the first generation."}};
+            {"spread", &spread, "1", 1e-6, 1.0,
+             "Standard deviation of the first generation, as a share of the range of each unknown."}};
   }
 };
 

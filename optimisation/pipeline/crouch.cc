@@ -51,7 +51,7 @@ std::vector<double> SpeedByTorque(const std::vector<PushOff>& at) {
 }
 
 std::string MotorText(const RobotModel& model, int index, bool speed) {
-  if (index < 0) return "no motor";
+  if (index < 0) return "no motor is at its limit";
   const Actuator motor = ActuatorOf(model, index);
   return speed ? fmt::format("'{}' is limited to {:.3g} rad/s", motor.name, motor.velocity_limit)
                : fmt::format("'{}' is limited to {:.3g} N m", motor.name, motor.effort_limit);
@@ -64,9 +64,9 @@ Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const Pus
                                          "a larger duty factor (--set gait.duty_factor)"};
   if (longest_s > 0.005) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
   return {FailureKind::kInfeasible, by_speed ? FailureCode::kLegsTooSlow : FailureCode::kLegsTooWeak, "CrouchFor",
-          fmt::format("a flight of {:.3f} s at {:.2f} s needs a lift-off speed of {:.2f} m/s and {:.2f} m/s before the "
-                      "push ends; with flat soles and a level body, the legs of '{}' give at most {:.2f} m/s with the "
-                      "centre of mass at {:.3f} m, where {}",
+          fmt::format("a flight of {:.3f} s at {:.2f} s needs a lift-off speed of {:.2f} m/s; because a push ends "
+                      "gradually, the legs must reach {:.2f} m/s. With flat soles and a level body, the legs of '{}' "
+                      "reach at most {:.2f} m/s, with the centre of mass at {:.3f} m, where {}",
                       flight.duration_s, flight.start_s, takes, kLeastSpeed * takes, model.name, gives, best.com_m,
                       MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
           suggestions};

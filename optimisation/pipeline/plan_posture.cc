@@ -219,7 +219,8 @@ Result<MotionPlan> PlanPosture(const RobotModel& model, const PostureMotion& mot
   const double step_s = options.pipeline.grid_step_s;
   const PostureMotion on_grid = Stretched(motion, 1.0, step_s);
   if (!(on_grid.duration_s() >= step_s))
-    throw InvalidArgument(fmt::format("posture motion '{}' lasts {} s", motion.name, motion.duration_s()));
+    throw InvalidArgument(fmt::format("posture motion '{}' lasts {} s; at least one time step, {} s, is needed",
+                                      motion.name, motion.duration_s(), step_s));
   MotionPlan plan;
   SetRobot(model, plan);
   plan.terrain = FlatTerrain();
@@ -252,7 +253,7 @@ Result<MotionPlan> WithGesture(const RobotModel& model, const MotionPlan& plan, 
   CheckPostureMotion(model, gesture);
   const WholeBodyTrajectory& w = plan.whole_body;
   if (!(from_s >= w.start_s - kTime && from_s + gesture.duration_s() <= w.end_s() + kTime)) {
-    throw InvalidArgument(fmt::format("gesture '{}' lasts from {} to {} s, but the plan lasts from {} to {} s",
+    throw InvalidArgument(fmt::format("gesture '{}' lasts from {} to {} s; it must lie within the plan, {} to {} s",
                                       gesture.name, from_s, from_s + gesture.duration_s(), w.start_s, w.end_s()));
   }
   MotionPlan moved = plan;

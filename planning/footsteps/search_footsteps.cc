@@ -289,7 +289,7 @@ OptionFields FootstepSearchOptions::Fields() {
        {"leap_height", &leap_height, "1", 0.01, 2.0,
         "Highest step up or down in a gait with flight, as a share of the leg length."},
        {"reserve", &reserve, "1", 0.0, 0.2,
-        "Margin of footholds to the joint ranges and the leg length, as a share of both."},
+        "Margin to the joint limits and to the full leg length, as a share of the joint range and of the leg length."},
        {"offset", &offset, "1", 0.02, 1.0,
         "Largest distance of a foothold from its nominal position, as a share of the leg length."},
        {"body_clearance", &body_clearance, "1", 0.0, 0.5,

@@ -156,7 +156,8 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
       return Failure{FailureKind::kBadInput,
                      FailureCode::kCommand,
                      "PlanFootsteps",
-                     fmt::format("{} footfalls only close the stance of {} feet; {} or more move the robot",
+                     fmt::format("the number of footfalls is {}; a robot with {} feet needs {} or more, because the "
+                                 "last ones bring its feet together",
                                  command.steps, gait.num_feet(), gait.num_feet()),
                      {}};
     }

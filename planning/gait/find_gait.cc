@@ -87,7 +87,7 @@ Result<GaitEntry> FindEntry(const std::string& name, int feet) {
     return BadGait(fmt::format("gait '{}' is for {} feet, but the robot has {}; choose one of {}", name, other_feet,
                                feet, QuotedList(names)));
   }
-  return BadGait(fmt::format("there is no gait '{}' for {} feet; there are {}", name, feet, QuotedList(names)));
+  return BadGait(fmt::format("there is no gait '{}' for {} feet; accepted: {}", name, feet, QuotedList(names)));
 }
 
 /// Default cycle of a gait for a robot, before it is shortened for speed.

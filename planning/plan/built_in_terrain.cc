@@ -76,7 +76,7 @@ Result<Made> MakeFrom(const std::string& spec, const TerrainScale& scale) {
       return RefusedTerrain(FailureCode::kTerrainParameter, fmt::format("terrain '{}': {}", name, error.what()));
     }
   }
-  return RefusedTerrain(FailureCode::kUnknownTerrain, fmt::format("there is no terrain '{}'{}; there is {}", name,
+  return RefusedTerrain(FailureCode::kUnknownTerrain, fmt::format("there is no terrain '{}'{}; accepted: {}", name,
                                                                   NearestHint(name, names), QuotedList(names)));
 }
 

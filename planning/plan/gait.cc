@@ -117,14 +117,16 @@ void CheckSchedule(const ContactSchedule& schedule, int num_feet) {
   for (std::size_t i = 0; i < schedule.phases.size(); ++i) {
     const ContactPhase& phase = schedule.phases[i];
     if (!(phase.end_s > phase.start_s)) {
-      throw InvalidArgument(fmt::format("contact phase {} lasts from {} s to {} s", i, phase.start_s, phase.end_s));
+      throw InvalidArgument(fmt::format("contact phase {} lasts from {} s to {} s; it must end after its start", i,
+                                        phase.start_s, phase.end_s));
     }
     if ((phase.stance & ~AllFeet(num_feet)) != 0) {
       throw InvalidArgument(fmt::format("contact phase {} names a foot beyond the robot's {} feet", i, num_feet));
     }
     if (i > 0 && schedule.phases[i - 1].end_s != phase.start_s) {
-      throw InvalidArgument(fmt::format("contact phase {} starts at {} s, but the one before ends at {} s", i,
-                                        phase.start_s, schedule.phases[i - 1].end_s));
+      throw InvalidArgument(
+          fmt::format("contact phase {} starts at {} s, but phase {} ends at {} s; the two times must be equal", i,
+                      phase.start_s, i - 1, schedule.phases[i - 1].end_s));
     }
   }
 }

@@ -22,8 +22,8 @@ constexpr double kTime = 1e-6;  // tolerance of the times of plans [s]
 std::size_t RowAt(const WholeBodyTrajectory& w, double time_s) {
   const double row = std::round((time_s - w.start_s) / w.step_s);
   if (!(row >= 0.0 && row < w.size()) || std::abs(w.start_s + row * w.step_s - time_s) > kTime) {
-    throw InvalidArgument(fmt::format("{} s is not a row of a plan from {} to {} s in steps of {} s", time_s, w.start_s,
-                                      w.end_s(), w.step_s));
+    throw InvalidArgument(fmt::format("the plan has no row at {} s; its rows are from {} to {} s in steps of {} s",
+                                      time_s, w.start_s, w.end_s(), w.step_s));
   }
   return static_cast<std::size_t>(row);
 }

@@ -32,7 +32,7 @@ Three Around(const std::vector<Vector3>& ground_W, const Vector3& load) {
     const Vector3 shares = places.inverse() * load;
     if (shares.minCoeff() >= -kTiny) return points;
   }
-  throw InvalidArgument("RestingPlane: the load is not between the first points");
+  throw InvalidArgument("RestingPlane: the load must be within the polygon of the first four ground points");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ Terrain StonesGround::Build() const {
   const double gap = spacing_m - size_m;
   if (2.0 * jitter_m > gap) {
     throw InvalidArgument(
-        fmt::format("stones of size_m {} spacing_m {} apart that move by jitter_m {} overlap; jitter_m may be {:.4g}",
+        fmt::format("stones of size_m {} at spacing_m {} can overlap with jitter_m {}; jitter_m may be {:.4g} at most",
                     size_m, spacing_m, jitter_m, std::max(0.0, std::floor(500.0 * gap) / 1000.0)));
   }
   const double first = start_m + gap, last = first + (count - 1) * spacing_m + size_m;

@@ -245,11 +245,12 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
     if (!over) return std::nullopt;
     if (over->at_rest || tries == kMostTries) {
       const Actuator motor = ActuatorOf(model, over->motor);
-      return Infeasible(FailureCode::kTorque,
-                        fmt::format("{} '{}' needs {:.4g} {} {} on the motion to the plan's first posture, with the "
-                                    "base held in the air; its share of the limit is {:.4g}",
-                                    motor.shared() ? "motor" : "joint", motor.name, over->effort, motor.effort_unit(),
-                                    over->at_rest ? "only to hold" : "even at low speed", over->limit));
+      return Infeasible(
+          FailureCode::kTorque,
+          fmt::format("{} '{}' needs {:.4g} {} {} on the motion to the plan's first posture, with the "
+                      "base held in the air; at most {:.4g} {} is accepted, its share of the limit",
+                      motor.shared() ? "motor" : "joint", motor.name, over->effort, motor.effort_unit(),
+                      over->at_rest ? "only to hold" : "even at low speed", over->limit, motor.effort_unit()));
     }
     for (Move& move : moves)
       move.duration_s = std::ceil(kSlower * move.duration_s / plan.whole_body.step_s) * plan.whole_body.step_s;

@@ -108,13 +108,14 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
   raised = from + free.share * (raised - from);
   const double gain = end.At(raised).z() - end.At(from).z();
   if (!free.met || gain >= kLeast * model.leg_length_m()) return raised;
-  return Failure{
-      FailureKind::kInfeasible,
-      FailureCode::kSelfCollision,
-      "RaisedArm",
-      fmt::format("the arm that ends in '{}' rises by only {:.3f} m before '{}' and '{}' collide",
-                  model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a, free.met->link_b),
-      {}};
+  return Failure{FailureKind::kInfeasible,
+                 FailureCode::kSelfCollision,
+                 "RaisedArm",
+                 fmt::format("the arm that ends in '{}' can be raised by only {:.3f} m before '{}' and '{}' collide; "
+                             "{:.3f} m or more is needed",
+                             model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a,
+                             free.met->link_b, kLeast * model.leg_length_m()),
+                 {}};
 }
 
 Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& raised) {

@@ -207,13 +207,16 @@ Result<PostureMotion> WaveArms(const RobotModel& model, const PostureKey& from, 
 Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from, int on, double inward, double hold_s) {
   constexpr double kSettle = 0.5, kLift = 0.12, kLeast = 1.0;  // [s], share of the leg's length, [s]
   constexpr double kLower = 0.02;                              // share of the leg's length
-  if (model.feet.size() != 2 || !model.feet[0].has_sole() || !model.feet[1].has_sole()) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kTwoFeet,
-                   "BalanceOn",
-                   fmt::format("balancing on one foot needs two feet with soles; robot '{}' has {} feet", model.name,
-                               model.feet.size()),
-                   {}};
+  const auto soles =
+      std::count_if(model.feet.begin(), model.feet.end(), [](const Foot& foot) { return foot.has_sole(); });
+  if (model.feet.size() != 2 || soles != 2) {
+    return Failure{
+        FailureKind::kBadInput,
+        FailureCode::kTwoFeet,
+        "BalanceOn",
+        fmt::format("balancing on one foot needs two feet with soles; robot '{}' has {} feet, {} of them with soles",
+                    model.name, model.feet.size(), soles),
+        {}};
   }
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);

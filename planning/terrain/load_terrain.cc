@@ -103,7 +103,7 @@ Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale&
   }
   std::error_code error;
   if (!fs::is_regular_file(file.path, error))
-    return Refused(FailureCode::kNoFile, fmt::format("there is no terrain file '{}'", file.path));
+    return Refused(FailureCode::kNoFile, fmt::format("terrain file '{}' does not exist", file.path));
   try {
     Result<Terrain> terrain = LoadFile(file, scale);
     if (!terrain) return terrain;

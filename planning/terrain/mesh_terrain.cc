@@ -116,10 +116,10 @@ HeightField FieldOver(const Mesh& mesh, const Box& box, double lowest, const Mes
     const std::array<Vector3, 3> corners = Corners(mesh, t);
     if (LooksUp(corners)) looked_at += Raise(corners, field);
     if (looked_at > kMostLooks) {
-      throw InvalidArgument(
-          fmt::format("has faces that overlap {} times and more at the {} points of its height field; remove hidden "
-                      "faces, or give a larger resolution_m",
-                      looked_at / static_cast<long>(field.height_m.size()), field.height_m.size()));
+      throw InvalidArgument(fmt::format(
+          "has faces that overlap {} times or more on average at the {} points of its height field; remove hidden "
+          "faces, or give a larger resolution_m",
+          looked_at / static_cast<long>(field.height_m.size()), field.height_m.size()));
     }
   }
   return field;

@@ -49,8 +49,8 @@ SampledGround GridOver(const Terrain& terrain, const Eigen::AlignedBox2d& extent
   grid.resolution_m = SpacingOver(extent.sizes(), finest);
   if (grid.resolution_m > kCoarsestSpacing) {
     throw InvalidArgument(
-        fmt::format("is {:.4g} by {:.4g} m large; a picture of at most {} points, up to {} m apart, is "
-                    "written. Write a .xml or .obj file instead",
+        fmt::format("is {:.4g} by {:.4g} m large; a picture has at most {} points, at most {} m apart. Write a .xml or "
+                    ".obj file instead",
                     extent.sizes().x(), extent.sizes().y(), kMostNodes, kCoarsestSpacing));
   }
   const auto place = [&](int axis, int& nodes) {
@@ -133,8 +133,8 @@ void CheckSteps(const SampledGround& grid, double lowest) {
       if (step <= kSteepestStep) continue;
       const Vector2 p = grid.origin_W + grid.resolution_m * Vector2(column, row);
       throw InvalidArgument(
-          fmt::format("has a step of {:.4g} m at ({:.4g}, {:.4g}) m; a picture of steps up to {} m can be "
-                      "read back. Write a .xml or .obj file instead",
+          fmt::format("has a step of {:.4g} m at ({:.4g}, {:.4g}) m; a picture may have steps of at most {} m. Write a "
+                      ".xml or .obj file instead",
                       step, p.x(), p.y(), kSteepestStep));
     }
   }
@@ -172,7 +172,7 @@ Result<WrittenGround> WriteGrid(const Terrain& terrain, const Eigen::AlignedBox2
   const double rise = range.high > lowest ? range.high - lowest : 1.0;  // any value: everything is black
   if (rise > kHighest)
     throw InvalidArgument(
-        fmt::format("rises by {:.4g} m; a picture of up to {} m can be read back. Write a .xml or .obj "
+        fmt::format("rises by {:.4g} m; a picture may rise by at most {} m. Write a .xml or .obj "
                     "file instead",
                     rise, kHighest));
   CheckSteps(grid, lowest);

@@ -66,7 +66,8 @@ struct WorldOptions {
          {"solver_iterations", &solver_iterations, "1", 1, 10000,
           "Iterations of the contact solver in each time step."},
          {"contact_softness", &contact_softness, "1", 0.01, 1000.0,
-          "Factor on the compliance of all contacts: at rest a foot sinks in by so many times the depth at 1."},
+          "Factor on the compliance of all contacts; the depth to which a foot at rest sinks in is proportional to "
+          "it."},
          {"contact_cfm", &contact_cfm, "m/(N s)", 0.0, 1.0,
           "Contact softness divided by the time step (CFM); a foot sinks in by CFM x force x step / 0.2."},
          {"actuation",

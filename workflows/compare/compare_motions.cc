@@ -124,7 +124,7 @@ SharedTime Share(const ComparedMotion& a, const ComparedMotion& b, double offset
   if (!shared.time_s.empty()) return shared;
   throw InvalidArgument(
       fmt::format("the motions do not overlap in time: '{}' is from {:.3f} to {:.3f} s, '{}' from {:.3f} to {:.3f} s, "
-                  "whose clock is {:.3f} s ahead; align them by 'start' or 'best'",
+                  "and the second clock is {:.3f} s ahead; align them by 'start' or 'best'",
                   a.name, a.start_s(), a.end_s(), b.name, b.start_s(), b.end_s(), offset_s));
 }
 

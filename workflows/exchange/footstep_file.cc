@@ -188,7 +188,7 @@ class FootstepReader {
     if (lift.has_value() != touch.has_value()) RefuseYaml(node, "lift_off_s and touch_down_s must be given together");
     const std::optional<double> swing = Seconds(map, "swing_s") ? Seconds(map, "swing_s") : swing_s_;
     if (!lift && !swing)
-      RefuseYaml(node, "a footstep needs lift_off_s and touch_down_s, or swing_s, for itself or for all footsteps");
+      RefuseYaml(node, "a footstep needs lift_off_s and touch_down_s, or a swing_s of its own or of all footsteps");
     step.liftoff_s = OnGrid(lift.value_or(now_s_));
     step.touchdown_s = OnGrid(touch.value_or(now_s_ + swing.value_or(0.0)));
     now_s_ = step.touchdown_s + Seconds(map, "pause_s").value_or(pause_s_.value_or(0.1));
@@ -208,7 +208,7 @@ class FootstepReader {
       RefuseYaml(
           node,
           fmt::format(
-              "foot '{}' touches down at {:.6g} s, {:.6g} s before the end; a motion of at most {:.0f} s is accepted",
+              "foot '{}' touches down at {:.6g} s and the motion ends {:.6g} s later; at most {:.0f} s are accepted",
               name, step.touchdown_s, final_stand_s_, kLongestMotion));
     }
     const std::vector<AskedStep>& before = steps_[static_cast<std::size_t>(step.foot)];

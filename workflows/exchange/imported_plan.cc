@@ -176,8 +176,8 @@ class Builder {
     }
     height /= motion_.size();
     if (!(height > 0.0)) {
-      throw InvalidArgument(fmt::format(
-          "its centre of mass is on average {:.3g} m below its footholds, which no pendulum model allows", -height));
+      throw InvalidArgument(
+          fmt::format("its centre of mass is on average {:.3g} m below its footholds; it must be above them", -height));
     }
     c.omega_rad_s = std::sqrt(kGravity / height);
     notes_.derived.push_back({"centre of mass and zero-moment point", "from the model"});

@@ -76,9 +76,10 @@ OptionFields ImportOptions::Fields() {
        "Cut-off frequency of the smoothing of positions before differentiation; 0 disables smoothing."},
       {"lift_m", &lift_m, "m", -10.0, 10.0, "Height added to the base."},
       {"contact_height", &contact_height, "1", 0.0, 0.5,
-       "Largest height of a stance foot above the ground, as a share of the leg length, without contact columns."},
+       "Largest height of a stance foot above the ground, as a share of the leg length; unused if the file has contact "
+       "columns."},
       {"contact_speed", &contact_speed, "1", 0.0, 10.0,
-       "Largest speed of a stance foot, as a share of sqrt(g x leg length), without contact columns."},
+       "Largest speed of a stance foot, as a share of sqrt(g x leg length); unused if the file has contact columns."},
       {"contact_least_s", &contact_least_s, "s", 0.0, 1.0,
        "Shortest contact, and shortest gap between contacts; shorter ones are ignored."},
       {"load_ramp_s", &load_ramp_s, "s", 0.0, 1.0,

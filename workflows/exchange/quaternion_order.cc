@@ -125,7 +125,7 @@ void CheckQuaternionOrder(const RobotModel& model, const Terrain* ground, double
                           ". Use --quaternion-order wxyz for w first, or --quaternion-order xyzw for the named order");
   }
   if (!plausible(named)) {
-    throw InvalidArgument("the robot is upright in no order of the base's quaternion: " + both +
+    throw InvalidArgument("the robot is not upright with either order of the base's quaternion: " + both +
                           ". Use --quaternion-order xyzw for the named order");
   }
   if (plausible(other) && named.slide_m_s > kSlightly * other.slide_m_s + kStill) {

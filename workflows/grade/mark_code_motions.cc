@@ -22,7 +22,8 @@ int FootOf(const RobotModel& model, const std::string& name) {
     if (model.feet[foot].name == name) return static_cast<int>(foot);
     names.push_back(model.feet[foot].name);
   }
-  throw InvalidArgument(fmt::format("the planner moves a foot '{}'{}", name, NearestOrAll(name, names)));
+  throw InvalidArgument(
+      fmt::format("the planner's answer names the unknown foot '{}'{}", name, NearestOrAll(name, names)));
 }
 
 std::vector<PlacedStep> StepsOf(const RubricPart& part, const RobotModel& model, const std::string& line) {
@@ -107,7 +108,7 @@ class AskedController final : public Controller {
     if (!line) throw InvalidArgument(ReasonOf(line.failure()));
     const std::vector<VectorX> rows = ParseRows(*line, 5, dofs_);
     if (rows[3].minCoeff() < 0.0 || rows[4].minCoeff() < 0.0)
-      throw InvalidArgument("it gave a negative stiffness or damping");
+      throw InvalidArgument("it gave a negative stiffness or damping; 0 or more is accepted");
     return {rows[0], rows[1], rows[2], rows[3], rows[4]};
   }
 

@@ -130,7 +130,7 @@ MotionPlan GivenPlan(const RubricPart& part, const RobotModel& model, const Moti
 PlanarPose GoalOf(const RobotModel& model, const WalkCommand& command) {
   if (command.extent == WalkCommand::Extent::kGoal) return {command.goal_x_m, command.goal_y_m, command.goal_yaw_rad};
   if (command.extent != WalkCommand::Extent::kDistance)
-    throw InvalidArgument("a command of steps or of a duration does not set a goal");
+    throw InvalidArgument("a command of steps or of a duration does not set a goal; give a goal or a distance");
   const bool own = command.speed_m_s == 0.0 && command.lateral_speed_m_s == 0.0;
   const double ahead = own ? model.nominal_speed_m_s : command.speed_m_s, left = command.lateral_speed_m_s;
   const double turn = command.yaw_rate_rad_s * command.distance_m / std::hypot(ahead, left);

@@ -24,9 +24,9 @@ Json AnswerOf(const std::string& line) {
       return true;
     });
   } catch (const Json::exception&) {
-    throw InvalidArgument("the answer cannot be read");
+    throw InvalidArgument("the answer is not JSON");
   }
-  if (!json.is_object() || !json.contains("answer")) throw InvalidArgument("the answer cannot be read");
+  if (!json.is_object() || !json.contains("answer")) throw InvalidArgument("the answer lacks the key 'answer'");
   return json["answer"];
 }
 

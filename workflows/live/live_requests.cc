@@ -54,8 +54,11 @@ LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   m.Object({"do", "body", "at_m", "by_m"}, {"along"});
   const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
   const Vector3 at = m.At("at_m").Vector(3), by = m.At("by_m").Vector(3);
-  if (at.norm() > kFarthest) m.Refuse("has a hold point too far away");
-  if (by.norm() > kFarthest) m.Refuse("has a pull distance that is too large");
+  if (at.norm() > kFarthest)
+    m.Refuse(fmt::format("has a hold point too far from the body's origin, {:.4g} m; at most {} m is accepted",
+                         at.norm(), kFarthest));
+  if (by.norm() > kFarthest)
+    m.Refuse(fmt::format("has a pull distance of {:.4g} m; at most {} m is accepted", by.norm(), kFarthest));
   const bool along = m.Has("along") && m.At("along").Truth();
   return [=](LiveWorld& live, LiveClock&, HandId hand) { live.hands().Pull(hand, body, at, by, along); };
 }
@@ -190,7 +193,9 @@ OptionFields LiveOptions(PlayRequest& play) {
 
 LiveRequest ReadLiveRequest(const RobotModel& model, const std::string& message) {
   using Json = JsonPart::Json;
-  if (message.size() > kLongestLiveMessage) throw InvalidArgument("the message is too long");
+  if (message.size() > kLongestLiveMessage)
+    throw InvalidArgument(
+        fmt::format("the message has {} bytes; at most {} are read", message.size(), kLongestLiveMessage));
   try {
     const Json json = ParseJsonOnce(message);
     const JsonPart part(json);

@@ -52,8 +52,8 @@ Failure TooFarApart(const Seam& seam) {
   return {FailureKind::kInfeasible,
           FailureCode::kMisfit,
           "WalkStream",
-          fmt::format("this speed needs a posture ({:.3g} m higher or lower, joints different by up to {:.3g}) that "
-                      "cannot be reached while walking",
+          fmt::format("this speed needs another posture (base {:.3g} m higher or lower, joints moved by up to {:.3g} "
+                      "rad or m), which cannot be reached while walking",
                       seam.height_m, seam.joints),
           {"stop first"}};
 }

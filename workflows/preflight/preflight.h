@@ -22,7 +22,8 @@ struct PreflightOptions {
     return {{"fewest_trials", &fewest_trials, "1", 0.0, 1e6,
              "Smallest number of trials for a go decision; 0 requires none."},
             {"least_survival", &least_survival, "1", 0.0, 1.0,
-             "Smallest survival rate for a go decision with trials: the lower end of the 95 % interval."}};
+             "Smallest survival rate for a go decision with trials; the lower end of its 95 % interval must reach this "
+             "value."}};
   }
 };
 

@@ -34,7 +34,7 @@ void CheckOptions(const PictureOptions& options) {
   within("the speed", options.speed, 0.01, 100);
   const auto known = [](const char* what, const std::string& name, const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
-    throw InvalidArgument(fmt::format("there is no {} '{}'; there are {}", what, name, QuotedList(names)));
+    throw InvalidArgument(fmt::format("there is no {} '{}'; accepted: {}", what, name, QuotedList(names)));
   };
   known("view", options.view, ViewNames());
   for (const std::string& name : options.hidden) known("overlay", name, OverlayNames());

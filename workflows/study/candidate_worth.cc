@@ -84,7 +84,7 @@ Result<CandidateWorth> WorthFromLine(const std::string& line) {
     const bool scored = std::all_of(worth.trials.begin(), worth.trials.end(),
                                     [](const TrialWorth& trial) { return trial.score >= 0.0 && trial.score <= 100.0; });
     if (!scored || (!worth.refusal.empty() && !worth.trials.empty()))
-      throw InvalidArgument("its trials do not belong to a candidate");
+      throw InvalidArgument("a score is outside 0 to 100, or a refused candidate has trials");
     return worth;
   } catch (const std::exception& error) {  // thrown by the JSON reader
     return Failure{FailureKind::kBadInput,

@@ -46,7 +46,7 @@ OptionField& FindField(OptionFields& fields, const std::string& text, const std:
   std::vector<std::string> keys;
   for (const OptionField& f : fields) keys.push_back(f.key);
   throw InvalidArgument(fmt::format("'{}': there is no option '{}'{}", text, key,
-                                    NearestOrAll(key, keys, "--list-options=all prints all of them")));
+                                    NearestOrAll(key, keys, "--list-options=all prints all option keys")));
 }
 
 /// The value as the option writes it. @throws InvalidArgument that names the axis if the option does not accept the

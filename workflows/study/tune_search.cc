@@ -265,7 +265,7 @@ class TuneSearch {
             FailureCode::kHeldOut,
             "SearchTuning",
             fmt::format("held-out trials of the {} values could not be played: {}", of_usual ? "present" : "favourite",
-                        worth.refusal.empty() ? "some are missing" : worth.refusal),
+                        worth.refusal.empty() ? "some trials have no result" : worth.refusal),
             {}};
   }
 

@@ -46,7 +46,8 @@ struct TuneOptions {
          "not fitted.",
          {"auto", "surface", "cma-es"}},
         {"smooth_above", &smooth_above, "1", -1.0, 1.0,
-         "Share of the variance between candidates that a surface must predict for auto to follow it."}};
+         "Smallest share of the variance between candidates that a surface must predict; below it, method auto uses "
+         "CMA-ES."}};
   }
 };
 

@@ -107,7 +107,7 @@ const std::vector<std::string>& ControllerNames() {
 void CheckController(const std::string& name) {
   const std::vector<std::string>& names = ControllerNames();
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw InvalidArgument(fmt::format("there is no controller '{}'; there are '{}'", name, fmt::join(names, "', '")));
+    throw InvalidArgument(fmt::format("there is no controller '{}'; accepted: '{}'", name, fmt::join(names, "', '")));
 }
 
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,

@@ -42,7 +42,7 @@ class Assembler {
     if (clause.forbids) return Forbid(clause);
     const bool in_doubt = std::exchange(after_forbidden_, false) && !clause.follows_break && !clause.corrects;
     if (in_doubt)
-      throw Refused{{FailureCode::kAmbiguous, Text(clause.Words()), "may be forbidden or not", "",
+      throw Refused{{FailureCode::kAmbiguous, Text(clause.Words()), "is unclear: it may be forbidden or requested", "",
                      "a comma before the requested part, or only the requested part"}};
     if (clause.drops) Drop(clause);
     if (clause.drops && clause.is_not) return;

@@ -45,8 +45,8 @@ TEST(NearestHint, GoesOnWithASentenceOrNotAtAll) {
 
 TEST(NearestHint, WhereNoneIsNearAllAreNamedOrWhatNamesThem) {
   EXPECT_EQ(NearestOrAll("sped", {"speed", "jerk"}, "see the list"), "; the nearest is 'speed'");
-  EXPECT_EQ(NearestOrAll("xyz", {"speed", "jerk"}, "see the list"), "; there are 'speed', 'jerk'");
-  EXPECT_EQ(NearestOrAll("xyz", {"speed"}), "; there is 'speed'");
+  EXPECT_EQ(NearestOrAll("xyz", {"speed", "jerk"}, "see the list"), "; accepted: 'speed', 'jerk'");
+  EXPECT_EQ(NearestOrAll("xyz", {"speed"}), "; accepted: 'speed'");
   EXPECT_EQ(NearestOrAll("xyz", {}), "");
   const std::vector<std::string> many(17, "speed");
   EXPECT_EQ(NearestOrAll("xyz", many, "see the list"), "; see the list");

@@ -105,7 +105,7 @@ TEST(YamlMap, APositiveNumberIsOverZero) {
   const YAML::Node node = LoadYaml("{a: 0.5, b: 0, c: -1}");
   const YamlMap map(node, "it");
   EXPECT_EQ(map.Positive("a"), 0.5);
-  EXPECT_EQ(YamlRefusal([&] { map.Positive("b"); }), "line 1: 'b' is 0; it must be over zero");
+  EXPECT_EQ(YamlRefusal([&] { map.Positive("b"); }), "line 1: 'b' is 0; it must be above 0");
   EXPECT_NE(YamlRefusal([&] { map.Positive("c"); }), "");
 }
 

@@ -121,7 +121,7 @@ TEST(MjcfShapes, RefuseSizesByLine) {
   ExpectSays(with("type='sphere' size='1' fromto='0 0 0 0 0 1'"), {"'fromto' is for capsule"});
   ExpectSays(with("type='capsule' size='1' fromto='0 0 1 0 0 1'"), {"'fromto' are the same point"});
   ExpectSays(with("type='capsule' size='1' fromto='0 0 0 0 0 1' pos='1 0 0'"), {"both 'pos' and 'fromto'"});
-  ExpectSays(with("size='1' mass='-1'"), {"mass or density is negative"});
+  ExpectSays(with("size='1' mass='-1'"), {"mass is -1 kg"});
   ExpectSays(with("type='mesh'"), {"it is of type mesh, but has no 'mesh'"});
   ExpectSays(with("type='mesh' mesh='m'", "<asset><mesh file='m.stl' scale='1 1 2' refquat='1 1 0 0'/></asset>"),
              {"line 2: <mesh>", "'refquat' together with a scale"});

@@ -43,7 +43,8 @@ TEST(MeshFaces, DentedOnesAreCutIntoTheirOwnArea) {
 }
 
 TEST(MeshObj, IndicesAreOfVerticesThatAreThere) {
-  ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 1 1 2\n"), {"line 2", "'2' names no vertex", "define 1"});
+  ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 1 1 2\n"),
+             {"line 2", "'2' refers to a vertex that does not exist", "define 1"});
   ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf -2 1 1\n"), {"line 2", "'-2'"});
   ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 0 1 1\n"), {"line 2", "'0'"});
   ExpectSays(WhyNoMesh(ParseObj, "v 0 nan 0\n"), {"line 1", "'nan'", "finite"});

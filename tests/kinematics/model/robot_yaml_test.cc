@@ -119,7 +119,7 @@ TEST(RobotYaml, RefusesLimitsThatCannotBe) {
              {"line 1", "no moving joint 'A_kne'", "nearest is 'A_knee'"});
   ExpectSays(ReasonRefused("limits:\n  A_knee: {lower_rad: 2}"),
              {"line 2", "'A_knee'", "lower limit 2 is above its upper limit 1"});
-  ExpectSays(ReasonRefused("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "over zero"});
+  ExpectSays(ReasonRefused("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "above 0"});
   ExpectSays(ReasonRefused("limits: {A_knee: {effort: 3}}"),
              {"unknown key 'effort'", "nearest are 'effort_nm', 'effort_n'"});
   ExpectSays(ReasonRefused("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' is revolute", "_rad"});
@@ -286,7 +286,7 @@ TEST(RobotYaml, RefusesGainsAndSpeedsThatCannotBe) {
   ExpectSays(ReasonRefused("gains: {A_knee: 5}"), {"the gains of 'A_knee' is a single value"});
   ExpectSays(ReasonRefused("gains: {A_knee: {stiffness: 5}}"),
              {"unknown key 'stiffness'", "nearest are 'stiffness_nm_rad', 'stiffness_n_m'"});
-  ExpectSays(ReasonRefused("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "over zero"});
+  ExpectSays(ReasonRefused("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "above 0"});
   ExpectSays(ReasonRefused("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' is revolute"});
   ExpectSays(ReasonRefused("gains: {A_kneee: {stiffness_nm_rad: 5}}"),
              {"no moving joint 'A_kneee'", "nearest is 'A_knee'"});

@@ -224,9 +224,9 @@ void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options
 TEST(OptimiseTiming, RefusesWhatCannotBe) {
   RigidBodyProblem problem = rigid_bodies::Hopper();
   ExpectRefused(problem, {.shortest_s = 0.5}, FailureKind::kInfeasible, FailureCode::kNoTiming,
-                "3 phases take 1.5 s in all at their shortest durations; the longest accepted total is 1.25 s");
+                "the shortest durations of the 3 phases sum to 1.5 s; the longest accepted total is 1.25 s");
   ExpectRefused(problem, {.longest_s = 0.4}, FailureKind::kInfeasible, FailureCode::kNoTiming,
-                "3 phases take 1.2 s in all at their longest durations; the shortest accepted total is 1.25 s");
+                "the longest durations of the 3 phases sum to 1.2 s; the shortest accepted total is 1.25 s");
   ExpectRefused(problem, {.shortest_s = 0.4, .longest_s = 0.3, .least_total = 0.5}, FailureKind::kBadInput,
                 FailureCode::kNoDuration, "the shortest phase duration, 0.4 s, is above the longest, 0.3 s");
   ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, FailureCode::kUnmetLaw,

@@ -192,7 +192,8 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
             "rigid body: stance 1 names foot 2, but there are 2 feet");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].start_s = 0.2; }),
             "rigid body: stance 1 lasts from 0.2 to 1.2 s, but foot 0 is free only from 0.3 to 1.9 s");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[4].friction = 0.0; }), "rigid body: stance 4 has no friction");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[4].friction = 0.0; }),
+            "rigid body: stance 4 has the friction coefficient 0; it must be above 0");
   EXPECT_EQ(RefusalOf([](auto& p) {
               p.stances[4].region_F = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
             }),
@@ -201,7 +202,8 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
               p.way.time_s = {0.0, 1.0};
             }),
             "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }), "rigid body: foot 1 cannot carry any load");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }),
+            "rigid body: foot 1 cannot carry any load; it needs a contact point and a largest force above 0");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].end_s = p.stances[4].end_s = 1.8; }),
             "rigid body: no foot is on the ground at the end");
 }

@@ -60,7 +60,7 @@ TEST_F(StartPostures, AreRefusedByNameAndLine) {
   ExpectSaid(FileOf(First(), knee) + knee + ": .nan\n", {knee, "finite"});
   ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1]\n", {"3 numbers", "[x, y, z, w]"});
   ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1, 1]\n", {"length of 1.414"});
-  ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "there are 'joints'"});
+  ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "accepted: 'joints'"});
   ExpectSaid("[1, 2]\n", {"a list", "a map"});
   ExpectSaid("", {"a map"});
   ExpectSaid("a: [1\n", {"not valid YAML"});

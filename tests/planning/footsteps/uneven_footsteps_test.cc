@@ -151,7 +151,9 @@ TEST(UnevenFootsteps, FewerFootfallsThanGoAheadAreRefused) {
   command.step_length_m = 0.03;
   const auto skeleton = Plan("nao", "", LevelPatches(), command);
   ASSERT_FALSE(skeleton.ok());
-  EXPECT_EQ(skeleton.failure().message, "1 footfalls only close the stance of 2 feet; 2 or more move the robot");
+  EXPECT_EQ(skeleton.failure().message,
+            "the number of footfalls is 1; a robot with 2 feet needs 2 or more, because the last ones bring its feet "
+            "together");
 }
 
 }  // namespace

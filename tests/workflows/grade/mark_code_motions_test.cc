@@ -65,7 +65,7 @@ TEST_F(MarkCodeOfMotions, StepsThatAreNoneAreToldSo) {
     return MarkCode(kSteps, "def plan_steps(robot, terrain, goal):\n    return " + steps + "\n");
   };
   ExpectNothing(gives("[]"), {"the planner gave no steps"});
-  ExpectNothing(gives("[('tail', 0, 0, 0)]"), {"a foot 'tail'; there are 'l_ankle', 'r_ankle'"});
+  ExpectNothing(gives("[('tail', 0, 0, 0)]"), {"unknown foot 'tail'; accepted: 'l_ankle', 'r_ankle'"});
   ExpectNothing(gives("[('l_ankle', float('nan'), 0, 0)]"), {"step 1, x is nan"});
   ExpectNothing(gives("[('l_ankle', 0, 0)]"), {"the submission says: ValueError"});
   ExpectNothing(gives("[('l_ankle', 0, 0, 0)] * 5000"), {"more than 1000 steps"});

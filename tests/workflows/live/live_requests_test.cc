@@ -45,7 +45,8 @@ TEST(LiveMessages, WhatIsNoRequestIsRefusedInWords) {
   ExpectParts(RefusalOfMessage(R"({"do": "reset", "now": true})"), {"now"});
   ExpectParts(RefusalOfMessage(R"({"do": "pace"})"), {"gait"});
   ExpectParts(RefusalOfMessage(R"({"do": "reset", "do": "push"})"), {"do"});
-  EXPECT_EQ(RefusalOfMessage(std::string(kLongestLiveMessage + 1, ' ')), "the message is too long");
+  EXPECT_EQ(RefusalOfMessage(std::string(kLongestLiveMessage + 1, ' ')),
+            "the message has 65537 bytes; at most 65536 are read");
 }
 
 TEST(LiveMessages, ValuesOutOfRangeAreRefused) {
