@@ -282,7 +282,8 @@ OptionFields RigidBodyOptions::Fields() {
           {"max_penalty", &max_penalty, "1", 1e-3, 1e6,
            "Maximum penalty weight on constraint violation, in units of half the cost."},
           {"screening", &screening, "1", 1, 10000,
-           "Iterations of the early infeasibility check: after these the solve stops if violations exceed `infeasible`."},
+           "Iterations of the early infeasibility check: after these the solve stops if violations exceed "
+           "`infeasible`."},
           {"infeasible", &infeasible, "1", 0.0, 1e6,
            "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
           {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations of a solve."},
