@@ -39,7 +39,7 @@ void CheckEnding(const NamedPath& output) {
 }
 
 void CheckOutput(const NamedPath& output, const Paths& paths) {
-  CheckWritable(output.name, output.path, WhyNotWritable(output.path));
+  CheckWritable(output.name, output.path, ReasonNotWritable(output.path));
   for (const NamedPath& input : paths.read) {
     if (input.path.empty() || !IsSameFile(output.path, input.path)) continue;
     throw InvalidArgument(fmt::format("{} '{}' would overwrite an input, {} '{}'; give another file", output.name,

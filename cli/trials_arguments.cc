@@ -59,7 +59,7 @@ Result<Disturbances> DisturbanceArguments::Load(const RobotModel& model, PlayReq
   Result<Disturbances> disturbances = LoadDisturbances(file, SensorFields(request));
   if (!disturbances) return disturbances;
   if (auto failure = InVain(*disturbances, request, varied)) return *failure;
-  if (auto failure = WhyNotSampled(model, request, *disturbances)) return *failure;
+  if (auto failure = ReasonNotSampled(model, request, *disturbances)) return *failure;
   return disturbances;
 }
 

@@ -61,7 +61,7 @@ Result<Interpretation> TasksOf(const DoSettings& a, const TaskScope& scope) {
   if (!text) return text.failure();
   Result<TaskPlan> plan = TaskPlanFromJson(*text);
   if (!plan) return plan.failure();
-  if (auto failure = WhyNotPlanned(*plan, scope)) return *failure;
+  if (auto failure = ReasonNotPlanned(*plan, scope)) return *failure;
   return Interpretation{std::move(*plan), "file", {}};
 }
 

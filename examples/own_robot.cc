@@ -27,7 +27,7 @@ Result<PlannedWalk> PlanOwnWalk(const RobotModel& model) {
   return PlanWalk(model, request);
 }
 
-std::string WhyNot(const Failure& failure) {
+std::string ReasonRefused(const Failure& failure) {
   std::string text = failure.message + "\n";
   for (const Suggestion& suggestion : failure.suggestions) text += "hint  " + suggestion.text + "\n";
   return text;

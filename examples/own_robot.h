@@ -18,6 +18,6 @@ std::string WhatWasDerived(const RobotModel& model);
 Result<PlannedWalk> PlanOwnWalk(const RobotModel& model);
 
 /// Text of a failure: its message, then one line for each suggestion.
-std::string WhyNot(const Failure& failure);
+std::string ReasonRefused(const Failure& failure);
 
 }  // namespace gaitwright::examples

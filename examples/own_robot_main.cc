@@ -14,13 +14,13 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     const Result<RobotModel> model = examples::ReadOwnRobot(urdf);
     if (!model) {
-      fmt::print(stderr, "own_robot: {}", examples::WhyNot(model.failure()));
+      fmt::print(stderr, "own_robot: {}", examples::ReasonRefused(model.failure()));
       return 1;
     }
     fmt::print("{}", examples::WhatWasDerived(*model));
     const Result<PlannedWalk> walk = examples::PlanOwnWalk(*model);
     if (!walk) {
-      fmt::print("cannot walk: {}", examples::WhyNot(walk.failure()));
+      fmt::print("cannot walk: {}", examples::ReasonRefused(walk.failure()));
       return 2;
     }
     const MotionPlan& plan = walk->motion.plan;

@@ -72,7 +72,7 @@ class Transaction {
 
   /// Creates the folder and writes the text beside the target.
   std::optional<Failure> Prepare(const OutputFile& file) {
-    if (const std::string why = WhyNotWritable(file.path); !why.empty()) return Unwritable(file.path, why);
+    if (const std::string why = ReasonNotWritable(file.path); !why.empty()) return Unwritable(file.path, why);
     std::error_code error;
     const fs::path target(file.path);
     if (!MakeFolder(target.parent_path(), error)) {

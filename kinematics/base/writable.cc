@@ -22,7 +22,7 @@ std::error_code Denied(const fs::path& path, int what) {
 
 }  // namespace
 
-std::string WhyNotWritable(const std::string& path) {
+std::string ReasonNotWritable(const std::string& path) {
   const fs::path target(path);
   if (!target.has_filename()) return "it is the name of a folder; give a file";
   std::error_code error;

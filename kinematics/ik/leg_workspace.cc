@@ -157,7 +157,7 @@ bool LegWorkspace::WorkOut(const Cell& cell) const {
   const Vector3 from_hip = X_BF.translation() - p_BH_;
   Pose farther = X_BF;
   farther.translation() += reserve_m_ * from_hip.normalized();
-  const double spare = std::min(SpareOf(X_BF), SpareOf(farther));
+  const double spare = std::min(MarginOf(X_BF), MarginOf(farther));
   if (spare < 0.0) return false;
   // Largest rotation of the joints within the cell: the angle of the foot about the hip, larger for folded legs, and
   // the rotation of the foot.
@@ -181,7 +181,7 @@ std::optional<VectorX> LegWorkspace::JointsAt(const Pose& X_BF) const {
   return std::move(solution->joints);
 }
 
-double LegWorkspace::SpareOf(const Pose& X_BF) const {
+double LegWorkspace::MarginOf(const Pose& X_BF) const {
   const std::optional<VectorX> joints = JointsAt(X_BF);
   if (!joints) return -1.0;
   return std::max(0.0, std::min((*joints - chain_.lower).minCoeff(), (chain_.upper - *joints).minCoeff()));

@@ -56,8 +56,8 @@ class LegWorkspace {
   std::size_t Find(const Cell& cell);
   bool WorkOut(const Cell& cell) const;
   Pose InCell(const Cell& cell, double share, unsigned corner) const;
-  bool Solves(const Pose& X_BF) const { return SpareOf(X_BF) >= 0.0; }
-  double SpareOf(const Pose& X_BF) const;
+  bool Solves(const Pose& X_BF) const { return MarginOf(X_BF) >= 0.0; }
+  double MarginOf(const Pose& X_BF) const;
   std::optional<VectorX> JointsAt(const Pose& X_BF) const;
   void Grow();
 

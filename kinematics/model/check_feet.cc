@@ -88,10 +88,10 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
                                    [&](const MissingMesh& mesh) { return body_of(mesh.link) == foot.body; });
     const bool is_seen = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
                                      [&](const Shape& shape) { return shape.body == foot.body; });
-    const bool is_told = std::any_of(given.begin(), given.end(), [&](const FootOverride& f) {
+    const bool is_reported = std::any_of(given.begin(), given.end(), [&](const FootOverride& f) {
       return f.link == foot.link && (f.type || f.radius_m > 0.0 || !f.sole_m.empty());
     });
-    if (gone == missing.end() || is_told) continue;
+    if (gone == missing.end() || is_reported) continue;
     if (is_seen) {
       if (EndsBeyond(model, gone->link, foot)) {
         model.findings.push_back({FindingLevel::kWarning, FailureCode::kMissingMesh,

@@ -10,7 +10,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/polygon.h"
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 #include "optimisation/centroidal/hold_goal.h"
 
 namespace gaitwright {
@@ -68,7 +68,7 @@ class Chooser {
 
   Result<ChosenFootholds> Run() {
     if (const std::optional<Failure> failure = GoalNotHeld()) return *failure;
-    way_ = StraightWay(terrain_, result_.problem, options_.spacing_s);
+    way_ = StraightPath(terrain_, result_.problem, options_.spacing_s);
     // Paths and patches are fitted to each other in turn until the patches no longer change.
     constexpr int kRounds = 5;
     for (int round = 0; round < kRounds; ++round) {
@@ -80,8 +80,8 @@ class Chooser {
     }
     HoldAtGoal();
     TryOthers();
-    const BodyWayMisfit misfit = OutOfReach(result_.problem, way_);
-    if (misfit.largest_m > options_.hopeless_m) return Hopeless(misfit);
+    const BodyTrajectoryMisfit misfit = OutOfReach(result_.problem, way_);
+    if (misfit.largest_m > options_.infeasible_m) return Infeasible(misfit);
     result_.misfit_m = misfit.largest_m;
     result_.problem.way = way_;
     result_.patches = patches_;
@@ -91,7 +91,7 @@ class Chooser {
  private:
   std::vector<RigidStance>& stances() { return result_.problem.stances; }
 
-  Failure Hopeless(const BodyWayMisfit& misfit) const {
+  Failure Infeasible(const BodyTrajectoryMisfit& misfit) const {
     const RigidStance& stance = result_.problem.stances[static_cast<std::size_t>(misfit.stance)];
     Vector3 first = way_.p_WC.back(), last = way_.p_WC.back();
     for (std::size_t k = way_.time_s.size(); k-- > 0;) {
@@ -177,7 +177,7 @@ class Chooser {
   }
 
   void Fit() {
-    FitBodyWay(result_.problem, way_);
+    FitBodyTrajectory(result_.problem, way_);
     ++result_.trials;
   }
 
@@ -248,7 +248,7 @@ class Chooser {
 
   bool Improves(std::size_t s, int patch) {
     const double before = OutOfReach(result_.problem, way_).sum;
-    const BodyWay way = way_;
+    const BodyTrajectory way = way_;
     const std::vector<RigidStance> kept = stances();
     const std::vector<int> patches = patches_;
     Put(s, patch, WantedFoothold(result_.problem, way_, s));
@@ -264,7 +264,7 @@ class Chooser {
   const ChooseFootholdsOptions& options_;
   ChosenFootholds result_;
   std::vector<int> patches_;  // by stance
-  BodyWay way_;
+  BodyTrajectory way_;
 };
 
 }  // namespace
@@ -287,7 +287,7 @@ OptionFields ChooseFootholdsOptions::Fields() {
            "Distance between the positions of the body at which reach is checked."},
           {"misfit_m", &misfit_m, "m", 0.0, 1.0,
            "Distance out of reach up to which no other patch is tried for a foothold."},
-          {"hopeless_m", &hopeless_m, "m", 0.0, 10.0,
+          {"infeasible_m", &infeasible_m, "m", 0.0, 10.0,
            "Largest distance out of reach that a foothold may keep; the problem is infeasible beyond it."},
           {"max_trials", &max_trials, "1", 1, 1000, "Maximum number of paths of the body that are fitted."}};
 }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 #include "optimisation/centroidal/choose_footholds.h"
 
 namespace gaitwright {

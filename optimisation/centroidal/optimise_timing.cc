@@ -144,7 +144,7 @@ class TimingSearch {
 
   /// Penalty of a motion for violated constraints.
   double Paid(const RigidBodySummary& summary) const {
-    return summary.cost + 2.0 * planning_.most_price * summary.violations;
+    return summary.cost + 2.0 * planning_.max_penalty * summary.violations;
   }
 
   /// Searches for times with a feasible motion after a failure.

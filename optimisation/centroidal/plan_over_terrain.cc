@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "kinematics/stability/polygon.h"
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 
 namespace gaitwright {
 namespace {
@@ -147,7 +147,7 @@ ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, con
     PutOnPatch(terrain, change.patch, plan.plan.motion.X_WF[s].translation(), edge_margin_m, choice.problem.stances[s]);
     choice.patches[s] = change.patch;
   }
-  FitBodyWay(choice.problem, choice.problem.way);
+  FitBodyTrajectory(choice.problem, choice.problem.way);
   return choice;
 }
 

@@ -73,21 +73,21 @@ Failure FaultsBetween(const RigidBodySummary& summary) {
 }
 
 /// The result of the early infeasibility check, if constraints are clearly violated; otherwise nothing.
-std::optional<ConstrainedSolution> Hopeless(const RigidBodyProblem& problem, const RigidBodyOptions& options,
-                                            double hopeless) {
+std::optional<ConstrainedSolution> Infeasible(const RigidBodyProblem& problem, const RigidBodyOptions& options,
+                                              double infeasible) {
   constexpr double kNearly = 1e-2;  // violations below it are not clearly infeasible
   const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals, options.grid_s);
   ConstrainedProblem rows = RigidBodyRows(problem, unknowns, options, {});
   rows.start = GuessRigidBody(problem, unknowns);
   ElasticOptions solving;
   solving.tolerance = solving.cost_tolerance = kNearly;
-  solving.price = options.price;
-  solving.most_price = options.most_price;
+  solving.penalty = options.penalty;
+  solving.max_penalty = options.max_penalty;
   solving.screening = options.screening;
-  solving.hopeless = hopeless;
+  solving.infeasible = infeasible;
   solving.max_iterations = options.screening;
   ConstrainedSolution at;
-  if (SolveElastic(rows, solving, &at).ok() || at.violations <= hopeless) return std::nullopt;
+  if (SolveElastic(rows, solving, &at).ok() || at.violations <= infeasible) return std::nullopt;
   return at;
 }
 
@@ -158,11 +158,11 @@ class RigidBodyPlanner {
     ElasticOptions solving;
     solving.tolerance = options_.tolerance;
     solving.cost_tolerance = options_.cost_tolerance;
-    solving.price = options_.price;
-    solving.most_price = options_.most_price;
+    solving.penalty = options_.penalty;
+    solving.max_penalty = options_.max_penalty;
     solving.first_gap = first_gap_;
     solving.screening = options_.screening;
-    solving.hopeless = options_.hopeless;
+    solving.infeasible = options_.infeasible;
     solving.max_iterations = options_.max_iterations;
     return SolveElastic(rows, solving, &at).ok();
   }
@@ -223,7 +223,7 @@ class RigidBodyPlanner {
 
 }  // namespace
 
-std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options) {
+std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options) {
   CheckRigidBodyProblem(problem);
   RigidBodyOptions lenient = options;
   CheckOptions(lenient.Fields());
@@ -231,7 +231,7 @@ std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const Rigi
   lenient.force_margin = lenient.reach_margin_m = lenient.swing_lead_s = 0.0;
   RigidBodyProblem without_swings = problem;
   without_swings.swings.clear();
-  if (const auto at = Hopeless(without_swings, lenient, options.hopeless)) {
+  if (const auto at = Infeasible(without_swings, lenient, options.infeasible)) {
     Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
     failure.code = FailureCode::kNotCarried;
     failure.message = "no contact forces can move the body along its path, for any rotation: " + UnmetOf(*at) +
@@ -240,7 +240,7 @@ std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const Rigi
   }
   if (options.method == "interior-point") return std::nullopt;  // does the same check when it plans
   constexpr double kFar = 5.0;                                  // smaller violations may vanish with another solver
-  if (const auto at = Hopeless(problem, options, kFar * options.hopeless))
+  if (const auto at = Infeasible(problem, options, kFar * options.infeasible))
     return Unmet(problem, at->worst_constraint, UnmetOf(*at));
   return std::nullopt;
 }
@@ -277,13 +277,13 @@ OptionFields RigidBodyOptions::Fields() {
            "Maximum number of refinements, each of which halves the node spacing or adds reach checks."},
           {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0,
            "Relative change of the cost below which the solve has converged."},
-          {"price", &price, "1", 1e-3, 1e6,
+          {"penalty", &penalty, "1", 1e-3, 1e6,
            "Initial penalty weight on constraint violation, in units of half the cost."},
-          {"most_price", &most_price, "1", 1e-3, 1e6,
+          {"max_penalty", &max_penalty, "1", 1e-3, 1e6,
            "Maximum penalty weight on constraint violation, in units of half the cost."},
           {"screening", &screening, "1", 1, 10000,
            "Iterations of the early infeasibility check: after these the solve stops if violations exceed `hopeless`."},
-          {"hopeless", &hopeless, "1", 0.0, 1e6,
+          {"infeasible", &infeasible, "1", 0.0, 1e6,
            "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
           {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations of a solve."},
           {"force_rate", &weights.force_rate, "s", 0.0, 1e3,

@@ -20,7 +20,7 @@ namespace gaitwright {
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
 ///   friction that is barely sufficient        raise friction_sides
 ///   infeasible problems take long             lower screening, hopeless
-///   a motion that nearly keeps constraints    raise most_price
+///   a motion that nearly keeps constraints    raise max_penalty
 struct RigidBodyOptions {
   std::string method = "interior-point";
   double spacing_s = 0.04;
@@ -34,10 +34,10 @@ struct RigidBodyOptions {
   double fault_tolerance = 1e-3;
   int max_refinements = 4;
   double cost_tolerance = 1e-3;
-  double price = 10.0;
-  double most_price = 100.0;
+  double penalty = 10.0;
+  double max_penalty = 100.0;
   int screening = 40;
-  double hopeless = 0.1;
+  double infeasible = 0.1;
   int max_iterations = 100;
   RigidBodyWeights weights = {.stance = 20.0, .way = 1.0};
   bool turns_by_forces = true;  ///< false: rotation is free, a relaxation that tests the forces
@@ -96,7 +96,7 @@ Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const Rigid
 /// free swings and the full reach and friction cones. @return kInfeasible `not_carried` with the violated constraints
 /// if violations exceed `hopeless` in all; nothing if a motion may exist. If the planner is not interior-point, the
 /// full problem is checked by that method too, with `unmet_law` if violations exceed five times as much.
-std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
+std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
 
 /// As above, warm-started from a motion of a similar problem: the same stances at other times, with nodes at those
 /// times. Nodes are not refined, so violations between them other than of reach are refused.

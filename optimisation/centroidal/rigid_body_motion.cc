@@ -26,7 +26,7 @@ Vector3 PointAt(const RigidBodyInterval::Force& force, double u) { return force.
 /// change of the legs' momentum. The integral is a polynomial of degree five, because p is cubic and forces are linear.
 class MomentumOver {
  public:
-  MomentumOver(const RigidBodyInterval& in, const InnerMomentum& inner)
+  MomentumOver(const RigidBodyInterval& in, const LegMomentum& inner)
       : inner_(&inner), start_s_(in.start_s), inner_W_(inner.At(in.start_s)) {
     const double h = in.end_s - in.start_s;
     Vector3 from = Vector3::Zero(), rate = Vector3::Zero();  // sum of the forces at the start, and its rate
@@ -58,7 +58,7 @@ class MomentumOver {
   }
 
  private:
-  const InnerMomentum* inner_;
+  const LegMomentum* inner_;
   double start_s_;
   Vector3 inner_W_;  // at the start
   std::array<Vector3, 6> powers_;
@@ -171,7 +171,7 @@ std::string RigidBodyFaults::Worst() const {
 }
 
 RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, const VectorX& x) {
-  RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, InnerMomentum(problem), {}, {}};
+  RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, LegMomentum(problem), {}, {}};
   const double weight = problem.mass_kg * kGravity;
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     motion.X_WF.push_back(problem.stances[s].X_WF);

@@ -30,7 +30,7 @@ struct RigidBodyInterval {
 struct RigidBodyMotion {
   double mass_kg = 1.0;
   Matrix3 inertia_B = Matrix3::Identity();
-  InnerMomentum inner;
+  LegMomentum inner;
   std::vector<RigidBodyInterval> intervals;
   std::vector<Pose> X_WF;  ///< foothold of each stance
   /// Control points of each free swing of the problem; none for other swings [m].

@@ -93,7 +93,7 @@ void CheckRegion(const RigidStance& stance, std::size_t number) {
   }
 }
 
-void CheckWay(const BodyWay& way) {
+void CheckWay(const BodyTrajectory& way) {
   const auto n = way.time_s.size();
   if (n == 0) return;
   if (n < 2 || way.p_WC.size() != n || way.angles_rad.size() != n ||
@@ -102,10 +102,10 @@ void CheckWay(const BodyWay& way) {
         "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
 }
 
-void CheckInnerMotion(const RigidBodyProblem& problem) {
+void CheckLegMotion(const RigidBodyProblem& problem) {
   const auto finite = [](const Vector3& v) { return v.allFinite(); };
-  const std::vector<Vector3>& momentum = problem.inner_momentum_W;
-  const std::vector<Vector3>& torque = problem.inner_torque_W;
+  const std::vector<Vector3>& momentum = problem.leg_momentum_W;
+  const std::vector<Vector3>& torque = problem.leg_torque_W;
   if (momentum.size() == 1 || torque.size() != momentum.size() ||
       !std::all_of(momentum.begin(), momentum.end(), finite) || !std::all_of(torque.begin(), torque.end(), finite))
     throw InvalidArgument(
@@ -210,16 +210,16 @@ const MotorLimits* RigidStance::MotorsAt(double time_s) const {
   return &motors[static_cast<std::size_t>(std::lround(at))];
 }
 
-Vector3 BodyWay::PlaceAt(double at_s) const { return Between(time_s, p_WC, at_s); }
+Vector3 BodyTrajectory::PlaceAt(double at_s) const { return Between(time_s, p_WC, at_s); }
 
-Vector3 BodyWay::AnglesAt(double at_s) const { return Between(time_s, angles_rad, at_s); }
+Vector3 BodyTrajectory::AnglesAt(double at_s) const { return Between(time_s, angles_rad, at_s); }
 
-InnerMomentum::InnerMomentum(const RigidBodyProblem& problem)
-    : step_s_(problem.duration_s / std::max(1.0, static_cast<double>(problem.inner_momentum_W.size()) - 1.0)),
-      momentum_W_(problem.inner_momentum_W),
-      torque_W_(problem.inner_torque_W) {}
+LegMomentum::LegMomentum(const RigidBodyProblem& problem)
+    : step_s_(problem.duration_s / std::max(1.0, static_cast<double>(problem.leg_momentum_W.size()) - 1.0)),
+      momentum_W_(problem.leg_momentum_W),
+      torque_W_(problem.leg_torque_W) {}
 
-Vector3 InnerMomentum::At(double time_s) const {
+Vector3 LegMomentum::At(double time_s) const {
   if (momentum_W_.empty()) return Vector3::Zero();
   const auto [k, u] = PartOf(time_s / step_s_, momentum_W_.size());
   const double v = 1.0 - u;
@@ -227,7 +227,7 @@ Vector3 InnerMomentum::At(double time_s) const {
          step_s_ * u * v * (v * torque_W_[k] - u * torque_W_[k + 1]);
 }
 
-Vector3 InnerMomentum::RateAt(double time_s) const {
+Vector3 LegMomentum::RateAt(double time_s) const {
   if (momentum_W_.empty()) return Vector3::Zero();
   const auto [k, u] = PartOf(time_s / step_s_, momentum_W_.size());
   const double v = 1.0 - u;
@@ -269,7 +269,7 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
   CheckStances(problem);
   CheckSwings(problem);
   CheckClearances(problem);
-  CheckInnerMotion(problem);
+  CheckLegMotion(problem);
   CheckWay(problem.way);
 }
 

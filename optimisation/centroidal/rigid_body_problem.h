@@ -77,7 +77,7 @@ struct RigidBodyState {
 };
 
 /// Poses of a body at uniform times from start to goal, without regard to forces.
-struct BodyWay {
+struct BodyTrajectory {
   std::vector<double> time_s;
   std::vector<Vector3> p_WC, angles_rad;
 
@@ -119,16 +119,16 @@ struct RigidBodyProblem {
   double rise_max_m_s = 0.0;  ///< largest upward or downward speed while any foot is on the ground; 0 for no limit
   /// Leg angular momentum: of all parts that move relative to the body, about the centre of mass, with its rate, at two
   /// or more uniform times from 0 to the end; empty for none [N m s], [N m].
-  std::vector<Vector3> inner_momentum_W = {}, inner_torque_W = {};
-  BodyWay way;               ///< initial guess; empty for one above the footholds
+  std::vector<Vector3> leg_momentum_W = {}, leg_torque_W = {};
+  BodyTrajectory way;        ///< initial guess; empty for one above the footholds
   bool follows_yaw = false;  ///< the wanted yaw is that of the path; else it changes evenly from start to goal
 };
 
 /// The leg angular momentum of a problem as a function of time: cubic Hermite interpolation of the given values.
-class InnerMomentum {
+class LegMomentum {
  public:
-  InnerMomentum() = default;  ///< none
-  explicit InnerMomentum(const RigidBodyProblem& problem);
+  LegMomentum() = default;  ///< none
+  explicit LegMomentum(const RigidBodyProblem& problem);
 
   bool empty() const { return momentum_W_.empty(); }
   /// [N m s]

@@ -113,7 +113,7 @@ struct TurningTerm {
 /// angles are linear in momentum, and the angles' part is quadratic over the interval. The contribution of l is
 /// therefore exact if l is replaced at the three places by its integrals with Lagrange's polynomials divided by their
 /// weights. The result is the correction to be added to the body's momentum (the total minus l) at these places:
-std::array<Vector3, 3> UnseenOf(const InnerMomentum& inner, double start_s, double h) {
+std::array<Vector3, 3> UnseenOf(const LegMomentum& inner, double start_s, double h) {
   constexpr double kStep = 2.5e-3;  // [s]
   constexpr std::array<double, 3> kWeights = {1.0 / 6, 4.0 / 6, 1.0 / 6};
   std::array<Vector3, 3> means = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};

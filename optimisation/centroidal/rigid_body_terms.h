@@ -55,7 +55,7 @@ class RigidBodyTerms {
 
   const RigidBodyProblem& problem_;
   const RigidBodyUnknowns& unknowns_;
-  const InnerMomentum inner_;
+  const LegMomentum inner_;
 };
 
 }  // namespace gaitwright

@@ -37,7 +37,7 @@ struct Term {
   }
 
   /// y - clamp(y): the part outside of the interval.
-  void FindExcess() {
+  void FindViolations() {
     excess = value + lambda / rho;
     excess -= excess.cwiseMax(constraint->lower).cwiseMin(constraint->upper);
   }
@@ -76,7 +76,7 @@ class Cost final : public ceres::CostFunction {
     double root = 1.0;
     const VectorX* out = &term_.value;
     if (term_.constraint != nullptr) {
-      term_.FindExcess();
+      term_.FindViolations();
       root = std::sqrt(term_.rho);
       out = &term_.excess;
     }
@@ -296,7 +296,7 @@ class Solver {
   void UpdateMultipliers() {
     for (Term& term : terms_) {
       if (term.constraint == nullptr) continue;
-      term.FindExcess();
+      term.FindViolations();
       term.lambda = term.rho * term.excess;
     }
   }

@@ -49,7 +49,7 @@ struct Move {
 class ElasticSolver {
  public:
   ElasticSolver(const ConstrainedProblem& problem, const ElasticOptions& options)
-      : options_(options), rows_(problem), price_(options.price) {
+      : options_(options), rows_(problem), penalty_(options.penalty) {
     Index row = rows_.residuals();
     for (const Constraint& c : problem.constraints) {
       for (Index i = 0; i < c.lower.size(); ++i, ++row) {
@@ -84,24 +84,24 @@ class ElasticSolver {
   void TakeStep();
 
   /// Change of a side's row per change of its multiplier.
-  double Give(Index i) const { return at_.s[i] / at_.z[i] + at_.t[i] / (price_ - at_.z[i]); }
+  double Give(Index i) const { return at_.s[i] / at_.z[i] + at_.t[i] / (penalty_ - at_.z[i]); }
   double PrimalShare(double keep) const {
     return std::min(Longest(at_.s, step_.s, keep), Longest(at_.t, step_.t, keep));
   }
   double DualShare(double keep) const {
     return std::min(Longest(at_.z, step_.z, keep),
-                    Longest(VectorX::Constant(at_.z.size(), price_) - at_.z, -step_.z, keep));
+                    Longest(VectorX::Constant(at_.z.size(), penalty_) - at_.z, -step_.z, keep));
   }
   /// Sum of all products of s, t and their multipliers after given shares of a step.
   double Gap(double primal, double dual) const {
     const VectorX z = at_.z + dual * step_.z;
-    return (at_.s + primal * step_.s).dot(z) + (at_.t + primal * step_.t).dot((price_ - z.array()).matrix());
+    return (at_.s + primal * step_.s).dot(z) + (at_.t + primal * step_.t).dot((penalty_ - z.array()).matrix());
   }
   /// Mean of these products.
   double Mean(double gap) const { return gap / std::max(1.0, 2.0 * static_cast<double>(sides_.size())); }
   double Unbalanced() const { return c_.lpNorm<1>() + (h_ + at_.s - at_.t).lpNorm<1>(); }
   double Merit() const {
-    return half_cost_ + price_ * at_.t.sum() - mean_ * (at_.s.array().log().sum() + at_.t.array().log().sum()) +
+    return half_cost_ + penalty_ * at_.t.sum() - mean_ * (at_.s.array().log().sum() + at_.t.array().log().sum()) +
            weight_ * Unbalanced();
   }
 
@@ -112,7 +112,7 @@ class ElasticSolver {
   Move at_, step_;
   VectorX gradient_, c_, h_, wanted_s_, wanted_t_, moved_;  // wanted: products of s and z, t and w
   double half_cost_ = 0.0, last_total_ = std::numeric_limits<double>::infinity();
-  double price_, mean_ = 0.0;                // mean_: target of the products
+  double penalty_, mean_ = 0.0;              // mean_: target of the products
   double weight_ = 1.0, damping_ = kLittle;  // weight_: of the equality violations in the merit function
   static constexpr double kLittle = 1e-8, kKeep = 0.99;
   ConstrainedSolution solution_;
@@ -141,7 +141,7 @@ void ElasticSolver::Start() {
   for (Index i = 0; i < h_.size(); ++i) {
     at_.t[i] = std::max(h_[i], 0.0) + kRoom;
     at_.s[i] = at_.t[i] - h_[i];
-    at_.z[i] = std::min(options_.first_gap / at_.s[i], 0.5 * price_);
+    at_.z[i] = std::min(options_.first_gap / at_.s[i], 0.5 * penalty_);
   }
 }
 
@@ -177,7 +177,7 @@ void ElasticSolver::Finish() {
 
 /// Whether cost and violations no longer change and the multipliers satisfy the optimality conditions.
 bool ElasticSolver::Settled() {
-  const double total = half_cost_ + price_ * at_.t.sum(), change = std::abs(total - last_total_);
+  const double total = half_cost_ + penalty_ * at_.t.sum(), change = std::abs(total - last_total_);
   const double little = options_.cost_tolerance * (1e-3 + total);
   last_total_ = total;
   return change <= little && Gap(0.0, 0.0) <= little &&
@@ -202,7 +202,7 @@ void ElasticSolver::Solve() {
   }
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const auto i = static_cast<Index>(k);
-    off[i] = h_[i] + wanted_s_[i] / at_.z[i] - wanted_t_[i] / (price_ - at_.z[i]);
+    off[i] = h_[i] + wanted_s_[i] / at_.z[i] - wanted_t_[i] / (penalty_ - at_.z[i]);
     pull[sides_[k].row] += sides_[k].sign * (at_.z[i] + off[i] / Give(i));
   }
   step_.x = rows_.Solved(-gradient_ - rows_.Gradient(pull));
@@ -215,7 +215,7 @@ void ElasticSolver::Solve() {
     const auto i = static_cast<Index>(k);
     step_.z[i] = (sides_[k].sign * moved_[sides_[k].row] + off[i]) / Give(i);
     step_.s[i] = (wanted_s_[i] - at_.s[i] * step_.z[i]) / at_.z[i] - at_.s[i];
-    step_.t[i] = (wanted_t_[i] + at_.t[i] * step_.z[i]) / (price_ - at_.z[i]) - at_.t[i];
+    step_.t[i] = (wanted_t_[i] + at_.t[i] * step_.z[i]) / (penalty_ - at_.z[i]) - at_.t[i];
   }
 }
 
@@ -263,7 +263,7 @@ void ElasticSolver::TakeStep() {
   constexpr double kEnough = 1e-4, kRound = 1e-10;
   constexpr int kMostHalvings = 8;
   const double unbalanced = Unbalanced();
-  const double slope = gradient_.dot(step_.x) + price_ * step_.t.sum() -
+  const double slope = gradient_.dot(step_.x) + penalty_ * step_.t.sum() -
                        mean_ * (step_.s.cwiseQuotient(at_.s).sum() + step_.t.cwiseQuotient(at_.t).sum());
   if (unbalanced > 1e-9) {
     const double needed = slope / (0.9 * unbalanced);
@@ -307,14 +307,14 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
         Finish();
         return solution_;
       }
-      solution_.least = price_ >= options_.most_price;
+      solution_.least = penalty_ >= options_.max_penalty;
       if (solution_.least) break;
-      price_ = std::min(10.0 * price_, options_.most_price);
+      penalty_ = std::min(10.0 * penalty_, options_.max_penalty);
       ++solution_.outer;
       last_total_ = std::numeric_limits<double>::infinity();
     }
     if (solution_.iterations == options_.max_iterations) break;
-    if (solution_.iterations >= options_.screening && solution_.violations > options_.hopeless) break;
+    if (solution_.iterations >= options_.screening && solution_.violations > options_.infeasible) break;
     FindStep();
     TakeStep();
   }
@@ -339,22 +339,22 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
 }  // namespace
 
 OptionFields ElasticOptions::Fields() {
-  return {
-      {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
-      {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
-       "Relative change of the cost below which the solve has converged."},
-      {"price", &price, "1", 1e-6, 1e9, "Initial penalty weight on constraint violation, in units of half the cost."},
-      {"most_price", &most_price, "1", 1e-6, 1e9,
-       "Maximum penalty weight on constraint violation, in units of half the cost."},
-      {"first_gap", &first_gap, "1", 1e-12, 1e3,
-       "Initial barrier parameter: product of the distance to a bound and its multiplier."},
-      {"give", &give, "1", 1e-14, 1.0,
-       "Regularisation of equalities in a step: change of an equality for a unit change of its multiplier."},
-      {"screening", &screening, "1", 1, 10000,
-       "Iterations of the early infeasibility check: after these the solve stops if violations exceed `hopeless`."},
-      {"hopeless", &hopeless, "1", 0.0, 1e12,
-       "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
-      {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
+  return {{"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
+          {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
+           "Relative change of the cost below which the solve has converged."},
+          {"penalty", &penalty, "1", 1e-6, 1e9,
+           "Initial penalty weight on constraint violation, in units of half the cost."},
+          {"max_penalty", &max_penalty, "1", 1e-6, 1e9,
+           "Maximum penalty weight on constraint violation, in units of half the cost."},
+          {"first_gap", &first_gap, "1", 1e-12, 1e3,
+           "Initial barrier parameter: product of the distance to a bound and its multiplier."},
+          {"give", &give, "1", 1e-14, 1.0,
+           "Regularisation of equalities in a step: change of an equality for a unit change of its multiplier."},
+          {"screening", &screening, "1", 1, 10000,
+           "Iterations of the early infeasibility check: after these the solve stops if violations exceed `hopeless`."},
+          {"infeasible", &infeasible, "1", 0.0, 1e12,
+           "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
+          {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
 }
 
 Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options,

@@ -192,7 +192,7 @@ FittedSurface FitQuadratic(const std::vector<VectorX>& points, const std::vector
   if (count <= A.cols() || about_mean <= 0.0) return fitted;
   const VectorX leverage = (A * solver.pseudoInverse()).diagonal();
   const VectorX error = (y - A * coefficients).cwiseQuotient((1.0 - leverage.array()).max(1e-9).matrix());
-  fitted.foretold = 1.0 - error.squaredNorm() / about_mean;
+  fitted.predicted = 1.0 - error.squaredNorm() / about_mean;
   return fitted;
 }
 

@@ -22,7 +22,7 @@ struct FittedSurface {
   QuadraticSurface surface;
   /// 1 - sum of squared errors / sum of squares about the mean. Each value is predicted by the fit to all others: 1 is
   /// exact, 0 is no better than the mean. 0 if there are no more values than coefficients, or if all values are equal.
-  double foretold = 0.0;
+  double predicted = 0.0;
 };
 
 /// Coefficients of a quadratic function: (n + 1)(n + 2) / 2.

@@ -15,10 +15,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kUse = 0.95;           // share of the motors' effort limits
-constexpr double kJointReserve = 0.03;  // share of the joints' ranges
-constexpr double kSpareSpeed = 1.3;     // times the lift-off speed; the margin is for rotation and forward motion
-constexpr double kLeastSpeed = 1.15;    // smallest accepted factor; a push ends gradually
+constexpr double kUse = 0.95;          // share of the motors' effort limits
+constexpr double kJointMargin = 0.03;  // share of the joints' ranges
+constexpr double kSpeedMargin = 1.3;   // times the lift-off speed; the margin is for rotation and forward motion
+constexpr double kLeastSpeed = 1.15;   // smallest accepted factor; a push ends gradually
 
 /// The longest flight of a schedule, and the largest number of feet that push at once since the flight before.
 struct PushedFlight {
@@ -87,7 +87,7 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
   constexpr double kLeastStroke = 0.02;  // share of the leg length
   const PushedFlight flight = LongestPushedFlight(schedule);
   if (flight.duration_s == 0.0 || flight.pushing == 0) return std::optional<Crouch>();
-  const std::vector<PushOff> at = PushOffs(model, flight.pushing, kJointReserve, kUse);
+  const std::vector<PushOff> at = PushOffs(model, flight.pushing, kJointMargin, kUse);
   if (at.empty()) return std::optional<Crouch>();
   const double takes = 0.5 * kGravity * flight.duration_s, standing_m = StandingCentreOfMass(model).z();
   const std::vector<double> by_torque = SpeedByTorque(at);
@@ -100,7 +100,7 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
     const bool by_speed = kUse * at[best].speed_m_s <= by_torque[best];
     return CannotFly(model, flight, at[best], gives(best), by_speed);
   }
-  const auto fast_enough = [&](const PushOff& p) { return kUse * p.speed_m_s >= kSpareSpeed * takes; };
+  const auto fast_enough = [&](const PushOff& p) { return kUse * p.speed_m_s >= kSpeedMargin * takes; };
   const auto stands = std::find_if(at.begin(), at.end(), [&](const PushOff& p) { return p.com_m < standing_m + 1e-9; });
   if (stands != at.end() && fast_enough(*stands)) return std::optional<Crouch>();
   // The highest posture with a margin, or the one with the largest margin.

@@ -7,7 +7,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/centre_of_mass.h"
 #include "optimisation/pipeline/carried_base.h"
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/swing/plan_swings.h"
 #include "optimisation/swing/planar_swings.h"
@@ -25,8 +25,8 @@ namespace {
 constexpr double kOutside = 5e-7;
 constexpr int kAdapting = 2;    // passes that adapt the body's height
 constexpr double kBend = 0.12;  // share of a cycle over which bends of the body's height are spread
-constexpr double kFirstSpareReach = 0.03,
-                 kSpareReach = 0.02;  // margin of reach in leg lengths: at first, and after the first pass
+constexpr double kFirstReachMargin = 0.03,
+                 kReachMargin = 0.02;  // margin of reach in leg lengths: at first, and after the first pass
 
 /// Position of the centre of mass in plan view in the standing posture, with the base's origin at a planar pose.
 Vector2 CentreOfMassAt(const RobotModel& model, const PlanarPose& at) {
@@ -51,11 +51,11 @@ std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double
 
 }  // namespace
 
-MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
+MotionPasses::MotionPasses(const MotionTask& task, const BodyStrategy& strategy)
     : task_(task),
       model_(task.model),
       body_(task.body),
-      in_reach_(carriage.in_reach),
+      in_reach_(strategy.in_reach),
       level_(KindOfGround(task.terrain) <= GroundKind::kLevel),
       footsteps_(task.skeleton.footsteps),
       planes_(PlanesOfLegs(task.model)) {
@@ -66,20 +66,20 @@ MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
   problem_.step_s = task.options.pipeline.grid_step_s;
   problem_.samples =
       1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
-  problem_.com_height_m = carriage.com_height_m;
-  problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
+  problem_.com_height_m = strategy.com_height_m;
+  problem_.omega_rad_s = std::sqrt(kGravity / strategy.com_height_m);
   problem_.start_W = CentreOfMassAt(model_, skeleton.path.pose.front());
   problem_.end_W = CentreOfMassAt(model_, skeleton.path.pose.back());
   problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
-  support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}, {}};
+  support_ = {problem_.start_W, problem_.end_W, strategy.zmp_inward, problem_.step_s, {}, {}};
   for (const Foothold& foothold : footsteps_.footholds) {
     const Foot& foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
     support_.support_F.push_back(SupportOf(foot, foothold, task.terrain));
   }
-  if (carriage.lean_rad != 0.0) body_.Lean(carriage.lean_rad, task.cycle_s);
+  if (strategy.lean_rad != 0.0) body_.Lean(strategy.lean_rad, task.cycle_s);
 }
 
-Result<MotionPass> MotionPasses::Run(int& passes, double hopeless) {
+Result<MotionPass> MotionPasses::Run(int& passes, double infeasible) {
   MotionPass best;
   double gain = 1.0;
   const int most = task_.options.pipeline.max_passes;
@@ -98,7 +98,7 @@ Result<MotionPass> MotionPasses::Run(int& passes, double hopeless) {
       gain *= 0.5;
       if (gain < 0.1) break;
     }
-    if (passes == (in_reach_ ? kAdapting : 0) && best.excess > hopeless) break;
+    if (passes == (in_reach_ ? kAdapting : 0) && best.violation > infeasible) break;
     const bool near = best.error_m < task_.options.pipeline.zmp_tolerance_m && best.outside_m < kOutside;
     if (best.settled && near && !adapts_) break;
     UpdateOffset(*made, gain);
@@ -136,7 +136,7 @@ void MotionPasses::KeepInReach(MotionPass& pass) {
   for (int k = 0; k < body_.knots(); ++k) {
     const double time_s = body_.KnotTime(k), ground_m = body_.GroundAt(time_s).value;
     const auto change = height.Changes(former.base(time_s), FeetAt(model_, pass, time_s),
-                                       former_.base ? kSpareReach : kFirstSpareReach);
+                                       former_.base ? kReachMargin : kFirstReachMargin);
     constexpr double kAnything = 10.0;  // [m] no limit here; others check the height
     reach_.push_back({ground_m + (change ? change->low : -kAnything), ground_m + (change ? change->high : kAnything)});
   }
@@ -190,7 +190,7 @@ Result<MotionPass> MotionPasses::MakePass() {
     pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
   }
   pass.outside_m = Outside(pass);
-  pass.excess = TotalExcess(model_, pass.solution.trajectory, kRangeMargin);
+  pass.violation = TotalViolation(model_, pass.solution.trajectory, kRangeMargin);
   return pass;
 }
 

@@ -11,12 +11,12 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "optimisation/pipeline/carriage_search.h"
+#include "optimisation/pipeline/body_strategy_search.h"
 #include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
 #include "optimisation/pipeline/free_footholds.h"
 #include "optimisation/pipeline/gait_timing.h"
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/motion_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
@@ -36,16 +36,17 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
 
 /// The motion with the best body posture that is found, and the number of its passes.
 Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
-  const CarriageProblem problem{StandingCentreOfMass(task.model).z(),
-                                task.options.pipeline.com_height_m,
-                                task.options.pipeline.zmp_inward,
-                                KindOfGround(task.terrain) > GroundKind::kLevel,
-                                StandsOnOneSole(task.model, task.skeleton.schedule),
-                                task.options.pipeline.allow_limits};
-  return FindCarriage(problem, {[&](const Carriage& carriage, double hopeless) {
-                                  return MotionPasses(task, carriage).Run(passes, hopeless);
-                                },
-                                [&](const Carriage& carriage) { return MotionPasses(task, carriage).RunOnce().ok(); }});
+  const BodyStrategyProblem problem{StandingCentreOfMass(task.model).z(),
+                                    task.options.pipeline.com_height_m,
+                                    task.options.pipeline.zmp_inward,
+                                    KindOfGround(task.terrain) > GroundKind::kLevel,
+                                    StandsOnOneSole(task.model, task.skeleton.schedule),
+                                    task.options.pipeline.allow_limits};
+  return FindBodyStrategy(problem,
+                          {[&](const BodyStrategy& strategy, double infeasible) {
+                             return MotionPasses(task, strategy).Run(passes, infeasible);
+                           },
+                           [&](const BodyStrategy& strategy) { return MotionPasses(task, strategy).RunOnce().ok(); }});
 }
 
 /// The motion of a rigid body, crouched as far as flights need it.
@@ -127,7 +128,7 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   plan.whole_body = std::move(pass->solution.trajectory);
   plan.warnings = task.skeleton.warnings;
   if (!dynamic) WarnOfIdleOptions(task.options, plan.warnings);
-  planned.limit_excess = TotalExcess(model, plan.whole_body, 0.0);
+  planned.limit_excess = TotalViolation(model, plan.whole_body, 0.0);
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
   const std::string left = dynamic

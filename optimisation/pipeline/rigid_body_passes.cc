@@ -15,7 +15,7 @@
 #include "kinematics/model/actuator.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/body_limits.h"
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/mean_height.h"
 #include "optimisation/pipeline/names_of_feet.h"
 #include "optimisation/pipeline/roll_moments.h"
@@ -90,7 +90,7 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   const double tolerance = task_.options.pipeline.residual;
   const RigidBodyOptions options = Options();
   auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use);
-  if (!failure) failure = WhyNotCarried(problem_, options);
+  if (!failure) failure = ReasonNotCarried(problem_, options);
   if (failure) return WithNamesOfFeet(model_, *failure);
   for (passes = 0; passes < task_.options.pipeline.max_body_passes;) {
     Result<MotionPass> made = MakePass();
@@ -124,7 +124,7 @@ RigidBodyOptions RigidBodyPasses::Options() const {
 bool RigidBodyPasses::StaysPastLimits(const MotionPass& pass, int passes) {
   constexpr double kLeast = 1e-3, kFall = 0.9, kFar = 0.2, kFarFall = 0.8;
   constexpr int kSettling = 4, kFarSettling = 2;  // number of passes
-  const double before = std::exchange(past_limits_, TotalExcess(model_, pass.solution.trajectory, 0.0));
+  const double before = std::exchange(past_limits_, TotalViolation(model_, pass.solution.trajectory, 0.0));
   if (task_.options.pipeline.allow_limits) return false;
   const bool far = std::min(before, past_limits_) > kFar && past_limits_ > kFarFall * before;
   const bool past = std::min(before, past_limits_) > kLeast && past_limits_ > kFall * before;
@@ -233,7 +233,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   pass.solution = std::move(*solution);
   pass.centroidal.p_WZ = HeldOverFlights(pass.solution.pressure_W, PressingIn(loads));
   pass.error_m = Largest(pass.solution.residual_W, model_.weight_n());
-  pass.excess = TotalExcess(model_, pass.solution.trajectory, kRangeMargin);
+  pass.violation = TotalViolation(model_, pass.solution.trajectory, kRangeMargin);
   pass.lacks_m = clearance_.Look(pass.solution.trajectory, samples_);
   pass.settled = pass.lacks_m <= 0.0;
   return pass;
@@ -285,14 +285,14 @@ MotorLimits RigidBodyPasses::MotorsOf(const MotionPass& pass, int foot, std::siz
 
 /// Updates the legs' angular momentum by a fixed-point iteration. The step length comes from the last two differences
 /// between the result of a pass and its assumption (Irons and Tuck, Int. J. Numerical Methods in Engineering 1, 1969).
-void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch) {
+void RigidBodyPasses::UpdateLegMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch) {
   constexpr double kLeast = 0.6, kMost = 2.0;
   VectorX needed;
   const std::size_t n = samples_.size();
   const std::vector<Vector3> roll_moment = RollMoments(problem_, motion_, samples_);
   Vector3 by_roll = Vector3::Zero();
-  problem_.inner_momentum_W.resize(n, Vector3::Zero());
-  problem_.inner_torque_W.resize(n, Vector3::Zero());
+  problem_.leg_momentum_W.resize(n, Vector3::Zero());
+  problem_.leg_torque_W.resize(n, Vector3::Zero());
   std::vector<Vector3> off(n), torque_off(n);
   double along = 0.0, change = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
@@ -300,17 +300,17 @@ void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, Dynamics
     const Vector3 arm = scratch.p_WB[0] - CentreOfMass(model_, scratch);
     const Vector3 of_box = RotationOf(samples_[k].angles_rad) * problem_.inertia_B * samples_[k].w_WB_B;
     if (k > 0) by_roll += 0.5 * rows.step_s * (roll_moment[k - 1] + roll_moment[k]);
-    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll - problem_.inner_momentum_W[k];
+    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll - problem_.leg_momentum_W[k];
     torque_off[k] = needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - roll_moment[k] -
-                    problem_.inner_torque_W[k];
+                    problem_.leg_torque_W[k];
     if (off_.empty()) continue;
     along += off_[k].dot(off[k] - off_[k]);
     change += (off[k] - off_[k]).squaredNorm();
   }
   if (change > 0.0) step_ = std::clamp(-step_ * along / change, kLeast, kMost);
   for (std::size_t k = 0; k < n; ++k) {
-    problem_.inner_momentum_W[k] += step_ * off[k];
-    problem_.inner_torque_W[k] += step_ * torque_off[k];
+    problem_.leg_momentum_W[k] += step_ * off[k];
+    problem_.leg_torque_W[k] += step_ * torque_off[k];
   }
   off_ = std::move(off);
 }
@@ -350,7 +350,7 @@ void RigidBodyPasses::Learn(const MotionPass& pass) {
       stance.motors.push_back(MotorsOf(pass, stance.foot, k, scratch));
     }
   }
-  LearnInnerMotion(solution.trajectory, scratch);
+  UpdateLegMotion(solution.trajectory, scratch);
 }
 
 }  // namespace gaitwright

@@ -42,7 +42,7 @@ class RigidBodyPasses {
   bool StaysPastLimits(const MotionPass& pass, int passes);
   void HoldFootholds(const FootstepPlan& footsteps);
   void Learn(const MotionPass& pass);
-  void LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
+  void UpdateLegMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
   void LearnSwings(const std::vector<SwingTrajectory>& swings);
   MotorLimits MotorsOf(const MotionPass& pass, int foot, std::size_t row, DynamicsScratch& scratch) const;
 
@@ -58,7 +58,7 @@ class RigidBodyPasses {
   std::optional<RigidBodyNumbers> numbers_;  // of the last motion with fixed footholds
   std::vector<RigidBodySample> samples_;     // samples of that motion, by row of the grid
   std::vector<Vector3> off_;                 // leg angular momentum of the last pass minus its assumption
-  double past_limits_ = 0.0;                 // TotalExcess of the last pass
+  double past_limits_ = 0.0;                 // TotalViolation of the last pass
   double step_ = 1.0;                        // share of that difference that was applied
   std::vector<Vector3> expected_roll_;       // by foothold
   std::vector<Vector3> roll_;                // by foothold, over its stance

@@ -33,8 +33,8 @@ double MostUpright(const RobotModel& model, const DynamicsScratch& scratch, int 
 
 RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, const StandingBody& body, int foot,
                       double reserve) {
-  constexpr double kFarthest = 0.6;       // share of the leg length
-  constexpr double kReserveInAir = 0.01;  // smaller margin, because no force acts on a foot in the air
+  constexpr double kFarthest = 0.6;      // share of the leg length
+  constexpr double kMarginInAir = 0.01;  // smaller margin, because no force acts on a foot in the air
   const Foot& described = model.feet[static_cast<std::size_t>(foot)];
   RigidFoot rigid;
   const Vector3 p_WC = CentreOfMass(model, scratch);
@@ -58,7 +58,7 @@ RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, c
     return sides;
   };
   rigid.workspace_B = reach(reserve, body.R_HB.transpose() * Vector3::UnitZ());
-  rigid.workspace_in_air_B = reach(kReserveInAir, Vector3::Zero());
+  rigid.workspace_in_air_B = reach(kMarginInAir, Vector3::Zero());
   return rigid;
 }
 

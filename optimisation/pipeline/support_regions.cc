@@ -73,9 +73,9 @@ ZmpPhase MovingHull(const Scene& scene, const ContactPhase& phase) {
 }
 
 /// Preferred ZMP of single support.
-class Homes {
+class PreferredZmp {
  public:
-  explicit Homes(const RobotModel& model) : model_(model), scratch_(model) {
+  explicit PreferredZmp(const RobotModel& model) : model_(model), scratch_(model) {
     ForwardKinematics(model, StandingConfiguration(model), scratch_);
     height_m_ = CentreOfMass(model, scratch_).z();
   }
@@ -103,7 +103,7 @@ class Homes {
 /// Preferred ZMP at an end of a phase: the middle of its region. Under a single sole it is the sole's preferred ZMP,
 /// moved towards the other feet or their last footholds.
 Vector2 Preferred(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& region,
-                  const Homes& homes) {
+                  const PreferredZmp& preferred) {
   if (std::popcount(phase.stance) != 1) return Centroid(region);
   const int foot = std::countr_zero(phase.stance);
   const Foot& sole = scene.model.feet[static_cast<std::size_t>(foot)];
@@ -116,7 +116,7 @@ Vector2 Preferred(const Scene& scene, const ContactPhase& phase, const std::vect
   for (int f = 0; f < static_cast<int>(scene.model.feet.size()); ++f) {
     if (f != foot) side += (place(foot).inverse() * place(f).translation()).y();
   }
-  const Vector2 home = homes.Of(foot, scene.SupportAt(FootholdAt(scene.footsteps, foot, time_s)));
+  const Vector2 home = preferred.Of(foot, scene.SupportAt(FootholdAt(scene.footsteps, foot, time_s)));
   const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * SoleWidth(sole);
   return (place(foot) * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
@@ -176,12 +176,12 @@ std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSched
                                      const FootstepPlan& footsteps, const SupportInputs& inputs) {
   const auto& phases = schedule.phases;
   const Scene scene{model, footsteps, inputs, schedule.start_s()};
-  const Homes homes(model);
+  const PreferredZmp preferred(model);
   std::vector<ZmpPhase> regions;
   for (const ContactPhase& phase : phases) {
     ZmpPhase region = MovingHull(scene, phase);
-    region.preferred_start = Preferred(scene, phase, region.region_start, homes);
-    region.preferred_end = Preferred(scene, phase, region.region_end, homes);
+    region.preferred_start = Preferred(scene, phase, region.region_start, preferred);
+    region.preferred_end = Preferred(scene, phase, region.region_end, preferred);
     regions.push_back(region);
   }
   JoinPreferred(phases, regions);

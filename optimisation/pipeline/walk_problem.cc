@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kWorkspaceReserve = 0.03;  // margin as a share of the legs' workspaces
+constexpr double kWorkspaceMargin = 0.03;  // margin as a share of the legs' workspaces
 
 /// The swings between the stances of a walk.
 std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, double from_s, const FlightSwings& shapes) {
@@ -48,7 +48,7 @@ void FreeFootholds(const MotionTask& task, RigidBodyProblem& problem) {
 }  // namespace
 
 StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch) {
-  StandingBody body = BodyOf(model, kWorkspaceReserve);
+  StandingBody body = BodyOf(model, kWorkspaceMargin);
   if (crouch == nullptr) return body;
   body.p_SB = crouch->p_SB;
   if (crouch->highest_m == 0.0) return body;

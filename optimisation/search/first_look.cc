@@ -67,7 +67,7 @@ FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequ
                  const WalkCommand& command, bool whole) {
   const WalkRequest cheap = Cheap(request);
   const WalkCommand start = ShortStart(model, terrain, gait, command);
-  const double far = whole ? kFarPast : kSlightExcess;
+  const double far = whole ? kFarPast : kSlightViolation;
   FirstLook look = Look(model, terrain, cheap, gait, start, far);
   if (!whole || !look.refusal || look.planned || start == command) return look;
   return Look(model, terrain, cheap, gait, command, far);

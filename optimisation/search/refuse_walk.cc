@@ -54,7 +54,7 @@ std::vector<Violation> Forbidding(const AuditReport& audit) {
 }
 
 bool IsSound(const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
+  return planned && planned->motion.limit_excess < kSlightViolation && Forbidding(planned->audit).empty();
 }
 
 Failure WhyForbidden(const PlannedWalk& planned) {

@@ -16,7 +16,7 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit);
 std::vector<Violation> Forbidding(const AuditReport& audit);
 
 /// Largest total limit violation of a sound plan; the audit may accept it.
-inline constexpr double kSlightExcess = 1e-5;
+inline constexpr double kSlightViolation = 1e-5;
 
 /// True for failures that a slower walk may avoid. False if the gait, the robot's structure or the ground is the
 /// reason.

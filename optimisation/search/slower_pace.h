@@ -11,9 +11,9 @@ namespace gaitwright {
 /// A speed below the requested one, and how well its feasibility is known.
 struct SlowerPace {
   enum class Known {
-    kLargest,  ///< its plan passes, and no faster plan was found that does
-    kServes,   ///< its plan passes
-    kMay,      ///< the cheap evaluation found no reason against it
+    kLargest,   ///< its plan passes, and no faster plan was found that does
+    kFeasible,  ///< its plan passes
+    kMay,       ///< the cheap evaluation found no reason against it
   };
   double value = 0.0;  ///< 0 if no such speed is known
   Known known = Known::kLargest;

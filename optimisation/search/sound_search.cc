@@ -159,7 +159,7 @@ SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator)
   }
   if (situation.may_slow_down) return {};
   const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, evaluator);
-  return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kServes};
+  return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kFeasible};
 }
 
 }  // namespace gaitwright

@@ -123,7 +123,7 @@ Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const 
     WalkRequest at_height = request_;
     at_height.motion.pipeline.com_height_m = height->second;
     Result<PlannedWalk> planned = Whole(at_height, gait, command, true);
-    if (planned && planned->motion.limit_excess < kSlightExcess) return EvaluationOf(std::move(planned));
+    if (planned && planned->motion.limit_excess < kSlightViolation) return EvaluationOf(std::move(planned));
   }
   return EvaluationOf(Whole(request_, gait, command, candidate != Candidate{asked_}));
 }

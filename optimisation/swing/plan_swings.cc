@@ -188,7 +188,7 @@ class SwingPlanner {
   bool Clears(const SwingTrajectory& swing, double part) const {
     constexpr double kRounding = 1e-6;
     return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
-           SpareClearance(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
+           ClearanceMargin(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
                -kRounding;
   }
 

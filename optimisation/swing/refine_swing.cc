@@ -203,7 +203,7 @@ class Detour {
     }
   }
 
-  static constexpr double kDepth = 0.8 * kSpareDepth;
+  static constexpr double kDepth = 0.8 * kDepthMargin;
 
   const SwingProfile& profile_;
   const int free_;
@@ -275,7 +275,7 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
     if ((!solution && !choice.may_stray) || cost >= least_cost) continue;
     RefinedSwing refined{swing, 0.0, last.brief};
     refined.curve.detour_W = detour.ControlPoints(last.x);
-    refined.spare_m = SpareClearance(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
+    refined.spare_m = ClearanceMargin(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
     least_missed_m = std::min(least_missed_m, -refined.spare_m);
     if (refined.spare_m < -rounding_m) continue;
     least_cost = cost;

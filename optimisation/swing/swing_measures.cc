@@ -42,15 +42,15 @@ double ClearanceRamp(double u) {
   return std::min(SmoothStep(u / kClearanceEnds).value, SmoothStep((1.0 - u) / kClearanceEnds).value);
 }
 
-double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
-                      double clearance_m, const SwingRoll& roll) {
+double ClearanceMargin(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+                       double clearance_m, const SwingRoll& roll) {
   constexpr int kSamples = 180;
   double least = kInfinity;
   for (int k = 1; k < kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;
     Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
     X_WF.translation() += roll.At(u);
-    const double asked = clearance_m * ClearanceRamp(u) - kSpareDepth * SwingEndShare(u);
+    const double asked = clearance_m * ClearanceRamp(u) - kDepthMargin * SwingEndShare(u);
     for (const Vector3& q_F : underside_F) {
       const Vector3 q_W = X_WF * q_F;
       least = std::min(least, q_W.z() - ground(q_W.head<2>()) - asked);

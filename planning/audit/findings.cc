@@ -9,7 +9,7 @@ namespace {
 
 /// Value that is compared between the places of one check: the share of the limit if there is one, otherwise the
 /// margin.
-double SpareOf(const AuditMargin& margin) { return margin.share ? *margin.share : margin.margin; }
+double MarginOf(const AuditMargin& margin) { return margin.share ? *margin.share : margin.margin; }
 
 /// Checks whose limits are sizes from zero up, so that a share of the limit is meaningful.
 bool IsOfSize(Law law) {
@@ -63,7 +63,7 @@ std::vector<AuditMargin> Findings::Margins() const {
       of_law.push_back(margin);
     }
     std::stable_sort(of_law.begin(), of_law.end(),
-                     [](const AuditMargin& a, const AuditMargin& b) { return SpareOf(a) < SpareOf(b); });
+                     [](const AuditMargin& a, const AuditMargin& b) { return MarginOf(a) < MarginOf(b); });
     sorted.insert(sorted.end(), of_law.begin(), of_law.end());
   }
   return sorted;

@@ -161,7 +161,7 @@ Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& t
 
 }  // namespace
 
-std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
+std::optional<Failure> ReasonNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
   if (auto failure = CheckCommand(command)) return failure;
   if (gait.num_feet() != static_cast<int>(model.feet.size())) {
     return Failure{FailureKind::kBadInput,
@@ -200,7 +200,7 @@ void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps) {
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                             const WalkCommand& command, const std::vector<PlanarPose>& way,
                                             const FootstepOptions& options) {
-  if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
+  if (auto failure = ReasonNotWalked(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
   const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
   const Result<FootstepSkeleton> found = SearchSkeleton(model, terrain, query, options);
@@ -209,7 +209,7 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
 
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
-  if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
+  if (auto failure = ReasonNotWalked(model, gait, command)) return *failure;
   if (KindOfGround(terrain) != GroundKind::kFlat) {
     const Result<FootstepSkeleton> found = FindFootsteps(model, terrain, gait, command, options);
     return WithPart(model, found, gait, found ? AsReached(command, *found) : command);

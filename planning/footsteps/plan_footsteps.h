@@ -85,6 +85,6 @@ std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkel
 void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps);
 
 /// Failure if a command or a gait is invalid for every robot, or for this one.
-std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command);
+std::optional<Failure> ReasonNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command);
 
 }  // namespace gaitwright

@@ -55,7 +55,7 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
     course.full_s = part.command.duration_s;
     return course;
   }
-  if (auto failure = WhyNotWalked(model, part.gait, part.command)) return *failure;
+  if (auto failure = ReasonNotWalked(model, part.gait, part.command)) return *failure;
   if (part.command.extent == Extent::kGoal)
     return BadPart("a part of a sequence cannot have a goal; give a distance, a duration or a number of steps");
   const Result<Course> own = MakeCourse(model, part.gait, part.command, options.ramp);

@@ -32,11 +32,11 @@ struct FirstBlocked {
 
 std::optional<FirstBlocked> FindBlocked(PoseCheck& check, const std::vector<PlanarPose>& way) {
   for (std::size_t i = 0; i < way.size(); ++i) {
-    if (auto why = check.WhyNot(way[i])) return FirstBlocked{i, *why};
+    if (auto why = check.ReasonRefused(way[i])) return FirstBlocked{i, *why};
     if (i + 1 == way.size() || check.IsFreeBetween(way[i], way[i + 1])) continue;
     constexpr int kBetween = 16;
     for (int k = 1; k <= kBetween; ++k) {
-      if (auto why = check.WhyNot(Between(way[i], way[i + 1], static_cast<double>(k) / kBetween)))
+      if (auto why = check.ReasonRefused(Between(way[i], way[i + 1], static_cast<double>(k) / kBetween)))
         return FirstBlocked{i + 1, *why};
     }
   }

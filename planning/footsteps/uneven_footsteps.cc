@@ -26,9 +26,9 @@ double TurnRadius(const RobotModel& model) {
 
 /// Monotone cubic (PCHIP) through knots in time of heights or another quantity: at rest at both ends, without
 /// overshoot. Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984.
-class SmoothWay {
+class SmoothRoute {
  public:
-  SmoothWay(std::vector<double> time_s, std::vector<double> value)
+  SmoothRoute(std::vector<double> time_s, std::vector<double> value)
       : time_s_(std::move(time_s)), value_(std::move(value)), slope_(value_.size(), 0.0) {
     for (std::size_t k = 1; k + 1 < value_.size(); ++k) {
       const double before = Slope(k - 1), after = Slope(k);
@@ -104,7 +104,7 @@ BasePath PathOver(const RobotModel& model, const FootstepSequence& sequence, con
     const bool last = k + 1 == sequence.steps.size();
     knot(last ? times.touchdown_s[k] : 0.5 * (times.touchdown_s[k] + times.liftoff_s[k + 1]));
   }
-  const SmoothWay way_x(time, x), way_y(time, y), way_yaw(time, yaw);
+  const SmoothRoute way_x(time, x), way_y(time, y), way_yaw(time, yaw);
   constexpr double kStep = 0.01;
   const int samples = 1 + static_cast<int>(std::ceil(end_s / kStep - 1e-9));
   BasePath path;

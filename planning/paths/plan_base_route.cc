@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "kinematics/collision/shape_extent.h"
-#include "planning/paths/coarse_way.h"
-#include "planning/paths/direct_way.h"
+#include "planning/paths/coarse_route.h"
+#include "planning/paths/direct_route.h"
 #include "planning/paths/pose_check.h"
 #include "planning/paths/rrt_star.h"
-#include "planning/paths/smooth_way.h"
+#include "planning/paths/smooth_route.h"
 
 namespace gaitwright {
 namespace {
@@ -84,7 +84,7 @@ class Best {
     if (first_ == 0.0) first_ = cost;
     if (smoothed_ > 0.0 && cost > kNotably * smoothed_) return;
     smoothed_ = cost;
-    std::vector<PlanarPose> smooth = SmoothWay(check_, way, weights_);
+    std::vector<PlanarPose> smooth = SmoothRoute(check_, way, weights_);
     const double smooth_cost = TravelCost(smooth, weights_);
     if (first_smooth_ == 0.0) first_smooth_ = smooth_cost;
     if (smooth_cost >= cost_) return;
@@ -112,8 +112,8 @@ class Best {
 };
 
 /// A free direct path that costs hardly more than the cheapest direct path; empty if none is free.
-std::vector<PlanarPose> FreeDirectWay(PoseCheck& check, const PlanarPose& start, const PlanarPose& goal,
-                                      const BaseRouteOptions& options) {
+std::vector<PlanarPose> FreeDirectRoute(PoseCheck& check, const PlanarPose& start, const PlanarPose& goal,
+                                        const BaseRouteOptions& options) {
   constexpr double kHardlyMore = 1.15;
   const auto ways = ByCost(start, goal, WeightsOf(options, check.space()));
   for (const auto& [cost, kind] : ways) {
@@ -155,7 +155,7 @@ std::vector<PlanarPose> Thinned(const std::vector<PlanarPose>& guide, int iterat
   return thin;
 }
 
-Failure NoWay(const CoarseWay& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
+Failure NoRoute(const CoarseRoute& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
   if (guide.complete) {
     return Blocked(FailureCode::kWayNotFound,
                    fmt::format("no route to the goal was found in {} iterations, although a coarse search finds one of "
@@ -182,18 +182,18 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
   CheckPose("goal", goal);
   PoseCheck check(model, terrain, options.space);
   const TravelWeights weights = WeightsOf(options, check.space());
-  if (const auto why = check.WhyNot(start))
+  if (const auto why = check.ReasonRefused(start))
     return Blocked(FailureCode::kStartBlocked, "the robot cannot stand at the start: " + why->text,
                    {"start at another place"});
-  if (const auto why = check.WhyNot(goal))
+  if (const auto why = check.ReasonRefused(goal))
     return Blocked(FailureCode::kGoalBlocked, "the robot cannot stand at the goal: " + why->text, {"move the goal"});
   BaseRoute route;
   RouteStatistics statistics;
-  std::vector<PlanarPose> way = FreeDirectWay(check, start, goal, options);
+  std::vector<PlanarPose> way = FreeDirectRoute(check, start, goal, options);
   statistics.direct = !way.empty();
   if (way.empty()) {
     const PlaneExtent extent = ExtentFor(terrain, check.space(), start, goal);
-    const CoarseWay guide = FindCoarseWay(check, {start, goal, extent, weights});
+    const CoarseRoute guide = FindCoarseRoute(check, {start, goal, extent, weights});
     SampleFocus focus;
     Best best(check, weights, focus);
     RrtStarProblem problem{start, goal, extent, weights, options.iterations, static_cast<std::uint32_t>(options.seed),
@@ -201,7 +201,7 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
     if (guide.complete) problem.guide = focus.route = Thinned(guide.poses, options.iterations);
     const RrtStarReport report =
         SearchRrtStar(check, problem, focus, [&](const auto& found, double cost) { best.Take(found, cost); });
-    if (!best.found()) return NoWay(guide, options, report);
+    if (!best.found()) return NoRoute(guide, options, report);
     way = best.way();
     best.Report(statistics);
     statistics.iterations = report.iterations;

@@ -262,7 +262,7 @@ Hindrance PoseCheck::NoFoothold(const PlanarPose& at, const Footing& footing) {
   return hindrance;
 }
 
-std::optional<Hindrance> PoseCheck::WhyNot(const PlanarPose& at) {
+std::optional<Hindrance> PoseCheck::ReasonRefused(const PlanarPose& at) {
   const Footing footing = FootingAt(at);
   if (footing.lacking >= 0 || footing.too_high >= 0) return NoFoothold(at, footing);
   const std::string place = fmt::format("at ({:.2f}, {:.2f}), facing {:.2f} rad", at.x_m, at.y_m, at.yaw_rad);

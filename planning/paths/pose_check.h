@@ -42,7 +42,7 @@ class PoseCheck {
   bool IsFreeAlong(const std::vector<PlanarPose>& way);
 
   /// Reason why a pose is not free; nothing if it is free.
-  std::optional<Hindrance> WhyNot(const PlanarPose& at);
+  std::optional<Hindrance> ReasonRefused(const PlanarPose& at);
 
   const BodySpace& space() const { return space_; }
   long num_checks() const { return num_checks_; }

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "planning/paths/coarse_way.h"
+#include "planning/paths/coarse_route.h"
 #include "planning/paths/pose_check.h"
 #include "planning/paths/travel_cost.h"
 

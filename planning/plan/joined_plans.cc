@@ -170,8 +170,8 @@ Failure Misfit(const std::string& why) {
   return {FailureKind::kBadInput, FailureCode::kMisfit, "JoinedPlans", why, {}};
 }
 
-std::optional<Failure> WhyNotJoined(const MotionPlan& before, double before_s, const MotionPlan& after,
-                                    double after_s) {
+std::optional<Failure> ReasonNotJoined(const MotionPlan& before, double before_s, const MotionPlan& after,
+                                       double after_s) {
   if (before.robot_hash != after.robot_hash) return Misfit("the motions are of different robots");
   if (std::abs(before.whole_body.step_s - after.whole_body.step_s) > 1e-9)
     return Misfit(fmt::format("the motions have different time steps, {} and {} s", before.whole_body.step_s,
@@ -232,7 +232,7 @@ MotionPlan PlanFrom(MotionPlan plan, double from_s) {
 }
 
 Result<MotionPlan> JoinedPlans(const MotionPlan& before, double before_s, const MotionPlan& after, double after_s) {
-  if (auto failure = WhyNotJoined(before, before_s, after, after_s)) return *failure;
+  if (auto failure = ReasonNotJoined(before, before_s, after, after_s)) return *failure;
   const std::size_t ka = RowAt(before.whole_body, before_s), kb = RowAt(after.whole_body, after_s);
   const double at_s = TimeOf(before.whole_body, ka), later_s = at_s - TimeOf(after.whole_body, kb);
   const Pose X = PoseOf(BaseInPlan(before.whole_body.q[ka])) * PoseOf(BaseInPlan(after.whole_body.q[kb])).inverse();

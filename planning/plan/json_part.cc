@@ -20,7 +20,7 @@ namespace {
 using Json = JsonPart::Json;
 
 /// Short description of a value.
-std::string Told(const Json& json) {
+std::string Described(const Json& json) {
   if (json.is_object()) return "an object";
   if (json.is_array()) return fmt::format("a list of {}", json.size());
   if (json.is_null()) return "null";
@@ -129,7 +129,7 @@ void JsonPart::Refuse(const std::string& what) const {
   throw InvalidArgument(way_.empty() ? "it " + what : fmt::format("'{}' {}", way_, what));
 }
 
-void JsonPart::NeedsA(const char* kind) const { Refuse(fmt::format("is {}; {} is needed", Told(*json_), kind)); }
+void JsonPart::NeedsA(const char* kind) const { Refuse(fmt::format("is {}; {} is needed", Described(*json_), kind)); }
 
 const JsonPart& JsonPart::Object(const std::vector<std::string>& required,
                                  const std::vector<std::string>& optional) const {
@@ -208,7 +208,7 @@ std::string JsonPart::Text() const {
 
 int JsonPart::Choice(const std::vector<std::string>& choices) const {
   const auto found = std::find(choices.begin(), choices.end(), Text());
-  if (found == choices.end()) Refuse(fmt::format("is {}; accepted: {}", Told(*json_), QuotedList(choices)));
+  if (found == choices.end()) Refuse(fmt::format("is {}; accepted: {}", Described(*json_), QuotedList(choices)));
   return static_cast<int>(found - choices.begin());
 }
 

@@ -17,7 +17,7 @@
 #include "planning/audit/motor_effort.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/robot_of_plan.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
@@ -54,7 +54,8 @@ std::string PairText(const Overlap& pair) {
 }
 
 /// Postures of a collision-free motion, including both ends; a failure if none is found.
-Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, const VectorX& from, const VectorX& to) {
+Result<std::vector<VectorX>> FreeWay(const RobotModel& model, PathCheck& check, const VectorX& from,
+                                     const VectorX& to) {
   const auto blocked = [&](const char* posture, const Overlap& pair) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kSelfCollision,
@@ -311,7 +312,7 @@ Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, c
   const double step = plan.whole_body.step_s;
   if (auto failure = TooLong(TimeOf(model, options, shares, from.joints, to), step)) return *failure;
   const VectorX q_base = HangingBase(model, plan, from);
-  WayCheck check(model, q_base);
+  PathCheck check(model, q_base);
   const Result<std::vector<VectorX>> way = FreeWay(model, check, from.joints, to);
   if (!way) return way.failure();
   Approach approach;

@@ -8,7 +8,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/dof_units.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
@@ -77,7 +77,7 @@ struct FreeShare {
   std::optional<Overlap> met;
 };
 
-FreeShare FreeShareOf(WayCheck& check, const VectorX& from, const VectorX& to) {
+FreeShare FreeShareOf(PathCheck& check, const VectorX& from, const VectorX& to) {
   constexpr int kHalvings = 7;
   FreeShare free{1.0, check.FirstMeeting(from, to)};
   if (!free.met) return free;
@@ -103,7 +103,7 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
       MoveToBest(end, from, 10.0 / model.leg_length_m(), Range::Of(model, dof), dof, raised);
     if ((raised - before).cwiseAbs().maxCoeff() < 1e-3) break;
   }
-  WayCheck check(model, StandingConfiguration(model));
+  PathCheck check(model, StandingConfiguration(model));
   const FreeShare free = FreeShareOf(check, from, raised);
   raised = from + free.share * (raised - from);
   const double gain = end.At(raised).z() - end.At(from).z();
@@ -142,7 +142,7 @@ Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& rai
                                model.bodies[static_cast<std::size_t>(arm.end_body)].name),
                    {}};
   }
-  WayCheck check(model, StandingConfiguration(model));
+  PathCheck check(model, StandingConfiguration(model));
   const Range range = Range::Of(model, best);
   const auto swung = [&](double by) {
     VectorX to = raised;

@@ -10,7 +10,7 @@
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/ik/whole_body_ik.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
@@ -128,7 +128,7 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
   if (model.feet.size() == model.legs.size())
     return CannotLie(fmt::format("robot '{}' has no flat surface under its body to lie on", model.name));
   BodyOverFeet body(model);
-  WayCheck check(model, body.standing());
+  PathCheck check(model, body.standing());
   const Foot& rest = model.feet[model.legs.size()];
   const double leg = model.leg_length_m();
   Vector3 p_WB = body.standing().head<3>();

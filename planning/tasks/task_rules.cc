@@ -269,7 +269,7 @@ std::optional<Failure> WhyNoTask(const Task& task) {
   return std::nullopt;
 }
 
-std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
+std::optional<Failure> ReasonNotDone(const Task& task, const TaskScope& scope) {
   const ActionRule& rule = *FindAction(task.action);
   const auto cannot = [&](const std::string& why) {
     std::vector<Suggestion> suggestions = {fmt::format("it can {}", fmt::join(scope.Actions(), ", "))};
@@ -288,14 +288,14 @@ std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
     if (auto failure = WhyNoPlace(std::get<PlaceName>(to->second), scope)) return failure;
   }
   for (const Task& gesture : task.during) {
-    if (auto failure = WhyNotDone(gesture, scope)) return failure;
+    if (auto failure = ReasonNotDone(gesture, scope)) return failure;
     if (gesture.action == "nod" && !scope.head)
       return cannot("nods with its body, because it has no head; this is not possible during another task");
   }
   return std::nullopt;
 }
 
-std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scope) {
+std::optional<Failure> ReasonNotPlanned(const TaskPlan& plan, const TaskScope& scope) {
   if (plan.tasks.empty()) return Bad(FailureCode::kEmpty, "the plan contains no task");
   if (plan.tasks.size() > kMostTasks)
     return Bad(FailureCode::kRange,
@@ -303,7 +303,7 @@ std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scop
   for (std::size_t k = 0; k < plan.tasks.size(); ++k) {
     const Task& task = plan.tasks[k];
     std::optional<Failure> failure = WhyNoTask(task);
-    if (!failure) failure = WhyNotDone(task, scope);
+    if (!failure) failure = ReasonNotDone(task, scope);
     if (!failure) continue;
     const std::string words = task.words.empty() ? "" : fmt::format(", '{}'", task.words);
     failure->message = fmt::format("task {}{}: {}", k + 1, words, failure->message);

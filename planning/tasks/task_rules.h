@@ -76,11 +76,11 @@ TaskScope ScopeOf(const RobotModel& model);
 std::optional<Failure> WhyNoTask(const Task& task);
 
 /// Reason why this robot cannot do a valid task here: codes `cannot`, `place`. Call WhyNoTask first.
-std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope);
+std::optional<Failure> ReasonNotDone(const Task& task, const TaskScope& scope);
 
 /// The first task of a plan that is invalid, or that the robot cannot do, with its number and words. Also fails for a
 /// plan without tasks, or with more than kMostTasks.
 inline constexpr std::size_t kMostTasks = 50;
-std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scope);
+std::optional<Failure> ReasonNotPlanned(const TaskPlan& plan, const TaskScope& scope);
 
 }  // namespace gaitwright

@@ -73,7 +73,7 @@ bool ReadRows(Reading& reading) {
 }
 
 /// Reason why this kind of picture is not supported; "" if it is.
-std::string WhyNot(const Reading& reading) {
+std::string ReasonRefused(const Reading& reading) {
   const int depth = png_get_bit_depth(reading.png, reading.info);
   const int colour = png_get_color_type(reading.png, reading.info);
   if (colour != PNG_COLOR_TYPE_GRAY)
@@ -94,7 +94,7 @@ Result<GreyImage> ReadGreyPng(const std::string& path) {
   if (!bytes) return RefusedPng(path, fmt::format("cannot be read: {}", bytes.failure().message));
   Reading reading(std::move(*bytes));
   if (!ReadHead(reading)) return RefusedPng(path, fmt::format("is not a readable PNG: {}", reading.error));
-  const std::string why = WhyNot(reading);
+  const std::string why = ReasonRefused(reading);
   if (!why.empty()) return RefusedPng(path, why);
   GreyImage image;
   image.columns = static_cast<int>(png_get_image_width(reading.png, reading.info));

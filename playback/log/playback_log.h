@@ -79,7 +79,7 @@ struct GateRecord {
 /// Measurements of a simulation; never copied from the plan. A pure value.
 struct PlaybackLog {
   static constexpr int kSchema = 5;
-  static constexpr double kToldPenetration = 0.001;  ///< [m]
+  static constexpr double kReportedPenetration = 0.001;  ///< [m]
 
   std::string program_version;  ///< of the program that played
   std::string robot, robot_hash, plan_hash, controller;
@@ -93,7 +93,7 @@ struct PlaybackLog {
   VectorX saturated_s;                     ///< time each motor (ActuatorOf) spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>>
       options;                                   ///< every option of the playback, "play." before those of Play
-  std::optional<Penetration> start_penetration;  ///< in the first posture, if deeper than kToldPenetration
+  std::optional<Penetration> start_penetration;  ///< in the first posture, if deeper than kReportedPenetration
   std::string broke_off;  ///< reason of an early end, such as a state that is not finite; else ""
 };
 

@@ -114,7 +114,7 @@ class Playback {
     controller_.Reset();
     StartLog(start_W);
     const Penetration deepest = world_->DeepestPenetration();
-    if (deepest.depth_m > PlaybackLog::kToldPenetration) log_.start_penetration = deepest;
+    if (deepest.depth_m > PlaybackLog::kReportedPenetration) log_.start_penetration = deepest;
     const double end_s = Settle() ? FollowPlan() : log_.start_s;
     FinishEstimates(end_s);
     log_.stances = stances_.Finish(end_s);
@@ -286,7 +286,7 @@ class Playback {
 
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options) {
-  if (auto failure = WhyNotPlayed(model, plan, options)) return *failure;
+  if (auto failure = ReasonNotPlayed(model, plan, options)) return *failure;
   return Playback(model, plan, controller, options).Run();
 }
 

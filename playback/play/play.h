@@ -104,7 +104,7 @@ Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Contro
 
 /// Reason for which Play would refuse these arguments, without a playback; nothing if it would accept them.
 /// @throws as Play does.
-std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
+std::optional<Failure> ReasonNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
 
 /// Hash of all parts of a plan that affect a playback, which ties a log to its plan: the robot, the ground with its
 /// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. Data

@@ -88,7 +88,7 @@ WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
 
 }  // namespace playing
 
-std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options) {
+std::optional<Failure> ReasonNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options) {
   PlayOptions checked = options;
   CheckOptions(checked.Fields());
   if (auto failure = Misfit(model, plan)) return failure;

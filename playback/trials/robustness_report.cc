@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kWorstTold = 10;
+constexpr std::size_t kWorstShown = 10;
 
 /// Interpolated quantile of sorted values; `share` from 0 (first) to 1 (last).
 double Quantile(const std::vector<double>& sorted, double share) {
@@ -106,7 +106,7 @@ std::vector<int> WorstOf(const std::vector<TrialOutcome>& outcomes) {
     return std::tuple(x.survived, x.passed, x.score) < std::tuple(y.survived, y.passed, y.score);
   };
   std::stable_sort(numbers.begin(), numbers.end(), worse);
-  if (numbers.size() > kWorstTold) numbers.resize(kWorstTold);
+  if (numbers.size() > kWorstShown) numbers.resize(kWorstShown);
   return numbers;
 }
 

@@ -37,7 +37,7 @@ TaskPlan TasksIn(const py::object& what, const TaskScope& scope) {
     throw py::type_error(fmt::format("the task is {}; accepted: an instruction as text, or a task plan as a dictionary",
                                      py::repr(what).cast<std::string>()));
   TaskPlan plan = Value(TaskPlanFromJson(py::module_::import("json").attr("dumps")(what).cast<std::string>()));
-  if (auto failure = WhyNotPlanned(plan, scope)) throw FailureError(*failure);
+  if (auto failure = ReasonNotPlanned(plan, scope)) throw FailureError(*failure);
   return plan;
 }
 

@@ -125,7 +125,7 @@ Disturbances DisturbancesOf(const py::object& which, const RobotModel& model, Pl
   };
   if (py::isinstance<py::str>(which) && which.cast<std::string>() == "standard") return StandardBesides(model, request);
   Disturbances disturbances = Value(read());
-  if (const auto failure = WhyNotSampled(model, request, disturbances)) throw FailureError(*failure);
+  if (const auto failure = ReasonNotSampled(model, request, disturbances)) throw FailureError(*failure);
   return disturbances;
 }
 

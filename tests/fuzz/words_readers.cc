@@ -50,7 +50,7 @@ Verdict ReadInstruction(const std::string& input) {
     Require(std::get<words::Refusal>(understood).code != FailureCode::kInternal, "a refusal has its reason");
     return Verdict::kRefused;
   }
-  Require(!WhyNotPlanned(*plan, Scope()), "an understood instruction can be planned");
+  Require(!ReasonNotPlanned(*plan, Scope()), "an understood instruction can be planned");
   for (const Task& task : plan->tasks) RequireWithinRules(task);
   return Verdict::kAccepted;
 }

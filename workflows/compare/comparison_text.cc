@@ -19,7 +19,7 @@ std::string NumberOrDash(const std::string& text) { return text.empty() ? "-" : 
 
 std::string UnitAfter(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + unit; }
 
-std::string Told(const FirstDifference& one) {
+std::string DifferenceText(const FirstDifference& one) {
   const std::string tolerance = one.tolerance > 0.0 ? fmt::format(" (tolerance {})", Number(one.tolerance)) : "";
   return fmt::format("{:.3f} s  {}: {} against {}{}{}", one.time_s, one.quantity, Number(one.a), Number(one.b),
                      UnitAfter(one.unit), tolerance);
@@ -148,7 +148,7 @@ std::string ComparisonText(const MotionComparison& c, const std::vector<MetricPa
   if (c.in_order.size() > 1) {
     text += "in order of time:\n";
     for (std::size_t i = 0; i < std::min(kMostInOrder, c.in_order.size()); ++i)
-      text += "  " + Told(c.in_order[i]) + "\n";
+      text += "  " + DifferenceText(c.in_order[i]) + "\n";
     if (c.in_order.size() > kMostInOrder) text += fmt::format("  and {} more\n", c.in_order.size() - kMostInOrder);
   }
   text += JointsOf(c) + SeriesLines("base and balance: rms (largest at time in s)", c.base);

@@ -25,7 +25,7 @@ bool RunsCode(const Rubric& rubric) {
 }
 
 /// Failure if a ground, an option or a command of the rubric does not exist.
-std::optional<Failure> WhyNotAsked(const GradeRequest& request) {
+std::optional<Failure> ReasonInvalidRequest(const GradeRequest& request) {
   for (const RubricPart& part : request.rubric.parts) {
     if (!PlaysMotions(part.kind)) continue;
     const Result<RobotModel> model = LoadNamedRobot(part.motion.robot);
@@ -52,7 +52,7 @@ bool LiesIn(const fs::path& path, const fs::path& folder) {
 }
 
 /// Failure if the folder of grades is inside the folder of submissions, where it would count as a student.
-std::optional<Failure> WhyNotThere(const GradeRequest& request) {
+std::optional<Failure> ReasonMissing(const GradeRequest& request) {
   std::error_code error;
   if (!LiesIn(fs::absolute(request.out_folder, error), fs::absolute(request.folder, error))) return std::nullopt;
   return CannotGrade(
@@ -103,8 +103,8 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
 }
 
 /// Runs test code as a submission, so that a problem that affects all submissions is reported first.
-std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLimits& limits, bool package,
-                                      bool confined) {
+std::optional<Failure> ReasonNotRunnable(const PythonProgram& python, const ChildLimits& limits, bool package,
+                                         bool confined) {
   const std::string text =
       fmt::format("import numpy\n{}def ready():\n    return 0\n", package ? "import gaitwright\n" : "");
   Result<StudentPython> code = StudentPython::Start(python, {{{"ready.py", text}}, "ready", package}, limits, confined);
@@ -115,11 +115,11 @@ std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLi
                      {"give another Python, readable by all users, with --python PROGRAM", "raise limits.memory_mb"});
 }
 
-std::optional<Failure> WhyNotTriedOut(const GradeRequest& request, const MarkingSetup& setup) {
+std::optional<Failure> ReasonNotRunnable(const GradeRequest& request, const MarkingSetup& setup) {
   for (const bool package : {false, true}) {
     for (const RubricPart& part : request.rubric.parts) {
       if (!RunsCode(part.kind) || part.package != package) continue;
-      if (auto failure = WhyNotTriedOut(setup.python, part.limits, package, setup.confined)) return failure;
+      if (auto failure = ReasonNotRunnable(setup.python, part.limits, package, setup.confined)) return failure;
       break;
     }
   }
@@ -131,7 +131,7 @@ Result<MarkingSetup> SetUp(const GradeRequest& request) {
   MarkingSetup setup;
   setup.seed = request.seed;
   if (!RunsCode(request.rubric)) return setup;
-  const std::string why = WhyNotConfined();
+  const std::string why = ReasonNotConfined();
   setup.confined = why.empty();
   if (!setup.confined && !request.unconfined)
     return CannotGrade(FailureCode::kUnconfinedOnly, fmt::format("submissions cannot be run safely here: {}", why),
@@ -140,7 +140,7 @@ Result<MarkingSetup> SetUp(const GradeRequest& request) {
   if (!python) return python.failure();
   if (auto failure = WhyNoCode(request, *python)) return *failure;
   setup.python = std::move(*python);
-  if (auto failure = WhyNotTriedOut(request, setup)) return *failure;
+  if (auto failure = ReasonNotRunnable(request, setup)) return *failure;
   return setup;
 }
 
@@ -150,8 +150,8 @@ Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hoo
                               const std::function<Result<std::string>(const std::vector<OutputFile>&)>& written) {
   const Result<std::vector<Student>> students = FindStudents(request.folder);
   if (!students) return students.failure();
-  if (auto failure = WhyNotThere(request)) return *failure;
-  if (auto failure = WhyNotAsked(request)) return *failure;
+  if (auto failure = ReasonMissing(request)) return *failure;
+  if (auto failure = ReasonInvalidRequest(request)) return *failure;
   const Result<MarkingSetup> setup = SetUp(request);
   if (!setup) return setup.failure();
   ClassMarks marks{request.rubric.title, request.seed, setup->confined, {}, request.rubric.points(), {}};

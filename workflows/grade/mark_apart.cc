@@ -87,7 +87,7 @@ std::string ReadAll(int from) {
   std::_Exit(0);
 }
 
-std::string WhyNot(int status, const RubricPart& part) {
+std::string ReasonRefused(int status, const RubricPart& part) {
   const bool late = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
   if (late) return fmt::format("marking took more than {:g} s", part.judge_s);
   return WIFSIGNALED(status) ? "the marking process crashed" : "the marking process ran out of memory";
@@ -111,7 +111,7 @@ PartMark MarkApart(const RubricPart& part, const std::function<PartMark()>& mark
   }
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_object()) return MarkFrom(json, part);
-  return NothingFor(part, "the submission could not be marked: " + WhyNot(status, part));
+  return NothingFor(part, "the submission could not be marked: " + ReasonRefused(status, part));
 }
 
 }  // namespace gaitwright

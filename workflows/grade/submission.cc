@@ -69,7 +69,7 @@ std::string WithoutMark(std::string bytes) {
 }
 
 /// Failure if an open file is not accepted.
-std::optional<Failure> WhyNot(int handle, const std::string& file, std::size_t most_bytes) {
+std::optional<Failure> ReasonRefused(int handle, const std::string& file, std::size_t most_bytes) {
   struct stat what {};
   if (fstat(handle, &what) != 0) return NotHandedIn(fmt::format("'{}' cannot be read", file));
   if (!S_ISREG(what.st_mode))
@@ -110,7 +110,7 @@ Result<std::string> ReadSubmission(const Student& student, const std::string& fi
     if (errno == ENOENT) return NotHandedIn(fmt::format("'{}' was not handed in", file));
     return NotHandedIn(fmt::format("'{}' is not a readable file", file));
   }
-  if (auto failure = WhyNot(handle.number(), file, most_bytes)) return *failure;
+  if (auto failure = ReasonRefused(handle.number(), file, most_bytes)) return *failure;
   std::string bytes;
   std::array<char, 65536> piece{};
   while (true) {

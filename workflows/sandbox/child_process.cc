@@ -90,7 +90,7 @@ class NoPipeSignal {
 
 }  // namespace
 
-std::string WhyNotConfined() {
+std::string ReasonNotConfined() {
   const std::string files = WhyNoLandlock();
   return files.empty() ? WhyNoCallFilter() : files;
 }

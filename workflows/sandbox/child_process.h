@@ -40,7 +40,7 @@ struct ChildSetup {
 };
 
 /// Why no child can be confined on this machine; "" if they can.
-std::string WhyNotConfined();
+std::string ReasonNotConfined();
 
 /// User and group of children if the program runs as root: those of nobody.
 inline constexpr unsigned kNobody = 65534;

@@ -139,7 +139,7 @@ Report Become(Prepared& p) {
 }
 
 /// Waits until the child's program has started, or the child has reported a failure.
-std::optional<Failure> WhyNotBecome(int told, pid_t process, const ChildSetup& setup) {
+std::optional<Failure> ReasonNotStarted(int told, pid_t process, const ChildSetup& setup) {
   Report report;
   ssize_t n = 0;
   while ((n = read(told, &report, sizeof report)) < 0 && errno == EINTR) {
@@ -184,7 +184,7 @@ Result<pid_t> Fork(Prepared& prepared, Pipe& tells, Pipe& filter) {
   if (process < 0) return NotStarted(std::strerror(error));
   if (prepared.filter >= 0) WriteCallFilter(process, filter.ends[1]);
   filter.Close(1);
-  if (auto failure = WhyNotBecome(tells.ends[0], process, prepared.setup)) return *failure;
+  if (auto failure = ReasonNotStarted(tells.ends[0], process, prepared.setup)) return *failure;
   return process;
 }
 
@@ -193,7 +193,7 @@ Result<pid_t> Fork(Prepared& prepared, Pipe& tells, Pipe& filter) {
 Result<pid_t> StartChild(const ChildSetup& setup, int reads, int writes) {
   std::optional<LandlockRules> rules;
   if (setup.confined) {
-    if (const std::string why = WhyNotConfined(); !why.empty()) return NotStarted(why);
+    if (const std::string why = ReasonNotConfined(); !why.empty()) return NotStarted(why);
     Result<LandlockRules> made = LandlockRules::Make({setup.readable, setup.work_folder});
     if (!made) return made.failure();
     rules.emplace(std::move(*made));

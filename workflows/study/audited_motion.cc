@@ -155,7 +155,7 @@ class Refiner {
     RigidBodyOptions options = options_;
     options.max_iterations *= 3;
     if (!InRange(options)) options = options_;
-    options.hopeless = 1e3;
+    options.infeasible = 1e3;
     RigidBodyPlan last;
     const Result<RigidBodyPlan> plan = from_numbers
                                            ? PlanRigidBodyFrom(at_.choice.problem, options, at_.plan.numbers, &last)

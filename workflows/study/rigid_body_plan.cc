@@ -48,7 +48,7 @@ class Converter {
   Converter(const RobotModel& robot, const Terrain& ground, const RigidBodyProblem& problem,
             const RigidBodyMotion& motion, double step_s)
       : robot_(robot), ground_(ground), problem_(problem), motion_(motion), scratch_(robot) {
-    if (!problem.inner_momentum_W.empty())
+    if (!problem.leg_momentum_W.empty())
       throw InvalidArgument("rigid body's plan: the problem has leg angular momentum, but its robot has massless legs");
     problem_foot_ = ProblemFeetOf(robot, problem);
     foot_of_.resize(problem_foot_.size());

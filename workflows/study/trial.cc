@@ -174,24 +174,24 @@ Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request
   return standard;
 }
 
-std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
-                                     const Disturbances& disturbances) {
+std::optional<Failure> ReasonNotSampled(const RobotModel& model, const PlayRequest& request,
+                                        const Disturbances& disturbances) {
   PlayRequest undisturbed = request;
   CheckOptions(undisturbed.Fields());
   return AtBothEnds(model, MotionPlan(), request, disturbances,
                     [](const PlayRequest&) -> std::optional<Failure> { return std::nullopt; });
 }
 
-std::optional<Failure> WhyNotTried(const TrialStudy& study) {
+std::optional<Failure> ReasonNotTried(const TrialStudy& study) {
   PlayRequest undisturbed = study.request;
   CheckOptions(undisturbed.Fields());
-  if (auto failure = WhyNotPlayed(study.model, study.plan, study.request.play)) return failure;
+  if (auto failure = ReasonNotPlayed(study.model, study.plan, study.request.play)) return failure;
   return AtBothEnds(study.model, study.plan, study.request, study.disturbances,
-                    [&](const PlayRequest& at_end) { return WhyNotPlayed(study.model, study.plan, at_end.play); });
+                    [&](const PlayRequest& at_end) { return ReasonNotPlayed(study.model, study.plan, at_end.play); });
 }
 
 Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t seed) {
-  if (auto failure = WhyNotTried(study)) return *failure;
+  if (auto failure = ReasonNotTried(study)) return *failure;
   const SampledTrial trial = SampleTrial(study.disturbances, study.model, study.plan, seed);
   const PlayRequest disturbed = DisturbedRequest(study.request, trial);
   Result<PlayedWalk> played = PlayWalk(study.model, study.plan, disturbed);

@@ -58,7 +58,7 @@ struct TrialHooks {
 /// matter. Trials of an earlier part beyond the end stay in the journal.
 class TrialBook {
  public:
-  /// @return a failure as of WhyNotTried (before a journal is created), as of JobJournal::Open, or for a damaged
+  /// @return a failure as of ReasonNotTried (before a journal is created), as of JobJournal::Open, or for a damaged
   /// outcome in the journal. @throws InvalidArgument for an option out of range.
   static Result<TrialBook> Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks);
 

@@ -138,9 +138,9 @@ std::string Response(const Study& study, const TuneResult& result, std::size_t a
   plot.AcrossY(NumberOfValue(result.candidates[result.favourite].values[axis]), Ink::kDcm, "favourite");
   std::string caption = "Each candidate's value over " + a.key + ", for all values of the other options.";
   if (result.surface)
-    caption += result.surface->foretold > 0.0
+    caption += result.surface->predicted > 0.0
                    ? fmt::format(" The surface predicts {:.0f} % of the variance of points that were not fitted.",
-                                 100.0 * result.surface->foretold)
+                                 100.0 * result.surface->predicted)
                    : std::string(" The surface predicts points that were not fitted worse than their mean does.");
   return FigureOf({"response", caption, plot.Svg()});
 }

@@ -173,7 +173,7 @@ class TuneSearch {
     while (!stopped_ && options_.method != "cma-es" && Left() > 0) {
       const std::optional<FittedSurface> whole = Fitted(VectorX(), 0);
       if (!whole && options_.method == "auto") return;
-      if (whole && options_.method == "auto" && whole->foretold < options_.smooth_above) return;
+      if (whole && options_.method == "auto" && whole->predicted < options_.smooth_above) return;
       const VectorX best = BestShares();
       std::vector<StudyPoint> points;
       for (const double half : {1.0, 0.25, 0.125, 0.0625}) {

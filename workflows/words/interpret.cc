@@ -46,7 +46,7 @@ std::string InterpreterPrompt(const TaskScope& scope) {
 Result<TaskPlan> PlanInAnswer(const std::string& answer, const std::string& instruction, const TaskScope& scope) {
   Result<TaskPlan> plan = TaskPlanFromJson(JsonIn(answer));
   if (!plan) return plan;
-  if (auto failure = WhyNotPlanned(*plan, scope)) return *failure;
+  if (auto failure = ReasonNotPlanned(*plan, scope)) return *failure;
   plan->text = instruction;
   plan->language = words::LanguageOf(instruction) == words::Language::kEnglish ? "en" : "zh";
   return plan;

@@ -32,8 +32,8 @@ class Interpreter {
 
   /// @param scope  the abilities of the robot and the known places.
   /// @param notes  receives the reasons why received answers are not accepted.
-  /// @return a plan that is valid for the robot (WhyNotPlanned), or the failure. Failure `interpreter_url`: the URL of
-  /// the interpreter is wrong.
+  /// @return a plan that is valid for the robot (ReasonNotPlanned), or the failure. Failure `interpreter_url`: the URL
+  /// of the interpreter is wrong.
   virtual Result<TaskPlan> Interpret(const std::string& instruction, const TaskScope& scope,
                                      std::vector<std::string>& notes) const = 0;
 };
@@ -71,7 +71,7 @@ struct Interpretation {
 std::string InterpreterPrompt(const TaskScope& scope);
 
 /// The task plan in a language model's answer, as plain or fenced JSON. Failures as of TaskPlanFromJson and
-/// WhyNotPlanned: every returned plan is valid for this robot.
+/// ReasonNotPlanned: every returned plan is valid for this robot.
 Result<TaskPlan> PlanInAnswer(const std::string& answer, const std::string& instruction, const TaskScope& scope);
 
 /// Translates an instruction to a task plan with the first interpreter that understands it. Failure: that of the last

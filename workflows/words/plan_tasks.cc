@@ -76,7 +76,7 @@ Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, 
   const CpuClock clock;
   TaskScope scope = ScopeOf(model);
   scope.places = PlacesOf(terrain);
-  if (auto failure = WhyNotPlanned(tasks, scope)) return *failure;
+  if (auto failure = ReasonNotPlanned(tasks, scope)) return *failure;
   const Result<RobotModel> whole = WholeRobot(model, tasks, scope);
   if (!whole) return whole.failure();
   tasks::TaskPlanner planner(model, *whole, terrain, options);

@@ -43,8 +43,8 @@ struct PlannedTasks {
 ///   turn   default angle: a quarter turn
 ///   to     straight to the place, after a turn if the place is not in front
 ///
-/// Failures: as of WhyNotPlanned, PlanWalk and PlanPosture, with the task's number and words; kInfeasible for a motion
-/// that fails its audit at any speed, with the largest feasible size if a size was requested.
+/// Failures: as of ReasonNotPlanned, PlanWalk and PlanPosture, with the task's number and words; kInfeasible for a
+/// motion that fails its audit at any speed, with the largest feasible size if a size was requested.
 Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, const TaskPlan& tasks,
                                const TaskOptions& options);
 

@@ -39,7 +39,7 @@ struct Sizes {
 Failure WhyBroken(const std::string& what, const AuditReport& audit);
 
 /// The largest feasible size below an infeasible one, to a thirtieth of it; 0 if there is none.
-double LargestBelow(const std::function<bool(double size)>& serves, double size);
+double LargestBelow(const std::function<bool(double size)>& is_feasible, double size);
 
 /// A posture motion that passes its audit: the first size that is feasible at some speed, at the highest such speed.
 /// Failures as of PlanTasks.

@@ -38,11 +38,11 @@ Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, 
 
 }  // namespace
 
-double LargestBelow(const std::function<bool(double size)>& serves, double size) {
+double LargestBelow(const std::function<bool(double size)>& is_feasible, double size) {
   double largest = 0.0, too_large = size;
   for (int k = 0; k < 5; ++k) {
     const double middle = 0.5 * (largest + too_large);
-    (serves(middle) ? largest : too_large) = middle;
+    (is_feasible(middle) ? largest : too_large) = middle;
   }
   return largest;
 }
@@ -70,11 +70,11 @@ Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize&
   }
   first->stage = "PlanTasks";
   if (!sizes.asked) return *first;
-  const auto serves = [&](double size) {
+  const auto is_feasible = [&](double size) {
     const Result<PostureMotion> made = motion(size);
     return made && Try(model, *made, options);
   };
-  const double largest = LargestBelow(serves, sizes.tried.front());
+  const double largest = LargestBelow(is_feasible, sizes.tried.front());
   if (largest > 0.0) {
     first->suggestions = {
         fmt::format("the largest {} that robot '{}' can do here is about {:.2g}", sizes.name, model.name, largest)};

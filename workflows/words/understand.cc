@@ -96,7 +96,8 @@ class Assembler {
     for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
     if (plan.tasks.empty()) throw Refused{{FailureCode::kEmpty, "", "contains no instruction", ""}};
     for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
-    if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
+    if (const auto failure = ReasonNotPlanned(plan, scope_))
+      throw Refused{{failure->code, text_, failure->message, ""}};
     return plan;
   }
 

@@ -21,7 +21,7 @@ std::vector<ContactPoint> Rectangle(double half_x, double half_y) {
   return contacts;
 }
 
-double ConeExcess(const ContactPoint& contact, const Vector3& force) {
+double ConeViolation(const ContactPoint& contact, const Vector3& force) {
   return force.head<2>().norm() - contact.friction * force.z();
 }
 
@@ -32,7 +32,7 @@ TEST(ContactSplit, GivesAWrenchThatTheConesAllow) {
                           split);
   EXPECT_LT(split.residual_force_W.norm(), 1e-5);
   EXPECT_LT(split.residual_moment_W.norm(), 1e-5);
-  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeExcess(contacts[i], split.force_W[i]), 1e-9);
+  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeViolation(contacts[i], split.force_W[i]), 1e-9);
 }
 
 TEST(ContactSplit, StaysInsideTheConesWhenAskedForTooMuch) {
@@ -40,7 +40,7 @@ TEST(ContactSplit, StaysInsideTheConesWhenAskedForTooMuch) {
   ContactSplit split;
   ContactSplitter().Solve(contacts, {Vector3::Zero(), Vector3(100.0, 0.0, 100.0), Vector3::Zero()}, split);
   EXPECT_GT(split.residual_force_W.norm(), 1.0);
-  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeExcess(contacts[i], split.force_W[i]), 1e-9);
+  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeViolation(contacts[i], split.force_W[i]), 1e-9);
 }
 
 TEST(ContactSplit, TwoPointsCannotHoldTheMomentAboutTheirLine) {
@@ -151,7 +151,7 @@ TEST(ContactSplit, ComesAsNearAsForcesInTheConesCan) {
     const double best = nearest.Best(wanted), left = nearest.Left(wanted, split.force_W).squaredNorm();
     EXPECT_LE(std::sqrt(left), std::sqrt(best) + 0.01) << trial << ", " << split.iterations << " iterations";
     for (int i = 0; i < count; ++i) {
-      EXPECT_LE(ConeExcess(contacts[static_cast<std::size_t>(i)], split.force_W[static_cast<std::size_t>(i)]), 1e-6);
+      EXPECT_LE(ConeViolation(contacts[static_cast<std::size_t>(i)], split.force_W[static_cast<std::size_t>(i)]), 1e-6);
     }
     beyond += static_cast<int>(best > 1.0);
     most_iterations = std::max(most_iterations, split.iterations);

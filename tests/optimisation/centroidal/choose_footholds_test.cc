@@ -95,7 +95,7 @@ TEST(ChooseFootholds, RefusesWhatNoWayReachesAndSaysWhichFootAndWhen) {
   EXPECT_EQ(choice.failure().code, FailureCode::kOutOfReach);
   for (const char* part : {"foot ", "on the ground from ", " outside its workspace at "})
     EXPECT_NE(choice.failure().message.find(part), std::string::npos) << choice.failure().message;
-  EXPECT_TRUE(ChooseFootholds(ground, rigid_bodies::Walker(2.0), {.hopeless_m = 10.0}).ok());
+  EXPECT_TRUE(ChooseFootholds(ground, rigid_bodies::Walker(2.0), {.infeasible_m = 10.0}).ok());
 }
 
 TEST(ChooseFootholds, RefusesAGoalAtWhichAFootReachesNoGround) {

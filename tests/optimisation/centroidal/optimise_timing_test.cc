@@ -231,7 +231,7 @@ TEST(OptimiseTiming, RefusesWhatCannotBe) {
                 FailureCode::kNoDuration, "the shortest phase duration, 0.4 s, is above the longest, 0.3 s");
   ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, FailureCode::kUnmetLaw,
                 "; with other contact times, ");
-  rigid_bodies::AddInnerMotion(problem, 20);
+  rigid_bodies::AddLegMotion(problem, 20);
   ExpectRefused(problem, {}, FailureKind::kBadInput, FailureCode::kTiedToTime, "leg angular momentum");
   RigidBodyProblem beside = rigid_bodies::Hopper();
   beside.clearances = {{0.3}};

@@ -205,13 +205,13 @@ TEST(PlanRigidBody, SaysWhichLawStaysUnmetAndWhere) {
   EXPECT_FALSE(last.motion.intervals.empty());
 }
 
-TEST(WhyNotCarried, IsSilentWhereThereIsAMotion) {
+TEST(ReasonNotCarried, IsSilentWhereThereIsAMotion) {
   for (const RigidBodyProblem& problem : {rigid_bodies::Hopper(), rigid_bodies::Walker(), rigid_bodies::Trotter()})
-    EXPECT_FALSE(WhyNotCarried(problem, {}).has_value());
+    EXPECT_FALSE(ReasonNotCarried(problem, {}).has_value());
 }
 
-TEST(WhyNotCarried, SaysWhatForcesCannotDoHoweverTheBodyTurns) {
-  const std::optional<Failure> failure = WhyNotCarried(rigid_bodies::Hopper(2.5), {});
+TEST(ReasonNotCarried, SaysWhatForcesCannotDoHoweverTheBodyTurns) {
+  const std::optional<Failure> failure = ReasonNotCarried(rigid_bodies::Hopper(2.5), {});
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
   EXPECT_EQ(failure->code, FailureCode::kNotCarried);
@@ -219,15 +219,15 @@ TEST(WhyNotCarried, SaysWhatForcesCannotDoHoweverTheBodyTurns) {
   EXPECT_EQ(failure->suggestions.size(), 2U);
 }
 
-TEST(WhyNotCarried, SaysWhatForcesCarryButDoNotTurn) {
+TEST(ReasonNotCarried, SaysWhatForcesCarryButDoNotTurn) {
   // Feet in a line cannot hold a body whose centre of mass is beside them.
   RigidBodyProblem problem = rigid_bodies::Hopper(0.0);
   problem.start.p_WC.y() = problem.goal.p_WC.y() = 0.1;
   ASSERT_FALSE(PlanRigidBody(problem).ok());
-  const std::optional<Failure> failure = WhyNotCarried(problem, {.method = "ceres"});
+  const std::optional<Failure> failure = ReasonNotCarried(problem, {.method = "ceres"});
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kUnmetLaw);
-  EXPECT_FALSE(WhyNotCarried(problem, {.method = "interior-point"}).has_value()) << "planning sees it as soon";
+  EXPECT_FALSE(ReasonNotCarried(problem, {.method = "interior-point"}).has_value()) << "planning sees it as soon";
 }
 
 TEST(PlanRigidBody, SaysWhereFrictionHoldsNoBodyAtRest) {
@@ -357,7 +357,7 @@ TEST(PlanRigidBody, KeepsTheLawsWithWhatMovesInsideAndContactsThatRoll) {
   for (const char* method : {"interior-point", "ceres"}) {
     RigidBodyProblem problem = rigid_bodies::Trotter();
     const double still = Planned(problem, {.method = method}).summary.cost;
-    rigid_bodies::AddInnerMotion(problem, 141);
+    rigid_bodies::AddLegMotion(problem, 141);
     rigid_bodies::AddRolling(problem);
     const RigidBodyPlan plan = Planned(problem, {.method = method});
     EXPECT_NE(plan.summary.cost, still);

@@ -116,12 +116,12 @@ inline VectorX Wavering(const RigidBodyProblem& problem, const RigidBodyUnknowns
 }
 
 /// Adds limbs that swing: a smooth angular momentum with its rate at `count` uniform times.
-inline void AddInnerMotion(RigidBodyProblem& problem, int count) {
+inline void AddLegMotion(RigidBodyProblem& problem, int count) {
   for (int k = 0; k < count; ++k) {
     const double t = problem.duration_s * k / (count - 1);
-    problem.inner_momentum_W.emplace_back(0.05 * std::sin(9.0 * t), 0.08 * (1.0 - std::cos(7.0 * t)),
-                                          -0.03 * std::sin(5.0 * t));
-    problem.inner_torque_W.emplace_back(0.45 * std::cos(9.0 * t), 0.56 * std::sin(7.0 * t), -0.15 * std::cos(5.0 * t));
+    problem.leg_momentum_W.emplace_back(0.05 * std::sin(9.0 * t), 0.08 * (1.0 - std::cos(7.0 * t)),
+                                        -0.03 * std::sin(5.0 * t));
+    problem.leg_torque_W.emplace_back(0.45 * std::cos(9.0 * t), 0.56 * std::sin(7.0 * t), -0.15 * std::cos(5.0 * t));
   }
 }
 

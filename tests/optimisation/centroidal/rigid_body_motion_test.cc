@@ -86,11 +86,11 @@ TEST(RigidBodyMotion, VelocitiesAndMomentumAreContinuousAndIntegralsOfForces) {
 /// Simpson's rule over small steps.
 TEST(RigidBodyMotion, BoxAndWhatMovesInsideGainTheImpulseOfTorquesAtContactsThatMove) {
   Some some;
-  rigid_bodies::AddInnerMotion(some.problem, 41);
+  rigid_bodies::AddLegMotion(some.problem, 41);
   rigid_bodies::AddRolling(some.problem);
   const RigidBodyUnknowns unknowns(some.problem, 0.05, 3);
   const RigidBodyMotion motion = MotionOf(some.problem, unknowns, rigid_bodies::Wavering(some.problem, unknowns));
-  const InnerMomentum inner(some.problem);
+  const LegMomentum inner(some.problem);
   const std::vector<RigidBodySample> samples = Sample(motion, 2.5e-4);
   const auto torque = [&](const RigidBodySample& s) -> Vector3 {
     const RigidBodyInterval& in = motion.intervals[s.interval];

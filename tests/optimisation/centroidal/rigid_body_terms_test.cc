@@ -89,7 +89,7 @@ TEST(RigidBodyTerms, ClearanceIsHowFarAPointOfTheBodyIsAlongThePlanesNormal) {
 
 TEST(RigidBodyTerms, OfABodyThatMovesInsideAndRollsHaveTheirDerivatives) {
   for (RigidBodyProblem problem : {rigid_bodies::Hopper(), rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
-    rigid_bodies::AddInnerMotion(problem, 30);
+    rigid_bodies::AddLegMotion(problem, 30);
     rigid_bodies::AddRolling(problem);
     const RigidBodyUnknowns unknowns(problem, 0.08, 3);
     const RigidBodyTerms terms(problem, unknowns);
@@ -122,7 +122,7 @@ std::pair<double, double> TurningOff(const RigidBodyProblem& problem, double spa
 
 TEST(RigidBodyTerms, TurningIsZeroForAMotionThatFollowsFromItsForces) {
   RigidBodyProblem moving = rigid_bodies::Stander(), rolling = rigid_bodies::Stander();
-  rigid_bodies::AddInnerMotion(moving, 81);
+  rigid_bodies::AddLegMotion(moving, 81);
   rigid_bodies::AddRolling(rolling);
   for (const RigidBodyProblem& problem : {rigid_bodies::Stander(), moving, rolling}) {
     // Of order four: for half the interval length, the error of the angles is 1/32.
@@ -138,11 +138,11 @@ TEST(RigidBodyTerms, TurningIsZeroForAMotionThatFollowsFromItsForces) {
 TEST(RigidBodyTerms, TurningSeesWhatMovesInsideAndWhereContactsWent) {
   const RigidBodyProblem still = rigid_bodies::Stander();
   RigidBodyProblem moving = still, rolling = still;
-  rigid_bodies::AddInnerMotion(moving, 41);
+  rigid_bodies::AddLegMotion(moving, 41);
   rigid_bodies::AddRolling(rolling);
   const RigidBodyUnknowns unknowns(still, 0.08, 2);
   const VectorX x = rigid_bodies::Wavering(still, unknowns);
-  const InnerMomentum inner(moving);
+  const LegMomentum inner(moving);
   const double mean = unknowns.mean_inertia(), from = unknowns.breaks_s()[1], to = unknowns.breaks_s()[2];
   const VectorX alone = ValueOf(RigidBodyTerms(still, unknowns).Turning(1), x);
   const VectorX within = ValueOf(RigidBodyTerms(moving, unknowns).Turning(1), x);

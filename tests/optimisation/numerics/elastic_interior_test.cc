@@ -134,11 +134,11 @@ TEST(SolveElastic, PaysWhatAConstraintIsWorth) {
       Vec({0.5}), {Of([](const VectorX& x) { return Values{30.0 * (x[0] - 1.0)}; })}, {}, {}, {}};
   problem.constraints.push_back(
       {"at most", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInfinity}), Vec({0.0})});
-  const ConstrainedSolution at = Solved(problem, {.price = 1.0, .most_price = 1e4});
+  const ConstrainedSolution at = Solved(problem, {.penalty = 1.0, .max_penalty = 1e4});
   EXPECT_NEAR(at.x[0], 0.0, 1e-6);
   EXPECT_GT(at.outer, 1);
   ConstrainedSolution last;
-  const Result<ConstrainedSolution> poor = SolveElastic(problem, {.price = 1.0, .most_price = 90.0}, &last);
+  const Result<ConstrainedSolution> poor = SolveElastic(problem, {.penalty = 1.0, .max_penalty = 90.0}, &last);
   ASSERT_FALSE(poor.ok());
   EXPECT_NEAR(last.x[0], 0.9, 1e-3);  // 900 (1 - x) = 90
 }
@@ -177,7 +177,7 @@ TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
                                  Vec({-kInfinity, -kInfinity}), Vec({0.5, -9.0})});
   ConstrainedSolution whole, short_one;
   EXPECT_FALSE(SolveElastic(problem, {}, &whole).ok());
-  EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .hopeless = 0.1}, &short_one).ok());
+  EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .infeasible = 0.1}, &short_one).ok());
   EXPECT_EQ(short_one.iterations, 3);
   EXPECT_GT(whole.iterations, 3);
 }
@@ -190,7 +190,7 @@ TEST(SolveElastic, SaysWhatIsNotFiniteAndRefusesBounds) {
   EXPECT_NO_THROW((void)SolveElastic(problem));
   problem.lower = problem.upper = Vec({0.0});
   EXPECT_THROW((void)SolveElastic(problem), InvalidArgument);
-  EXPECT_THROW((void)SolveElastic(problem, {.price = -1.0}), InvalidArgument);
+  EXPECT_THROW((void)SolveElastic(problem, {.penalty = -1.0}), InvalidArgument);
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ TEST(IsSound, NeedsAPlanWithinLimitsThatPassesItsAudit) {
   EXPECT_FALSE(IsSound(WalkWith({Broken(Law::kDynamics, "base", 1.0, 0.1)})));
   EXPECT_FALSE(IsSound(WalkWith({Broken(Law::kJointTorque, "knee", 41.0, 40.0)})));
   PlannedWalk slight = WalkWith({}), far = slight;
-  slight.motion.limit_excess = 0.9 * kSlightExcess;
-  far.motion.limit_excess = 1.1 * kSlightExcess;
+  slight.motion.limit_excess = 0.9 * kSlightViolation;
+  far.motion.limit_excess = 1.1 * kSlightViolation;
   EXPECT_TRUE(IsSound(slight));
   EXPECT_FALSE(IsSound(far)) << "past limits between the audit's samples";
 }

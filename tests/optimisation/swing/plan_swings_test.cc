@@ -35,7 +35,7 @@ FootstepPlan OneStep(double length_m, double rise_m) {
 }
 
 double Spare(const RobotModel& model, const Terrain& terrain, const SwingTrajectory& swing, double clearance_m) {
-  return SpareClearance(
+  return ClearanceMargin(
       CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
       clearance_m);
 }
@@ -197,7 +197,7 @@ TEST(PlanSwings, WhatASphereRollsOffItsCurveIsReckonedWith) {
   former.roll = [&](const SwingTrajectory&) { return SwingRoll(roll); };
   const Terrain terrain = WithBox(0.05, 3.0, 0.1);
   const auto spare = [&](const SwingTrajectory& swing) {
-    return SpareClearance(
+    return ClearanceMargin(
         CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
         0.0, roll);
   };

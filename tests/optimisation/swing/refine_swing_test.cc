@@ -108,7 +108,7 @@ TEST(RefineSwing, NeedsLessJerkThanALiftThatClears) {
     const GroundHeight ground = Ground(scene.boxes, scene.low_m);
     const RefineChoice choice{0.04, 12, 30};
     SwingCurve raised = scene.swing;
-    while (SpareClearance(raised, underside, ground, choice.clearance_m) < 0.0 && raised.lift_m < 3.0) {
+    while (ClearanceMargin(raised, underside, ground, choice.clearance_m) < 0.0 && raised.lift_m < 3.0) {
       raised.lift_m += 0.01;
     }
     const Result<RefinedSwing> refined = RefineSwing(scene.swing, underside, ground, choice);
@@ -182,16 +182,16 @@ TEST(RefineSwing, RefusesNumbersOutsideTheirRange) {
   EXPECT_THROW((void)RefineSwing(Straight(0.4, 0.0), UndersideOf(Sole()), flat, {0.02, 12, 50}), InvalidArgument);
 }
 
-TEST(SpareClearance, IsKnownForABumpOnFlatGround) {
+TEST(ClearanceMargin, IsKnownForABumpOnFlatGround) {
   SwingCurve swing = Straight(0.3, 0.0);
   swing.lift_m = 0.08;
   // The height in mid swing is 80 mm; 20 mm are required. The smallest margin is near the ends, where both are zero and
   // half a millimetre less is required.
-  EXPECT_LT(SpareClearance(swing, {Vector3::Zero()}, Ground({}), 0.02), 5e-4);
-  EXPECT_GT(SpareClearance(swing, {Vector3::Zero()}, Ground({}), 0.02), 0.0);
+  EXPECT_LT(ClearanceMargin(swing, {Vector3::Zero()}, Ground({}), 0.02), 5e-4);
+  EXPECT_GT(ClearanceMargin(swing, {Vector3::Zero()}, Ground({}), 0.02), 0.0);
   // If far more is required than the height, the smallest margin is at the end of the ramp, 35 % into the swing.
   const double least = 0.08 * 64.0 * std::pow(0.35 * 0.65, 3) - 2.0;
-  EXPECT_NEAR(SpareClearance(swing, {Vector3::Zero()}, Ground({}), 2.0), least, 5e-3);
+  EXPECT_NEAR(ClearanceMargin(swing, {Vector3::Zero()}, Ground({}), 2.0), least, 5e-3);
 }
 
 TEST(ClearanceRamp, RisesSlowerThanAFootAtRest) {

@@ -26,14 +26,14 @@ class StartPostures : public testing::Test {
     }
     return text;
   }
-  std::string WhyNot(const std::string& text) const {
+  std::string ReasonRefused(const std::string& text) const {
     const auto read = StartPostureFromYaml(text, "start.yaml", model());
     EXPECT_FALSE(read);
     EXPECT_EQ(read ? FailureKind::kInfeasible : read.failure().kind, FailureKind::kBadInput);
     return read ? "" : read.failure().message;
   }
   void ExpectSaid(const std::string& text, const std::vector<std::string>& parts) const {
-    const std::string why = WhyNot(text);
+    const std::string why = ReasonRefused(text);
     for (const std::string& part : parts) EXPECT_NE(why.find(part), std::string::npos) << why;
   }
 };
@@ -72,8 +72,8 @@ TEST_F(StartPostures, InDegreesAreSaidToBe) {
   ExpectSaid(FileOf(kDegrees * First()), {"line 2", "outside its limits", hint});
   VectorX one = First();
   one[2] = 1.5;
-  EXPECT_EQ(WhyNot(FileOf(one)).find("degrees"), std::string::npos) << "the others are in rad";
-  EXPECT_NE(WhyNot(FileOf(one)).find("correct the measurement"), std::string::npos);
+  EXPECT_EQ(ReasonRefused(FileOf(one)).find("degrees"), std::string::npos) << "the others are in rad";
+  EXPECT_NE(ReasonRefused(FileOf(one)).find("correct the measurement"), std::string::npos);
 }
 
 TEST_F(StartPostures, JointsThatFollowOthersHaveNone) {

@@ -36,7 +36,7 @@ void ExpectSound(const RobotModel& model, const Terrain& terrain, const PlanarPo
     EXPECT_LE(std::hypot(way[i].x_m - way[i - 1].x_m, way[i].y_m - way[i - 1].y_m), 0.05 + 1e-9);
     EXPECT_LE(std::abs(way[i].yaw_rad - way[i - 1].yaw_rad), 0.1 + 1e-9);
     for (int k = 1; k <= 5; ++k) {
-      const auto why = check.WhyNot(Between(way[i - 1], way[i], k / 5.0));
+      const auto why = check.ReasonRefused(Between(way[i - 1], way[i], k / 5.0));
       // Between two checked poses the robot's space may overlap an obstacle by half of its margin.
       if (why) ADD_FAILURE() << "waypoint " << i << " of " << way.size() << ": " << why->text;
     }

@@ -8,7 +8,7 @@
 
 #include "kinematics/base/result.h"
 #include "planning/paths/base_path.h"
-#include "planning/paths/direct_way.h"
+#include "planning/paths/direct_route.h"
 
 namespace gaitwright {
 namespace {
@@ -46,7 +46,7 @@ TEST(TimeRoute, AStraightWayTakesItsLengthAtFullSpeedAndARamp) {
 }
 
 TEST(TimeRoute, KeepsTheSpeedsOnEveryWay) {
-  for (const DirectWay kind : kDirectWays) {
+  for (const DirectRoute kind : kDirectRoutes) {
     const auto way = WaypointsOf(kind, {}, {1.5, -1.0, 2.0}, {0.05, 0.1});
     const PlanarTwist most = Fastest(TimeRoute(way, kTiming));
     EXPECT_LE(most.x_m, 0.5 * (1.0 + 1e-6));

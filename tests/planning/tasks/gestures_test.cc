@@ -5,7 +5,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/load_robot.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Gestures, testing::Values("nao", "h1", "humanoi
                          [](const auto& robot) { return robot.param; });
 
 TEST_P(Gestures, ARaisedArmIsHighOnAFreeWay) {
-  WayCheck check(model_, StandingConfiguration(model_));
+  PathCheck check(model_, StandingConfiguration(model_));
   for (const std::optional<Limb>* arm : {&upper_.left_arm, &upper_.right_arm}) {
     ASSERT_TRUE(arm->has_value());
     const Result<VectorX> raised = RaisedArm(model_, **arm, model_.standing_joints);

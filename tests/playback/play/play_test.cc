@@ -245,7 +245,7 @@ TEST_P(PlayTest, RefusesPlansOfOthersAndBadRates) {
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);
   options.world.step_s = 0.003;
   options.log_rate_hz = 166.667;  // the value that a refusal names
-  EXPECT_EQ(WhyNotPlayed(model_, plan_, options), std::nullopt);
+  EXPECT_EQ(ReasonNotPlayed(model_, plan_, options), std::nullopt);
   options = {};
   options.world.step_s = -1.0;
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);

@@ -17,7 +17,7 @@ struct PlayableCase {
   MotionPlan plan = synthetic::StandingPlan(model, kPlanLasts);
   PlayOptions options;
 
-  std::optional<Failure> Why() const { return WhyNotPlayed(model, plan, options); }
+  std::optional<Failure> Why() const { return ReasonNotPlayed(model, plan, options); }
 };
 
 struct Unplayable {

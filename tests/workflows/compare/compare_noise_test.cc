@@ -172,9 +172,9 @@ TEST(NoiseGain, IsWhatNoiseComesOutWithBetweenUnevenRows) {
   const ComparedMotion side = ComparedTable(walker.model, table, "noise.csv");
   double sum = 0.0;
   for (std::size_t k = 1; k + 1 < side.rows.v.size(); ++k) sum += side.rows.v[k].tail(6).squaredNorm();
-  const double measured = std::sqrt(sum / (6.0 * 1998.0)) / 1e-3, foretold = NoiseGain(table.time_s, 5.001);
-  EXPECT_GT(foretold, 100.0);
-  EXPECT_NEAR(measured / foretold, 1.0, 0.05);
+  const double measured = std::sqrt(sum / (6.0 * 1998.0)) / 1e-3, predicted = NoiseGain(table.time_s, 5.001);
+  EXPECT_GT(predicted, 100.0);
+  EXPECT_NEAR(measured / predicted, 1.0, 0.05);
 }
 
 }  // namespace

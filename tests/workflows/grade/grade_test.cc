@@ -125,7 +125,7 @@ TEST_F(GradeClassTest, CodeIsRunConfinedOrNotAtAll) {
 }
 
 TEST_F(GradeClassTest, WordsOfASubmissionAreTextInItsPage) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/eve", "work.py", "raise ValueError('<img src=x onerror=alert(1)>\\n\\x1b[2J' + str(object()))\n");
   ASSERT_TRUE(Grade(RequestFor(kCode)).ok());
   const std::string& page = pages_[0].text;
@@ -158,7 +158,7 @@ TEST_F(GradeClassTest, GradesDoNotLieAmongTheSubmissions) {
 
 /// Messages do not contain the name of the temporary folder, which differs in each run.
 TEST_F(GradeClassTest, WordsOfASubmissionAreTheSameAgain) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/eve", "work.py", "import os\nopen(os.environ['HOME'] + '/none')\n");
   ASSERT_TRUE(Grade(RequestFor(kCode)).ok());
   const std::string page = pages_[0].text;
@@ -174,7 +174,7 @@ TEST_F(GradeClassTest, AClassWithoutStudentsIsRefused) {
 }
 
 TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/ada", "work.py", "");
   GradeRequest request = RequestFor(kCode);
   request.rubric_file = "/usr/lib/rubric.yaml";
@@ -183,7 +183,7 @@ TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {
 }
 
 TEST_F(GradeClassTest, APythonThatIsNoneIsTold) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/ada", "work.py", "");
   GradeRequest request = RequestFor(kCode);
   request.python = "/usr/bin/true";

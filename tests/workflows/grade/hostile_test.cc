@@ -31,7 +31,7 @@ const std::string kRightCode = "    return c[:2] - a[:2] * h / 9.81\n";
 class Hostile : public MadeClass {
  protected:
   void SetUp() override {
-    if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+    if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
     HandIn("eve", "secret.txt", "the solution");
     fs::create_directories(In("tmp"));
     fs::permissions(In("tmp"), fs::perms(0711));

@@ -47,7 +47,7 @@ PartMark MadeClass::MarkCode(const std::string& part_yaml, const std::string& co
 }
 
 bool CanRunCode(bool package) {
-  if (!WhyNotConfined().empty()) return false;
+  if (!ReasonNotConfined().empty()) return false;
   const Result<PythonProgram> python = LookOver("");
   const bool serves = python.ok() && python->has_numpy && !(package && python->package.empty());
 #ifdef GAITWRIGHT_TESTS_HAVE_PYTHON

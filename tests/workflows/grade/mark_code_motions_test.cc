@@ -10,7 +10,7 @@ namespace {
 class MarkCodeOfMotions : public MadeClass {
  protected:
   void SetUp() override {
-    if (!CanRunCode(true)) GTEST_SKIP() << WhyNotConfined();
+    if (!CanRunCode(true)) GTEST_SKIP() << ReasonNotConfined();
   }
 };
 

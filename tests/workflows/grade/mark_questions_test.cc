@@ -14,7 +14,7 @@ const std::string kHull = "{name: hull, kind: answers, file: hull.csv, points: 4
 class MarkFunction : public MadeClass {
  protected:
   void SetUp() override {
-    if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+    if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   }
 };
 

@@ -139,8 +139,8 @@ TEST(RigidBodyPlan, RefusesARobotThatIsNotItsOwnAndMomentumInside) {
   const RigidBodyMotion& motion = one.plan.plan.motion;
   EXPECT_THROW((void)RigidBodyMotionPlan(*robot, one.ground, one.plan.choice.problem, motion), InvalidArgument);
   RigidBodyProblem inner = one.plan.choice.problem;
-  inner.inner_momentum_W.assign(2, Vector3::Zero());
-  inner.inner_torque_W.assign(2, Vector3::Zero());
+  inner.leg_momentum_W.assign(2, Vector3::Zero());
+  inner.leg_torque_W.assign(2, Vector3::Zero());
   EXPECT_THROW((void)RigidBodyMotionPlan(*RigidBodyRobot(inner, "biped"), one.ground, inner, motion), InvalidArgument);
 }
 

@@ -68,7 +68,7 @@ TEST(TuneSearch, ASmoothHillIsClimbedByItsSurface) {
   ASSERT_TRUE(result.proof);
   EXPECT_GT(result.proof->value.low, 10.0) << "the usual values lie 21 below the top";
   ASSERT_TRUE(result.surface);
-  EXPECT_GT(result.surface->foretold, 0.9);
+  EXPECT_GT(result.surface->predicted, 0.9);
   EXPECT_EQ(result.candidates.size(), 40U);
   EXPECT_EQ(result.candidates.front().found_by, "usual");
   EXPECT_EQ(result.candidates.back().found_by, "surface");

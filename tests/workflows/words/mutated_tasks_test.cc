@@ -92,7 +92,7 @@ TEST(MutatedTaskPlans, NoneOutOfRangeIsLetPass) {
     }
     for (const Task& task : plan->tasks) {
       ExpectWithinRules(task);
-      EXPECT_FALSE(WhyNotDone(task, scope));
+      EXPECT_FALSE(ReasonNotDone(task, scope));
     }
   }
   EXPECT_GT(let_pass, kPlans / 50);  // harmless changes are accepted

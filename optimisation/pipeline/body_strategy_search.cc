@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/pipeline/carriage_search.h"
+#include "optimisation/pipeline/body_strategy_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Limit violation that later passes cannot correct; motions beyond it are completed only on request.
-constexpr double kHopeless = 0.05;
+constexpr double kInfeasible = 0.05;
 
 /// A change of the body posture that may reduce the limit violation.
 struct Change {
@@ -24,7 +24,7 @@ struct Change {
 };
 
 /// In the order of the trials. Each change starts from the best posture so far.
-std::vector<Change> ChangesFor(const CarriageProblem& problem) {
+std::vector<Change> ChangesFor(const BodyStrategyProblem& problem) {
   constexpr double kLean = 0.1;  // [rad] moves the hips of a humanoid by 3 cm, a quarter of the rearward bend of a hip
   constexpr double kInward = 2.0;  // more than twice the preferred share leaves no margin on the other side
   return {{problem.uneven, true, 0.0, 1.0},
@@ -32,40 +32,40 @@ std::vector<Change> ChangesFor(const CarriageProblem& problem) {
           {problem.on_one_sole && problem.zmp_inward > 0.0, false, 0.0, kInward}};
 }
 
-class CarriageSearch {
+class BodyStrategySearch {
  public:
-  CarriageSearch(const CarriageProblem& problem, const CarriageTrials& trials)
-      : problem_(problem), trials_(trials), hopeless_(problem.finishes_all ? kUnbounded : kHopeless) {
-    carriage_.com_height_m = problem.asked_m > 0.0 ? problem.asked_m : problem.standing_m;
-    carriage_.zmp_inward = problem.zmp_inward;
+  BodyStrategySearch(const BodyStrategyProblem& problem, const BodyStrategyTrials& trials)
+      : problem_(problem), trials_(trials), infeasible_(problem.finishes_all ? kUnbounded : kInfeasible) {
+    strategy_.com_height_m = problem.asked_m > 0.0 ? problem.asked_m : problem.standing_m;
+    strategy_.zmp_inward = problem.zmp_inward;
   }
 
   Result<MotionPass> Run() {
-    best_ = trials_.plan(carriage_, hopeless_);
+    best_ = trials_.plan(strategy_, infeasible_);
     if (!best_ && best_.failure().code != FailureCode::kOutOfReach) return best_;
     for (const Change& change : ChangesFor(problem_)) {
-      if (change.applies && Excess(best_) > 0.0) Try(change);
+      if (change.applies && ViolationSum(best_) > 0.0) Try(change);
     }
-    if (problem_.asked_m == 0.0 && Excess(best_) > 0.0) Lower();
+    if (problem_.asked_m == 0.0 && ViolationSum(best_) > 0.0) Lower();
     return std::move(best_);
   }
 
  private:
-  static double Excess(const Result<MotionPass>& pass) { return pass ? pass->excess : kUnbounded; }
+  static double ViolationSum(const Result<MotionPass>& pass) { return pass ? pass->violation : kUnbounded; }
 
   void Try(const Change& change) {
-    Carriage changed = carriage_;
+    BodyStrategy changed = strategy_;
     changed.in_reach |= change.in_reach;
     changed.lean_rad += change.lean_rad;
     changed.zmp_inward *= change.inward;
     // The inward ZMP does not bring feet into reach; it is only useful together with a lowered body.
     const bool is_known = change.inward != 1.0 && !best_;
-    if (is_known || Take(trials_.plan(changed, hopeless_))) carriage_ = changed;
+    if (is_known || Take(trials_.plan(changed, infeasible_))) strategy_ = changed;
   }
 
   /// Keeps a motion if its limit violation is smaller.
   bool Take(Result<MotionPass> other) {
-    if (Excess(other) >= Excess(best_)) return false;
+    if (ViolationSum(other) >= ViolationSum(best_)) return false;
     best_ = std::move(other);
     return true;
   }
@@ -74,7 +74,7 @@ class CarriageSearch {
     constexpr double kStep = 0.02, kLowest = 0.8;  // share of the standing height
     constexpr int kPatience = 2;                   // number of heights without improvement
     const auto at = [&](double share) {
-      Carriage lower = carriage_;
+      BodyStrategy lower = strategy_;
       lower.com_height_m = share * problem_.standing_m;
       return lower;
     };
@@ -82,30 +82,30 @@ class CarriageSearch {
     if (!best_ && !trials_.reaches(at(kLowest))) return;
     double gain = kUnbounded;
     int without_gain = 0;
-    for (double share = 1.0 - kStep; share >= kLowest && Excess(best_) > 0.0 && without_gain < kPatience;
+    for (double share = 1.0 - kStep; share >= kLowest && ViolationSum(best_) > 0.0 && without_gain < kPatience;
          share -= kStep) {
       // Each further lowering helps less, so the search ends if the remaining heights cannot suffice.
-      const double least = Excess(best_), steps_left = std::round((share - kLowest) / kStep) + 1.0;
-      if (least - gain * steps_left > (least > hopeless_ ? hopeless_ : 0.0)) return;
-      Result<MotionPass> lower = trials_.plan(at(share), hopeless_);
-      const double excess = Excess(lower);
-      without_gain = excess < least || !lower ? 0 : without_gain + 1;
-      gain = !lower ? gain : std::max(0.0, least - excess);
+      const double least = ViolationSum(best_), steps_left = std::round((share - kLowest) / kStep) + 1.0;
+      if (least - gain * steps_left > (least > infeasible_ ? infeasible_ : 0.0)) return;
+      Result<MotionPass> lower = trials_.plan(at(share), infeasible_);
+      const double violation = ViolationSum(lower);
+      without_gain = violation < least || !lower ? 0 : without_gain + 1;
+      gain = !lower ? gain : std::max(0.0, least - violation);
       Take(std::move(lower));
     }
   }
 
-  const CarriageProblem& problem_;
-  const CarriageTrials& trials_;
-  const double hopeless_;
-  Carriage carriage_;  // the best so far
+  const BodyStrategyProblem& problem_;
+  const BodyStrategyTrials& trials_;
+  const double infeasible_;
+  BodyStrategy strategy_;  // the best so far
   Result<MotionPass> best_ = MotionPass{};
 };
 
 }  // namespace
 
-Result<MotionPass> FindCarriage(const CarriageProblem& problem, const CarriageTrials& trials) {
-  return CarriageSearch(problem, trials).Run();
+Result<MotionPass> FindBodyStrategy(const BodyStrategyProblem& problem, const BodyStrategyTrials& trials) {
+  return BodyStrategySearch(problem, trials).Run();
 }
 
 }  // namespace gaitwright

@@ -9,15 +9,15 @@
 namespace gaitwright {
 
 /// Direct paths from a pose to another one, which ignore obstacles.
-enum class DirectWay {
+enum class DirectRoute {
   kTwist,     ///< constant planar twist: an arc
   kStraight,  ///< straight line with a constant yaw rate
   kAhead,     ///< turns towards the goal, walks forward, turns
   kBackward   ///< turns away from the goal, walks backward, turns
 };
 
-inline constexpr DirectWay kDirectWays[] = {DirectWay::kTwist, DirectWay::kStraight, DirectWay::kAhead,
-                                            DirectWay::kBackward};
+inline constexpr DirectRoute kDirectRoutes[] = {DirectRoute::kTwist, DirectRoute::kStraight, DirectRoute::kAhead,
+                                                DirectRoute::kBackward};
 
 /// Largest distances between waypoints.
 struct Spacing {
@@ -26,16 +26,16 @@ struct Spacing {
 };
 
 /// Waypoints of a direct path from a to b. The yaw of b is unwrapped to the value nearest to the previous yaw.
-std::vector<PlanarPose> WaypointsOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const Spacing& spacing);
+std::vector<PlanarPose> WaypointsOf(DirectRoute kind, const PlanarPose& a, const PlanarPose& b, const Spacing& spacing);
 
 /// Cost of a direct path, see TravelCost.
-double CostOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
+double CostOf(DirectRoute kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
 /// A path with additional waypoints between its own, without duplicates.
 std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& way, const Spacing& spacing);
 
 /// The direct paths with their costs, the cheapest first.
-std::vector<std::pair<double, DirectWay>> ByCost(const PlanarPose& a, const PlanarPose& b,
-                                                 const TravelWeights& weights);
+std::vector<std::pair<double, DirectRoute>> ByCost(const PlanarPose& a, const PlanarPose& b,
+                                                   const TravelWeights& weights);
 
 }  // namespace gaitwright

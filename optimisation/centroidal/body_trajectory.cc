@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ Matrix3 HeadingAt(const RigidBodyProblem& problem, double time_s) {
 }
 
 /// Indices of the times within a stance; the nearest time if there is none.
-std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyWay& way) {
+std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyTrajectory& way) {
   std::vector<std::size_t> times;
   for (std::size_t k = 0; k < way.time_s.size(); ++k) {
     if (way.time_s[k] >= stance.start_s - 1e-9 && way.time_s[k] <= stance.end_s + 1e-9) times.push_back(k);
@@ -39,13 +39,13 @@ double Beyond(const WorkspaceSide& side, const Vector3& p_B) {
 }
 
 /// A stance's foothold relative to the centre of mass, in the body's frame.
-Vector3 FromBody(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance, std::size_t k) {
+Vector3 FromBody(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance, std::size_t k) {
   return RotationOf(way.angles_rad[k]).transpose() * (problem.stances[stance].X_WF.translation() - way.p_WC[k]);
 }
 
 /// Distance of a stance's foot out of reach at one time.
-BodyWayMisfit At(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance, std::size_t k) {
-  BodyWayMisfit misfit;
+BodyTrajectoryMisfit At(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance, std::size_t k) {
+  BodyTrajectoryMisfit misfit;
   const Vector3 p_B = FromBody(problem, way, stance, k);
   for (const WorkspaceSide& side : FootOf(problem, stance).workspace_B) {
     const double out = Beyond(side, p_B);
@@ -58,8 +58,8 @@ BodyWayMisfit At(const RigidBodyProblem& problem, const BodyWay& way, std::size_
 }
 
 /// The worse of two misfits, with the sum of both.
-BodyWayMisfit Worse(const BodyWayMisfit& a, const BodyWayMisfit& b) {
-  BodyWayMisfit worse = b.largest_m > a.largest_m ? b : a;
+BodyTrajectoryMisfit Worse(const BodyTrajectoryMisfit& a, const BodyTrajectoryMisfit& b) {
+  BodyTrajectoryMisfit worse = b.largest_m > a.largest_m ? b : a;
   worse.sum = a.sum + b.sum;
   return worse;
 }
@@ -113,10 +113,10 @@ struct RegionRows {
   }
 };
 
-/// The least-squares problem of FitBodyWay.
+/// The least-squares problem of FitBodyTrajectory.
 class Fit {
  public:
-  Fit(RigidBodyProblem& problem, BodyWay& way)
+  Fit(RigidBodyProblem& problem, BodyTrajectory& way)
       : problem_(problem), way_(way), p_(way.time_s.size()), angles_(p_.size()), foothold_(problem.stances.size(), -1) {
     int size = 0;
     p_.front().constant = way.p_WC.front();
@@ -206,7 +206,7 @@ class Fit {
   }
 
   RigidBodyProblem& problem_;
-  BodyWay& way_;
+  BodyTrajectory& way_;
   std::vector<AffineVector> p_, angles_;  // by time
   std::vector<int> foothold_;             // first unknown by stance; -1 if it is fixed
   ConstrainedProblem rows_;
@@ -222,12 +222,12 @@ double LeastOutOfReach(const RigidBodyProblem& problem, std::size_t stance, cons
   RigidBodyProblem alone = problem;
   alone.stances = {problem.stances[stance]};
   alone.stances.front().held = false;
-  BodyWay still{{0.0, problem.duration_s}, {body.p_WC, body.p_WC}, {body.angles_rad, body.angles_rad}};
-  FitBodyWay(alone, still);
+  BodyTrajectory still{{0.0, problem.duration_s}, {body.p_WC, body.p_WC}, {body.angles_rad, body.angles_rad}};
+  FitBodyTrajectory(alone, still);
   return OutOfReach(alone, still).largest_m;
 }
 
-BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, double spacing_s) {
+BodyTrajectory StraightPath(const Terrain& terrain, const RigidBodyProblem& problem, double spacing_s) {
   double first_liftoff = problem.duration_s, last_touchdown = 0.0;
   for (const RigidStance& stance : problem.stances) {
     if (stance.end_s < problem.duration_s) first_liftoff = std::min(first_liftoff, stance.end_s);
@@ -238,7 +238,7 @@ BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, dou
     last_touchdown = problem.duration_s;
   }
   const int parts = std::max(4, static_cast<int>(std::lround(problem.duration_s / spacing_s)));
-  BodyWay way;
+  BodyTrajectory way;
   for (int k = 0; k <= parts; ++k) {
     const double t = problem.duration_s * k / parts;
     const double u = std::clamp((t - first_liftoff) / (last_touchdown - first_liftoff), 0.0, 1.0);
@@ -260,9 +260,9 @@ BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, dou
   return way;
 }
 
-void FitBodyWay(RigidBodyProblem& problem, BodyWay& way) { Fit(problem, way).Run(); }
+void FitBodyTrajectory(RigidBodyProblem& problem, BodyTrajectory& way) { Fit(problem, way).Run(); }
 
-Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance) {
+Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
   Vector3 sum = Vector3::Zero();
   const std::vector<std::size_t> times = TimesOf(problem.stances[stance], way);
   for (const std::size_t k : times)
@@ -270,7 +270,7 @@ Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyWay& way, std:
   return sum / static_cast<double>(times.size());
 }
 
-double StanceMisfit(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance) {
+double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
   double sum = 0.0;
   for (const std::size_t k : TimesOf(problem.stances[stance], way)) {
     const Vector3 p_B = FromBody(problem, way, stance, k);
@@ -281,14 +281,14 @@ double StanceMisfit(const RigidBodyProblem& problem, const BodyWay& way, std::si
   return sum;
 }
 
-BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance) {
-  BodyWayMisfit worst;
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
+  BodyTrajectoryMisfit worst;
   for (const std::size_t k : TimesOf(problem.stances[stance], way)) worst = Worse(worst, At(problem, way, stance, k));
   return worst;
 }
 
-BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way) {
-  BodyWayMisfit worst;
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way) {
+  BodyTrajectoryMisfit worst;
   for (std::size_t s = 0; s < problem.stances.size(); ++s) worst = Worse(worst, OutOfReach(problem, way, s));
   return worst;
 }

@@ -10,10 +10,10 @@
 namespace gaitwright {
 
 /// Checks straight lines in joint space for self-collision.
-class WayCheck {
+class PathCheck {
  public:
   /// @param q_base  size nq; only its base pose is used, which does not affect self-collision.
-  WayCheck(const RobotModel& model, const VectorX& q_base);
+  PathCheck(const RobotModel& model, const VectorX& q_base);
 
   /// The first pair of links that collides on the straight line in joint space, if any. Checked every 0.01 rad (1 mm).
   /// @param from, to  independent joints, size n.

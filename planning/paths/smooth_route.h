@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planning/paths/direct_way.h"
+#include "planning/paths/direct_route.h"
 #include "planning/paths/pose_check.h"
 
 namespace gaitwright {
@@ -12,6 +12,6 @@ namespace gaitwright {
 /// (the best choice over the waypoints). Then waypoints are moved and rotated while this reduces the cost, with large
 /// steps first. Never increases the cost. Deterministic.
 /// @param way  free, yaws unwrapped; first and last pose are kept.
-std::vector<PlanarPose> SmoothWay(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights);
+std::vector<PlanarPose> SmoothRoute(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights);
 
 }  // namespace gaitwright

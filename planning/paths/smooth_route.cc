@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/paths/smooth_way.h"
+#include "planning/paths/smooth_route.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ struct Node {
   std::size_t place = 0;  ///< index along the path
   double cost = std::numeric_limits<double>::infinity();
   std::size_t from = 0;
-  DirectWay kind = DirectWay::kStraight;
+  DirectRoute kind = DirectRoute::kStraight;
   bool original = false;  ///< true if the path reaches it from the previous node as before
 };
 
@@ -23,7 +23,7 @@ struct Node {
 struct Edge {
   double cost;
   std::size_t from;
-  DirectWay kind;
+  DirectRoute kind;
   bool original;
   bool operator<(const Edge& other) const { return cost < other.cost; }
 };
@@ -72,9 +72,9 @@ class Shortcuts {
       if (node.place + kMostPlaces < nodes_[to].place) break;
       if (node.place == nodes_[to].place || !std::isfinite(node.cost)) continue;
       const bool as_it_was = node.place + 1 == nodes_[to].place && IsOfWay(from) && IsOfWay(to);
-      for (const DirectWay kind : kDirectWays) {
+      for (const DirectRoute kind : kDirectRoutes) {
         const double cost = CostOf(kind, node.pose, nodes_[to].pose, weights_);
-        edges.push_back({node.cost + cost, from, kind, as_it_was && kind == DirectWay::kStraight});
+        edges.push_back({node.cost + cost, from, kind, as_it_was && kind == DirectRoute::kStraight});
       }
     }
     std::sort(edges.begin(), edges.end());
@@ -82,7 +82,7 @@ class Shortcuts {
   }
   bool IsOfWay(std::size_t i) const { return i == 0 || nodes_[i - 1].place != nodes_[i].place; }
 
-  bool IsFree(const PlanarPose& from, std::size_t to, DirectWay kind) const {
+  bool IsFree(const PlanarPose& from, std::size_t to, DirectRoute kind) const {
     return check_.IsFreeAlong(WaypointsOf(kind, from, nodes_[to].pose, spacing_));
   }
 
@@ -167,7 +167,8 @@ std::vector<PlanarPose> Sampled(const std::vector<PlanarPose>& way, double leg) 
 
 }  // namespace
 
-std::vector<PlanarPose> SmoothWay(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights) {
+std::vector<PlanarPose> SmoothRoute(PoseCheck& check, const std::vector<PlanarPose>& way,
+                                    const TravelWeights& weights) {
   const double leg = check.space().leg_length_m;
   std::vector<PlanarPose> best = way;
   for (const double spacing : {2.0, 1.0, 0.5}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/paths/coarse_way.h"
+#include "planning/paths/coarse_route.h"
 
 #include <algorithm>
 #include <array>
@@ -173,25 +173,25 @@ std::vector<PlanarPose> Grid::Search(const Limits& limits) {
 }
 
 /// Reason why a pose is not free, or not reachable from the previous one.
-std::optional<Hindrance> WhyNotReached(PoseCheck& check, const PlanarPose& from, const PlanarPose& to) {
-  if (auto why = check.WhyNot(Between(from, to, 0.5))) return why;
-  return check.WhyNot(to);
+std::optional<Hindrance> ReasonNotReached(PoseCheck& check, const PlanarPose& from, const PlanarPose& to) {
+  if (auto why = check.ReasonRefused(Between(from, to, 0.5))) return why;
+  return check.ReasonRefused(to);
 }
 
 /// The first obstacle along a path whose end is free.
 std::optional<Hindrance> FirstHindrance(PoseCheck& check, const std::vector<PlanarPose>& way) {
   for (std::size_t i = 1; i < way.size(); ++i) {
-    if (auto why = WhyNotReached(check, way[i - 1], way[i])) return why;
+    if (auto why = ReasonNotReached(check, way[i - 1], way[i])) return why;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-CoarseWay FindCoarseWay(PoseCheck& check, const CoarseProblem& problem) {
+CoarseRoute FindCoarseRoute(PoseCheck& check, const CoarseProblem& problem) {
   constexpr double kMuchLonger = 1.3, kNotablyShorter = 0.85;
   Grid grid(check, problem, kStepOfLeg);
-  CoarseWay way;
+  CoarseRoute way;
   way.poses = grid.Search({});
   const double straight = std::hypot(problem.goal.x_m - problem.start.x_m, problem.goal.y_m - problem.start.y_m);
   const double cost = way.poses.empty() ? kInfinity : TravelCost(way.poses, problem.weights);

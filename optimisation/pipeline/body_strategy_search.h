@@ -9,7 +9,7 @@
 namespace gaitwright {
 
 /// Inputs of the search for a body posture.
-struct CarriageProblem {
+struct BodyStrategyProblem {
   double standing_m = 0.0;    ///< height of the centre of mass in standing
   double asked_m = 0.0;       ///< requested height of the centre of mass; 0 if none
   double zmp_inward = 0.0;    ///< preferred value, see SupportRegions
@@ -19,11 +19,11 @@ struct CarriageProblem {
 };
 
 /// Functions that plan one walk with a given body posture.
-struct CarriageTrials {
+struct BodyStrategyTrials {
   /// Plans the motion. It is not completed if its first limit violation exceeds `hopeless`.
-  std::function<Result<MotionPass>(const Carriage&, double hopeless)> plan;
+  std::function<Result<MotionPass>(const BodyStrategy&, double infeasible)> plan;
   /// Whether all feet reach their footholds.
-  std::function<bool(const Carriage&)> reaches;
+  std::function<bool(const BodyStrategy&)> reaches;
 };
 
 /// Finds the height, lean and preferred ZMP of the body. The preferred posture is tried first. If it violates limits,
@@ -33,6 +33,6 @@ struct CarriageTrials {
 /// body is lowered step by step while that brings feet into reach or reduces violations, for example of straight knees.
 /// If no posture keeps all limits, returns the motion with the smallest violation; if no posture reaches all feet, the
 /// failure of the first one.
-Result<MotionPass> FindCarriage(const CarriageProblem& problem, const CarriageTrials& trials);
+Result<MotionPass> FindBodyStrategy(const BodyStrategyProblem& problem, const BodyStrategyTrials& trials);
 
 }  // namespace gaitwright

@@ -20,7 +20,7 @@ struct CoarseProblem {
 };
 
 /// A path over a grid, with the first obstacle that it passes through.
-struct CoarseWay {
+struct CoarseRoute {
   std::vector<PlanarPose> poses;       ///< from start to goal; headings are multiples of 45 degrees, except at the goal
   std::optional<Hindrance> hindrance;  ///< the first one on the path, if any
   bool complete = false;               ///< true if the path passes through no obstacle
@@ -31,6 +31,6 @@ struct CoarseWay {
 /// tenth of the leg's length is searched too, which finds narrower openings; its path is used if it is clearly cheaper.
 /// If no path exists, the result passes through obstacles for the shortest possible distance and reports the first one.
 /// A* (Hart, Nilsson and Raphael, 1968).
-CoarseWay FindCoarseWay(PoseCheck& check, const CoarseProblem& problem);
+CoarseRoute FindCoarseRoute(PoseCheck& check, const CoarseProblem& problem);
 
 }  // namespace gaitwright
