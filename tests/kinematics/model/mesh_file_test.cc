@@ -74,7 +74,7 @@ TEST_F(MeshFile, ManyPointsOfABallKeepItsSurface) {
 }
 
 TEST_F(MeshFile, RefusesWhatIsNoMeshWithTheReason) {
-  ExpectSays(ReasonRefused(folder_ + "/no.stl"), {"no file", "no.stl"});
+  ExpectSays(ReasonRefused(folder_ + "/no.stl"), {"does not exist", "no.stl"});
   ExpectSays(ReasonRefused(Write("a.ply", "ply")), {"a.ply", "'.stl', '.obj', '.dae'"});
   ExpectSays(ReasonRefused(Write("cut.stl", BinaryStl(kHalf).substr(0, 200))), {"cut.stl", "cannot be read"});
   ExpectSays(ReasonRefused(Write("empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")), {"empty.obj"});
