@@ -15,7 +15,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// The text in lines of at most `width`.
+/// The text, broken into lines of at most `width` characters.
 std::string Wrapped(const std::string& text, std::size_t width) {
   std::istringstream words(text);
   std::string wrapped;
@@ -32,7 +32,7 @@ std::string Wrapped(const std::string& text, std::size_t width) {
   return wrapped;
 }
 
-/// Names and types alone at the left, and one empty line between groups.
+/// Prints only names and types in the left column, and one empty line between groups.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -58,7 +58,7 @@ Flag AddOption(CLI::App& app, std::string_view names, Target& target, std::strin
   return Flag(*app.add_option(std::string(names), target, std::string(help)));
 }
 
-/// `read`, with an InvalidArgument that it throws as a usage error of the flag.
+/// Wraps `read`: an InvalidArgument that it throws becomes a usage error of the flag.
 std::function<void(const std::string&)> ReadOrRefuse(std::string_view flag,
                                                      std::function<void(const std::string&)> read) {
   return [flag = std::string(flag), read = std::move(read)](const std::string& text) {

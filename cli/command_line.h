@@ -11,7 +11,7 @@
 
 namespace gaitwright::cli {
 
-/// A command line that cannot be read; UsageFailure says it in words.
+/// A command line that cannot be read; UsageFailure turns it into a message.
 struct UsageError : std::runtime_error {
   enum class Kind { kUnexpectedWord, kCountOfValues, kOther };
 
@@ -19,7 +19,7 @@ struct UsageError : std::runtime_error {
       : std::runtime_error(what), kind(the_kind), unread(std::move(words)) {}
 
   Kind kind;
-  std::vector<std::string> unread;  ///< words that no verb and no flag took
+  std::vector<std::string> unread;  ///< words that belong to no verb and no flag
 };
 
 /// The program's verbs and flags.
@@ -32,12 +32,12 @@ class CommandLine {
 
   Verb program() const { return Verb(*app_); }
 
-  /// Sets the help of all verbs in columns, with descriptions in lines of readable length. Call it after the last flag.
+  /// Lays out the help of all verbs in columns, with lines of readable length. Call it after the last flag is added.
   void LayOutHelp();
 
-  /// Reads the words and runs the verb that they name. @return the exit status after --help or --version, which end the
-  /// program; otherwise nothing.
-  /// @throws UsageError, and what the actions of switches throw.
+  /// Parses the command line and runs the verb that it names. @return the exit status after --help and --version, which
+  /// end the program; otherwise nothing.
+  /// @throws UsageError; exceptions of the actions of switches pass through.
   std::optional<int> Run(int argc, const char* const* argv);
 
  private:

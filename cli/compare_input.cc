@@ -19,8 +19,8 @@ namespace {
 struct SideFile {
   std::string path, text;
   MotionFileKind kind = MotionFileKind::kTable;
-  std::optional<CsvTable> table = {};  ///< of columns of numbers
-  CsvReading reading = {};             ///< how those are read, or a joint trajectory
+  std::optional<CsvTable> table = {};  ///< set if the file has columns of numbers
+  CsvReading reading = {};             ///< how to read the table or the joint trajectory
 
   bool has_units() const { return table || kind == MotionFileKind::kTrajectory; }
 };
@@ -91,16 +91,17 @@ Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* mod
   return ComparedCsv(*model, *side.table, side.reading);
 }
 
-/// How each side's columns are to be read, if it has any.
+/// Sets how the columns of each side are read, if it has columns.
 void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
   CompareFiles usual, given = files;
   const bool units = TextsOf(given.units.UnitFields()) != TextsOf(usual.units.UnitFields());
   if (!files.columns_b.empty() && !b.table)
     throw InvalidArgument(fmt::format("--columns-b is given, but '{}' is not a CSV file", b.path));
   if (!files.columns.empty() && !a.table && (!b.table || !files.columns_b.empty()))
-    throw InvalidArgument("--columns is given, but neither file is a CSV that it applies to");
+    throw InvalidArgument(b.table ? "--columns is given, but A is not a CSV file and B is read with --columns-b"
+                                  : "--columns is given, but neither file is a CSV file");
   if (units && !a.has_units() && !b.has_units())
-    throw InvalidArgument("units or a quaternion order are given, but neither file is a CSV or a trajectory");
+    throw InvalidArgument("a unit or --quaternion-order is given, but neither file is a CSV or a ROS joint trajectory");
   a.reading = {files.columns, files.units};
   b.reading = {files.columns_b.empty() ? files.columns : files.columns_b, files.units};
   if (!a.table || !b.table || !files.columns_b.empty()) return;
@@ -123,7 +124,7 @@ Result<CompareInput> ReadReports(const SideFile& a, const SideFile& b) {
   return input;
 }
 
-/// Reads a motion, whose robot is the one named, else the other side's.
+/// Reads a motion. Its robot is `named` if given, otherwise the robot of the other side.
 Result<ComparedMotion> ReadMotionSide(const SideFile& side, const std::optional<RobotModel>& named,
                                       const std::optional<ComparedMotion>& other) {
   if (side.kind == MotionFileKind::kPlan) return ReadPlanSide(side);
@@ -144,7 +145,7 @@ Result<CompareInput> ReadCompareInput(const CompareFiles& files) {
   if (!named) return named.failure();
   CompareInput input;
   input.played = std::move(named->played);
-  // A plan knows its robot, a log of it at least its hash: the one that knows more is read first.
+  // Read the side that says more about its robot first: a plan contains the robot, a log of it only a hash.
   const bool a_first = static_cast<int>(a->kind) <= static_cast<int>(b->kind);
   for (const bool take_a : {a_first, !a_first}) {
     const SideFile& side = take_a ? *a : *b;

@@ -10,24 +10,25 @@
 
 namespace gaitwright::cli {
 
-/// What is to be compared, by its files.
+/// The two files to compare, and how to read them.
 struct CompareFiles {
   std::string a, b;
-  std::string columns, columns_b;  ///< names of the columns of a CSV, or of both; of B where its names are others
-  ImportOptions units;             ///< of a CSV
+  std::string columns, columns_b;  ///< maps of CSV columns: of both files; of B if its names differ
+  ImportOptions units;             ///< units of a CSV
   MotionRobot robot;
 };
 
 /// Two motions, or two reports.
 struct CompareInput {
   std::optional<ComparedMotion> a = {}, b = {};
-  std::optional<MotionPlan> played = {};  ///< that of --plan
+  std::optional<MotionPlan> played = {};  ///< the plan of --plan
   std::optional<ReadReport> report_a = {}, report_b = {};
 };
 
-/// Reads both files, each as what its content is. Failures of the readers; where two do not belong together, a log or a
-/// table has no robot (that of --robot, --urdf or --plan, else that of the other side), or a log is of another robot.
-/// @throws InvalidArgument for column names and units where there is no CSV that they are for.
+/// Reads both files; the content decides the type. The robot of a log or table is that of --robot, --urdf or --plan,
+/// otherwise that of the other side. Failures: as of the readers; if the two types cannot be compared; if a log or
+/// table has no robot; if a log is of another robot.
+/// @throws InvalidArgument if column names or units are given and no file is a CSV that they apply to.
 Result<CompareInput> ReadCompareInput(const CompareFiles& files);
 
 }  // namespace gaitwright::cli

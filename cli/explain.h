@@ -8,7 +8,7 @@
 
 namespace gaitwright::cli {
 
-/// `--explain` of the verbs that plan a walk: which plans the search tried, and why each was refused.
+/// The flag `--explain` of verbs that plan a walk: prints which plans the search tried and why each was refused.
 struct Explain {
   bool asked = false;
   SearchTrace trace;
@@ -17,9 +17,9 @@ struct Explain {
   SearchTrace* target() { return asked ? &trace : nullptr; }
   /// JSON text: [{"extent", "pace", "value", "unit", "cycle_s", "refused"}]
   std::string Json() const;
-  /// Prints it as text, unless it was not asked for or a JSON object or a verdict alone is printed.
+  /// Prints it as text. Prints nothing without --explain, with --json and with --quiet.
   void Print(const Common& common) const;
-  /// Prints it to standard error, as a refusal.
+  /// Prints it on standard error, after a refusal.
   void PrintRefused() const;
 };
 

@@ -20,7 +20,7 @@ namespace {
 const OptionField& FieldOf(const OptionFields& fields, std::string_view key) {
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
   if (field == fields.end())
-    throw InvalidArgument(fmt::format("internal error: there is no option '{}' for a flag", key));
+    throw InvalidArgument(fmt::format("internal error: a flag names option '{}', which does not exist", key));
   return *field;
 }
 

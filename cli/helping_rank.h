@@ -9,10 +9,9 @@
 
 namespace gaitwright::cli {
 
-/// What the ranks of an MPI run beside rank 0 do: they write and print nothing, and pass over what asks a run to end.
-/// @param serve  reads what the work is and takes part in it; what keeps it from that, a failure or an exception, rank
-/// 0
-///               is told, which tells it.
+/// Runs a rank of an MPI run other than rank 0. It writes and prints nothing and ignores the signals that end a run.
+/// @param serve  reads the inputs and takes part in the work; its failure or exception is sent to rank 0, which prints
+///               it.
 /// @return the exit status
 int HelpRank0(SharedWork& work, const std::function<std::optional<Failure>()>& serve);
 

@@ -8,7 +8,7 @@ using EndingActions = std::array<struct sigaction, kEndings.size()>;
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
-/// @return what was done until now.
+/// @return the actions that were set before.
 EndingActions HandleEndings(const struct sigaction& action) {
   EndingActions before = {};
   for (std::size_t i = 0; i < kEndings.size(); ++i) ::sigaction(kEndings[i], &action, &before[i]);

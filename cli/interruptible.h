@@ -6,14 +6,15 @@
 
 namespace gaitwright::cli {
 
-/// Exit status of a run that a signal ended: 128 and the signal's number, as shells have it.
+/// Exit status of a run that a signal ended: 128 plus the number of SIGINT, as in shells.
 inline constexpr int kInterrupted = 128 + SIGINT;
 
-/// What asks a run to end: Ctrl-C, a request of the system, and what mpirun hands on to all ranks without ending them
-/// itself.
+/// Signals that ask a run to end: Ctrl-C, a request of the system, and SIGUSR1, which mpirun forwards to all ranks
+/// without ending them.
 inline constexpr std::array<int, 3> kEndings = {SIGINT, SIGTERM, SIGUSR1};
 
-/// While it lives, the first of those lets the work in hand finish, and the same once more ends at once. One at a time.
+/// While an object exists, the first signal of kEndings lets the current work finish, and the same signal a second time
+/// ends the program at once. Only one object may exist at a time.
 class Interruptible {
  public:
   Interruptible();
@@ -21,14 +22,15 @@ class Interruptible {
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /// Whether it was asked to end.
+  /// Whether a signal of kEndings has arrived.
   static bool asked();
 
  private:
   std::array<struct sigaction, kEndings.size()> before_ = {};
 };
 
-/// While it lives, those are passed over: for a rank that helps another one, which lets it go when it ends itself.
+/// While an object exists, the signals of kEndings are ignored. For a rank that helps rank 0, which releases it at its
+/// end.
 class Undisturbed {
  public:
   Undisturbed();

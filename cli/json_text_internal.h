@@ -6,9 +6,9 @@
 
 namespace gaitwright::cli {
 
-// One file compiles the reader and the writer of nlohmann::json for all verbs: each takes a second.
+// One file compiles the reader and the writer of nlohmann::json for all verbs, since each takes a second to compile.
 
-/// The text of a value, indented, with U+FFFD in place of what is not UTF-8.
+/// The text of a value, indented, with U+FFFD in place of bytes that are not UTF-8.
 std::string JsonText(const nlohmann::ordered_json& json);
 
 /// The value of a text that another part of the program wrote. @throws nlohmann::json::parse_error

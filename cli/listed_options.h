@@ -25,7 +25,7 @@ class ListedOptions : public std::exception {
 /// The basic fields, then the advanced ones if `all`; otherwise the order is kept.
 OptionFields BasicsFirst(OptionFields fields, bool all);
 
-/// What a value of the field may be: "0 to 1", "true, false", its words, or "text".
+/// The accepted values of the field: "0 to 1", "true, false", its words, or "text".
 std::string AcceptedOf(const OptionField& field);
 
 /// Prints the fields with their units, ranges and defaults.

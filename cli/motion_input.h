@@ -13,7 +13,7 @@
 
 namespace gaitwright::cli {
 
-/// The flags that say whose a motion is where its file does not.
+/// Flags that name the robot of a motion if its file does not contain it.
 struct MotionRobot {
   RobotFlags robot = {.name = ""};
   std::string plan;
@@ -22,7 +22,7 @@ struct MotionRobot {
   bool given() const { return !robot.name.empty() || robot.is_file() || !plan.empty(); }
 };
 
-/// A motion that was read: a plan, or a log with the plan that was played where that is known.
+/// A motion that was read: a plan, or a log with the plan that was played, if known.
 struct MotionInput {
   std::optional<RobotModel> model = {};
   std::optional<MotionPlan> plan = {}, played = {};
@@ -32,10 +32,10 @@ struct MotionInput {
 /// The plan of a file and its robot.
 Result<MotionInput> PlanInput(MotionPlan plan);
 
-/// Reads a plan or a log, whichever the file's content is, and its robot.
+/// Reads a plan or a log (the content of the file decides), and its robot.
 Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& robot);
 
-/// The robot that the flags name, with the plan where they name one; neither where none is given.
+/// The robot that the flags name, and the plan if they name one; both are empty if no flag is given.
 Result<MotionInput> NamedInput(const MotionRobot& robot);
 
 }  // namespace gaitwright::cli

@@ -13,7 +13,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// Reads the whole text as a number. @return how that went: no error, beyond what the type holds, or no number.
+/// Reads the whole text as a number. @return no error, out of range of the type, or not a number.
 template <class Number>
 std::errc ReadNumber(const std::string& text, Number& value) {
   const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
@@ -21,7 +21,7 @@ std::errc ReadNumber(const std::string& text, Number& value) {
   return end == text.data() + text.size() ? error : std::errc::invalid_argument;
 }
 
-/// False also for a number beyond what a double holds.
+/// Returns false also for a number out of range of double.
 bool ReadFinite(const std::string& text, double& value) {
   return ReadNumber(text, value) == std::errc{} && std::isfinite(value);
 }

@@ -9,14 +9,14 @@
 
 namespace gaitwright::cli {
 
-/// Why a text is no finite number, or "" when it is one.
+/// Why a text is not a finite number, or "" if it is one.
 std::string NotANumber(const std::string& text);
 
-/// Why a text is no whole number from `lowest` to `highest`, or "" when it is one.
+/// Why a text is not a whole number from `lowest` to `highest`, or "" if it is one.
 std::string NotAWholeNumber(const std::string& text, std::int64_t lowest,
                             std::int64_t highest = std::numeric_limits<std::int64_t>::max());
 
-/// Comma-separated numbers. @throws InvalidArgument naming the flag.
+/// Reads `count` comma-separated numbers. @throws InvalidArgument that names the flag.
 std::vector<double> ParseNumbers(const std::string& flag, const std::string& text, std::size_t count);
 
 }  // namespace gaitwright::cli

@@ -15,8 +15,9 @@ struct OptionsFile {
 
   void AddTo(Verb verb);
   void AddPathTo(Paths& paths) const;
-  /// Sets those options of the file that `fields` has. The file may hold any option of `walk`: keys that are for other
-  /// verbs are told of on standard error, unless quiet. Call it before ApplySets, which wins. Nothing for no file.
+  /// Sets the options of the file that `fields` has. The file may hold any option of `walk`; keys for other verbs are
+  /// reported on standard error, unless quiet. Call it before ApplySets, which overrides it. Does nothing without a
+  /// file.
   Result<OptionTexts> Apply(OptionFields fields, const Common& common) const;
 };
 

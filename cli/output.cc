@@ -22,7 +22,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// What one trial drew, by name; nothing of a playback that is none.
+/// The values that a trial drew, by name; empty for a playback that is not a trial.
 std::vector<std::pair<std::string, std::string>> DrawnOf(const PlaybackLog& log) {
   constexpr char kTrial[] = "trial.";
   std::vector<std::pair<std::string, std::string>> drawn;
@@ -32,7 +32,8 @@ std::vector<std::pair<std::string, std::string>> DrawnOf(const PlaybackLog& log)
   return drawn;
 }
 
-/// "mass_scale 0.9079, friction 0.5676"; the single joints of a start are told by --json and the log alone.
+/// "mass_scale 0.9079, friction 0.5676"; the start positions of single joints are only in the output of --json and in
+/// the log.
 std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& drawn) {
   std::string line;
   for (const auto& [name, text] : drawn) {
@@ -44,7 +45,7 @@ std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& dr
   return line;
 }
 
-/// What each engine says, where two have played.
+/// Adds the result of each engine, if two engines have played.
 void AddEngines(const Judged& judged, nlohmann::ordered_json& json) {
   json["engine"] = EngineOf(judged.played.log);
   const SecondPlayback* second = judged.played.second.get();
@@ -106,7 +107,7 @@ Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
   const auto written = WriteFilesTogether(texts);
   if (!written) return written.failure();
   if (judged.played.second == nullptr && !outputs.folder.empty() && !outputs.second_log.empty()) {
-    std::error_code none_of_it;  // the log of an older plan; there need not be one
+    std::error_code none_of_it;  // a log of an older plan, if there is one
     std::filesystem::remove(outputs.PathOf(outputs.second_log), none_of_it);
   }
   return files;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @throws InvalidArgument with the reason, where there is one.
+/// @throws InvalidArgument if `why_not`, the reason, is not empty.
 void CheckWritable(const std::string& what, const std::string& path, const std::string& why_not) {
   if (!why_not.empty()) throw InvalidArgument(fmt::format("{} '{}' cannot be written: {}", what, path, why_not));
 }
@@ -39,7 +39,7 @@ void CheckEnding(const NamedPath& output) {
 }
 
 void CheckOutput(const NamedPath& output, const Paths& paths) {
-  CheckWritable(output.name, output.path, WhyNotWritable(output.path));
+  CheckWritable(output.name, output.path, ReasonNotWritable(output.path));
   for (const NamedPath& input : paths.read) {
     if (input.path.empty() || !IsSameFile(output.path, input.path)) continue;
     throw InvalidArgument(fmt::format("{} '{}' would overwrite an input, {} '{}'; give another file", output.name,
@@ -48,7 +48,7 @@ void CheckOutput(const NamedPath& output, const Paths& paths) {
   CheckEnding(output);
 }
 
-/// Plots have names of their own, all of which end in .svg.
+/// Checks the folder of plots; each plot there has its own name, which ends in .svg.
 void CheckPlots(const Paths& paths) {
   CheckWritable("--plot-dir", paths.plot_folder, WhyNoNewFiles(paths.plot_folder));
   for (const NamedPath& input : paths.read) {

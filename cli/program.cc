@@ -16,7 +16,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// Runs the work of a verb; an exception becomes a failure like any other.
+/// Runs the work of a verb; an exception becomes a failure.
 int Guarded(const Common& common, const std::function<int()>& work) {
   try {
     return work();

@@ -15,7 +15,7 @@ namespace gaitwright::cli {
 /// Exit statuses of the program.
 enum Exit { kPass = 0, kWrongInput = 1, kNoPlan = 2, kVerdictFail = 3 };
 
-/// The same in words, for the help.
+/// The exit statuses in words, for the help.
 inline constexpr char kExitStatuses[] =
     "Exit status:\n  0  done, and the verdict is a pass\n  1  the input or the usage is wrong\n  2  no plan was found "
     "within the limits\n  3  the plan was made or played, and the verdict is a fail";
@@ -28,22 +28,22 @@ struct Common {
   std::vector<std::string> sets;  ///< key=value
 };
 
-/// Adds the flags of Common to a verb, and to the end of its help the examples (command lines without the program's
-/// name) and the exit statuses.
+/// Adds the flags of Common to a verb. Appends the examples (command lines without the program's name) and the exit
+/// statuses to its help.
 void AddCommon(Verb verb, Common& common, std::initializer_list<std::string_view> examples);
 
-/// Prints a failure (one line on standard error; with --json the error object on standard output) and gives its
+/// Prints a failure: one line on standard error, and with --json the error object on standard output. @return its exit
 /// status.
 int Report(const Failure& failure, const Common& common);
 
-/// Sets what a verb does; `status` gets the exit status. An exception of `work` becomes a failure like any other. Of
-/// several processes of an MPI run each would do all of the work and write the same files: the first of them refuses.
+/// Sets what a verb does; `status` gets the exit status. An exception of `work` becomes a failure. In an MPI run of
+/// several processes each would do all the work and write the same files, so the first process refuses.
 void SetWork(Verb verb, const Common& common, int& status, const std::function<int()>& work);
 
-/// Sets what a verb does, as SetWork, for work that the processes of an MPI run share.
+/// Sets what a verb does, as SetWork does, for work that the processes of an MPI run share.
 void SetWorkInRanks(Verb verb, const Common& common, int& status, const std::function<int()>& work);
 
-// One function for each verb: adds it to the program; `status` gets the exit status when it has run.
+// Each function adds one verb to the program; `status` gets the exit status after the verb has run.
 void AddWalk(Verb program, int& status);
 void AddPlan(Verb program, int& status);
 void AddAudit(Verb program, int& status);

@@ -6,40 +6,40 @@
 
 namespace gaitwright::cli {
 
-/// How far long work is.
+/// Progress of long work.
 struct Progress {
   int done = 0, all = 0;
-  int before = 0;  ///< how much of `done` was so before this began, and tells nothing of the time left
+  int before = 0;  ///< part of `done` that was complete before this run; not used to estimate the time left
 };
 
-/// "1:05:09" or "2:07": a time in whole seconds.
+/// A time in whole seconds as "1:05:09" or "2:07".
 std::string ClockText(double seconds);
 
-/// The time that is left if the rest goes as what was done in this time [s]; not a number while nothing was.
+/// Time left at the average speed of this run so far [s]; NaN while nothing is done.
 double TimeLeft(const Progress& progress, double elapsed_s);
 
-/// "7 of 14 trials, 1:03 left, 2 fell"; without a time that is not finite, and without a note that is empty.
+/// "7 of 14 trials, 1:03 left, 2 fell". Leaves out a time that is not finite and an empty note.
 std::string ProgressText(const Progress& progress, const std::string& unit, double left_s, const std::string& note);
 
 /// "[#####.....]  50 %  "
 std::string BarText(const Progress& progress);
 
-/// When a plain line of a log is due: after a minute of work, and then no more than one a minute.
+/// Limits the plain progress lines in a log to one per minute; the first comes after a minute of work.
 class MinuteByMinute {
  public:
-  /// @param elapsed_s  since the work began
+  /// @param elapsed_s  time since the work began [s]
   bool Due(double elapsed_s);
 
  private:
   double last_s_ = 0.0;
 };
 
-/// How far long work is, on standard error, with the time left: a bar on a terminal, and elsewhere, as in the log of a
-/// batch queue, a line a minute of work that lasts longer than one.
+/// Shows the progress of long work and the time left on standard error. On a terminal it is a bar; elsewhere, such as
+/// in the log of a batch queue, it is one line per minute, if the work takes longer than a minute.
 class ProgressBar {
  public:
-  /// @param shown  false for none at all.
-  /// @param unit   of what is done: "trials"
+  /// @param shown  false: print nothing.
+  /// @param unit   what is counted, such as "trials"
   ProgressBar(bool shown, std::string unit);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kMade[] = "<!-- Written by `gaitwright reference`; do not edit. -->\n\n";
 
-/// All verbs below one, each before those below it.
+/// All verbs below `verb`, each before its own sub-verbs.
 std::vector<Verb> VerbsBelow(Verb verb) {
   std::vector<Verb> all;
   for (const Verb& child : verb.verbs()) {
@@ -27,7 +27,7 @@ std::vector<Verb> VerbsBelow(Verb verb) {
   return all;
 }
 
-/// Text for a cell of a table: on one line, bars and stars as they are.
+/// Text for a cell of a Markdown table: on one line, with bars and stars escaped.
 std::string TableCell(const std::string& text) {
   std::string cell;
   for (const char c : text) {
@@ -47,7 +47,7 @@ std::string OptionsTable(Verb verb, const std::string& group) {
   return table + "\n";
 }
 
-/// The examples of a help's end.
+/// The examples at the end of a verb's help.
 std::string ExamplesOf(Verb verb) {
   std::istringstream footer(verb.footer());
   std::string examples;
@@ -112,9 +112,9 @@ std::vector<OptionLine> OptionLines(Verb program) {
 
 std::string VerbsPage(Verb program) {
   const std::vector<Verb> verbs = VerbsBelow(program);
-  std::string page = std::string(kMade) +
-                     "# Every verb and its flags\n\nAs printed by `gaitwright VERB --help`. Flags that every verb has "
-                     "are at the end.\n\n";
+  std::string page =
+      std::string(kMade) +
+      "# Every verb and its flags\n\nAs printed by `gaitwright VERB --help`. Flags of every verb are at the end.\n\n";
   for (const Verb& verb : verbs) {
     page += fmt::format("## {}\n\n{}.\n\n{}", verb.words(), verb.description(), ExamplesOf(verb));
     for (const std::string& group : GroupsOf(verb)) page += OptionsTable(verb, group);

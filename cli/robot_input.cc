@@ -15,7 +15,7 @@ namespace {
 
 constexpr char kDraft[] = "robot.draft.yaml";
 
-/// Tells of a draft, once it is there.
+/// Writes a draft of robot.yaml and adds a hint that says so to the failure.
 void AddDraft(const RobotFlags& flags, Failure& failure) {
   const Result<RobotDescription> description = ReadDescription(flags.file, flags.loading);
   const std::string draft = description ? DraftRobotYaml(description->urdf, failure) : "";

@@ -11,28 +11,28 @@
 
 namespace gaitwright::cli {
 
-/// The flags that say which robot, and how its description is read.
+/// Flags that choose the robot and say how to read its description.
 struct RobotFlags {
   std::string name = "a1";
-  std::string file = {};  ///< of a description; "" where the robot goes by its name
+  std::string file = {};  ///< file of the robot description; "" if the robot is given by name
   RobotLoading loading = {};
 
-  /// @param text  of `--robot`: what it is taken for, with its default. @return the flags, for others to exclude.
+  /// @param text  help of `--robot`, with its default. @return the flags, for other flags to exclude.
   std::vector<Flag> AddTo(Verb verb, const std::string& text = "Robot by name, see 'gaitwright robots'; default a1.");
-  /// How a description is read; part of AddTo.
+  /// Adds the flags that say how to read a description; part of AddTo.
   void AddLoadingTo(Verb verb);
   bool is_file() const { return !file.empty(); }
-  /// Where its meshes are looked for; "" for a robot by name.
+  /// Folder where the meshes are searched; "" for a robot by name.
   std::string folder() const;
   void AddTo(Paths& paths) const;
 };
 
-/// The robot of the flags. Where it is refused for what a robot.yaml can tell, a draft of one is written to
-/// robot.draft.yaml in the present folder, unless there is such a file, and the failure says so.
+/// Reads the robot of the flags. If it is refused for lack of data that a robot.yaml can give, this writes a draft to
+/// robot.draft.yaml in the current folder, unless that file exists, and the failure says so.
 Result<RobotModel> ReadRobot(const RobotFlags& flags);
 
-/// The failure of a plan. Where the robot has no area to stand on, and no shape tells how its feet meet the ground, a
-/// draft is written as by ReadRobot.
+/// Returns the failure of a plan. If the robot has no support area and no collision shape of its feet, this writes a
+/// draft as ReadRobot does.
 Failure WithDraft(Failure failure, const RobotFlags& flags, const RobotModel& model);
 
 }  // namespace gaitwright::cli

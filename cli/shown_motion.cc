@@ -26,7 +26,7 @@ Result<MotionToShow> ShownPlan(MotionPlan plan) {
   return MotionToShow{std::move(*model), std::move(plan), {}, {}, title};
 }
 
-/// The plan that a log was played from: where it is said to be, or beside the log.
+/// Reads the plan that a log was played from: `plan_path`, or the plan beside the log.
 Result<MotionPlan> PlayedPlan(const PlaybackLog& log, const std::string& path, const std::string& plan_path) {
   const std::string beside = (std::filesystem::path(path).parent_path() / "plan.json").string();
   if (plan_path.empty() && !std::filesystem::exists(beside)) {

@@ -10,7 +10,7 @@
 
 namespace gaitwright::cli {
 
-/// A plan or a log that is to be seen, with all that a picture of it needs.
+/// A plan or a log to show, with all data that a picture of it needs.
 struct MotionToShow {
   RobotModel model;
   MotionPlan plan;
@@ -22,11 +22,12 @@ struct MotionToShow {
 };
 
 /// Reads a plan, or a log with the plan that was played: `plan_path`, or "" for the plan.json beside the log. A log is
-/// scored. Failures of the readers; a file that is neither; a log without its plan, or with another.
+/// also scored. Failures: as of the readers; for a file that is neither; for a log without its plan or with another
+/// plan.
 Result<MotionToShow> ReadMotionToShow(const std::string& path, const std::string& plan_path);
 
-/// What was said beside motions and is of no use with them. @throws InvalidArgument for a plan of a log where no motion
-/// is one, and for a folder of meshes that is none.
+/// Checks the other flags against the motions. @throws InvalidArgument if a plan is given but no motion is a log, and
+/// if the folder of meshes is not a folder.
 void CheckShown(const std::vector<MotionToShow>& motions, const std::string& plan_path, const std::string& mesh_folder);
 
 }  // namespace gaitwright::cli

@@ -12,8 +12,8 @@
 namespace gaitwright::cli {
 namespace {
 
-/// @throws InvalidArgument where --set or a flag gives what the axis varies, and so would count for nothing. Of --push
-/// a component that is zero gives nothing.
+/// @throws InvalidArgument if --set or a flag sets the option that the axis varies, since it would have no effect. A
+/// zero component of --push counts as not set.
 void CheckGivenOnce(const StudyAxis& axis, const StudyArguments& a, const std::vector<std::string>& sets) {
   std::vector<std::string> given;
   for (const std::string& set : sets) {
@@ -88,7 +88,7 @@ Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes)
   Result<RobotModel> model = ReadRobot(walk.robot);
   if (!model) return model;
   const Result<double> stride_m = OwnStride(*model, walk.request.gait);
-  if (!stride_m) return stride_m.failure();  // no such gait, said once and not at each point
+  if (!stride_m) return stride_m.failure();  // report an unknown gait once, not at each point
   const WalkCommand given = walk.request.command;
   OptionFields command = CommandFields(walk.request);
   for (const StudyAxis& axis : axes) {
@@ -98,7 +98,7 @@ Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes)
     }
   }
   walk.Finish(*model);
-  for (const StudyAxis& axis : axes) {  // what is varied is set point by point
+  for (const StudyAxis& axis : axes) {  // each point sets the varied options
     if (axis.key == "speed") walk.request.command.speed_m_s = given.speed_m_s;
     if (axis.key == "lateral_speed") walk.request.command.lateral_speed_m_s = given.lateral_speed_m_s;
     if (axis.key == "yaw_rate") walk.request.command.yaw_rate_rad_s = given.yaw_rate_rad_s;

@@ -13,7 +13,7 @@
 
 namespace gaitwright::cli {
 
-/// What `sweep` and `tune` share: the walk, its playback, what is varied, trials, threads, and going on after a cut.
+/// Arguments that `sweep` and `tune` share: the walk, its playback, the varied options, trials, threads and --resume.
 struct StudyArguments {
   WalkArguments walk;
   PlayArguments play;
@@ -25,19 +25,19 @@ struct StudyArguments {
 
   void AddTo(Verb verb, const std::string& over_help);
   void AddWorkTo(Verb verb);
-  /// What it reads.
+  /// The files that these arguments read.
   Paths PathsToRead() const;
-  OptionFields Fields();  ///< of the walk and its playback
-  /// Puts options, --set and flags into the requests. @throws InvalidArgument when --set or a flag gives what is
-  /// varied too, and for axes that the flags leave no room for.
+  OptionFields Fields();  ///< options of the walk and its playback
+  /// Puts options, --set and flags into the requests. @throws InvalidArgument if --set or a flag sets a varied option,
+  /// and for axes that the flags exclude.
   Result<OptionTexts> Finish(const std::vector<StudyAxis>& axes, const Common& common);
-  /// The robot, with the flags of the walk put in for it. The axes count as given: where a speed is varied, one is
-  /// given.
+  /// Reads the robot and completes the flags of the walk for it. The axes count as given flags: if a speed is varied, a
+  /// speed is given.
   Result<RobotModel> FinishFor(const std::vector<StudyAxis>& axes);
 };
 
-/// How trials of a study are played: trial i has the seed that trial i of `trials --seed S` has. The disturbances are
-/// kept.
+/// Plays trials of a study: trial i has the same seed as trial i of `trials --seed S`. Keeps a copy of the
+/// disturbances.
 TrialPlayer PlayerOf(const Disturbances& disturbances, int run_seed);
 
 }  // namespace gaitwright::cli

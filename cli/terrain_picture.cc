@@ -16,10 +16,10 @@ namespace {
 
 using PlanBox = Eigen::AlignedBox2d;
 
-constexpr double kLeft = 60.0, kTop = 50.0;           // of the first picture [px]
-constexpr double kWidest = 1000.0, kHighest = 560.0;  // of the first picture [px]
-constexpr double kSection = 200.0, kBetween = 100.0;  // most of the second's height, and what lies between [px]
-constexpr double kCell = 4.0;                         // of the shading [px]
+constexpr double kLeft = 60.0, kTop = 50.0;           // of the top view [px]
+constexpr double kWidest = 1000.0, kHighest = 560.0;  // of the top view [px]
+constexpr double kSection = 200.0, kBetween = 100.0;  // largest height of the section, and the gap above it [px]
+constexpr double kCell = 4.0;                         // size of a cell of the shading [px]
 constexpr int kShades = 32;
 constexpr double kNear = 10.0;  // edges of wide ground farther off are not shown [m]
 
@@ -30,7 +30,7 @@ constexpr char kStyle[] =
     ".g{stroke:#d5b98a;fill:#ead7b4}.l{stroke:#5b4a2a;stroke-width:1.5;fill:none}.a{stroke:#888;stroke-width:1;fill:"
     "none}";
 
-/// What is worth showing: all that is small, the near edges of what is wide, and the robot; with room around.
+/// The window to show: small parts whole, the near edges of wide ground, and the robot, with a margin.
 PlanBox ShownWindow(const Terrain& terrain, const TerrainScale& scale) {
   PlanBox window(Vector2(scale.front_m - scale.body_length_m, -0.5 * scale.body_width_m),
                  Vector2(scale.front_m, 0.5 * scale.body_width_m));
@@ -55,7 +55,7 @@ PlanBox ShownWindow(const Terrain& terrain, const TerrainScale& scale) {
   return {window.min() - room, window.max() + room};
 }
 
-/// From metres to pixels, and the heights there are.
+/// Maps metres to pixels, and holds the range of heights.
 struct PictureView {
   PlanBox window;
   double px_per_m = 1.0;
@@ -109,7 +109,7 @@ std::string Shading(const Terrain& terrain, const PictureView& view) {
   return svg + "</g>";
 }
 
-/// Names where they have room, about 6 px a letter.
+/// A name, if it has room (about 6 px per letter).
 std::string NameLabel(const PictureView& view, const PlanBox& box, const std::string& name, const char* fill) {
   const double width = view.px_per_m * box.sizes().x(), height = view.px_per_m * box.sizes().y();
   if (width < 5.5 * static_cast<double>(name.size()) || height < 12.0) return "";
@@ -173,7 +173,7 @@ std::string RobotOutline(const PictureView& view, const TerrainScale& scale) {
       SvgPoints(view, {{scale.front_m, -0.3 * half}, {scale.front_m, 0.3 * half}, {scale.front_m + 0.4 * half, 0.0}}));
 }
 
-/// The scale of shades, at the right of the picture from above.
+/// The legend of the shades, to the right of the top view.
 std::string ShadeLegend(const PictureView& view) {
   std::string svg;
   const double x = view.right() + 20.0, height = std::min(160.0, view.bottom() - kTop);
@@ -185,7 +185,8 @@ std::string ShadeLegend(const PictureView& view) {
   return svg + SvgText(x + 22.0, kTop + height, "", fmt::format("{:.3f} m", view.lowest));
 }
 
-/// The heights that the section shows, from a tenth below the ground to above all that stands on it.
+/// The range of heights that the section shows: from below the ground (by a tenth of the range) to above everything on
+/// it.
 struct SectionHeights {
   double low, high, px_per_m;
 
@@ -243,7 +244,7 @@ std::string SectionPicture(const Terrain& terrain, const TerrainScale& scale, co
   return svg + PictureFrame(view, top, bottom) + SideTicks(RoundTicks(low, high, 4), z_px, "z [m]");
 }
 
-/// The view on a window, with the heights that are seen in it.
+/// The view of a window, with the range of heights in it.
 PictureView MakePictureView(const Terrain& terrain, const TerrainScale& scale) {
   PictureView view{ShownWindow(terrain, scale)};
   view.px_per_m = std::min(kWidest / view.window.sizes().x(), kHighest / view.window.sizes().y());

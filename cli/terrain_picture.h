@@ -8,8 +8,8 @@
 
 namespace gaitwright::cli {
 
-/// A ground as SVG: from above, with heights as shades, outlines and names of patches, obstacles dark and the robot's
-/// place at the start; and below it the section along x through the start.
+/// Draws a ground as SVG. The top view has heights as shades, outlines and names of patches, dark obstacles and the
+/// robot's place at the start. Below it is the section along x through the start.
 std::string TerrainPicture(const Terrain& terrain, const TerrainScale& scale);
 
 }  // namespace gaitwright::cli

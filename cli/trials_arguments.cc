@@ -13,14 +13,14 @@ namespace gaitwright::cli {
 
 namespace {
 
-/// The option that says whether a figure acts, by its own key. A file tells of a robot's sensors as a whole: they act
-/// where any is read.
+/// Key of the option that decides whether a disturbance has an effect. The sensors in a file have an effect if any of
+/// them is read.
 std::string ActsAs(const Disturbance& figure) {
   return figure.key.starts_with("sensor") ? "sensors." : "play." + figure.key;
 }
 
-/// What is drawn and has no effect: a figure in place of which a study has its own, one whose own ground is not there,
-/// and sensors that nobody reads.
+/// Failure if a sampled disturbance has no effect: a study varies the same value, its ground does not exist, or it
+/// disturbs sensors that nothing reads.
 std::optional<Failure> InVain(const Disturbances& disturbances, const PlayRequest& request,
                               const std::vector<std::string>& varied) {
   const auto failure = [](const std::string& message, const std::string& hint) {
@@ -59,7 +59,7 @@ Result<Disturbances> DisturbanceArguments::Load(const RobotModel& model, PlayReq
   Result<Disturbances> disturbances = LoadDisturbances(file, SensorFields(request));
   if (!disturbances) return disturbances;
   if (auto failure = InVain(*disturbances, request, varied)) return *failure;
-  if (auto failure = WhyNotSampled(model, request, *disturbances)) return *failure;
+  if (auto failure = ReasonNotSampled(model, request, *disturbances)) return *failure;
   return disturbances;
 }
 

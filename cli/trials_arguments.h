@@ -17,9 +17,9 @@ struct DisturbanceArguments {
 
   void AddTo(Verb verb, const std::string& otherwise = "the standard set, scaled to the robot");
   void AddPathTo(Paths& paths) const;
-  /// What the file says, or the standard set but for what else says it; a failure where some of it could not be played,
-  /// or would act on nothing.
-  /// @param varied  options that a study gives one value after another.
+  /// Reads the file, or gives the standard set without the options that are set elsewhere. Failure if a disturbance
+  /// cannot be played or would have no effect.
+  /// @param varied  options that a study varies.
   Result<Disturbances> Load(const RobotModel& model, PlayRequest request,
                             const std::vector<std::string>& varied = {}) const;
 };

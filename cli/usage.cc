@@ -13,7 +13,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// The verb that was reached, or the program itself.
+/// The verb that the command line names, or the program itself.
 Verb ReachedVerb(Verb program) {
   Verb at = program;
   while (const std::optional<Verb> next = at.chosen()) at = *next;
@@ -26,7 +26,7 @@ std::vector<std::string> VerbNames(Verb program) {
   return names;
 }
 
-/// Without their dashes.
+/// Names of the verb's flags, without dashes.
 std::vector<std::string> FlagNames(Verb verb) {
   std::vector<std::string> names;
   for (const Flag& flag : verb.flags()) {
@@ -36,14 +36,14 @@ std::vector<std::string> FlagNames(Verb verb) {
   return names;
 }
 
-/// "; the nearest is '--set'", or nothing: dashes are alike in all and make nothing near.
+/// "; the nearest is '--set'", or nothing. Compares without dashes, which all flags share.
 std::string NearestFlag(const std::string& flag, Verb verb) {
   const std::size_t name = std::min(flag.find_first_not_of('-'), flag.size());
   const std::string nearest = NearestName(flag.substr(name), FlagNames(verb));
   return nearest.empty() ? "" : fmt::format("; the nearest is '--{}'", nearest);
 }
 
-/// A word that no verb and no flag took.
+/// The message for a word that belongs to no verb and no flag.
 std::string UnexpectedWord(Verb program, Verb verb, const std::string& word) {
   if (word.starts_with("-")) {
     const std::string flag = word.substr(0, word.find('='));
@@ -52,15 +52,15 @@ std::string UnexpectedWord(Verb program, Verb verb, const std::string& word) {
   const std::vector<std::string> verbs = VerbNames(verb);
   if (verbs.empty()) return fmt::format("{}: unexpected argument '{}'", verb.words(), word);
   const std::string list = QuotedList(verbs);
-  return verb == program ? fmt::format("there is no verb '{}'{}; there are {}", word, NearestHint(word, verbs), list)
-                         : fmt::format("there is no '{} {}'; there is {}", verb.words(), word, list);
+  return verb == program ? fmt::format("there is no verb '{}'{}; accepted: {}", word, NearestHint(word, verbs), list)
+                         : fmt::format("'{} {}' does not exist; accepted: {}", verb.words(), word, list);
 }
 
 std::string UsageText(Verb program, Verb verb, const UsageError& error) {
   const bool no_verb = verb == program;
   if (!error.unread.empty() && (no_verb || error.kind == UsageError::Kind::kUnexpectedWord))
     return UnexpectedWord(program, verb, error.unread.front());
-  if (no_verb) return fmt::format("a verb is needed; there are {}", QuotedList(VerbNames(program)));
+  if (no_verb) return fmt::format("a verb is needed; accepted: {}", QuotedList(VerbNames(program)));
   std::string what = error.what();
   what = what.substr(0, what.find('\n'));
   if (error.kind == UsageError::Kind::kCountOfValues) {

@@ -6,7 +6,7 @@
 
 namespace gaitwright::cli {
 
-/// What is wrong with a command line, in one sentence that names the nearest verb or flag there is.
+/// Says what is wrong with a command line, in one sentence that names the nearest verb or flag.
 Failure UsageFailure(Verb program, const UsageError& error);
 
 }  // namespace gaitwright::cli

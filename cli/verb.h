@@ -27,10 +27,10 @@ class Flag {
   Flag Exclude(Flag other) const;  ///< in both directions
   Flag Need(Flag other) const;
   Flag AcceptOnly(const std::vector<std::string>& choices) const;
-  /// @param reason_refused  why a text is not accepted, or "" when it is.
+  /// @param reason_refused  says why a text is not accepted, or "" if it is accepted.
   Flag Check(std::function<std::string(const std::string&)> reason_refused) const;
-  Flag SplitAt(char separator) const;  ///< of a list: one text may hold several values
-  Flag Repeat() const;                 ///< of a list: the flag may be given several times, with one value each
+  Flag SplitAt(char separator) const;  ///< for lists: one text may have several values
+  Flag Repeat() const;                 ///< for lists: the flag may be given several times, with one value each
 
   bool given() const;
   bool is_positional() const;
@@ -41,7 +41,7 @@ class Flag {
   std::string type() const;  ///< "" for a switch
   std::string description() const;
 
-  /// Runs the action of a switch as if it were given with this value, whether it returns or throws.
+  /// Runs the action of a switch as if it were given with this value. The action may return or throw.
   void Trigger(const std::string& value = "true") const;
 
  private:
@@ -72,16 +72,16 @@ class Verb {
   Flag AddSwitchReader(std::string_view names, std::function<void(const std::string&)> read,
                        std::string_view help) const;
 
-  void SetGroup(std::string_view group) const;  ///< of the flags that are added after this
+  void SetGroup(std::string_view group) const;  ///< heading of the flags that are added after this
   void RequireVerbs(std::size_t lowest, std::size_t highest) const;
   void SetFooter(std::string_view footer) const;
-  void SetWork(std::function<void()> work) const;  ///< what runs when the verb has been read
+  void SetWork(std::function<void()> work) const;  ///< runs after the verb has been parsed
 
   bool Given(std::string_view flag) const;
   std::optional<Flag> Find(std::string_view flag) const;
   std::vector<Flag> flags() const;
   std::vector<Verb> verbs() const;
-  std::optional<Verb> chosen() const;  ///< verb below this one that the command line names
+  std::optional<Verb> chosen() const;  ///< sub-verb that the command line names
   std::string name() const;
   std::string words() const;  ///< "robots show"; for the program its own name
   std::string description() const;

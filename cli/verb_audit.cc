@@ -32,7 +32,7 @@ struct AuditSettings {
   }
 };
 
-/// --derate torque=0.8,speed=0.9
+/// Reads --derate, such as torque=0.8,speed=0.9.
 void Derate(const std::string& text, AuditOptions& options) {
   ApplySets("--derate", SplitAtCommas(text),
             {{"torque", &options.derate_torque, "1", 0.01, 1.0, ""},
@@ -58,13 +58,13 @@ void CheckAuditFlags(const AuditSettings& a) {
   CheckPaths(paths);
 }
 
-/// Why no way is written where one was asked for.
+/// Says why no approach is written although --approach is given.
 std::string NoWayText(const std::string& path) {
   return fmt::format(
       "every joint is within its tolerance of the first command: no approach is needed, and '{}' is not written", path);
 }
 
-/// A sentence on the way to the plan's first posture.
+/// A sentence about the approach to the plan's first posture.
 std::string ApproachText(const RobotModel& model, const Approach& approach) {
   return fmt::format(
       "an approach of {:.2f} s to the first posture is planned{}, with the base held in the air; joint '{}' moves "
@@ -81,7 +81,7 @@ nlohmann::ordered_json ApproachJson(const Approach& approach, const std::string&
           {"plan", path}};
 }
 
-/// What was looked at: the robot, its plan, and the way there if one was asked for.
+/// The subject of the audit: the robot, its plan, and the approach, if requested.
 struct AuditSubject {
   const RobotModel& model;
   const MotionPlan& plan;
@@ -121,7 +121,7 @@ int RunPreflight(AuditSettings& a, const AuditSubject& about) {
   return preflight->go() ? kPass : kVerdictFail;
 }
 
-/// The verdict in words, what the plan itself warns of, and what the audit did not look at.
+/// Prints the verdict, the plan's own warnings and what the audit did not check.
 void PrintAudit(const AuditReport& report, const MotionPlan& plan) {
   fmt::print("{}", AuditText(report));
   for (const std::string& warning : plan.warnings) fmt::print("warning: {}\n", warning);

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// By how much a free total time may be shorter or longer, unless options say.
+/// Default factor by which a free total time may be shorter or longer.
 constexpr double kFreeTotal = 1.5;
 
 struct BenchSettings {
@@ -146,7 +146,7 @@ void AddBench(Verb program, int& status) {
       verb.AddVerb("centroidal", "Plan single rigid bodies with given contact schedules on uneven ground");
   AddText(centroidal, "--problems", "FILE", a->problems, "Your own set of cases; default: the built-in set.");
   AddText(centroidal, "--only", "TEXT", a->filter,
-          "Run only cases whose name (ROBOT-NUMBER-GROUND, such as hyq-1-gap) contains this.");
+          "Run only cases whose name (ROBOT-NUMBER-GROUND, such as hyq-1-gap) contains this text.");
   AddNumber(centroidal, "--distance", "M", a->distance_m, "Distance to walk; default: as in the set.");
   AddNumber(centroidal, "--duration", "S", a->duration_s, "Duration of the motion; default: as in the set.");
   AddNumber(centroidal, "--friction", "MU", a->friction, "Friction coefficient of all ground; default: as in the set.");

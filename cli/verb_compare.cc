@@ -40,7 +40,7 @@ void CheckComparePaths(const CompareSettings& a) {
   CheckPaths(paths);
 }
 
-/// Writes the page and prints the comparison. @param page  makes the page, where it is asked for.
+/// Writes the page and prints the comparison. @param page makes the page; called only with --report.
 template <class Page>
 int PrintComparison(const CompareSettings& a, const std::string& text, const std::string& json_text, bool same,
                     Page page) {
@@ -62,7 +62,7 @@ int PrintComparison(const CompareSettings& a, const std::string& text, const std
   return a.require_same && !same ? kVerdictFail : kPass;
 }
 
-/// Of two logs of the plan that is given, such as those of two engines.
+/// Agreement of two logs of the plan of --plan, such as logs of two engines.
 std::optional<Agreement> AgreementOfLogs(const CompareInput& input) {
   if (!input.played || !input.a->log || !input.b->log) return std::nullopt;
   const std::string hash = MotionHash(*input.played);

@@ -61,15 +61,15 @@ Result<Interpretation> TasksOf(const DoSettings& a, const TaskScope& scope) {
   if (!text) return text.failure();
   Result<TaskPlan> plan = TaskPlanFromJson(*text);
   if (!plan) return plan.failure();
-  if (auto failure = WhyNotPlanned(*plan, scope)) return *failure;
+  if (auto failure = ReasonNotPlanned(*plan, scope)) return *failure;
   return Interpretation{std::move(*plan), "file", {}};
 }
 
-/// Whether it is asked on a terminal before it is done.
+/// Whether to ask on the terminal before carrying out the tasks.
 bool AsksBeforeDoing(const DoSettings& a) { return !a.yes && ::isatty(STDIN_FILENO) != 0; }
 
-/// The task plan for people, on standard error where standard output is the program's own. What is asked for is shown,
-/// however quiet it is to be.
+/// Prints the task plan for people; on standard error if standard output is for JSON or a verdict. It is shown even
+/// with --quiet if it needs confirmation.
 void ShowTasks(const Interpretation& tasks, const DoSettings& a) {
   std::FILE* const to = a.common.json || a.common.quiet ? stderr : stdout;
   for (const std::string& note : tasks.notes) fmt::print(stderr, "note: {}\n", note);
@@ -82,8 +82,8 @@ void ShowTasks(const Interpretation& tasks, const DoSettings& a) {
   std::fflush(to);
 }
 
-/// Whether it shall be done: asked on a terminal. Without one what the grammar understood is done, and what a language
-/// model did only with --yes.
+/// Whether to carry out the tasks. On a terminal it asks. Without a terminal, tasks understood by the grammar are
+/// carried out, and tasks from a language model only with --yes.
 bool GoesOn(const DoSettings& a, const Interpretation& tasks) {
   if (!AsksBeforeDoing(a)) {
     if (!a.yes && tasks.by == "language model")
@@ -173,7 +173,7 @@ void AddDo(Verb program, int& status) {
   AddText(verb, "--model", "NAME", a->interpreter.model, "Name of the language model, with --interpreter.");
   AddNumber(verb, "--interpreter-timeout", "s", a->interpreter.longest_s,
             "Time limit for one answer of the language model, 0.1 to 3600; default 60.");
-  verb.AddSwitch("--yes", a->yes, "Carry it out without asking; default: ask on a terminal.");
+  verb.AddSwitch("--yes", a->yes, "Carry out the task plan without confirmation; default: ask on a terminal.");
   verb.AddSwitch("--tasks-only", a->only_tasks, "Print the task plan as JSON and exit.");
   verb.AddSwitch("--schema", a->schema, "Print the JSON schema of task plans and exit.");
   verb.SetGroup("Options");

@@ -22,7 +22,7 @@ struct ExportSettings {
   double rate_hz = 0.0;
 };
 
-/// Where it goes unless --out says.
+/// Default of --out.
 std::string UsualOut(ExportFormat format) {
   switch (format) {
     case ExportFormat::kCsv:
@@ -53,7 +53,7 @@ void CheckExportPaths(const ExportSettings& a, ExportFormat format) {
   CheckPaths(paths);
 }
 
-/// What --json calls the output.
+/// Key of the output in the JSON result.
 const char* KindOfFile(const std::string& format) {
   if (format == "svg") return "plots";
   return format == "mjcf" ? "model" : "motion";

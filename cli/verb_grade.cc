@@ -35,7 +35,7 @@ void PrintClassInputs(const std::vector<OutputFile>& files, const Common& common
   for (const OutputFile& file : files) fmt::print("inputs  {}\n", file.path);
 }
 
-/// Writes what a class is to work out, and marks nothing.
+/// Writes the inputs of the questions for a class, and marks nothing.
 int WriteClassInputs(const GradeSettings& a, const Rubric& rubric) {
   std::vector<OutputFile> files;
   for (const RubricPart& part : rubric.parts) {
@@ -133,14 +133,13 @@ void AddGrade(Verb program, int& status) {
   AddText(verb, "DIR", "DIR", a->folder, "Folder that has one folder for each student.");
   AddText(verb, "--rubric", "FILE", a->rubric, "Rubric: expected files and their marks, as YAML; see docs/grading.md.")
       .Require();
-  AddText(
-      verb, "--engine", "NAME", a->engine,
-      "Physics engine of all motions: bullet, mujoco, or both, of which the worse counts; default: that of the rubric, "
-      "else bullet.")
+  AddText(verb, "--engine", "NAME", a->engine,
+          "Physics engine of all motions: bullet, mujoco, or both (the worse result counts); default: the rubric's "
+          "engine, otherwise bullet.")
       .AcceptOnly({"bullet", "mujoco", "both"});
   verb.SetGroup("Running code");
   AddText(verb, "--python", "PROGRAM", a->python,
-          "Python interpreter for submissions; default: /usr/bin/python3, else the one on PATH.");
+          "Python interpreter for submissions; default: /usr/bin/python3, otherwise the one on PATH.");
   verb.AddSwitch(
       "--unconfined", a->unconfined,
       "Run submissions without confinement, with all rights of your user; for machines that cannot confine them.");

@@ -101,7 +101,7 @@ void AddImport(Verb program, int& status) {
   AddField(verb, "--length-unit", fields, "length_unit");
   AddField(verb, "--time-unit", fields, "time_unit");
   AddText(verb, "--goal", "x,y,yaw", a->goal,
-          "Intended end pose, in m, m and rad from the start; default: where the motion ends.");
+          "Intended end pose, in m, m and rad from the start; default: the end of the motion.");
   verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a->out,
           "Plan file to write; its folder is created if missing; default imported.json.");

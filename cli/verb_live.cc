@@ -19,8 +19,8 @@
 namespace gaitwright::cli {
 namespace {
 
-/// What can be set: what shapes plans, the world and the controller. Sensors, delays and timed pushes are for 'play',
-/// as are bumps, which end somewhere where this walk does not.
+/// Options that can be set: those of plans, the world and the controller. Sensors, delays and timed pushes are for
+/// 'play'. Bumps are for 'play' too, since they cover a limited area and this walk has no end.
 OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
   OptionFields world = play.play.world.Fields();
   std::erase_if(world, [](const OptionField& field) { return field.key.find("bump") != std::string::npos; });
@@ -36,21 +36,21 @@ struct LiveSettings {
   Common common;
   RobotFlags robot;
   WalkRequest walk;
-  PlayRequest play, listed;  ///< `listed` has what --list-options prints: all that a robot here may take
+  PlayRequest play, listed;  ///< `listed` has the options that --list-options prints: all that a robot may take here
   OptionsFile options;
   LiveAddress address{.port = 8017};
   double for_s = 0.0;
   bool debug = false, no_open = false;
 };
 
-/// Opens a page in the browser that the desktop has; without a desktop nothing happens.
+/// Opens a page in the desktop's browser; does nothing without a desktop.
 void OpenInBrowser(const std::string& url) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   const int ignored = std::system(("xdg-open '" + url + "' >/dev/null 2>&1 &").c_str());
   (void)ignored;
 }
 
-/// Without waiting for a pace that is being planned, which nobody will walk.
+/// Exits without waiting for a plan in progress, which is no longer needed.
 [[noreturn]] void EndAtOnce() {
   std::fflush(nullptr);
   std::_Exit(kPass);
@@ -73,7 +73,7 @@ int RunLive(LiveSettings& a) {
   if (!model) return Report(model.failure(), a.common);
   Result<std::unique_ptr<LiveServer>> server = LiveServer::Start(a.address, LivePage(model->name + ", live"));
   if (!server) return Report(server.failure(), a.common);
-  if (!a.common.quiet) fmt::print(stderr, "plans how {} walks\n", model->name);
+  if (!a.common.quiet) fmt::print(stderr, "planning the first walk of {}\n", model->name);
   Result<std::unique_ptr<LiveWorld>> live = LiveWorld::Make(*model, a.walk, a.play);
   if (!live) return Report(live.failure(), a.common);
   const std::optional<std::string> meshes = a.robot.is_file() ? std::optional(a.robot.folder()) : std::nullopt;
@@ -105,14 +105,14 @@ void AddLive(Verb program, int& status) {
   verb.SetGroup("Robot");
   a->robot.AddTo(verb);
   AddText(verb, "--controller", "NAME", a->play.controller,
-          "stabilised, joint-pd or recovering (takes recovery steps when pushed while standing, else as stabilised); "
+          "stabilised, joint-pd or recovering (as stabilised, but takes recovery steps if pushed while standing); "
           "default stabilised.");
   const OptionFields fields = a->play.Fields();
   AddField(verb, "--engine", fields, "play.engine");
   verb.SetGroup("Web page");
   AddText(verb, "--host", "ADDRESS", a->address.host,
-          "Network address to listen on; the default 127.0.0.1 is local; with any other, everyone who reaches it can "
-          "move the robot.");
+          "Network address to listen on; default 127.0.0.1, which only this machine can reach. Everyone who can reach "
+          "another address can move the robot.");
   AddWholeNumber(verb, "--port", 0, a->address.port, "Port; 0 uses any free port; default 8017.");
   verb.AddSwitch("--no-open", a->no_open, "Do not open the page in this desktop's browser.");
   AddNumber(verb, "--for", "s", a->for_s, "End after this time; default 0: run until Ctrl-C.");

@@ -19,7 +19,7 @@ struct PlaySettings {
   Outputs outputs;
 };
 
-/// The plan as it is played: under the disturbances of one trial where those are given.
+/// Plays the plan, under the disturbances of one trial if they are given.
 Result<PlayedWalk> PlayAsAsked(PlaySettings& a, const RobotModel& model, const MotionPlan& plan) {
   if (a.disturbances.file.empty()) return PlayWalk(model, plan, a.play.request);
   const Result<Disturbances> disturbances = a.disturbances.Load(model, a.play.request);

@@ -28,8 +28,8 @@ int PrintSchema(const std::string& name) {
   for (const Document& document : documents) names.push_back(document.name);
   const auto at = std::find(names.begin(), names.end(), name);
   if (at == names.end())
-    throw InvalidArgument(
-        fmt::format("--schema: there is no '{}'{}", name, NearestOrAll(name, names, "reference prints all of them")));
+    throw InvalidArgument(fmt::format("--schema: '{}' does not exist{}", name,
+                                      NearestOrAll(name, names, "'gaitwright reference' lists all schemas")));
   fmt::print("{}", documents[static_cast<std::size_t>(at - names.begin())].schema);
   return kPass;
 }

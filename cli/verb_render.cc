@@ -23,7 +23,7 @@
 namespace gaitwright::cli {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of cycles
+constexpr double kRounding = 1e-6;  // rounding of cycle counts
 
 struct RenderSettings {
   Common common;
@@ -51,7 +51,7 @@ void CheckRenderPaths(const RenderSettings& a) {
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which makes pictures");
 }
 
-/// Nothing that is said is passed over: a flag of pictures or figures that are not made is refused.
+/// Refuses flags of pictures or figures that are not made, so that no flag is ignored.
 void CheckRenderFlags(const RenderSettings& a, Verb verb) {
   const bool film = !a.gif.empty() || !a.mp4.empty(), page = a.wants_page(), figure = !a.figure.empty();
   struct Use {
@@ -71,7 +71,7 @@ void CheckRenderFlags(const RenderSettings& a, Verb verb) {
   }
 }
 
-/// Everything that is asked for, before any of it is written.
+/// Makes all requested outputs before any of them is written.
 Result<std::vector<OutputFile>> RenderAll(RenderSettings& a, const MotionToShow& motion) {
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& path, Result<std::string> made) -> std::optional<Failure> {
@@ -100,7 +100,7 @@ Result<std::vector<OutputFile>> RenderAll(RenderSettings& a, const MotionToShow&
   return files;
 }
 
-/// @param cycles  that the figure has.
+/// @param cycles  number of gait cycles in the figure.
 void PrintRendered(const RenderSettings& a, std::optional<double> cycles) {
   const std::pair<const char*, const std::string*> files[] = {
       {"png", &a.png}, {"gif", &a.gif}, {"mp4", &a.mp4}, {"figure", &a.figure}};
@@ -156,7 +156,8 @@ void AddPictureFlags(Verb verb, RenderSettings& a) {
                 fmt::format("Parts to hide: {}; default: none.", JoinWords(OverlayNames(), ", ")))
       .SetType("NAME,...")
       .SplitAt(',');
-  verb.AddSwitch("--dark", a.picture.dark, "Light lines on dark ground; default: dark on light.");
+  verb.AddSwitch("--dark", a.picture.dark,
+                 "Light lines on a dark background; default: dark lines on a light background.");
   AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles,
                  "Number of gait cycles in the figure, at most 1000; default 10.");
 }

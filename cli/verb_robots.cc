@@ -34,11 +34,11 @@ namespace {
 struct RobotsSettings {
   Common common;
   std::string robot, file, png, page, against, repaired;
-  RobotFlags loading;  ///< how its file is read
+  RobotFlags loading;  ///< how to read its file
   PictureOptions picture;
 };
 
-/// The text that the flags name a robot by.
+/// The name or path of the robot, from the flags.
 const std::string& RobotText(const RobotsSettings& a) {
   if (a.robot.empty() && a.file.empty())
     throw InvalidArgument(
@@ -46,7 +46,7 @@ const std::string& RobotText(const RobotsSettings& a) {
   return a.file.empty() ? a.robot : a.file;
 }
 
-/// A robot by name, or its description by position or by flag.
+/// Adds the robot: a name or a path as positional argument, or a file by flag.
 void AddRobotTo(const Verb& verb, RobotsSettings& a) {
   const Flag named = AddText(verb, "ROBOT", "NAME", a.robot,
                              "A name from 'gaitwright robots', or the path of a URDF, xacro or MJCF file.");
@@ -57,14 +57,14 @@ void AddRobotTo(const Verb& verb, RobotsSettings& a) {
   a.loading.AddLoadingTo(verb);
 }
 
-/// The flags of a robot by its name or its description.
+/// The robot flags for a name or a description file.
 RobotFlags FlagsOf(const RobotsSettings& a) {
   if (!a.file.empty()) return {"", a.file, a.loading.loading};
   const bool is_file = NamesDescription(RobotText(a));
   return {is_file ? "" : a.robot, is_file ? a.robot : "", a.loading.loading};
 }
 
-/// The flags of another description.
+/// The robot flags for another description.
 RobotFlags FlagsOf(const std::string& text, const RobotLoading& loading) {
   const bool is_file = NamesDescription(text);
   return {is_file ? "" : text, is_file ? text : "", loading};
@@ -104,11 +104,11 @@ std::string SelfCollisionText(const CollisionChecker& collision) {
   return text;
 }
 
-constexpr char kDrawing[] = "drawing";  // the view that is no 3D picture
+constexpr char kDrawing[] = "drawing";  // the view that is not a 3D picture
 
 bool NeedsViewer(const RobotsSettings& a) { return !a.page.empty() || a.picture.view != kDrawing; }
 
-/// The robot as it stands in 3D: as a page, and as a picture where one of its views is asked for.
+/// Shows the standing robot in 3D: as a page, and as a picture if a 3D view is requested.
 Result<std::vector<OutputFile>> ShownRobot(const RobotModel& model, const RobotsSettings& a,
                                            const std::string& folder) {
   constexpr double kStand = 0.5;  // [s]
@@ -126,7 +126,7 @@ Result<std::vector<OutputFile>> ShownRobot(const RobotModel& model, const Robots
   return files;
 }
 
-/// Draws the robot where that is asked for. @return what is wrong, or nothing.
+/// Draws the robot if requested. @return the failure, or nothing.
 std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& a, const std::string& folder) {
   if (a.png.empty() && a.page.empty()) return std::nullopt;
   if (NeedsViewer(a) && !HasViewer())
@@ -148,7 +148,7 @@ std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& 
   return std::nullopt;
 }
 
-/// Why there is no sound plan for a metre at the robot's own speed, or nothing.
+/// Why there is no plan of a 1 m walk at the robot's default speed that passes the audit, or nothing.
 std::optional<std::string> WhyNoWalk(const RobotModel& model) {
   WalkRequest request;
   request.own_pace = true;
@@ -199,7 +199,7 @@ int ShowRobot(const RobotsSettings& a) {
   const CollisionChecker collision(*model);
   model->notes.insert(model->notes.end(), ik.notes().begin(), ik.notes().end());
   model->notes.insert(model->notes.end(), collision.notes().begin(), collision.notes().end());
-  const Gains gains = DeriveGains(*model);  // those of robot.yaml where it has some
+  const Gains gains = DeriveGains(*model);  // those of robot.yaml, if it has any
   model->stiffness = gains.stiffness;
   model->damping = gains.damping;
   const std::vector<Finding> findings = CheckRobot(*model);
@@ -224,7 +224,7 @@ int ShowRobot(const RobotsSettings& a) {
   return kPass;
 }
 
-/// Findings of a robot description, and of another one against it where that is given.
+/// Findings about a robot description, and differences from another one if it is given.
 std::vector<Finding> FindingsOf(const RobotsSettings& a, const Result<RobotModel>& model) {
   const auto not_loaded = [](const Failure& failure, const std::string& message) {
     return Finding{FindingLevel::kError, failure.code, "robot", 0, message};
@@ -242,7 +242,7 @@ std::vector<Finding> FindingsOf(const RobotsSettings& a, const Result<RobotModel
   return findings;
 }
 
-/// Prints a line a finding; findings of one kind and one text share the line of the first.
+/// Prints one line per finding; findings of the same kind and text share a line.
 void PrintFindings(const RobotsSettings& a, const std::vector<Finding>& findings) {
   constexpr std::size_t kNamed = 4;  // parts of one line
   std::vector<bool> printed(findings.size(), false);

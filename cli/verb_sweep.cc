@@ -31,7 +31,7 @@ struct SweepSettings {
   std::string SoFar() const { return out + ".so-far"; }
 };
 
-/// The keys of --metrics. @throws InvalidArgument naming the nearest to one that there is not.
+/// The keys of --metrics. @throws InvalidArgument for an unknown key; the message names the nearest one.
 std::vector<std::string> MetricKeys(const std::string& text) {
   std::vector<std::string> keys;
   std::istringstream stream(text);
@@ -43,7 +43,7 @@ std::vector<std::string> MetricKeys(const std::string& text) {
   return keys;
 }
 
-/// Of the one process that writes: where the others of an MPI run are, the folders may not be.
+/// Only for the process that writes: the other processes of an MPI run may not see its folders.
 void CheckSweepPaths(const SweepSettings& a) {
   Paths paths = a.study.PathsToRead();
   paths.Write("--out", a.out, {".csv"});
@@ -80,7 +80,7 @@ Result<Disturbances> PrepareTrials(SweepSettings& a, Study& study) {
   return disturbances;
 }
 
-/// The study, and a text that says what work it is.
+/// The study, and a text that identifies its work.
 struct SweepInputs {
   Study study;
   std::string identity;
@@ -187,9 +187,9 @@ void AddSweepFlags(Verb verb, SweepSettings& a) {
   AddWholeNumber(verb, "--samples", 1, a.samples,
                  "Number of points of a Halton sequence (see --seed), instead of a grid; default: a grid.");
   verb.SetGroup("Work at each point");
-  AddWholeNumber(
-      verb, "--trials", 0, a.trials,
-      "Randomised playbacks for each point whose plan passes its audit; all points get the same; default 0.");
+  AddWholeNumber(verb, "--trials", 0, a.trials,
+                 "Randomised playbacks for each point whose plan passes its audit; all points get the same "
+                 "disturbances; default 0.");
   a.study.disturbances.AddTo(verb);
   AddText(verb, "--metrics", "KEYS", a.metrics, "Comma-separated metrics to report; default " + a.metrics + ".");
   a.study.AddWorkTo(verb);

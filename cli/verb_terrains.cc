@@ -151,7 +151,7 @@ void PrintParts(const Terrain& terrain) {
   }
 }
 
-/// A ground as it is for a robot, and the files that are made of it.
+/// A ground with the sizes for a robot, and the files made from it.
 struct ShownTerrain {
   std::string description;
   std::vector<TerrainParameter> parameters;
@@ -198,7 +198,7 @@ Result<ShownTerrain> LookAtTerrain(const std::string& text, const TerrainScale& 
   return shown;
 }
 
-/// Makes the files that are asked for and writes all of them or none.
+/// Makes the requested files and writes all of them or none.
 Result<std::vector<std::string>> WriteFilesOf(ShownTerrain& shown, const TerrainScale& scale,
                                               const TerrainsSettings& a) {
   if (!a.out.empty()) {

@@ -46,7 +46,7 @@ int ShowDisturbances(const TrialsSettings& a, const Disturbances& disturbances) 
   return kPass;
 }
 
-/// A run, and how many trials beyond its end the journal keeps.
+/// A run, and the number of trials in the journal beyond the end of the run.
 struct TrialRun {
   RobustnessReport report;
   int beyond = 0;
@@ -77,7 +77,7 @@ void PrintTrials(const TrialsSettings& a, const TrialRun& run, bool enough) {
     fmt::print("so far  {} more trials are in {}; --resume continues with them\n", run.beyond, a.SoFar());
 }
 
-/// The run, with its journal beside the result and a bar on a terminal.
+/// Runs the trials, with a journal beside the result and a progress bar.
 Result<TrialRun> TrialsWithBar(const TrialsSettings& a, const TrialStudy& study, SharedWork& work) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet, "trials");
@@ -101,8 +101,7 @@ Result<TrialRun> TrialsWithBar(const TrialsSettings& a, const TrialStudy& study,
   return TrialRun{std::move(*report), book->beyond()};
 }
 
-/// The runs that are asked for: one, or with --engine both one in each engine, of which the second has files of its
-/// own.
+/// The requested runs: one, or with `--engine both` one in each engine. The second run has separate files.
 std::vector<TrialsSettings> RunsOf(const TrialsSettings& a) {
   if (a.engine() != "both") return {a};
   std::vector<TrialsSettings> runs = {a, a};
@@ -113,7 +112,7 @@ std::vector<TrialsSettings> RunsOf(const TrialsSettings& a) {
   return runs;
 }
 
-/// Of the one process that writes: where the others of an MPI run are, the folders may not be.
+/// Only for the process that writes: the other processes of an MPI run may not see its folders.
 void CheckTrialsPaths(const TrialsSettings& a) {
   Paths paths;
   paths.Read("the plan", a.plan);
@@ -135,7 +134,7 @@ void CheckShare(const TrialsSettings& a) {
   }
 }
 
-/// What is read from files before the first trial.
+/// The files that are read before the first trial.
 struct TrialInputs {
   MotionPlan plan;
   RobotModel model;

@@ -11,7 +11,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// Why there is no ready-made set of sensors of that name, or "".
+/// Why the name is not that of a built-in set of sensors, or "" if it is.
 std::string NotASensorKind(const std::string& kind) {
   try {
     SensorsOfKind(kind);
@@ -21,7 +21,7 @@ std::string NotASensorKind(const std::string& kind) {
   }
 }
 
-/// The keys of --set that give more than the usual value.
+/// The keys of --set whose value differs from the default.
 std::vector<std::string> ChangedBy(const std::vector<std::string>& sets, PlayRequest& request) {
   PlayRequest usual;
   std::vector<std::string> keys;

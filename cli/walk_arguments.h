@@ -13,16 +13,16 @@
 
 namespace gaitwright::cli {
 
-/// The flags that say which robot walks how, shared by `walk` and `plan`.
+/// Flags for the robot and its walk, shared by `walk` and `plan`.
 struct WalkArguments {
   RobotFlags robot;
   std::string goal;
   WalkRequest request;
   WalkExtent extent;
-  std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
+  std::vector<KeyedFlag> keyed;  ///< the flags that a study may vary by key
 
   void AddTo(Verb verb);
-  OptionFields Fields();  ///< of the request
+  OptionFields Fields();  ///< fields of the request
   /// Puts the flags into the request. @throws InvalidArgument for flags that contradict each other or do not parse.
   void Finish(const RobotModel& model);
 
@@ -33,24 +33,24 @@ struct WalkArguments {
 /// The flags of a playback, shared by `walk` and `play`.
 struct PlayArguments {
   PlayRequest request;
-  std::string usual_engine = "bullet";  ///< of the verb, where neither --engine nor play.engine is given
+  std::string usual_engine = "bullet";  ///< the verb's default, without --engine and play.engine
   std::optional<Flag> engine;
   std::string push;
   std::vector<Flag> only_with_push;
   std::optional<Flag> only_with_sensors;
-  std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
+  std::vector<KeyedFlag> keyed;  ///< the flags that a study may vary by key
 
   void AddTo(Verb verb);
-  OptionFields Fields();  ///< of the request
-  /// Before any options are put into the request.
+  OptionFields Fields();  ///< fields of the request
+  /// Call this before any options are put into the request.
   void SetDefaults(const Common& common);
-  /// @param varied  options that are given one value after another.
-  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given, and for --sensors
-  /// where none is read.
+  /// @param varied  options that a study varies.
+  /// @throws InvalidArgument if --push is not three numbers or is missing although its time is given, and for --sensors
+  /// if no sensor is read.
   void Finish(const std::vector<std::string>& varied = {});
-  /// After Finish. Of --set what gives no more than the usual value is let pass.
-  /// @param drawn  options that disturbances draw.
-  /// @throws InvalidArgument naming the first option of --set or --over that has no effect.
+  /// Call this after Finish. An option of --set with its default value is accepted.
+  /// @param drawn  options that the disturbances sample.
+  /// @throws InvalidArgument that names the first option of --set or --over that has no effect.
   void CheckActs(const std::vector<std::string>& sets, const std::vector<std::string>& varied = {},
                  const std::vector<std::string>& drawn = {});
 };

@@ -8,8 +8,8 @@
 
 namespace gaitwright::cli {
 
-/// Writes the files of a long work together. Failure: as WriteFilesTogether, with a hint that nothing of the work is
-/// lost. @param so_far  the file that keeps it, with which --resume goes on
+/// Writes the files of a long run together. Failure: as of WriteFilesTogether, with a hint that the results are kept.
+/// @param so_far the file that keeps them, from which --resume continues
 Result<std::vector<std::string>> WriteResults(const std::vector<OutputFile>& files, const std::string& so_far);
 
 }  // namespace gaitwright::cli

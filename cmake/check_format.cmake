@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# cmake -D SOURCE_DIR=... -P check_format.cmake: fails when clang-format would change a .h or .cc file.
+# cmake -D SOURCE_DIR=... -P check_format.cmake: fails if clang-format would change a .h or .cc file.
 set(wanted_version 14)
 find_program(clang_format NAMES clang-format-${wanted_version} clang-format)
 if(NOT clang_format)
@@ -8,7 +8,7 @@ if(NOT clang_format)
 endif()
 execute_process(COMMAND ${clang_format} --version OUTPUT_VARIABLE version)
 if(NOT version MATCHES "version ${wanted_version}\\.")
-  message("format check skipped: other versions than ${wanted_version} format otherwise; this is ${version}")
+  message("format check skipped: it needs clang-format ${wanted_version}, because versions format differently; found ${version}")
   return()
 endif()
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# check_packages.sh BUILD: fails when the program in the folder BUILD includes or links a file of a Debian package that ./run
-# would not have installed, so that it builds here by luck alone: another package, one of the tests say, brought it.
+# check_packages.sh BUILD: fails if the program in the folder BUILD includes or links a file of a Debian package that
+# ./run would not install. Such a program builds here only because something else, such as the tests, needs that
+# package.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/cmake/setup.sh"
@@ -12,7 +13,7 @@ if ! command -v dpkg-query >/dev/null || [ ! -e "$1/build.ninja" ]; then
   exit 0
 fi
 
-# The packages that ./run asks for and all that these need, a line each.
+# The packages that ./run installs and all their dependencies, one per line.
 brought() {
   dpkg-query -W -f='${Package}\t${Provides}\t${Pre-Depends}, ${Depends}\n' | awk -F '\t' -v asked="$program_packages" '
     function names(list) { gsub(/\([^)]*\)|:[a-z0-9]+|[,|]/, " ", list); return list }
@@ -33,7 +34,7 @@ brought() {
     }'
 }
 
-# Files outside of the tree that the program is made of: headers, libraries, and what the linker is given by its path.
+# Files outside the tree that the program is built from: headers, libraries, and files that are linked by their path.
 used() {
   {
     ninja -C "$1" -t deps | awk '/#deps/ { ours = !/^(tests|python)\// } ours && /^ +\// { print $1 }'
@@ -44,10 +45,10 @@ used() {
 expected=$(brought)
 files=$(used "$1")
 if [ -z "$expected" ] || [ -z "$files" ]; then
-  echo "Nothing was found that $1 is built of"
+  echo "No files were found that $1 is built from"
   exit 1
 fi
-# dpkg knows no file of /usr/local, nor a link that update-alternatives made: these are left out, and so are the headers of
+# dpkg does not know files of /usr/local and links of update-alternatives: these are ignored, and so are the headers of
 # the compiler itself, whichever it is.
 owners=$(xargs dpkg-query -S <<<"$files" 2>/dev/null || true)
 others=$(awk -v fine="$expected $optional_packages" '
@@ -59,4 +60,4 @@ if [ -n "$others" ]; then
   echo "$others"
   exit 1
 fi
-echo "All that the program uses is of packages that ./run installs"
+echo "All files that the program uses are from packages that ./run installs"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ranks what the build spends its time on: files, headers, templates and functions.
+"""Ranks the build time: files, headers, templates and functions.
 
-Compiles what `compile_commands.json` lists once more, by clang with -ftime-trace, and prints a table of each. Times of
+Compiles the files of `compile_commands.json` again, by clang with -ftime-trace, and prints a table of each. Times of
 headers and templates include what they bring in. The build itself is left as it is.
 """
 
@@ -58,9 +58,9 @@ def trace(entry):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default="build/release", help="folder with compile_commands.json; default build/release")
-    parser.add_argument("--files", default="", metavar="REGEX", help="only files whose path this matches; default all")
+    parser.add_argument("--files", default="", metavar="REGEX", help="only files whose path matches; default all")
     parser.add_argument("--rows", type=int, default=20, help="rows of each table; default 20")
-    parser.add_argument("--jobs", type=int, default=1, help="compilers side by side; default 1")
+    parser.add_argument("--jobs", type=int, default=1, help="number of parallel compilers; default 1")
     arguments = parser.parse_args()
     entries = json.loads((Path(arguments.build) / "compile_commands.json").read_text())
     entries = [entry for entry in entries if re.search(arguments.files, entry["file"])]
@@ -68,7 +68,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         for file, total, found in pool.map(trace, entries):
             if total is None:
-                print(f"{file}: clang does not compile it\n{found[:500]}", file=sys.stderr)
+                print(f"{file}: clang cannot compile it\n{found[:500]}", file=sys.stderr)
                 continue
             files[file] = total
             costs.update(found)

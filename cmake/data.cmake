@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The data that come with the program. The build tree has links to them, laid out as they are installed, so that DataPath finds
-# them from there as it does from a prefix.
+# The data of the program. The build tree has links to them in the installed layout, so that DataPath finds them there
+# as it does below an installation prefix.
 set(GAITWRIGHT_BUILD_DATA ${CMAKE_BINARY_DIR}/share/gaitwright)
 file(MAKE_DIRECTORY ${GAITWRIGHT_BUILD_DATA})
 file(CREATE_LINK ${CMAKE_SOURCE_DIR}/robots ${GAITWRIGHT_BUILD_DATA}/robots SYMBOLIC)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Target gaitwright_mujoco, where MuJoCo is installed. Not by Debian's mujocoConfig.cmake, which names a folder of headers that it
-# does not need.
+# Target gaitwright_mujoco, if MuJoCo is installed. Debian's mujocoConfig.cmake is not used, because it names a folder
+# of headers that is not needed.
 find_path(gaitwright_mujoco_headers mujoco/mujoco.h)
 find_library(gaitwright_mujoco_library mujoco)
 if(gaitwright_mujoco_headers AND gaitwright_mujoco_library AND NOT TARGET gaitwright_mujoco)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What ./test --long adds. Sourced by ./test after the release build, with $root set.
+# Tests that ./test --long adds. Sourced by ./test after the release build, with $root set.
 
 results=()   # rows of the table
 failures=0
@@ -7,7 +7,7 @@ rooms="kinematics planning optimisation playback workflows cli examples python t
 tested_rooms="kinematics planning optimisation playback workflows cli examples"
 logs=$root/build/long-tests
 
-# state_of_tree: the commit, and where files differ from it a hash of the differences; the page of results does not count.
+# state_of_tree: the commit, and a hash of the differences if files differ from it, except for the page of results.
 state_of_tree() {
   local changes
   changes=$(git -C "$root" diff HEAD -- . ':!docs/long-test-results.md' && git -C "$root" ls-files --others --exclude-standard)
@@ -15,8 +15,9 @@ state_of_tree() {
   [ -z "$changes" ] || echo "with changes $(sha256sum <<<"$changes" | cut -c -10)"
 }
 
-# step NAME COMMAND...: runs it to the terminal and a log, and notes how it went and its last telling line. A part that has
-# passed at this state of the tree is not run again, so that a call that was stopped is gone on with by the next.
+# step NAME COMMAND...: runs the command, shows and logs its output, and stores its outcome and last relevant line. A
+# part that has passed at this state of the tree is not run again, so that a stopped call can be continued by the next
+# one.
 step() {
   local name=$1 log=$logs/${1//[ :]/-}.log start=$SECONDS outcome=passed
   local kept=$logs/passed/$(state_of_tree | sha256sum | cut -c -16)-${1//[ :]/-}
@@ -40,8 +41,8 @@ step() {
   write_results
 }
 
-# sanitized_tests PATTERN: the tests of the build with sanitizers whose name the pattern matches, but the long ones. Of what takes
-# over 2 s without sanitizers shorter tests run the same code.
+# sanitized_tests PATTERN: the tests of the build with sanitizers whose name matches, except the long ones. For tests of
+# more than 2 s without sanitizers, shorter tests run the same code.
 sanitized_tests() {
   export GAITWRIGHT_TESTS_AT_MOST=2
   export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
@@ -50,7 +51,7 @@ sanitized_tests() {
   "$root/tests/run_tests.py" --build "$root/build/sanitize" "$@"
 }
 
-# Those programs that have threads, under the thread sanitizer.
+# Only programs with threads, under the thread sanitizer.
 threaded_tests() {
   configure threads -DGAITWRIGHT_TESTS=ON
   build threads playback_tests workflows_tests examples_tests
@@ -58,8 +59,8 @@ threaded_tests() {
     --build "$root/build/threads" Trials Sweep Tune Live Session Server Jobs Journal SharedWork Ranks HardwareAdapter
 }
 
-# fuzz_reader ROOM NAME INPUTS: a reader under libFuzzer, from what its corpus and the source tree have. What it finds is
-# left in build/sanitize/found as NAME-crash-..., NAME-timeout-... and so on.
+# fuzz_reader ROOM NAME INPUTS: a reader under libFuzzer, starting from its corpus and the source tree. Inputs that
+# cause defects are saved in build/sanitize/found as NAME-crash-..., NAME-timeout-... and so on.
 fuzz_reader() {
   local bin=$root/build/sanitize/tests corpus=$root/build/sanitize/corpus/$2 found=$root/build/sanitize/found
   mkdir -p "$corpus" "$found"
@@ -68,7 +69,8 @@ fuzz_reader() {
     -print_final_stats=1 "-artifact_prefix=$found/$2-"
 }
 
-# fuzzed_readers ROOM: every reader of the room, for as many inputs each; over all rooms a million and more.
+# fuzzed_readers ROOM: every reader of the room, with the same number of inputs each; over all rooms more than a
+# million.
 fuzzed_readers() {
   local name rest count=0 failed=0 each=30000
   configure sanitize
@@ -81,12 +83,12 @@ fuzzed_readers() {
   [ "$failed" = 0 ]
 }
 
-# Every .cc file of the tree that has changed since it was found clean.
+# Every .cc file of the tree that has changed since its last clean result.
 tidy() {
   "$root/cmake/tidy.py" $rooms
 }
 
-# Every .cc file as the compiler sees it without the others of its folder.
+# Every .cc file compiled without the others of its folder.
 alone() {
   configure editor
   "$root/cmake/tidy.py" --alone $rooms
@@ -119,6 +121,6 @@ run_long_tests() {
   step "tests" "$root/tests/run_tests.py" --build "$root/build/release"
   write_results
   printf '%s\n' "${results[@]}"
-  say "Kept in docs/long-test-results.md"
+  say "Results are in docs/long-test-results.md"
   [ "$failures" = 0 ]
 }

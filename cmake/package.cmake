@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# cpack, run in the build tree: a Debian package, and an archive that runs from any folder that it is unpacked to.
-# docs/install.md tells users how to install them; tests/package checks them.
+# cpack, run in the build tree: a Debian package, and an archive that runs from any folder into which it is unpacked.
+# docs/install.md describes their installation; tests/package checks them.
 install(FILES README.md README.zh.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "__pycache__" EXCLUDE)
 
@@ -18,7 +18,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-# The script changes what is installed into what each package holds.
+# The script converts the installed files into the contents of each package.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/package_stage.cmake)
 set(CPACK_GAITWRIGHT_BUNDLE ${CMAKE_SOURCE_DIR}/python/bundle_libraries.py)
 
@@ -26,11 +26,11 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-# The libraries are static: who links them needs the headers and libraries that they are built on, as ./run does.
+# The libraries are static: programs that link them need the headers and libraries of their dependencies, as ./run does.
 file(READ cmake/setup.sh setup)
 string(REGEX MATCH "program_packages=\"([^\"]*)\"" setup "${setup}")
 string(REGEX MATCHALL "[a-z0-9+.-]+-dev" suggested "${CMAKE_MATCH_1}")
-list(REMOVE_ITEM suggested libcli11-dev libutfcpp-dev)  # of the program alone
+list(REMOVE_ITEM suggested libcli11-dev libutfcpp-dev)  # only the program needs these
 list(APPEND suggested cmake pkg-config chromium ffmpeg librsvg2-bin)
 if(GAITWRIGHT_HAS_MPI)
   list(APPEND suggested libopenmpi-dev openmpi-bin)
@@ -38,7 +38,7 @@ endif()
 list(JOIN suggested ", " CPACK_DEBIAN_PACKAGE_SUGGESTS)
 
 if(TARGET python_core)
-  # A module of Python is for one minor version of it.
+  # A Python module works with one minor version of Python only.
   math(EXPR python_next "${GAITWRIGHT_PYTHON_MINOR} + 1")
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
       "python3 (>= 3.${GAITWRIGHT_PYTHON_MINOR}), python3 (<< 3.${python_next}), python3-numpy")

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# cpack runs this for each package, after installing into a folder and before packing that folder.
+# cpack runs this for each package, after installing into a folder and before packing the folder.
 set(root ${CPACK_TEMPORARY_INSTALL_DIRECTORY})
 set(python ${CPACK_GAITWRIGHT_PYTHON_DIR})
 
 if(CPACK_GENERATOR STREQUAL "DEB")
-  # Debian's own Python finds packages in one folder, whatever its minor version.
+  # Debian's own Python finds packages in one folder for all minor versions.
   set(root ${root}${CPACK_PACKAGING_INSTALL_PREFIX})
   if(python)
     file(MAKE_DIRECTORY ${root}/lib/python3/dist-packages)
@@ -14,7 +14,7 @@ if(CPACK_GENERATOR STREQUAL "DEB")
   endif()
   configure_file(${root}/share/doc/gaitwright/LICENSE ${root}/share/doc/gaitwright/copyright COPYONLY)
 else()
-  # An archive brings the shared libraries that a bare system lacks.
+  # An archive contains the shared libraries that a minimal system lacks.
   find_program(interpreter python3 REQUIRED)
   file(GLOB modules ${root}/${python}/gaitwright/_core*.so)
   execute_process(COMMAND ${interpreter} ${CPACK_GAITWRIGHT_BUNDLE} ${root}/lib/gaitwright ${root}/bin/gaitwright ${modules}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# gaitwright_public_headers(RESULT): the headers that users include: each room's umbrella (kinematics/kinematics.h, ...) and
-# all of ours that these include, directly or not.
+# gaitwright_public_headers(RESULT): the headers that users include: each room's umbrella (kinematics/kinematics.h, ...)
+# and all of our headers that these include, directly or indirectly.
 function(gaitwright_public_headers result)
   set(to_read "")
   foreach(room kinematics planning optimisation playback workflows)

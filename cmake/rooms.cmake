@@ -2,27 +2,27 @@
 # A room is a folder and a library target of the same name, gaitwright::NAME.
 set(GAITWRIGHT_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC 12 takes "text" + std::string for overlapping copies (GCC bug 105651).
+  # GCC 12 reports "text" + std::string as overlapping copies (GCC bug 105651).
   list(APPEND GAITWRIGHT_WARNINGS -Wno-restrict)
 endif()
-# Most of what a compiler does for one of our files it does for its neighbours again: headers and templates. So the files of a
-# folder are compiled together, some at a time; OFF compiles each alone, as editors want them.
+# A compiler processes mostly the same headers and templates for all files of a folder. So these files are compiled
+# together in groups; OFF compiles each file alone, as editors need it.
 option(GAITWRIGHT_UNITY "Compile the files of a folder together, which takes a third of the time" ON)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND GAITWRIGHT_UNITY)
-  # GCC collects its garbage later: a tenth faster, and 1.5 GB instead of 1.2 GB for the largest group of files.
+  # GCC collects its garbage later: 10 % faster, and 1.5 GB instead of 1.2 GB for the largest group of files.
   add_compile_options(--param=ggc-min-heapsize=1000000)
 endif()
 if(GAITWRIGHT_FUZZ)
-  set(GAITWRIGHT_WARNINGS "")  # those of clang are clang-tidy's to tell
+  set(GAITWRIGHT_WARNINGS "")  # clang-tidy reports clang's warnings
 endif()
 set(GAITWRIGHT_ROOMS "")
 
-# A changed file is compiled with its neighbours, so they must not be too many.
+# A change to one file recompiles its group, so groups must not be large.
 set(GAITWRIGHT_UNITY_BYTES 60000 CACHE STRING "Size of the sources that are compiled together")
 mark_as_advanced(GAITWRIGHT_UNITY_BYTES)
 
-# gaitwright_unity(TARGET SOURCES...): groups of neighbours, which are named by their folder. Those that include the same
-# heavy header stand together, so that few groups pay for it.
+# gaitwright_unity(TARGET SOURCES...): groups of files of one folder, named by the folder. Files that include the same
+# heavy header are in the same group, so that few groups compile it.
 set(gaitwright_heavy_headers "nlohmann/json|json_part_internal|yaml|fcl|boost|Bullet|playback/[bep]|ceres|CLI/CLI")
 function(gaitwright_unity target)
   if(NOT GAITWRIGHT_UNITY)
@@ -59,13 +59,13 @@ function(gaitwright_unity target)
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${name}_${number})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # GCC takes an included .cc for a header, in which a class may not have members of a type of that file alone. A name may
-  # shadow one of a neighbour; clang-tidy, which sees each file alone, has all of -Wshadow.
+  # GCC treats an included .cc as a header, in which a class must not have members of a type local to that file. A name
+  # may shadow one of another file in the group; clang-tidy checks each file alone with all of -Wshadow.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage -Wno-shadow -Wshadow=local>)
 endfunction()
 
 # gaitwright_room(NAME [AT_O2] FOLDERS ... GENERATED sources... LINKS lower rooms... PRIVATE third parties...)
-# A room without sources is an interface library: it stands for all that it links.
+# A room without sources is an interface library, which links all its parts.
 function(gaitwright_room name)
   cmake_parse_arguments(room "AT_O2" "" "FOLDERS;GENERATED;LINKS;PRIVATE" ${ARGN})
   set(patterns "")
@@ -84,7 +84,8 @@ function(gaitwright_room name)
     target_compile_options(${name} PRIVATE ${GAITWRIGHT_WARNINGS})
     gaitwright_unity(${name} ${sources})
     if(NOT room_AT_O2)
-      # Where motion is computed: dynamics and the audit are 1.5 times as fast as at -O2, which is enough for all above.
+      # Code that computes motion: dynamics and audit are 1.5 times as fast as at -O2, which is enough for all rooms
+      # above.
       target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O3>)
     endif()
     set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON OUTPUT_NAME gaitwright_${name})

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What ./run and ./test share: packages, configuring, building. Sourced by them, with $root set.
-# All that it says goes to standard error, so that the program's standard output stays its own.
+# Functions that ./run and ./test share: packages, configuring, building. Sourced by them, with $root set.
+# All messages go to standard error, so that standard output contains only the program's output.
 
 program_packages="build-essential cmake ninja-build ccache pkg-config libeigen3-dev liburdfdom-dev libtinyxml2-dev
   libfcl-dev libccd-dev libceres-dev libompl-dev libboost-dev libpng-dev libminizip-dev libbullet-dev libmujoco-dev libyaml-cpp-dev libutfcpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcurl4-openssl-dev libseccomp-dev"
-# What `cpack -G DEB` needs besides, for a package with the Python module.
+# Additional packages for `cpack -G DEB`, for a package with the Python module.
 deb_packages="pybind11-dev python3-dev python3-numpy dpkg-dev file"
 test_packages="$deb_packages patchelf libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev clang-format
   chromium ffmpeg librsvg2-bin
   python3-matplotlib python3-pytest python3-jsonschema python3-yaml python3-pip python3-setuptools python3-wheel mypy"
 long_test_packages="clang-tidy clang libclang-rt-14-dev mmdebstrap"
 
-# The viewer is built by node and npm: those that are there serve, Debian's are installed where one is missing.
+# The viewer is built by node and npm: installed ones are used; Debian's packages are installed if one is missing.
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
   program_packages="$program_packages nodejs npm"
 fi
@@ -24,7 +24,7 @@ fail() {
   exit 1
 }
 
-# missing_packages PACKAGE...: those that are not installed, on one line.
+# missing_packages PACKAGE...: the packages that are not installed, on one line.
 missing_packages() {
   local package
   for package in "$@"; do
@@ -32,23 +32,23 @@ missing_packages() {
   done
 }
 
-# as_root COMMAND...: by sudo unless already root.
+# as_root COMMAND...: runs a command as root, by sudo if necessary.
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 
-# ensure_packages PACKAGE...: installs what is missing, from the distribution's own packages.
+# ensure_packages PACKAGE...: installs missing packages from the distribution.
 ensure_packages() {
   [ -z "${GAITWRIGHT_NO_INSTALL:-}" ] || return 0
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    fail "this is not Debian or a relative of it, so nothing can be installed for you." \
-      "Install what these Debian packages hold: $*" "then set GAITWRIGHT_NO_INSTALL=1 and call ${0##*/} again."
+    fail "this system is not Debian or a derivative, so packages cannot be installed automatically." \
+      "Install the equivalents of these Debian packages: $*" "Then set GAITWRIGHT_NO_INSTALL=1 and call ${0##*/} again."
   fi
   local missing
   missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
   local install="apt-get install -y --no-install-recommends $missing"
   if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
-    fail "some packages are missing, and only root can install them (there is no sudo here)." \
-      "As root: apt-get update && $install" "then call ${0##*/} again."
+    fail "some packages are missing, and only root can install them (sudo is not available)." \
+      "As root: apt-get update && $install" "Then call ${0##*/} again."
   fi
   say "Installing from the distribution's packages: $missing"
   as_root apt-get update -qq >&2 || fail "apt-get update failed; is there a network?"
@@ -56,7 +56,7 @@ ensure_packages() {
     fail "the packages could not be installed." "By hand: apt-get update && $install"
 }
 
-# configure PRESET [-D...]: build/PRESET, ready to be built.
+# configure PRESET [-D...]: configures build/PRESET.
 configure() {
   local preset=$1 log
   shift

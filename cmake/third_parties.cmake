@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What the libraries and the program are built on. cmake/gaitwrightConfig.cmake.in lists the same for those who link us.
+# Dependencies of the libraries and the program. cmake/gaitwrightConfig.cmake.in lists the same for projects that link
+# the libraries.
 find_package(Eigen3 3.4 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(utf8cpp REQUIRED)
@@ -20,7 +21,7 @@ pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
 pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)
 include("${CMAKE_CURRENT_LIST_DIR}/find_ompl.cmake")
 
-# MuJoCo is a second engine for playbacks. AUTO takes it where it is installed.
+# MuJoCo is a second engine for playbacks. AUTO uses it if it is installed.
 set(GAITWRIGHT_MUJOCO AUTO CACHE STRING "Play in MuJoCo too: AUTO, ON or OFF")
 set_property(CACHE GAITWRIGHT_MUJOCO PROPERTY STRINGS AUTO ON OFF)
 set(GAITWRIGHT_HAS_MUJOCO 0)
@@ -29,18 +30,18 @@ if(GAITWRIGHT_MUJOCO)
   if(TARGET gaitwright_mujoco)
     set(GAITWRIGHT_HAS_MUJOCO 1)
   elseif(NOT GAITWRIGHT_MUJOCO STREQUAL "AUTO")
-    message(FATAL_ERROR "MuJoCo is asked for and not installed (Debian: libmujoco-dev)")
+    message(FATAL_ERROR "MuJoCo is requested but not installed (Debian: libmujoco-dev)")
   endif()
 endif()
 
-# MPI shares trials and sweeps over machines. AUTO takes it where it is installed.
+# MPI distributes trials and sweeps over machines. AUTO uses it if it is installed.
 set(GAITWRIGHT_MPI AUTO CACHE STRING "Share trials and sweeps over MPI: AUTO, ON or OFF")
 set_property(CACHE GAITWRIGHT_MPI PROPERTY STRINGS AUTO ON OFF)
 if(GAITWRIGHT_MPI)
   set(MPI_CXX_SKIP_MPICXX ON)
   find_package(MPI QUIET COMPONENTS CXX)
   if(NOT MPI_CXX_FOUND AND NOT GAITWRIGHT_MPI STREQUAL "AUTO")
-    message(FATAL_ERROR "MPI is asked for and not installed (Debian: libopenmpi-dev, openmpi-bin)")
+    message(FATAL_ERROR "MPI is requested but not installed (Debian: libopenmpi-dev, openmpi-bin)")
   endif()
 endif()
 if(GAITWRIGHT_MPI AND MPI_CXX_FOUND)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs clang-tidy over every .cc file of the tree that has changed since it was found clean.
+"""Runs clang-tidy over every .cc file of the tree that has changed since its last clean result.
 
-Files are looked at in the groups in which the build compiles them, which takes a third of the time that single files take.
-A group has changed when a file of it, a header of ours that it includes, its compiler flags, .clang-tidy or the tool has.
-Groups that were found clean are kept by the hash of all that, and docs/long-test-results.md names the last commit at which
-all were clean. With --alone each file is compiled by itself instead, without code: so that a file which misses an include that
-its group happens to have is found. That needs the compile commands of single files: `cmake --preset editor`.
+Files are checked in the groups in which the build compiles them, in a third of the time that single files take.
+A group has changed if one of its files, one of our headers in it, its compiler flags, .clang-tidy or the tool has.
+Clean groups are stored by the hash of all these, and docs/long-test-results.md names the last commit at which
+all were clean. With --alone each file is compiled separately instead, without generating code. This finds files that lack an
+include which another file of their group has. It needs the compile commands of single files: `cmake --preset editor`.
 Exit status: 0 all clean, 1 findings.
 """
 
@@ -25,7 +25,7 @@ INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
 
 
 def included(file, known):
-    """The file and all that it includes of ours, as a set of paths; `known` keeps what was read."""
+    """The file and all of our headers that it includes, as a set of paths; `known` caches file contents."""
     reached, to_read = set(), [file]
     while to_read:
         at = to_read.pop()
@@ -41,7 +41,7 @@ def included(file, known):
 
 
 def room_of(unit):
-    """Top folder of a .cc file, or of the first file of a group, which is a source that includes them; None of others."""
+    """Top folder of a .cc file, or of the first file of a group (a source that includes its files); None for other files."""
     if not unit.is_relative_to(ROOT):
         return None
     if "Unity" in unit.parts:
@@ -50,8 +50,8 @@ def room_of(unit):
 
 
 def keyed_units(build, rooms, clean, part):
-    """(key, file, command) of each source of the build that is of the rooms; the key is the hash of all that its findings depend on.
-    Those that are as they were when all were clean are noted in the folder `clean`."""
+    """(key, file, command) of each source of the build in the rooms; the key is the hash of everything that affects its findings.
+    Sources that have not changed since all were clean are recorded in the folder `clean`."""
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True).stdout
     common = version + (ROOT / ".clang-tidy").read_text()
     known, keyed, changed = {}, {}, changed_since_clean(part)
@@ -75,7 +75,7 @@ def git(*arguments):
 
 
 def changed_since_clean(part):
-    """Paths that differ from the last commit at which that part of the long tests passed; None where that tells nothing."""
+    """Paths that differ from the last commit at which that part of the long tests passed; None if it is unknown."""
     try:
         page = git("show", "HEAD:docs/long-test-results.md")
         commit = re.search(r"at commit ([0-9a-f]+),", page)
@@ -83,13 +83,13 @@ def changed_since_clean(part):
             return None
         paths = git("diff", "--name-only", commit[1]) + git("ls-files", "--others", "--exclude-standard")
     except (OSError, subprocess.CalledProcessError):
-        return None  # no repository, or one without that commit
+        return None  # not a repository, or one without that commit
     changed = {ROOT / name for name in paths.splitlines()}
     return None if ROOT / ".clang-tidy" in changed else changed
 
 
 def findings(build, file):
-    """What clang-tidy has to say about a file or a group of files; empty when it is clean."""
+    """Findings of clang-tidy for a file or a group of files; empty if it is clean."""
     done = subprocess.run(["clang-tidy", "-p", build, "--quiet", "--checks=-bugprone-suspicious-include",  # of a group's .cc
                            "--extra-arg=-Wno-unknown-warning-option", file],
                           capture_output=True, text=True, cwd=ROOT)
@@ -97,7 +97,7 @@ def findings(build, file):
 
 
 def findings_alone(file, command):
-    """What the compiler has to say about a file alone; empty when it compiles."""
+    """Diagnostics of the compiler for a file alone; empty if it compiles."""
     words = shlex.split(command)
     words[words.index("-o"):words.index("-o") + 2] = ["-fsyntax-only"]
     return told(subprocess.run(words, capture_output=True, text=True, cwd=ROOT), file)
@@ -111,9 +111,9 @@ def told(done, file):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("rooms", nargs="+", help="folders whose files are looked at")
-    parser.add_argument("--alone", action="store_true", help="compile each file by itself; the build is build/editor")
+    parser.add_argument("--alone", action="store_true", help="compile each file separately; uses build/editor")
     parser.add_argument("--build", type=Path, help="default build/release")
-    parser.add_argument("--clean", default=ROOT / "build/long-tests/clean", type=Path, help="folder that keeps what is clean")
+    parser.add_argument("--clean", default=ROOT / "build/long-tests/clean", type=Path, help="folder that records clean sources")
     arguments = parser.parse_args()
     build = arguments.build or ROOT / "build" / ("editor" if arguments.alone else "release")
     clean = arguments.clean / "alone" if arguments.alone else arguments.clean
@@ -134,7 +134,7 @@ def main():
                 print(line, flush=True)
     kind = "files, each alone," if arguments.alone else "groups of files"
     print(f"{len(found)} findings in {len(units)} {kind}" if found
-          else f"{len(units)} {kind} are clean, {len(left)} of them looked at anew")
+          else f"{len(units)} {kind} are clean, {len(left)} of them checked now")
     return 1 if found else 0
 
 

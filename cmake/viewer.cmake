@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The page that shows motions in 3D: playback/viewer/web, built by npm and esbuild to one script and one style sheet, which
-# are embedded in the room playback. Included before the rooms; sets GAITWRIGHT_VIEWER_BUNDLE to the .cc file that has them.
+# The page that shows motions in 3D: npm and esbuild build playback/viewer/web to one script and one style sheet, which
+# are embedded in the room playback. Included before the rooms; sets GAITWRIGHT_VIEWER_BUNDLE to the .cc file that
+# contains them.
 option(GAITWRIGHT_VIEWER "Build the 3D viewer into the program; needs node 18 and npm, and packages of the npm registry" ON)
 set(viewer_source ${CMAKE_SOURCE_DIR}/playback/viewer/web)
 set(viewer_build ${CMAKE_BINARY_DIR}/viewer)
@@ -24,7 +25,7 @@ if(NOT GAITWRIGHT_NODE OR NOT GAITWRIGHT_NPM)
 endif()
 include(${CMAKE_SOURCE_DIR}/cmake/check_node.cmake)
 
-# npm works beside the build, so that the source tree stays as it is.
+# npm works in the build tree, so that the source tree does not change.
 file(GLOB_RECURSE viewer_scripts CONFIGURE_DEPENDS RELATIVE ${viewer_source} ${viewer_source}/src/*)
 set(viewer_inputs "")
 foreach(script ${viewer_scripts} build.mjs tsconfig.json)
@@ -48,5 +49,5 @@ add_custom_command(
   DEPENDS ${viewer_build}/packages.stamp ${viewer_inputs}
   WORKING_DIRECTORY ${viewer_build}
   COMMENT "Building the viewer's page" VERBATIM)
-# The texts are long, and ISO C++ asks compilers for no more than 65536 characters.
+# The texts are long, and ISO C++ requires compilers to accept only 65536 characters.
 set_source_files_properties(${GAITWRIGHT_VIEWER_BUNDLE} PROPERTIES COMPILE_OPTIONS "-Wno-overlength-strings")

@@ -25,15 +25,15 @@ VectorX TorquePerKilogram(const RobotModel& model, const VectorX& q, const std::
 AdaptivePd::AdaptivePd(const RobotModel& model, const MotionPlan& plan, double rate_per_s)
     : model_(model),
       plan_(plan),
-      gains_(DeriveGains(model, {.stiffness_scale = 0.3, .damping_scale = 0.3})),  // soft, as real joints are
+      gains_(DeriveGains(model, {.stiffness_scale = 0.3, .damping_scale = 0.3})),  // soft, like real joints
       scratch_(model) {
   if (!(rate_per_s >= 0.0)) throw InvalidArgument(fmt::format("rate_per_s is {}; it must be 0 or more", rate_per_s));
   SampleWholeBody(plan.whole_body, plan.whole_body.start_s, wanted_);
   const VectorX Y = TorquePerKilogram(model, wanted_.q, wanted_.wrenches, scratch_);
-  // With this gain, kept from here on, a kilogram that is missing makes the estimate grow by rate_per_s kilograms a
-  // second: by Y p = Kd e' it makes the joints move, and then -gain Y^T e' is the rate.
+  // With this constant gain, an estimate that is one kilogram too low grows by rate_per_s kilograms per second: the
+  // joints move by Y p = Kd e', and the estimate changes at the rate -gain Y^T e'.
   const double movement = Y.dot(Y.cwiseQuotient(gains_.damping));
-  if (!(movement > 0.0)) throw InvalidArgument("the plan has no feet that carry the robot at its start");
+  if (!(movement > 0.0)) throw InvalidArgument("no foot carries the robot at the start of the plan");
   gain_ = rate_per_s / movement;
 }
 

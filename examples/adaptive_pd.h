@@ -12,35 +12,36 @@
 
 namespace gaitwright::examples {
 
-/// Torques by which the joints of the legs carry one more kilogram at the centre of mass, where the ground's share in
-/// it is spread over the feet as the plan spreads the robot's own weight:
+/// Joint torques that carry one additional kilogram at the centre of mass. Its weight is distributed over the feet as
+/// the plan distributes the robot's own weight:
 ///   Y = -sum over the feet of J_i^T w_i / m,  the rows of the independent joints, size n [N m/kg].
-/// @param q         size nq; where the robot is.
-/// @param wrenches  w_i by foot, of the plan at that time.
+/// @param q         configuration of the robot, size nq.
+/// @param wrenches  w_i by foot, from the plan at that time.
 VectorX TorquePerKilogram(const RobotModel& model, const VectorX& q, const std::vector<ContactWrench>& wrenches,
                           DynamicsScratch& scratch);
 
-/// Joint PD that learns what the robot carries, from its joints: a payload makes the joints sag, and sagging makes
-/// the estimate p grow until its torque carries the payload and nothing sags. Kp, Kd are the gains, e = q - q_planned:
+/// Joint PD that estimates the payload from the joint errors: a payload makes the joints sag, and the estimate p grows
+/// until its torque carries the payload and the joints no longer sag. Kp, Kd are the gains, e = q - q_planned:
 ///   tau = tau_planned + Y p - Kp e - Kd e',   s = e' + Kp / Kd e,   p' = -gain Y^T s,   p >= 0.
-/// With feet at rest Y^T e' = g z', where z is how far the body is over its plan (d'Alembert): it learns by sagging.
-/// Slotine and Li, IJRR 6(3), 1987, doi:10.1177/027836498700600303, with one unknown, and with the plan's torques in
-/// place of those at their reference velocity, which is near enough while the estimate is slow beside the PD.
+/// With feet at rest Y^T e' = g z', where z is the height of the body above its plan (d'Alembert).
+/// Slotine and Li, IJRR 6(3), 1987, doi:10.1177/027836498700600303, with one unknown. The plan's torques replace the
+/// torques at their reference velocity; this is accurate enough while the estimate changes slowly compared with the PD.
 ///
 /// Tuning
 ///   the estimate takes too long            raise rate_per_s
-///   it swings, or follows every footfall   lower rate_per_s: well below Kp / Kd, 14 / s for a1
+///   it oscillates or reacts to footfalls   lower rate_per_s: well below Kp / Kd, 14 / s for a1
 class AdaptivePd : public Controller {
  public:
-  /// @param rate_per_s  about that fast the estimate's error dies away; 0 for PD alone. Model and plan must outlive it.
-  /// @throws InvalidArgument for a rate below 0, and a plan that does not begin with feet on the ground.
+  /// Model and plan must outlive the controller.
+  /// @param rate_per_s  approximate decay rate of the estimate's error [1/s]; 0 for PD alone.
+  /// @throws InvalidArgument if the rate is below 0, or if the plan does not begin with feet on the ground.
   AdaptivePd(const RobotModel& model, const MotionPlan& plan, double rate_per_s);
 
   JointCommand Update(const ControlInput& input) override;
   void Reset() override { payloads_kg_.clear(); }
   std::string Name() const override { return "adaptive-pd"; }
 
-  /// The estimate after each step, from when the robot was let go.
+  /// The estimate after each step, from the time when the robot is released.
   const std::vector<double>& payloads_kg() const { return payloads_kg_; }
 
  private:

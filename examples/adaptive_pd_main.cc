@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A robot learns what it carries: joint PD whose feed-forward adapts", "adaptive_pd");
+  CLI::App app("Joint PD that estimates the robot's payload and adapts its feed-forward", "adaptive_pd");
   std::string robot = "a1";
   double payload_kg = 4.0, rate_per_s = 3.0;
   app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
@@ -24,8 +24,8 @@ int main(int argc, char** argv) {
     const auto error_rad = [](const examples::CarriedPayload& run) {
       return run.report.At("tracking_joint_rms_rad").value.value_or(0.0);
     };
-    fmt::print("joints off their plan by {:.2f} mrad rms, without adaptation by {:.2f} mrad\n",
-               1e3 * error_rad(adaptive), 1e3 * error_rad(plain));
+    fmt::print("joint tracking error {:.2f} mrad rms, without adaptation {:.2f} mrad\n", 1e3 * error_rad(adaptive),
+               1e3 * error_rad(plain));
     fmt::print("{}\n", adaptive.report.reason);
     return adaptive.report.pass ? 0 : 3;
   } catch (const CLI::ParseError& error) {

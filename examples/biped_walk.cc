@@ -14,7 +14,7 @@
 namespace gaitwright::examples {
 namespace {
 
-/// The least distance of the ZMP to the edge of the support, while that is made of so many feet [m].
+/// Smallest distance of the ZMP from the edge of the support polygon while this number of feet is in stance [m].
 double LeastMargin(const std::vector<MotionSample>& motion, int feet) {
   double least_m = std::numeric_limits<double>::infinity();
   for (const MotionSample& sample : motion) {

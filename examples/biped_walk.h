@@ -7,17 +7,17 @@
 
 namespace gaitwright::examples {
 
-/// What came of a biped's walk. Margins are those of the zero-moment point (ZMP) as measured, from the edge of the
-/// support, positive inside: the least of the whole walk [m].
+/// Result of a biped's walk. A margin is the smallest distance of the measured zero-moment point (ZMP) from the edge of
+/// the support polygon during the walk [m], positive inside.
 struct BipedWalk {
   StabilityReport report;
-  double margin_one_foot_m = 0.0;   ///< while one sole is the support
-  double margin_both_feet_m = 0.0;  ///< while it is the hull of both
+  double margin_one_foot_m = 0.0;   ///< while one foot is in stance
+  double margin_both_feet_m = 0.0;  ///< while both feet are in stance; the support polygon is the hull of both soles
 };
 
-/// Why a biped with soles does not tip over: the point where the ground's forces act stays inside what it stands on.
-/// Walks a number of footfalls, the last one closing the feet, and measures how far inside.
-/// @throws InvalidArgument with the reason, for a robot that has not two legs or steps that it cannot make.
+/// Shows why a biped with soles does not tip over: its ZMP stays inside the support polygon.
+/// Plays a walk of `steps` footfalls, of which the last one closes the feet, and measures the margins of the ZMP.
+/// @throws InvalidArgument if the robot does not have two legs, or if it cannot make these steps.
 BipedWalk WalkBiped(const std::string& robot, int steps, double step_length_m);
 
 }  // namespace gaitwright::examples

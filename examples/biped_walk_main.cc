@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A biped walks, and its ZMP stays inside what it stands on", "biped_walk");
+  CLI::App app("A biped walks, and its ZMP stays inside the support polygon", "biped_walk");
   std::string robot = "nao";
   int steps = 6;
   double step_length_m = 0.04;

@@ -18,7 +18,7 @@ CarriedPayload CarryPayload(const std::string& robot, double payload_kg, double 
   const Result<PlannedWalk> planned = PlanWalk(*model, request);
   if (!planned) throw InvalidArgument(planned.failure().message);
   const MotionPlan& plan = planned->motion.plan;
-  RobotModel loaded = *model;  // what is played; all else knows the robot as it was
+  RobotModel loaded = *model;  // for playback only; plan, controller and score use *model
   loaded.bodies[0].mass += payload_kg;
   loaded.total_mass_kg += payload_kg;
   AdaptivePd controller(*model, plan, rate_per_s);

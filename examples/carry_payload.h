@@ -8,14 +8,14 @@
 
 namespace gaitwright::examples {
 
-/// What came of standing with a payload.
+/// Result of standing with a payload.
 struct CarriedPayload {
-  std::vector<double> estimates_kg;  ///< every ms, from when the robot was let go
+  std::vector<double> estimates_kg;  ///< one per ms, from the release of the robot
   StabilityReport report;
 };
 
-/// A robot that comes with the program stands for 3 s by AdaptivePd, with a payload in its base that neither plan nor
-/// controller is told of. @throws InvalidArgument for a payload below 0, with the reason where it cannot be done.
+/// A built-in robot stands for 3 s under AdaptivePd, with a payload in its base that plan and controller do not know.
+/// @throws InvalidArgument if the payload is below 0, or if the robot cannot stand.
 CarriedPayload CarryPayload(const std::string& robot, double payload_kg, double rate_per_s);
 
 }  // namespace gaitwright::examples

@@ -17,19 +17,19 @@ HardwareAdapter::HardwareAdapter(std::uint16_t robot_port, double watchdog_s)
     : watchdog_s_(watchdog_s), socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
   const sockaddr_in robot{AF_INET, htons(robot_port), {htonl(INADDR_LOOPBACK)}, {}};
   if (connect(socket_, reinterpret_cast<const sockaddr*>(&robot), sizeof robot) != 0)
-    throw std::system_error(errno, std::generic_category(), "no socket to the robot");
+    throw std::system_error(errno, std::generic_category(), "cannot open a socket to the robot");
 }
 
 HardwareAdapter::~HardwareAdapter() { close(socket_); }
 
 std::optional<JointState> HardwareAdapter::Exchange(double now_s, const JointCommand& command, double patience_s) {
-  if (!heard_s_) heard_s_ = now_s;  // the first answer has as long as any
+  if (!heard_s_) heard_s_ = now_s;  // the watchdog starts with the first command
   if (now_s - *heard_s_ > watchdog_s_) stopped_ = true;
   const Eigen::Index n = command.q.size();
   VectorX row(1 + 5 * n);
   row << static_cast<double>(sent_), command.q, command.v, command.tau_ff, command.stiffness, command.damping;
   if (stopped_) row.segment(1 + n, 3 * n).setZero();
-  send(socket_, row.data(), static_cast<std::size_t>(row.size()) * sizeof(double), 0);  // lost where it cannot be sent
+  send(socket_, row.data(), static_cast<std::size_t>(row.size()) * sizeof(double), 0);  // a failure counts as lost
   ++sent_;
   std::optional<JointState> newest;
   for (auto said = Receive(patience_s, 1 + 2 * n); said; said = Receive(0.0, 1 + 2 * n)) {
@@ -44,7 +44,8 @@ std::optional<JointState> HardwareAdapter::Exchange(double now_s, const JointCom
   return newest;
 }
 
-// The next datagram, of which no more than one double too many is kept; nothing when none has come in that time.
+// The next datagram, or nothing if none arrives in time. Keeps at most `size` + 1 doubles, enough to detect that it is
+// too long.
 std::optional<VectorX> HardwareAdapter::Receive(double patience_s, Eigen::Index size) const {
   pollfd watched{socket_, POLLIN, 0};
   const timespec patience{static_cast<std::time_t>(patience_s), static_cast<long>(1e9 * std::fmod(patience_s, 1.0))};

@@ -17,17 +17,18 @@ std::string BesideThis(const std::string& program) {
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A plan's joints over UDP, to a robot or a stand-in for it", "hardware_adapter");
+  CLI::App app("Streams the joint commands of a plan over UDP, to a robot or to a simulated stand-in",
+               "hardware_adapter");
   std::string robot = "a1";
   std::uint16_t port = 0;
   examples::StandInOptions stand_in;
   examples::StreamOptions stream;
   app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
-  app.add_option("--port", port, "Port of the robot on 127.0.0.1; default: a stand-in is started");
+  app.add_option("--port", port, "Port of the robot on 127.0.0.1; default: a stand-in robot is started");
   app.add_option("--period", stream.period_s, "Time between two commands [s]")
       ->capture_default_str()
       ->check(CLI::Range(2e-4, 0.02));
-  app.add_option("--watchdog", stream.watchdog_s, "Time without a state after which it stops [s]")
+  app.add_option("--watchdog", stream.watchdog_s, "Time without a state after which the watchdog stops the plan [s]")
       ->capture_default_str();
   app.add_option("--loses-every", stand_in.loses_every, "Every N-th answer of the stand-in is lost; 0: none")
       ->capture_default_str();

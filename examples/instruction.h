@@ -8,14 +8,15 @@
 
 namespace gaitwright::examples {
 
-/// What came of an instruction.
+/// Result of an instruction.
 struct Obeyed {
   TaskPlan tasks;
   StabilityReport report;
 };
 
-/// From words to motion: an instruction in English or Chinese becomes a task plan, that a motion plan, and that is
-/// played in physics and judged. @throws InvalidArgument with the part that is not understood, or why it cannot be.
+/// From words to motion: converts an instruction in English or Chinese to a task plan, plans the motion, plays it in
+/// physics and scores it.
+/// @throws InvalidArgument that names the part that is not understood, or the reason why no plan exists.
 Obeyed Obey(const std::string& instruction, const std::string& robot);
 
 }  // namespace gaitwright::examples

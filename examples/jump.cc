@@ -10,7 +10,7 @@
 namespace gaitwright::examples {
 namespace {
 
-/// Fills in the longest stretch of the log without contact, and how the centre of mass went in it.
+/// Fills in the longest interval of the log without contact, and the rise and drop of the centre of mass in it.
 void MeasureFlight(const PlaybackLog& log, const std::vector<MotionSample>& motion, Leap& leap) {
   for (std::size_t first = 0; first < motion.size(); ++first) {
     const MotionSample& start = motion[first];

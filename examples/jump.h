@@ -7,21 +7,20 @@
 
 namespace gaitwright::examples {
 
-/// What came of a leap. Measured figures are from the first to the last sample of the log without any foot on the
-/// ground, 5 ms from one to the next.
+/// Result of a leap. The measured values are from the first to the last sample of the log without a foot on the ground;
+/// samples are 5 ms apart.
 struct Leap {
   StabilityReport report;
-  double planned_air_s = 0.0;  ///< by the contact schedule
-  double air_s = 0.0;          ///< as measured
-  double rise_m = 0.0;         ///< of the centre of mass, from leaving the ground to the highest point
-  double drop_m = 0.0;         ///< from there to coming down
+  double planned_air_s = 0.0;  ///< from the contact schedule
+  double air_s = 0.0;          ///< measured
+  double rise_m = 0.0;         ///< rise of the centre of mass from lift-off to its highest point
+  double drop_m = 0.0;         ///< drop of the centre of mass from there to touch-down
 };
 
-/// In the air nothing but its weight acts on a robot, so its centre of mass is thrown like a stone, whatever the legs
-/// do:
+/// Plays one leap forward, from all feet onto all feet. In flight only the weight acts on a robot, so its centre of
+/// mass moves on a parabola, whatever the legs do:
 ///   air = sqrt(2 rise / g) + sqrt(2 drop / g).
-/// Makes one leap ahead, from all feet onto all feet.
-/// @throws InvalidArgument with the reason, for a robot without the gait `jump` or a leap that it cannot make.
+/// @throws InvalidArgument if the robot does not have the gait `jump`, or if it cannot make this leap.
 Leap LeapAhead(const std::string& robot, double length_m);
 
 }  // namespace gaitwright::examples

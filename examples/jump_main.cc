@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A quadruped leaps: how long it is in the air, and how high it gets", "jump");
+  CLI::App app("A quadruped leaps; prints its time in the air and the height it gains", "jump");
   std::string robot = "a1";
   double length_m = 0.4;
   app.add_option("--robot", robot, "Name of a built-in quadruped")->capture_default_str();

@@ -15,7 +15,7 @@ FadingIn::FadingIn(const RobotModel& model, const MotionPlan& plan, double fade_
 }
 
 JointCommand FadingIn::Update(const ControlInput& input) {
-  SampleWholeBody(plan_.whole_body, input.time_s, wanted_);  // after the plan's end it is the last row, at rest
+  SampleWholeBody(plan_.whole_body, input.time_s, wanted_);  // after the plan's end: the last row, at rest
   const Eigen::Index n = gains_.stiffness.size();
   JointCommand command;
   command.q = wanted_.q.tail(n);

@@ -11,11 +11,11 @@
 
 namespace gaitwright::examples {
 
-/// A controller of one's own: state in, command out. It holds the joints on the plan by PD, with a feed-forward torque
-/// that fades in over the first `fade_s`, as one does on hardware that is just being lifted off its stand.
+/// Example of a user's own controller: state in, command out. It tracks the planned joint positions by PD. Its
+/// feed-forward torque fades in over the first `fade_s`, as on hardware that is being lifted off its stand.
 class FadingIn : public Controller {
  public:
-  /// The plan must outlive it. @throws InvalidArgument unless fade_s > 0.
+  /// The plan must outlive the controller. @throws InvalidArgument unless fade_s > 0.
   FadingIn(const RobotModel& model, const MotionPlan& plan, double fade_s);
 
   JointCommand Update(const ControlInput& input) override;
@@ -28,8 +28,8 @@ class FadingIn : public Controller {
   WholeBodySample wanted_;
 };
 
-/// Plans 0.3 m of walking for a robot that comes with the program, plays it with FadingIn and judges it.
-/// @throws InvalidArgument with the reason when it cannot be planned or played.
+/// Plans a walk of 0.3 m for a built-in robot, plays it with FadingIn and scores it.
+/// @throws InvalidArgument if the walk cannot be planned or played.
 StabilityReport WalkWithOwnController(const std::string& robot, double fade_s);
 
 }  // namespace gaitwright::examples

@@ -9,7 +9,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("Footsteps of one's own, round an arc; the rest is planned over them", "own_footsteps");
+  CLI::App app("A user's own footsteps along an arc; the rest of the motion is planned over them", "own_footsteps");
   std::string robot = "a1";
   double radius_m = 0.6, turn_rad = 1.2, stride_m = 0.12;
   app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     const examples::WalkedSteps walk = examples::WalkSteps(*model, steps);
     fmt::print("planned  {} steps, {:.2f} s\n", steps.size(), walk.plan.duration_s());
     fmt::print("audited  {} at {} samples\n", walk.audit.pass() ? "pass" : "fail", walk.audit.samples);
-    fmt::print("played   each foot within {:.1f} mm of where it was to be put\n", 1e3 * walk.miss_m);
+    fmt::print("played   each foot within {:.1f} mm of its step\n", 1e3 * walk.miss_m);
     fmt::print("scored   {}, {:.1f} of 100: {}\n", walk.report.pass ? "pass" : "fail", walk.report.score,
                walk.report.reason);
     return walk.audit.pass() && walk.report.pass ? 0 : 3;

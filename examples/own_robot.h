@@ -7,17 +7,17 @@
 
 namespace gaitwright::examples {
 
-/// A robot is data: that of a URDF file and nothing else, no robot.yaml even if there is one. Legs, feet and a standing
-/// posture are derived; a failure names what in the file is wrong.
+/// Loads a robot from a URDF file alone, without robot.yaml even if there is one. Derives its legs, feet and standing
+/// posture. A failure names the error in the file.
 Result<RobotModel> ReadOwnRobot(const std::string& urdf_path);
 
-/// What was derived, for people: its legs, their feet, how high it stands, and notes on what each was taken from.
+/// Text that describes what was derived: legs, feet, standing height, and notes on the source of each.
 std::string WhatWasDerived(const RobotModel& model);
 
-/// A walk of two leg lengths at the robot's own speed, with its best gait, or why there is none.
+/// Plans a walk of two leg lengths at the robot's default speed, with its best gait; or fails with the reason.
 Result<PlannedWalk> PlanOwnWalk(const RobotModel& model);
 
-/// Why something failed and what would help, a line each.
-std::string WhyNot(const Failure& failure);
+/// Text of a failure: its message, then one line for each suggestion.
+std::string ReasonRefused(const Failure& failure);
 
 }  // namespace gaitwright::examples

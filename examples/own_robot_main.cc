@@ -7,20 +7,20 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("Plans a walk for a robot of which nothing is known but its URDF", "own_robot");
+  CLI::App app("Plans a walk for a robot from its URDF alone", "own_robot");
   std::string urdf;
-  app.add_option("URDF", urdf, "Path of the file")->required();
+  app.add_option("URDF", urdf, "Path of the URDF file")->required();
   try {
     app.parse(argc, argv);
     const Result<RobotModel> model = examples::ReadOwnRobot(urdf);
     if (!model) {
-      fmt::print(stderr, "own_robot: {}", examples::WhyNot(model.failure()));
+      fmt::print(stderr, "own_robot: {}", examples::ReasonRefused(model.failure()));
       return 1;
     }
     fmt::print("{}", examples::WhatWasDerived(*model));
     const Result<PlannedWalk> walk = examples::PlanOwnWalk(*model);
     if (!walk) {
-      fmt::print("cannot walk: {}", examples::WhyNot(walk.failure()));
+      fmt::print("cannot walk: {}", examples::ReasonRefused(walk.failure()));
       return 2;
     }
     const MotionPlan& plan = walk->motion.plan;

@@ -13,7 +13,7 @@
 namespace gaitwright::examples {
 namespace {
 
-/// The robot as if its base were bolted to the world, for joints that push against it.
+/// The robot with a base so heavy that it acts as fixed to the world.
 RobotModel Bolted(RobotModel model) {
   Body& base = model.bodies[0];
   base.I_C *= 1e6;
@@ -35,10 +35,12 @@ double SecondOrderStep(double frequency_rad_s, double damping_ratio, double time
 JointStep StepJoint(const RobotModel& model, const std::string& joint, double stiffness, double damping,
                     double step_rad) {
   if (!(stiffness > 0.0 && damping >= 0.0 && step_rad != 0.0))
-    throw InvalidArgument(fmt::format("no step of {} rad by kp {} and kd {}", step_rad, stiffness, damping));
+    throw InvalidArgument(
+        fmt::format("step {} rad, kp {}, kd {}: the step must not be 0, kp must be more than 0, kd 0 or more", step_rad,
+                    stiffness, damping));
   const int dof = model.DofIndex(joint), n = model.num_dofs();
   VectorX q = StandingConfiguration(model);
-  q[2] += 20.0;  // [m], of which it falls 5
+  q[2] += 20.0;  // [m]; it falls 5 m in 1 s
   DynamicsScratch scratch(model);
   MatrixX M = MatrixX::Zero(model.nv(), model.nv());
   MassMatrix(model, q, scratch, M);

@@ -32,8 +32,7 @@ void PrintStanding(const RobotModel& model, double scale) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("What stiffness and damping do to one joint in the air, and to a robot that stands on them",
-               "pd_tuning");
+  CLI::App app("Effect of stiffness and damping on one joint in the air, and on a standing robot", "pd_tuning");
   std::string robot = "nao", joint = "LHipPitch", plot;
   std::vector<double> stiffness = {5.0, 10.0, 20.0}, damping = {0.2, 0.6, 1.4},
                       scales = {2.0, 1.0, 0.5, 0.25, 0.15, 0.1, 0.07, 0.05};
@@ -44,13 +43,13 @@ int main(int argc, char** argv) {
   app.add_option("--stiffness", stiffness, "kp, one or more [N m/rad]")->capture_default_str();
   app.add_option("--damping", damping, "kd, each with each kp [N m s/rad]")->capture_default_str();
   app.add_option("--scales", scales, "Factor on all gains, for standing")->capture_default_str();
-  app.add_option("--plot", plot, "SVG to write, of the step responses");
+  app.add_option("--plot", plot, "SVG to write: the step responses");
   try {
     app.parse(argc, argv);
     const Result<RobotModel> model = LoadNamedRobot(robot);
     if (!model) throw InvalidArgument(model.failure().message);
     std::vector<JointStep> steps;
-    fmt::print("A step of {} in the air; in brackets what the formula says\n", joint);
+    fmt::print("Step of {} in the air; values of the formula in brackets\n", joint);
     fmt::print("     kp      kd   w rad/s     zeta    rise s         overshoot %    settling s      torque %\n");
     for (const double kp : stiffness)
       for (const double kd : damping) {
@@ -62,12 +61,12 @@ int main(int argc, char** argv) {
       if (!written) throw InvalidArgument(written.failure().message);
       fmt::print("{}\n", *written);
     }
-    if (!model->feet.front().has_sole()) return 0;  // it has no ankles to stand on
-    fmt::print("\nStanding without feed-forward, on the ankles alone and on all joints\n");
+    if (!model->feet.front().has_sole()) return 0;  // no ankles
+    fmt::print("\nStanding without feed-forward, with all joints but the ankles welded, and with all joints free\n");
     fmt::print("  scale  k N m/rad  k / m g h    lean of ankles rad    sag of base mm\n");
     for (const double scale : scales) PrintStanding(*model, scale);
-    fmt::print("least scale that stands: {:.3f} on the ankles, {:.3f} on all\n", LeastScale(*model, true),
-               LeastScale(*model, false));
+    fmt::print("smallest scale at which it stands: {:.3f} with ankles alone, {:.3f} with all joints\n",
+               LeastScale(*model, true), LeastScale(*model, false));
     return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first exercise of many courses: where must the centre of mass go so that the ZMP goes where the feet are?
+// The first exercise of many courses: how must the centre of mass move so that the ZMP follows the feet?
 #include "examples/preview_control.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::string Trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// The words between commas, without the blanks around them.
+/// The fields between commas, without leading and trailing blanks.
 std::vector<std::string> WordsOf(const std::string& line) {
   std::vector<std::string> words;
   std::istringstream stream(line + ",");
@@ -39,7 +39,7 @@ std::vector<std::string> WordsOf(const std::string& line) {
 std::vector<double> ParseRow(const std::string& line, int number) {
   const std::vector<std::string> words = WordsOf(line);
   if (words.size() != 3)
-    throw InvalidArgument(fmt::format("line {}: {} columns, 3 are needed ({})", number, words.size(), kHeader));
+    throw InvalidArgument(fmt::format("line {}: {} columns; 3 are needed ({})", number, words.size(), kHeader));
   std::vector<double> values;
   for (const std::string& word : words) {
     double value = 0.0;
@@ -84,7 +84,7 @@ SvgPlot PlotOf(const std::vector<double>& time_s, const std::vector<double>& wan
   options.y_label = axis + " [m]";
   options.x_lowest = time_s.front();
   options.x_highest = time_s.back();
-  options.legend = false;  // the picture has one for both
+  options.legend = false;  // one legend for both plots
   SvgPlot plot(options);
   const auto line = [&](const std::vector<double>& values, Ink ink, Stroke stroke, const char* label) {
     std::vector<Vector2> points;
@@ -123,7 +123,7 @@ ZmpTable ReadZmp(const std::string& csv_text) {
     ++number;
     if (number == 1) {
       if (WordsOf(line) != WordsOf(kHeader))
-        throw InvalidArgument(fmt::format("line 1: the header is '{}'; '{}' is needed", Trimmed(line), kHeader));
+        throw InvalidArgument(fmt::format("line 1: the header is '{}'; it must be '{}'", Trimmed(line), kHeader));
       continue;
     }
     if (Trimmed(line).empty()) continue;
@@ -131,9 +131,9 @@ ZmpTable ReadZmp(const std::string& csv_text) {
     const std::size_t n = table.time_s.size();
     constexpr double kEven = 1e-6;
     if (n >= 1 && row[0] <= table.time_s.back())
-      throw InvalidArgument(fmt::format("line {}: the time does not grow", number));
+      throw InvalidArgument(fmt::format("line {}: the time does not increase", number));
     if (n >= 2 && std::abs((row[0] - table.time_s[n - 1]) - (table.time_s[1] - table.time_s[0])) > kEven) {
-      throw InvalidArgument(fmt::format("line {}: the time step changes; an even one is needed", number));
+      throw InvalidArgument(fmt::format("line {}: the time step changes; it must be constant", number));
     }
     table.time_s.push_back(row[0]);
     table.zmp_x_m.push_back(row[1]);
@@ -161,13 +161,13 @@ std::string PreviewPicture(const ZmpTable& reference, double com_height_m, doubl
 }
 
 int PreviewControlMain(int argc, const char* const* argv) {
-  CLI::App app("Where the centre of mass goes so that the ZMP follows its reference: Kajita's preview control",
+  CLI::App app("Motion of the centre of mass for which the ZMP follows its reference: Kajita's preview control",
                "preview_control");
   std::string zmp, out = "com.csv", plot;
   double com_height_m = 0.814, preview_s = 1.6;
-  app.add_option("--zmp", zmp, "Reference: CSV with the columns time_s,zmp_x_m,zmp_y_m; default: a walk of its own");
+  app.add_option("--zmp", zmp, "Reference: CSV with the columns time_s,zmp_x_m,zmp_y_m; default: a built-in walk");
   app.add_option("--com-height", com_height_m, "Height of the centre of mass [m]")->capture_default_str();
-  app.add_option("--preview", preview_s, "How far the controller looks ahead [s]")->capture_default_str();
+  app.add_option("--preview", preview_s, "Preview time of the controller [s]")->capture_default_str();
   app.add_option("--out", out, "CSV to write")->capture_default_str();
   app.add_option("--plot", plot, "SVG to write; default without --zmp: preview_control.svg");
   try {

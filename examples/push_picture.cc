@@ -10,7 +10,7 @@
 namespace gaitwright::examples {
 
 std::string PushPicture(const std::vector<PushesTaken>& taken) {
-  SvgPlot plot(SvgPlot::ToScale("Largest push that it stands", "to the right [N]", "ahead [N]"));
+  SvgPlot plot(SvgPlot::ToScale("Largest push withstood", "to the right [N]", "forward [N]"));
   constexpr Ink kInks[] = {Ink::kMuted, Ink::kLimit, Ink::kCom, Ink::kZmp, Ink::kDcm, Ink::kJoint, Ink::kFoot};
   std::size_t next = 0;
   for (const PushesTaken& way : taken) {

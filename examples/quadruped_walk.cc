@@ -10,7 +10,7 @@
 namespace gaitwright::examples {
 namespace {
 
-/// Within a cycle the body goes faster and slower, so a speed is a mean over a whole one: here over the quickest.
+/// Highest mean forward speed over one gait cycle [m/s]. A mean over a cycle, because the speed varies within it.
 double SpeedReached(const MotionPlan& plan, const PlaybackLog& log) {
   const double cycle_s = plan.parts.front().gait.cycle_s;
   const auto cycle = static_cast<std::size_t>(std::lround(cycle_s * log.log_rate_hz));
@@ -31,10 +31,10 @@ WalkedQuadruped WalkQuadruped(const std::string& robot, const std::string& gait,
   request.gait = gait;
   request.command.speed_m_s = speed_m_s;
   request.command.distance_m = 1.0;
-  const Result<PlannedWalk> planned = PlanWalk(*model, request);  // and audits
+  const Result<PlannedWalk> planned = PlanWalk(*model, request);  // includes the audit
   if (!planned) throw InvalidArgument(planned.failure().message);
   const MotionPlan& plan = planned->motion.plan;
-  const Result<PlayedWalk> played = PlayWalk(*model, plan, {});  // and scores
+  const Result<PlayedWalk> played = PlayWalk(*model, plan, {});  // includes the score
   if (!played) throw InvalidArgument(played.failure().message);
   return {plan, planned->audit, played->report, SpeedReached(plan, played->log)};
 }

@@ -9,18 +9,17 @@
 
 namespace gaitwright::examples {
 
-/// What came of a walk.
+/// Result of a walk.
 struct WalkedQuadruped {
   MotionPlan plan;
   AuditReport audit;
   StabilityReport report;
-  double speed_m_s = 0.0;  ///< as measured: the highest mean over a whole cycle of the gait
+  double speed_m_s = 0.0;  ///< measured: highest mean over one cycle of the gait
 };
 
-/// The whole way of a walk: 1 m ahead is planned, and the plan is audited, played in physics and scored.
-/// @param gait  such as trot, pace or crawl, see docs/gaits.md.
-/// @throws InvalidArgument with the reason, for a gait of another number of feet or a speed that the robot cannot
-/// reach.
+/// Plans a walk of 1 m forward, and audits, plays and scores the plan.
+/// @param gait  name of the gait, such as trot, pace or crawl; see docs/gaits.md.
+/// @throws InvalidArgument if the gait is for another number of feet, or if the robot cannot reach the speed.
 WalkedQuadruped WalkQuadruped(const std::string& robot, const std::string& gait, double speed_m_s);
 
 }  // namespace gaitwright::examples

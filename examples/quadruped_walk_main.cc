@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A quadruped walks 1 m: planned, audited, played and scored", "quadruped_walk");
+  CLI::App app("Plans, audits, plays and scores a walk of 1 m of a quadruped", "quadruped_walk");
   std::string robot = "a1", gait = "trot";
   double speed_m_s = 0.5;
   app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();

@@ -17,13 +17,13 @@ SvgPlot PlotOf(const ShownShift& shown, int axis) {
   const auto by_axis = [axis](const Vector2& a, const Vector2& b) { return a[axis] < b[axis]; };
   const Polygon& support = measured.front().support.polygon;
   const auto [least, most] = std::minmax_element(support.begin(), support.end(), by_axis);
-  const double beyond_m = 0.4 * ((*most)[axis] - (*least)[axis]);  // farther off, lines are cut
+  const double beyond_m = 0.4 * ((*most)[axis] - (*least)[axis]);  // lines are cut beyond this distance
   SvgPlot::Options options;
   options.title = fmt::format("in {:g} s{}", shown.duration_s, shown.fell ? ": it falls" : "");
   options.x_label = "time [s]";
   options.y_label = axis == 0 ? "x [m]" : "y [m]";
   options.width_px = 720.0;
-  options.legend = false;  // the picture has one for all
+  options.legend = false;  // one legend for all plots
   options.y_lowest = (*least)[axis] - beyond_m;
   options.y_highest = (*most)[axis] + beyond_m;
   SvgPlot plot(options);

@@ -8,8 +8,8 @@
 
 namespace gaitwright::examples {
 
-/// The zero-moment point, what the formula gives for it, the centre of mass and the extent of the support over time
-/// along one axis, a plot for each shift, as one SVG picture.
+/// SVG picture with one plot for each shift: the zero-moment point, its value by the formula, the centre of mass and
+/// the extent of the support over time, along one axis.
 /// @param axis  0 for x, 1 for y.
 std::string ShiftPicture(const std::vector<ShownShift>& shifts, int axis);
 

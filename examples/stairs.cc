@@ -9,7 +9,8 @@
 namespace gaitwright::examples {
 namespace {
 
-/// Planned footholds know their surface, patches before height fields; for a measured touch-down the ground is asked.
+/// A planned foothold has the index of its surface: patches first, then height fields. The surface of a measured
+/// touch-down comes from GroundAt.
 std::vector<PatchTread> TreadsOf(const MotionPlan& plan, const PlaybackLog& log) {
   std::vector<PatchTread> treads;
   for (const TerrainPatch& patch : plan.terrain.patches) treads.push_back({.patch = patch.name});

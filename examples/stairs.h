@@ -8,23 +8,23 @@
 
 namespace gaitwright::examples {
 
-/// How often feet came down on one surface of the ground; those that stand there at the start do not count.
+/// Number of touch-downs on one surface of the ground. Feet that stand on it at the start do not count.
 struct PatchTread {
-  std::string patch;  ///< its name, such as "step 1"
+  std::string patch;  ///< name of the surface, such as "step 1"
   int planned = 0, measured = 0;
-  double height_m = 0.0;  ///< of its highest point that was touched, as measured
+  double height_m = 0.0;  ///< of the highest measured touch-down on the surface
 };
 
-/// What came of a climb.
+/// Result of a climb.
 struct Climb {
-  std::vector<PatchTread> treads;  ///< of each surface, in the ground's order
+  std::vector<PatchTread> treads;  ///< one for each surface, in the order of the terrain
   StabilityReport report;
 };
 
-/// The ground is one value for planner, physics and you: walks straight ahead over it, and asks it which of its patches
-/// each foot was to stand on, and which it did come down on.
-/// @param terrain  a ground by its name with parameters, see docs/terrain-format.md: "stairs:rise_m=0.07,count=3".
-/// @throws InvalidArgument with the reason, for a ground that there is not or that the robot cannot climb.
+/// Plays a straight walk over a terrain, and counts the planned and the measured touch-downs on each of its surfaces.
+/// The planner, the physics engine and this example use the same `Terrain` value.
+/// @param terrain  name of a terrain with parameters, such as "stairs:rise_m=0.07,count=3"; see docs/terrain-format.md.
+/// @throws InvalidArgument if the terrain does not exist, or if the robot cannot climb it.
 Climb ClimbStairs(const std::string& robot, const std::string& terrain, double distance_m);
 
 }  // namespace gaitwright::examples

@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A quadruped climbs stairs, and tells on which of them it stepped", "stairs");
+  CLI::App app("A quadruped climbs stairs; prints on which steps its feet came down", "stairs");
   std::string robot = "a1", terrain = "stairs:rise_m=0.07,tread_m=0.25,count=3";
   double distance_m = 4.0;
   app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();

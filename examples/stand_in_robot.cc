@@ -15,11 +15,11 @@ namespace gaitwright::examples {
 
 StandInRobot::StandInRobot(const StandInOptions& options)
     : options_(options), socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-  sockaddr_in own{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};  // port 0: any that is free
+  sockaddr_in own{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};  // port 0: any free port
   socklen_t size = sizeof own;
   auto* generic = reinterpret_cast<sockaddr*>(&own);
   if (bind(socket_, generic, size) != 0 || getsockname(socket_, generic, &size) != 0)
-    throw std::system_error(errno, std::generic_category(), "no socket for the stand-in");
+    throw std::system_error(errno, std::generic_category(), "cannot open a socket for the stand-in robot");
   port_ = ntohs(own.sin_port);
 }
 
@@ -35,7 +35,7 @@ void StandInRobot::Move(const JointCommand& command) {
   q_ += h * v_;
 }
 
-// Whether it is a command, and a new one, which the joints have followed then.
+// Applies a command to the joints. @return whether the row is a valid command that is newer than the last one.
 bool StandInRobot::Take(const VectorX& row) {
   const Eigen::Index n = (row.size() - 1) / 5;
   if (n < 1 || row.size() != 1 + 5 * n || !row.allFinite() || row[0] < next_) return false;
@@ -53,7 +53,7 @@ bool StandInRobot::Take(const VectorX& row) {
 bool StandInRobot::Serve(double patience_s) {
   pollfd watched{socket_, POLLIN, 0};
   if (poll(&watched, 1, static_cast<int>(std::ceil(1e3 * patience_s))) != 1) return false;
-  std::array<double, 8188> heard{};  // as many as a datagram of UDP holds
+  std::array<double, 8188> heard{};  // maximum size of a UDP datagram
   sockaddr_in from{};
   socklen_t size = sizeof from;
   auto* generic = reinterpret_cast<sockaddr*>(&from);

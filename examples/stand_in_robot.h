@@ -7,25 +7,25 @@
 
 namespace gaitwright::examples {
 
-/// How the stand-in is unlike a perfect robot.
+/// Properties and faults of the stand-in robot.
 struct StandInOptions {
-  double step_s = 0.002;        ///< time that goes by from one command to the next
+  double step_s = 0.002;        ///< time from one command to the next
   double inertia_kg_m2 = 0.02;  ///< of each joint
-  double load_error = 0.05;     ///< share by which the load on a joint is more than the feed-forward for it
-  int loses_every = 0;          ///< each so-manieth of its answers gets lost; 0 for none
-  int silent_after = 0;         ///< answers after which it falls silent; 0 for never
+  double load_error = 0.05;     ///< fraction by which a joint's load exceeds its feed-forward
+  int loses_every = 0;          ///< every N-th answer is lost; 0: none
+  int silent_after = 0;         ///< number of answers after which it is silent; 0: never
 };
 
-/// A robot's side of the line, see HardwareAdapter: takes commands, lets joints move, answers each command with where
-/// they are. It has as many joints as the first command is for, and they are where that one wants them.
+/// The robot's side of the protocol of HardwareAdapter: takes commands, moves its joints, and answers each command with
+/// their state. The first command sets the number of joints and their initial positions.
 ///
-/// A joint is a mass with a drive, I v' = tau - load, with the torque of JointCommand taken at the end of the step, so
-/// that no gain is too stiff, and a load that the feed-forward meets but for a share:
+/// A joint is a mass with a drive, I v' = tau - load. The torque of JointCommand is evaluated at the end of the step,
+/// so that any gain is stable. The load exceeds the feed-forward torque by `load_error`:
 ///   v += h (kp (q_d - q - h v) + kd (v_d - v) - load_error tau_ff) / (I + h kd + h^2 kp),   q += h v.
-/// Time goes by with commands alone, so what it does is the same on any machine.
+/// Only commands advance its time, so its motion is the same on any machine.
 class StandInRobot {
  public:
-  /// @throws std::system_error for want of a socket.
+  /// @throws std::system_error if no socket can be opened.
   explicit StandInRobot(const StandInOptions& options);
   ~StandInRobot();
   StandInRobot(const StandInRobot&) = delete;
@@ -35,8 +35,8 @@ class StandInRobot {
   const VectorX& q() const { return q_; }
   const VectorX& v() const { return v_; }
 
-  /// Takes one command and answers. A command that is older than the last one, or is none, is passed over.
-  /// @return whether anything came within that time [s].
+  /// Takes one command and answers it. A command that is older than the last one, or invalid, is ignored.
+  /// @return whether a datagram arrived within `patience_s` [s].
   bool Serve(double patience_s);
 
  private:
@@ -47,7 +47,7 @@ class StandInRobot {
   int socket_;
   std::uint16_t port_ = 0;
   VectorX q_, v_;
-  double next_ = 0.0;  // the least number that is new
+  double next_ = 0.0;  // smallest number of a new command
   int served_ = 0;
 };
 

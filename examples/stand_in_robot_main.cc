@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A stand-in for a robot that takes joint commands over UDP; prints its port, then serves",
+  CLI::App app("A simulated robot that takes joint commands over UDP; prints its port, then answers commands",
                "stand_in_robot");
   examples::StandInOptions options;
   double leaves_after_s = 1.0;
@@ -16,12 +16,13 @@ int main(int argc, char** argv) {
   app.add_option("--step", options.step_s, "Time between two commands [s]")
       ->capture_default_str()
       ->check(CLI::Range(2e-4, 0.02));
-  app.add_option("--load-error", options.load_error, "Relative error of the loads")->capture_default_str();
+  app.add_option("--load-error", options.load_error, "Fraction by which a joint's load exceeds its feed-forward")
+      ->capture_default_str();
   app.add_option("--loses-every", options.loses_every, "Every N-th answer is lost; 0: none")->capture_default_str();
   app.add_option("--silent-after", options.silent_after, "Number of answers after which it is silent; 0: never")
       ->capture_default_str();
   app.add_option("--leaves-after", leaves_after_s,
-                 "After the first command it ends when nothing has come for so long [s]")
+                 "Time without a command after which the program ends, once the first has come [s]")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 3600.0));
   try {

@@ -13,7 +13,8 @@ StoodUp StandUp(const std::string& robot, const std::function<void(const GateRec
   tasks.tasks = {{"stand_up", {}, "", {}}, {"stand", {{"duration_s", 1.0}}, "", {}}};
   const Result<PlannedTasks> planned = PlanTasks(*model, FlatTerrain(), tasks, {});
   if (!planned) throw InvalidArgument(planned.failure().message);
-  if (planned->plan.gates.empty()) throw InvalidArgument("robot '" + robot + "' cannot lie, and so cannot get up");
+  if (planned->plan.gates.empty())
+    throw InvalidArgument("robot '" + robot + "' has no lying posture, so it cannot stand up from lying");
   PlayRequest request;
   request.play.on_phase = on_phase;
   const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, request);

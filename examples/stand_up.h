@@ -9,17 +9,17 @@
 
 namespace gaitwright::examples {
 
-/// A quadruped that got up from lying.
+/// Result of standing up from lying.
 struct StoodUp {
   PlaybackLog log;
   StabilityReport report;
-  double zmp_error_m = 0.0;  ///< at the end: of the ZMP as measured, to that of the plan
+  double zmp_error_m = 0.0;  ///< distance of the measured ZMP from the planned ZMP at the end
 };
 
-/// Gets a robot that comes with the program up from its belly, in four phases that each end when they are measured to
-/// be done: the plan's clock waits at the end of each.
+/// A built-in robot stands up from its belly, in four phases. Each phase ends on a measured condition; until it is met,
+/// the plan's clock waits.
 /// @param on_phase  called when a phase ends.
-/// @throws InvalidArgument with the reason for a robot that cannot lie.
+/// @throws InvalidArgument if the robot has no lying posture.
 StoodUp StandUp(const std::string& robot, const std::function<void(const GateRecord&)>& on_phase);
 
 }  // namespace gaitwright::examples

@@ -11,7 +11,7 @@
 namespace gaitwright::examples {
 namespace {
 
-/// The last joint of each leg that pitches its sole.
+/// For each leg, its last joint that pitches the sole.
 std::vector<std::size_t> AnklesOf(const RobotModel& model, const DynamicsScratch& standing) {
   std::vector<std::size_t> ankles;
   for (const Leg& leg : model.legs) {
@@ -25,7 +25,7 @@ std::vector<std::size_t> AnklesOf(const RobotModel& model, const DynamicsScratch
   return ankles;
 }
 
-/// What ankles at p_WA carry in standing, all but the feet: m g times where that has its centre of mass [N m].
+/// m g (c - p_WA) in standing, where m and c are the mass and centre of mass of the robot without its feet [N m].
 Vector3 LoadOn(const Vector3& p_WA, const RobotModel& model, const DynamicsScratch& standing) {
   Vector3 load = model.weight_n() * (CentreOfMass(model, standing) - p_WA);
   for (const Foot& foot : model.feet) {

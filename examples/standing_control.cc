@@ -41,7 +41,8 @@ std::unique_ptr<Controller> MakeWayToStand(const Stander& stander, const std::st
   if (way == "hip") return std::make_unique<StandingStrategy>(model, plan, Strategy::kHip);
   if (way == "whole body") return MakeStabilised(model, plan, {});
   if (way != "steps")
-    throw InvalidArgument(fmt::format("no way to stand '{}'; there are {}", way, fmt::join(WaysToStand(), ", ")));
+    throw InvalidArgument(
+        fmt::format("unknown standing strategy '{}'; accepted: {}", way, fmt::join(WaysToStand(), ", ")));
   const Result<RecoveryPlans> recovery = PlanRecovery(model);
   if (!recovery) throw InvalidArgument(recovery.failure().message);
   return MakeRecovering(model, plan, *recovery);

@@ -11,36 +11,38 @@
 
 namespace gaitwright::examples {
 
-/// The ways to keep standing that are compared, from joints alone to the whole body:
+/// Names of the standing strategies that are compared:
 ///   soft joints    joint PD with 0.15 of the usual gains
-///   stiff joints   joint PD: the robot is as one block on its soles
+///   stiff joints   joint PD with the usual gains: the robot acts as one block on its soles
 ///   ankle, ankle and DCM, hip   see Strategy
-///   whole body     the controller 'stabilised': the whole wrench at the centre of mass, split over both soles
-///   steps          the controller 'recovering', which is that and steps
+///   whole body     the controller 'stabilised': a wrench at the centre of mass, distributed over both soles
+///   steps          the controller 'recovering': 'stabilised' with recovery steps
 const std::vector<std::string>& WaysToStand();
 
-/// A robot that comes with the program, and a plan of it that stands for 3 s.
+/// A built-in robot, and a plan in which it stands for 3 s.
 struct Stander {
   RobotModel model;
   MotionPlan plan;
 };
-/// @throws InvalidArgument with the reason where there is no such robot or plan.
+/// @throws InvalidArgument if the robot does not exist or cannot stand.
 Stander MakeStander(const std::string& robot);
 
-/// @throws InvalidArgument for a way that there is not. The stander must outlive it.
+/// The stander must outlive the controller. @throws InvalidArgument if `way` is not one of WaysToStand.
 std::unique_ptr<Controller> MakeWayToStand(const Stander& stander, const std::string& way);
 
-/// Whether it stands after a push at its base for 0.1 s. @param direction_deg  from ahead over the left.
+/// Whether the robot still stands after a push on its base for 0.1 s.
+/// @param direction_deg  0 is forward, 90 is left.
 bool StandsPush(const Stander& stander, Controller& controller, double force_n, double direction_deg);
 
-/// The largest such push after which it stands, up to `most_n` and to a hundredth of that, by bisection [N].
+/// Largest push after which the robot still stands, by bisection up to `most_n`, to a hundredth of `most_n` [N].
 double LargestPush(const Stander& stander, const std::string& way, double direction_deg, double most_n);
 
-/// What each way took, by direction, as an SVG picture seen from above with the robot's heading up.
+/// Largest push of one strategy in each direction.
 struct PushesTaken {
   std::string way;
   std::vector<double> directions_deg, largest_n;
 };
+/// SVG picture of the largest pushes by direction, seen from above, with the robot's heading up.
 std::string PushPicture(const std::vector<PushesTaken>& taken);
 
 }  // namespace gaitwright::examples

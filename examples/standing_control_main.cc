@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("The classics of standing: which push each of them takes", "standing_control");
+  CLI::App app("Classic standing strategies: the largest push that each of them withstands", "standing_control");
   std::string robot = "humanoid", plot;
   double most_n = 500.0;
   std::vector<double> directions_deg = {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0};
@@ -16,9 +16,10 @@ int main(int argc, char** argv) {
   app.add_option("--robot", robot, "Name of a built-in robot; the ankle and hip strategies are for bipeds")
       ->capture_default_str();
   app.add_option("--ways", ways, "Standing strategies to try")->capture_default_str();
-  app.add_option("--directions", directions_deg, "Direction, from forward to the left [degree]")->capture_default_str();
+  app.add_option("--directions", directions_deg, "Directions of the pushes: 0 is forward, 90 is left [degree]")
+      ->capture_default_str();
   app.add_option("--most", most_n, "Largest push to try [N]")->capture_default_str();
-  app.add_option("--plot", plot, "SVG to write, of the largest pushes by direction");
+  app.add_option("--plot", plot, "SVG to write: the largest pushes by direction");
   try {
     app.parse(argc, argv);
     const examples::Stander stander = examples::MakeStander(robot);

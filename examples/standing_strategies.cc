@@ -16,7 +16,7 @@ StandingStrategy::StandingStrategy(const RobotModel& model, const MotionPlan& pl
   inertia_B_ = LockedInertia(model, scratch_).diagonal();
 }
 
-/// The moment that turns the body upright again, critically damped.
+/// Moment that rotates the body back to its planned orientation, critically damped.
 Vector3 StandingStrategy::Upright() const {
   constexpr double kRate = 10.0;  // [rad/s]
   const Matrix3 R_planned = BaseRotation(plan_.whole_body.q.front());
@@ -26,7 +26,7 @@ Vector3 StandingStrategy::Upright() const {
 }
 
 PointWrench StandingStrategy::Wanted(const Vector3& p_WC, const Vector3& v_WC, const Polygon& soles) const {
-  constexpr double kTurned = 0.5, kQuick = 20.0;  // [rad], [rad/s^2]: how far and how quickly the hips may turn it
+  constexpr double kTurned = 0.5, kQuick = 20.0;  // [rad], [rad/s^2]: limits of the body's rotation
   const double omega = plan_.centroidal.omega_rad_s, weight = model_.weight_n();
   const Vector2 c = (p_WC - home_W_).head<2>(), rate = v_WC.head<2>() / omega;
   const Vector2 wanted =
@@ -63,7 +63,7 @@ JointCommand StandingStrategy::Update(const ControlInput& input) {
     }
   }
   splitter_.Solve(contacts, Wanted(CentreOfMass(model_, scratch_), J_ * input.v, ConvexHull(corners)), split_);
-  VectorX from_ground = VectorX::Zero(model_.nv());  // what the legs have to bear
+  VectorX from_ground = VectorX::Zero(model_.nv());  // generalised forces of the contacts
   for (std::size_t k = 0; k < contacts.size(); ++k)
     AddPointForce(model_, scratch_, bodies[k], contacts[k].p_W, split_.force_W[k], from_ground);
   VectorX gravity(model_.nv());

@@ -13,20 +13,20 @@
 
 namespace gaitwright::examples {
 
-/// How a standing robot keeps its balance.
-///   kAnkle     the ZMP goes with the centre of mass, p = c0 + 1.5 (c - c0) + 0.5 c' / w, as ankles have it that are
+/// Balance strategy of a standing robot.
+///   kAnkle     the ZMP follows the centre of mass, p = c0 + 1.5 (c - c0) + 0.5 c' / w, as with ankles that are
 ///              springs and dampers
-///   kAnkleDcm  the ZMP goes with the DCM, p = c0 + 1.3 (xi - c0), xi = c + c' / w: Englsberger et al., 2015,
+///   kAnkleDcm  the ZMP follows the DCM, p = c0 + 1.3 (xi - c0), xi = c + c' / w: Englsberger et al., 2015,
 ///              T-RO 31(2)
-///   kHip       the same, and what of it is out of the soles is made by turning the body about its hips:
-///              m g (p - p_in_the_soles) is the rate of its angular momentum; Stephens, Humanoids 2007
+///   kHip       as kAnkleDcm. If p is outside the soles, the hips also rotate the body, at the rate of angular momentum
+///              m g (p - p_in_the_soles); Stephens, Humanoids 2007
 enum class Strategy { kAnkle, kAnkleDcm, kHip };
 
-/// Legs without stiffness: forces on the soles carry the robot, and put the ZMP where the strategy wants it. All else
-/// is joint PD.
+/// The legs have no stiffness: their torques produce the forces on the soles that carry the robot and move the ZMP to
+/// the position of the strategy. All other joints use joint PD.
 class StandingStrategy : public Controller {
  public:
-  /// Model and plan, one that stands, must outlive it.
+  /// The plan must be one in which the robot stands. Model and plan must outlive the controller.
   StandingStrategy(const RobotModel& model, const MotionPlan& plan, Strategy strategy);
 
   JointCommand Update(const ControlInput& input) override;

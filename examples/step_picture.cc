@@ -22,9 +22,9 @@ SvgPlot PlotOf(const JointStep& step) {
   options.x_label = "time [s]";
   options.y_label = "share of the step";
   options.width_px = 480.0;
-  options.legend = false;  // the picture has one for all
+  options.legend = false;  // one legend for all plots
   options.y_lowest = 0.0;
-  options.y_highest = 2.0;  // as far as it swings without damping
+  options.y_highest = 2.0;  // maximum without damping
   SvgPlot plot(options);
   plot.Line(formula, Ink::kJoint, Stroke::kPlanned, "second-order system");
   plot.Line(simulated, Ink::kJoint, Stroke::kMeasured, "simulated");

@@ -8,7 +8,7 @@
 
 namespace gaitwright::examples {
 
-/// Step responses over time, simulated on top of the formula's, a plot for each, as one SVG picture.
+/// SVG picture with one plot for each step response over time: simulated, and by the formula.
 std::string StepPicture(const std::vector<JointStep>& steps, int columns);
 
 }  // namespace gaitwright::examples

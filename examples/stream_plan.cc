@@ -69,7 +69,7 @@ StandInProcess::StandInProcess(const std::string& program, const StandInOptions&
                   options.load_error, options.loses_every, options.silent_after);
   said_.reset(popen(command.c_str(), "r"));
   if (!said_ || std::fscanf(said_.get(), "%hu", &port_) != 1)
-    throw InvalidArgument(fmt::format("the stand-in '{}' does not start", program));
+    throw InvalidArgument(fmt::format("the stand-in robot '{}' does not start", program));
 }
 
 }  // namespace gaitwright::examples

@@ -7,18 +7,19 @@
 
 namespace gaitwright::examples {
 
-/// What trials of a walk showed.
+/// Results of trials of a walk.
 struct TriedWalk {
   RobustnessReport report;
-  TrialOutcome worst;     ///< of the trial with the lowest score
-  TrialOutcome repeated;  ///< of the same, played once more from its seed alone
+  TrialOutcome worst;     ///< the trial with the lowest score
+  TrialOutcome repeated;  ///< the same trial, repeated from its seed alone
 };
 
-/// A plan that is good once need not be good: walks 1 m many times, each time with another mass, ground and push,
-/// behind the sensors of a small budget. The share that survives is an estimate, and its interval says how good a one.
-/// @param disturbances  path of a file of what is drawn for each trial, see docs/trials.md.
-/// @param seed          of the whole study; each trial has its own, which is all it takes to repeat it.
-/// @throws InvalidArgument with the reason, for a file that is wrong or a robot that cannot walk.
+/// Plays a walk of 1 m many times, each time with a different mass, ground and push, and with low-cost sensors.
+/// A plan that passes once may fail under disturbances. The survival rate is an estimate; its confidence interval says
+/// how accurate it is.
+/// @param disturbances  path of a file with the distributions that each trial samples; see docs/trials.md.
+/// @param seed          seed of the study. Each trial has a seed from it, which is enough to repeat that trial.
+/// @throws InvalidArgument if the file is invalid, or if the robot cannot walk.
 TriedWalk TryWalk(const std::string& robot, const std::string& disturbances, int trials, int seed);
 
 }  // namespace gaitwright::examples

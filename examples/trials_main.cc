@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A walk is tried under disturbances: how often does it survive, and how sure is that?", "trials");
+  CLI::App app("Survival rate of a walk under disturbances, with its confidence interval", "trials");
   std::string robot = "a1", disturbances = "examples/disturbances/a1_hobby.yaml";
   int trials = 20, seed = 1;
   app.add_option("--robot", robot, "Name of a built-in robot")->capture_default_str();

@@ -10,7 +10,7 @@
 namespace gaitwright::examples {
 namespace {
 
-/// The largest of all distances from a step to where its foot came down next to it.
+/// Maximum over all steps of the distance from the step to the nearest measured touch-down of its foot [m].
 double LargestMiss(const std::vector<PlacedStep>& steps, const PlaybackLog& log) {
   double largest_m = 0.0;
   for (const PlacedStep& step : steps) {

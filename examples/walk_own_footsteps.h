@@ -10,16 +10,16 @@
 
 namespace gaitwright::examples {
 
-/// What came of one's own footsteps.
+/// Result of a walk over given footsteps.
 struct WalkedSteps {
   MotionPlan plan;
   AuditReport audit;
   StabilityReport report;
-  double miss_m = 0.0;  ///< from a step to the nearest touch-down of its foot as measured, the largest
+  double miss_m = 0.0;  ///< largest distance of a step from the nearest measured touch-down of its foot
 };
 
-/// Plans the motion of all the rest over footsteps on level ground, and audits, plays and scores it.
-/// @throws InvalidArgument with the reason, for steps that cannot be taken.
+/// Plans the rest of the motion over footsteps on level ground, and audits, plays and scores it.
+/// @throws InvalidArgument if the robot cannot take these steps.
 WalkedSteps WalkSteps(const RobotModel& model, const std::vector<PlacedStep>& steps);
 
 }  // namespace gaitwright::examples

@@ -15,7 +15,7 @@
 namespace gaitwright::examples {
 namespace {
 
-/// Stands, shifts its centre of mass, and stands there.
+/// Motion: stand, shift the centre of mass, stand in the shifted posture.
 PostureMotion ShiftOf(const RobotModel& model, const Vector2& shift_m, double duration_s) {
   const PostureKey start = StandingKey(model);
   PostureKey still = start, shifted = start;
@@ -27,9 +27,9 @@ PostureMotion ShiftOf(const RobotModel& model, const Vector2& shift_m, double du
   return {"shift", {start, still, shifted, there}};
 }
 
-/// Takes the figures from the series, sample by sample.
+/// Computes the values of `shown` from its series.
 void Measure(ShownShift& shown) {
-  constexpr double kFalling = 0.1;  // [rad]: its soles are no longer on the ground
+  constexpr double kFalling = 0.1;  // [rad]; beyond this tilt the soles are no longer flat on the ground
   const std::vector<MotionSample>& measured = shown.series.measured;
   shown.margin_planned_m = shown.margin_measured_m = HUGE_VAL;
   for (std::size_t k = 1; k < measured.size(); ++k) {
@@ -39,8 +39,8 @@ void Measure(ShownShift& shown) {
     shown.tilt_rad = std::max(shown.tilt_rad, RotationLog(R_off).norm());
     if (shown.tilt_rad > kFalling || !now.has_zmp) continue;
     shown.margin_measured_m = std::min(shown.margin_measured_m, now.zmp_margin_m());
-    if (shown.margin_planned_m < 0.0) continue;  // from here on it is no longer the motion that was planned
-    // A sample's force is the mean over the time since the one before, and so are these.
+    if (shown.margin_planned_m < 0.0) continue;  // from here on the motion differs from the plan
+    // The force of a sample is the mean since the previous sample, so these are means over the same interval.
     const Vector3 a_WC = (now.v_WC - before.v_WC) / (now.time_s - before.time_s);
     const Vector3 p_WC = 0.5 * (before.p_WC + now.p_WC);
     shown.formula_W.push_back(PendulumZmp(p_WC, a_WC, now.omega_rad_s));
@@ -56,7 +56,7 @@ ShownShift ShiftBody(const RobotModel& model, const Vector2& shift_m, double dur
   const Result<MotionPlan> plan = PlanPosture(model, ShiftOf(model, shift_m, duration_s), {});
   if (!plan) throw InvalidArgument(plan.failure().message);
   PlayRequest request;
-  request.controller = "joint-pd";  // which does not balance
+  request.controller = "joint-pd";  // does not balance
   const Result<PlayedWalk> played = PlayWalk(model, *plan, request);
   if (!played) throw InvalidArgument(played.failure().message);
   ScoreOptions as_it_is;

@@ -8,32 +8,32 @@
 
 namespace gaitwright::examples {
 
-/// What came of shifting the body. Margins are the least distances of the zero-moment point (ZMP) from the edge of the
-/// support [m], positive inside.
+/// Result of a shift of the body. A margin is the smallest distance of the zero-moment point (ZMP) from the edge of the
+/// support polygon [m], positive inside.
 ///
 /// = Notation =  W world, C centre of mass, Z zero-moment point
 struct ShownShift {
   double duration_s = 0.0;
-  double margin_planned_m = 0.0;   ///< below 0 where the ground would have to pull
-  double margin_measured_m = 0.0;  ///< it cannot: never below 0, as long as the soles are level
-  double lead_m = 0.0;             ///< the farthest that Z was from under C, until the plan's Z leaves the support
-  double off_formula_m = 0.0;      ///< the farthest that it was from `formula_W`
-  double tilt_rad = 0.0;           ///< of the base against its plan, the largest
+  double margin_planned_m = 0.0;   ///< below 0 if the plan needs the ground to pull
+  double margin_measured_m = 0.0;  ///< never below 0 while the soles are level, because the ground cannot pull
+  double lead_m = 0.0;             ///< largest horizontal distance of Z from C, until the planned Z leaves the support
+  double off_formula_m = 0.0;      ///< largest distance of Z from `formula_W`
+  double tilt_rad = 0.0;           ///< largest rotation of the base relative to the plan
   bool fell = false;
-  MotionSeries series;             ///< planned and measured, not low-passed
-  std::vector<Vector2> formula_W;  ///< c - (z / g) c'' of C as measured, from the second sample on, as long as that
+  MotionSeries series;             ///< planned and measured, without low-pass filter
+  std::vector<Vector2> formula_W;  ///< c - (z / g) c'' of the measured C, from the second sample on, until Z leaves
 };
 
-/// The classic demonstration of the zero-moment point: a robot that stands shifts its body and stops again, by joint PD
-/// and feed-forward alone. The ground's force acts at
+/// The classic demonstration of the zero-moment point: a standing robot shifts its body and stops again, by joint PD
+/// and feed-forward alone. If all mass is in C, the ground's force acts at
 ///   Z = C - (z / g) C'',
-/// z being the height of C, if all mass is in C. A slow shift has no C'' to speak of, and Z stays under C. In a quick
-/// one it first runs back and then ahead of C, four times as far where the shift takes half the time. Where it comes to
-/// the edge of the soles there is nothing beyond to push with, and the robot tips about that edge.
-/// Legs are not in C, and they turn: their angular momentum makes the rest, a fifth of the way from C to Z for nao.
-/// Kajita et al., ICRA 2003, doi:10.1109/ROBOT.2003.1241826 (the cart on its table).
-/// @param shift_m  of C, ahead and to the left.   @param duration_s  which it takes, more than 0.
-/// @throws InvalidArgument with the reason, for a shift that the legs do not reach.
+/// where z is the height of C. In a slow shift C'' is small, and Z stays below C. In a fast shift Z first moves behind
+/// C and then ahead of C; its distance from C is four times as large if the shift takes half the time. When Z reaches
+/// the edge of the soles, the robot tips about that edge. The mass of the legs is not in C, and the legs rotate. Their
+/// angular momentum causes the remaining difference from the formula, for nao a fifth of the distance from C to Z.
+/// Kajita et al., ICRA 2003, doi:10.1109/ROBOT.2003.1241826 (cart-table model).
+/// @param shift_m  shift of C, forward and to the left.   @param duration_s  duration of the shift, more than 0.
+/// @throws InvalidArgument if the legs cannot reach the shift.
 ShownShift ShiftBody(const RobotModel& model, const Vector2& shift_m, double duration_s);
 
 }  // namespace gaitwright::examples

@@ -11,7 +11,7 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A robot that stands shifts its body, slowly and quickly: where its ZMP goes, and when it tips",
+  CLI::App app("A standing robot shifts its body, slowly and fast: how its ZMP moves, and when the robot tips",
                "zmp_demonstration");
   std::string robot = "nao", plot;
   double ahead_m = 0.0, left_m = 0.03;
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   app.add_option("--ahead", ahead_m, "Forward shift of the centre of mass [m]")->capture_default_str();
   app.add_option("--left", left_m, "Shift of the centre of mass to the left [m]")->capture_default_str();
   app.add_option("--durations", durations_s, "Durations of the shifts, in order [s]")->capture_default_str();
-  app.add_option("--plot", plot, "SVG to write, of ZMP, centre of mass and support over time");
+  app.add_option("--plot", plot, "SVG to write: ZMP, centre of mass and support over time");
   try {
     app.parse(argc, argv);
     const Result<RobotModel> model = LoadNamedRobot(robot);

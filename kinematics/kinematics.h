@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Robot models from their descriptions, and where everything of a robot is and what moving it costs.
-// What this header reaches is installed; all else belongs to the library and may change without notice.
+// Robot models from their descriptions; kinematics, dynamics, collision checks and inverse kinematics of robots.
+// The headers included here are installed. All other headers are internal and may change without notice.
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/options.h"

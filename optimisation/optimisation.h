@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Motion plans: of walks that pass their audit, of footsteps that are given, and the problems behind them.
-// What this header reaches is installed; all else belongs to the library and may change without notice.
+// Motion plans: of walks that pass their audit, and of given footsteps; and the problems from which they are made.
+// The headers included here, directly or indirectly, are installed. Everything else may change without notice.
 
 #include "optimisation/centroidal/preview_control.h"
 #include "optimisation/pipeline/plan_motion.h"

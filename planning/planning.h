@@ -2,7 +2,7 @@
 #pragma once
 
 // Gaits, grounds, footsteps and motion plans, and the audit that judges a plan.
-// What this header reaches is installed; all else belongs to the library and may change without notice.
+// The headers included here, directly or indirectly, are installed. Everything else may change without notice.
 
 #include "planning/audit/audit.h"
 #include "planning/audit/audit_report.h"

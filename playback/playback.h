@@ -2,7 +2,7 @@
 #pragma once
 
 // Physics: playing a motion plan by a controller, scoring the log, and the report.
-// What this header reaches is installed; all else belongs to the library and may change without notice.
+// The headers that this header includes are installed. All other headers are internal and may change without notice.
 
 #include "playback/control/controller.h"
 #include "playback/control/gains.h"

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Copies the shared libraries that a bare system lacks beside the programs that need them.
+"""Copies shared libraries that a minimal system lacks into a folder beside the programs that need them.
 
     bundle_libraries.py FOLDER FILE...
 
-copies them for the programs and modules FILE to FOLDER, and changes FILE and the copies so that they find one another from
-any folder. Each copy has a name of its own: a process that already has another version of a library keeps both apart.
-The licences of the copies go to FOLDER/licences where Debian's packages have them. Needs patchelf.
+copies the libraries of the programs and modules FILE to FOLDER, and changes FILE and the copies so that they find
+each other from any folder. Each copy has a unique name, so that a process can also load another version of the library.
+The licences of the copies go to FOLDER/licences, if Debian's packages have them. Needs patchelf.
 """
 
 import hashlib
@@ -16,7 +16,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# Those of glibc and of the compiler, which every system with the same or a newer glibc has.
+# Libraries of glibc and of the compiler, which every system with the same or a newer glibc has.
 SYSTEM = re.compile(r"(linux-vdso|ld-linux[-\w]*|lib(c|m|dl|rt|pthread|util|resolv|anl|gcc_s|stdc\+\+))\.so\.\d+")
 
 
@@ -25,7 +25,7 @@ def output_of(*command):
 
 
 def libraries_of(file):
-    """Name and path of each library that a file loads, directly or not, but for those of the system."""
+    """Name and path of each library that a file loads, directly or indirectly, except those of the system."""
     found = {}
     for line in output_of("ldd", str(file)).splitlines():
         name, arrow, path = line.strip().partition(" => ")
@@ -48,16 +48,16 @@ def own_name(name, path):
 
 
 def patch(file, names, search):
-    """Makes a file load the copies, which lie in the folder `search` relative to it."""
+    """Makes a file load the copies from the folder `search`, a path relative to the file."""
     rename = [word for old in needed_by(file) if old in names for word in ("--replace-needed", old, names[old])]
-    # In calls of their own: patchelf 0.14 mixes up strings when it does both at once.
+    # In separate calls: patchelf 0.14 mixes up strings if it does both in one call.
     if rename:
         subprocess.run(["patchelf", *rename, str(file)], check=True)
     subprocess.run(["patchelf", "--force-rpath", "--set-rpath", search, str(file)], check=True)
 
 
 def packages_of(files):
-    """Debian's package of each file that is one's, all asked at once: each question reads the lists of all packages."""
+    """Debian package of each file that belongs to one. A single query, since each query reads all package lists."""
     asked = subprocess.run(["dpkg-query", "-S", *files], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     rows = (line.partition(": ") for line in asked.stdout.splitlines())
     return {file: owners.partition(",")[0].partition(":")[0] for owners, _, file in rows}

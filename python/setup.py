@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a wheel: pip wheel ./python. CMake builds it. It holds robots, gaits and the shared libraries that it needs.
+"""Makes a wheel: pip wheel ./python. CMake builds it. It contains robots, gaits and shared libraries.
 
-GAITWRIGHT_BUILD names a build tree of CMake whose Python package is taken instead of building anew.
+GAITWRIGHT_BUILD names a build tree of CMake; its Python package is used instead of a new build.
 """
 
 import os
@@ -51,7 +51,7 @@ class BuiltByCMake(build_ext):
 
 
 def platform():
-    """Systems with this machine's glibc or a newer one; pip reads it from the name of the wheel."""
+    """Platform tag for systems with this machine's glibc or a newer one; pip reads it from the name of the wheel."""
     major, minor = os.confstr("CS_GNU_LIBC_VERSION").split()[1].split(".")[:2]
     return f"manylinux_{major}_{minor}_{os.uname().machine}"
 

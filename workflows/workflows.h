@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// What joins planning and playback: walks, trials, imported and exported motions, instructions.
-// What this header reaches is installed; all else belongs to the library and may change without notice.
+// The workflows, which join planning and playback: walks, trials, imported and exported motions, instructions.
+// The headers that this header includes, directly or indirectly, are installed. All others are internal and may change
+// without notice.
 
 #include "workflows/exchange/export_motion.h"
 #include "workflows/exchange/import_motion.h"

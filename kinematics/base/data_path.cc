@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostFoldersAbove = 4;  // from PREFIX/lib/python3.11/dist-packages/gaitwright to PREFIX
 
-/// The shared library that holds this code, or else the program; empty where it cannot be found.
+/// The shared library that contains this code, or the program; empty if it cannot be found.
 fs::path OwnFile() {
   static const char here = 0;
   Dl_info info;
@@ -28,7 +28,7 @@ fs::path OwnFile() {
   return fs::canonical("/proc/self/exe", error);
 }
 
-/// The folders that may hold the data, the preferred one first.
+/// The folders that may contain the data, the preferred one first.
 std::vector<fs::path> DataFolders() {
   std::vector<fs::path> folders;
   fs::path folder = OwnFile().parent_path();

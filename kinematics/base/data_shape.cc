@@ -47,7 +47,7 @@ void AddCounts(const DataShape& shape, const char* least, const char* most, Json
   if (shape.most != std::string::npos) json[most] = shape.most;
 }
 
-/// "Exactly one of these keys" of each list.
+/// Schema that needs exactly one key of each list.
 Json OneOfEach(const std::vector<std::vector<std::string>>& lists) {
   Json all = Json::array();
   for (const std::vector<std::string>& keys : lists) {
@@ -71,7 +71,7 @@ void AddMembers(const DataShape& shape, Json& json) {
   json["additionalProperties"] = false;
 }
 
-/// The shape alone, without what is accepted besides.
+/// The schema of a shape without its alternatives.
 Json PlainSchema(const DataShape& shape) {
   Json json = Json::object();
   if (shape.kind == DataShape::Kind::kAnything) return json;

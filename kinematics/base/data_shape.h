@@ -18,22 +18,22 @@ struct DataShape {
   enum class Kind { kAnything, kObject, kMap, kList, kNumber, kWhole, kText, kTruth };
 
   Kind kind = Kind::kAnything;
-  double lowest = -std::numeric_limits<double>::infinity();  ///< of a number
+  double lowest = -std::numeric_limits<double>::infinity();  ///< lowest value of a number
   double highest = std::numeric_limits<double>::infinity();
   bool over_lowest = false;                         ///< the lowest value itself is excluded
-  std::vector<std::string> choices = {};            ///< of a text; empty for any
-  std::vector<ShapeMember> members;                 ///< of an object, whose keys are known
-  std::vector<DataShape> of;                        ///< one: of each value of a map, whose keys are not, or of a list
-  std::size_t least = 0, most = std::string::npos;  ///< how many there are in a list or a map
-  std::vector<DataShape> or_else;                   ///< accepted too
+  std::vector<std::string> choices = {};            ///< accepted texts; empty for any text
+  std::vector<ShapeMember> members;                 ///< keys of an object
+  std::vector<DataShape> of;                        ///< one element: shape of each value of a list or a map
+  std::size_t least = 0, most = std::string::npos;  ///< smallest and largest size of a list or a map
+  std::vector<DataShape> or_else;                   ///< other accepted shapes
   bool or_null = false;                             ///< null is accepted too
-  std::vector<std::vector<std::string>> one_of;     ///< of an object: of each list exactly one key is needed
+  std::vector<std::vector<std::string>> one_of;     ///< lists of keys; an object needs exactly one key of each list
 
-  /// Keys of an object: all, those that are needed, and the others.
+  /// Keys of an object: all keys, required keys, and optional keys.
   std::vector<std::string> Keys() const;
   std::vector<std::string> NeededKeys() const;
   std::vector<std::string> OtherKeys() const;
-  /// The member of that key. @throws InvalidArgument if it does not exist.
+  /// The member with this key. @throws InvalidArgument if it does not exist.
   const DataShape& At(const std::string& key) const;
 };
 
@@ -45,7 +45,7 @@ struct ShapeMember {
   bool needed = true;
 };
 
-/// Short names for writing shapes down.
+/// Short functions to write shapes.
 namespace shapes {
 /// Any value; a truth value; a text, optionally one of several; a number, optionally within a range.
 DataShape Anything();
@@ -53,12 +53,12 @@ DataShape Truth();
 DataShape Text(std::vector<std::string> choices = {});
 DataShape Number();
 DataShape Number(double lowest, double highest);
-/// Over zero, and up to `highest`.
+/// A number above zero, up to `highest`.
 DataShape Positive(double highest = std::numeric_limits<double>::infinity());
-/// From `lowest` to `highest`.
+/// A whole number from `lowest` to `highest`.
 DataShape Whole(double lowest = 0.0, double highest = std::numeric_limits<double>::infinity());
 DataShape List(DataShape of, std::size_t least = 0, std::size_t most = std::string::npos);
-/// So many numbers, or any number of them.
+/// A list of `count` numbers, or of any length.
 DataShape Numbers(std::size_t count);
 DataShape Numbers();
 DataShape MapOf(DataShape of, std::size_t least = 0);
@@ -67,10 +67,10 @@ DataShape OrNull(DataShape shape);
 DataShape NumberOrNull();
 DataShape Either(DataShape shape, DataShape other);
 
-/// An option's field as a key that may be left out, with its range and meaning.
+/// An optional key for the field of an option, with its range and meaning.
 ShapeMember Field(const OptionField& field);
 
-/// A key that may be left out.
+/// An optional key.
 ShapeMember Optional(std::string key, DataShape shape, std::string meaning = "");
 
 }  // namespace shapes

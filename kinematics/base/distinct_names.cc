@@ -7,7 +7,7 @@
 namespace gaitwright {
 
 std::vector<std::string> DistinctNames(const std::vector<std::string>& names, const std::string& joint) {
-  std::set<std::string> used(names.begin(), names.end());  // a made name must not be that of another part either
+  std::set<std::string> used(names.begin(), names.end());  // a new name must also differ from later names
   std::map<std::string, int> count;
   std::vector<std::string> distinct;
   for (const std::string& name : names) {

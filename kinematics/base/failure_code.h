@@ -11,8 +11,8 @@
 
 namespace gaitwright {
 
-/// Why something is refused, or what is found in a robot's description; files, JSON and Python have its name, such as
-/// `unknown_link`. In the order of the names.
+/// Reason of a refusal, or kind of a finding about a robot description. Files, JSON and Python use its name, such as
+/// `unknown_link`. Sorted by name.
 enum class FailureCode {
   kAction,
   kAddress,
@@ -276,14 +276,14 @@ enum class FailureCode {
   kZmpSupport,
 };
 
-/// As JSON and Python have it: the words of the enumerator, with underscores.
+/// The name in JSON and Python: the words of the enumerator, with underscores.
 const std::string& FailureCodeName(FailureCode code);
 /// The names of all codes, in their order.
 const std::vector<std::string>& FailureCodeNames();
 std::optional<FailureCode> FailureCodeOfName(std::string_view name);
-/// The failure code of a violated law; it has the law's name.
+/// The failure code of a violated check of the audit; both have the same name.
 FailureCode FailureCodeOf(Law law);
-/// Writes its name.
+/// Writes the name of a code.
 std::ostream& operator<<(std::ostream& out, FailureCode code);
 
 }  // namespace gaitwright

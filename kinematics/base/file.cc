@@ -33,8 +33,8 @@ Failure Unwritable(const std::string& path, const std::string& why) {
 
 Failure Unwritable(const std::string& path, const std::error_code& error) { return Unwritable(path, error.message()); }
 
-/// Waits until a file, or a folder with the names in it, is on the disk, so that it is there after a power cut too.
-/// Some disks have no such thing (EINVAL), and a folder that may be written into but not read cannot be asked.
+/// Waits until a file, or a folder with its names, is on the disk, so that it survives a power failure. Some file
+/// systems do not support this (EINVAL), and it is not possible for a folder without read permission.
 std::error_code Sync(const fs::path& path) {
   const int handle = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC);
   if (handle < 0) return {errno == EACCES ? 0 : errno, std::generic_category()};
@@ -43,7 +43,7 @@ std::error_code Sync(const fs::path& path) {
   return {error, std::generic_category()};
 }
 
-/// Holds back what asks the program to end (Ctrl-C and its kin) until files are whole, in the thread that writes them.
+/// Delays signals to end the program, such as Ctrl-C, until files are complete, in the thread that writes them.
 class EndingsHeldBack {
  public:
   EndingsHeldBack() {
@@ -60,7 +60,7 @@ class EndingsHeldBack {
   sigset_t former_{};
 };
 
-/// Files that come into being together. What was prepared or put in place is undone unless all of it succeeded.
+/// A group of files that are written together. All changes are undone unless all files succeed.
 class Transaction {
  public:
   Transaction() = default;
@@ -70,14 +70,14 @@ class Transaction {
     if (!done_) Undo();
   }
 
-  /// Makes the folder and writes the text beside the target.
+  /// Creates the folder and writes the text beside the target.
   std::optional<Failure> Prepare(const OutputFile& file) {
-    if (const std::string why = WhyNotWritable(file.path); !why.empty()) return Unwritable(file.path, why);
+    if (const std::string why = ReasonNotWritable(file.path); !why.empty()) return Unwritable(file.path, why);
     std::error_code error;
     const fs::path target(file.path);
     if (!MakeFolder(target.parent_path(), error)) {
       return FileFailure(FailureCode::kUnwritableFile,
-                         fmt::format("cannot make the folder '{}' for '{}': {}", target.parent_path().string(),
+                         fmt::format("cannot create the folder '{}' for '{}': {}", target.parent_path().string(),
                                      file.path, error.message()));
     }
     steps_.push_back({target, file.path + fmt::format(".{}.part", ::getpid()), {}, false});
@@ -90,7 +90,7 @@ class Transaction {
     return std::nullopt;
   }
 
-  /// Puts all in place, for good; the former files are kept until that is done.
+  /// Renames all files to their targets; the old files are kept until all are renamed.
   std::optional<Failure> Commit() {
     std::error_code error;
     for (Step& step : steps_) {
@@ -134,8 +134,8 @@ class Transaction {
     return changed;
   }
 
-  /// A second name, or a copy where the disk has no such thing, so that there is a whole file under the target all the
-  /// time.
+  /// Keeps the old file under a second name (a hard link, or a copy if the file system has no hard links), so that
+  /// there is always a complete file at the target.
   static bool KeepFormer(Step& step, std::error_code& error) {
     if (!fs::exists(step.target, error)) {
       error.clear();
@@ -161,7 +161,7 @@ class Transaction {
   }
 
   std::vector<Step> steps_;
-  std::vector<fs::path> folders_;  ///< made here, outer ones first
+  std::vector<fs::path> folders_;  ///< created folders, outer ones first
   bool done_ = false;
 };
 
@@ -187,7 +187,7 @@ Result<std::string> ReadBytes(const std::string& path, std::size_t most) {
   }
   if (bytes.size() > most) {
     return FileFailure(FailureCode::kLargeFile,
-                       fmt::format("'{}' has more than {} bytes; at most that many are read", path, most));
+                       fmt::format("'{0}' has more than {1} bytes; at most {1} are read", path, most));
   }
   if (stream.bad()) return FileFailure(FailureCode::kUnreadableFile, fmt::format("cannot read '{}'", path));
   return bytes;
@@ -200,12 +200,12 @@ Result<std::string> ReadFile(const std::string& path, std::size_t most) {
   text.erase(text.find_last_not_of('\0') + 1);
   if (const std::size_t nothing = text.find('\0'); nothing != std::string::npos) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(nothing);
-    return FileFailure(FailureCode::kNotText, fmt::format("'{}' line {} is not text: there is a byte 0x00", path,
+    return FileFailure(FailureCode::kNotText, fmt::format("'{}', line {} is not text: it contains a byte 0x00", path,
                                                           1 + std::count(text.begin(), end, '\n')));
   }
   if (const auto bad = utf8::find_invalid(text.begin(), text.end()); bad != text.end()) {
     return FileFailure(FailureCode::kNotText,
-                       fmt::format("'{}' line {} is not text in UTF-8: there is a byte 0x{:02x}", path,
+                       fmt::format("'{}', line {} is not UTF-8 text: it contains an invalid byte 0x{:02x}", path,
                                    1 + std::count(text.begin(), bad, '\n'), static_cast<unsigned char>(*bad)));
   }
   if (utf8::starts_with_bom(text.begin(), text.end())) text.erase(0, 3);

@@ -9,9 +9,9 @@
 
 namespace gaitwright {
 
-/// The checks of the audit, in the order of reports: causes come before their consequences, so the first violation is
-/// usually the cause. Inconsistent columns make all other results doubtful; postures come before contact forces, and
-/// contact forces before torques.
+/// The checks of the audit, in the order of reports. Causes come before their consequences, so the first violation is
+/// usually the cause: inconsistent columns make all other results doubtful, postures come before contact forces, and
+/// contact forces come before torques.
 enum class Law {
   kConsistency,  ///< the columns of a plan are consistent
   kStartPosture,
@@ -32,24 +32,24 @@ enum class Law {
   kContinuousTorque,
 };
 
-/// All laws in their order.
+/// All checks in their order.
 const std::vector<Law>& AllLaws();
 
 /// Name in files, JSON and reports, such as `zmp_support`.
 const std::string& LawName(Law law);
-/// The names of all laws, in their order.
+/// The names of all checks, in their order.
 const std::vector<std::string>& LawNames();
 std::optional<Law> LawOfName(std::string_view name);
-/// Writes its name.
+/// Writes the name of a check.
 std::ostream& operator<<(std::ostream& out, Law law);
 
-/// A violated law, at its worst place.
+/// The largest violation of a check.
 struct Violation {
   Law law = Law::kConsistency;
   double at_s = 0.0;  ///< time of the worst value; NaN if unknown
   std::string where;  ///< joint, foot or pair of links
   double value = 0.0, limit = 0.0;
-  std::string unit;  ///< of both; "1" for none
+  std::string unit;  ///< unit of value and limit; "1" if they have no unit
 
   bool operator==(const Violation&) const = default;
 };

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// Sees a text go by, without keeping it, and throws InvalidArgument where it goes beyond the bounds.
+/// Checks the events of a YAML text without storing them. Throws InvalidArgument if the text exceeds the bounds.
 class BoundsWatch : public YAML::EventHandler {
  public:
   explicit BoundsWatch(std::size_t most_values) : most_values_(most_values) {}
@@ -46,7 +46,7 @@ class BoundsWatch : public YAML::EventHandler {
   void OnMapEnd() override { Close(); }
 
  private:
-  /// A list or map that is not yet at its end.
+  /// A list or map that is still open.
   struct Container {
     YAML::anchor_t anchor;
     std::size_t before;  ///< values before it
@@ -77,10 +77,10 @@ class BoundsWatch : public YAML::EventHandler {
   int documents_ = 0;
   std::size_t values_ = 0;
   std::vector<Container> open_;
-  std::map<YAML::anchor_t, std::size_t> size_of_;  // of what is at its end
+  std::map<YAML::anchor_t, std::size_t> size_of_;  // of completed nodes
 };
 
-/// Calls what reads YAML. yaml-cpp throws what is none of its own kind for some texts.
+/// Calls a function that reads YAML. For some texts, yaml-cpp throws exceptions of other types than its own.
 template <class Read>
 auto WithYamlErrors(Read read) {
   try {

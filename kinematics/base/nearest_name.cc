@@ -13,9 +13,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kCompared = 100;  // characters: the time goes with the square
+constexpr std::size_t kCompared = 100;  // compared characters; the time is quadratic in this number
 
-/// How many letters are put in, left out, changed, or change places with the next one.
+/// Number of inserted, deleted or changed letters, and of swaps of neighbouring letters.
 std::size_t EditDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -36,7 +36,7 @@ std::size_t DistanceOf(const std::string& word, const std::string& name) {
   return EditDistance(word.substr(0, kCompared), name.substr(0, kCompared));
 }
 
-/// Whether a name, or its part behind a dot, begins with the word.
+/// Whether a name, or its part after a dot, begins with the word.
 bool Begins(const std::string& name, const std::string& word) {
   return !word.empty() && (name.starts_with(word) || name.find("." + word) != std::string::npos);
 }
@@ -81,7 +81,7 @@ std::string NearestOrAll(const std::string& word, const std::vector<std::string>
   std::string hint = NearestHint(word, candidates);
   if (!hint.empty() || candidates.empty()) return hint;
   if (candidates.size() > kMostListed) return listed_by.empty() ? "" : "; " + listed_by;
-  return fmt::format("; there {} {}", candidates.size() == 1 ? "is" : "are", QuotedList(candidates));
+  return "; accepted: " + QuotedList(candidates);
 }
 
 }  // namespace gaitwright

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How messages that refuse a name go on after it.
+// Hints about the nearest name, for messages that refuse a name.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ std::string NearestName(const std::string& word, const std::vector<std::string>&
 /// by more than a letter are all named: "; the nearest are 'jerk_rad_s3', 'jerk_m_s3'".
 std::string NearestHint(const std::string& word, const std::vector<std::string>& candidates);
 
-/// As NearestHint; if no name is near, "; there are 'a', 'b'", or `listed_by` for more than 16 names.
-/// @param listed_by  a sentence's end such as "--list-options prints all of them"; "" for nothing that does.
+/// As NearestHint; if no name is near, "; accepted: 'a', 'b'", or `listed_by` for more than 16 names.
+/// @param listed_by  end of a sentence, such as "--list-options prints all of them"; "" for no such text.
 std::string NearestOrAll(const std::string& word, const std::vector<std::string>& candidates,
                          const std::string& listed_by = "");
 

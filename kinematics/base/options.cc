@@ -84,8 +84,8 @@ void SetOption(OptionFields& fields, const std::string& key, const std::string& 
   if (field == fields.end()) {
     std::vector<std::string> keys;
     for (const OptionField& f : fields) keys.push_back(f.key);
-    throw InvalidArgument(
-        fmt::format("unknown option '{}'{}", key, NearestOrAll(key, keys, "--list-options=all prints all of them")));
+    throw InvalidArgument(fmt::format("unknown option '{}'{}", key,
+                                      NearestOrAll(key, keys, "--list-options=all prints all option keys")));
   }
   std::visit(Setter{*field, text}, field->target);
 }
@@ -121,7 +121,8 @@ OptionFields WithBasics(const std::vector<std::string>& basics, OptionFields fie
   for (OptionField& field : fields) field.advanced = true;
   for (const std::string& key : basics) {
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
-    if (field == fields.end()) throw InvalidArgument(fmt::format("there is no option '{}' to list first", key));
+    if (field == fields.end())
+      throw InvalidArgument(fmt::format("internal error: the basic option '{}' does not exist", key));
     field->advanced = false;
   }
   return fields;

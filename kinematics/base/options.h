@@ -30,45 +30,46 @@ struct OptionField {
   double highest = std::numeric_limits<double>::infinity();
   std::string meaning;
   std::vector<std::string> choices = {};  ///< for text: the values that are accepted; empty for any
-  bool advanced = false;                  ///< listed only when all options are asked for; see WithBasics
+  bool advanced = false;                  ///< only in the list of all options; see WithBasics
 };
 
 using OptionFields = std::vector<OptionField>;
 
-/// "'a', 'b', 'c'": for messages that list what exists.
+/// "'a', 'b', 'c'", for messages with lists of names.
 std::string QuotedList(const std::vector<std::string>& names);
 
-/// Sets the field `key` from its text. @throws InvalidArgument on an unknown key (names the nearest), a value that does
-/// not parse, is not finite or lies outside the range.
+/// Sets the field `key` from a text. @throws InvalidArgument for an unknown key (with the nearest one), and for a value
+/// that cannot be read, is not finite or is outside the range.
 void SetOption(OptionFields& fields, const std::string& key, const std::string& text);
 
-/// The field's present value as text that SetOption reads back exactly.
+/// The current value of a field as a text that SetOption reads back exactly.
 std::string OptionText(const OptionField& field);
 
-/// @throws InvalidArgument naming the first field that is not finite or out of its range.
+/// @throws InvalidArgument that names the first field whose value is not finite or outside its range.
 void CheckOptions(const OptionFields& fields);
 
 /// `fields` with `prefix` + '.' before every key, so that several structs share one namespace.
 OptionFields Prefixed(const std::string& prefix, OptionFields fields);
 
-/// `fields`, all of them advanced but those with a key of `basics`, which users need first.
-/// @throws InvalidArgument when no field has one of these keys.
+/// `fields`, all marked as advanced, except those with a key in `basics`, which users need first.
+/// @throws InvalidArgument if no field has one of these keys.
 OptionFields WithBasics(const std::vector<std::string>& basics, OptionFields fields);
 
-/// Options as they are written down: key and text.
+/// Options as pairs of key and text.
 using OptionTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// Key and text of every field.
 OptionTexts TextsOf(const OptionFields& fields);
 
-/// An option that is not at its usual value.
+/// An option with a value other than its usual one.
 struct OptionChange {
   std::string key, value, usual;
 
   bool operator==(const OptionChange&) const = default;
 };
 
-/// Those of `texts` that differ from what `usual` holds, in their order; keys that `usual` does not have are left out.
+/// The options of `texts` whose values differ from those of `usual`, in the same order. Keys that are not in `usual`
+/// are left out.
 std::vector<OptionChange> ChangesFrom(const OptionFields& usual, const OptionTexts& texts);
 
 /// Joins lists of fields.

@@ -7,11 +7,11 @@
 
 namespace gaitwright {
 
-/// Options from a YAML map of keys to values, `gait.cycle_s: 0.45` a line: the same keys and values as `--set` takes.
-/// Strict: a file that is not such a map, unknown keys (with the nearest key), duplicate keys, and values out of range
-/// are refused with file and line.
-/// @param fields  what may be set; their values are changed by the check.
-/// @return keys and values in their order, as the options write them. Failure kBadInput `options_file`.
+/// Reads options from a YAML map of keys to values with lines such as `gait.cycle_s: 0.45`. Keys and values are those
+/// of `--set`. A file that is not such a map, unknown keys (with the nearest key), duplicate keys, and values out of
+/// range are refused with file and line.
+/// @param fields  the options that may be set; the check changes their values.
+/// @return keys and values in the order of the file, as text of the options. Failure kBadInput `options_file`.
 Result<OptionTexts> LoadOptionsFile(const std::string& path, OptionFields fields);
 
 }  // namespace gaitwright

@@ -5,18 +5,19 @@
 
 namespace gaitwright {
 
-/// What SplitMix adds to its state for each number: 2^64 divided by the golden ratio, odd.
+/// Increment of the state of SplitMix for each number: 2^64 divided by the golden ratio, odd.
 inline constexpr std::uint64_t kSplitMixStep = 0x9e3779b97f4a7c15ULL;
 
-/// The bits of a number mixed, so that neighbours have nothing in common: the output function of SplitMix64.
+/// Mixes the bits of a number, so that the results of neighbours are unrelated: the output function of SplitMix64.
 constexpr std::uint64_t MixBits(std::uint64_t z) {
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
   z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
   return z ^ (z >> 31U);
 }
 
-/// A stream of random numbers that is the same on every machine and with every standard library. Each number depends on
-/// the seed and its place in the stream alone. Steele et al., SplitMix64, OOPSLA 2014, doi:10.1145/2660193.2660195.
+/// A stream of random numbers that is the same on every machine and with every standard library. Each number depends
+/// only on the seed and its position in the stream. Steele et al., SplitMix64, OOPSLA 2014,
+/// doi:10.1145/2660193.2660195.
 class SplitMix {
  public:
   explicit SplitMix(std::uint64_t seed) : state_(seed) {}

@@ -19,7 +19,7 @@ class InvalidArgument : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// What kind of failure a stage reports; the program maps it to its exit status.
+/// Kind of failure of a stage; the program maps it to its exit status.
 enum class FailureKind {
   kBadInput,    ///< a file or argument is wrong (exit status 1)
   kInfeasible,  ///< no plan exists within the limits (exit status 2)
@@ -32,12 +32,12 @@ struct Failure {
   std::string stage;  ///< the stage that failed, such as `LoadRobot`
   std::string message;
   std::vector<Suggestion> suggestions;      ///< hints, the most promising first
-  std::optional<Violation> violation = {};  ///< the violated law, if that is the reason
+  std::optional<Violation> violation = {};  ///< the violated check of the audit, if it is the reason
 
   bool operator==(const Failure&) const = default;
 };
 
-/// A complete value or a Failure, never something in between.
+/// A complete value or a Failure.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -47,7 +47,7 @@ class [[nodiscard]] Result {
   bool ok() const { return value_.has_value(); }
   explicit operator bool() const { return ok(); }
 
-  /// The value. @throws std::logic_error when this holds a failure (a bug of the caller).
+  /// The value. @throws std::logic_error if this contains a failure (a bug of the caller).
   const T& value() const& {
     Require();
     return *value_;
@@ -66,7 +66,7 @@ class [[nodiscard]] Result {
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
 
-  /// The failure. Only when `!ok()`.
+  /// The failure. Call only if `!ok()`.
   const Failure& failure() const { return failure_; }
 
  private:

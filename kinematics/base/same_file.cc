@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path with its links followed as far as it exists; as it is written where that cannot be told.
+/// The path with its links resolved as far as it exists; the unchanged path if this fails.
 fs::path Resolved(const std::string& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);

@@ -56,7 +56,7 @@ double NumberOf(const YAML::Node& node, const std::string& what, double low, dou
 double NumberOf(const YAML::Node& node, const std::string& what, const DataShape& shape) {
   const double value = NumberOf(node, what);
   if (shape.over_lowest) {
-    if (value <= shape.lowest) RefuseYaml(node, fmt::format("{} is {}; it must be over zero", what, value));
+    if (value <= shape.lowest) RefuseYaml(node, fmt::format("{} is {}; it must be above 0", what, value));
     if (value > shape.highest)
       RefuseYaml(node, fmt::format("{} is {}; at most {} is accepted", what, value, shape.highest));
   } else {
@@ -117,7 +117,7 @@ std::optional<double> YamlMap::Number(const std::string& key) const {
 std::optional<double> YamlMap::Positive(const std::string& key) const {
   const std::optional<double> value = Number(key);
   if (value && *value <= 0.0) {
-    RefuseYaml(*Find(key), fmt::format("'{}' is {}; it must be over zero", key, *value));
+    RefuseYaml(*Find(key), fmt::format("'{}' is {}; it must be above 0", key, *value));
   }
   return value;
 }

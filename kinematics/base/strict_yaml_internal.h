@@ -12,18 +12,18 @@
 
 namespace gaitwright {
 
-/// Bounds of what is read as YAML: of the text [byte], of values with those that aliases repeat, of lists and maps in
-/// one another, and of one text or word in it [byte].
+/// Limits of a YAML text: size [byte], number of values including those repeated by aliases, depth of nested lists and
+/// maps, and size of one text or word [byte].
 inline constexpr std::size_t kLargestYaml = std::size_t{16} << 20, kMostYamlValues = 1000000, kDeepestYaml = 32,
                              kLongestYamlText = 65536;
 
-/// How much of it is read, where more than the usual is to be: about 600 bytes of memory for each value.
+/// Limits for files that may be larger than usual. Each value needs about 600 bytes of memory.
 struct YamlBounds {
   std::size_t bytes = kLargestYaml, values = kMostYamlValues;
 };
 
-/// The one document of a text; null for an empty one. @throws YAML::Exception for what is no YAML, InvalidArgument
-/// `line N: message` for a second document, an alias of what it stands in, and what is beyond the bounds.
+/// The only document of a text; null for an empty text. @throws YAML::Exception for invalid YAML, InvalidArgument
+/// `line N: message` for a second document, an alias to a node that contains it, and a text beyond the limits.
 YAML::Node LoadYaml(const std::string& text, const YamlBounds& bounds = {});
 
 /// Throws InvalidArgument: `line N: message`.
@@ -31,20 +31,20 @@ YAML::Node LoadYaml(const std::string& text, const YamlBounds& bounds = {});
 
 int LineOf(const YAML::Node& node);
 
-/// The kind of a value, for people.
+/// The kind of a value, for messages.
 const char* KindOf(const YAML::Node& node);
 
-/// Text, a finite number, a list. Each refuses another kind of value, naming `what`.
+/// A text, a finite number, a list. Each function refuses other kinds of values; the message names `what`.
 std::string TextOf(const YAML::Node& node, const std::string& what);
 double NumberOf(const YAML::Node& node, const std::string& what);
-/// One from `low` to `high`.
+/// A number from `low` to `high`.
 double NumberOf(const YAML::Node& node, const std::string& what, double low, double high);
-/// One that the shape accepts.
+/// A number that the shape accepts.
 double NumberOf(const YAML::Node& node, const std::string& what, const DataShape& shape);
 std::vector<YAML::Node> ListOf(const YAML::Node& node, const std::string& what);
 
-/// A map of keys to values, each key once. Refuses another kind of value, a key that stands there twice, and unless
-/// `known` is empty a key that is not in it, with the nearest that is.
+/// A map of keys to values, each key once. Refuses other kinds of values, duplicate keys and, unless `known` is empty,
+/// unknown keys, with the nearest known key.
 class YamlMap {
  public:
   struct Entry {
@@ -53,20 +53,20 @@ class YamlMap {
   };
 
   YamlMap(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known = {});
-  /// The keys of an object's shape, of which those that are needed must be there. `shape` outlives the map.
+  /// Accepts the keys of an object's shape and requires its required keys. `shape` must outlive the map.
   YamlMap(const YAML::Node& node, const std::string& what, const DataShape& shape);
 
   const std::vector<Entry>& entries() const { return entries_; }
-  /// Refuses the map where it lacks one of these.
+  /// Refuses the map if one of these keys is missing.
   void Require(const std::vector<std::string>& needed) const;
-  /// The value, or null where the key is not there.
+  /// The value of a key, or null if the key is missing.
   const YAML::Node* Find(const std::string& key) const;
 
-  std::string Text(const std::string& key) const;  ///< "" where it is not there
+  std::string Text(const std::string& key) const;  ///< "" if the key is missing
   std::optional<double> Number(const std::string& key) const;
-  /// A number over zero.
+  /// A number above zero.
   std::optional<double> Positive(const std::string& key) const;
-  /// A number that the map's shape accepts under that key.
+  /// A number that the map's shape accepts for this key.
   std::optional<double> InRange(const std::string& key) const;
 
  private:

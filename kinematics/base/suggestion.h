@@ -7,13 +7,13 @@
 
 namespace gaitwright {
 
-/// How certain it is that a suggestion helps.
+/// Certainty that a suggestion helps.
 enum class Certainty {
   kPlanned,    ///< a plan with it was computed and passes its audit
   kEstimated,  ///< estimated without a whole plan
   kUntried,
 };
-/// `planned`, `estimated` or `untried`, as JSON and Python have it.
+/// The name in JSON and Python: `planned`, `estimated` or `untried`.
 const char* CertaintyName(Certainty certainty);
 
 /// A hint for a refused request.
@@ -23,7 +23,7 @@ struct Suggestion {
   /// Value to set, in the option's unit; empty if unknown.
   std::variant<std::monostate, double, std::string> value;
   Certainty certainty = Certainty::kUntried;
-  std::string text;  ///< for people, such as "--speed 0.4" or "another gait"
+  std::string text;  ///< text for the user, such as "--speed 0.4" or "another gait"
 
   /// Advice in words.
   Suggestion(std::string words) : text(std::move(words)) {}  // NOLINT(google-explicit-constructor)

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// Nothing where the bytes are no UTF-16.
+/// Nothing if the bytes are not UTF-16.
 std::optional<std::string> FromUtf16(const std::string& bytes, bool little) {
   std::u16string units;
   for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {

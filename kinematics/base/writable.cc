@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why the user in whose name this runs may not do `what` (W_OK, X_OK) with what is there.
+/// Error if the user of this process has no permission `what` (W_OK, X_OK) for an existing path.
 std::error_code Denied(const fs::path& path, int what) {
   if (::faccessat(AT_FDCWD, path.c_str(), what, AT_EACCESS) == 0) return {};
   return {errno, std::generic_category()};
@@ -22,7 +22,7 @@ std::error_code Denied(const fs::path& path, int what) {
 
 }  // namespace
 
-std::string WhyNotWritable(const std::string& path) {
+std::string ReasonNotWritable(const std::string& path) {
   const fs::path target(path);
   if (!target.has_filename()) return "it is the name of a folder; give a file";
   std::error_code error;

@@ -8,9 +8,10 @@ namespace gaitwright {
 /// Reason why WriteFilesTogether could not write this file, as text after "cannot be written: "; "" if it can. Nothing
 /// is created or changed by this check. An existing file must be a regular file that this user may write; its folder,
 /// or the nearest existing one above it, must allow new files. A full disk is not detected.
-std::string WhyNotWritable(const std::string& path);
+std::string ReasonNotWritable(const std::string& path);
 
-/// Reason why new files could not be written in a folder, which may not exist yet; "" is the present one.
+/// Reason why new files could not be written in a folder, as text; "" if they can. The folder may not exist yet. The
+/// argument "" is the current folder.
 std::string WhyNoNewFiles(const std::string& folder);
 
 }  // namespace gaitwright

@@ -19,9 +19,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kTight = 0.8;  // share of a torque limit that standing still may take without a word
+constexpr double kTight = 0.8;  // share of a torque limit above which standing gives a finding
 
-constexpr double kBeforeGear = 3.0;  // share that is no matter of a posture
+constexpr double kBeforeGear = 3.0;  // share that a better posture cannot explain
 
 /// The legs that carry the robot.
 struct HeldStance {
@@ -29,10 +29,10 @@ struct HeldStance {
   std::string words;  ///< "on foot 'l_sole' alone"
 };
 
-/// What each joint has to give to hold the robot still [N m or N], and how near to its limit that is.
+/// The effort of each joint that holds the robot still [N m or N], compared with its limit.
 struct HeldLoad {
   VectorX efforts;
-  double worst = 0.0;  ///< share of its limit that the joint nearest to it takes
+  double worst = 0.0;  ///< largest share of a limit over all joints
 };
 
 Vector2 MiddleOfFoot(const RobotModel& model, const DynamicsScratch& scratch, int leg) {
@@ -40,8 +40,8 @@ Vector2 MiddleOfFoot(const RobotModel& model, const DynamicsScratch& scratch, in
   return FramePose(scratch, foot.body, foot.X_BF).translation().head<2>();
 }
 
-/// All legs; and of an even number every second one around the robot: one leg of two, the diagonals of four, the
-/// tripods of six.
+/// Stances on all legs and, for an even number of legs, on every second leg around the robot: one of two legs, the
+/// diagonals of four, the tripods of six.
 std::vector<HeldStance> StancesOf(const RobotModel& model, const DynamicsScratch& scratch) {
   const auto n = static_cast<int>(model.legs.size());
   std::vector<int> all(static_cast<std::size_t>(n));
@@ -72,7 +72,7 @@ std::vector<HeldStance> StancesOf(const RobotModel& model, const DynamicsScratch
   return stances;
 }
 
-/// The points of contact of a stance; needs ForwardKinematics.
+/// The contact points of a stance. Needs ForwardKinematics.
 std::vector<Vector3> ContactsOf(const RobotModel& model, const DynamicsScratch& scratch, const HeldStance& stance) {
   std::vector<Vector3> points;
   for (const int leg : stance.legs) {
@@ -81,7 +81,7 @@ std::vector<Vector3> ContactsOf(const RobotModel& model, const DynamicsScratch& 
   return points;
 }
 
-/// Joint efforts at q that hold the robot, with the ground's forces of least square sum: upright ones, on level ground.
+/// Joint efforts at q that hold the robot on level ground, with vertical contact forces of least square sum.
 HeldLoad LoadAt(const RobotModel& model, const VectorX& q, const HeldStance& stance, DynamicsScratch& scratch) {
   ForwardKinematics(model, q, scratch);
   std::vector<ContactPoint> contacts;
@@ -106,8 +106,8 @@ HeldLoad LoadAt(const RobotModel& model, const VectorX& q, const HeldStance& sta
   return load;
 }
 
-/// q with the base moved level by `by_W`, the feet of the stance staying where they are; or nothing where its legs do
-/// not reach so far. Needs ForwardKinematics at q.
+/// q with the base moved horizontally by `by_W` and the feet of the stance fixed. Nothing if the legs do not reach so
+/// far. Needs ForwardKinematics at q.
 std::optional<VectorX> MovedOver(const RobotModel& model, const DynamicsScratch& scratch, const VectorX& q,
                                  const HeldStance& stance, const Vector2& by_W) {
   VectorX moved = q;
@@ -128,8 +128,8 @@ std::optional<VectorX> MovedOver(const RobotModel& model, const DynamicsScratch&
   return moved;
 }
 
-/// q with the centre of mass over a point of the ground, the feet of a stance where they are. The legs' own masses move
-/// too, so that it takes a few steps.
+/// q with the centre of mass above a point of the ground and the feet of a stance fixed. The masses of the legs move
+/// too, so this is iterative.
 std::optional<VectorX> CentredOver(const RobotModel& model, const VectorX& q, const HeldStance& stance,
                                    const Vector2& target_W, DynamicsScratch& scratch) {
   constexpr int kSteps = 5;
@@ -146,8 +146,8 @@ std::optional<VectorX> CentredOver(const RobotModel& model, const VectorX& q, co
   return at;
 }
 
-/// Places for the centre of mass over a stance: the nearest to where it is, the middle, over the ankle, and on the way
-/// to each corner; a robot shifts its weight to where it takes least.
+/// Candidate positions of the centre of mass above a stance: the nearest one to its current position, the middle, above
+/// the ankle, and between the middle and each corner. A robot can shift its weight to the one with the least effort.
 std::vector<Vector2> PlacesOver(const RobotModel& model, const DynamicsScratch& scratch, const HeldStance& stance) {
   std::vector<Vector2> points;
   for (const Vector3& p : ContactsOf(model, scratch, stance)) points.emplace_back(p.head<2>());
@@ -165,7 +165,7 @@ std::vector<Vector2> PlacesOver(const RobotModel& model, const DynamicsScratch& 
   return places;
 }
 
-/// The least that a stance asks of the joints; nothing where the robot cannot get over it.
+/// The smallest load of the joints for a stance; nothing if the robot cannot move its centre of mass above it.
 std::optional<HeldLoad> LeastLoad(const RobotModel& model, const VectorX& standing, const HeldStance& stance,
                                   DynamicsScratch& scratch) {
   if (stance.legs.size() == model.legs.size()) return LoadAt(model, standing, stance, scratch);
@@ -205,7 +205,7 @@ void CheckHolding(const RobotModel& model, std::vector<Finding>& findings) {
           fmt::format(
               "to hold the robot still {}, it needs at least {:.3g} {}, which is {:.0f} % of its limit of {:.3g} {}{}",
               stance.words, effort, unit, 100.0 * share, limit, unit,
-              share > kBeforeGear ? "; the limit may be that of the motor without its gear" : "")};
+              share > kBeforeGear ? "; the limit may be that of the motor before its gear" : "")};
     }
   }
   for (Finding& finding : of_dof) {

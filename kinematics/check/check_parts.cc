@@ -15,18 +15,18 @@
 namespace gaitwright {
 namespace {
 
-/// Radii of gyration over the diameter of a body: a homogeneous ball has 0.32, a thin ring 0.5, and nothing that lies
-/// within a ball has more than 0.71. Joints and frames tell the size less well than shapes do: those of an ankle may
-/// all be in one point.
+/// Limits of the radius of gyration over the diameter of a body. A homogeneous ball has 0.32, a thin ring 0.5, and no
+/// body inside a sphere has more than 0.71. Joints and frames show the size less reliably than shapes: those of an
+/// ankle may all be at one point.
 constexpr double kWidestOfShapes = 0.75, kWidestOfFrames = 2.0, kNarrowest = 0.01;
-constexpr double kSteel = 8000.0;      // [kg/m^3] shapes that would be denser stand for a part of the body
-constexpr double kLoosest = 100.0;     // [kg/m^3] a cube so light is as wide as links are for their mass
+constexpr double kSteel = 8000.0;      // [kg/m^3] shapes with a higher density show only a part of the body
+constexpr double kLoosest = 100.0;     // [kg/m^3] density of a cube with the largest likely size for its mass
 constexpr double kOfAccount = 0.01;    // share of the robot's mass
 constexpr double kOfNoAccount = 1e-4;  // share of the robot's mass below which no inertia matters
 constexpr double kHeavyWithoutShape = 0.1;
 
-/// Diameter of what is known of a body: its shapes, else its joints, frames and mass; 0 where all its shapes are meshes
-/// that are not read, as those that are only seen. @param shaped  whether shapes tell it.
+/// Diameter of the known parts of a body: its shapes, else its joints, frames and mass; 0 if all its shapes are meshes
+/// that are not read, such as visual ones. @param shaped  set to whether the diameter is that of shapes.
 double DiameterOf(const RobotModel& model, int body, bool& shaped) {
   std::vector<Vector3> points;
   bool unread = false;
@@ -62,18 +62,18 @@ double DiameterOf(const RobotModel& model, int body, bool& shaped) {
   for (const Vector3& p : points) {
     for (const Vector3& q : points) diameter = std::max(diameter, (p - q).norm());
   }
-  constexpr double kLightest = 300.0;  // [kg/m^3] of a ball as large as a body of its mass is at the most
+  constexpr double kLightest = 300.0;  // [kg/m^3] density of a ball with the largest likely size for its mass
   if (!shaped && diameter > 0.0) {
     diameter = std::max(diameter, std::cbrt(6.0 * of.mass / (std::numbers::pi * kLightest)));
   }
   return diameter;
 }
 
-/// What is known of how large a body is.
+/// The known size of a body.
 struct KnownSize {
   double diameter = 0.0;         ///< of its shapes, or of its joints and frames [m]
-  bool shaped = false;           ///< its shapes are as large as a body of that mass
-  double widest_gyration = 0.0;  ///< that such a body may have [m]
+  bool shaped = false;           ///< its shapes are large enough for its mass
+  double widest_gyration = 0.0;  ///< largest plausible radius of gyration [m]
 };
 
 KnownSize SizeOfBody(const RobotModel& model, int body) {
@@ -110,9 +110,10 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
           fmt::format("its radius of gyration is {:.3g} m at {:.3g} kg, too large for {}; the inertia may be in a "
                       "wrong unit, or not about the centre of mass",
                       gyration, body.mass,
-                      size.shaped ? fmt::format("shapes that are {:.3g} m across", size.diameter)
-                                  : fmt::format("a link of that mass without usable shapes: at most {:.3g} m is likely",
-                                                size.widest_gyration)));
+                      size.shaped
+                          ? fmt::format("shapes that are {:.3g} m across", size.diameter)
+                          : fmt::format("a link of this mass without usable shapes (at most {:.3g} m is likely)",
+                                        size.widest_gyration)));
     } else if (gyration < kNarrowest * size.diameter && body.mass > kOfAccount * model.total_mass_kg) {
       add(FindingLevel::kWarning, FailureCode::kSmallInertia,
           fmt::format(
@@ -143,7 +144,7 @@ void CheckRanges(const RobotModel& model, std::vector<Finding>& findings) {
 
 void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
   constexpr double kLargestPower = 5e4;  // [W] torque times speed of one joint
-  constexpr double kStrongest = 5.0;     // times what it takes to lift the whole robot at arm's length
+  constexpr double kStrongest = 5.0;     // times the torque that lifts the whole robot at the length of a leg
   constexpr double kFastest = 100.0;     // [rad/s]
   const std::vector<int> leg_of = LegsOfDofs(model);
   const double lift = model.weight_n() * model.leg_length_m();
@@ -167,17 +168,18 @@ void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
     if (joint.is_prismatic()) continue;
     if (effort > kStrongest * lift)
       add(FindingLevel::kWarning, FailureCode::kStrongMotor,
-          fmt::format("its torque limit is {:.4g} N m; lifting the whole robot at its leg length takes {:.3g}", effort,
-                      lift));
+          fmt::format("its torque limit is {:.4g} N m; lifting the whole robot at its leg length takes {:.3g} N m",
+                      effort, lift));
     if (of_leg && joint.velocity_limit_is_placeholder && joint.velocity_limit > 0.0)
       add(FindingLevel::kInfo, FailureCode::kFastMotor,
           fmt::format("its speed limit of {:.4g} rad/s is a placeholder and is not checked", joint.velocity_limit));
     if (std::isfinite(speed) && speed > kFastest)
       add(FindingLevel::kWarning, FailureCode::kFastMotor,
-          fmt::format("its speed limit is {:.4g} rad/s; few joints reach 60", speed));
+          fmt::format("its speed limit is {:.4g} rad/s; few joints reach 60 rad/s", speed));
     if (std::isfinite(speed) && effort * speed > kLargestPower)
       add(FindingLevel::kWarning, FailureCode::kStrongMotor,
-          fmt::format("torque and speed limits together are {:.0f} kW", 1e-3 * effort * speed));
+          fmt::format("its torque limit times its speed limit is {:.0f} kW, more than a motor has",
+                      1e-3 * effort * speed));
     if (std::isfinite(speed) && of_leg && speed < 0.1)
       add(FindingLevel::kWarning, FailureCode::kSlowMotor,
           fmt::format("its speed limit is {:.3g} rad/s, too slow to step", speed));

@@ -7,19 +7,19 @@
 
 namespace gaitwright {
 
-/// Mass, inertia and size of each body against each other.
+/// Compares mass, inertia and size of each body.
 void CheckBodies(const RobotModel& model, std::vector<Finding>& findings);
 
-/// Ranges of joints of so many turns that they may be in degrees.
+/// Finds ranges of joints of several turns, which may be in degrees.
 void CheckRanges(const RobotModel& model, std::vector<Finding>& findings);
 
-/// Torque and speed of each joint against what motors have.
+/// Compares torque and speed limits of each joint with those of typical motors.
 void CheckMotors(const RobotModel& model, std::vector<Finding>& findings);
 
-/// The torque that gravity asks of each joint as the robot stands, on all its feet and on half of them, against what
-/// the joint can give.
+/// Compares the torque of each joint that holds the standing robot, on all its feet and on half of them, with the limit
+/// of the joint.
 void CheckHolding(const RobotModel& model, std::vector<Finding>& findings);
-/// Whether two numbers that ought to be one differ by more than 1 %; infinite ones are alike.
+/// Whether two numbers that should be equal differ by more than 1 %; two infinite numbers are equal.
 bool NumbersDiffer(double a, double b);
 
 }  // namespace gaitwright

@@ -19,11 +19,11 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSunk = 0.005;  // [m] of a part in the ground as the robot stands
+constexpr double kSunk = 0.005;  // [m] depth of a part below the ground in the standing posture
 
-/// How a joint of a leg turns against that of the mirrored leg, at joint positions zero: 1 where equal positions mirror
-/// each other, -1 where opposite ones do, 0 where neither do. Reflection at the plane y = 0 takes an axis (x, y, z) of
-/// turning to (-x, y, -z), and one of sliding to (x, -y, z).
+/// Sense of a leg's joint relative to that of the mirrored leg, at joint positions zero: 1 if equal positions mirror
+/// each other, -1 if opposite positions do, 0 otherwise. Reflection at the plane y = 0 maps the axis (x, y, z) of a
+/// revolute joint to (-x, y, -z), and that of a prismatic joint to (x, -y, z).
 int MirroredSense(const RobotModel& model, const std::vector<Pose>& X_OB, int left, int right) {
   constexpr double kAlike = 0.999;
   const auto axis = [&](int j) -> Vector3 {
@@ -37,9 +37,9 @@ int MirroredSense(const RobotModel& model, const std::vector<Pose>& X_OB, int le
   return same > kAlike ? 1 : same < -kAlike ? -1 : 0;
 }
 
-/// Whether two legs are mirror images at joint positions zero, as far as their joints' places tell.
+/// Whether the joint positions of two legs are mirror images at joint positions zero.
 bool MirrorAtZero(const std::vector<Pose>& X_OB, const Leg& left, const Leg& right) {
-  constexpr double kOff = 0.02;  // of the leg's length
+  constexpr double kOff = 0.02;  // share of the leg's length
   for (std::size_t i = 0; i < left.joints.size(); ++i) {
     const Vector3 a = X_OB[static_cast<std::size_t>(left.joints[i]) + 1].translation();
     const Vector3 b = X_OB[static_cast<std::size_t>(right.joints[i]) + 1].translation();
@@ -65,9 +65,9 @@ double KnownLimit(double limit, bool is_placeholder) {
   return is_placeholder && limit > 0.0 ? std::numeric_limits<double>::infinity() : limit;
 }
 
-/// The range of a joint against that of its mirror: where both legs hang as mirror images at zero, end by end.
+/// Compares the range of a joint with that of its mirror, both ends, for legs that are mirror images at zero.
 void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Finding>& findings) {
-  constexpr double kOfRange = 0.03;  // by which stops of both sides may differ as they are built
+  constexpr double kOfRange = 0.03;  // share of the range by which the stops of both sides may differ
   const double lower = sense < 0 ? -b.upper : b.lower, upper = sense < 0 ? -b.lower : b.upper;
   const double least = kOfRange * std::max(a.upper - a.lower, b.upper - b.lower);
   const auto apart = [&](double one, double other) {
@@ -84,12 +84,12 @@ void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Findin
                    sense < 0 ? ", where signs are opposite" : "")});
 }
 
-/// Left and right of a pair of legs that mirror each other.
+/// Compares left and right of a pair of legs that mirror each other.
 void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::vector<Finding>& findings) {
   if (left.joints.size() != right.joints.size()) {
-    findings.push_back(
-        {FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("leg '{}'", left.name), 0,
-         fmt::format("it has {} joints and its mirror '{}' {}", left.joints.size(), right.name, right.joints.size())});
+    findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("leg '{}'", left.name), 0,
+                        fmt::format("it has {} joints, but its mirror '{}' has {}", left.joints.size(), right.name,
+                                    right.joints.size())});
     return;
   }
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
@@ -100,7 +100,7 @@ void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::
     const auto compare = [&](const char* what, double of_a, double of_b, const char* unit) {
       if (!NumbersDiffer(of_a, of_b)) return;
       findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
-                          fmt::format("its {} is {} and that of its mirror '{}' {}", what, ValueText(of_a, unit),
+                          fmt::format("its {} is {}, but that of its mirror '{}' is {}", what, ValueText(of_a, unit),
                                       b.name, ValueText(of_b, unit))});
     };
     const bool slides = a.is_prismatic();
@@ -129,9 +129,9 @@ std::string WithoutColon(std::string reason) {
   return at == std::string::npos ? reason : reason.replace(at, 1, ",");
 }
 
-/// Feet are longer ahead of the ankle than behind it. Where those of all legs are not, the robot looks back.
+/// Feet are longer in front of the ankle than behind it. If this is not so for all legs, the robot may face backward.
 void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
-  constexpr double kShorter = 0.7;  // of the part behind the ankle
+  constexpr double kShorter = 0.7;  // share of the part behind the ankle
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   double ahead = 0.0, behind = 0.0;
@@ -152,8 +152,8 @@ void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
                                   1e3 * ahead, 1e3 * behind)});
 }
 
-/// The whole robot's mass against the length of its legs: an A1 has 200 kg for each cubic metre of legs' lengths, the
-/// lightest of walking robots 25.
+/// Compares the mass of the robot with the cube of its leg length: an A1 has 200 kg/m^3, the lightest walking robots
+/// have 25 kg/m^3.
 void CheckSize(const RobotModel& model, std::vector<Finding>& findings) {
   constexpr double kLightest = 3.0, kHeaviest = 2e4;  // [kg/m^3]
   const double length = model.leg_length_m(), density = model.total_mass_kg / (length * length * length);

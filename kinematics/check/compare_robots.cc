@@ -15,9 +15,9 @@ namespace gaitwright {
 namespace {
 
 constexpr double kAlikeLength = 0.001;      // [m]
-constexpr double kAlikeShareOfLeg = 0.002;  // of the leg's length, where that is more
+constexpr double kAlikeShareOfLeg = 0.002;  // share of the leg's length, if this is more
 constexpr double kAlikeAngle = 0.01;        // [rad]
-constexpr double kAlikeInertia = 0.02;      // of the larger one
+constexpr double kAlikeInertia = 0.02;      // share of the larger inertia
 
 /// One body of two descriptions, both in the base frame O at joint positions zero.
 struct BodyPair {
@@ -26,7 +26,7 @@ struct BodyPair {
   Pose X_OA, X_OB;
 };
 
-/// Compares two descriptions and keeps what differs.
+/// Compares two descriptions and collects the differences.
 class Comparison {
  public:
   Comparison(const RobotModel& a, const RobotModel& b)
@@ -73,7 +73,7 @@ class Comparison {
       Add(part, fmt::format("its {} is {:.4g}{} here and {:.4g}{} in the other robot", what, of_a, unit, of_b, unit));
   }
 
-  /// Where the origin of b's base frame is in that of a: the median of what the joints of both tell.
+  /// Finds the origin of b's base frame in that of a: the median over the joints of both.
   void FindOffset() {
     std::array<std::vector<double>, 3> apart;
     for (std::size_t j = 0; j < a_.joints.size(); ++j) {
@@ -168,7 +168,7 @@ class Comparison {
 }  // namespace
 
 bool NumbersDiffer(double a, double b) {
-  constexpr double kAlike = 0.01;  // share by which two numbers may differ that ought to be one
+  constexpr double kAlike = 0.01;  // share by which two numbers that should be equal may differ
   if (!std::isfinite(a) || !std::isfinite(b)) return std::isfinite(a) != std::isfinite(b);
   return std::abs(a - b) > kAlike * std::max(std::abs(a), std::abs(b)) + 1e-9;
 }

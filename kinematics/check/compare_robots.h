@@ -7,9 +7,9 @@
 
 namespace gaitwright {
 
-/// Where two descriptions of one robot differ. Joints go by their names: places and axes at joint positions zero,
-/// limits, and of the body that each carries mass, centre of mass and inertia. Where the root links have their origins
-/// in other places, all is compared as if they had not. @param b  the other one.
+/// Finds differences between two descriptions of one robot. Joints are matched by name. Compared are positions and axes
+/// at joint positions zero, limits, and mass, centre of mass and inertia of the body that each joint carries. Different
+/// origins of the root links are compensated. @param b  the other description.
 std::vector<Finding> CompareRobots(const RobotModel& a, const RobotModel& b);
 
 }  // namespace gaitwright

@@ -14,8 +14,8 @@
 namespace gaitwright {
 namespace {
 
-/// The joint, or the first of several, through which `ancestor` carries `body` directly: one joint, joints whose axes
-/// meet in one point (an ankle, a hip), or bodies without shapes. Nothing where it does not.
+/// The joint through which `ancestor` carries `body` directly: by one joint, by joints whose axes meet at one point (an
+/// ankle, a hip), or through bodies without shapes. The first joint of several; null if it does not carry it directly.
 const Joint* CarryingJoint(const RobotModel& model, const std::vector<bool>& has_shapes, int ancestor, int body) {
   constexpr double kMeet = 5e-3;  // [m]
   while (body > 0) {
@@ -27,7 +27,7 @@ const Joint* CarryingJoint(const RobotModel& model, const std::vector<bool>& has
   return nullptr;
 }
 
-/// Places of all joints within their limits, the same ones each time; a full turn where there are none.
+/// Random positions of all joints within their limits (within a full turn without limits), the same in each call.
 std::vector<VectorX> PosturesOverRanges(const RobotModel& model, int count) {
   std::mt19937 engine(1);
   std::vector<VectorX> postures(static_cast<std::size_t>(count), StandingConfiguration(model));
@@ -48,12 +48,12 @@ struct CollisionChecker::Scene {
     const Shape* shape;
     double radius;
     fcl::CollisionObjectd object;
-    Pose X_BS = Pose::Identity();  ///< in the robot's base, so that what all parts do alike is no motion
-    double path_m = 0.0;           ///< bound on how far any of its points has gone since the start
+    Pose X_BS = Pose::Identity();  ///< in the robot's base, so that a motion of the whole robot does not count
+    double path_m = 0.0;           ///< bound on the path length of any of its points since the start
   };
   struct Pair {
     std::size_t a, b;
-    /// What the two paths together must come to before the parts can touch; less by what they are into one another.
+    /// Sum of the two paths before which the parts cannot touch; reduced by their depth if they overlap.
     double free_m = -std::numeric_limits<double>::infinity();
   };
   std::vector<Shape> shapes;
@@ -70,8 +70,8 @@ struct CollisionChecker::Scene {
     }
   }
 
-  /// Poses in the base, and how far that may have taken any point of each part: its centre's way and the radius times
-  /// the chord of its turn.
+  /// Updates the poses in the base, and the path bound of each part by the motion of its centre plus the radius times
+  /// the chord of its rotation.
   void Move(const DynamicsScratch& scratch) {
     Pose X_WB = Pose::Identity();
     X_WB.linear() = scratch.R_WB[0];
@@ -85,15 +85,14 @@ struct CollisionChecker::Scene {
     }
   }
 
-  /// Puts the parts of a pair where they are and says how far they are apart at least; negative when they touch, by
-  /// their depth.
+  /// A lower bound of the distance of a pair; the negative depth if they touch.
   double Apart(const Pair& pair) {
     const Part &a = parts[pair.a], &b = parts[pair.b];
     const double spheres = (a.X_BS.translation() - b.X_BS.translation()).norm() - a.radius - b.radius;
     return spheres > 0.0 ? spheres : Gap(pair);
   }
 
-  /// The same exactly.
+  /// The exact distance of a pair; the negative depth if they touch.
   double Gap(const Pair& pair) {
     Part &a = parts[pair.a], &b = parts[pair.b];
     for (Part* part : {&a, &b}) {
@@ -111,7 +110,7 @@ struct CollisionChecker::Scene {
     return fcl::collide(&a.object, &b.object, request, result) > 0;
   }
 
-  /// Once for two links, whatever their shapes.
+  /// Adds a pair of links that is not checked, once for all shapes of the links.
   void LeaveOut(const Pair& pair, bool adjacent, const std::string& reason) {
     const LeftOutPair entry{parts[pair.a].shape->link, parts[pair.b].shape->link, adjacent, reason};
     const bool known = std::any_of(left_out.begin(), left_out.end(), [&](const LeftOutPair& other) {
@@ -120,7 +119,8 @@ struct CollisionChecker::Scene {
     if (!known) left_out.push_back(entry);
   }
 
-  /// Pairs that touch in the standing posture, told apart by postures over all joint ranges.
+  /// Leaves out pairs that touch in the standing posture. Postures over all joint ranges show whether they always
+  /// touch.
   void LeaveOutTouching(const RobotModel& model, const std::vector<Pair>& touching, DynamicsScratch& scratch) {
     constexpr int kPostures = 200;
     if (touching.empty()) return;
@@ -164,7 +164,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
       const Joint* joint = CarryingJoint(model, has_shapes, a, b);
       if (joint == nullptr) joint = CarryingJoint(model, has_shapes, b, a);
       if (joint != nullptr) {
-        scene_->LeaveOut({i, j}, true, fmt::format("adjacent: joint '{}' joins them", joint->name));
+        scene_->LeaveOut({i, j}, true, fmt::format("adjacent: joint '{}' connects them", joint->name));
       } else if (scene_->Touch({i, j})) {
         touching.push_back({i, j});
       } else {

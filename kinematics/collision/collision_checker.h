@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-/// Two links that touch, and how far one would have to move for them to part.
+/// Two links that touch, with the distance that separates them again.
 struct Overlap {
   std::string link_a, link_b;
   double depth_m = 0.0;
@@ -19,7 +19,7 @@ struct Overlap {
 /// Two links that are not checked for collision, with the reason.
 struct LeftOutPair {
   std::string link_a, link_b;
-  bool adjacent = false;  ///< a joint joins them; else they touch as the robot stands
+  bool adjacent = false;  ///< a joint connects them; otherwise they touch in the standing posture
   std::string reason;     ///< "adjacent: ...", "always touching: ..." or "touching in the standing posture, ..."
 
   bool operator==(const LeftOutPair&) const = default;
@@ -41,13 +41,13 @@ class CollisionChecker {
   /// 2.3.
   const std::vector<Overlap>& Overlaps(const DynamicsScratch& scratch);
 
-  /// The pair that is nearest of all, if nearer than `within_m` by a tenth of a millimetre, as links without names
-  /// otherwise; its depth is negative by how far they are apart. Pairs that cannot be are passed over as by Overlaps.
+  /// The nearest pair, if its distance is less than `within_m` by a tenth of a millimetre or more; otherwise a pair
+  /// without names. Its depth is the negative distance. Pairs that cannot be the nearest are skipped as in Overlaps.
   Overlap Nearest(const DynamicsScratch& scratch, double within_m);
 
-  /// Meshes without vertices; for people.
+  /// Notes about meshes without vertices, for the user.
   const std::vector<std::string>& notes() const;
-  /// Pairs of links left out, by the order of the model's shapes; links of one body are not listed.
+  /// Pairs of links that are not checked, in the order of the model's shapes; links of one body are not listed.
   const std::vector<LeftOutPair>& left_out() const;
   int num_pairs() const;
 

@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// The plane through three points with all others on one side of it, if they are.
+/// The plane through three points. @return whether all other points are on one side of it.
 bool SidePlane(const std::vector<Vector3>& points, const Vector3& a, const Vector3& across, Facet& facet) {
   constexpr double kArea = 1e-10, kFlat = 1e-9;  // [m^2], [m]
   if (across.norm() < kArea) return false;

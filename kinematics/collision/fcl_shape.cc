@@ -20,14 +20,14 @@ std::shared_ptr<fcl::CollisionGeometryd> FclGeometry(const Shape& shape) {
       break;
   }
   if (shape.vertices.empty()) return nullptr;
-  // The points alone do: without faces FCL looks through all of them for the farthest.
+  // Faces are not needed: without them, FCL searches all points for the farthest one.
   return std::make_shared<fcl::Convexd>(std::make_shared<std::vector<Vector3>>(shape.vertices), 0,
                                         std::make_shared<std::vector<int>>());
 }
 
 double SignedGap(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b) {
   fcl::DistanceResultd distance;
-  constexpr double kSolver = 1e-5;  // [m] what the distance may be off by
+  constexpr double kSolver = 1e-5;  // [m] error of the distance
   const double apart = fcl::distance(&a, &b, fcl::DistanceRequestd(), distance) - kSolver;
   if (apart > 0.0) return apart;
   constexpr std::size_t kMostContacts = 16;

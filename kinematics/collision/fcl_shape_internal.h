@@ -9,10 +9,10 @@
 
 namespace gaitwright {
 
-/// A shape as FCL has it; nullptr for a mesh without vertices.
+/// The FCL geometry of a shape; nullptr for a mesh without vertices.
 std::shared_ptr<fcl::CollisionGeometryd> FclGeometry(const Shape& shape);
 
-/// How far two placed objects are apart [m], to 1e-5 and never too far; negative by their depth when they touch.
+/// Distance of two placed objects [m], accurate to 1e-5 and never too large; the negative depth if they touch.
 double SignedGap(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b);
 
 }  // namespace gaitwright

@@ -34,7 +34,8 @@ GridPrisms::Window GridPrisms::Near(const fcl::AABBd& box, double within_m) cons
           std::min(cell(box.max_.y() + within_m, origin.y(), grid_.rows), grid_.rows - 2)};
 }
 
-/// What the distance to a cell is at least: that of boxes; where they overlap, the depth is at most the way up and out.
+/// Lower bound of the distance to a cell: the distance of boxes. If the boxes overlap, the depth is at most the
+/// distance upward out of the cell.
 double GridPrisms::LowerBound(const fcl::AABBd& box, int column, int row) const {
   const double top = std::max(std::max(Height(column, row), Height(column + 1, row)),
                               std::max(Height(column, row + 1), Height(column + 1, row + 1)));
@@ -61,7 +62,7 @@ const fcl::CollisionObjectd& GridPrisms::Prism(int column, int row, int half) co
     shape.vertices.push_back(top - grid_.depth_m * Vector3::UnitZ());
     middle += top / 3.0;
   }
-  // About its own middle, so that rounding does not grow with the distance from the origin of W.
+  // Relative to its own middle, so that rounding does not grow with the distance from the origin of W.
   for (Vector3& vertex : shape.vertices) vertex -= middle;
   Pose X_WS = Pose::Identity();
   X_WS.translation() = middle;
@@ -78,7 +79,7 @@ double GridPrisms::Distance(const fcl::CollisionObjectd& object, double within_m
   double best = within_m;
   if (box.min_.z() - highest_m_ >= best) return best;
   const Window cells = Near(box, std::max(within_m, 0.0));
-  // The most promising cell first: what it gives leaves little to look at.
+  // The cell with the smallest bound first: its distance excludes most other cells.
   double least = std::numeric_limits<double>::infinity();
   int first_column = -1, first_row = -1;
   for (int row = cells.first_row; row <= cells.last_row; ++row) {

@@ -10,18 +10,18 @@
 
 namespace gaitwright {
 
-/// The prisms under the triangles of a GridSolid. Only those are made that a shape has come near to.
+/// The prisms under the triangles of a GridSolid. A prism is only created when a shape comes near it.
 class GridPrisms {
  public:
   /// @throws InvalidArgument unless there are two columns and rows, a height for each node and a positive resolution.
   explicit GridPrisms(const GridSolid& grid);
 
-  /// How far a placed object is from the solid, negative by the depth when they touch; within_m when it is not nearer.
-  /// @param any_touch  stop at the first prism touched.
+  /// Distance of a placed object from the solid, at most within_m; the negative depth if they touch.
+  /// @param any_touch  stop at the first touched prism.
   double Distance(const fcl::CollisionObjectd& object, double within_m, bool any_touch) const;
 
  private:
-  /// Cells that a shape may be near to.
+  /// Cells that may be near a shape.
   struct Window {
     int first_column, last_column, first_row, last_row;
   };

@@ -7,12 +7,12 @@
 
 namespace gaitwright {
 
-/// The lowest point of a shape at the scratch's pose, in W; of a mesh without vertices its origin.
+/// The lowest point of a shape at the scratch's pose, in W; the origin for a mesh without vertices.
 Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape);
 
-/// True for the shapes that touch the ground with their foot, so that playing, judging and planning take the foot for
-/// them: those of the foot's link, and any of its body that reaches as low as it does, to 2 mm, as the box of an ankle
-/// that its sole was derived from.
+/// Whether a shape touches the ground together with its foot, so that planning, playback and audit use the foot instead
+/// of it. These are the shapes of the foot's link, and shapes of its body that reach as low as the foot within 2 mm,
+/// such as the box of an ankle from which the sole was derived.
 bool IsShapeOfFoot(const Foot& foot, const Shape& shape);
 /// Whether the shape belongs to any foot of the robot.
 bool IsShapeOfAFoot(const RobotModel& model, const Shape& shape);

@@ -80,7 +80,7 @@ ShapeScene& ShapeScene::operator=(ShapeScene&&) noexcept = default;
 
 namespace {
 
-/// A question to the tree, and its answer so far.
+/// A query of the tree, with the result so far.
 struct Query {
   const Shape& shape;
   const Pose& X_WS;
@@ -98,7 +98,8 @@ bool TouchCall(fcl::CollisionObjectd* solid, fcl::CollisionObjectd* moving, void
   return query.touched;
 }
 
-/// Keeps the nearest. `reach` is what the tree looks within; it stays positive, so that whatever may touch is visited.
+/// Keeps the nearest solid. `reach` is the search distance of the tree; it stays positive, so that all solids that may
+/// touch are visited.
 bool NearestCall(fcl::CollisionObjectd* solid, fcl::CollisionObjectd* moving, void* data, double& reach) {
   auto& [shape, X_WS, nearest, touched] = *static_cast<Query*>(data);
   const Fixed& fixed = FixedOf(*solid);

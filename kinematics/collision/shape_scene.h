@@ -13,11 +13,11 @@ namespace gaitwright {
 /// diagonal from its lowest x and y to its highest, and the volume below them.
 struct GridSolid {
   std::string name;
-  Vector2 origin_W = Vector2::Zero();  ///< of the first node [m]
-  double resolution_m = 0.02;          ///< between nodes
-  int columns = 0, rows = 0;           ///< nodes along x and along y, at least 2 each
-  std::vector<double> height_m;        ///< of node (column, row) at [row * columns + column]
-  double depth_m = 1.0;                ///< of the solid
+  Vector2 origin_W = Vector2::Zero();  ///< position of the first node [m]
+  double resolution_m = 0.02;          ///< distance between nodes
+  int columns = 0, rows = 0;           ///< numbers of nodes along x and along y, at least 2 each
+  std::vector<double> height_m;        ///< height of node (column, row) at [row * columns + column]
+  double depth_m = 1.0;                ///< depth of the solid
 };
 
 /// Everything on one side of a plane: normal_W . p <= offset_m.
@@ -36,7 +36,7 @@ class PreparedShape {
   PreparedShape& operator=(PreparedShape&&) noexcept;
 
   const Shape& shape() const { return shape_; }
-  /// Radius about the origin of S that holds the whole shape [m].
+  /// Radius of a sphere about the origin of S that contains the shape [m].
   double radius_m() const { return radius_m_; }
 
  private:
@@ -49,18 +49,18 @@ class PreparedShape {
 
 /// The solid of a scene that is nearest to a shape.
 struct NearestSolid {
-  double distance_m = 0.0;  ///< negative by the depth, or 0, when they touch; at most the queried range
-  int solid = -1;           ///< its number; -1 if there is none within the range
+  double distance_m = 0.0;  ///< 0 or the negative depth if they touch; at most the queried range
+  int solid = -1;           ///< number of the solid; -1 if there is none within the range
 };
 
-/// Static solids, queried by moving shapes. Solids are numbered: shapes, then grids, then half spaces. Distances are
-/// FCL's (Pan, Chitta and Manocha, ICRA 2012), never too large, to 1e-5 m, with a tree of boxes before them; depths are
-/// those of FCL's portal refinement, which may be too large where a shape is deep in a solid, and at most the shortest
-/// way out through a side of a box or of a mesh of up to 32 vertices. A mesh without vertices touches nothing. Const
-/// use from one thread at a time; results do not depend on earlier queries.
+/// Static solids for queries with moving shapes. Solids are numbered: shapes, then grids, then half spaces. Distances
+/// are computed by FCL (Pan, Chitta and Manocha, ICRA 2012) after a tree of boxes; they are accurate to 1e-5 m and
+/// never too large. Depths are those of FCL's portal refinement, which may be too large for a shape deep in a solid.
+/// They are limited to the shortest distance out through a side of a box or of a mesh of up to 32 vertices. A mesh
+/// without vertices touches nothing. Use from one thread at a time; results do not depend on earlier queries.
 class ShapeScene {
  public:
-  /// @param fixed_W  shapes with X_BS read as X_WS; `link` is the solid's name.
+  /// @param fixed_W  shapes whose X_BS is X_WS; `link` is the name of the solid.
   explicit ShapeScene(const std::vector<Shape>& fixed_W, const std::vector<GridSolid>& grids = {},
                       const std::vector<HalfSpace>& half_spaces = {});
   ~ShapeScene();
@@ -71,14 +71,14 @@ class ShapeScene {
   bool Touches(const PreparedShape& shape, const Pose& X_WS) const;
   bool Touches(const Shape& shape, const Pose& X_WS) const;
 
-  /// The nearest solid within a distance; where several are touched, the one touched most deeply.
+  /// The nearest solid within a distance; if several are touched, the one with the largest depth.
   NearestSolid Nearest(const PreparedShape& shape, const Pose& X_WS, double within_m) const;
-  /// Its distance alone: negative or 0 when touching, at most within_m.
+  /// Distance of the nearest solid, at most within_m; 0 or the negative depth if they touch.
   double Distance(const PreparedShape& shape, const Pose& X_WS, double within_m) const;
   double Distance(const Shape& shape, const Pose& X_WS, double within_m) const;
 
   int num_solids() const;
-  /// @throws InvalidArgument for a number that no solid has.
+  /// @throws InvalidArgument for a solid that does not exist.
   const std::string& SolidName(int solid) const;
 
  private:

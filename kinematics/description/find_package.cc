@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostPackageFolders = 4000;  // looked at below ROS_PACKAGE_PATH
+constexpr int kMostPackageFolders = 4000;  // largest number of folders searched below ROS_PACKAGE_PATH
 constexpr std::size_t kLargestPackageXml = std::size_t{1} << 20;
 
 /// The name in a folder's package.xml, or "".
@@ -63,7 +63,7 @@ class PackageSearch {
     return found_.has_value();
   }
 
-  /// The folder itself, or the one of the package's name in it.
+  /// Checks a folder, and the folder in it that has the name of the package.
   bool At(const fs::path& folder) {
     std::error_code error;
     if ((folder.filename() == name_ || NameInPackageXml(folder) == name_) && Take(folder)) return true;
@@ -77,7 +77,7 @@ class PackageSearch {
     }
   }
 
-  /// A folder of ROS_PACKAGE_PATH and what is to `levels` folders below it.
+  /// Checks a folder of ROS_PACKAGE_PATH and all folders up to `levels` below it.
   bool Below(const fs::path& folder, int levels) {
     if (At(folder)) return true;
     if (levels == 0) return false;
@@ -138,11 +138,12 @@ Result<std::string> FindPackage(const std::string& name, const std::string& fold
       FailureCode::kNoPackage,
       "FindPackage",
       fmt::format("the package '{}' is not found: no folder in or above '{}', in {}, in {} or in the current folder "
-                  "has that name or a package.xml with it",
+                  "has this name or a package.xml with this name",
                   Shortened(name), from.string(), VariableForMessage("ROS_PACKAGE_PATH"),
                   VariableForMessage("AMENT_PREFIX_PATH")),
-      {names.empty() ? fmt::format("give its folder as {}=DIR", Shortened(name))
-                     : fmt::format("give its folder as {}=DIR; given are {}", Shortened(name), QuotedList(names))}};
+      {names.empty()
+           ? fmt::format("give its folder as {}=DIR", Shortened(name))
+           : fmt::format("give its folder as {}=DIR; folders are given for {}", Shortened(name), QuotedList(names))}};
 }
 
 }  // namespace gaitwright

@@ -10,19 +10,19 @@
 
 namespace gaitwright {
 
-/// Names of packages and the folders that hold them, as a user gives them.
+/// Names of packages with their folders, given by the user.
 using PackageFolders = std::vector<std::pair<std::string, std::string>>;
 
-/// The folder of the ROS package `name`, for `package://NAME/` and `$(find NAME)`. It is looked for in this order:
+/// The folder of the ROS package `name`, for `package://NAME/` and `$(find NAME)`. Places are searched in this order:
 ///   1. the folders `given`;
-///   2. `folder` (of the file that names the package; "" the current folder) and each folder above it: the folder
-///      itself where it has that name or a package.xml with that name, and a folder NAME in it;
+///   2. `folder` (the folder of the file that names the package; "" is the current folder) and each folder above it:
+///      the folder itself if it has this name or a package.xml with this name, and a folder NAME in it;
 ///   3. the folders of the environment variable ROS_PACKAGE_PATH, with packages to two folders below them, and the
 ///      folders share/NAME of AMENT_PREFIX_PATH;
 ///   4. the current folder, as in 2, without the folders above it.
-/// @param accepts  whether a found folder is accepted; all are if empty.
-/// @return the absolute path of the first folder that is accepted. Failure `no_package`: there is none; the message
-/// lists the searched folders and how to give one.
+/// @param accepts  whether a found folder is accepted; an empty function accepts all folders.
+/// @return the absolute path of the first accepted folder. Failure `no_package`: no folder is found; the message lists
+/// the searched places, and the hint says how to give the folder.
 Result<std::string> FindPackage(const std::string& name, const std::string& folder, const PackageFolders& given = {},
                                 const std::function<bool(const std::string&)>& accepts = {});
 

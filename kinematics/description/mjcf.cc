@@ -44,7 +44,7 @@ void ReadMjcfBodies(MjcfContext& context, const MjcfMeshAssets& assets, MjcfRobo
   }
 }
 
-/// Scales masses and inertias to a total mass, where <compiler> gives one.
+/// Scales masses and inertias to the total mass of <compiler>, if it gives one.
 void SetMjcfTotalMass(MjcfContext& context, MjcfRobot& robot) {
   double total = 0.0;
   for (const MjcfInertia& inertia : robot.inertias) total += inertia.mass;
@@ -121,7 +121,7 @@ Result<ConvertedMjcf> ConvertMjcfText(const std::string& text, const MjcfFiles& 
       return Failure{FailureKind::kBadInput,
                      FailureCode::kNotMjcf,
                      "LoadRobot",
-                     fmt::format("{}: it does not begin with <mujoco>, as a MuJoCo model does", name),
+                     fmt::format("{}: it is not a MuJoCo model, because its root element is not <mujoco>", name),
                      {}};
     }
     return converted;

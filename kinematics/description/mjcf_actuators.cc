@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// An actuator's force, before its gear.
+/// The force of an actuator before its gear.
 struct MjcfForce {
   std::optional<double> most;
   double stiffness = 0.0, damping = 0.0;
@@ -23,7 +23,7 @@ double MjcfFirst(const MjcfAttributes& attributes, const std::string& key, std::
   return index < numbers.size() ? numbers[index] : fallback;
 }
 
-/// Whether force is a gain times control and nothing else, and control stays within its range.
+/// Whether the force is a gain times the control, without other terms, and the control is limited to a range.
 bool IsMjcfMotor(const MjcfAttributes& attributes, const std::string& tag) {
   if (tag == "motor") return true;
   if (tag != "general") return false;
@@ -48,7 +48,7 @@ void ReadMjcfServo(MjcfContext& context, const MjcfAttributes& attributes, const
     force.damping = -MjcfFirst(attributes, "biasprm", 2, 0.0);
   }
   if (is_position && attributes.Has("dampratio"))
-    context.Note(attributes.owner(), "'dampratio' is left out; the gain on speed is derived");
+    context.Note(attributes.owner(), "'dampratio' is left out; the gain on speed is derived instead");
 }
 
 MjcfForce ReadMjcfForce(MjcfContext& context, const MjcfAttributes& attributes, const std::string& tag) {
@@ -65,20 +65,18 @@ MjcfForce ReadMjcfForce(MjcfContext& context, const MjcfAttributes& attributes, 
   return force;
 }
 
-/// Index of the joint that an actuator drives. Where it drives no moving joint: -1, and a note is added.
+/// Index of the joint that an actuator drives. If it does not drive a moving joint, adds a note and returns -1.
 int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, const MjcfTree& tree) {
   for (const char* key : {"tendon", "cranksite"}) {
     if (!attributes.Has(key)) continue;
-    context.Note(
-        attributes.owner(),
-        fmt::format(
-            "it drives '{}' by '{}', which is not supported; left out, so the joints that it moves have no motor here",
-            ShownMjcf(attributes.Text(key)), key));
+    context.Note(attributes.owner(), fmt::format("it drives '{}' by '{}', which is not supported; it is left out, and "
+                                                 "the joints that it moves have no motor",
+                                                 ShownMjcf(attributes.Text(key)), key));
     return -1;
   }
   const std::string key = attributes.Has("joint") ? "joint" : "jointinparent";
   if (!attributes.Has(key)) {
-    context.Note(attributes.owner(), "it drives no joint; left out");
+    context.Note(attributes.owner(), "it drives no joint; it is left out");
     return -1;
   }
   const std::string name = attributes.Name(key);
@@ -90,15 +88,16 @@ int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, cons
                                                        ShownMjcf(name), NearestOrAll(name, names)));
   }
   if (tree.Moves(at->second)) return at->second;
-  if (!tree.IsRobotJoint(at->second)) return -1;  // noted with its body
-  context.Note(attributes.owner(), fmt::format("it drives '{}', which is left out; so is the actuator", name));
+  if (!tree.IsRobotJoint(at->second)) return -1;  // there is a note on its body
+  context.Note(attributes.owner(),
+               fmt::format("it drives '{}', which is left out; the actuator is left out too", name));
   return -1;
 }
 
 void AddMjcfActuator(MjcfContext& context, const MjcfAttributes& attributes, const std::string& tag,
                      const MjcfJoint& joint, MjcfDrive& drive) {
   if (tag == "damper" || tag == "adhesion") {
-    context.Note(attributes.owner(), "it does not drive a joint by its control alone; left out");
+    context.Note(attributes.owner(), "it does not drive a joint by its control alone; it is left out");
     return;
   }
   ++drive.actuators;
@@ -115,14 +114,14 @@ void AddMjcfActuator(MjcfContext& context, const MjcfAttributes& attributes, con
   drive.damping += std::max(force.damping, 0.0) * ratio.x() * ratio.x();
 }
 
-/// Of a ball joint, which has one limit for all axes, the smallest over the axes that are driven.
+/// Effort limit of a joint. A ball joint has one limit for all axes, the smallest limit of the driven axes.
 double MjcfEffortOf(MjcfContext& context, const MjcfJoint& joint, const MjcfDrive& drive) {
   if (joint.is_scalar()) return drive.effort.x();
   double least = drive.effort.maxCoeff();
   for (const double effort : drive.effort) least = effort > 0.0 ? std::min(least, effort) : least;
   if (least != drive.effort.minCoeff() || least != drive.effort.maxCoeff())
     context.Note(joint.owner,
-                 fmt::format("its actuators differ by axis; an effort limit of {} is used for all", least));
+                 fmt::format("its actuators differ by axis; an effort limit of {} is used for all axes", least));
   return least;
 }
 
@@ -134,7 +133,7 @@ std::vector<MjcfDrive> ReadMjcfDrives(MjcfContext& context, const MjcfTree& tree
     const std::string tag = element->Name();
     const MjcfAttributes attributes = context.defaults.Of(*element, "actuator");
     if (!IsMjcfActuator(tag)) {
-      context.Note(attributes.owner(), "this kind of actuator is not known; left out");
+      context.Note(attributes.owner(), "this kind of actuator is unknown; it is left out");
       continue;
     }
     const int joint = MjcfDrivenJoint(context, attributes, tree);

@@ -9,25 +9,25 @@
 
 namespace gaitwright {
 
-/// What all actuators of a joint do together, at the joint.
+/// The combined effect of all actuators of a joint, at the joint.
 struct MjcfDrive {
   int actuators = 0;
-  bool is_bounded = true;            ///< each of them has a force limit
-  Vector3 effort = Vector3::Zero();  ///< largest by axis of a ball joint; of another joint x [N m, N]
-  double stiffness = 0.0;            ///< gain on position [N m/rad, N/m]; 0 without one
-  double damping = 0.0;              ///< gain on speed [N m s/rad, N s/m]; 0 without one
+  bool is_bounded = true;            ///< each actuator has a force limit
+  Vector3 effort = Vector3::Zero();  ///< largest effort by axis of a ball joint; x for another joint [N m, N]
+  double stiffness = 0.0;            ///< gain on position [N m/rad, N/m]; 0 if there is none
+  double damping = 0.0;              ///< gain on speed [N m s/rad, N s/m]; 0 if there is none
 };
 
-/// The drives by joint. Effort is |gear| times the largest force, which `forcerange` bounds, and `ctrlrange` where
-/// force is control times a gain. Throws a Failure on unknown joints; actuators of tendons and slider-cranks, and those
-/// that act on sites, bodies and joints that do not move, are noted and left out.
+/// The drives by joint. The effort is |gear| times the largest force. `forcerange` limits this force, and so does
+/// `ctrlrange` if the force is the control times a gain. Throws a Failure for unknown joints. Actuators of tendons,
+/// slider-cranks, sites, bodies and joints that do not move are left out with a note.
 std::vector<MjcfDrive> ReadMjcfDrives(MjcfContext& context, const MjcfTree& tree);
 
-/// Effort of a joint of whose motor no limit is known. The URDF has a number so large that it is none.
+/// Effort of a joint whose motor has no known limit. The URDF then has a number so large that it counts as unknown.
 inline constexpr double kMjcfUnknownEffort = std::numeric_limits<double>::infinity();
 
-/// The effort limits by joint: 0 for a joint that has no motor. Joints without a limit and without an actuator are
-/// noted. @param follows  by joint: it follows another one and needs no actuator.
+/// The effort limits by joint; 0 for a joint without a motor. Adds notes for joints without a limit or an actuator.
+/// @param follows  by joint: whether it follows another joint and needs no actuator.
 std::vector<double> MjcfEfforts(MjcfContext& context, const MjcfTree& tree, const std::vector<MjcfDrive>& drives,
                                 const std::vector<bool>& follows);
 

@@ -107,7 +107,8 @@ bool MjcfAttributes::IsLimited(const std::string& flag, const std::string& range
   const std::vector<double> ends = Numbers(range, 2, 2);
   const bool has_range = !ends.empty() && (ends[0] != 0.0 || ends[1] != 0.0);
   if (said == "auto" && !(autolimits && has_range)) return false;
-  if (!has_range) RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: it is limited but has no '{}'", owner_, range));
+  if (!has_range)
+    RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: it is limited, but '{}' is missing", owner_, range));
   if (ends[0] >= ends[1])
     RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: the lower end {} of its '{}' is not below the upper end {}",
                                                     owner_, ends[0], range, ends[1]));

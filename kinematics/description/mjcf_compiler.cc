@@ -24,11 +24,11 @@ MjcfAttributes MergedMjcfCompiler(const MjcfDocument& document) {
   return {owner, all};
 }
 
-/// A direction of length 1.
+/// The unit vector of a direction.
 Vector3 MjcfUnit(const Vector3& v, const std::string& key, const MjcfAttributes& attributes) {
   if (v.norm() < kShortestMjcfAxis)
     RefuseMjcf(FailureCode::kMjcfAxis,
-               fmt::format("{}: '{}' is '{}', whose direction is not defined: an axis is zero or parallel "
+               fmt::format("{}: '{}' is '{}', which does not define a direction: an axis is zero or parallel "
                            "to another",
                            attributes.owner(), key, ShownMjcf(attributes.Text(key))));
   return v.normalized();
@@ -65,8 +65,8 @@ MjcfCompiler ReadMjcfCompiler(const MjcfDocument& document) {
   if (given.Choice("coordinate", {"local", "global"}, "local") == "global")
     RefuseMjcf(
         FailureCode::kMjcfCoordinate,
-        fmt::format("{}: global coordinates are not supported: MuJoCo 2.3.3 was the last to read them, and saves "
-                    "such a model in local ones",
+        fmt::format("{}: global coordinates are not supported; open the model with MuJoCo 2.3.3, the last version that "
+                    "reads them, and save it with local coordinates",
                     given.owner()));
   compiler.degrees = given.Choice("angle", {"degree", "radian"}, "degree") == "degree";
   if (given.Has("eulerseq")) compiler.eulerseq = given.Text("eulerseq");

@@ -8,41 +8,41 @@
 
 namespace gaitwright {
 
-/// Where the inertia of bodies comes from.
+/// Source of the inertia of bodies.
 enum class MjcfInertiaSource {
-  kInertial,           ///< <inertial> alone
-  kInertialElseGeoms,  ///< geoms where a body has no <inertial>
-  kGeoms,              ///< geoms alone
+  kInertial,           ///< only <inertial>
+  kInertialElseGeoms,  ///< <inertial>, or geoms for a body without it
+  kGeoms,              ///< only geoms
 };
 
-/// What <compiler> says; several of them say it together, the last one first.
+/// The settings of <compiler>. If there are several <compiler>, the last one has priority.
 struct MjcfCompiler {
-  bool degrees = true;           ///< unit of angles; keyframes and actuators are in radians all the same
-  std::string eulerseq = "xyz";  ///< axes of `euler`; small letters turn with the frame, capital ones stand still
+  bool degrees = true;           ///< angles are in degrees; keyframes and actuators are always in radians
+  std::string eulerseq = "xyz";  ///< axes of `euler`; small letters rotate with the frame, capital letters are fixed
   std::string meshdir;           ///< relative to the model's folder
-  bool strippath = false;        ///< paths in names of files are left out
-  bool autolimits = true;        ///< a range alone limits
+  bool strippath = false;        ///< file names are used without their paths
+  bool autolimits = true;        ///< a range is active without its flag
   MjcfInertiaSource inertia = MjcfInertiaSource::kInertialElseGeoms;
-  double lowest_group = 0.0, highest_group = 5.0;  ///< groups of geoms that have a part in inertia
-  double boundmass = 0.0, boundinertia = 0.0;      ///< least that a body has [kg, kg m^2]
-  bool balanceinertia = false;  ///< principal moments that break the triangle inequality become their mean
-  double settotalmass = 0.0;    ///< [kg] that all bodies together are scaled to; 0: they are not
+  double lowest_group = 0.0, highest_group = 5.0;  ///< groups of geoms that contribute to the inertia
+  double boundmass = 0.0, boundinertia = 0.0;      ///< smallest mass and inertia of a body [kg, kg m^2]
+  bool balanceinertia = false;  ///< principal moments that violate the triangle inequality become their mean
+  double settotalmass = 0.0;    ///< all bodies are scaled to this total mass [kg]; 0: no scaling
 
   /// An angle of the model in radians.
   double Radians(double angle) const;
 };
 
-/// Throws a Failure on values that are wrong and on global coordinates.
+/// Throws a Failure for wrong values and for global coordinates.
 MjcfCompiler ReadMjcfCompiler(const MjcfDocument& document);
 
-/// The rotation of `quat`, `axisangle`, `euler`, `xyaxes` or `zaxis`: from the element's frame into that around it.
-/// Throws a Failure on two of them, and on axes that are zero or parallel.
+/// The rotation of `quat`, `axisangle`, `euler`, `xyaxes` or `zaxis`, from the element's frame to the frame around it.
+/// Throws a Failure for two orientations, and for axes that are zero or parallel.
 Matrix3 MjcfRotation(const MjcfAttributes& attributes, const MjcfCompiler& compiler);
 
-/// `pos` and that rotation.
+/// The pose of `pos` and MjcfRotation.
 Pose MjcfPose(const MjcfAttributes& attributes, const MjcfCompiler& compiler);
 
-/// The smallest rotation that turns z into a direction, which is not zero; half a turn about x for -z.
+/// The smallest rotation from z to a direction that is not zero; half a turn about x for -z.
 Matrix3 MjcfRotationOfZ(const Vector3& direction);
 
 }  // namespace gaitwright

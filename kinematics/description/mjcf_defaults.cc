@@ -15,13 +15,13 @@ namespace {
 constexpr std::array<std::string_view, 13> kMjcfActuators = {
     "general", "motor",    "position", "velocity", "intvelocity", "damper",     "cylinder",
     "muscle",  "adhesion", "plugin",   "dcmotor",  "pid",         "orientation"};
-/// Kinds of elements whose class matters here.
+/// Kinds of elements whose class is used here.
 constexpr std::array<std::string_view, 4> kMjcfClassed = {"joint", "geom", "mesh", "equality"};
 
-// Each class holds a copy of the one around it.
+// Each class contains a copy of the class around it.
 constexpr const char* kMjcfOutermost = "main";
 constexpr std::size_t kMostMjcfClasses = 500, kMostMjcfDefaults = 100;
-constexpr std::size_t kLongestMjcfDefault = 300;  // [byte] of an attribute
+constexpr std::size_t kLongestMjcfDefault = 300;  // largest size of an attribute [byte]
 
 std::string KindOfMjcf(const tinyxml2::XMLElement& element) {
   const std::string tag = element.Name();
@@ -69,7 +69,7 @@ void MjcfDefaults::Read(const tinyxml2::XMLElement& section, const std::string& 
     }
     MergeMjcfValues(classes_[name][kind], values);
     if (classes_[name][kind].size() > kMostMjcfDefaults)
-      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: over {} attributes in <default>; at most that many are read",
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{0}: over {1} attributes in <default>; at most {1} are read",
                                                       document_.Owner(*child), kMostMjcfDefaults));
   }
   for (const tinyxml2::XMLElement* inner : nested) {
@@ -77,9 +77,9 @@ void MjcfDefaults::Read(const tinyxml2::XMLElement& section, const std::string& 
     const std::string own = attributes.Name("class");
     if (own.empty()) RefuseMjcf(FailureCode::kMjcfClass, fmt::format("{}: it has no 'class'", attributes.owner()));
     if (classes_.contains(own) || outermost_.contains(own))
-      RefuseMjcf(FailureCode::kMjcfClass, fmt::format("{}: there are two classes of that name", attributes.owner()));
+      RefuseMjcf(FailureCode::kMjcfClass, fmt::format("{}: two classes have this name", attributes.owner()));
     if (classes_.size() >= kMostMjcfClasses)
-      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: there are over {} classes; at most that many are read",
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{0}: the model has over {1} classes; at most {1} are read",
                                                       attributes.owner(), kMostMjcfClasses));
     classes_[own] = Class(classes_.at(name));
     Read(*inner, own);

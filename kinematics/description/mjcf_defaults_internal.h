@@ -12,20 +12,20 @@
 
 namespace gaitwright {
 
-/// The classes of <default>. A class has all that the class around it has before it; what is written for one kind of
-/// actuator holds for all of them, as in MuJoCo.
+/// The classes of <default>. A class starts with the attributes that the class around it has before it. Attributes for
+/// one kind of actuator apply to all kinds, as in MuJoCo.
 class MjcfDefaults {
  public:
-  /// Throws a Failure on a class without a name, or with the name of another one.
+  /// Throws a Failure for a class without a name or with the name of another class.
   explicit MjcfDefaults(const MjcfDocument& document);
 
-  /// The attributes of an element over those of its class: of its own `class`, else of `childclass`, else of the
-  /// outermost class. Throws a Failure on an unknown class.
-  /// @param kind  under which <default> has them: "joint", "geom", "mesh", "equality", "actuator".
+  /// The attributes of an element, completed by those of its class: its own `class`, else `childclass`, else the
+  /// outermost class. Throws a Failure for an unknown class.
+  /// @param kind  kind of the element in <default>: "joint", "geom", "mesh", "equality", "actuator".
   MjcfAttributes Of(const tinyxml2::XMLElement& element, const std::string& kind,
                     const std::string& childclass = "") const;
 
-  /// Refuses a `childclass` that does not exist. @return it, or `inherited` where the element has none.
+  /// The `childclass` of an element, or `inherited` if it has none. Refuses a `childclass` that does not exist.
   std::string ChildClass(const tinyxml2::XMLElement& element, const std::string& inherited) const;
 
  private:
@@ -39,7 +39,7 @@ class MjcfDefaults {
   std::set<std::string> outermost_;  // other names of the outermost class, "main"
 };
 
-/// Whether it is the tag of an actuator, such as "motor".
+/// Whether a tag is that of an actuator, such as "motor".
 bool IsMjcfActuator(const std::string& tag);
 
 }  // namespace gaitwright

@@ -11,9 +11,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kLargestMjcf = std::size_t{16} << 20;  // [byte] of all files together
+constexpr std::size_t kLargestMjcf = std::size_t{16} << 20;  // total size of all files [byte]
 constexpr std::size_t kMostMjcfFiles = 100;
-constexpr std::size_t kMostMjcfAttributes = 1000;  // of an element: the time to parse them goes with the square
+constexpr std::size_t kMostMjcfAttributes = 1000;  // in one element: the time to parse them is quadratic
 constexpr int kDeepestMjcf = 200;
 
 bool IsMjcfInclude(const tinyxml2::XMLElement& element) { return std::strcmp(element.Name(), "include") == 0; }
@@ -27,7 +27,7 @@ std::size_t FindMjcfZeroReference(const std::string& text) {
   return std::string::npos;
 }
 
-/// The end of what begins at a '<' and is no element: a comment, text that stands for itself, a declaration.
+/// The end of a comment, a CDATA section or a declaration that begins at a '<'.
 std::size_t EndOfMjcfAside(const std::string& text, std::size_t at) {
   if (text.compare(at, 4, "<!--") == 0) return text.find("-->", at);
   if (text.compare(at, 9, "<![CDATA[") == 0) return text.find("]]>", at);
@@ -35,7 +35,7 @@ std::size_t EndOfMjcfAside(const std::string& text, std::size_t at) {
   return is_aside ? text.find('>', at) : at;
 }
 
-/// Whether some element has more attributes than are read.
+/// Whether an element has more than kMostMjcfAttributes attributes.
 bool HasManyMjcfAttributes(const std::string& text) {
   std::size_t count = 0;
   char quote = '\0';
@@ -81,15 +81,14 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
   bytes_ += text.size();
   if (bytes_ > kLargestMjcf) {
     RefuseMjcf(FailureCode::kLargeMjcf,
-               fmt::format("{}: the model has more than {} bytes with all files that it includes; at "
-                           "most that many are read",
-                           name, kLargestMjcf));
+               fmt::format("{0}: the model and its included files have more than {1} bytes; at most {1} are read", name,
+                           kLargestMjcf));
   }
   if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
     RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it is not XML: it contains the character 0x00", name));
   if (HasManyMjcfAttributes(text))
-    RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: an element has over {} attributes; at most that many are read",
-                                                    name, kMostMjcfAttributes));
+    RefuseMjcf(FailureCode::kLargeMjcf,
+               fmt::format("{0}: an element has over {1} attributes; at most {1} are read", name, kMostMjcfAttributes));
   if (!IsPlainText(text))
     RefuseMjcf(FailureCode::kNotText, fmt::format("{}: it is not valid UTF-8 or contains a control character", name));
   files_.push_back(std::make_unique<File>());
@@ -110,15 +109,15 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
   if (named == nullptr || *named == '\0' || !IsPlainText(named))
     RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has no 'file'", Owner(include)));
   if (files_.size() >= kMostMjcfFiles)
-    RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: over {} files are included; at most that many are read",
-                                                    Owner(include), kMostMjcfFiles));
+    RefuseMjcf(FailureCode::kLargeMjcf,
+               fmt::format("{0}: over {1} files are included; at most {1} are read", Owner(include), kMostMjcfFiles));
   if (!read_text)
     RefuseMjcf(FailureCode::kNoFile,
                fmt::format("{}: the file '{}' was not given with the model's text", Owner(include), Shortened(named)));
   std::string name = std::filesystem::path(named).lexically_normal().string();
   Result<std::string> text = read_text(name);
   if (!text && include.GetDocument() != &files_.front()->xml) {
-    // Paths are relative to the model's folder; where there is no such file, to that of the file that includes it.
+    // Paths are relative to the model's folder, or to the folder of the including file if the first does not exist.
     const std::filesystem::path folder = std::filesystem::path(name_of_.at(include.GetDocument())).parent_path();
     const std::string beside = (folder / named).lexically_normal().string();
     Result<std::string> second = read_text(beside);
@@ -139,7 +138,7 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
 void MjcfDocument::Include(const tinyxml2::XMLElement& parent, int depth, const TextReader& read_text) {
   if (depth > kDeepestMjcf) {
     RefuseMjcf(FailureCode::kLargeMjcf,
-               fmt::format("{}: elements are nested over {} levels deep; at most that many are read", Owner(parent),
+               fmt::format("{0}: elements are nested over {1} levels deep; at most {1} levels are read", Owner(parent),
                            kDeepestMjcf));
   }
   for (const auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {

@@ -13,29 +13,29 @@
 
 namespace gaitwright {
 
-/// Ends the conversion with a Failure that ConvertMjcfText catches.
+/// Stops the conversion by throwing a Failure, which ConvertMjcfText catches.
 [[noreturn]] void RefuseMjcf(FailureCode code, const std::string& message);
 
-/// A text of the model as messages show it: shortened, and nothing of what is no text.
+/// A text of the model for messages: shortened, or "(no text)" if it is not plain text.
 std::string ShownMjcf(const std::string& text);
 
-/// The texts of a model: its own and those of the files that it includes.
+/// The text of a model and of the files that it includes.
 class MjcfDocument {
  public:
   using TextReader = std::function<Result<std::string>(const std::string& file)>;
 
-  /// Throws a Failure on what is not XML, another root element, and what exceeds the limits of size, depth and files.
+  /// Throws a Failure for a text that is not XML, another root element, and too many bytes, levels or files.
   MjcfDocument(const std::string& text, const std::string& name, const TextReader& read_text);
 
   const tinyxml2::XMLElement& root() const { return *files_.front()->xml.RootElement(); }
 
-  /// Child elements in order; those of an included file stand in the place of its <include>.
+  /// Child elements in order; the elements of an included file replace its <include>.
   std::vector<const tinyxml2::XMLElement*> Children(const tinyxml2::XMLElement& parent) const;
 
-  /// Elements of that name below the root: a section may stand there several times.
+  /// Elements of this name below the root; a section may occur several times.
   std::vector<const tinyxml2::XMLElement*> Sections(const std::string& name) const;
 
-  /// Children of all sections of that name.
+  /// Children of all sections of this name.
   std::vector<const tinyxml2::XMLElement*> InSections(const std::string& name) const;
 
   /// File, line and element for messages: "walker.xml, line 12: joint 'knee'".

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// The joint that an equality names; -1 where it names none.
+/// The joint that an equality names; -1 if it does not name a joint.
 int MjcfCoupledJoint(const MjcfAttributes& attributes, const MjcfTree& tree, const std::string& key) {
   const std::string name = attributes.Name(key);
   if (name.empty()) return -1;
@@ -25,25 +25,29 @@ int MjcfCoupledJoint(const MjcfAttributes& attributes, const MjcfTree& tree, con
                                                      ShownMjcf(name), NearestOrAll(name, names)));
 }
 
-/// Couples joints one by one.
+/// Adds couplings of joints one after the other.
 class MjcfCoupler {
  public:
   MjcfCoupler(MjcfContext& context, const MjcfTree& tree, const std::vector<MjcfDrive>& drives)
       : context_(context), tree_(tree), drives_(drives), couplings_(tree.joints.size()) {}
 
-  /// MuJoCo's law: q1 - ref1 = a0 + a1 (q2 - ref2) + ...
+  /// Adds MuJoCo's constraint q1 - ref1 = a0 + a1 (q2 - ref2) + ...
   void Couple(const MjcfAttributes& attributes) {
     const int first = MjcfCoupledJoint(attributes, tree_, "joint1");
     const int second = MjcfCoupledJoint(attributes, tree_, "joint2");
     if (first < 0) RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has no 'joint1'", attributes.owner()));
-    if (!tree_.IsRobotJoint(first) && (second < 0 || !tree_.IsRobotJoint(second))) return;  // noted with its body
+    if (!tree_.IsRobotJoint(first) && (second < 0 || !tree_.IsRobotJoint(second)))
+      return;  // there is a note on its body
     if (!tree_.Moves(first) || (second >= 0 && !tree_.Moves(second))) {
       context_.Note(attributes.owner(), "it couples a joint that is left out; the equality is left out too");
       return;
     }
     if (!JointAt(first).is_scalar() || (second >= 0 && !JointAt(second).is_scalar()) || first == second)
-      RefuseMjcf(FailureCode::kMjcfEquality,
-                 fmt::format("{}: it couples a ball joint, or a joint to itself", attributes.owner()));
+      RefuseMjcf(
+          FailureCode::kMjcfEquality,
+          fmt::format(
+              "{}: it couples a ball joint, or a joint to itself; two different hinge or slide joints are accepted",
+              attributes.owner()));
     std::vector<double> a = {0.0, 1.0, 0.0, 0.0, 0.0};
     const std::vector<double> given = attributes.Numbers("polycoef", 1, a.size());
     std::copy(given.begin(), given.end(), a.begin());
@@ -55,8 +59,7 @@ class MjcfCoupler {
     constexpr double kLeast = 1e-6, kMost = 1e6;
     if (a[1] != 0.0 && !(std::abs(a[1]) >= kLeast && std::abs(a[1]) <= kMost))
       RefuseMjcf(FailureCode::kMjcfEquality,
-                 fmt::format("{}: the second number of 'polycoef' is {}; accepted: 0, and {} to {} up "
-                             "or down",
+                 fmt::format("{}: the second number of 'polycoef' is {}; accepted: 0, or a magnitude of {} to {}",
                              attributes.owner(), a[1], kLeast, kMost));
     if (second < 0 || a[1] == 0.0) {
       Lock(attributes, first, JointAt(first).ref + a[0]);
@@ -68,7 +71,7 @@ class MjcfCoupler {
 
   std::vector<MjcfCoupling>& couplings() { return couplings_; }
 
-  /// What follows a joint that stands still stands still too.
+  /// Returns the couplings. A joint that follows a locked joint becomes locked too.
   std::vector<MjcfCoupling> Take() {
     for (std::size_t j = 0; j < couplings_.size(); ++j) {
       std::vector<int> chain = {static_cast<int>(j)};
@@ -95,10 +98,10 @@ class MjcfCoupler {
     if (!CouplingOf(joint).moves_alone()) RefuseSecond(attributes, joint);
     CouplingOf(joint).locked = position;
     context_.Note(attributes.owner(),
-                  fmt::format("joint '{}' is held at {} and becomes a fixed joint", JointAt(joint).name, position));
+                  fmt::format("joint '{}' is locked at {} and becomes a fixed joint", JointAt(joint).name, position));
   }
 
-  /// Whether following `leader` leads back to `joint`.
+  /// Whether the leaders of `leader` include `joint`.
   bool LeadsTo(int leader, int joint) {
     for (int at = leader; at >= 0; at = CouplingOf(at).leader) {
       if (at == joint) return true;
@@ -106,7 +109,8 @@ class MjcfCoupler {
     return false;
   }
 
-  /// The first joint follows the second; the other way round where the first alone has an actuator, or follows already.
+  /// Makes the first joint follow the second one. If only the first has an actuator, or if it already follows another
+  /// joint, the second follows the first.
   void Follow(const MjcfAttributes& attributes, std::pair<int, int> joints, double multiplier, double offset) {
     auto [follower, leader] = joints;
     const bool other_way = !CouplingOf(follower).moves_alone() || (IsDriven(follower) && !IsDriven(leader));
@@ -140,7 +144,7 @@ std::vector<MjcfCoupling> ReadMjcfCouplings(MjcfContext& context, const MjcfTree
     const std::string tag = element->Name();
     const MjcfAttributes attributes = context.defaults.Of(*element, "equality");
     if (!attributes.Flag("active", true)) {
-      context.Note(attributes.owner(), "it is not active; left out");
+      context.Note(attributes.owner(), "it is not active; it is left out");
     } else if (tag == "joint") {
       coupler.Couple(attributes);
     } else if (tag != "connect" && tag != "weld") {

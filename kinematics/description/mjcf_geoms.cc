@@ -15,7 +15,7 @@ namespace {
 const std::vector<std::string> kMjcfGeomTypes = {"sphere", "capsule", "cylinder", "ellipsoid", "box",
                                                  "mesh",   "plane",   "hfield",   "sdf"};
 
-/// How many numbers of `size` a type has.
+/// Number of values of `size` for a type of geom.
 std::size_t MjcfSizes(MjcfGeomType type, bool from_to) {
   switch (type) {
     case MjcfGeomType::kSphere:
@@ -45,16 +45,17 @@ void ReadMjcfSize(const MjcfAttributes& attributes, bool from_to, MjcfGeom& geom
   }
 }
 
-/// Pose and length of a geom from its ends; the ends lie on its z axis, which points to the first.
+/// Pose and length of a geom from its ends. The ends are on its z axis, which points to the first one.
 void ReadMjcfEnds(const MjcfAttributes& attributes, const Pose& X_BF, MjcfGeom& geom) {
   if (geom.type == MjcfGeomType::kSphere || geom.type == MjcfGeomType::kMesh)
     RefuseMjcf(FailureCode::kMjcfGeom,
-               fmt::format("{}: 'fromto' is for capsule, cylinder, ellipsoid and box", geom.owner));
+               fmt::format("{}: 'fromto' is for capsule, cylinder, ellipsoid and box, not for a {}", geom.owner,
+                           geom.type == MjcfGeomType::kSphere ? "sphere" : "mesh"));
   const std::vector<double> ends = attributes.Numbers("fromto", 6, 6);
   const Vector3 from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
   const double half = 0.5 * (from - to).norm();
   if (half < 1e-9)
-    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: the ends of 'fromto' are one point", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: the two ends of 'fromto' are the same point", geom.owner));
   if (!attributes.Three("pos", Vector3::Zero()).isZero(0.0))
     RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it has both 'pos' and 'fromto'", geom.owner));
   if (geom.type == MjcfGeomType::kEllipsoid || geom.type == MjcfGeomType::kBox) {
@@ -73,7 +74,7 @@ MjcfGeomType MjcfTypeNamed(const std::string& type) {
                                    kMjcfGeomTypes.begin());
 }
 
-/// Nothing for kinds of geoms that a robot has no use for.
+/// Reads a geom. Nothing for types that are not used for a robot.
 std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part, const std::set<std::string>& paired) {
   const MjcfAttributes attributes = context.defaults.Of(*part.element, "geom", part.childclass);
   MjcfGeom geom;
@@ -87,7 +88,7 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   }
   geom.type = MjcfTypeNamed(type);
   if (geom.type == MjcfGeomType::kMesh && geom.mesh.empty())
-    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it is a mesh, and has no 'mesh'", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it is of type mesh, but has no 'mesh'", geom.owner));
   if (geom.type != MjcfGeomType::kMesh && !geom.mesh.empty()) {
     context.Note(geom.owner, fmt::format("the mesh is used instead of the {} that MuJoCo fits to it", type));
     geom.type = MjcfGeomType::kMesh;
@@ -110,9 +111,12 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   geom.is_shell = attributes.Flag("shellinertia", false);
   if (attributes.Has("mass")) geom.mass = attributes.Number("mass", 0.0);
   geom.density = attributes.Number("density", geom.density);
-  if (geom.mass.value_or(0.0) < 0.0 || geom.density < 0.0)
-    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: its mass or density is negative: {}", geom.owner,
-                                                   geom.mass.value_or(0.0) < 0.0 ? *geom.mass : geom.density));
+  const double mass = geom.mass.value_or(0.0);
+  if (mass < 0.0 || geom.density < 0.0) {
+    const std::string value =
+        mass < 0.0 ? fmt::format("mass is {} kg", mass) : fmt::format("density is {} kg/m^3", geom.density);
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: its {}; zero or more is accepted", geom.owner, value));
+  }
   return geom;
 }
 
@@ -168,11 +172,13 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     mesh.scale = attributes.Three("scale", Vector3::Ones());
     mesh.p_ref = attributes.Three("refpos", Vector3::Zero());
     if (mesh.scale.cwiseAbs().minCoeff() == 0.0)
-      RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its scale is 0", mesh.owner));
+      RefuseMjcf(FailureCode::kMjcfMesh,
+                 fmt::format("{}: its scale is 0 along an axis; other values are accepted", mesh.owner));
     if (const auto q = attributes.Numbers("refquat", 4, 4); !q.empty()) {
       const Quaternion quaternion(q[0], q[1], q[2], q[3]);
       if (quaternion.norm() < 1e-9)
-        RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its refquat is zero", mesh.owner));
+        RefuseMjcf(FailureCode::kMjcfMesh,
+                   fmt::format("{}: its 'refquat' is zero, which is not a rotation", mesh.owner));
       mesh.R_ref = quaternion.normalized().toRotationMatrix();
     }
     std::string name = attributes.Name("name");
@@ -185,7 +191,7 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     }
     if (!assets.emplace(name, std::move(mesh)).second)
       RefuseMjcf(FailureCode::kDoubleName,
-                 fmt::format("{}: there are two meshes '{}'", attributes.owner(), ShownMjcf(name)));
+                 fmt::format("{}: two meshes are named '{}'", attributes.owner(), ShownMjcf(name)));
   }
   return assets;
 }
@@ -227,8 +233,8 @@ void LetHiddenMjcfGeomsCollide(MjcfContext& context, std::vector<std::vector<Mjc
   if (any([](const MjcfGeom& geom) { return geom.collides; })) return;
   if (!any([](const MjcfGeom& geom) { return !geom.is_shown; })) return;
   context.Note(context.document.Owner(context.document.root()),
-               "no geom of the robot can touch another by 'contype' and 'conaffinity' or <pair>; geoms of group 3 and "
-               "up, which are not shown, are used as collision geometry");
+               "'contype', 'conaffinity' and <pair> exclude every contact of the robot's geoms; geoms of group 3 and "
+               "above, which are not shown, are used as collision geometry");
   for (std::vector<MjcfGeom>& of_body : geoms) {
     for (MjcfGeom& geom : of_body) geom.collides = !geom.is_shown;
   }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Second moments along the axes: the integral of x^2 over a solid of volume V is V times the radius of gyration
-/// squared.
+/// A solid with second moments along its axes: the integral of x^2 over the volume V is V times the square of the
+/// radius of gyration.
 MjcfVolume MjcfSolid(double volume, const Vector3& squares) {
   return {volume, Vector3::Zero(), Matrix3((volume * squares).asDiagonal())};
 }
@@ -30,7 +30,7 @@ MjcfVolume MjcfCylinder(double radius, double half) {
   return MjcfSolid(2.0 * kPi * radius * radius * half, {across, across, half * half / 3.0});
 }
 
-/// A cylinder with half a ball at each end, whose centre is 3/8 of the radius from its flat face.
+/// A cylinder with a hemisphere at each end; the centre of mass of a hemisphere is 3/8 r from its flat face.
 MjcfVolume MjcfCapsule(double radius, double half) {
   MjcfVolume capsule = MjcfCylinder(radius, half);
   const MjcfVolume ball = MjcfBall(radius);
@@ -77,7 +77,7 @@ std::optional<MjcfVolume> VolumeOfMjcfMesh(const MjcfMesh& mesh) {
     area += face.norm();
     open += face;
   }
-  // The faces of a closed body balance; a body turned inside out has all signs the other way.
+  // The areas of the faces of a closed body sum to zero. If all faces point inward, all signs are reversed.
   constexpr double kOpen = 1e-3, kFlat = 1e-6;
   if (!(open.norm() <= kOpen * area) || !(std::abs(volume) > kFlat * MjcfBoxAround(mesh).volume)) return std::nullopt;
   const double sign = volume > 0.0 ? 1.0 : -1.0;
@@ -142,10 +142,11 @@ MjcfInertia MjcfInertias::FromGeoms(const std::vector<MjcfGeom>& geoms) {
     const bool counts = geom.group >= context_.compiler.lowest_group && geom.group <= context_.compiler.highest_group;
     if (!counts || geom.mass.value_or(geom.density) == 0.0) continue;
     if (geom.is_shell || (geom.type == MjcfGeomType::kMesh && MjcfMeshOf(geom, assets_).is_shell))
-      RefuseMjcf(FailureCode::kMjcfInertia,
-                 fmt::format("{}: its body's inertia comes from it, and the inertia of a shell is not "
-                             "supported; give the body an <inertial>",
-                             geom.owner));
+      RefuseMjcf(
+          FailureCode::kMjcfInertia,
+          fmt::format("{}: the inertia of its body comes from this shell, and shells are not supported; give the "
+                      "body an <inertial>",
+                      geom.owner));
     const MjcfVolume volume = VolumeOf(geom);
     if (!(volume.volume > 0.0)) continue;
     const double mass = geom.mass.value_or(geom.density * volume.volume);

@@ -24,20 +24,20 @@ struct MjcfVolume {
   Matrix3 second = Matrix3::Zero();  ///< integral of r r^T about the centre [m^5]
 };
 
-/// The solid between the triangles of a closed mesh. Nothing where they do not close, or enclose no volume.
+/// The solid enclosed by the triangles of a closed mesh. Nothing if the mesh is not closed or encloses no volume.
 ///   Each triangle (a, b, c) adds the tetrahedron (0, a, b, c): volume det(a b c) / 6, first moment volume (a + b + c)
 ///   / 4, second moment volume ((a + b + c)(a + b + c)^T + a a^T + b b^T + c c^T) / 20.
 std::optional<MjcfVolume> VolumeOfMjcfMesh(const MjcfMesh& mesh);
 
-/// Inertia of a solid of that mass about its centre: mass / volume (trace(S) 1 - S).
+/// Inertia of a solid with a given mass about its centre: mass / volume (trace(S) 1 - S).
 Matrix3 InertiaOfMjcfVolume(const MjcfVolume& volume, double mass);
 
-/// Finds the inertia of bodies as <compiler> asks for: from <inertial> or from geoms, with its bounds.
+/// Finds the inertia of bodies as required by <compiler>: from <inertial> or from geoms, with the bounds of <compiler>.
 class MjcfInertias {
  public:
   MjcfInertias(MjcfContext& context, const MjcfMeshAssets& assets) : context_(context), assets_(assets) {}
 
-  /// Throws a Failure on values that are wrong, and where a mesh that has a part cannot be read.
+  /// Throws a Failure for wrong values, and for a mesh that is needed for the inertia but cannot be read.
   MjcfInertia Of(const MjcfBody& body, const std::vector<MjcfGeom>& geoms);
 
  private:

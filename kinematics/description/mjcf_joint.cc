@@ -9,7 +9,8 @@
 namespace gaitwright {
 namespace {
 
-/// A number that is not negative; of several, coefficients of a polynomial, the first.
+/// A number that is not negative. Of several numbers, which are the coefficients of a polynomial, only the first is
+/// used.
 double MjcfLoss(MjcfContext& context, const MjcfAttributes& attributes, const std::string& key) {
   constexpr std::size_t kMostCoefficients = 8;
   const std::vector<double> numbers = attributes.Numbers(key, 1, kMostCoefficients);
@@ -29,7 +30,7 @@ void ReadMjcfRange(MjcfContext& context, const MjcfAttributes& attributes, MjcfJ
     if (joint.is_scalar())
       joint.range = {unit * ends[0], unit * ends[1]};
     else
-      context.Note(attributes.owner(), "the range of a ball joint is ignored; it turns without limit");
+      context.Note(attributes.owner(), "the range of a ball joint is ignored; the joint has no limits");
   } else if (attributes.Has("range") && !autolimits && !attributes.Has("limited")) {
     context.Note(attributes.owner(),
                  "its range is ignored: <compiler> has autolimits=\"false\", and the joint has no 'limited'");
@@ -38,7 +39,7 @@ void ReadMjcfRange(MjcfContext& context, const MjcfAttributes& attributes, MjcfJ
   joint.force_limit = MjcfEitherSide(context, attributes, "actuatorfrcrange");
 }
 
-/// Springs and the like, which the robot model has no place for.
+/// Adds notes for springs and other data that the robot model cannot contain.
 void NoteMjcfSprings(MjcfContext& context, const MjcfAttributes& attributes) {
   if (const double stiffness = MjcfLoss(context, attributes, "stiffness"); stiffness > 0.0)
     context.Note(attributes.owner(), fmt::format("its spring of stiffness {} is ignored", stiffness));
@@ -53,9 +54,8 @@ double MjcfEitherSide(MjcfContext& context, const MjcfAttributes& attributes, co
   const double smaller = std::min(std::abs(ends[0]), std::abs(ends[1]));
   const double bound = smaller > 0.0 ? smaller : std::max(std::abs(ends[0]), std::abs(ends[1]));
   if (ends[0] != -ends[1])
-    context.Note(attributes.owner(),
-                 fmt::format("'{}' is '{}', which differs in size between both sides; {} is used for both", key,
-                             attributes.Text(key), bound));
+    context.Note(attributes.owner(), fmt::format("'{}' is '{}', whose two sides differ in size; {} is used for both",
+                                                 key, attributes.Text(key), bound));
   return bound;
 }
 

@@ -26,7 +26,7 @@ const tinyxml2::XMLElement* ChosenMjcfKey(const MjcfContext& context) {
 
 using MjcfRange = std::pair<double, double>;
 
-/// The ranges of joints with those of all that follow them.
+/// The ranges of joints, narrowed by the ranges of the joints that follow them.
 std::vector<MjcfRange> MjcfRanges(const MjcfTree& tree, const std::vector<MjcfCoupling>& couplings) {
   std::vector<MjcfRange> ranges(tree.joints.size(), {-kMjcfInfinity, kMjcfInfinity});
   for (std::size_t j = 0; j < couplings.size(); ++j) {
@@ -45,7 +45,8 @@ std::vector<MjcfRange> MjcfRanges(const MjcfTree& tree, const std::vector<MjcfCo
   return ranges;
 }
 
-/// A position within a range; what is beyond it by rounding is moved to its end. Nothing for what is farther off.
+/// A position within a range. A position beyond the range by rounding is moved to its end. Nothing for a position that
+/// is farther outside.
 std::optional<double> MjcfWithin(const MjcfRange& range, double position) {
   constexpr double kRounding = 1e-3;
   if (range.first > range.second) return std::nullopt;
@@ -56,7 +57,7 @@ std::optional<double> MjcfWithin(const MjcfRange& range, double position) {
 }  // namespace
 
 Vector3 MjcfTurns(const Matrix3& R) {
-  // R = Rx(a) Ry(b) Rz(c). Where cos(b) is zero, a is whatever rounding makes it, and c fits it.
+  // R = Rx(a) Ry(b) Rz(c). If cos(b) is zero, rounding decides a, and c matches it.
   const double a = std::atan2(-R(1, 2), R(2, 2));
   const double b = std::atan2(R(0, 2), std::hypot(R(0, 0), R(0, 1)));
   const double c =

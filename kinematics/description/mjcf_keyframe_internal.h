@@ -9,13 +9,13 @@
 
 namespace gaitwright {
 
-/// Positions of joints in the keyframe `home`, or else in the first one: by the URDF's names of joints, a ball joint's
-/// as those of its three turns about x, y and z. Empty without a keyframe. Positions outside of a joint's range, and
-/// keyframes of another number of positions than the model has, are noted and left out.
+/// Positions of joints in the keyframe `home`, or else in the first one, by the joint names of the URDF. A ball joint
+/// has three angles about x, y and z. Empty without a keyframe. Positions outside the range of a joint, and keyframes
+/// with a wrong number of positions, are left out with a note.
 std::vector<std::pair<std::string, double>> ReadMjcfPosture(MjcfContext& context, const MjcfTree& tree,
                                                             const std::vector<MjcfCoupling>& couplings);
 
-/// The turns about x, y and z, one after the other in the turned frame, that make up a rotation [rad].
+/// The angles of a rotation about x, y and z in the rotating frame, in this order [rad].
 Vector3 MjcfTurns(const Matrix3& R);
 
 }  // namespace gaitwright

@@ -12,12 +12,12 @@
 namespace gaitwright {
 namespace {
 
-/// A part is small that weighs less than this share of the robot, and carries no foot where all of it is higher over
-/// the lowest body than this share of the robot's height.
+/// A part is small if its mass is less than kMostOfMass of the robot's. It carries no foot if all of it is higher above
+/// the lowest body than kLeastOfHeight of the robot's height.
 constexpr double kMostOfMass = 0.1, kLeastOfHeight = 0.25;
 
-/// The body at one end of a tie, by the body's name or that of a site: -1 for the world. Throws a Failure on unknown
-/// names.
+/// The body at one end of a tie, from the name of the body or of a site; -1 for the world. Throws a Failure for an
+/// unknown name.
 int EndOfMjcfTie(const MjcfAttributes& attributes, const MjcfTree& tree, const std::string& number) {
   const bool by_site = attributes.Has("site" + number);
   const std::string key = (by_site ? "site" : "body") + number, name = attributes.Name(key);
@@ -30,14 +30,14 @@ int EndOfMjcfTie(const MjcfAttributes& attributes, const MjcfTree& tree, const s
                                                      ShownMjcf(name), NearestOrAll(name, names)));
 }
 
-/// A body and those that carry it, to the first body of its tree.
+/// A body and its ancestors, up to the first body of its tree.
 std::vector<int> MjcfCarriers(const MjcfTree& tree, int body) {
   std::vector<int> chain;
   for (int b = body; b >= 0; b = tree.bodies[static_cast<std::size_t>(b)].parent) chain.push_back(b);
   return chain;
 }
 
-/// What a tie closes: the bodies on both ways down from the one that carries both ends.
+/// The bodies of the loop that a tie closes: both branches below the last common ancestor of its ends.
 std::vector<int> LoopOfMjcf(const MjcfTree& tree, int one, int other) {
   std::vector<int> a = MjcfCarriers(tree, one), b = MjcfCarriers(tree, other);
   while (!a.empty() && !b.empty() && a.back() == b.back()) {
@@ -63,7 +63,7 @@ std::string NamesOfMjcfJoints(const MjcfTree& tree, const std::vector<int>& join
   return QuotedList(names);
 }
 
-/// Whether what the bodies carry is light and far from the ground in the pose that the file draws.
+/// Whether the bodies and the parts that they carry are light and far from the ground in the pose of the file.
 bool IsSmallMjcfPart(const MjcfTree& tree, const std::vector<double>& masses, const std::vector<int>& bodies) {
   const std::size_t count = tree.bodies.size();
   std::vector<bool> in_part(count, false);
@@ -92,7 +92,7 @@ bool IsSmallMjcfPart(const MjcfTree& tree, const std::vector<double>& masses, co
          highest > lowest;
 }
 
-/// Locks a joint at a position, and those that lead it where that puts them.
+/// Locks a joint at a position, and the joints that lead it at the matching positions.
 void LockMjcfJoint(int joint, double position, std::vector<MjcfCoupling>& couplings) {
   for (std::size_t steps = 0; joint >= 0 && steps <= couplings.size(); ++steps) {
     const MjcfCoupling before = couplings[static_cast<std::size_t>(joint)];
@@ -114,7 +114,7 @@ void LockMjcfLoops(MjcfContext& context, const MjcfTree& tree, const std::vector
     const int one = EndOfMjcfTie(attributes, tree, "1"), other = EndOfMjcfTie(attributes, tree, "2");
     const auto is_robots = [&](int body) { return body >= 0 && tree.in_robot[static_cast<std::size_t>(body)]; };
     if (!is_robots(one) && !is_robots(other)) {
-      context.Note(attributes.owner(), "it is not part of the robot; left out");
+      context.Note(attributes.owner(), "it is not part of the robot; it is left out");
       continue;
     }
     if (!is_robots(one) || !is_robots(other))
@@ -132,7 +132,7 @@ void LockMjcfLoops(MjcfContext& context, const MjcfTree& tree, const std::vector
     for (const int j : joints) LockMjcfJoint(j, tree.joints[static_cast<std::size_t>(j)].ref, couplings);
     if (!joints.empty())
       context.Note(attributes.owner(),
-                   fmt::format("it closes a loop of the joints {}, which are fixed here in the file's posture",
+                   fmt::format("it closes a loop of the joints {}, which are locked in the posture of the file",
                                NamesOfMjcfJoints(tree, joints)));
   }
 }

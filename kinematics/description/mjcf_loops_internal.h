@@ -7,11 +7,11 @@
 
 namespace gaitwright {
 
-/// What <connect> and <weld> do to a tree of joints. A loop in a small part of the robot that carries no foot, such as
-/// a gripper or a neck that rods move, stands still as the file draws it: its joints are locked, which is noted. Throws
-/// a Failure on any other loop, with the joints that it goes through, and on ties to the world.
+/// Applies <connect> and <weld> to a tree of joints. A loop in a small part of the robot that carries no foot, such as
+/// a gripper or a neck with rods, is locked in the posture of the file, with a note. Throws a Failure for any other
+/// loop, with its joints, and for ties to the world.
 /// @param masses     by body [kg].
-/// @param couplings  by joint; those of the loops' joints are changed.
+/// @param couplings  by joint; the couplings of joints in loops are changed.
 void LockMjcfLoops(MjcfContext& context, const MjcfTree& tree, const std::vector<double>& masses,
                    std::vector<MjcfCoupling>& couplings);
 

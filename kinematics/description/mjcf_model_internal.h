@@ -17,12 +17,12 @@ namespace gaitwright {
 
 inline constexpr std::size_t kMostMjcfNotes = 1000;
 
-/// What all parts of the conversion need.
+/// Common data of all parts of the conversion.
 struct MjcfContext {
   MjcfContext(const std::string& text, const MjcfFiles& given, const std::string& name)
       : document(text, name, given.text), compiler(ReadMjcfCompiler(document)), defaults(document), files(given) {}
 
-  /// Keeps a note for people, of an element by its owner text. Many are enough: the last one says that there are more.
+  /// Adds a note for the user about an element. The number of notes is limited; the last one says that there are more.
   void Note(const std::string& owner, const std::string& what);
   bool has_many_notes() const { return notes.size() > kMostMjcfNotes; }
 
@@ -42,17 +42,17 @@ struct MjcfJoint {
   MjcfJointType type = MjcfJointType::kHinge;
   Vector3 pos = Vector3::Zero();
   Vector3 axis = Vector3::UnitZ();
-  double ref = 0.0;                                ///< its position in the pose that the file describes [rad, m]
+  double ref = 0.0;                                ///< its position in the pose of the file [rad, m]
   std::optional<std::pair<double, double>> range;  ///< [rad, m]
-  std::optional<double> force_limit;               ///< of all its actuators together [N m, N]
+  std::optional<double> force_limit;               ///< limit of the sum of all its actuators [N m, N]
   double damping = 0.0, friction = 0.0, armature = 0.0;
 
-  /// Numbers that it has in a keyframe's qpos.
+  /// Number of its values in the qpos of a keyframe.
   std::size_t num_positions() const;
   bool is_scalar() const { return type == MjcfJointType::kHinge || type == MjcfJointType::kSlide; }
 };
 
-/// An element of a body, with the frame F that stands around it.
+/// An element of a body, with the frame F around it.
 struct MjcfPart {
   const tinyxml2::XMLElement* element = nullptr;
   Pose X_BF = Pose::Identity();
@@ -60,7 +60,7 @@ struct MjcfPart {
 };
 
 /// = Notation =
-///   B  the body's frame      P  the parent body's frame; of the first body of a tree the world
+///   B  the body's frame      P  the parent body's frame; the world for the first body of a tree
 struct MjcfBody {
   std::string owner, name;
   int parent = -1;  ///< index of a body before it; -1 for the world
@@ -82,18 +82,19 @@ struct MjcfTree {
   std::vector<int> body_of;                 ///< by joint
 
   bool IsRobotJoint(int joint) const;
-  /// Whether the joint becomes one of the URDF: it is the robot's and does not join its first body to the world.
+  /// Whether the joint becomes a joint of the URDF: it belongs to the robot and does not join its first body to the
+  /// world.
   bool Moves(int joint) const;
 };
 
-/// Throws a Failure on elements that are not supported, names that stand there twice, and over 1000 bodies.
+/// Throws a Failure for unsupported elements, duplicate names, and more than 1000 bodies.
 MjcfTree ReadMjcfTree(MjcfContext& context);
 
-/// A joint of a body. @param part  the element.
+/// Reads a joint of a body. @param part  its element.
 MjcfJoint ReadMjcfJoint(MjcfContext& context, const MjcfPart& part);
 
-/// The bound that a range of two numbers gives in both directions: the smaller of its ends, the larger where that is
-/// zero. A range whose ends differ is noted.
+/// The bound of a range of two numbers for both directions: the smaller magnitude of its ends, or the larger one if the
+/// smaller is zero. Adds a note if the magnitudes differ.
 double MjcfEitherSide(MjcfContext& context, const MjcfAttributes& attributes, const std::string& key);
 
 }  // namespace gaitwright

@@ -19,7 +19,7 @@ const std::vector<std::string> kMjcfSections = {"compiler",  "option",   "size",
                                                 "extension", "custom",   "asset",  "contact",  "deformable", "equality",
                                                 "tendon",    "actuator", "sensor", "keyframe", "worldbody"};
 
-/// Attributes by element, those that are read and those that do not matter here.
+/// Known attributes by element: attributes that are read, and attributes that are not needed here.
 const std::map<std::string, std::vector<std::string>> kMjcfAttributes = {
     {"body",
      {"name", "childclass", "mocap", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "gravcomp", "sleep",
@@ -60,7 +60,7 @@ const std::map<std::string, std::vector<std::string>> kMjcfAttributes = {
       "discardvisual", "convexhull", "usethread",    "fusestatic",       "inertiafromgeom", "inertiagrouprange",
       "saveinertial",  "assetdir",   "alignfree",    "exactmeshinertia", "conflict"}}};
 
-/// Notes attributes that nobody knows, which may be misspelt.
+/// Adds notes for unknown attributes, which may be misspelt.
 void NoteUnknownMjcfAttributes(MjcfContext& context, const XMLElement& element) {
   const auto known = kMjcfAttributes.find(element.Name());
   if (known == kMjcfAttributes.end()) return;
@@ -69,7 +69,7 @@ void NoteUnknownMjcfAttributes(MjcfContext& context, const XMLElement& element) 
     if (std::find(known->second.begin(), known->second.end(), a->Name()) != known->second.end()) continue;
     const std::string name = ShownMjcf(a->Name());
     context.Note(context.document.Owner(element),
-                 fmt::format("the attribute '{}' is unknown{}; left out", name, NearestHint(name, known->second)));
+                 fmt::format("the attribute '{}' is unknown{}; it is ignored", name, NearestHint(name, known->second)));
   }
 }
 
@@ -99,7 +99,8 @@ void NoteMjcfOption(MjcfContext& context, const XMLElement& option) {
                             "gravity", "clampctrl", "actuation"}) {
       const char* text = flag->Attribute(key);
       if (text != nullptr && std::string_view(text) == "disable")
-        context.Note(context.document.Owner(*flag), fmt::format("'{}' is disabled in the file but active here", key));
+        context.Note(context.document.Owner(*flag),
+                     fmt::format("'{}' is disabled in the file, but is active in simulations here", key));
     }
   }
 }
@@ -125,7 +126,7 @@ void NoteMjcfContacts(MjcfContext& context) {
 
 void MjcfContext::Note(const std::string& owner, const std::string& what) {
   if (has_many_notes()) return;
-  notes.push_back(notes.size() < kMostMjcfNotes ? owner + ": " + what : "there are more notes, which are not listed");
+  notes.push_back(notes.size() < kMostMjcfNotes ? owner + ": " + what : "further notes are not listed");
 }
 
 void NoteMjcfOthers(MjcfContext& context) {
@@ -133,7 +134,7 @@ void NoteMjcfOthers(MjcfContext& context) {
     const std::string tag = section->Name();
     if (!context.has_many_notes() && std::find(kMjcfSections.begin(), kMjcfSections.end(), tag) == kMjcfSections.end())
       context.Note(context.document.Owner(*section),
-                   fmt::format("this section is unknown{}; left out", NearestHint(tag, kMjcfSections)));
+                   fmt::format("this section is unknown{}; it is ignored", NearestHint(tag, kMjcfSections)));
     if (tag == "option") NoteMjcfOption(context, *section);
     if (tag == "compiler") NoteUnknownMjcfAttributes(context, *section);
     if (tag == "worldbody" || tag == "default") NoteUnknownMjcfAttributesBelow(context, *section);

@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// Notes all that is passed over outside of the bodies and that may change the motion: <option>, <contact>, <tendon>,
-/// <deformable>, sections and attributes that are not known.
+/// Adds notes for elements outside the bodies that are ignored and may change the motion: <option>, <contact>,
+/// <tendon>, <deformable>, unknown sections and unknown attributes.
 void NoteMjcfOthers(MjcfContext& context);
 
 }  // namespace gaitwright

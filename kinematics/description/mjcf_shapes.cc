@@ -18,7 +18,7 @@ MjcfUrdfShape MjcfRound(const std::string& element, double radius, double length
 
 MjcfUrdfShape MjcfBox(const Vector3& edges, const Pose& X_BS) { return {"box", {{"size", MjcfText(edges)}}, X_BS}; }
 
-/// A capsule along its longest axis, as thick as its middle axis, holds an ellipsoid.
+/// A capsule around an ellipsoid: along its longest axis, with the radius of its middle axis.
 MjcfUrdfShape AroundMjcfEllipsoid(MjcfContext& context, const MjcfGeom& geom) {
   std::array<int, 3> order = {0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return geom.size[a] < geom.size[b]; });
@@ -36,7 +36,8 @@ MjcfUrdfShape AroundMjcfEllipsoid(MjcfContext& context, const MjcfGeom& geom) {
   return MjcfRound("capsule", middle, 2.0 * (longest - middle), X_BS);
 }
 
-/// Why a mesh cannot be used; "" where it can. A file for collision that cannot be read is reported by who loads it.
+/// The reason why a mesh cannot be used; "" if it can be used. A collision mesh file that cannot be read is reported
+/// when it is loaded.
 std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset, bool collides) {
   if (asset.file.empty()) return "its mesh has neither 'file' nor 'vertex'";
   if (!asset.inner.vertices.empty() || collides) return "";
@@ -49,10 +50,10 @@ std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset, bool collides) {
 std::optional<MjcfUrdfShape> MeshOfMjcfGeom(MjcfContext& context, const MjcfGeom& geom, const MjcfMeshAssets& assets) {
   const MjcfMeshAsset& asset = MjcfMeshOf(geom, assets);
   if (const std::string reason = ReasonNoMjcfMesh(asset, geom.collides); !reason.empty()) {
-    context.Note(geom.owner, reason + "; left out");
+    context.Note(geom.owner, reason + "; it is left out");
     return std::nullopt;
   }
-  // The URDF scales along the axes of the file; MuJoCo scales along those of refquat.
+  // The URDF scales along the axes of the file; MuJoCo scales along the axes of refquat.
   const bool even = (asset.scale.array() == asset.scale.x()).all();
   if (!even && !asset.R_ref.isIdentity(1e-12))
     RefuseMjcf(FailureCode::kMjcfMesh,
@@ -74,7 +75,7 @@ std::string MjcfText(const Vector3& v) {
 }
 
 Vector3 MjcfRollPitchYaw(const Matrix3& R) {
-  // Where cos(pitch) is zero, yaw is whatever rounding makes it, and roll fits it.
+  // If cos(pitch) is zero, rounding decides yaw, and roll matches it.
   const double yaw = std::atan2(R(1, 0), R(0, 0));
   const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
   const double s = std::sin(yaw), c = std::cos(yaw);

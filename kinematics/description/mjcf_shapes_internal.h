@@ -8,15 +8,15 @@
 
 namespace gaitwright {
 
-/// A geometry of the URDF in a body's frame B: the element's name and attributes.
+/// A geometry of the URDF in a body's frame B, with the name and attributes of its element.
 struct MjcfUrdfShape {
   std::string element;
   std::vector<std::pair<std::string, std::string>> attributes;
   Pose X_BS = Pose::Identity();
 };
 
-/// The geom as a shape that the URDF has; nothing for a mesh without a file of a kind that is read, which is noted. An
-/// ellipsoid becomes a capsule around it, or the box around it where it is flatter than that.
+/// The geom as a shape of the URDF. Nothing, with a note, for a mesh without a file or with an unsupported format. An
+/// ellipsoid becomes a capsule around it, or a box if it is too flat for a capsule.
 std::optional<MjcfUrdfShape> ShapeOfMjcfGeom(MjcfContext& context, const MjcfGeom& geom, const MjcfMeshAssets& assets);
 
 /// Numbers that read back exactly, with spaces between them.

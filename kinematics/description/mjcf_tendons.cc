@@ -12,14 +12,14 @@
 namespace gaitwright {
 namespace {
 
-/// Joints with their coefficients that a fixed tendon holds together.
+/// The joints of a fixed tendon with their coefficients.
 struct MjcfTendonTie {
   std::string owner;
-  double play = 0.0;  ///< by how much its length may differ
+  double play = 0.0;  ///< width of the range of its length
   std::vector<std::pair<std::size_t, double>> joints;
 };
 
-/// Nothing for a tendon that is free to become longer, or that goes over joints that are not the robot's.
+/// The tie of a tendon. Nothing for a tendon without a limited range, or with a joint outside the robot.
 std::optional<MjcfTendonTie> TieOfMjcfTendon(const MjcfContext& context, const MjcfTree& tree,
                                              const tinyxml2::XMLElement& element) {
   const MjcfAttributes attributes = context.defaults.Of(element, "tendon");
@@ -39,9 +39,9 @@ std::optional<MjcfTendonTie> TieOfMjcfTendon(const MjcfContext& context, const M
   return tie;
 }
 
-/// Whether just one of its joints has no motor, and that one has hardly any play.
+/// Whether exactly one joint of a tie has no motor, and this joint has little play.
 bool CarriesMjcfTorque(const MjcfTendonTie& tie, const std::vector<MjcfDrive>& drives) {
-  constexpr double kMostPlay = 0.1;  // of that joint [rad, m]
+  constexpr double kMostPlay = 0.1;  // play of this joint [rad, m]
   int passive = 0;
   bool is_held = true;
   for (const auto& [joint, coefficient] : tie.joints) {

@@ -7,10 +7,10 @@
 
 namespace gaitwright {
 
-/// Gives joints without an actuator the effort that fixed tendons carry to them from joints that have one, as in a
-/// differential: a fixed tendon whose length, the sum of c_j q_j, is held in a narrow range ties its joints, and a
-/// tension t in it acts on each by t c_j. A motor of effort u at joint d that n ties share can bear t = u / (n |c_d|).
-/// Ties of one joint without an actuator are taken; each is noted.
+/// Gives joints without an actuator the effort that fixed tendons transmit to them from joints with an actuator, as in
+/// a differential. A fixed tendon whose length, the sum of c_j q_j, has a narrow range ties its joints. A tension t
+/// acts on each joint with t c_j. A motor of effort u at joint d with n ties can balance t = u / (n |c_d|) in each.
+/// Only ties with one joint without an actuator are used; each gives a note.
 void DriveMjcfJointsByTendons(MjcfContext& context, const MjcfTree& tree, std::vector<MjcfDrive>& drives);
 
 }  // namespace gaitwright

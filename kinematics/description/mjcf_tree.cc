@@ -17,7 +17,7 @@ constexpr std::size_t kMostMjcfBodies = 1000, kMostMjcfJoints = 2000;
 const std::set<std::string> kMjcfPassedOver = {"site", "camera", "light"};
 const std::set<std::string> kMjcfRefused = {"replicate", "attach", "composite", "flexcomp"};
 
-/// Walks the bodies of a model, depth first.
+/// Visits the bodies of a model, depth first.
 class MjcfTreeReader {
  public:
   explicit MjcfTreeReader(MjcfContext& context) : context_(context) {}
@@ -29,7 +29,7 @@ class MjcfTreeReader {
   }
 
  private:
-  /// What stands in a body, in a frame of it or in the world.
+  /// Reads the elements in a body, in one of its frames or in the world.
   void ReadContents(const MjcfPart& around, int body) {
     for (const XMLElement* child : context_.document.Children(*around.element)) {
       const std::string tag = child->Name();
@@ -44,7 +44,7 @@ class MjcfTreeReader {
       } else if (body < 0) {
         if (tag == "joint" || tag == "freejoint" || tag == "inertial")
           RefuseMjcf(FailureCode::kMjcfElement,
-                     context_.document.Owner(*child) + ": the world has no joint and no inertia");
+                     context_.document.Owner(*child) + ": the world cannot have a joint or an inertia");
       } else {
         ReadPart({child, around.X_BF, around.childclass}, tag, body);
       }
@@ -61,8 +61,8 @@ class MjcfTreeReader {
   void ReadBody(const MjcfPart& part, int parent) {
     const MjcfAttributes attributes = context_.defaults.Of(*part.element, "body");
     if (tree_.bodies.size() >= kMostMjcfBodies)
-      RefuseMjcf(FailureCode::kLargeMjcf,
-                 fmt::format("{}: over {} bodies; at most that many are read", attributes.owner(), kMostMjcfBodies));
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{0}: the model has over {1} bodies; at most {1} are read",
+                                                      attributes.owner(), kMostMjcfBodies));
     MjcfBody body;
     body.owner = attributes.owner();
     body.name = attributes.Name("name");
@@ -71,9 +71,9 @@ class MjcfTreeReader {
     body.X_PB = part.X_BF * MjcfPose(attributes, context_.compiler);
     const int index = static_cast<int>(tree_.bodies.size());
     if (body.name == "world" || (!body.name.empty() && !tree_.body_named.emplace(body.name, index).second))
-      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: there are two bodies of that name", body.owner));
+      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: two bodies have this name", body.owner));
     if (attributes.Number("gravcomp", 0.0) != 0.0)
-      context_.Note(body.owner, "'gravcomp' is ignored: the body has its whole weight");
+      context_.Note(body.owner, "'gravcomp' is ignored: gravity acts fully on the body");
     tree_.bodies.push_back(std::move(body));
     ReadContents({part.element, Pose::Identity(), context_.defaults.ChildClass(*part.element, part.childclass)}, index);
   }
@@ -83,7 +83,8 @@ class MjcfTreeReader {
     if (tag == "geom") {
       of.geoms.push_back(part);
     } else if (tag == "inertial") {
-      if (of.inertial) RefuseMjcf(FailureCode::kMjcfElement, fmt::format("{}: there are two <inertial>", of.owner));
+      if (of.inertial)
+        RefuseMjcf(FailureCode::kMjcfElement, fmt::format("{}: it has two <inertial>; one is accepted", of.owner));
       of.inertial = part;
     } else if (tag == "joint" || tag == "freejoint") {
       AddJoint(ReadMjcfJoint(context_, part), body);
@@ -96,28 +97,30 @@ class MjcfTreeReader {
     MjcfBody& of = tree_.bodies[static_cast<std::size_t>(body)];
     if (joint.type == MjcfJointType::kFree && of.parent >= 0)
       RefuseMjcf(FailureCode::kMjcfJoint,
-                 fmt::format("{}: body '{}' has a free joint; only a body of the world may have one", joint.owner,
-                             ShownMjcf(of.name)));
+                 fmt::format("{}: body '{}' has a free joint; only a body directly in the world may have one",
+                             joint.owner, ShownMjcf(of.name)));
     if (tree_.joints.size() >= kMostMjcfJoints)
       RefuseMjcf(FailureCode::kLargeMjcf,
-                 fmt::format("{}: over {} joints; at most that many are read", joint.owner, kMostMjcfJoints));
+                 fmt::format("{0}: the model has over {1} joints; at most {1} are read", joint.owner, kMostMjcfJoints));
     const int index = static_cast<int>(tree_.joints.size());
     if (!joint.name.empty() && !tree_.joint_named.emplace(joint.name, index).second)
-      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: there are two joints of that name", joint.owner));
+      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: two joints have this name", joint.owner));
     of.joints.push_back(index);
     tree_.body_of.push_back(body);
     tree_.joints.push_back(std::move(joint));
   }
 
-  /// Elements that stand for others, unless they only furnish the world.
+  /// Refuses elements that generate others. Such elements outside the robot are left out with a note.
   void Refuse(const XMLElement& element, const std::string& tag, int body) {
     const std::string owner = context_.document.Owner(element);
     if (body < 0 && tag == "replicate" && !HasBody(element)) {
-      context_.Note(owner, "it is not part of the robot; left out");
+      context_.Note(owner, "it is not part of the robot; it is left out");
       return;
     }
     RefuseMjcf(FailureCode::kMjcfElement,
-               fmt::format("{}: <{}> is not supported; save the model from MuJoCo, which writes it out", owner, tag));
+               fmt::format(
+                   "{}: <{}> is not supported; save the model with MuJoCo, which replaces it by the generated elements",
+                   owner, tag));
   }
 
   bool HasBody(const XMLElement& element) const {
@@ -132,7 +135,7 @@ class MjcfTreeReader {
   MjcfTree tree_;
 };
 
-/// Gives a name to what has none: `stem`, or with a number behind it.
+/// Gives a name to items without one: `stem`, or `stem` with a number.
 template <class Named>
 void NameMjcf(std::vector<Named>& all, std::size_t i, const std::string& stem, std::map<std::string, int>& taken) {
   if (!all[i].name.empty()) return;
@@ -141,7 +144,7 @@ void NameMjcf(std::vector<Named>& all, std::size_t i, const std::string& stem, s
   all[i].name = name;
 }
 
-/// The tree with the most bodies; of equal ones the first.
+/// Chooses the tree with the most bodies; if several have the same number, the first one.
 void ChooseMjcfRobot(MjcfContext& context, MjcfTree& tree) {
   std::vector<int> root(tree.bodies.size()), size(tree.bodies.size(), 0);
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
@@ -158,12 +161,13 @@ void ChooseMjcfRobot(MjcfContext& context, MjcfTree& tree) {
     if (tree.bodies[b].parent < 0 && root[b] != tree.root)
       context.Note(
           tree.bodies[b].owner,
-          fmt::format("it is not part of the robot, whose first body is '{}'; left out with its children and actuators",
-                      tree.bodies[static_cast<std::size_t>(tree.root)].name));
+          fmt::format(
+              "it is not part of the robot, whose first body is '{}'; it is left out with its children and actuators",
+              tree.bodies[static_cast<std::size_t>(tree.root)].name));
   }
 }
 
-/// The robot's first body moves freely, whatever joins it to the world.
+/// Adds notes about joints between the robot's first body and the world: the first body always floats freely.
 void NoteMjcfBase(MjcfContext& context, const MjcfTree& tree) {
   const MjcfBody& base = tree.bodies[static_cast<std::size_t>(tree.root)];
   bool is_free = false;
@@ -172,12 +176,13 @@ void NoteMjcfBase(MjcfContext& context, const MjcfTree& tree) {
     is_free = is_free || joint.type == MjcfJointType::kFree;
     if (joint.type != MjcfJointType::kFree)
       context.Note(joint.owner,
-                   "it joins the robot's first body to the world; left out, because the base floats freely");
+                   "it joins the robot's first body to the world; it is left out, because the base floats freely");
   }
   if (is_free && base.joints.size() > 1)
-    RefuseMjcf(FailureCode::kMjcfJoint, fmt::format("{}: it has a free joint as well as other joints", base.owner));
+    RefuseMjcf(FailureCode::kMjcfJoint,
+               fmt::format("{}: it has a free joint as well as other joints; remove the other joints", base.owner));
   if (base.joints.empty())
-    context.Note(base.owner, "it has no free joint, so MuJoCo fixes it to the world; here the base floats");
+    context.Note(base.owner, "it has no free joint, so MuJoCo fixes it to the world; here it is a floating base");
 }
 
 }  // namespace

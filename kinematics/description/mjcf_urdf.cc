@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kMjcfFarSlide = 1e3;  // [m] either way, of a prismatic joint without a range
+constexpr double kMjcfFarSlide = 1e3;  // [m] limit in both directions of a prismatic joint without a range
 
 using MjcfXmlAttributes = std::vector<std::pair<std::string, std::string>>;
 
@@ -81,14 +81,14 @@ class MjcfUrdfWriter {
     Close();
   }
 
-  /// A name that no other has yet.
+  /// A name that is not used yet.
   static std::string Free(const std::string& stem, std::set<std::string>& taken) {
     std::string name = stem;
     for (int n = 2; !taken.insert(name).second; ++n) name = stem + "_" + std::to_string(n);
     return name;
   }
 
-  /// The displacement of a joint from the pose that the file describes.
+  /// The displacement of a joint from the pose of the file.
   static Pose Displacement(const MjcfJoint& joint, double position) {
     Pose X = Pose::Identity();
     if (joint.type == MjcfJointType::kHinge) X.linear() = Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
@@ -96,12 +96,12 @@ class MjcfUrdfWriter {
     return X;
   }
 
-  /// The joints from the parent's link to the body's, with links between them.
+  /// Writes the joints from the link of the parent to the link of the body, with links between them.
   void WriteJoints(std::size_t b) {
     const MjcfBody& body = robot_.tree.bodies[b];
     const auto p = static_cast<std::size_t>(body.parent);
     std::string from = robot_.tree.bodies[p].name;
-    Pose X = X_LB_[p] * body.X_PB;  // of B in the frame of the last link, all joints to come at ref
+    Pose X = X_LB_[p] * body.X_PB;  // pose of B in the frame of the last link, with the following joints at ref
     std::size_t moving = 0;
     for (const int j : body.joints) moving += robot_.couplings[static_cast<std::size_t>(j)].locked ? 0U : 1U;
     for (const int j : body.joints) {
@@ -152,7 +152,7 @@ class MjcfUrdfWriter {
         limit = {{"lower", MjcfText(range.first)}, {"upper", MjcfText(range.second)}};
       }
     }
-    constexpr double kNoLimit = 1e6;  // [N m, N] no motor has it
+    constexpr double kNoLimit = 1e6;  // [N m, N] more than any motor has
     limit.emplace_back("effort", MjcfText(std::isfinite(robot_.efforts[j]) ? robot_.efforts[j] : kNoLimit));
     limit.emplace_back("velocity", "0");  // not known
     Element("limit", limit);

@@ -11,7 +11,7 @@
 
 namespace gaitwright {
 
-/// A robot as it is written: the tree with all that was found for its bodies and joints, by their indices.
+/// A robot for the writers: the tree, with the data found for its bodies and joints by index.
 struct MjcfRobot {
   std::string name;
   MjcfTree tree;
@@ -23,12 +23,12 @@ struct MjcfRobot {
   std::vector<std::pair<std::string, double>> posture;
 };
 
-/// The URDF. Each body is a link of its name. A joint that moves has its anchor as the origin of its child link, so the
-/// link's frame L differs from the body's frame B by the anchor: X_LB = translation(-pos) where one joint moves the
-/// body. Several joints of a body are a chain of links without mass between them.
+/// The URDF. Each body becomes a link of the same name. The origin of a moving joint's child link is the anchor of the
+/// joint. So the link's frame L differs from the body's frame B by the anchor: X_LB = translation(-pos) if one joint
+/// moves the body. Several joints of a body become a chain with links without mass.
 std::string WriteMjcfUrdf(const MjcfRobot& robot);
 
-/// The robot.yaml: name, limits that a URDF cannot say, gains, motors and standing posture.
+/// The robot.yaml: name, limits that a URDF cannot contain, gains, motors and standing posture.
 std::string WriteMjcfYaml(const MjcfRobot& robot);
 
 }  // namespace gaitwright

@@ -29,7 +29,7 @@ class MjcfYamlMap {
   std::string key_, lines_;
 };
 
-/// The URDF's names of a joint: those of three for a ball joint.
+/// The names of a joint in the URDF: three names for a ball joint.
 std::vector<std::string> NamesOfMjcf(const MjcfJoint& joint) {
   if (joint.is_scalar()) return {joint.name};
   return {joint.name + "_x", joint.name + "_y", joint.name + "_z"};
@@ -49,7 +49,7 @@ std::string MjcfGains(const MjcfJoint& joint, const MjcfDrive& drive) {
 }  // namespace
 
 std::string WriteMjcfYaml(const MjcfRobot& robot) {
-  constexpr double kPlaceholder = 1000.0;  // from which on the URDF's effort is taken for unknown
+  constexpr double kPlaceholder = 1000.0;  // an effort limit in the URDF from this value on counts as unknown
   MjcfYamlMap limits("limits"), gains("gains"), motors("motors");
   for (std::size_t j = 0; j < robot.tree.joints.size(); ++j) {
     const MjcfJoint& joint = robot.tree.joints[j];

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostXacroBytes = std::size_t{16} << 20;  // of one file
+constexpr std::size_t kMostXacroBytes = std::size_t{16} << 20;  // size of one file [byte]
 
 /// The text without its XML comments.
 std::string WithoutXmlComments(const std::string& text) {
@@ -27,7 +27,7 @@ std::string WithoutXmlComments(const std::string& text) {
   return rest.append(text, at);
 }
 
-/// The text of a file; where not `strict`, one in another encoding than UTF-8 too.
+/// The text of a file. Unless `strict`, an encoding other than UTF-8 is accepted.
 Result<std::string> ReadXacroText(const std::string& path, bool strict) {
   Result<std::string> text = ReadFile(path, kMostXacroBytes);
   if (text || strict || text.failure().code != FailureCode::kNotText) return text;

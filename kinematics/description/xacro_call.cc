@@ -16,8 +16,8 @@ using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 using ParameterKind = XacroParameter::Kind;
 
-constexpr std::size_t kMostMacroCalls = 100;  // in one another
-constexpr std::size_t kStepsOfCall = 100;     // that a call counts for, beside its expressions
+constexpr std::size_t kMostMacroCalls = 100;  // largest depth of nested calls
+constexpr std::size_t kStepsOfCall = 100;     // steps of a call, in addition to the steps of its expressions
 
 std::vector<std::string> NamesOfMacroValues(const XacroMacro& macro) {
   std::vector<std::string> names;
@@ -27,7 +27,7 @@ std::vector<std::string> NamesOfMacroValues(const XacroMacro& macro) {
   return names;
 }
 
-/// A parameter has the number that its text stands for.
+/// The property of a parameter. A text that is a number becomes that number.
 XacroProperty MacroParameterOf(XacroValue value, const XMLElement& where) {
   if (value.text() != nullptr) value = XacroLiteral(*value.text());
   return {std::move(value), false, false, &where};
@@ -60,7 +60,7 @@ void XacroExpander::GiveBlocks(const XacroMacro& macro, const Element& expanded,
     if (block == nullptr) {
       throw XacroProblem{
           FailureCode::kMacroParameter,
-          fmt::format("the macro '{}' ({}) needs an element for its block '{}{}', and the call has {}", macro.name,
+          fmt::format("the macro '{}' ({}) needs an element for its block '{}{}', but the call has {}", macro.name,
                       PlaceOf(*macro.body), parameter.kind == ParameterKind::kBlock ? "*" : "**", parameter.name,
                       blocks == 1 ? "none" : fmt::format("only {}", blocks - 1))};
     }
@@ -69,8 +69,8 @@ void XacroExpander::GiveBlocks(const XacroMacro& macro, const Element& expanded,
   }
   if (block != nullptr) {
     throw XacroProblem{FailureCode::kMacroParameter,
-                       fmt::format("the macro '{}' ({}) takes {} blocks; <{}> in the call is one too many", macro.name,
-                                   PlaceOf(*macro.body), blocks, block->Name())};
+                       fmt::format("the macro '{}' ({}) has {} blocks; the element <{}> in the call is too much",
+                                   macro.name, PlaceOf(*macro.body), blocks, block->Name())};
   }
 }
 
@@ -105,7 +105,7 @@ void XacroExpander::CallMacro(const Element& element, const std::string& name, N
   }
   if (calls_.size() >= kMostMacroCalls) {
     throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("more than {} nested macro calls; check whether '{}' calls itself without end",
+                       fmt::format("more than {} nested macro calls; check whether '{}' calls itself endlessly",
                                    kMostMacroCalls, macro->name)};
   }
   budget_.Spend(kStepsOfCall);
@@ -113,7 +113,7 @@ void XacroExpander::CallMacro(const Element& element, const std::string& name, N
   local.parent = seen;
   local.caller = &scope;
   GiveAttributes(element, *macro, local, scope);
-  tinyxml2::XMLDocument blocks;  // lives as long as the body is expanded
+  tinyxml2::XMLDocument blocks;  // must exist until the body is expanded
   XMLElement& expanded = *blocks.NewElement("blocks");
   blocks.InsertEndChild(&expanded);
   ExpandNodes(element.FirstChild(), expanded, scope);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What expressions and substitutions take from the description around them.
+// Access of expressions and substitutions to the description around them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class XacroArgumentContext : public XacroScopeContext {
   }
 };
 
-/// The texts of a function's arguments. Refuses another number of them.
+/// The texts of a function's arguments. Refuses a wrong number of arguments.
 std::vector<std::string> TextsOfCall(const std::string& function, const std::vector<XacroValue>& arguments,
                                      std::size_t least, std::size_t most) {
   std::vector<std::string> texts;
@@ -54,7 +54,7 @@ XacroValue XacroExpander::Resolve(const std::string& name, XacroProperty& proper
     const auto first = std::find(resolving_.begin(), resolving_.end(), name);
     const std::vector<std::string> circle(first, resolving_.end());
     throw XacroProblem{FailureCode::kXacroRecursion,
-                       fmt::format("the property '{}' is defined by itself, through {} ({})", Shortened(name),
+                       fmt::format("the property '{}' depends on itself, through {} ({})", Shortened(name),
                                    QuotedList(circle), PlaceOf(*property.where))};
   }
   property.resolving = true;
@@ -64,7 +64,7 @@ XacroValue XacroExpander::Resolve(const std::string& name, XacroProperty& proper
     XacroValue value = EvaluateXacroText(*property.value.text(), context);
     property.value = value.text() != nullptr ? XacroLiteral(*value.text()) : std::move(value);
   } catch (XacroProblem& problem) {
-    constexpr int kMostNamed = 3;  // from the fault outward
+    constexpr int kMostNamed = 3;  // number of properties in the message, from the error outward
     if (properties_named_++ < kMostNamed)
       problem.message += fmt::format("; the property '{}' is defined in {}", Shortened(name), PlaceOf(*property.where));
     throw;
@@ -81,7 +81,7 @@ const std::string& XacroExpander::Argument(const std::string& name) {
   std::vector<std::string> names;
   for (const auto& [known, value] : arguments_) names.push_back(known);
   throw XacroProblem{FailureCode::kXacroArgument,
-                     fmt::format("the argument '{}' has no value: give it ({}=VALUE with --xacro-arg), or define it by "
+                     fmt::format("the argument '{}' has no value; give it with --xacro-arg {}=VALUE, or define it with "
                                  "<xacro:arg> before its use{}",
                                  Shortened(name), Shortened(name), NearestOrAll(name, names))};
 }
@@ -117,7 +117,8 @@ std::optional<XacroValue> XacroScopeContext::Call(const std::string& function,
   if (function != "fatal") return std::nullopt;
   std::string message;
   for (const XacroValue& part : arguments) message += (message.empty() ? "" : " ") + XacroPrinted(part, budget);
-  throw XacroProblem{FailureCode::kXacroFatal, fmt::format("the description says: {}", Shortened(message)), true};
+  throw XacroProblem{FailureCode::kXacroFatal, fmt::format("the description reports an error: {}", Shortened(message)),
+                     true};
 }
 
 std::string XacroScopeContext::Substitution(const std::string& command, const std::vector<std::string>& words) {
@@ -140,9 +141,9 @@ std::string XacroScopeContext::Substitution(const std::string& command, const st
     return folder.empty() ? "." : folder;
   }
   if (command != "env" && command != "optenv") {
-    throw XacroProblem{
-        FailureCode::kUnknownSubstitution,
-        fmt::format("'$({} ...)' is not supported; there are {}", Shortened(command), QuotedList(kXacroSubstitutions))};
+    throw XacroProblem{FailureCode::kUnknownSubstitution,
+                       fmt::format("'$({} ...)' is not supported; supported: {}", Shortened(command),
+                                   QuotedList(kXacroSubstitutions))};
   }
   need(1, command == "env" ? 1 : 1000);
   if (const auto value = expander_.sources().environment(words[0])) return *value;

@@ -15,14 +15,14 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Refuses a name of a property that no expression can use.
+/// Refuses the name of a property that expressions cannot use.
 void CheckXacroName(const std::string& name) {
   if (!name.empty() && name.find_first_of(" \t\r\n${}") == std::string::npos) return;
   throw XacroProblem{FailureCode::kBadName,
-                     fmt::format("'{}' is not a name; it has no blanks, '$', '{{' nor '}}'", Shortened(name))};
+                     fmt::format("'{}' is not a valid name; a name has no blanks, '$', '{{' or '}}'", Shortened(name))};
 }
 
-/// Refuses the name of a made element or attribute that XML does not allow, and one of xacro's own.
+/// Refuses a name of a generated element or attribute that is not valid in XML or has the prefix of xacro.
 void CheckMadeName(const std::string& name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
@@ -32,7 +32,7 @@ void CheckMadeName(const std::string& name) {
   };
   const bool fine = !name.empty() && is_letter(name[0]) && std::all_of(name.begin(), name.end(), is_part);
   if (fine && name.find("xacro:") == std::string::npos) return;
-  throw XacroProblem{FailureCode::kBadName, fmt::format("'{}' is not a name that XML allows here", Shortened(name))};
+  throw XacroProblem{FailureCode::kBadName, fmt::format("'{}' is not a valid XML name here", Shortened(name))};
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ void XacroExpander::MakeAttribute(const Element& element, Node& out, XacroScope&
   CheckXacroAttributes(element, {"name", "value"});
   const std::string name = PrintedAttribute(element, "name", scope);
   CheckMadeName(name);
-  if (out.ToElement() == nullptr) throw XacroProblem{FailureCode::kXacroMissing, "there is no element around it"};
+  if (out.ToElement() == nullptr) throw XacroProblem{FailureCode::kXacroMissing, "it must be inside another element"};
   SetAttribute(*out.ToElement(), name, PrintedAttribute(element, "value", scope));
 }
 
@@ -152,7 +152,7 @@ void XacroExpander::DefineProperty(const Element& element, Node&, XacroScope& sc
     return text == nullptr ? absent : XacroTruthOfText(Evaluated(text, scope), fmt::format("'{}'", key));
   };
   if (where != "local" && where != "parent" && where != "global") {
-    throw XacroProblem{FailureCode::kXacroScope, fmt::format("the scope '{}' is not known; there are {}",
+    throw XacroProblem{FailureCode::kXacroScope, fmt::format("the scope '{}' is not known; the scopes are {}",
                                                              Shortened(where), QuotedList({"parent", "global"}))};
   }
   XacroScope& target = where == "global"                              ? globals_

@@ -24,20 +24,21 @@ std::optional<XacroValue> XacroConstant(const std::string& name) {
   return std::nullopt;
 }
 
-/// Position in a sequence: from its end where negative. Refuses what is beyond.
+/// Position in a sequence; a negative index counts from the end. Refuses an index outside the sequence.
 std::size_t PlaceInSequence(std::size_t size, const XacroValue& index, const std::string& kind) {
   if (index.whole() == nullptr)
-    RefuseXacroType(fmt::format("the index of a {} is a whole number, not a {}", kind, XacroKind(index)));
+    RefuseXacroType(fmt::format("the index of a {} must be a whole number, not a {}", kind, XacroKind(index)));
   const std::int64_t place = *index.whole() < 0 ? *index.whole() + static_cast<std::int64_t>(size) : *index.whole();
   if (place < 0 || place >= static_cast<std::int64_t>(size))
-    throw XacroProblem{FailureCode::kXacroIndex, fmt::format("index {} of a {} of {}", *index.whole(), kind, size)};
+    throw XacroProblem{FailureCode::kXacroIndex,
+                       fmt::format("index {} is outside a {} of size {}", *index.whole(), kind, size)};
   return static_cast<std::size_t>(place);
 }
 
-/// A bound of a slice, cut to the sequence.
+/// A bound of a slice, limited to the sequence.
 std::size_t SliceBound(std::size_t size, const XacroValue& bound, std::size_t absent) {
   if (bound.is_none()) return absent;
-  if (bound.whole() == nullptr) RefuseXacroType("the bounds of a slice are whole numbers");
+  if (bound.whole() == nullptr) RefuseXacroType("the bounds of a slice must be whole numbers");
   const std::int64_t length = static_cast<std::int64_t>(size);
   const std::int64_t place = *bound.whole() < 0 ? *bound.whole() + length : *bound.whole();
   return static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, length));
@@ -153,7 +154,7 @@ class XacroEvaluator {
     return {true};
   }
 
-  /// The first operand that decides, else the last.
+  /// The first operand whose truth is `decides`, else the last operand.
   XacroValue LogicValue(const XacroNode& node, bool decides) {
     XacroValue value;
     for (const XacroNode& operand : node.children) {
@@ -163,7 +164,7 @@ class XacroEvaluator {
     return value;
   }
 
-  /// "a.b.c" of a name and its members, "" for anything else.
+  /// "a.b.c" for a name and its members, "" for other nodes.
   static std::string DottedName(const XacroNode& node) {
     if (node.kind == XacroNodeKind::kName) return node.text;
     if (node.kind != XacroNodeKind::kMember) return "";
@@ -171,7 +172,7 @@ class XacroEvaluator {
     return owner.empty() ? "" : owner + "." + node.text;
   }
 
-  /// "math", "xacro" or "python" where no property has that name.
+  /// Whether a node is "math", "xacro" or "python", and no property has that name.
   bool IsModule(const XacroNode& node) {
     return node.kind == XacroNodeKind::kName &&
            (node.text == "math" || node.text == "xacro" || node.text == "python") && !Known(node.text);
@@ -240,7 +241,7 @@ class XacroEvaluator {
         std::find_if(node.operators.begin(), node.operators.end(), [](const auto& k) { return !k.empty(); });
     if (named != node.operators.end() && !is_dict && !is_format)
       throw XacroProblem{FailureCode::kXacroSyntax,
-                         fmt::format("{}() takes no argument '{}' by its name", callee.text, *named)};
+                         fmt::format("{}() has no argument with the name '{}'", callee.text, *named)};
     if (method) {
       const XacroValue object = Value(callee.children[0]);
       if (is_format && object.text() != nullptr)
@@ -280,7 +281,7 @@ class XacroEvaluator {
       } else {
         for (const XacroValue& pair : XacroItems(arguments[i], context_.budget)) {
           if (pair.list() == nullptr || pair.list()->items.size() != 2)
-            RefuseXacroType("dict() takes names with values, a dictionary or a list of pairs");
+            RefuseXacroType("dict() needs names with values, a dictionary or a list of pairs");
           entries.emplace_back(pair.list()->items[0], pair.list()->items[1]);
         }
       }

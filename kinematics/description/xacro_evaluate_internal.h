@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-/// What an expression sees of the description around it.
+/// Access of an expression to the description around it.
 class XacroContext {
  public:
   explicit XacroContext(XacroBudget& work) : budget(work) {}
@@ -18,29 +18,29 @@ class XacroContext {
   XacroContext& operator=(const XacroContext&) = delete;
   virtual ~XacroContext() = default;
 
-  /// The value of a property NAME or NAMESPACE.NAME; nothing where there is none.
+  /// The value of a property NAME or NAMESPACE.NAME; nothing if it does not exist.
   virtual std::optional<XacroValue> Property(const std::string& name) = 0;
   /// The properties that Property finds, for messages.
   virtual std::vector<std::string> PropertyNames() const = 0;
-  /// Calls a function that reads files or arguments, such as load_yaml; nothing where there is no such function.
+  /// Calls a function that reads files or arguments, such as load_yaml; nothing for an unknown function.
   virtual std::optional<XacroValue> Call(const std::string& function, const std::vector<XacroValue>& arguments) = 0;
   /// The text of `$(COMMAND WORDS)`.
   virtual std::string Substitution(const std::string& command, const std::vector<std::string>& words) = 0;
-  /// The value of `$(eval EXPRESSION)`, in which arguments are names too.
+  /// The value of `$(eval EXPRESSION)`, in which arguments can be used as names.
   virtual XacroValue EvalSubstitution(const std::string& expression) = 0;
 
   XacroBudget& budget;
 };
 
-/// The functions that Call may know beside the ones of CallXacroFunction, for messages.
+/// The functions of Call that CallXacroFunction does not have, for messages.
 inline const std::vector<std::string> kXacroFileFunctions = {
     "load_yaml", "arg", "find", "env", "optenv", "dirname", "abs_filename", "message", "warning", "error", "fatal"};
 
-/// The value of an expression, of what stands between `${` and `}`. Throws XacroProblem.
+/// The value of an expression, the text between `${` and `}`. Throws XacroProblem.
 XacroValue EvaluateXacro(const std::string& expression, XacroContext& context);
 
-/// The value of a text with `${expression}`, `$(substitution)` and the escapes `$${` and `$$(`. Where one expression is
-/// the whole text it is that value; otherwise it is the text with the values printed.
+/// The value of a text with `${expression}`, `$(substitution)` and the escapes `$${` and `$$(`. If the text is one
+/// expression, it is the value of this expression. Otherwise it is the text with the values printed.
 XacroValue EvaluateXacroText(const std::string& text, XacroContext& context);
 
 /// `left OPERATOR right` of + - * / // % **, as Python computes it.
@@ -63,18 +63,18 @@ struct XacroArguments {
 /// it.
 XacroValue FormatXacroText(const std::string& format, const XacroArguments& arguments, XacroBudget& budget);
 
-/// Calls a function of Python or of its module math; nothing where there is no such function.
+/// Calls a function of Python or of its module math; nothing for an unknown function.
 std::optional<XacroValue> CallXacroFunction(const std::string& name, const std::vector<XacroValue>& arguments,
                                             XacroBudget& budget);
 
-/// The names of the functions that CallXacroFunction knows.
+/// The names of the functions of CallXacroFunction.
 std::vector<std::string> XacroFunctionNames();
 
 /// Calls a method of a text, list or dictionary.
 XacroValue CallXacroMethod(const XacroValue& object, const std::string& name, const std::vector<XacroValue>& arguments,
                            XacroBudget& budget);
 
-/// The items over which a `for` runs: of a list, the keys of a dictionary, the characters of a text.
+/// The items of a `for` loop: the items of a list, the keys of a dictionary, or the characters of a text.
 std::vector<XacroValue> XacroItems(const XacroValue& value, XacroBudget& budget);
 
 /// Throws XacroProblem `xacro_type`: "OPERATION needs ...".

@@ -21,7 +21,7 @@ constexpr int kMostXacroAttributes = 1000;
 constexpr std::size_t kDeepestXacroElement = 90;  // tinyxml2 reads 100
 constexpr std::size_t kMostMacroCallsShown = 6;
 
-/// Bytes of a text in XML.
+/// Size of a text with XML escapes [byte].
 std::size_t EscapedXmlSize(const std::string& text) {
   const auto escaped = std::count_if(
       text.begin(), text.end(), [](char c) { return std::string_view("&<>\"'").find(c) != std::string_view::npos; });
@@ -75,7 +75,7 @@ void XacroExpander::AppendText(const std::string& text, bool cdata, Node& out) {
   out.InsertEndChild(made);
 }
 
-/// Appends what was expanded before as it is.
+/// Appends an expanded node unchanged.
 void XacroExpander::CopyExpanded(const Node& node, Node& out) {
   const XacroBudget::Level level(budget_);
   if (const tinyxml2::XMLText* text = node.ToText()) return AppendText(text->Value(), text->CData(), out);
@@ -88,15 +88,16 @@ void XacroExpander::CopyExpanded(const Node& node, Node& out) {
     CopyExpanded(*child, made);
 }
 
-/// Appends the attributes of an element, evaluated. @param names_itself  `xacro:name` is passed over.
+/// Appends the evaluated attributes of an element. @param names_itself  skips `xacro:name`.
 void XacroExpander::CopyAttributes(const Element& element, Element& made, XacroScope& scope, bool names_itself) {
   int count = 0;
   for (const XMLAttribute* attribute = element.FirstAttribute(); attribute != nullptr; attribute = attribute->Next()) {
     const std::string name = attribute->Name();
     if (name == "xmlns:xacro" || (names_itself && name == "xacro:name")) continue;
     if (name.starts_with(kXacroPrefix)) {
-      throw XacroProblem{FailureCode::kUnknownAttribute,
-                         fmt::format("the attribute '{}' is not known; <xacro:attribute> makes attributes", name)};
+      throw XacroProblem{
+          FailureCode::kUnknownAttribute,
+          fmt::format("the attribute '{}' is not known; use <xacro:attribute> to add an attribute", name)};
     }
     if (++count > kMostXacroAttributes)
       throw XacroProblem{FailureCode::kXacroLimit, fmt::format("it has more than {} attributes", kMostXacroAttributes)};
@@ -114,7 +115,7 @@ void XacroExpander::ExpandNodes(const Node* first, Node& out, XacroScope& scope)
   }
 }
 
-/// The element's name without `xacro:`; "" where it is not an element of xacro.
+/// The element's name without `xacro:`; "" if it is not an element of xacro.
 std::string XacroExpander::XacroWord(const Element& element, const Node& out, XacroScope& scope) {
   const std::string name = element.Name();
   if (name.starts_with(kXacroPrefix)) return name.substr(kXacroPrefix.size());
@@ -149,13 +150,13 @@ void XacroExpander::ExpandElement(const Element& element, Node& out, XacroScope&
   at_ = outer;
 }
 
-/// Refuses arguments that are given and that no file knows: they may be misspelt.
+/// Refuses given arguments that no file uses, because they may be misspelt.
 void XacroExpander::CheckArguments() const {
   for (const auto& [name, value] : given_) {
     if (used_.contains(name)) continue;
     const std::vector<std::string> known(used_.begin(), used_.end());
     throw XacroProblem{FailureCode::kUnknownArgument,
-                       fmt::format("the argument '{}' is given, and the description has no argument of that name{}",
+                       fmt::format("the argument '{}' is given, but the description has no argument of this name{}",
                                    Shortened(name), NearestOrAll(name, known))};
   }
 }
@@ -165,7 +166,8 @@ std::string XacroExpander::ExpandRoot(const std::string& text, const std::string
   const XMLElement& root = *file.xml.RootElement();
   at_ = &root;
   if (std::string_view(root.Name()).starts_with(kXacroPrefix))
-    throw XacroProblem{FailureCode::kNotUrdf, "the root is an element of xacro; a description has <robot>"};
+    throw XacroProblem{FailureCode::kNotUrdf,
+                       "the root is an element of xacro; a description needs <robot> as its root"};
   result_.InsertEndChild(result_.NewDeclaration("xml version=\"1.0\" encoding=\"utf-8\""));
   XMLElement& made = AppendElement(root.Name(), result_);
   including_.push_back(&file);
@@ -177,7 +179,7 @@ std::string XacroExpander::ExpandRoot(const std::string& text, const std::string
   std::string expanded = printer.CStr();
   if (!IsPlainText(expanded))
     throw XacroProblem{FailureCode::kNotText,
-                       "the result is not text in UTF-8: it has control characters or parts of characters"};
+                       "the result is not valid UTF-8 text: it has control characters or incomplete characters"};
   return expanded;
 }
 

@@ -21,13 +21,13 @@ namespace gaitwright {
 struct XacroFile {
   std::string path;
   tinyxml2::XMLDocument xml;
-  bool bare_tags = false;  ///< elements without the prefix may be ones of xacro: the root declares the namespace
+  bool bare_tags = false;  ///< elements without the prefix may be of xacro, because the root declares the namespace
 };
 
-/// Expands one description. The elements of the files stay as they are; the result is a document of its own.
+/// Expands one description. The elements of the files are not changed; the result is a separate document.
 ///
-/// = Notation =  `element` is one of a file, `out` what its expansion is appended to, `scope` where its names are
-/// looked for. Functions throw XacroProblem; the place is that of `at_`, the element that is being expanded.
+/// = Notation =  `element` is an element of a file. Its expansion is appended to `out`. Its names are searched in
+/// `scope`. Functions throw XacroProblem; its place is that of `at_`, the element that is being expanded.
 class XacroExpander {
  public:
   XacroExpander(const XacroSources& sources, const std::map<std::string, std::string>& arguments)
@@ -35,7 +35,7 @@ class XacroExpander {
 
   Result<std::string> Expand(const std::string& text, const std::string& path);
 
-  // What expressions need.
+  // Access for expressions.
   XacroBudget& budget() { return budget_; }
   const std::map<std::string, std::string>& arguments() const { return arguments_; }
   const XacroSources& sources() const { return sources_; }
@@ -67,7 +67,7 @@ class XacroExpander {
   std::string PrintedAttribute(const Element& element, const char* name, XacroScope& scope);
   void CheckArguments() const;
 
-  // xacro_directives.cc: conditions, blocks and what is made by name.
+  // xacro_directives.cc: conditions, blocks, and elements and attributes with computed names.
   static Directive DirectiveOf(const std::string& word);
   bool Condition(const Element& element, XacroScope& scope);
   void If(const Element& element, Node& out, XacroScope& scope);
@@ -98,7 +98,7 @@ class XacroExpander {
   const XacroSources& sources_;
   XacroBudget budget_;
   const std::map<std::string, std::string>& given_;
-  std::map<std::string, std::string> arguments_;  ///< given and default ones
+  std::map<std::string, std::string> arguments_;  ///< given arguments and defaults
   std::set<std::string> used_;                    ///< arguments that the files declare or read
   std::map<std::string, std::unique_ptr<XacroFile>> files_;
   std::map<std::string, std::string> yaml_;  ///< texts by path
@@ -106,7 +106,7 @@ class XacroExpander {
   std::vector<const XacroFile*> including_;  ///< files that are being expanded, outer ones first
   std::vector<const Element*> calls_;        ///< calls of macros that are being expanded, outer ones first
   std::vector<std::string> resolving_;       ///< properties that are being evaluated, outer ones first
-  int properties_named_ = 0;                 ///< in the message of a failure
+  int properties_named_ = 0;                 ///< number of properties in the message of a failure
   const Element* at_ = nullptr;
   XacroScope globals_;
   tinyxml2::XMLDocument result_;
@@ -132,10 +132,10 @@ class XacroScopeContext : public XacroContext {
   const tinyxml2::XMLElement& where_;
 };
 
-/// Throws XacroProblem where the element has an attribute that is not `known`.
+/// Throws XacroProblem if the element has an attribute that is not in `known`.
 void CheckXacroAttributes(const tinyxml2::XMLElement& element, const std::vector<std::string>& known);
 
-/// An attribute of the element as it is written. Throws XacroProblem where it is missing.
+/// The unevaluated text of an attribute. Throws XacroProblem if it is missing.
 std::string NeededXacroAttribute(const tinyxml2::XMLElement& element, const char* name);
 
 /// A text as truth value: true, false or a whole number. Throws XacroProblem naming `what`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `'%.3f' % number`, of which robot descriptions make names and rounded numbers.
+// `'%.3f' % number`, which robot descriptions use for names and rounded numbers.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -17,7 +17,7 @@ struct XacroConversion {
   char letter = 's';
 };
 
-/// Reads digits of a width or precision, at most two of them.
+/// Reads the digits of a width or precision, at most two.
 int XacroFormatDigits(const std::string& format, std::size_t& at) {
   int number = 0;
   for (int count = 0; at < format.size() && format[at] >= '0' && format[at] <= '9'; ++at) {
@@ -60,7 +60,7 @@ std::string XacroConverted(const XacroConversion& conversion, const XacroValue& 
   std::string pattern = "%" + conversion.flags + (conversion.width > 0 ? std::to_string(conversion.width) : "");
   if (conversion.precision >= 0) pattern += "." + std::to_string(conversion.precision);
   pattern += whole ? std::string("ll") + conversion.letter : std::string(1, conversion.letter);
-  char text[512];  // a number of 309 digits with 99 behind its point
+  char text[512];  // room for 309 digits before and 99 after the decimal point
   if (!whole) return {text, static_cast<std::size_t>(std::snprintf(text, sizeof(text), pattern.c_str(), *number))};
   const long long rounded = value.whole() != nullptr ? *value.whole() : static_cast<long long>(*number);
   return {text, static_cast<std::size_t>(std::snprintf(text, sizeof(text), pattern.c_str(), rounded))};
@@ -87,7 +87,7 @@ std::string XacroFormatted(const std::string& format, const XacroValue& value, X
       text += XacroConverted(conversion, values[used++], budget);
     }
     if (text.size() > kLongestXacroText)
-      throw XacroProblem{FailureCode::kXacroLimit, "a formatted text of more than 1 MiB"};
+      throw XacroProblem{FailureCode::kXacroLimit, "a formatted text has more than 1 MiB"};
   }
   if (used < values.size()) RefuseXacroType(fmt::format("the format '{}' has fewer conversions than values", format));
   return text;

@@ -15,7 +15,7 @@ namespace {
 
 using XacroArguments = std::vector<XacroValue>;
 
-/// A function with the numbers of arguments that it takes.
+/// A function with its smallest and largest number of arguments.
 struct XacroFunction {
   std::size_t least, most;
   XacroValue (*call)(const XacroArguments&, XacroBudget&);
@@ -33,7 +33,7 @@ template <double (*kFunction)(double)>
 XacroValue CallOfOne(const XacroArguments& arguments, XacroBudget&) {
   const double x = RealOfXacro(arguments[0]), y = kFunction(x);
   if (std::isfinite(x) && !std::isfinite(y))
-    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("it has no finite value at {}", x)};
+    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("the function has no finite value at {}", x)};
   return {y};
 }
 
@@ -42,7 +42,7 @@ template <double (*kFunction)(double, double)>
 XacroValue CallOfTwo(const XacroArguments& arguments, XacroBudget&) {
   const double x = RealOfXacro(arguments[0]), y = RealOfXacro(arguments[1]), z = kFunction(x, y);
   if (std::isfinite(x) && std::isfinite(y) && !std::isfinite(z))
-    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("it has no finite value at {}, {}", x, y)};
+    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("the function has no finite value at {}, {}", x, y)};
   return {z};
 }
 
@@ -61,12 +61,12 @@ XacroValue CallRounding(const XacroArguments& arguments, XacroBudget&) {
   return XacroWholeFrom(kRounding(RealOfXacro(arguments[0])));
 }
 
-/// Python's round(): to the even neighbour half-way; with a number of digits it stays a real number.
+/// Python's round(): a half rounds to the even neighbour. With a number of digits, the result is a real number.
 XacroValue CallRound(const XacroArguments& arguments, XacroBudget&) {
   const double number = RealOfXacro(arguments[0]);
   if (arguments.size() == 1 || arguments[1].is_none())
     return arguments[0].whole() != nullptr ? arguments[0] : XacroWholeFrom(std::nearbyint(number));
-  if (arguments[1].whole() == nullptr) RefuseXacroType("the digits of round() are a whole number");
+  if (arguments[1].whole() == nullptr) RefuseXacroType("the digits of round() must be a whole number");
   if (arguments[0].whole() != nullptr && *arguments[1].whole() >= 0) return arguments[0];
   const std::int64_t digits = std::clamp<std::int64_t>(*arguments[1].whole(), -20, 20);
   if (!std::isfinite(number)) return {number};
@@ -94,10 +94,10 @@ XacroValue CallAbs(const XacroArguments& arguments, XacroBudget& budget) {
   return *arguments[0].whole() < 0 ? XacroArithmetic("-", {std::int64_t{0}}, arguments[0], budget) : arguments[0];
 }
 
-/// The least or greatest of the arguments, or of the items of one.
+/// The smallest or largest of the arguments, or of the items of a single argument.
 XacroValue XacroExtreme(const XacroArguments& arguments, const char* better, XacroBudget& budget) {
   const XacroArguments items = arguments.size() == 1 ? XacroItems(arguments[0], budget) : arguments;
-  if (items.empty()) RefuseXacroType("min() and max() need one item at least");
+  if (items.empty()) RefuseXacroType("min() and max() need at least one item");
   XacroValue best = items[0];
   for (const XacroValue& item : items) {
     if (XacroCompared(better, item, best, budget)) best = item;
@@ -163,7 +163,7 @@ XacroValue CallAll(const XacroArguments& arguments, XacroBudget& budget) {
   return {std::all_of(items.begin(), items.end(), XacroTruth)};
 }
 
-/// By insertion after a binary search, so that values that cannot be compared are refused and not undefined.
+/// Sorts by insertion with a binary search. Unlike std::sort, it can safely refuse values that cannot be compared.
 XacroValue CallSorted(const XacroArguments& arguments, XacroBudget& budget) {
   XacroArguments sorted;
   for (const XacroValue& item : XacroItems(arguments[0], budget)) {
@@ -184,15 +184,15 @@ XacroValue CallSorted(const XacroArguments& arguments, XacroBudget& budget) {
 
 XacroValue CallRange(const XacroArguments& arguments, XacroBudget& budget) {
   for (const XacroValue& argument : arguments) {
-    if (argument.whole() == nullptr) RefuseXacroType("range() takes whole numbers");
+    if (argument.whole() == nullptr) RefuseXacroType("range() needs whole numbers");
   }
   const std::int64_t first = arguments.size() > 1 ? *arguments[0].whole() : 0;
   const std::int64_t end = *arguments[arguments.size() > 1 ? 1 : 0].whole();
   const std::int64_t step = arguments.size() > 2 ? *arguments[2].whole() : 1;
-  if (step == 0) RefuseXacroType("the step of range() is not 0");
+  if (step == 0) RefuseXacroType("the step of range() must not be 0");
   XacroArguments items;
   for (std::int64_t i = first; step > 0 ? i < end : i > end;) {
-    if (items.size() > kMostXacroItems) throw XacroProblem{FailureCode::kXacroLimit, "range() of too many numbers"};
+    if (items.size() > kMostXacroItems) throw XacroProblem{FailureCode::kXacroLimit, "range() has too many numbers"};
     items.push_back({i});
     if (__builtin_add_overflow(i, step, &i)) break;
   }

@@ -19,8 +19,8 @@ using tinyxml2::XMLElement;
 
 constexpr std::size_t kLargestXacroFile = std::size_t{16} << 20, kMostXacroRead = std::size_t{64} << 20;  // [byte]
 
-/// Why a text is not XML that can be read, behind the name of its file; "" where it is. tinyxml2 ends a text at a byte
-/// 0x00.
+/// The reason why a text cannot be read as XML, to be appended to the name of its file; "" if it can be read. A byte
+/// 0x00 is refused because tinyxml2 would stop there.
 std::string ReasonNotXacroXml(const std::string& text, tinyxml2::XMLDocument& document) {
   if (text.size() > kLargestXacroFile)
     return fmt::format(": it has {} bytes; at most {} are read", text.size(), kLargestXacroFile);
@@ -48,7 +48,7 @@ std::string XacroExpander::PathBeside(const Element& element, const std::string&
   return (fs::path(FileOf(element).path).parent_path() / path).lexically_normal().string();
 }
 
-/// A path as it is written, beside the file of the element, or by `package://NAME/` or `file://`.
+/// The path of an absolute path, a path relative to the file of the element, `package://NAME/PATH` or `file://PATH`.
 std::string XacroExpander::PathOfUrl(const Element& element, const std::string& url) const {
   constexpr std::string_view kPackage = "package://", kFile = "file://";
   if (url.starts_with(kFile)) return PathBeside(element, url.substr(kFile.size()));
@@ -111,7 +111,7 @@ void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope
   }
 }
 
-/// Each call makes a value of its own, since lists may be changed.
+/// Each call creates a new value, because expressions may change lists.
 XacroValue XacroExpander::LoadYamlFile(const std::string& path) {
   if (!yaml_.contains(path)) {
     const Result<std::string> text = sources_.read(path);

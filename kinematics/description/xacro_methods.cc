@@ -32,7 +32,7 @@ const std::map<std::string, std::size_t> kMostMethodArguments = {{"lower", 0},  
                                                                  {"startswith", 1}, {"index", 1},
                                                                  {"pop", 1},        {"format", kMostXacroItems}};
 
-/// The text argument at a place.
+/// The argument at index `place`, which must be a text.
 const std::string& XacroTextArgument(const std::vector<XacroValue>& arguments, std::size_t place,
                                      const std::string& name) {
   if (place >= arguments.size() || arguments[place].text() == nullptr)
@@ -40,8 +40,8 @@ const std::string& XacroTextArgument(const std::vector<XacroValue>& arguments, s
   return *arguments[place].text();
 }
 
-/// The most parts that a method is to cut or replace, as the argument at a place tells; without bound where it is
-/// absent or negative.
+/// The largest number of parts for a method to cut or replace, from the argument at index `place`; unlimited if it is
+/// missing or negative.
 std::size_t XacroCountArgument(const std::vector<XacroValue>& arguments, std::size_t place, const std::string& name) {
   if (place >= arguments.size()) return std::string::npos;
   if (arguments[place].whole() == nullptr)
@@ -61,7 +61,7 @@ XacroValue SplitText(const std::string& text, const std::vector<XacroValue>& arg
     }
   } else {
     const std::string& separator = XacroTextArgument(arguments, 0, "split");
-    if (separator.empty()) RefuseXacroType("the separator of split() is not empty");
+    if (separator.empty()) RefuseXacroType("the separator of split() must not be empty");
     const std::size_t most = XacroCountArgument(arguments, 1, "split");
     std::size_t from = 0;
     for (std::size_t end = text.find(separator); end != std::string::npos && parts.size() < most;
@@ -79,7 +79,7 @@ XacroValue JoinText(const std::string& separator, const XacroValue& list, XacroB
   std::string joined;
   bool first = true;
   for (const XacroValue& item : XacroItems(list, budget)) {
-    if (item.text() == nullptr) RefuseXacroType(fmt::format("join() joins texts, not a {}", XacroKind(item)));
+    if (item.text() == nullptr) RefuseXacroType(fmt::format("join() needs texts, not a {}", XacroKind(item)));
     joined += (first ? "" : separator) + *item.text();
     first = false;
     budget.Spend(1 + (separator.size() + item.text()->size()) / 16);
@@ -106,7 +106,7 @@ XacroValue ReplaceText(const std::string& text, const std::vector<XacroValue>& a
   return XacroText(replaced + text.substr(at));
 }
 
-/// Each letter small, but for the first of the text or of each word.
+/// The text in small letters, with a capital letter at the beginning of the text or of each word.
 std::string CapitalisedText(const std::string& text, bool each_word) {
   std::string result = LowerCase(text);
   bool begins = true;
@@ -141,7 +141,7 @@ XacroValue TextMethod(const std::string& text, const std::string& name, const st
   if (name.ends_with("strip"))
     return {StrippedText(text, arguments.empty() ? " \t\r\n" : XacroTextArgument(arguments, 0, name), name)};
   if (name == "join") {
-    if (arguments.size() != 1) RefuseXacroType("join() takes one list");
+    if (arguments.size() != 1) RefuseXacroType("join() needs one list");
     return JoinText(text, arguments[0], budget);
   }
   if (name == "replace") return ReplaceText(text, arguments, budget);
@@ -159,7 +159,7 @@ XacroValue TextMethod(const std::string& text, const std::string& name, const st
 XacroValue DictMethod(const XacroDict& dict, const std::string& name, const std::vector<XacroValue>& arguments,
                       XacroBudget& budget) {
   if (name == "get") {
-    if (arguments.empty() || arguments.size() > 2) RefuseXacroType("get() takes a key and a default");
+    if (arguments.empty() || arguments.size() > 2) RefuseXacroType("get() needs a key and an optional default");
     const XacroValue* value = dict.Find(arguments[0], budget);
     if (value != nullptr) return *value;
     return arguments.size() == 2 ? arguments[1] : XacroValue{};
@@ -170,14 +170,15 @@ XacroValue DictMethod(const XacroDict& dict, const std::string& name, const std:
   return XacroListOf(std::move(items), budget);
 }
 
-/// Takes the last item, or the one at a place, from a list, by which macros that call themselves go over a list.
+/// Removes the last item of a list, or the item at an index, and returns it. Recursive macros use this to visit a list.
 XacroValue PoppedItem(XacroList& list, const std::vector<XacroValue>& arguments, XacroBudget& budget) {
   const std::int64_t size = static_cast<std::int64_t>(list.items.size());
   if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0].whole() == nullptr))
-    RefuseXacroType("pop() takes the index of an item");
+    RefuseXacroType("pop() needs the index of an item");
   const std::int64_t given = arguments.empty() ? -1 : *arguments[0].whole(), place = given < 0 ? given + size : given;
   if (place < 0 || place >= size)
-    throw XacroProblem{FailureCode::kXacroIndex, fmt::format("pop() of item {} from a list of {}", given, size)};
+    throw XacroProblem{FailureCode::kXacroIndex,
+                       fmt::format("pop() of item {} is outside a list of size {}", given, size)};
   budget.Spend(1 + list.items.size() / 8);
   XacroValue item = list.items[static_cast<std::size_t>(place)];
   list.items.erase(list.items.begin() + place);

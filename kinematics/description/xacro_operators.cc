@@ -21,7 +21,7 @@ std::optional<std::int64_t> WholeOfXacro(const XacroValue& value) {
   return std::nullopt;
 }
 
-/// Quotient rounded down, and the remainder that goes with it, which has the sign of b.
+/// Quotient rounded down, and its remainder, which has the sign of b.
 std::int64_t FloorQuotient(std::int64_t a, std::int64_t b) {
   return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
 }
@@ -36,7 +36,8 @@ double FloorRemainder(double a, double b) {
   return (rest < 0.0) != (b < 0.0) ? rest + b : rest;
 }
 
-/// Quotient rounded down, by way of the remainder as Python has it: 1.0 // 0.1 is 9, since 0.1 is a little more.
+/// Quotient rounded down, computed from the remainder as in Python: 1.0 // 0.1 is 9, because the double 0.1 is slightly
+/// larger than 0.1.
 double FloorQuotient(double a, double b) {
   const double quotient = (a - FloorRemainder(a, b)) / b;
   return std::nearbyint(quotient);
@@ -49,7 +50,8 @@ XacroValue WholePower(std::int64_t base, std::int64_t exponent) {
   if (base == 0 || base == 1) return {exponent == 0 ? std::int64_t{1} : base};
   if (base == -1) return {exponent % 2 == 0 ? std::int64_t{1} : std::int64_t{-1}};
   for (std::int64_t i = 0; i < exponent && fits; ++i) fits = !__builtin_mul_overflow(result, base, &result);
-  if (!fits) RefuseXacroNumber(fmt::format("{} ** {} is beyond the whole numbers of 64 bits", base, exponent));
+  if (!fits)
+    RefuseXacroNumber(fmt::format("{} ** {} is outside the range of whole numbers of 64 bits", base, exponent));
   return {result};
 }
 
@@ -67,7 +69,8 @@ XacroValue WholeArithmetic(const std::string& operation, std::int64_t a, std::in
       result = operation == "//" ? FloorQuotient(a, b) : FloorRemainder(a, b);
     }
   }
-  if (overflow) RefuseXacroNumber(fmt::format("{} {} {} is beyond the whole numbers of 64 bits", a, operation, b));
+  if (overflow)
+    RefuseXacroNumber(fmt::format("{} {} {} is outside the range of whole numbers of 64 bits", a, operation, b));
   return {result};
 }
 
@@ -87,13 +90,13 @@ XacroValue RealArithmetic(const std::string& operation, double a, double b) {
   return {result};
 }
 
-/// A text or list repeated.
+/// A repeated text or list.
 XacroValue RepeatedXacroValue(const XacroValue& value, std::int64_t times, XacroBudget& budget) {
   const std::size_t count = static_cast<std::size_t>(std::max<std::int64_t>(times, 0));
   const std::size_t size = value.text() != nullptr ? value.text()->size() : value.list()->items.size();
   if (size > 0 && count > kLongestXacroText / size)
     throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("a {} that is repeated {} times is too long", XacroKind(value), times)};
+                       fmt::format("a {} repeated {} times is too long", XacroKind(value), times)};
   budget.Spend(1 + count * size / 8);
   if (value.text() != nullptr) {
     std::string text;
@@ -106,7 +109,7 @@ XacroValue RepeatedXacroValue(const XacroValue& value, std::int64_t times, Xacro
   return XacroListOf(std::move(items), budget);
 }
 
-/// What texts and lists know of arithmetic: joining, repeating and formatting.
+/// Arithmetic of texts and lists: joining, repeating and formatting.
 std::optional<XacroValue> TextArithmetic(const std::string& operation, const XacroValue& left, const XacroValue& right,
                                          XacroBudget& budget) {
   const bool sequence = left.text() != nullptr || left.list() != nullptr;
@@ -127,7 +130,7 @@ std::optional<XacroValue> TextArithmetic(const std::string& operation, const Xac
   return std::nullopt;
 }
 
-/// Less, equal or more: -1, 0, 1; 2 where one is not a number.
+/// -1, 0 or 1 for less, equal or more; 2 if one of them is NaN.
 int OrderOfXacro(const std::string& operation, const XacroValue& left, const XacroValue& right, XacroBudget& budget) {
   budget.Spend(1);
   if (left.text() != nullptr && right.text() != nullptr) {
@@ -145,7 +148,7 @@ int OrderOfXacro(const std::string& operation, const XacroValue& left, const Xac
   const auto a = XacroNumber(left), b = XacroNumber(right);
   if (!a || !b) {
     RefuseXacroType(fmt::format("'{}' cannot compare a {} with a {}{}", operation, XacroKind(left), XacroKind(right),
-                                a || b ? "; float() makes a number of a text" : ""));
+                                a || b ? "; float() converts a text to a number" : ""));
   }
   if (WholeOfXacro(left) && WholeOfXacro(right))
     return *WholeOfXacro(left) < *WholeOfXacro(right) ? -1 : *WholeOfXacro(left) > *WholeOfXacro(right) ? 1 : 0;

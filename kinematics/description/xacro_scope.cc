@@ -17,7 +17,7 @@ bool IsParameterBlank(const std::string& text, std::size_t at) {
   return kParameterBlanks.find(text[at]) != std::string_view::npos;
 }
 
-/// The namespace that a dotted name leads to, from a scope upward, and the name in it.
+/// The namespace of a dotted name, searched from a scope upward, and the name in this namespace.
 std::pair<XacroScope*, std::string> XacroNamespaceOf(XacroScope* scope, const std::string& name, XacroBudget& budget) {
   const std::size_t first = name.find('.');
   if (first == std::string::npos) return {nullptr, name};
@@ -38,7 +38,7 @@ std::pair<XacroScope*, std::string> XacroNamespaceOf(XacroScope* scope, const st
   return {nullptr, name};
 }
 
-/// The names of a table of each scope, with NAMESPACE. before those of namespaces.
+/// The names in a table of each scope; names in a namespace begin with NAMESPACE.
 template <class Table>
 std::vector<std::string> XacroNamesUpward(const XacroScope* scope, Table XacroScope::*table) {
   std::vector<std::string> names;
@@ -55,7 +55,7 @@ std::vector<std::string> XacroNamesUpward(const XacroScope* scope, Table XacroSc
   return names;
 }
 
-/// The end of a default: the next blank that is not in quotes nor in `${}` or `$()`.
+/// The end of a default: the next blank outside quotes, `${}` and `$()`.
 std::size_t ParameterDefaultEnd(const std::string& text, std::size_t from) {
   std::size_t at = from;
   while (at < text.size() && !IsParameterBlank(text, at)) {
@@ -142,7 +142,7 @@ std::vector<XacroParameter> ParseXacroParameters(const std::string& text) {
       if (value.starts_with("^|")) parameter.default_text = value.substr(2);
       if (stars > 0)
         throw XacroProblem{FailureCode::kXacroSyntax,
-                           fmt::format("params: the block '{}' has a default", parameter.name)};
+                           fmt::format("params: the block '{}' cannot have a default", parameter.name)};
     }
     const bool twice = std::any_of(parameters.begin(), parameters.end(),
                                    [&](const XacroParameter& other) { return other.name == parameter.name; });
@@ -151,7 +151,7 @@ std::vector<XacroParameter> ParseXacroParameters(const std::string& text) {
                          fmt::format("params: the parameter '{}' {}", Shortened(parameter.name),
                                      parameter.name.empty() ? "has no name"
                                      : twice                ? "appears twice"
-                                                            : "is one of more than 1000")};
+                                                            : "exceeds the limit of 1000 parameters")};
     }
     parameters.push_back(std::move(parameter));
     at = end;

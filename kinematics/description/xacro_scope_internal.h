@@ -14,7 +14,7 @@
 
 namespace gaitwright {
 
-/// A property: a value, or the text of one that is evaluated when it is first asked for.
+/// A property: a value, or a text that is evaluated at its first use.
 struct XacroProperty {
   XacroValue value;
   bool pending = false;    ///< the value is a text that is not evaluated yet
@@ -25,8 +25,8 @@ struct XacroProperty {
 /// XML that <xacro:insert_block> inserts.
 struct XacroBlock {
   const tinyxml2::XMLElement* element = nullptr;
-  bool content_only = false;  ///< the children of the element, without itself
-  bool expanded = false;      ///< it is copied as it is, since it was expanded where the macro was called
+  bool content_only = false;  ///< inserts only the children of the element
+  bool expanded = false;      ///< inserted unchanged, because it was expanded at the call of the macro
 };
 
 /// A parameter of a macro.
@@ -35,7 +35,7 @@ struct XacroParameter {
 
   std::string name;  ///< without `*` and `**`
   Kind kind = Kind::kValue;
-  bool forwarded = false;  ///< `:=^`: a property of that name where the macro is called
+  bool forwarded = false;  ///< `:=^`: uses the property of the same name at the call of the macro
   std::optional<std::string> default_text = std::nullopt;
 };
 
@@ -44,31 +44,31 @@ struct XacroMacro {
   std::string name;
   std::vector<XacroParameter> parameters;
   const tinyxml2::XMLElement* body = nullptr;
-  bool bare = false;  ///< defined without the prefix, so that it is called without it too
+  bool bare = false;  ///< defined without the prefix, so it is called without it too
 };
 
-/// Names as they are seen in a file, a macro or a namespace.
+/// The names that are visible in a file, a macro or a namespace.
 struct XacroScope {
-  XacroScope* parent = nullptr;  ///< where names are looked for that are not here
-  XacroScope* caller = nullptr;  ///< what scope="parent" means
+  XacroScope* parent = nullptr;  ///< searched for names that are not in this scope
+  XacroScope* caller = nullptr;  ///< the scope of scope="parent"
   std::map<std::string, XacroProperty> properties;
   std::map<std::string, XacroBlock> blocks;
   std::map<std::string, std::shared_ptr<const XacroMacro>> macros;
   std::map<std::string, std::unique_ptr<XacroScope>> namespaces;
 
-  /// A property, by its name or NAMESPACE.NAME, and the scope that holds it; null where there is none.
+  /// A property, by its name or NAMESPACE.NAME, and the scope that contains it; null if it does not exist.
   std::pair<XacroProperty*, XacroScope*> FindProperty(const std::string& name, XacroBudget& budget);
-  /// A macro, by its name or NAMESPACE.NAME, and the scope in which its body is expanded; null where there is none.
+  /// A macro, by its name or NAMESPACE.NAME, and the scope in which its body is expanded; null if it does not exist.
   std::pair<std::shared_ptr<const XacroMacro>, XacroScope*> FindMacro(const std::string& name, XacroBudget& budget);
   const XacroBlock* FindBlock(const std::string& name, XacroBudget& budget) const;
 
-  /// What can be found here, for messages; a thousand names at most.
+  /// The visible names, for messages; at most a thousand.
   std::vector<std::string> PropertyNames() const;
   std::vector<std::string> MacroNames() const;
   std::vector<std::string> BlockNames() const;
 };
 
-/// The parameters of a macro, as its attribute `params` lists them. Throws XacroProblem `xacro_syntax`.
+/// The parameters of a macro from its attribute `params`. Throws XacroProblem `xacro_syntax`.
 std::vector<XacroParameter> ParseXacroParameters(const std::string& text);
 
 }  // namespace gaitwright

@@ -21,7 +21,7 @@ XacroNode XacroNodeOf(XacroNodeKind kind, std::vector<XacroNode> children, std::
 
 XacroNode XacroConstantOf(XacroValue value) { return {XacroNodeKind::kConstant, "", std::move(value), {}, {}}; }
 
-/// Reads an expression by recursive descent, one function for each rank of operators.
+/// Reads an expression by recursive descent, with one function for each precedence of operators.
 class XacroParser {
  public:
   explicit XacroParser(const std::string& text) : tokens_(XacroTokens(text)) {}
@@ -45,7 +45,7 @@ class XacroParser {
 
   const XacroToken& Token() const { return tokens_[at_]; }
   bool IsEnd() const { return Token().kind == XacroToken::Kind::kEnd; }
-  /// Whether the present token is that operator or word.
+  /// Whether the current token is this operator or word.
   bool Is(std::string_view text) const {
     return (Token().kind == XacroToken::Kind::kOperator || Token().kind == XacroToken::Kind::kName) &&
            Token().text == text;
@@ -60,13 +60,13 @@ class XacroParser {
   }
 
   [[noreturn]] void Refuse(const std::string& more = "") const {
-    if (IsEnd()) throw XacroProblem{FailureCode::kXacroSyntax, "it ends too early" + more};
+    if (IsEnd()) throw XacroProblem{FailureCode::kXacroSyntax, "the expression ends too early" + more};
     throw XacroProblem{FailureCode::kXacroSyntax, fmt::format("unexpected {}'{}' at character {}{}",
                                                               Token().kind == XacroToken::Kind::kText ? "text " : "",
                                                               Shortened(Token().text), Token().at + 1, more)};
   }
 
-  /// Counts expressions in one another.
+  /// Counts the depth of nested expressions.
   struct Deeper {
     explicit Deeper(int& depth) : level(depth) {
       if (level >= kDeepestXacroExpression) {
@@ -95,7 +95,7 @@ class XacroParser {
     return XacroNodeOf(XacroNodeKind::kChoice, std::move(parts));
   }
 
-  /// Operands of the next rank that are joined by some of these operators.
+  /// Operands of the next precedence, joined by these operators.
   XacroNode Joined(XacroNodeKind kind, std::initializer_list<std::string_view> joints, Rank next) {
     XacroNode first = (this->*next)();
     std::vector<XacroNode> operands;
@@ -126,7 +126,7 @@ class XacroParser {
 
   XacroNode Not() { return Is("not") ? Unary(&XacroParser::Not) : Comparison(); }
 
-  /// The operator of a comparison, of one word or two; "" where there is none.
+  /// Takes the operator of a comparison, which has one or two words; "" if there is none.
   std::string TakeComparison() {
     for (const std::string_view known : {"<", ">", "<=", ">=", "==", "!=", "in"}) {
       if (Take(known)) return std::string(known);
@@ -216,7 +216,7 @@ class XacroParser {
     return XacroNodeOf(XacroNodeKind::kCall, std::move(parts), std::move(keywords));
   }
 
-  /// An expression, or `EXPRESSION for NAME in LIST [if CONDITION]`, of which `comprehension` is then set.
+  /// An expression, or `EXPRESSION for NAME in LIST [if CONDITION]`; the latter sets `comprehension`.
   XacroNode ItemOrComprehension(bool& comprehension) {
     XacroNode item = Expression();
     if (!Take("for")) return item;
@@ -232,10 +232,10 @@ class XacroParser {
     return XacroNodeOf(XacroNodeKind::kComprehension, std::move(parts), {}, variable);
   }
 
-  /// The items up to a closing bracket, which is taken too. One comprehension stands for the list itself.
+  /// Takes the items up to a closing bracket and the bracket. A single comprehension is the list itself.
   XacroNode Items(std::string_view close, bool one_is_itself) {
     std::vector<XacroNode> items;
-    bool comma = false, comprehension = false;  // a list that holds a comprehension's list keeps its own brackets
+    bool comma = false, comprehension = false;  // with a comma, a comprehension is an item of a list
     while (!Is(close)) {
       items.push_back(ItemOrComprehension(comprehension));
       comma = Take(",");
@@ -298,7 +298,7 @@ class XacroParser {
 
 XacroNode ParseXacroExpression(const std::string& expression) {
   if (expression.size() > kLongestXacroExpression) {
-    throw XacroProblem{FailureCode::kXacroLimit, fmt::format("an expression of {} bytes; at most {} are read",
+    throw XacroProblem{FailureCode::kXacroLimit, fmt::format("an expression has {} bytes; at most {} are read",
                                                              expression.size(), kLongestXacroExpression)};
   }
   return XacroParser(expression).Whole();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Expressions of xacro as trees: the part of Python's expressions that robot descriptions use.
+// Expressions of xacro as trees. They are the subset of Python's expressions that robot descriptions use.
 #pragma once
 
 #include <string>
@@ -14,15 +14,15 @@ struct XacroToken {
   enum class Kind { kName, kNumber, kText, kOperator, kEnd };
 
   Kind kind = Kind::kEnd;
-  std::string text;  ///< as it was written; of a text what is between the quotes
-  XacroValue value;  ///< of a number
+  std::string text;  ///< as in the source; for a text, the part between the quotes
+  XacroValue value;  ///< value of a number
   std::size_t at = 0;
 };
 
-/// The tokens of an expression, with one of kind kEnd behind them. Throws XacroProblem `xacro_syntax`.
+/// The tokens of an expression, followed by one of kind kEnd. Throws XacroProblem `xacro_syntax`.
 std::vector<XacroToken> XacroTokens(const std::string& expression);
 
-/// What a node of an expression's tree does with its children.
+/// Operation of a node of an expression's tree on its children.
 enum class XacroNodeKind {
   kConstant,       ///< value
   kName,           ///< text
@@ -37,7 +37,7 @@ enum class XacroNodeKind {
   kChoice,         ///< condition, value if true, value if false
   kMember,         ///< text is the member's name; one child
   kIndex,          ///< container, index
-  kSlice,          ///< container, first, last; a constant None stands for one that is left out
+  kSlice,          ///< container, first, last; a constant None for an omitted bound
   kCall,           ///< callee, then the arguments; operators: the keyword of each argument, or ""
   kComprehension,  ///< text is the variable; value, list, condition
 };
@@ -51,7 +51,7 @@ struct XacroNode {
   std::vector<std::string> operators;
 };
 
-/// The tree of an expression. Throws XacroProblem `xacro_syntax` naming what is not understood.
+/// The tree of an expression. Throws XacroProblem `xacro_syntax` with the part that is not understood.
 XacroNode ParseXacroExpression(const std::string& expression);
 
 }  // namespace gaitwright

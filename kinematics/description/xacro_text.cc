@@ -11,8 +11,8 @@
 namespace gaitwright {
 namespace {
 
-/// Behind the bracket that closes the one at `open`, passing over brackets of the same kind in between and, where
-/// `quotes`, over texts in quotes; npos where none does.
+/// Position after the bracket that closes the bracket at `open`; npos if there is none. Skips nested brackets of the
+/// same kind and, if `quotes`, texts in quotes.
 std::size_t BehindXacroBracket(const std::string& text, std::size_t open, bool quotes) {
   const char opening = text[open], closing = opening == '{' ? '}' : ')';
   int level = 0;
@@ -29,8 +29,8 @@ std::size_t BehindXacroBracket(const std::string& text, std::size_t open, bool q
   return std::string::npos;
 }
 
-/// The end of an expression or substitution that begins at `at`. Where quotes do not match, the next bracket ends it,
-/// so that the message tells of the expression alone.
+/// The end of an expression or substitution that begins at `at`. If quotes do not match, the next bracket ends it, so
+/// that the message shows only the expression.
 std::size_t XacroPieceEnd(const std::string& text, std::size_t at) {
   const bool quotes = text[at + 1] == '{' || std::string_view(text).substr(at).starts_with("$(eval");
   std::size_t end = quotes ? BehindXacroBracket(text, at + 1, true) : std::string::npos;
@@ -69,7 +69,7 @@ XacroValue XacroSubstitutionPiece(const std::string& inside, XacroContext& conte
   return {context.Substitution(command, words)};
 }
 
-/// Where the next piece begins: a '$' with a bracket or with more of its kind and a bracket behind it; npos for none.
+/// Start of the next piece, which is one or more '$' followed by a bracket; npos if there is none.
 std::size_t NextXacroPiece(const std::string& text, std::size_t from) {
   for (std::size_t at = text.find('$', from); at != std::string::npos; at = text.find('$', at + 1)) {
     const std::size_t behind = text.find_first_not_of('$', at);
@@ -91,7 +91,7 @@ XacroValue EvaluateXacroText(const std::string& text, XacroContext& context) {
     joined.append(text, at, piece - at);
     at = piece;
     if (piece == text.size()) break;
-    if (text[piece + 1] == '$') {  // an escape: one '$' less, and the bracket is a letter
+    if (text[piece + 1] == '$') {  // an escape: drop one '$' and copy the bracket as text
       const std::size_t bracket = text.find_first_not_of('$', piece);
       joined.append(text, piece + 1, bracket - piece);
       at = bracket + 1;

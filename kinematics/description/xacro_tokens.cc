@@ -15,7 +15,7 @@ namespace {
 bool IsXacroDigit(char c) { return c >= '0' && c <= '9'; }
 bool IsXacroLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-/// Cuts an expression into tokens.
+/// Splits an expression into tokens.
 class XacroTokenizer {
  public:
   explicit XacroTokenizer(const std::string& text) : text_(text) {}
@@ -120,7 +120,7 @@ class XacroTokenizer {
       at_ += known.size();
       return {XacroToken::Kind::kOperator, std::string(known), {}, at_ - known.size()};
     }
-    std::size_t end = at_ + 1;  // the whole of a character of several bytes
+    std::size_t end = at_ + 1;  // end of a character of several bytes
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
     throw XacroProblem{FailureCode::kXacroSyntax,
                        fmt::format("'{}' at character {} is not understood{}", text_.substr(at_, end - at_), at_ + 1,

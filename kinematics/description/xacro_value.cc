@@ -27,14 +27,14 @@ int DepthOfXacro(const XacroValue& value) {
 void CheckXacroSize(std::size_t items, int depth) {
   if (items > kMostXacroItems)
     throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("a list of {} items; at most {} are kept", items, kMostXacroItems)};
+                       fmt::format("a list has {} items; at most {} are accepted", items, kMostXacroItems)};
   if (depth > kDeepestXacroValue) {
     throw XacroProblem{FailureCode::kXacroLimit,
                        fmt::format("more than {} nested lists and dictionaries", kDeepestXacroValue)};
   }
 }
 
-/// A number as Python prints it: the fewest digits that read back exactly, with an exponent below 1e-4 and from 1e16.
+/// A number as in Python: the fewest digits that read back exactly, with an exponent below 1e-4 and from 1e16.
 std::string PrintedXacroReal(double number) {
   if (std::isnan(number)) return "nan";
   if (std::isinf(number)) return number > 0.0 ? "inf" : "-inf";
@@ -48,7 +48,7 @@ std::string PrintedXacroReal(double number) {
   return text;
 }
 
-/// A text as Python's repr() prints it.
+/// A text as printed by Python's repr().
 std::string QuotedXacroText(const std::string& text) {
   const char quote = text.find('\'') != std::string::npos && text.find('"') == std::string::npos ? '"' : '\'';
   std::string quoted(1, quote);
@@ -68,7 +68,7 @@ std::string QuotedXacroText(const std::string& text) {
 void AppendXacro(const XacroValue& value, bool quotes, std::string& out, XacroBudget& budget) {
   budget.Spend(1);
   if (out.size() > kLongestXacroText)
-    throw XacroProblem{FailureCode::kXacroLimit, "a list that prints more than 1 MiB"};
+    throw XacroProblem{FailureCode::kXacroLimit, "the printed text of a list has more than 1 MiB"};
   if (const auto* truth = std::get_if<bool>(&value.held)) {
     out += *truth ? "True" : "False";
   } else if (const auto* whole = value.whole()) {
@@ -105,7 +105,7 @@ bool EqualXacroScalars(const XacroValue& a, const XacroValue& b) {
   return a.held == b.held;
 }
 
-/// The text without blanks around it and without a plus sign before a digit or point; empty where it is no number.
+/// The text without blanks around it and without a plus sign before a digit or point; empty if it is not a number.
 std::string XacroNumberText(const std::string& text) {
   std::string trimmed = Trimmed(text.substr(0, 400));
   if (text.size() > 400 || trimmed.find("+-") == 0 || trimmed.find("++") == 0) return "";
@@ -113,7 +113,8 @@ std::string XacroNumberText(const std::string& text) {
   return trimmed;
 }
 
-/// Whether a number that no double holds is too small, not too large: its first digit other than 0 is behind the point.
+/// Whether a number outside the range of double is too small (not too large): its first digit other than 0 is after the
+/// decimal point.
 bool IsXacroUnderflow(const std::string& number) {
   const std::size_t exponent_at = std::min(number.find_first_of("eE"), number.size());
   const std::size_t first = number.find_first_of("123456789");
@@ -129,7 +130,8 @@ bool IsXacroUnderflow(const std::string& number) {
 void XacroBudget::Spend(std::size_t units) {
   units_ += units;
   if (units_ > kMostXacroUnits) {
-    throw XacroProblem{FailureCode::kXacroLimit, fmt::format("it takes more than {} steps to expand", kMostXacroUnits)};
+    throw XacroProblem{FailureCode::kXacroLimit,
+                       fmt::format("its expansion needs more than {} steps", kMostXacroUnits)};
   }
 }
 
@@ -176,7 +178,7 @@ const XacroValue* XacroDict::Find(const XacroValue& key, XacroBudget& budget) co
 XacroValue XacroText(std::string text) {
   if (text.size() > kLongestXacroText) {
     throw XacroProblem{FailureCode::kXacroLimit,
-                       fmt::format("a text of {} bytes; at most {} are kept", text.size(), kLongestXacroText)};
+                       fmt::format("a text has {} bytes; at most {} are accepted", text.size(), kLongestXacroText)};
   }
   return {std::move(text)};
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr YamlBounds kXacroYaml = {std::size_t{4} << 20, 200000};
 
-/// The size of a unit of xacro's YAML in SI, by its tag.
+/// The units of xacro's YAML in SI, by tag.
 const std::map<std::string, double> kXacroUnits = {{"!radians", 1.0},      {"!degrees", std::numbers::pi / 180.0},
                                                    {"!meters", 1.0},       {"!centimeters", 0.01},
                                                    {"!millimeters", 1e-3}, {"!foot", 0.3048},
@@ -27,7 +27,7 @@ bool IsYamlWord(const std::string& word, std::initializer_list<const char*> word
   return std::any_of(words.begin(), words.end(), [&](const char* one) { return word == one; });
 }
 
-/// A word without quotes: nothing, a truth value, a number or a text, as YAML 1.1 has them.
+/// The value of a word without quotes: nothing, a truth value, a number or a text, as in YAML 1.1.
 XacroValue PlainXacroYaml(const std::string& word) {
   if (IsYamlWord(word, {"", "~", "null", "Null", "NULL"})) return {};
   if (IsYamlWord(word, {"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON"})) return {true};
@@ -41,7 +41,7 @@ XacroValue PlainXacroYaml(const std::string& word) {
   return XacroText(word);
 }
 
-/// A number with a unit: the value of an expression, in SI.
+/// The value of a number with a unit in SI; the number may be an expression.
 XacroValue UnitXacroYaml(const YAML::Node& node, double unit, XacroContext& context) {
   const XacroValue value = EvaluateXacro(node.Scalar(), context);
   const auto number = XacroNumber(value);

@@ -7,11 +7,12 @@
 
 namespace gaitwright {
 
-/// Joints between the base and a body, from the base on.
+/// Joints between the base and a body, base first.
 std::vector<int> JointsTo(const RobotModel& model, int body);
 
-/// ForwardKinematics of the base and of the bodies beyond some joints only, which are in order from the base on: with
-/// those of JointsTo a body, all that PointJacobian and FramePose of that body need.
+/// ForwardKinematics of the base and of the bodies of some joints only. With the joints of JointsTo a body,
+/// PointJacobian and FramePose of that body are valid.
+/// @param joints  base first.
 void ChainKinematics(const RobotModel& model, const VectorX& q, const std::vector<int>& joints,
                      DynamicsScratch& scratch);
 

@@ -34,7 +34,7 @@ ConeProjection ProjectOntoCone(const Vector3& f, double mu) {
   return projection;
 }
 
-/// Rows: two tangents and the normal.
+/// Axes of a contact as rows: two tangents and the normal.
 Matrix3 ContactAxes(const Vector3& normal) {
   const Vector3 helper = std::abs(normal.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
   const Vector3 t2 = normal.cross(helper).normalized();
@@ -114,7 +114,7 @@ void ContactSplitter::Solve(const std::vector<ContactPoint>& contacts, const Poi
   Vector6 y = Vector6::Zero();
   y.head<3>() = target.head<3>();
   split.iterations = 0;
-  // From far away the way up to a slight penalty is long and crooked: then it is followed from a heavy one on.
+  // If Newton's method fails with the small penalty, start with a large penalty and reduce it.
   if (!Climb(target, kDualPenalty, y, split.iterations)) {
     y.setZero();
     for (double penalty = 0.1; penalty > 0.5 * kDualPenalty; penalty *= 0.1)

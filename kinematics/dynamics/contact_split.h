@@ -23,28 +23,28 @@ struct PointWrench {
   Vector3 moment_W = Vector3::Zero();
 };
 
-/// Contact forces of a wanted wrench, and what of it they cannot give.
+/// Contact forces for a desired wrench, and the remaining part of the wrench.
 struct ContactSplit {
   std::vector<Vector3> force_W;                 ///< by contact, each inside its friction cone
-  Vector3 residual_force_W = Vector3::Zero();   ///< wanted minus given [N]
-  Vector3 residual_moment_W = Vector3::Zero();  ///< about the wanted wrench's point [N m]
+  Vector3 residual_force_W = Vector3::Zero();   ///< desired minus actual force [N]
+  Vector3 residual_moment_W = Vector3::Zero();  ///< about the reference point of the desired wrench [N m]
   int iterations = 0;
 };
 
-/// The contact forces of least weighted square sum that give a wrench, each inside its second-order friction cone:
+/// The contact forces of least weighted square sum with a given wrench, each inside its second-order friction cone:
 ///   min sum_i reluctance_i |f_i|^2 / 2   s.t.  sum_i f_i = F,  sum_i (p_i - p) x f_i = M,  f_i in K_i.
 /// Solved in the dual, six unknowns y: f_i = project_Ki(G_i^T y / reluctance_i), by a semi-smooth Newton method with
-/// line search; a slight penalty on y makes it a least-squares fit where the wrench cannot be had (two point feet have
-/// no moment about the line between them). The result is a continuous function of its inputs. Projection onto the
+/// line search. A small penalty on y makes it a least-squares fit if the wrench is not possible (two point feet cannot
+/// give a moment about the line between them). The result is a continuous function of its inputs. Projection onto the
 /// second-order cone: Boyd and Vandenberghe, Convex Optimization, 2004, exercise 8.3(c).
 class ContactSplitter {
  public:
-  /// @throws InvalidArgument for no contact, a friction or reluctance that is not positive.
+  /// @throws InvalidArgument for no contact, and for a friction or reluctance that is not positive.
   void Solve(const std::vector<ContactPoint>& contacts, const PointWrench& wanted, ContactSplit& split);
 
  private:
   struct Map {
-    Vector3 arm;         // from the reference point, by length
+    Vector3 arm;         // from the reference point, in units of a length
     Matrix3 to_contact;  // rows: two tangents, normal
     double mu, weight;
   };

@@ -10,7 +10,7 @@ namespace {
 
 double JointRate(const Joint& joint, const VectorX& v) { return joint.multiplier * v[6 + joint.dof]; }
 
-/// Own inertia of a body, about O in world axes.
+/// Inertia of a single body about O, in world axes.
 DynamicsScratch::Composite BodyInertia(const Body& body, const Matrix3& R_WB, const Vector3& p_OB) {
   const Vector3 p_OC = p_OB + R_WB * body.p_BC;
   Matrix3 I = R_WB * body.I_C * R_WB.transpose() - body.mass * p_OC * p_OC.transpose();
@@ -18,7 +18,7 @@ DynamicsScratch::Composite BodyInertia(const Body& body, const Matrix3& R_WB, co
   return {body.mass, body.mass * p_OC, I};
 }
 
-/// Fills scratch.composite with the inertia of each body and all beyond it.
+/// Sets scratch.composite to the inertia of each body and all bodies beyond it.
 void CompositeInertias(const RobotModel& model, DynamicsScratch& scratch) {
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     scratch.composite[i] = BodyInertia(model.bodies[i], scratch.R_WB[i], scratch.p_WB[i] - scratch.p_WB[0]);
@@ -231,7 +231,7 @@ void ForwardAccelerations(const RobotModel& model, const VectorX& v, const Vecto
   }
 }
 
-/// Force and moment (about the body's origin) that each body needs by itself.
+/// Force and moment (about the body's origin) that accelerate each body alone.
 void BodyWrenches(const RobotModel& model, DynamicsScratch& scratch) {
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];

@@ -8,12 +8,12 @@
 
 namespace gaitwright {
 
-/// Work space of the functions below for one model: explicit and caller-owned, so that threads need nothing else.
-/// After ForwardKinematics the poses and axes are valid; after ForwardVelocities the velocities too.
+/// Work space of the functions below for one model. The caller owns it, so each thread only needs its own.
+/// After ForwardKinematics, poses and axes are valid; after ForwardVelocities, velocities too.
 ///
 /// = Notation =
-///   W world, B a body's frame, O the origin of the base (body 0). Composite inertias are kept in world axes about O:
-///   one reference point for all bodies makes them plain sums.
+///   W world, B a body's frame, O the origin of the base (body 0). Composite inertias are in world axes about O,
+///   because with one reference point for all bodies they are simple sums.
 struct DynamicsScratch {
   explicit DynamicsScratch(const RobotModel& model);
 
@@ -26,7 +26,7 @@ struct DynamicsScratch {
   std::vector<Vector3> alpha_bias_W;  ///< by body: angular acceleration when `a` is zero [rad/s^2]
   std::vector<Vector3> a_bias_W;      ///< by body: acceleration of the body's origin when `a` is zero [m/s^2]
 
-  /// Used inside; not part of what the functions promise.
+  /// Internal data of the functions; not part of the interface.
   struct Composite {
     double mass;
     Vector3 moment_O;  // mass times the position of the centre of mass from O
@@ -36,7 +36,7 @@ struct DynamicsScratch {
   std::vector<Composite> composite;
 };
 
-/// Poses of all bodies at q (size nq; the quaternion need not be exactly unit).
+/// Poses of all bodies at q (size nq). The quaternion may deviate from unit length.
 void ForwardKinematics(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch);
 
 /// Poses and velocities at q, v. ForwardKinematics is included.
@@ -49,13 +49,13 @@ Pose FramePose(const DynamicsScratch& scratch, int body, const Pose& X_BF);
 void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
                    Eigen::Ref<MatrixX> J);
 
-/// Screw axes of all joints at once, size 6 x joints: the motion that each joint's independent joint at unit rate
-/// gives, through this joint, to all that stands beyond it: [velocity at the world's origin; angular velocity] in W.
-/// The Jacobian of a point Q is made of the columns of the joints that carry it: [s_v + s_w x p_WQ; s_w], summed where
-/// joints are coupled. Needs ForwardKinematics. Lynch and Park, Modern Robotics, 2017, section 5.1.1.
+/// Screw axes of all joints, size 6 x joints, as [velocity at the world's origin; angular velocity] in W. A column is
+/// the motion that a joint gives to the bodies beyond it if its independent joint moves at unit rate. The Jacobian of a
+/// point Q consists of the columns of the joints that carry it: [s_v + s_w x p_WQ; s_w], summed over coupled joints.
+/// Needs ForwardKinematics. Lynch and Park, Modern Robotics, 2017, section 5.1.1.
 void JointScrews(const RobotModel& model, const DynamicsScratch& scratch, Eigen::Ref<MatrixX> S_W);
 
-/// Time derivative of PointJacobian, size 6 x nv; Jdot v alone is had faster by PointBiasAcceleration. Needs
+/// Time derivative of PointJacobian, size 6 x nv. PointBiasAcceleration computes Jdot v faster. Needs
 /// ForwardVelocities.
 void PointJacobianRate(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
                        Eigen::Ref<MatrixX> Jdot);
@@ -63,7 +63,7 @@ void PointJacobianRate(const RobotModel& model, const DynamicsScratch& scratch, 
 /// Velocity [v_WQ; w_WB] of a point fixed in a body. Needs ForwardVelocities.
 Vector6 PointVelocity(const DynamicsScratch& scratch, int body, const Vector3& p_BQ);
 
-/// Jdot v: the acceleration [a_WQ; alpha_WB] of a point when all accelerations `a` are zero. Needs ForwardVelocities.
+/// Jdot v: the acceleration [a_WQ; alpha_WB] of a point if all accelerations `a` are zero. Needs ForwardVelocities.
 Vector6 PointBiasAcceleration(const DynamicsScratch& scratch, int body, const Vector3& p_BQ);
 
 /// p_WC [m]. Needs ForwardKinematics.
@@ -78,17 +78,16 @@ Vector3 CentreOfMassBiasAcceleration(const RobotModel& model, const DynamicsScra
 /// [linear momentum; angular momentum about C] in W [N s; N m s]. Needs ForwardVelocities.
 Vector6 CentroidalMomentum(const RobotModel& model, const DynamicsScratch& scratch);
 
-/// Generalised forces tau (size nv) with M(q) a + h(q, v) = tau, gravity included; no contact forces.
-/// tau[0..5] is the wrench on the base: force, then moment about O, in W. Does the kinematics itself.
-/// Recursive Newton-Euler: Featherstone, Rigid Body Dynamics Algorithms, 2008, section 5.3.
+/// Generalised forces tau (size nv) with M(q) a + h(q, v) = tau, gravity included; no contact forces. tau[0..5] is the
+/// wrench on the base: force, then moment about O, in W. Includes the kinematics. Recursive Newton-Euler: Featherstone,
+/// Rigid Body Dynamics Algorithms, 2008, section 5.3.
 void InverseDynamics(const RobotModel& model, const VectorX& q, const VectorX& v, const VectorX& a,
                      DynamicsScratch& scratch, VectorX& tau);
 
-/// M(q), size nv x nv, both triangles. Composite rigid bodies: Featherstone 2008, section 6.2. Does the kinematics
-/// itself.
+/// M(q), size nv x nv, both triangles. Composite rigid bodies: Featherstone 2008, section 6.2. Includes the kinematics.
 void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch, MatrixX& M);
 
-/// Inertia about the centre of mass in W of the robot as one stiff body in its present posture [kg m^2]. Needs
+/// Inertia of the robot as one rigid body in its current posture, about the centre of mass, in W [kg m^2]. Needs
 /// ForwardKinematics.
 Matrix3 LockedInertia(const RobotModel& model, const DynamicsScratch& scratch);
 

@@ -8,11 +8,11 @@ namespace {
 
 using spatial::Cross, spatial::Dot, spatial::Force, spatial::Motion, spatial::Stacked;
 
-/// B of a body: f = I a + v x* I v changes by 2 B m when its velocity changes by m while its acceleration changes by
-/// v x m less than that of a body that m is fixed in. B (u; w) = (w x momentum; turning w), for any u, so that sums
-/// over bodies are sums of these two.
+/// Matrix B of a body. The force f = I a + v x* I v changes by 2 B m if the velocity changes by m and the acceleration
+/// by v x m less than for a motion m that is fixed in the body. B (u; w) = (w x momentum; turning w) for any u, so the
+/// sum of B over bodies needs only the sums of `momentum` and `turning`.
 struct VelocityEffect {
-  Vector3 momentum = Vector3::Zero();  // linear
+  Vector3 momentum = Vector3::Zero();  // linear momentum
   Matrix3 turning = Matrix3::Zero();
 
   Force operator*(const Motion& m) const { return {m.angular.cross(momentum), turning * m.angular}; }
@@ -32,14 +32,14 @@ VelocityEffect EffectOf(const spatial::Inertia& I, const Motion& v) {
   return effect;
 }
 
-/// What a joint's motion does, in spatial vectors about O.
+/// Motion of a joint as spatial vectors about O.
 struct JointTerms {
-  Motion S;          ///< at unit rate of its coordinate
-  Motion S_rate;     ///< its time derivative
-  Motion S_bending;  ///< a_parent x S + v_parent x S_rate: what a turn by it adds to accelerations beyond
+  Motion S;          ///< motion at unit rate of its coordinate
+  Motion S_rate;     ///< time derivative of S
+  Motion S_bending;  ///< a_parent x S + v_parent x S_rate: change of accelerations beyond the joint by its position
 };
 
-/// What a body and all beyond it are.
+/// Sums over a body and all bodies beyond it.
 struct Subtree {
   spatial::Inertia inertia;
   VelocityEffect effect;
@@ -53,7 +53,7 @@ struct Subtree {
   }
 };
 
-/// A point at r from O that is fixed in a body: its velocity without that of O, its acceleration with gravity's.
+/// A point fixed in a body, at r from O. The velocity is relative to O, and the acceleration includes gravity.
 struct PointState {
   Vector3 r, velocity, turning, acceleration, turning_rate;
 };
@@ -72,7 +72,7 @@ struct DynamicsDerivatives::Impl {
         acceleration(of.bodies.size()),
         beyond(of.bodies.size()) {}
 
-  /// Velocities, accelerations (gravity as an upward one of the world) and what each body needs by itself.
+  /// Velocities, accelerations (gravity as an upward acceleration of the world) and the force for each body alone.
   void Forward(const VectorX& q, const VectorX& v, const VectorX& a) {
     ForwardKinematics(model, q, scratch);
     origin_velocity = v.head<3>();
@@ -106,7 +106,7 @@ struct DynamicsDerivatives::Impl {
     const Force inertial = tree.inertia * own.S;
     const Force turned = tree.effect * own.S, rated = tree.effect * own.S_rate;
     const Force swung = tree.inertia * own.S_rate, bent = tree.inertia * own.S_bending;
-    // Change of the force that is needed beyond the joint, by its position and by its rate.
+    // Change of the force on all bodies beyond the joint, by the joint's position and by its rate.
     const Force carried = Cross(own.S, tree.force);
     const Force by_q{2.0 * rated.linear + bent.linear, 2.0 * rated.angular + bent.angular};
     const Force by_v{2.0 * (turned.linear + swung.linear), 2.0 * (turned.angular + swung.angular)};
@@ -133,7 +133,7 @@ struct DynamicsDerivatives::Impl {
     d.M.col(column).head<6>() += Stacked(inertial);
     d.by_q.col(column).head<6>() += Stacked(by_q_carried);
     d.by_v.col(column).head<6>() += Stacked(by_v);
-    // A rotation e of the base moves by (0; e), and its own rate of change is (0; w x e).
+    // A rotation e of the base is the motion (0; e), and its rate of change is (0; w x e).
     const Vector3& w = velocity[0].angular;
     d.by_v.row(column).segment<3>(3) += effect + inertial.angular.cross(w);
   }
@@ -155,8 +155,9 @@ struct DynamicsDerivatives::Impl {
     d.M.bottomLeftCorner(model.num_dofs(), 6) = d.M.topRightCorner(6, model.num_dofs()).transpose();
   }
 
-  /// Derivatives by the base's rotation: with the world turned along, forces turn along, so that a turn of the robot
-  /// alone is a turn of both and a turn back of velocities, accelerations and gravity.
+  /// Derivatives by the rotation of the base. If robot and world rotate together, forces rotate with them. So a
+  /// rotation of the robot alone equals a rotation of both, followed by the inverse rotation of velocities,
+  /// accelerations and gravity.
   void AddRotation(InverseDynamicsDerivatives& d) const {
     const Vector3 &w = velocity[0].angular, &linear = acceleration[0].linear, &angular = acceleration[0].angular;
     for (int k = 0; k < 3; ++k) {
@@ -186,7 +187,7 @@ struct DynamicsDerivatives::Impl {
     d.acceleration_by_v.col(column).tail<3>() += 2.0 * rated_turn + turn.cross(at.turning);
   }
 
-  /// The same by the base's rotation and its rate, see AddRotation.
+  /// Columns of a point by the rotation of the base and its rate; see AddRotation.
   void AddPointRotation(const PointState& at, PointDerivatives& d) const {
     const Vector3 &w = velocity[0].angular, &linear = acceleration[0].linear, &angular = acceleration[0].angular;
     for (int k = 0; k < 3; ++k) {
@@ -207,7 +208,7 @@ struct DynamicsDerivatives::Impl {
 
   const RobotModel& model;
   DynamicsScratch scratch;
-  Vector3 origin_velocity = Vector3::Zero();  ///< of the base
+  Vector3 origin_velocity = Vector3::Zero();  ///< velocity of the base origin
   std::vector<JointTerms> joints;
   std::vector<Motion> velocity, acceleration;  ///< by body
   std::vector<Subtree> beyond;                 ///< by body
@@ -274,7 +275,8 @@ void DynamicsDerivatives::DifferentiateMomentum(MomentumDerivatives& result) con
     result.by_q.col(column).tail<3>() +=
         changed.angular - p_OC.cross(changed.linear) - moved.linear.cross(linear) / mass;
   }
-  // A turn of the robot alone is a turn of robot and velocities, and a turn back of the base's velocity.
+  // A rotation of the robot alone equals a rotation of robot and velocities, and the inverse rotation of the base
+  // velocity.
   for (int k = 0; k < 3; ++k) {
     const Vector3 e = Vector3::Unit(k);
     auto column = result.by_q.col(3 + k);

@@ -21,13 +21,13 @@ Matrix6 DenseInertia(const spatial::Inertia& I) {
   return dense;
 }
 
-/// A joint of the open tree, in which mimic joints move by themselves.
+/// A joint of the open tree, in which mimic joints move independently.
 struct OpenJoint {
   std::size_t parent = 0;
-  Vector6 S = Vector6::Zero(), drift = Vector6::Zero();  ///< motion at unit rate; acceleration without any of its own
+  Vector6 S = Vector6::Zero(), drift = Vector6::Zero();  ///< motion at unit rate; acceleration for constant rate
   Vector6 U = Vector6::Zero();                           ///< articulated inertia times S
-  double inverse = 0.0;                                  ///< of S^T U
-  double force = 0.0;                                    ///< that is left for its own acceleration
+  double inverse = 0.0;                                  ///< inverse of S^T U
+  double force = 0.0;                                    ///< force available for its own acceleration
 };
 
 }  // namespace
@@ -48,7 +48,7 @@ struct ForwardDynamics::Impl {
     misfit = VectorX::Zero(k);
   }
 
-  /// Kinematics, and what each body needs by itself, gravity as an upward acceleration of the world.
+  /// Kinematics and the force for each body alone, with gravity as an upward acceleration of the world.
   void Place(const VectorX& q, const VectorX& v) {
     ForwardKinematics(model, q, scratch);
     velocity[0] = {Vector3::Zero(), v.segment<3>(3)};
@@ -68,7 +68,7 @@ struct ForwardDynamics::Impl {
     }
   }
 
-  /// Articulated inertias, from the leaves on.
+  /// Articulated inertias, from the leaves to the base.
   void Factor(const VectorX& rotor_inertia) {
     for (std::size_t j = joints.size(); j-- > 0;) {
       OpenJoint& joint = joints[j];
@@ -78,7 +78,7 @@ struct ForwardDynamics::Impl {
       const double moved = joint.S.dot(joint.U) + rotor;
       if (!(moved > 0.0))
         throw InvalidArgument(
-            fmt::format("joint '{}' moves nothing that has inertia; its acceleration is unknown", of.name));
+            fmt::format("joint '{}' moves no body with inertia, so its acceleration is undefined", of.name));
       joint.inverse = 1.0 / moved;
       inertia[j + 1].noalias() -= joint.inverse * joint.U * joint.U.transpose();
       inertia[joint.parent] += inertia[j + 1];
@@ -87,7 +87,7 @@ struct ForwardDynamics::Impl {
   }
 
   /// Accelerations of the open tree by joint into `result`, and of the base.
-  /// @param moves  whether velocities and gravity act too.
+  /// @param moves  whether to include velocities and gravity.
   void Solve(const VectorX& torques, const Vector6& base_wrench, bool moves, VectorX& result) {
     for (std::size_t i = 0; i < load.size(); ++i) {
       if (moves) {
@@ -119,19 +119,19 @@ struct ForwardDynamics::Impl {
     return static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(model.joints[follower].dof)]);
   }
 
-  /// How much faster than geared a follower goes, of accelerations by joint.
+  /// Acceleration of a follower minus the value required by its leader. @param by_joint  accelerations by joint.
   double MisfitOf(std::size_t follower, const VectorX& by_joint) const {
     return by_joint[static_cast<Eigen::Index>(follower)] -
            model.joints[follower].multiplier * by_joint[static_cast<Eigen::Index>(LeaderOf(follower))];
   }
 
-  /// Torques of a unit constraint force between a follower and its leader.
+  /// Adds the torques of a constraint force between a follower and its leader.
   void Pull(std::size_t follower, double force, VectorX& torques) const {
     torques[static_cast<Eigen::Index>(follower)] += force;
     torques[static_cast<Eigen::Index>(LeaderOf(follower))] -= model.joints[follower].multiplier * force;
   }
 
-  /// Adds to the torques what keeps followers geared. Of the open tree's accelerations, `given`.
+  /// Adds the constraint torques that couple followers to their leaders, from the open tree's accelerations `given`.
   void Gear(VectorX& torques) {
     for (std::size_t c = 0; c < followers.size(); ++c) {
       pulled.setZero();
@@ -152,7 +152,7 @@ struct ForwardDynamics::Impl {
   std::vector<OpenJoint> joints;
   std::vector<std::size_t> followers;  ///< mimic joints
   std::vector<Motion> velocity;        ///< by body
-  std::vector<Matrix6> inertia;        ///< by body: articulated; of a joint's child without what moves its own joint
+  std::vector<Matrix6> inertia;        ///< by body: articulated inertia; for a joint's child, as seen by the parent
   std::vector<Vector6> own_force, load, accelerations;  ///< by body
   Eigen::LDLT<Matrix6> base;
   VectorX open, change, pulled, given;  ///< by joint: torques, accelerations

@@ -19,7 +19,7 @@ Matrix3 AxisRotation(const Vector3& axis, double angle) {
   return R;
 }
 
-/// Pose of the body beyond joint j from that of the body before it.
+/// Sets the pose of the child body of joint j from the pose of its parent.
 void PlaceChild(const RobotModel& model, const VectorX& q, std::size_t j, DynamicsScratch& scratch) {
   const Joint& joint = model.joints[j];
   const auto parent = static_cast<std::size_t>(joint.parent_body);

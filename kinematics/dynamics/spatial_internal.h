@@ -4,12 +4,12 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/spatial/rotation.h"
 
-/// Spatial vectors in world axes about one point O for all bodies: the base's origin, in the inertial frame that moves
-/// with it at this instant, so that the base's own velocity is a pure rotation. Featherstone, Rigid Body Dynamics
-/// Algorithms, 2008, chapter 2.
+/// Spatial vectors in world axes about one point O for all bodies. O is the origin of the base, in the inertial frame
+/// that moves with it at this instant, so the velocity of the base is a pure rotation. Featherstone, Rigid Body
+/// Dynamics Algorithms, 2008, chapter 2.
 namespace gaitwright::spatial {
 
-/// A velocity or acceleration: of the point at O, and angular.
+/// A velocity or acceleration: linear at O, and angular.
 struct Motion {
   Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
 };
@@ -19,7 +19,7 @@ struct Force {
   Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
 };
 
-/// Inertia about O, as of CompositeInertias.
+/// Inertia about O, as in DynamicsScratch.
 using Inertia = DynamicsScratch::Composite;
 
 inline Motion operator+(const Motion& a, const Motion& b) { return {a.linear + b.linear, a.angular + b.angular}; }
@@ -52,7 +52,7 @@ inline void Add(const Inertia& I, Inertia& sum) {
   sum.inertia_O += I.inertia_O;
 }
 
-/// Inertia of a body about O, whose frame is at p_OB from it.
+/// Inertia about O of a body whose frame is at p_OB.
 inline Inertia InertiaOf(const Body& body, const Matrix3& R_WB, const Vector3& p_OB) {
   const Vector3 p_OC = p_OB + R_WB * body.p_BC;
   Matrix3 I = R_WB * body.I_C * R_WB.transpose() - body.mass * p_OC * p_OC.transpose();
@@ -60,7 +60,7 @@ inline Inertia InertiaOf(const Body& body, const Matrix3& R_WB, const Vector3& p
   return {body.mass, body.mass * p_OC, I};
 }
 
-/// Motion that a joint gives at unit rate of its own position, to all beyond it. Needs ForwardKinematics.
+/// Motion of all bodies beyond a joint at unit rate of the joint's own position. Needs ForwardKinematics.
 inline Motion JointMotion(const Joint& joint, const DynamicsScratch& scratch, std::size_t index) {
   const Vector3& axis = scratch.axis_W[index];
   if (joint.is_prismatic()) return {axis, Vector3::Zero()};

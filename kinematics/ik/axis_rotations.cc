@@ -8,9 +8,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kNothing = 1e-12;     // a length or a product of two that counts as zero
-constexpr double kRounding = 1e-12;    // by which a cosine may pass 1
-constexpr double kDoubleRoot = 1e-14;  // of a cosine from 1: two roots closer than rounding can tell
+constexpr double kNothing = 1e-12;     // a length, or a product of two lengths, that counts as zero
+constexpr double kRounding = 1e-12;    // a cosine may exceed 1 by this
+constexpr double kDoubleRoot = 1e-14;  // distance of a cosine from 1 at which rounding hides two roots
 
 double AngleBetween(const Vector3& u, const Vector3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
 
@@ -79,7 +79,7 @@ ThreeTurns DecomposeRotation(const std::array<Vector3, 3>& axes, const Matrix3& 
   const Vector3 R_across = R * across;
   for (; turns.count < onto.count; ++turns.count) {
     const auto i = static_cast<std::size_t>(turns.count);
-    // R(axis 3, x3) turns `across` to what is left of R after the first two are undone.
+    // R(axis 3, x3) rotates `across` to its image under R with the first two rotations removed.
     const Vector3 left = Turned(axes[1], -onto.second[i], Turned(axes[0], -onto.first[i], R_across));
     turns.rad[i] = Vector3(onto.first[i], onto.second[i], AngleAbout(axes[2], across, left, any[2]));
   }

@@ -12,15 +12,15 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kConvergedError = 1e-11;  // of the scaled error
+constexpr double kConvergedError = 1e-11;  // norm of the scaled error
 constexpr int kMaxSteps = 100;
-constexpr int kPatience = 10;              // steps in a row that bring less than a fiftieth
+constexpr int kPatience = 10;              // consecutive steps that each reduce the error by less than 2 %
 constexpr double kLongestJointStep = 0.5;  // [rad]
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 
-/// d log(R) of R = Exp(e) when its left side turns by w: d e = this times w.
+/// Derivative of e = log(R) for a rotation of R from the left: d e = this matrix times w.
 Matrix3 InverseLeftJacobian(const Vector3& e) {
   const double angle = e.norm();
   const double k = angle < 1e-4 ? 1.0 / 12.0 : (1.0 - 0.5 * angle / std::tan(0.5 * angle)) / (angle * angle);
@@ -28,7 +28,7 @@ Matrix3 InverseLeftJacobian(const Vector3& e) {
   return Matrix3::Identity() - 0.5 * cross + k * cross * cross;
 }
 
-/// One descent: everything is sized once.
+/// One damped least-squares search; all memory is allocated at the start.
 class Descent {
  public:
   Descent(const LegChain& chain, const Pose& X_BF, const VectorX& lower, const VectorX& upper)
@@ -74,7 +74,7 @@ class Descent {
  private:
   bool Converged() const { return error_.lpNorm<Eigen::Infinity>() < kConvergedError; }
 
-  /// error_ for a pose; returns its squared length.
+  /// Sets error_ for a pose. @return its squared length.
   double SetError(const Pose& X) {
     full_.head<3>() = (target_.translation() - X.translation()) / chain_.length_m;
     full_.tail<3>().setZero();
@@ -84,7 +84,7 @@ class Descent {
   }
   double ErrorOf(const VectorX& x) { return SetError(chain_.FootPose(x)); }
 
-  /// error_ and A_ = -d error_ / dx at x.
+  /// Sets error_ and A_ = -d error_ / dx at x.
   double Linearise(const VectorX& x) {
     const double cost = SetError(chain_.FootPose(x, screws_, J_));
     J_.topRows<3>() /= chain_.length_m;
@@ -96,7 +96,7 @@ class Descent {
     return cost;
   }
 
-  /// step_ from x; coordinates that would only leave their limits stay.
+  /// Sets step_ from x; coordinates that would leave their limits are fixed.
   void Step(const VectorX& x, double damping) {
     for (Eigen::Index c = 0; c < x.size(); ++c) {
       const double push = A_.col(c).dot(error_);
@@ -125,7 +125,7 @@ class Descent {
   bool held_ = false;
 };
 
-/// A place within the limits; a full turn where there are none.
+/// Random coordinates within the limits; within a full turn for joints without limits.
 VectorX Place(const VectorX& lower, const VectorX& upper, std::mt19937& engine) {
   VectorX place(lower.size());
   for (Eigen::Index c = 0; c < place.size(); ++c) {

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// The motion of all that a link carries, by a joint's position.
+/// The motion of all parts beyond a joint of the chain, by the joint's position.
 Pose MotionOf(const LegChain::Link& link, const VectorX& coordinates) {
   const double position = link.multiplier * coordinates[link.coordinate] + link.offset;
   Pose E = Pose::Identity();
@@ -24,7 +24,7 @@ Pose MotionOf(const LegChain::Link& link, const VectorX& coordinates) {
   return E;
 }
 
-/// Places along one edge of a box, which balls of a radius are kept inside of.
+/// Positions of ball centres along one edge of a box, so that the balls are inside the box.
 std::vector<double> Places(double low, double high, double radius, double spacing) {
   constexpr int kMost = 16;
   const double free = std::max(0.0, high - low - 2.0 * radius);

@@ -8,23 +8,23 @@
 
 namespace gaitwright {
 
-/// A ball in the base's frame.
+/// A ball in the frame of the base.
 struct Ball {
   Vector3 centre_B = Vector3::Zero();
   double radius_m = 0.0;
 };
 
-/// Balls inside the shapes of a leg, those of its foot apart: what stands for thigh and shank where many poses are held
-/// against the ground.
+/// Balls inside the shapes of a leg, except its foot. They represent thigh and shank for fast collision checks of many
+/// poses with the ground.
 ///
-/// A shape is filled by the box around it along its own axes: balls of half the box's least edge, at most a twentieth
-/// of the leg apart or as far as they are wide. So they are never beyond a box, and for a long shape leave out its
-/// edges alone.
+/// The bounding box of a shape along its own axes is filled with balls. Their radius is half of the smallest edge, and
+/// their spacing is at most a twentieth of the leg's length, or their diameter if it is larger. So balls are inside the
+/// box, and for a long shape they leave out only its edges.
 class LegBalls {
  public:
   LegBalls(const RobotModel& model, int leg);
 
-  /// Centres in B at positions of the dofs of LegChain, appended in an order that is always the same.
+  /// Appends the centres in B at positions of the dofs of LegChain, always in the same order.
   void CentresAt(const VectorX& coordinates, std::vector<Vector3>& centres_B) const;
 
   std::size_t size() const { return balls_.size(); }
@@ -32,7 +32,7 @@ class LegBalls {
 
  private:
   struct LinkBall {
-    std::size_t link = 0;  // of the chain, that carries it
+    std::size_t link = 0;  // link of the chain that carries it
     Vector3 centre_B;      // at joint positions zero
     double radius_m = 0.0;
   };

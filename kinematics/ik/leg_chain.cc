@@ -23,7 +23,7 @@ bool Uses(const RobotModel& model, const Leg& leg, int dof) {
                      [&](int joint) { return model.joints[static_cast<std::size_t>(joint)].dof == dof; });
 }
 
-/// X times the motion of one joint.
+/// Multiplies X by the motion of one joint.
 void Advance(const LegChain::Link& link, double position, Pose& X) {
   if (!link.turns) {
     X.translation() += X.linear() * (position * link.axis_B);
@@ -73,7 +73,7 @@ void LegChain::AddLinks(const RobotModel& model, const Leg& leg) {
 }
 
 void LegChain::ChooseRows(const Foot& foot) {
-  // A sole keeps level before it keeps its heading, a line has no ankle to roll it.
+  // For a sole, level has priority over heading. A line has no ankle joint to roll it.
   const std::array<int, 6> sole = {0, 1, 2, 4, 3, 5}, line = {0, 1, 2, 4, 5, 3};
   rows = foot.type == FootType::kLine ? line : sole;
   num_rows = foot.has_sole() ? std::clamp(num_coordinates(), 3, 6) : 3;

@@ -20,15 +20,15 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kExact = 1e-11;    // [m, rad] left over by a closed form
-constexpr double kSlack = 1e-9;     // [rad] beyond a limit that rounding may give
-constexpr int kStarts = 100;        // of the damped search
-constexpr int kFreeStarts = 20;     // of the same without limits, which has few local minima
-constexpr double kStraight = 0.02;  // [rad] of bend that says nothing on which way a knee bends
+constexpr double kExact = 1e-11;    // [m, rad] accepted error of a closed form
+constexpr double kSlack = 1e-9;     // [rad] a position may exceed a limit by rounding
+constexpr int kStarts = 100;        // starts of the damped search
+constexpr int kFreeStarts = 20;     // starts of the damped search without limits, which has few local minima
+constexpr double kStraight = 0.02;  // [rad] a knee that bends less has no side
 
 double Beyond(double value, double lower, double upper) { return std::max({0.0, lower - value, value - upper}); }
 
-/// The angle plus full turns: within limits, or as near to them as can be, then nearest to a guess.
+/// The angle plus full turns: within the limits or nearest to them, then nearest to a guess.
 double NearestTurn(double angle_rad, double lower, double upper, double guess) {
   const double nearest = angle_rad + kTurn * std::round((guess - angle_rad) / kTurn);
   double best = nearest;
@@ -84,9 +84,9 @@ LegIk::LegIk(const RobotModel& model, int leg, Method method) : chain_(model, le
   if (method == Method::kDamped) return;
   form_ = FitForm(chain_, method);
   if (!form_) {
-    throw InvalidArgument(
-        fmt::format("foot '{}': its leg of {} joints does not have the geometry of the {} form; use '{}'",
-                    chain_.foot_name, chain_.links.size(), NameOf(method), NameOf(MethodOf(model, leg))));
+    throw InvalidArgument(fmt::format("foot '{}': its leg of {} joints does not fit the IK method '{}'; use '{}'",
+                                      chain_.foot_name, chain_.links.size(), NameOf(method),
+                                      NameOf(MethodOf(model, leg))));
   }
   const Vector6 a = PositionsOf(chain_, chain_.lower), b = PositionsOf(chain_, chain_.upper);
   lower_ = a.cwiseMin(b);

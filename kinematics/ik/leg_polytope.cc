@@ -7,8 +7,7 @@
 namespace gaitwright {
 namespace {
 
-/// Directions to the places of a grid on the surface of a cube, `steps` to half an edge, in an order that is always
-/// the same.
+/// Directions to the nodes of a grid on the surface of a cube, with `steps` to half an edge, always in the same order.
 std::vector<Vector3> Directions(int steps) {
   std::vector<Vector3> directions;
   for (int x = -steps; x <= steps; ++x) {
@@ -22,7 +21,7 @@ std::vector<Vector3> Directions(int steps) {
   return directions;
 }
 
-/// Rays from where a foot stands, along which its leg is tried.
+/// Rays from the standing position of a foot, along which the reach of its leg is tested.
 class Rays {
  public:
   Rays(LegWorkspace& workspace, double farthest_m, const Vector3& up_B)
@@ -30,7 +29,7 @@ class Rays {
     if (workspace.BallsAt(workspace.standing(), balls_)) HeightsOverFoot(workspace.standing(), standing_m_);
   }
 
-  /// How far the foot comes along a direction.
+  /// Reach of the foot along a direction [m].
   double Reach(const Vector3& direction) {
     constexpr double kSteps = 100.0;
     Pose X_BF = workspace_.standing();
@@ -44,9 +43,9 @@ class Rays {
   }
 
  private:
-  /// Whether the leg brings its foot there and is nowhere lower over it than it has to be.
+  /// Whether the leg reaches a pose of its foot without other parts coming close to the ground.
   bool Stands(const Pose& X_BF) {
-    constexpr double kSpare = 0.1;  // of the farthest: what is twice as high over the foot may go down to that
+    constexpr double kSpare = 0.1;  // share of farthest_m: smallest height of parts that stand twice as high or more
     if (!workspace_.Reaches(X_BF)) return false;
     if (standing_m_.empty()) return true;
     workspace_.BallsAt(X_BF, balls_);
@@ -74,15 +73,15 @@ class Rays {
 std::vector<WorkspaceSide> LegPolytope(LegWorkspace& workspace, double farthest_m, const Vector3& up_B) {
   constexpr int kCoarse = 1, kFine = 3;
   constexpr double kAlong = 1e-3;  // cosine below which a side does not end a ray
-  constexpr double kLeast = 0.02;  // of the farthest: a side is never nearer to the standing place
+  constexpr double kLeast = 0.02;  // share of farthest_m: smallest distance of a side from the standing position
   const std::vector<Vector3> normals = Directions(kCoarse), rays = Directions(kFine);
   std::vector<double> reaches;
   Rays tried(workspace, farthest_m, up_B);
   for (const Vector3& ray : rays) reaches.push_back(tried.Reach(ray));
   std::vector<double> ends;
   for (const Vector3& normal : normals) ends.push_back(std::max(kLeast * farthest_m, tried.Reach(normal)));
-  // A ray that no side ends early enough is ended by the side that need be moved least for it, by share; as this ends
-  // others too, the shortest come first.
+  // If no side limits a ray to its reach, move the side that needs the smallest relative change. This also limits other
+  // rays, so the shortest rays come first.
   std::vector<std::size_t> order(rays.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return reaches[a] < reaches[b]; });

@@ -14,11 +14,13 @@ struct WorkspaceSide {
   double offset = 0.0;
 };
 
-/// A convex part of what a leg reaches with its foot turned as in standing, about where it stands: the places of the
-/// foot's controlled frame in the base, by the sides of a polytope [m]. Of the sides at right angles to 26 even
-/// directions, those that are needed; along each of 218 rays from the standing place the polytope ends before the
-/// leg's reach does, or its knee comes down to the ground under its foot, and by `farthest_m` at the latest.
-/// @param up_B  out of the ground, with the base as in standing; zero for a foot in the air, where knees may be lower.
+/// A convex part of the reach of a leg around the standing position of its foot, with the rotation of the foot as in
+/// standing. It is a polytope of positions of the foot's controlled frame in the base [m]. Its sides are normal to 26
+/// evenly spread directions; redundant sides are left out. Along each of 218 rays from the standing position, the
+/// polytope ends before the reach of the leg ends, before the knee comes close to the ground below the foot, and at
+/// `farthest_m` at most.
+/// @param up_B  normal of the ground, with the base as in standing; zero for a foot in the air, where knees may be
+/// lower.
 std::vector<WorkspaceSide> LegPolytope(LegWorkspace& workspace, double farthest_m, const Vector3& up_B);
 
 }  // namespace gaitwright

@@ -13,13 +13,13 @@
 namespace gaitwright {
 namespace {
 
-/// The limit moved towards the standing position by `by`, at most half of the way there.
+/// The limit moved towards the standing position by `by`, at most half of the distance.
 double Narrowed(double limit, double standing, double by) {
   const double way = standing - limit;
   return limit + std::copysign(std::min(by, 0.5 * std::abs(way)), way);
 }
 
-/// What inverse kinematics of one leg needs of a model, its limits narrowed.
+/// The data of a model for the inverse kinematics of one leg, with limits reduced by the margin.
 std::shared_ptr<const RobotModel> WithReserve(const RobotModel& model, double reserve) {
   auto narrow = std::make_shared<RobotModel>(model);
   narrow->urdf_text.clear();
@@ -128,7 +128,7 @@ bool LegWorkspace::BallsAt(const Pose& X_BF, std::vector<Ball>& balls) {
     entry.posture = static_cast<int>(centres_.size() / std::max<std::size_t>(balls_.size(), 1));
     balls_.CentresAt(JointsAt(InCell(cell, 0.0, 0)).value(), centres_);
   }
-  // What the foot is away from the middle of the cell moves the leg the more the nearer to the foot.
+  // The offset of the foot from the centre of the cell moves a ball in proportion to its position between hip and foot.
   const Vector3 off = X_BF.translation() - middle, along = middle - p_BH_;
   const std::size_t first = static_cast<std::size_t>(entry.posture) * balls_.size();
   for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -157,9 +157,10 @@ bool LegWorkspace::WorkOut(const Cell& cell) const {
   const Vector3 from_hip = X_BF.translation() - p_BH_;
   Pose farther = X_BF;
   farther.translation() += reserve_m_ * from_hip.normalized();
-  const double spare = std::min(SpareOf(X_BF), SpareOf(farther));
+  const double spare = std::min(MarginOf(X_BF), MarginOf(farther));
   if (spare < 0.0) return false;
-  // What the joints may turn by within the cell: the foot's way about the hip, folded legs more, and its own turning.
+  // Largest rotation of the joints within the cell: the angle of the foot about the hip, larger for folded legs, and
+  // the rotation of the foot.
   constexpr double kLeverage = 2.0;
   const double within = kLeverage * (cell_m_ / from_hip.norm() + (turned_ ? kAngle : 0.0));
   if (spare > within) return true;
@@ -169,7 +170,7 @@ bool LegWorkspace::WorkOut(const Cell& cell) const {
 }
 
 std::optional<VectorX> LegWorkspace::JointsAt(const Pose& X_BF) const {
-  constexpr int kStarts = 4;  // of the damped search, whose misses cost far more than its finds
+  constexpr int kStarts = 4;  // starts of the damped search; a failed search needs far more time than a success
   if (ik_.method() == LegIk::Method::kDamped) {
     DampedSearch found = SearchPose(chain_, X_BF, chain_.lower, chain_.upper, standing_, kStarts);
     if (!found.converged) return std::nullopt;
@@ -180,7 +181,7 @@ std::optional<VectorX> LegWorkspace::JointsAt(const Pose& X_BF) const {
   return std::move(solution->joints);
 }
 
-double LegWorkspace::SpareOf(const Pose& X_BF) const {
+double LegWorkspace::MarginOf(const Pose& X_BF) const {
   const std::optional<VectorX> joints = JointsAt(X_BF);
   if (!joints) return -1.0;
   return std::max(0.0, std::min((*joints - chain_.lower).minCoeff(), (chain_.upper - *joints).minCoeff()));

@@ -10,11 +10,11 @@ struct ReachGap {
     kTooFar,       ///< farther from the hip than the straight leg
     kTooNear,      ///< nearer to the hip than the folded leg
     kTooNearAxis,  ///< nearer to the axis of the first joint than the foot's offset from it
-    kTurned,       ///< the position is within reach, but the foot cannot be turned so
+    kTurned,       ///< the position is within reach, but the rotation is not
   };
   Kind kind = Kind::kNone;
-  double distance_m = 0.0;  ///< from the target to the nearest point within reach, the rotation kept
-  double angle_rad = 0.0;   ///< by which the foot's rotation is out of reach
+  double distance_m = 0.0;  ///< from the target to the nearest point within reach, with the same rotation
+  double angle_rad = 0.0;   ///< smallest error of the foot's rotation
 };
 
 }  // namespace gaitwright

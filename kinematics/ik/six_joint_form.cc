@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// The point nearest to some lines, and the largest distance to one of them.
+/// The point nearest to several lines, and its largest distance to one of them.
 struct Crossing {
   Vector3 point = Vector3::Zero();
   double misfit_m = 0.0;
@@ -36,7 +36,7 @@ Crossing CrossingOf(const std::array<Vector3, 6>& axes, const std::array<Vector3
 /// = Notation =  the chain from its three-axis end: E_1 E_2 E_3 about H, E_4 the knee, E_5 E_6 about A, = G.
 class SixJointForm : public LegClosedForm {
  public:
-  /// @param reversed  read the chain from the foot: G^-1 = E_6^-1 ... E_1^-1.
+  /// @param reversed  uses the chain from the foot: G^-1 = E_6^-1 ... E_1^-1.
   SixJointForm(const LegChain& chain, bool reversed) : reversed_(reversed), X_FB_zero_(chain.X_BF_zero.inverse()) {
     std::array<Vector3, 6> points;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -53,7 +53,7 @@ class SixJointForm : public LegClosedForm {
     ankle_ = ankle.point;
     thigh_ = hip_ - points[3];
     shank_ = ankle_ - points[3];
-    constexpr double kLeast = 1e-3;  // of the leg's length, for thigh and shank
+    constexpr double kLeast = 1e-3;  // smallest length of thigh and shank over the leg's length
     fits_ = misfit_ < kMisfit &&
             std::min(axes_[3].cross(thigh_).norm(), axes_[3].cross(shank_).norm()) > kLeast * chain.length_m;
   }
@@ -98,7 +98,7 @@ class SixJointForm : public LegClosedForm {
     return reversed_ ? G.inverse() : G;
   }
 
-  /// The two angles at A that bring the hip to where the foot sees it, then the hip's three.
+  /// The two angles at A that bring the hip to its position relative to the foot, then the three angles of the hip.
   void BendAnkle(const Matrix3& R, const Vector3& hip_seen, double knee_rad, const Vector6& any,
                  LegBranches& found) const {
     const Vector3 hip_from_shank = Turned(axes_[3], -knee_rad, thigh_) - shank_;

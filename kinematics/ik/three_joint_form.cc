@@ -24,7 +24,7 @@ class ThreeJointForm : public LegClosedForm {
     const double thigh = axes_[2].cross(thigh_).norm(), shank = axes_[2].cross(shank_).norm();
     longest_ = thigh + shank;
     shortest_ = std::abs(thigh - shank);
-    constexpr double kLeast = 1e-3;  // of the leg's length, for thigh and shank
+    constexpr double kLeast = 1e-3;  // smallest length of thigh and shank over the leg's length
     fits_ =
         misfit_ < kMisfit && axes_[0].cross(axes_[1]).norm() > 0.1 && std::min(thigh, shank) > kLeast * chain.length_m;
   }
@@ -50,7 +50,7 @@ class ThreeJointForm : public LegClosedForm {
     return found;
   }
 
-  /// The least distance over all planes that the first joint can give: a scan, then a golden section.
+  /// The smallest distance over all planes of the first joint, by a scan and a golden-section search.
   ReachGap Gap(const Pose& X_BF) const override {
     if (Branches(X_BF, Vector6::Zero()).count > 0) return {};
     const Vector3 target = X_BF.translation() - points_[0];
@@ -77,13 +77,13 @@ class ThreeJointForm : public LegClosedForm {
   }
 
  private:
-  /// From the hip to the target, after turning the target back about the first axis.
+  /// From the hip to the target, after the inverse rotation of the target about the first axis.
   Vector3 BackAboutFirst(const Vector3& target, double angle_rad) const {
     return Turned(-axes_[0], angle_rad, target) + points_[0] - points_[1];
   }
 
-  /// What is missing with the first joint at an angle: along the pitch axis; in the plane, beyond the longest (above
-  /// zero) or within the shortest leg (below) [m].
+  /// Error for an angle of the first joint [m]: along the pitch axis, and in the plane. The latter is positive beyond
+  /// the longest leg and negative within the shortest leg.
   Vector2 Missing(const Vector3& target, double angle_rad) const {
     const Vector3 reach = BackAboutFirst(target, angle_rad);
     const double along = axes_[2].dot(reach);

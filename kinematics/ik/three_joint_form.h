@@ -7,14 +7,15 @@
 
 namespace gaitwright {
 
-/// The leg of most four-legged robots: an abduction joint, then hip and knee about parallel axes, and a point or sphere
-/// as foot. Abduction axis and pitch axes need not meet, only not be parallel; offsets along all axes are allowed.
+/// Closed form for the leg of most four-legged robots: an abduction joint, then hip and knee with parallel axes, and a
+/// point or sphere as foot. Abduction axis and pitch axes must not be parallel, but need not meet. Offsets along all
+/// axes are allowed.
 ///
-///   1. The knee's plane: turning the target back about axis 1 must bring it to the foot's own offset along the pitch
-///      axis. Two branches, the leg below or above its abduction axis.
+///   1. The plane of the knee: the inverse rotation about axis 1 must bring the target to the offset of the foot along
+///      the pitch axis. Two branches, with the leg below or above its abduction axis.
 ///   2. The knee from the distance between hip and foot in that plane (law of cosines). Two branches.
 ///   3. The hip from the direction.
-/// @return null when the leg is of another kind.
+/// @return null if the leg has another geometry.
 std::shared_ptr<const LegClosedForm> FitThreeJointForm(const LegChain& chain);
 
 }  // namespace gaitwright

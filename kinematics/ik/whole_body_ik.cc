@@ -17,12 +17,14 @@ namespace {
 constexpr double kConverged = 1e-10;
 constexpr int kMaxIterations = 40;
 constexpr double kLongestStep = 0.3;  // [m, rad] of any coordinate in one iteration
-constexpr double kDependent = 1e-3;   // of a row's length, left after those above are taken out
-/// The same of feet's rows that no joint moves, as those across planar legs: they alone hold the base, and where legs
-/// differ in length by some millimetres what is left of such a row is no freedom, but their difference.
+constexpr double kDependent = 1e-3;   // a row is dependent if this share of its length is left after projection
+/// Threshold like kDependent for rows of feet that no joint moves, such as those across planar legs. Only these rows
+/// hold the base. If the lengths of legs differ by some millimetres, the rest of such a row comes from this difference
+/// and is not a degree of freedom.
 constexpr double kOfBaseAlone = 0.02;
 
-/// r [n]x: added to the linear Jacobian by the angular one, it gives the material point under a sphere.
+/// r [n]x. The linear Jacobian plus this matrix times the angular one is the Jacobian of a sphere's material contact
+/// point.
 Matrix3 RollMatrix(const Foot& foot, const Vector3& normal) { return foot.radius * Skew(normal); }
 
 Vector3 WantedPosition(const Foot& foot, const FootTarget& target, const Matrix3& R_WF) {
@@ -30,8 +32,8 @@ Vector3 WantedPosition(const Foot& foot, const FootTarget& target, const Matrix3
   return target.p_WF + foot.radius * RotationLog(R_WF * target.R_anchor.transpose()).cross(target.normal_anchor_W);
 }
 
-/// The column, beyond the base's six, whose unit vector has most left once directions (orthonormal) are taken out: of
-/// those `shared` by legs while any has something left, else of all.
+/// The joint column whose unit vector has the largest part outside the span of orthonormal directions. Columns `shared`
+/// by legs have priority while one has such a part.
 std::size_t LeastUsed(const std::vector<Eigen::RowVectorXd>& directions, const std::vector<bool>& shared) {
   constexpr double kTie = 1e-9;
   std::size_t least = 6;
@@ -49,7 +51,7 @@ std::size_t LeastUsed(const std::vector<Eigen::RowVectorXd>& directions, const s
   return least;
 }
 
-/// Of each joint coordinate (n), whether it moves more than one leg, as a waist does.
+/// For each joint coordinate (n), whether it moves more than one leg, like a waist.
 std::vector<bool> SharedByLegs(const RobotModel& model) {
   std::vector<int> last(static_cast<std::size_t>(model.num_dofs()), -1);
   std::vector<bool> shared(last.size(), false);
@@ -140,8 +142,8 @@ void WholeBodyIk::ChooseRows() {
     }
   }
   rows_ = chosen;
-  // Legs with freedoms to spare: hold those that the tasks use least, one after the other. A waist that carries the
-  // legs goes first: without it both legs still move alike.
+  // Redundant legs: hold the joints that the tasks use least, one after the other. A waist that carries the legs is
+  // held first, because the legs then still move symmetrically.
   const std::vector<bool> shared_by_legs = SharedByLegs(*model_);
   std::vector<bool> shared(columns_.size(), false);
   for (std::size_t c = 6; c < columns_.size(); ++c) {
@@ -199,7 +201,7 @@ Eigen::RowVectorXd WholeBodyIk::RowJacobian(const Row& row) const {
   return of_base;
 }
 
-/// What a row does by one velocity coordinate.
+/// Coefficient of a row for one velocity coordinate.
 double WholeBodyIk::Coefficient(const Row& row, int column) const {
   const Task& task = tasks_[row.task];
   const Vector3 axis = task.axes_W.col(row.axis);
@@ -285,7 +287,8 @@ Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
   return {FailureKind::kInfeasible,
           FailureCode::kOutOfReach,
           "WholeBodyIk",
-          fmt::format("foot '{}' cannot reach its target: it is {:.1f} mm short (the centre of mass is {:.1f} mm off)",
+          fmt::format("foot '{}' cannot reach its target: it is {:.1f} mm away (the centre of mass is {:.1f} mm away "
+                      "from its target)",
                       model_->feet[worst].name, 1e3 * distance, 1e3 * com_gap),
           {"lower the speed or the step length, or lower the centre of mass"}};
 }
@@ -307,7 +310,7 @@ Vector3 WholeBodyIk::AccelerationLessBias(const Task& task, const BodyTarget& ta
     return wanted.a_WF - bias.head<3>() - RollMatrix(foot, wanted.normal_W) * bias.tail<3>() -
            RollMatrix(foot, wanted.normal_rate_W) * scratch_.w_WB[static_cast<std::size_t>(foot.body)];
   }
-  // What turns beside the target, about an axis of F that is left free, goes round with F.
+  // A rotation relative to the target, about a free axis of F, rotates with F.
   const Vector3& w_WF = scratch_.w_WB[static_cast<std::size_t>(foot.body)];
   return wanted.alpha_WF + wanted.w_WF.cross(w_WF - wanted.w_WF) - bias.tail<3>();
 }

@@ -18,10 +18,11 @@ class SquareSolver;
 /// Desired motion of a foot at one time. The controlled frame is F of Foot: the middle of a sole, the centre of a
 /// sphere.
 ///
-/// A sphere rolls on its radius r: with normal n its centre moves by r w x n more than the material point under it, so
-/// v_WF and a_WF are those of the material contact point (zero in stance, the swing's otherwise), and the position
-/// wanted is p_WF + r log(R R_anchor^T) x n_anchor, R being the foot's rotation, R_anchor that at which p_WF was
-/// reckoned, and n_anchor the mean normal since. Between grounds that slope differently the normal turns over.
+/// A sphere with radius r rolls. With normal n, its centre moves by r w x n relative to the material point at the
+/// contact. So v_WF and a_WF are those of the material contact point: zero in stance, otherwise those of the swing. The
+/// desired position is p_WF + r log(R R_anchor^T) x n_anchor, where R is the rotation of the foot, R_anchor its
+/// rotation at which p_WF was computed, and n_anchor the mean normal since then. The normal rotates between grounds
+/// with different slopes.
 struct FootTarget {
   Vector3 p_WF = Vector3::Zero();
   Matrix3 R_WF = Matrix3::Identity();          ///< sole, line
@@ -32,12 +33,12 @@ struct FootTarget {
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };
 
-/// Where joints that no task takes shall be: those outside the legs, and in legs with freedoms to spare.
+/// Desired motion of joints that no task uses: joints outside the legs, and redundant joints of legs.
 struct PostureTarget {
-  VectorX q, v, a;  ///< of all independent joints, size n; all empty to use the initial guess, at rest
+  VectorX q, v, a;  ///< all independent joints, size n; all empty to use the initial guess, at rest
 };
 
-/// What the whole body shall do at one time.
+/// Desired motion of the whole body at one time.
 struct BodyTarget {
   Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero(), a_WC = Vector3::Zero();
   Matrix3 R_WB = Matrix3::Identity();
@@ -48,33 +49,33 @@ struct BodyTarget {
 
 /// Joint motion from the motion of centre of mass, base orientation and feet, for one model.
 ///
-/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are used from the
-/// top while they are independent of those above and degrees of freedom are left; the rest is dropped (NAO has 17
-/// degrees of freedom for 18 rows: its yaw follows from the coupled hip). Rows lie along the axes of the base's
-/// heading, those of a foot's rotation along the axes of its F, so the dropped rows do not depend on the robot's
-/// heading. Remaining degrees of freedom are held at the target's posture: joints outside the legs first, then those
-/// that carry several legs. So the system is square: positions are solved to 1e-10, velocities and accelerations are
-/// its exact derivatives. It allocates nothing after construction, except for failures.
+/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. A row is used if it is
+/// independent of the rows above it and degrees of freedom are left. Other rows are dropped (NAO has 17 degrees of
+/// freedom for 18 rows, and its yaw follows from the coupled hip). Rows are along the axes of the base's heading, and
+/// for the rotation of a foot along the axes of F, so the dropped rows do not depend on the robot's heading. Remaining
+/// degrees of freedom are held at the posture of the target: joints outside the legs first, then joints that carry
+/// several legs. So the system is square: positions are solved to 1e-10, and velocities and accelerations are exact
+/// derivatives. After construction, memory is only allocated for failures.
 ///
-/// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its
+/// Tuning: if it does not converge, a target is out of reach; the failure names the foot that is farthest from its
 /// target.
 class WholeBodyIk {
  public:
   explicit WholeBodyIk(const RobotModel& model);
   ~WholeBodyIk();
 
-  /// Moves q (the first guess; size nq) onto the target; joints that are held go to the target's posture, or stay where
-  /// they are. @return the iterations taken. Failure kInfeasible names the
-  /// foot and the distance left.
+  /// Changes q (the initial guess; size nq) to reach the target. Held joints go to the posture of the target, or keep
+  /// their positions if it is empty. @return the number of iterations. Failure kInfeasible with the foot and its
+  /// remaining distance.
   Result<int> SolvePosition(const BodyTarget& target, VectorX& q);
 
-  /// v and a at q for the target; SolvePosition first. The sizes are nv.
+  /// Computes v and a (size nv) at q for the target. Call SolvePosition first.
   void SolveRates(const BodyTarget& target, const VectorX& q, VectorX& v, VectorX& a);
 
-  /// Where a foot's controlled frame and rotation are after SolvePosition.
+  /// Pose of a foot's controlled frame after SolvePosition.
   Pose FootPose(int foot) const;
 
-  /// Rows that yielded and joints that are held, for people.
+  /// Notes about dropped rows and held joints, for the user.
   const std::vector<std::string>& notes() const { return notes_; }
   const DynamicsScratch& scratch() const { return scratch_; }
 
@@ -82,9 +83,9 @@ class WholeBodyIk {
   /// Three rows along three axes: a foot's position or rotation, the centre of mass or the base's rotation.
   struct Task {
     enum class Kind { kFootLinear, kFootAngular, kCentreOfMass, kBaseRotation } kind;
-    int foot;                           // -1 for the whole body's
-    Matrix3 axes_W;                     // columns, for the present target
-    Vector3 value_W = Vector3::Zero();  // of the present right-hand side
+    int foot;                           // -1 for a task of the whole body
+    Matrix3 axes_W;                     // columns, for the current target
+    Vector3 value_W = Vector3::Zero();  // current right-hand side
   };
   struct Row {
     std::size_t task;
@@ -99,8 +100,8 @@ class WholeBodyIk {
   void AssembleSystem();
   Eigen::RowVectorXd RowJacobian(const Row& row) const;
   double Coefficient(const Row& row, int column) const;
-  void FillRightHandSide();                      // from the tasks' values
-  void TakeOutHeld(const VectorX& joint_rates);  // what held joints do of it
+  void FillRightHandSide();                      // from the values of the tasks
+  void TakeOutHeld(const VectorX& joint_rates);  // subtracts the effect of held joints
   Vector3 Error(const Task& task, const BodyTarget& target) const;
   Vector3 Rate(const Task& task, const BodyTarget& target) const;
   Vector3 AccelerationLessBias(const Task& task, const BodyTarget& target) const;
@@ -109,9 +110,9 @@ class WholeBodyIk {
   const RobotModel* model_;
   DynamicsScratch scratch_;
   std::vector<Task> tasks_;
-  std::vector<Row> rows_;     // chosen
+  std::vector<Row> rows_;     // rows that are used
   std::vector<int> columns_;  // free velocity coordinates
-  std::vector<int> held_;     // independent joints that are not among them
+  std::vector<int> held_;     // independent joints that are held
   std::vector<MatrixX> foot_jacobians_;
   MatrixX com_jacobian_;
   VectorX rhs_, solution_, step_;

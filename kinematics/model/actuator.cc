@@ -21,7 +21,7 @@ void CountUse(int motor, double size, double limit, LargestUse& largest) {
   largest = {motor, share};
 }
 
-/// Limits of efforts or of speeds, and how transmissions turn those of joints into those of motors and back.
+/// The limits of efforts or of speeds, with the maps of a transmission from joints to motors and back.
 struct MotorBounds {
   double (RobotModel::*joint_limit)(int dof) const;
   double TransmissionMotor::*motor_limit;

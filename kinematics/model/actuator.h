@@ -8,19 +8,19 @@
 
 namespace gaitwright {
 
-/// A motor of the robot with its speed and effort limits; the only place of these limits. Most motors drive one joint;
-/// those of a Transmission drive several together. A robot has as many motors as independent coordinates, so that
-/// vectors by motor have the size of vectors by coordinate: motor d drives coordinate d alone, or is the motor of the
-/// transmission of d that stands where d stands among its joints.
+/// A motor of the robot with its speed and effort limits. These limits are stored nowhere else. Most motors drive one
+/// joint; the motors of a Transmission drive several joints together. A robot has as many motors as independent
+/// coordinates, so vectors by motor and vectors by coordinate have the same size. Motor d drives coordinate d alone, or
+/// it is a motor of the transmission of d: if d is joint k of the transmission, motor d is its motor k.
 ///
-/// Limits hold for the motor, never for a joint of a transmission:
+/// The limits are those of the motor, not of a joint of a transmission:
 ///   |Effort(tau)| <= effort_limit,   |Speed(v)| <= velocity_limit.
 struct Actuator {
-  /// Of one joint: speed = sum of by_speed * v[dof], effort = sum of by_effort * tau[dof].
+  /// Share of one joint in the sums speed = sum of by_speed * v[dof] and effort = sum of by_effort * tau[dof].
   struct Term {
     int dof;
-    double by_speed;   ///< of R
-    double by_effort;  ///< of R^-T
+    double by_speed;   ///< element of R
+    double by_effort;  ///< element of R^-T
   };
 
   std::string name;                      ///< the joint's name for the motor of one joint
@@ -32,7 +32,7 @@ struct Actuator {
   int transmission = -1;  ///< index into RobotModel::transmissions; -1 for the motor of one joint
 
   bool shared() const { return transmission >= 0; }
-  /// Speed and effort of the motor for those of all joints, size num_dofs.
+  /// Speed and effort of the motor from the speeds and torques of all joints, size num_dofs.
   double Speed(const Eigen::Ref<const VectorX>& v) const;
   double Effort(const Eigen::Ref<const VectorX>& tau) const;
 

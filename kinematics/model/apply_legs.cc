@@ -11,14 +11,15 @@
 namespace gaitwright {
 namespace {
 
-/// Index of the leg of that foot.
+/// Index of the leg that ends in this foot.
 std::size_t LegOf(const RobotModel& model, const std::string& foot, int line) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < model.legs.size(); ++i) {
     if (model.legs[i].name == foot) return i;
     names.push_back(model.legs[i].name);
   }
-  RefuseYamlLine(line, fmt::format("robot '{}' has no foot '{}'; there are {}", model.name, foot, QuotedList(names)));
+  RefuseYamlLine(line,
+                 fmt::format("robot '{}' has no foot '{}'; its feet are {}", model.name, foot, QuotedList(names)));
 }
 
 std::vector<std::string> JointNames(const RobotModel& model, const Leg& leg) {
@@ -54,8 +55,9 @@ void ApplyLegs(const std::vector<LegOverride>& given, RobotModel& model) {
     }
     const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
     if (said.knee_sign > 0.0 ? knee.upper <= 0.0 : knee.lower >= 0.0) {
-      RefuseYamlLine(said.line, fmt::format("knee '{}' cannot bend to {}: its limits are {} to {}", knee.name,
-                                            said.knee_sign > 0.0 ? "plus" : "minus", knee.lower, knee.upper));
+      RefuseYamlLine(said.line,
+                     fmt::format("knee '{}' cannot bend to {} (its 'knee_side'): its limits are {} to {}", knee.name,
+                                 said.knee_sign > 0.0 ? "plus" : "minus", knee.lower, knee.upper));
     }
     leg.knee_sign = said.knee_sign;
   }

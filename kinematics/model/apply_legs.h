@@ -12,7 +12,7 @@ namespace gaitwright {
 /// leg in two pairs.
 void ApplyLegs(const std::vector<LegOverride>& given, RobotModel& model);
 
-/// Mirrors by pairs of feet in place of those that were derived.
+/// Replaces the derived mirrored legs by the given pairs of feet.
 void ApplyMirrors(const std::vector<MirrorPair>& pairs, RobotModel& model);
 
 }  // namespace gaitwright

@@ -31,25 +31,26 @@ int DrivenDof(const RobotModel& model, const std::string& name, const RobotYaml:
                                          drive.name, name, model.name, NearestOrAll(name, model.dof_names)));
 }
 
-/// Refuses what the file says elsewhere of a joint whose motors are those of a transmission.
+/// Refuses limits and motor data that the file gives elsewhere for a joint of a transmission.
 void CheckSaidOnce(const RobotYaml& yaml, const std::string& joint, const RobotYaml::SharedDrive& drive) {
   const auto has_rotor = [](const RobotYaml::SharedMotor& motor) { return motor.rotor_inertia.has_value(); };
   const bool rotors = std::any_of(drive.motors.begin(), drive.motors.end(), has_rotor);
   for (const RobotYaml::JointLimits& limits : yaml.limits) {
     if (limits.joint == joint && (limits.effort || limits.velocity))
       RefuseYamlLine(limits.line, fmt::format("joint '{}' has a limit of effort or speed, but transmission '{}' drives "
-                                              "it; set effort and speed of the motors there",
+                                              "it; set the effort and speed limits of its motors there",
                                               joint, drive.name));
   }
   for (const RobotYaml::JointMotor& motor : yaml.motors) {
     if (motor.joint != joint) continue;
     if (motor.corner_speed || motor.no_load_speed || motor.continuous_effort)
       RefuseYamlLine(motor.line, fmt::format("joint '{}' has a curve or a continuous effort under 'motors', but "
-                                             "transmission '{}' drives it; set those of the motors there",
+                                             "transmission '{}' drives it; give them to the motors of the transmission",
                                              joint, drive.name));
     if (motor.rotor_inertia && rotors)
       RefuseYamlLine(motor.line, fmt::format("joint '{}' has a rotor under 'motors', but the motors of transmission "
-                                             "'{}' have rotors too; set only one of them",
+                                             "'{}' have rotors too; set only one of them: in 'motors' or in "
+                                             "'transmissions'",
                                              joint, drive.name));
   }
 }
@@ -66,21 +67,21 @@ TransmissionMotor MotorFrom(const RobotYaml::SharedMotor& given) {
   return made;
 }
 
-/// Names of motors must be found again in reports: no two are alike, and none is that of a joint that it does not
-/// drive.
+/// Reports identify a motor by its name. So the names of motors must be unique, and a motor must not have the name of a
+/// joint that it does not drive.
 void CheckMotorName(const RobotYaml::SharedMotor& motor, const RobotYaml::SharedDrive& drive, const RobotModel& model,
                     std::set<std::string>& taken) {
   if (!taken.insert(motor.name).second)
-    RefuseYamlLine(motor.line, fmt::format("there are two motors '{}'", motor.name));
+    RefuseYamlLine(motor.line, fmt::format("two motors are named '{}'; give each its own name", motor.name));
   const auto is_joint = [&](const std::string& name) { return name == motor.name; };
   if (std::any_of(drive.joints.begin(), drive.joints.end(), is_joint)) return;
   if (std::any_of(model.dof_names.begin(), model.dof_names.end(), is_joint))
     RefuseYamlLine(motor.line, fmt::format("motor '{}' of transmission '{}' has the name of a joint that it does not "
-                                           "drive",
+                                           "drive; give it another name",
                                            motor.name, drive.name));
 }
 
-/// A joint that was fixed in loading since nothing beyond it has inertia; "" where none was.
+/// Name of a joint that was fixed during loading because nothing beyond it has inertia; "" if there is no such joint.
 std::string FixedJointOf(const RobotYaml::SharedDrive& drive, const RobotModel& model) {
   for (const std::string& joint : drive.joints) {
     const std::string part = fmt::format("joint '{}'", joint);
@@ -119,7 +120,7 @@ void ApplyTransmissions(const RobotYaml& yaml, RobotModel& model) {
   std::set<std::string> taken, names;
   for (const RobotYaml::SharedDrive& drive : yaml.transmissions) {
     if (!names.insert(drive.name).second)
-      RefuseYamlLine(drive.line, fmt::format("there are two transmissions '{}'", drive.name));
+      RefuseYamlLine(drive.line, fmt::format("two transmissions are named '{}'; give each its own name", drive.name));
     const std::string fixed = FixedJointOf(drive, model);
     if (fixed.empty()) {
       ApplyTransmission(yaml, drive, model, taken);

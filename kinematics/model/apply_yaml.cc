@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kLevelFeet = 5e-3;  // [m] how far feet may stand apart in height
 
-/// A joint of a model that may be const.
+/// The joint of that name; the model may be const.
 template <class Model>
 auto& JointNamed(Model& model, const std::string& name, int line) {
   std::vector<std::string> names;
@@ -30,7 +30,7 @@ auto& JointNamed(Model& model, const std::string& name, int line) {
                  fmt::format("robot '{}' has no moving joint '{}'{}", model.name, name, NearestOrAll(name, names)));
 }
 
-/// The coordinate of a joint that mimics none.
+/// The coordinate of a joint. Refuses a joint that mimics another one.
 int DofNamed(const RobotModel& model, const std::string& name, int line) {
   const Joint& joint = JointNamed(model, name, line);
   if (!joint.is_mimic) return joint.dof;
@@ -79,7 +79,7 @@ void CheckLevel(const RobotYaml& yaml, const RobotModel& model) {
                   *yaml.standing_base_height_m, stands, 1e3 * std::abs(*yaml.standing_base_height_m - stands)));
 }
 
-/// Puts what is given of a motor into the model. @throws InvalidArgument where its values contradict each other.
+/// Copies the given data of a motor to the model. @throws InvalidArgument if the values contradict each other.
 void ApplyMotor(const RobotYaml::JointMotor& given, RobotModel& model) {
   const int dof = DofNamed(model, given.joint, given.line);
   Joint& joint = JointNamed(model, given.joint, given.line);
@@ -182,13 +182,13 @@ void ApplyRests(const RobotYaml& yaml, RobotModel& model) {
     for (const Frame& frame : model.frames) links.push_back(frame.name);
     if (std::find(links.begin(), links.end(), rest.link) == links.end()) {
       RefuseYamlLine(rest.line,
-                     fmt::format("there is no link '{}' to lie on{}", rest.link, NearestHint(rest.link, links)));
+                     fmt::format("link '{}' of 'rests' does not exist{}", rest.link, NearestHint(rest.link, links)));
     }
     const auto of_link = [&](const Foot& foot) { return foot.link == rest.link; };
     if (std::any_of(model.feet.begin(), model.feet.end(), of_link))
-      RefuseYamlLine(rest.line, fmt::format("link '{}' is already a foot or a support link of lying", rest.link));
+      RefuseYamlLine(rest.line, fmt::format("link '{}' of 'rests' is a foot or is listed twice", rest.link));
     const std::optional<Foot> found = FindRest(model, rest.link, yaml.sole_give_m);
-    if (!found) RefuseYamlLine(rest.line, fmt::format("link '{}' has no flat bottom to lie on", rest.link));
+    if (!found) RefuseYamlLine(rest.line, fmt::format("link '{}' of 'rests' has no flat bottom", rest.link));
     model.feet.push_back(*found);
     model.notes.push_back(fmt::format("it may lie on link '{}': {}", rest.link, found->derived_from));
   }

@@ -5,27 +5,28 @@
 
 namespace gaitwright {
 
-/// Puts the limits of a robot.yaml in place of the URDF's. All functions here throw InvalidArgument with the line and
-/// the name of the offender: no such joint (names the nearest), a joint that mimics another, keys of a sliding joint
-/// for a turning one and the reverse, values that contradict each other.
+/// Replaces the limits of the URDF by those of a robot.yaml. All functions here throw InvalidArgument with the line and
+/// the name of the offender: an unknown joint (with the nearest name), a joint that mimics another one, keys of a
+/// prismatic joint for a revolute one or the reverse, values that contradict each other.
 void ApplyLimits(const RobotYaml& yaml, RobotModel& model);
 
-/// Rotates the base frame if x does not point forward in the root link or z not up, according to the file or the
-/// derived axes.
+/// Rotates the base frame so that x points forward and z up, if the axes of the root link do not. The axes are those of
+/// the file, or derived.
 void ApplyAxes(const RobotYaml& yaml, RobotModel& model);
 
-/// Puts in the motors, those without words in the file included, and what joints take of themselves.
+/// Sets the motors of all joints, also of those that the file does not mention, and the losses of the joints.
 void ApplyMotors(const RobotYaml& yaml, RobotModel& model);
 
-/// Standing positions by coordinate; NaN if not given. Refuses one outside its joint's limits.
+/// Standing positions by coordinate; NaN if not given. Refuses a position outside the limits of its joint.
 VectorX GivenPosture(const RobotYaml& yaml, const RobotModel& model);
 
-/// Puts in gains, own speed and base height. Refuses a height that is not the one of the standing posture, and a
-/// posture from the file in which a foot is more than 5 mm above the lowest, naming it and by how much.
+/// Sets gains, default speed and base height. Refuses a base height that does not match the standing posture. Refuses a
+/// posture from the file in which a foot is more than 5 mm above the lowest one; the message names the foot and its
+/// height.
 void ApplyStanding(const RobotYaml& yaml, RobotModel& model);
 
-/// Adds the links that the robot may lie on behind the feet of its legs. Refuses one that is not there, has no flat
-/// bottom, or is that of a foot.
+/// Appends the links that the robot may lie on to the feet of its legs. Refuses a link that does not exist, has no flat
+/// bottom, or is a foot.
 void ApplyRests(const RobotYaml& yaml, RobotModel& model);
 
 /// One line of text for each derived quantity, with its source.

@@ -22,7 +22,7 @@ std::vector<XMLElement*> BallJoints(XMLElement& robot) {
 
 XMLElement* Added(XMLElement& parent, const char* name) { return parent.InsertNewChildElement(name); }
 
-/// A joint about one axis in place of a ball joint, with the limits of effort and speed that it may have.
+/// Adds a joint about one axis of a ball joint, with the effort and speed limits of the ball joint, if it has any.
 XMLElement* AddTurn(XMLElement& robot, const XMLElement& ball, const std::string& name, const std::string& parent,
                     const std::string& child, const char* axis) {
   XMLElement* joint = Added(robot, "joint");

@@ -5,10 +5,11 @@
 
 namespace gaitwright {
 
-/// A URDF that CheckUrdf has passed, with each ball joint (type `spherical`, of Bullet's URDFs) as three continuous
-/// joints about x, y and z of its frame, in that order from the parent: `NAME_x`, `NAME_y`, `NAME_z`, with links
-/// without mass between, `CHILD_x` and `CHILD_y`. They are singular where the middle one is a quarter turn from zero.
-/// @return the text itself where it has none.
+/// Replaces each ball joint (type `spherical`, used in Bullet's URDFs) by three continuous joints about x, y and z of
+/// its frame, in that order from the parent: `NAME_x`, `NAME_y`, `NAME_z`. The links between them, `CHILD_x` and
+/// `CHILD_y`, have no mass. The three joints are singular if the middle one is a quarter turn from zero.
+/// @param urdf_text  must have passed CheckUrdf.
+/// @return the text itself if it has no ball joint.
 std::string WithoutBallJoints(const std::string& urdf_text);
 
 }  // namespace gaitwright

@@ -14,9 +14,9 @@ constexpr double kAlong = 0.9;  // cosine of 25 degrees
 
 /// A chain of two joints or more from the base to a leaf, at joint positions zero.
 struct Limb {
-  Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< its first and its last joint
-  Vector3 middle = Vector3::Zero();                      ///< of the last body's shapes, from the last joint
-  std::array<int, 3> turning = {};                       ///< joints that turn it about each axis, or nearly
+  Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< positions of its first and last joint
+  Vector3 middle = Vector3::Zero();  ///< mean position of the last body's shapes from the last joint
+  std::array<int, 3> turning = {};   ///< number of its joints about x, y and z, within 25 degrees
 };
 
 std::vector<Limb> LimbsOf(const RobotModel& model) {
@@ -51,7 +51,8 @@ double SizeOf(const std::vector<Limb>& limbs) {
   return size;
 }
 
-/// Whether nearly all limbs end opposite another one, or in the middle, along an axis, and some do not end in it.
+/// Whether the limbs mirror each other along an axis: the mirrored end of nearly every limb is the end of a limb, and
+/// two limbs or more end away from the mirror plane.
 bool Mirrors(const std::vector<Limb>& limbs, int axis, double size) {
   constexpr double kSame = 0.05, kShare = 0.8;
   std::size_t alike = 0, aside = 0;
@@ -67,14 +68,14 @@ bool Mirrors(const std::vector<Limb>& limbs, int axis, double size) {
 
 Vector3 Signed(int axis, double value) { return (value < 0.0 ? -1.0 : 1.0) * Vector3::Unit(axis); }
 
-/// How far limbs end apart along an axis.
+/// Largest distance between the ends of limbs along an axis.
 double Spread(const std::vector<Limb>& limbs, int axis) {
   const auto by = [axis](const Limb& a, const Limb& b) { return a.to[axis] < b.to[axis]; };
   const auto [low, high] = std::minmax_element(limbs.begin(), limbs.end(), by);
   return high->to[axis] - low->to[axis];
 }
 
-/// Joints of all limbs that turn them about each axis.
+/// Number of joints of all limbs that rotate about each axis.
 std::array<int, 3> Turning(const std::vector<Limb>& limbs) {
   std::array<int, 3> turning = {};
   for (const Limb& limb : limbs) {
@@ -83,9 +84,9 @@ std::array<int, 3> Turning(const std::vector<Limb>& limbs) {
   return turning;
 }
 
-/// Whether limbs bend to the sides: more of their joints turn about x than about y, and none about the upright axis,
-/// which swings a leg's plane about. Where none turns about y, no leg can step along x; else the limbs need to mirror
-/// each other along x too.
+/// Whether the limbs bend about x: more of their joints rotate about x than about y, and no joint rotates about z,
+/// which would rotate the plane of a leg. If no joint rotates about y, no leg can step along x. Otherwise the limbs
+/// must mirror each other along x too.
 bool BendSideways(const std::vector<Limb>& limbs, bool mirror_along_x) {
   const std::array<int, 3> turning = Turning(limbs);
   return turning[2] == 0 && turning[0] > turning[1] && (mirror_along_x || turning[1] == 0);
@@ -127,9 +128,9 @@ BaseAxes DeriveBaseAxes(const RobotModel& model) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!mirrors[static_cast<std::size_t>(axis)] && std::abs(hang[axis]) > std::abs(hang[up])) up = axis;
   }
-  constexpr double kHang = 0.5;  // of all their length; else it does not tell what is down
+  constexpr double kHang = 0.5;  // share of the total length; below this, the limbs do not show which axis is down
   if (std::abs(hang[up]) < kHang * length) return {};
-  // Four legs mirror each other along both axes that are level: they stand farther apart along the robot.
+  // Four legs mirror each other along both level axes. The forward axis is the one with the larger distance of feet.
   int across = mirrors[0] || sideways ? 0 : 2;
   if (mirrors[0] && mirrors[2]) across = Spread(limbs, 0) < Spread(limbs, 2) ? 0 : 2;
   const int ahead = 3 - up - across;

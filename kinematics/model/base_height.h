@@ -5,15 +5,15 @@
 
 namespace gaitwright {
 
-/// Height of the middle of the hips over the origin of the base, in the base frame [m]; 0 without legs.
+/// Mean height of the hips above the origin of the base, in the base frame [m]; 0 without legs.
 double HipsOverOrigin(const RobotModel& model);
 
-/// The point of the base, in its frame, whose height over the ground tells whether the robot stands: the base's origin,
-/// or the height of the hips above it where they are higher. The origin may be at the ground or below it, as that of a
-/// `base_footprint`.
+/// The point of the base, in its frame, whose height above the ground shows whether the robot stands: the origin of the
+/// base, or the point above it at the height of the hips if they are higher. The origin of a base such as
+/// `base_footprint` may be on or below the ground.
 Vector3 HeightPoint(const RobotModel& model);
 
-/// Height of the base's origin over level ground when HeightPoint is at this share of its standing height [m].
+/// Height of the base's origin above level ground if HeightPoint is at this share of its standing height [m].
 double BaseHeightAtShare(const RobotModel& model, double share);
 
 }  // namespace gaitwright

@@ -32,7 +32,7 @@ Matrix3 TensorOf(const urdf::Inertial& inertial) {
   return SymmetricMatrix(inertial.ixx, inertial.ixy, inertial.ixz, inertial.iyy, inertial.iyz, inertial.izz);
 }
 
-/// Whether all links have one inertia though they do not weigh the same: then it was never worked out.
+/// Whether all links have the same inertia although their masses differ. Such an inertia is a placeholder.
 bool InertiasArePlaceholders(const urdf::ModelInterface& urdf) {
   std::vector<const urdf::Inertial*> all;
   for (const auto& [name, link] : urdf.links_) {
@@ -105,7 +105,7 @@ class Builder {
     return X;
   }
 
-  /// Its inertia is that of its shapes where the URDF has a placeholder, and mended where no body has it.
+  /// Adds a link to a body, with the inertia of its shapes for a placeholder, and a repaired inertia if not physical.
   void AddLink(const urdf::Link& link, const Pose& X_BL, Body& body) {
     const urdf::Inertial& inertial = *link.inertial;
     const Pose X_LI = Scaled(inertial.origin), X_BI = X_BL * X_LI;
@@ -127,7 +127,7 @@ class Builder {
     AddInertia(body, inertial.mass, X_BI.translation(), X_BL.linear() * I * X_BL.linear().transpose());
   }
 
-  /// What is used in place of an inertia that no body has, or none of the link's size; nothing for a sound one.
+  /// Replacement of an inertia that is not physical or too large for the link; nothing for a plausible inertia.
   std::optional<MendedInertia> Mended(const urdf::Link& link, const Matrix3& given, const Vector3& centre,
                                       const std::vector<const Shape*>& shapes) const {
     constexpr double kOfNoWeight = 1e-3;  // share of the robot's mass, as of an inertial unit
@@ -155,7 +155,7 @@ class Builder {
     return LargestMoment(whole.I_C);
   }
 
-  /// One finding a link whose inertia is mended; none for one that the robot would not notice.
+  /// Adds a finding for each link whose inertia is repaired, except for changes that are negligible for the robot.
   void TellMendedInertias() {
     constexpr double kOfNoAccount = 1e-6;  // share of the robot's inertia
     if (mended_.empty()) return;
@@ -164,8 +164,8 @@ class Builder {
       const double share = LargestMoment(mended.change) / std::max(whole, 1e-12);
       if (mended.by.was.empty() || share < kOfNoAccount) continue;
       const Vector3 moments = PrincipalMoments(mended.by.I);
-      const std::string change = share < 1.0 ? fmt::format("which is {:.2g} % of the robot's", 100.0 * share)
-                                             : fmt::format("where the whole robot then has {:.4g} kg m^2", whole);
+      const std::string change = share < 1.0 ? fmt::format("a change of {:.2g} % of the robot's inertia", 100.0 * share)
+                                             : fmt::format("and the whole robot then has {:.4g} kg m^2", whole);
       model_.findings.push_back(
           {FindingLevel::kWarning, FailureCode::kImpossibleInertia, fmt::format("link '{}'", mended.link), 0,
            fmt::format("its inertia {}; {} is used, with the principal moments {:.4g}, {:.4g} and {:.4g} kg m^2, {}",
@@ -181,7 +181,7 @@ class Builder {
     return shapes;
   }
 
-  /// Those of a link, from its frame into that of its body.
+  /// Adds the shapes of a link, with poses in the frame of its body.
   static void AddShapes(const std::vector<Shape>& from, const std::string& link, int body, const Pose& X_BL,
                         std::vector<Shape>& to) {
     for (const Shape& shape : from) {
@@ -223,7 +223,7 @@ class Builder {
   }
 
   void SetLimits(const urdf::Joint& joint, Joint& made) const {
-    constexpr double kPlaceholder = 1000.0;  // N m, rad/s: no leg joint has as much
+    constexpr double kPlaceholder = 1000.0;  // N m, rad/s: more than any joint of a leg has
     made.lower = -std::numeric_limits<double>::infinity();
     made.upper = std::numeric_limits<double>::infinity();
     if (joint.limits) {
@@ -236,7 +236,7 @@ class Builder {
       made.effort_limit = joint.limits->effort;
     }
     made.effort_limit_is_placeholder = made.effort_limit <= 0.0 || made.effort_limit >= kPlaceholder;
-    // Who did not know the effort did not know the speed.
+    // If the author of the file did not know the effort, the speed is a placeholder too.
     made.velocity_limit_is_placeholder =
         made.effort_limit_is_placeholder || made.velocity_limit <= 0.0 || made.velocity_limit >= kPlaceholder;
     if (joint.dynamics) {
@@ -245,7 +245,7 @@ class Builder {
     }
   }
 
-  /// Gives each joint that mimics no other a coordinate; followers take their leader's, through chains of them.
+  /// Gives each joint a coordinate. A mimic joint, also in a chain, gets the coordinate of the leading joint.
   void AssignCoordinates() {
     std::map<std::string, std::size_t> index;
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
@@ -284,7 +284,7 @@ class Builder {
   std::map<std::size_t, std::string> leader_;
 };
 
-/// What a strict reader refuses: an inertia that is replaced by that of shapes.
+/// The failure of a strict reader if an inertia was replaced.
 std::optional<Failure> RefusedInertia(const RobotModel& model) {
   for (const Finding& finding : model.findings) {
     if (finding.code != FailureCode::kImpossibleInertia && finding.code != FailureCode::kPlaceholderInertia) continue;
@@ -293,7 +293,7 @@ std::optional<Failure> RefusedInertia(const RobotModel& model) {
   return std::nullopt;
 }
 
-/// Chains of mimics multiply, and what is absurd then was not so in any one of them.
+/// Checks multiplier and offset of mimic joints. Each link of a chain may be plausible and the product not.
 std::optional<Failure> CheckFollowers(const RobotModel& model) {
   constexpr double kLeast = 1e-6, kMost = 1e6;
   for (const Joint& joint : model.joints) {
@@ -303,8 +303,8 @@ std::optional<Failure> CheckFollowers(const RobotModel& model) {
         FailureKind::kBadInput,
         FailureCode::kBadMimic,
         "LoadRobot",
-        fmt::format("joint '{}' follows '{}' with multiplier {} and offset {}; accepted: {} to {} up or down, "
-                    "and at most {}",
+        fmt::format("joint '{}' follows '{}' with multiplier {} and offset {}; accepted: magnitudes of {} to {} for "
+                    "the multiplier and up to {} for the offset",
                     joint.name, model.dof_names[static_cast<std::size_t>(joint.dof)], joint.multiplier, joint.offset,
                     kLeast, kMost, kMost),
         {}};
@@ -312,7 +312,7 @@ std::optional<Failure> CheckFollowers(const RobotModel& model) {
   return std::nullopt;
 }
 
-/// Keeps what urdfdom says, which would go to standard error.
+/// Collects the messages of urdfdom, which would otherwise go to standard error.
 class Listener : public console_bridge::OutputHandler {
  public:
   Listener() : previous_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
@@ -332,7 +332,7 @@ class Listener : public console_bridge::OutputHandler {
 };
 
 urdf::ModelInterfaceSharedPtr ParseTree(const std::string& tree_text, std::string& reason) {
-  static std::mutex one_at_a_time;  // the handler of the messages is one for the whole program
+  static std::mutex one_at_a_time;  // the program has only one handler of messages
   const std::lock_guard<std::mutex> lock(one_at_a_time);
   const Listener listener;
   urdf::ModelInterfaceSharedPtr urdf;

@@ -16,11 +16,11 @@ Failure Refused(const FootOverride& foot, const std::string& message) {
           FailureCode::kRobotFeet,
           "LoadRobot",
           AtYamlLine(foot.line, message),
-          {"'gaitwright robots show' of the URDF alone lists the feet that it finds"}};
+          {"run 'gaitwright robots show' on the URDF alone to list the feet that it finds"}};
 }
 
-/// Whether a link that is fixed beyond the shapes that are missing says where a foot's contact is, as many files have
-/// one for it: it has no shape of its own, and it is the lowest of its body as the robot stands, below the last joint.
+/// Whether the link of a foot whose shapes are missing marks the contact point. Many files have such a link: it has no
+/// shape, it is the lowest link of its body in the standing posture, and it is below the last joint.
 bool IsContactFrame(const RobotModel& model, const Foot& foot, const std::vector<MissingMesh>& missing) {
   constexpr double kDown = 0.7;  // cosine to straight down, from the last joint
   const std::vector<Pose> X_OB = BodyPoses(model, model.standing_joints);
@@ -38,7 +38,7 @@ bool IsContactFrame(const RobotModel& model, const Foot& foot, const std::vector
   });
 }
 
-/// Whether a link is fixed beyond the one that a foot was taken from, so that its shape would be the foot.
+/// Whether a link is farther from the last joint than the foot's link, so that its missing shape would be the foot.
 bool EndsBeyond(const RobotModel& model, const std::string& link, const Foot& foot) {
   constexpr double kBeyond = 1e-3;  // [m]
   const auto distance = [&](const std::string& name) {
@@ -79,7 +79,7 @@ std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector
 
 std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<FootOverride>& given,
                                          const std::vector<MissingMesh>& missing) {
-  constexpr std::size_t kSoleJoints = 5;  // of legs of so many a point tells too little
+  constexpr std::size_t kSoleJoints = 5;  // a leg with so many joints has a sole; a point does not describe it
   const auto body_of = [&](const std::string& link) {
     return model.frames[static_cast<std::size_t>(model.FrameIndex(link))].body;
   };
@@ -88,10 +88,10 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
                                    [&](const MissingMesh& mesh) { return body_of(mesh.link) == foot.body; });
     const bool is_seen = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
                                      [&](const Shape& shape) { return shape.body == foot.body; });
-    const bool is_told = std::any_of(given.begin(), given.end(), [&](const FootOverride& f) {
+    const bool is_reported = std::any_of(given.begin(), given.end(), [&](const FootOverride& f) {
       return f.link == foot.link && (f.type || f.radius_m > 0.0 || !f.sole_m.empty());
     });
-    if (gone == missing.end() || is_told) continue;
+    if (gone == missing.end() || is_reported) continue;
     if (is_seen) {
       if (EndsBeyond(model, gone->link, foot)) {
         model.findings.push_back({FindingLevel::kWarning, FailureCode::kMissingMesh,

@@ -8,17 +8,17 @@
 
 namespace gaitwright {
 
-/// Whether the feet that a user names can be the ends of legs: links that exist, each once, none on the base body or
-/// joined to it by fixed joints only, none on the way to another.
+/// Checks that the feet named by the user can be the ends of legs. Each link must exist and be named once. It must not
+/// be fixed to the base or lie on the chain to another foot.
 /// @param ends the bodies of the feet, one for each of `feet`.
-/// @return the first thing wrong, naming the foot and what to do, or nothing.
+/// @return the first error, with the foot and a remedy, or nothing.
 std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector<FootOverride>& feet,
                                       const std::vector<int>& ends);
 
 /// Checks that the contact geometry of each foot is known: from a shape, from a link fixed to the foot at its contact
 /// point, or from the user. Adds a warning to the model's findings if only such a link is known, or if other shapes
 /// replace a missing mesh.
-/// @return nothing, or a failure that names the foot, the missing mesh and what to do.
+/// @return nothing, or a failure with the foot, the missing mesh and a remedy.
 std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<FootOverride>& given,
                                          const std::vector<MissingMesh>& missing);
 

@@ -6,8 +6,7 @@
 namespace gaitwright {
 
 /// Checks a given state (see RobotModel for its order).
-/// @throws InvalidArgument naming what is wrong: q or v of another size, a number that is not finite, a quaternion of
-/// length 0.
+/// @throws InvalidArgument for q or v of the wrong size, a number that is not finite, or a quaternion of length 0.
 void CheckState(const RobotModel& model, const VectorX& q, const VectorX& v);
 
 }  // namespace gaitwright

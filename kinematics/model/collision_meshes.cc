@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// The hull of a mesh file, one that was read before or a new one, which is kept.
+/// The hull of a mesh file. Reads the file and stores the hull in `meshes` unless it is already there.
 const MeshHull* HullOf(const std::string& file, const MeshSource& source, std::vector<MeshHull>& meshes) {
   const auto known = std::find_if(meshes.begin(), meshes.end(), [&](const MeshHull& m) { return m.file == file; });
   if (known != meshes.end()) return &*known;

@@ -11,7 +11,7 @@
 
 namespace gaitwright {
 
-/// The hull of a mesh by its file as the URDF names it.
+/// Returns the hull of a mesh for the file name in the URDF.
 using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
 
 /// Gives the collision meshes their vertices, and takes out those that do not exist or cannot be read.
@@ -19,8 +19,8 @@ using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string&
 std::vector<MeshHull> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
                                  std::vector<MissingMesh>& missing);
 
-/// Uses the visual shapes of a foot without collision shape for contact.
-/// @param named  feet that the user names; empty if they are to be derived.
+/// Uses the visual shapes of a foot without collision shapes for contact.
+/// @param named  feet that the user names; empty if the feet are derived.
 void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource& source, RobotModel& model,
                        std::vector<MeshHull>& meshes);
 

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// "a, b, c" of the names of a list of the file's items.
+/// The joint names of a list of items from the file, as "a, b, c".
 template <class Items>
 std::string JointsOf(const Items& items) {
   std::vector<std::string> names;
@@ -26,11 +26,11 @@ const LegOverride* Given(const RobotYaml& yaml, const Leg& leg) {
 
 void NoteLeg(const RobotYaml& yaml, const RobotModel& model, const Leg& leg, std::vector<std::string>& notes) {
   const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
-  notes.push_back(fmt::format("foot '{}': {}; {}", foot.name,
-                              yaml.feet.empty()
-                                  ? fmt::format("at the end of the {} joints that reach lowest", leg.joints.size())
-                                  : "named in robot.yaml",
-                              foot.derived_from));
+  notes.push_back(fmt::format(
+      "foot '{}': {}; {}", foot.name,
+      yaml.feet.empty() ? fmt::format("at the end of a chain of {} joints that reaches low enough", leg.joints.size())
+                        : "named in robot.yaml",
+      foot.derived_from));
   notes.push_back(fmt::format("leg '{}': {:.4f} m long, from its first pitch joint along its joints to the contact",
                               leg.name, leg.length_m));
   if (leg.knee_joint < 0) return;

@@ -21,18 +21,18 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostLegs = 64;  // that a set of feet as bits holds
+constexpr std::size_t kMostLegs = 64;  // bits in a set of feet
 
-/// A limb whose end can come down, and how far [m]: over the origin of the base, or over the roots of limbs where they
-/// are higher, since the origin may be at the ground or below it, as that of a `base_footprint`.
+/// A limb and the lowest height of its end [m], above the origin of the base or, if the roots of limbs are higher,
+/// above those roots. The origin of a base such as `base_footprint` may be on or below the ground.
 struct LimbThatReaches {
   double lowest = 0.0;
   std::vector<int> chain;
 };
 
-constexpr std::size_t kMostShared = 2;  // joints that legs may have in common, as a waist
+constexpr std::size_t kMostShared = 2;  // joints that legs may have in common, such as a waist
 
-/// How many joints two chains begin with in common.
+/// Number of joints at the start of two chains that are the same.
 std::size_t SharedJoints(const std::vector<int>& one, const std::vector<int>& other) {
   const auto [end, unused] = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
   return static_cast<std::size_t>(end - one.begin());
@@ -43,7 +43,7 @@ double RootHeight(const RobotModel& model, const LimbThatReaches& limb) {
   return model.joints[static_cast<std::size_t>(limb.chain.front())].X_PJ.translation().z();
 }
 
-/// Lowest point of the base's own shapes in the base frame [m]; minus infinity where no shape is known.
+/// Lowest point of the shapes of the base in the base frame [m]; minus infinity if the base has no shape.
 double BottomOfBase(const RobotModel& model) {
   double bottom = std::numeric_limits<double>::infinity();
   for (const Shape& shape : model.collision_shapes) {
@@ -54,12 +54,13 @@ double BottomOfBase(const RobotModel& model) {
   return std::isfinite(bottom) ? bottom : -bottom;
 }
 
-/// Leaves the limbs that come down below the base's origin; where fewer than two do since it is below the whole robot,
-/// those that go far below the base's shapes. Reaches are then over the root of the longest, where that is above the
-/// origin.
-/// @param limbs  lowest first
+/// Keeps the limbs that reach below the origin of the base. If fewer than two do, because the origin is below the whole
+/// robot, keeps the limbs that reach far below the shapes of the base. Then `lowest` becomes relative to the root of
+/// the longest limb, if this root is above the origin.
+/// @param limbs  lowest first.
 void KeepThoseThatReachTheGround(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
-  constexpr double kBelow = 0.6;  // share of a leg that is below the base's shapes; arms of a bust hang beside them
+  constexpr double kBelow =
+      0.6;  // share of a leg that is below the shapes of the base; the arms of a bust are beside them
   if (limbs.empty()) return;
   const double from_m = std::max(0.0, RootHeight(model, limbs.front())), bottom_m = BottomOfBase(model);
   const auto below_origin = [](const LimbThatReaches& limb) { return limb.lowest < 0.0; };
@@ -71,8 +72,8 @@ void KeepThoseThatReachTheGround(const RobotModel& model, std::vector<LimbThatRe
   for (LimbThatReaches& limb : limbs) limb.lowest -= from_m;
 }
 
-/// Of limbs that part late, as the fingers of a hand or the toes of a foot do, the one that comes down farthest is
-/// left.
+/// Limbs with many joints in common are branches of one limb, such as the fingers of a hand or the toes of a foot.
+/// Keeps only the branch that reaches lowest.
 void DropBranches(std::vector<LimbThatReaches>& limbs) {
   std::vector<LimbThatReaches> kept;
   for (LimbThatReaches& limb : limbs) {
@@ -84,14 +85,14 @@ void DropBranches(std::vector<LimbThatReaches>& limbs) {
   limbs = std::move(kept);
 }
 
-/// Legs come in pairs of left and right. Beside two that do, a limb without a like on the other side that has more
-/// joints than they is an arm, a neck or a tail, however far down it comes.
+/// Legs come in pairs of left and right. If there is such a pair, a limb without a counterpart that has more joints
+/// than the pair is an arm, a neck or a tail, even if it reaches low.
 void DropArms(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
   constexpr double kSame = 0.1;  // share of the reach
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   const auto mirrored = [&](const LimbThatReaches& limb) {
     return std::any_of(limbs.begin(), limbs.end(), [&](const LimbThatReaches& other) {
-      const std::size_t shared = SharedJoints(limb.chain, other.chain);  // a waist, from which both legs go
+      const std::size_t shared = SharedJoints(limb.chain, other.chain);  // a waist, which carries both legs
       if (other.chain.size() != limb.chain.size() || shared > kMostShared || shared == limb.chain.size()) return false;
       const auto root = [&](const std::vector<int>& chain) -> Vector3 {
         return X_OB[static_cast<std::size_t>(chain[shared]) + 1].translation();
@@ -114,7 +115,7 @@ void DropArms(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
   limbs = std::move(legs);
 }
 
-/// Why there are too few legs: no joint at all, joints that make up no limb, or limbs that end too high.
+/// The failure for too few legs: the robot has no moving joint, its limbs have one joint each, or they end too high.
 Failure NoLegs(const RobotModel& model, std::size_t found) {
   const std::string count = fmt::format("robot '{}': {} legs found", model.name, found);
   const Failure failure{FailureKind::kBadInput, FailureCode::kNoLegs, "LoadRobot", "", {}};
@@ -136,7 +137,7 @@ Failure NoLegs(const RobotModel& model, std::size_t found) {
   return refused("; two or more chains of joints that end at the ground are needed", name_feet);
 }
 
-/// The body of a foot that is named.
+/// The body of a foot that the user names.
 int EndOf(const RobotModel& model, const FootOverride& foot) {
   try {
     return model.frames[static_cast<std::size_t>(model.FrameIndex(foot.link))].body;
@@ -145,7 +146,7 @@ int EndOf(const RobotModel& model, const FootOverride& foot) {
   }
 }
 
-/// Front row before rear rows, left before right within a row.
+/// Sorts legs by row from front to rear, and from left to right within a row.
 void SortLegs(RobotModel& model) {
   const std::vector<Pose> X_OB = BodyPoses(model, model.standing_joints);
   std::vector<Vector3> at;
@@ -191,7 +192,7 @@ std::vector<int> EndBodies(const RobotModel& model) {
   KeepThoseThatReachTheGround(model, limbs);
   DropBranches(limbs);
   DropArms(model, limbs);
-  constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
+  constexpr double kShare = 0.25;  // a leg may end higher than the longest one by this share of its reach
   const double least = limbs.empty() ? 0.0 : limbs.front().lowest * (1.0 - kShare);
   std::erase_if(limbs, [least](const auto& limb) { return limb.lowest > least; });
   std::vector<int> ends;

@@ -16,7 +16,7 @@ struct FootOverride {
   std::optional<FootType> type;
   double radius_m = 0.0;
   std::vector<Vector2> sole_m;        ///< corners in the link's frame's xy plane, counter-clockwise
-  std::optional<double> sole_give_m;  ///< in place of that of all feet
+  std::optional<double> sole_give_m;  ///< replaces the value for all feet
   int line = 0;                       ///< line in the file
 };
 
@@ -40,29 +40,31 @@ struct LegChoices {
   std::vector<FootOverride> feet;
   std::vector<LegOverride> legs;
   std::optional<std::vector<MirrorPair>> mirror_pairs;  ///< all of them, if given
-  std::optional<double> sole_give_m;  ///< what of a foot's shapes is that little over their lowest point is its sole
+  std::optional<double> sole_give_m;  ///< height above a foot's lowest point up to which its shapes are its sole
   int sole_give_line = 0;
 };
 
 /// Derives legs, feet, symmetry and a standing posture from the tree and its collision geometry; names are not used.
 ///
-///   legs      chains whose end can come nearly as far down as the lowest of all (arms and heads cannot)
-///   feet      under a leg of five or more joints the flat bottom of boxes, cylinders, meshes or corner spheres: a sole
-///             (a line where no joint rolls it); else a sphere at the far end of the last body: it rolls; else the
-///             farthest point
-///   posture   each leg bends in its own upright plane (leg_plane.h). Without a sole: foot under its hip, 0.62 of the
-///             straight length below it, or where its slides are half out; of a leg that sprawls, as far out of its
-///             upright axis as below its hip. With a sole: 0.92, sole level. The knee bends to the side that its limits
-///             allow more of. Other joints: nearest to zero. Then all feet move alike until the centre of mass stands
-///             over their middle; on soles it may stay half the way from there to their edges.
+///   legs      Chains whose ends reach nearly as low as the lowest one. Arms and heads do not.
+///   feet      A leg of five or more joints has a sole: the flat bottom of boxes, cylinders, meshes or corner spheres.
+///             It is a line if no joint rolls it. Otherwise the foot is a sphere at the far end of the last body, which
+///             rolls. Otherwise it is the farthest point.
+///   posture   Each leg bends in its own upright plane (leg_plane.h). A foot without a sole is below its hip at 0.62 of
+///             the straight length, or where its prismatic joints are at half their stroke. The foot of a sprawling leg
+///             is as far out from the leg's upright axis as it is below its hip. A foot with a sole is at 0.92 of the
+///             straight length, and its sole is level. The knee bends to the side where its limits allow more. Other
+///             joints are as near to zero as their limits allow. Finally all feet move by the same distance until the
+///             centre of mass is above the middle of the feet. On soles, it may be up to half way between the middle
+///             and their edges.
 /// @param given    overrides; if it names feet, only their links are feet.
 /// @param standing given joint positions by coordinate; NaN for those to derive.
-/// @return the number of legs. Failure kBadInput: `no_legs` when there are fewer than two, or none where feet
-/// are named, `robot_feet` for named feet
-/// that cannot be. @throws InvalidArgument with the line of an override that contradicts the robot.
+/// @return the number of legs. Failure kBadInput: `no_legs` for fewer than two legs (none if feet are named),
+/// `robot_feet` for named feet that are not possible.
+/// @throws InvalidArgument with the line of an override that contradicts the robot.
 Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX& standing);
 
-/// Bodies at the ends of legs: leaves that can come down nearly as far as the lowest. Lowest first.
+/// Bodies at the ends of legs, lowest first: leaves of the tree that reach nearly as low as the lowest one.
 std::vector<int> EndBodies(const RobotModel& model);
 
 }  // namespace gaitwright

@@ -57,7 +57,7 @@ Json LegJson(const RobotModel& model, const Leg& leg) {
         {"derived_from", foot.derived_from}}}};
 }
 
-/// A limit that is none is null.
+/// A number, or null for a limit that does not exist.
 Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json LimitsJson(const RobotModel& model, int dof) {
@@ -86,7 +86,7 @@ Json MirrorsJson(const RobotModel& model) {
   return pairs;
 }
 
-/// In SI units of a joint that turns; of one that slides N, m/s and kg.
+/// Motor data; units are rad, rad/s, N m and kg m^2 for a revolute joint, and m, m/s, N and kg for a prismatic one.
 Json MotorJson(const Motor& motor, const Joint& joint) {
   return {{"corner_speed", Finite(motor.corner_speed)},
           {"no_load_speed", Finite(motor.no_load_speed)},
@@ -99,16 +99,16 @@ Json MotorJson(const Motor& motor, const Joint& joint) {
           {"friction", joint.friction}};
 }
 
-/// What is known of a motor, in words; empty where nothing is.
+/// The known data of a motor as text; empty if no data are known.
 std::string MotorText(const Motor& motor, const Joint& joint) {
   std::string text;
   const auto add = [&](bool known, const std::string& words) {
     if (known) text += (text.empty() ? "" : ", ") + words;
   };
   add(motor.has_curve(),
-      fmt::format("full effort up to {:g}, zero from {:g} on", motor.corner_speed, motor.no_load_speed));
+      fmt::format("full effort up to speed {:g}, none from {:g} on", motor.corner_speed, motor.no_load_speed));
   add(std::isfinite(motor.continuous_effort),
-      fmt::format("{:g} continuously, as mean over {:g} s", motor.continuous_effort, motor.thermal_s));
+      fmt::format("continuous {:g} (root mean square over {:g} s)", motor.continuous_effort, motor.thermal_s));
   add(motor.rotor_inertia > 0.0, fmt::format("rotor inertia {:g}", motor.rotor_inertia));
   add(std::isfinite(motor.acceleration_limit), fmt::format("acceleration to {:g}", motor.acceleration_limit));
   add(std::isfinite(motor.jerk_limit), fmt::format("jerk to {:g}", motor.jerk_limit));

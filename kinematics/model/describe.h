@@ -11,7 +11,8 @@ namespace gaitwright {
 std::string DescribeRobot(const RobotModel& model);
 
 /// The description as a JSON object: name, mass, legs with their feet and soles (corners in the sole frame), mirror
-/// pairs, standing posture, limits and gains by joint (null: none, or to be derived), notes. Its units are in its keys.
+/// pairs, standing posture, limits and gains by joint (null: no limit, or a derived gain), notes. Keys contain the
+/// units.
 std::string RobotJson(const RobotModel& model);
 
 }  // namespace gaitwright

@@ -22,7 +22,7 @@ struct LimbEnd {
   double lowest_m = 0.0;
 };
 
-/// The link that is farthest out in a body: at its end, where others are fixed to it.
+/// The link of a body that is farthest from its joint.
 std::string EndLinkOf(const RobotModel& model, int body) {
   std::string link = model.bodies[static_cast<std::size_t>(body)].name;
   double farthest = -1.0;
@@ -51,7 +51,7 @@ std::vector<LimbEnd> EndsOf(const RobotModel& model, const std::vector<std::vect
   return ends;
 }
 
-/// Where no limb has two joints, those of one.
+/// All chains of one joint, for a robot whose limbs have one joint each.
 std::vector<std::vector<int>> LimbsOfOneJoint(const RobotModel& model) {
   std::vector<std::vector<int>> limbs;
   for (int j = 0; j < static_cast<int>(model.joints.size()); ++j) limbs.push_back({j});
@@ -72,7 +72,7 @@ bool WantsRobotYaml(const Failure& failure) {
 }
 
 std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
-  constexpr double kAsLow = 0.6;  // of the lowest
+  constexpr double kAsLow = 0.6;  // share of the reach of the lowest limb
   const std::string mended = MendUrdf(urdf_text).text;
   if (CheckUrdf(mended)) return "";
   const std::string tree = WithoutBallJoints(mended);
@@ -93,7 +93,7 @@ std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
   for (const LimbEnd& end : ends) {
     const double lowest_m = ends.front().lowest_m;
     const bool foot = (end.lowest_m < 0.0 && end.lowest_m <= kAsLow * lowest_m) ||
-                      (limbs.empty() && end.lowest_m == lowest_m);  // the end may be told by no shape
+                      (limbs.empty() && end.lowest_m == lowest_m);  // the end may have no shape
     text += fmt::format("{}- {{link: {}}}  # joints {}; comes down to {:.3f} m\n", foot ? "  " : "  # ",
                         Quoted(end.link), end.joints, end.lowest_m);
   }

@@ -18,7 +18,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kSoleJoints = 5;  // legs of fewer have no sole, but those of a biped with one ankle joint
+constexpr std::size_t kSoleJoints = 5;  // legs with fewer joints have no sole, except in a biped with one ankle joint
 
 std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
   std::vector<const Shape*> shapes;
@@ -28,7 +28,7 @@ std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
   return shapes;
 }
 
-/// How far a shape reaches along a direction of its body's frame from its origin.
+/// Largest coordinate of a shape along a direction, from the origin of its body's frame.
 double SupportAlong(const Shape& shape, const Vector3& d) {
   return d.dot(shape.X_BS * SupportPoint(shape, shape.X_BS.linear().transpose() * d));
 }
@@ -40,8 +40,8 @@ double Extent(const Shape& shape) {
 }
 
 bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X_OB) {
-  // A sole can be levelled sideways when a joint at the ankle turns about x.
-  constexpr double kAnkle = 0.2;  // of the way from the last joint to the first
+  // A sole can be levelled sideways if a joint at the ankle rotates about x.
+  constexpr double kAnkle = 0.2;  // share of the distance from the last joint to the first
   const auto at = [&](int j) { return X_OB[static_cast<std::size_t>(j) + 1].translation(); };
   const double length = (at(leg.joints.back()) - at(leg.joints.front())).norm();
   return std::any_of(leg.joints.begin(), leg.joints.end(), [&](int j) {
@@ -51,8 +51,8 @@ bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X
   });
 }
 
-/// A foot's body in a posture, turned about the vertical to where it points at joint positions zero, and by the little
-/// that its bottom is aslant.
+/// Pose of a foot's body in a posture, rotated about the vertical to its heading at joint positions zero, and then by
+/// the small angle that makes its bottom level.
 Pose LevelledPose(const RobotModel& model, int body, const VectorX& given, const std::vector<const Shape*>& shapes) {
   const auto b = static_cast<std::size_t>(body);
   const VectorX posture = given.unaryExpr([](double q) { return std::isfinite(q) ? q : 0.0; });
@@ -63,12 +63,11 @@ Pose LevelledPose(const RobotModel& model, int body, const VectorX& given, const
   return BottomTilt(X_OE, shapes).inverse() * X_OE;
 }
 
-/// The largest flat bottom of boxes and meshes that are aslant, where the posture that would level them is not known:
-/// of those that are level when the foot is turned from any of some directions that are evenly spread about straight
-/// down.
+/// The largest flat bottom of tilted boxes and meshes, for an unknown posture. The foot is rotated into many
+/// orientations, evenly spread within 1 rad, and the flat bottom is found in each.
 bool FindAslantBottom(const Pose& X_OE, const std::vector<const Shape*>& shapes, Foot& foot) {
   constexpr double kFarthest = 1.0;  // [rad]
-  constexpr int kDirections = 2500;  // 0.03 rad apart; BottomTilt takes what is between them
+  constexpr int kDirections = 2500;  // 0.03 rad apart; BottomTilt corrects the rest
   constexpr double kFlat = 1e-3;     // [m]
   const auto has_faces = [](const Shape* s) { return s->type == ShapeType::kBox || s->type == ShapeType::kMesh; };
   if (!std::all_of(shapes.begin(), shapes.end(), has_faces)) return false;
@@ -80,7 +79,7 @@ bool FindAslantBottom(const Pose& X_OE, const std::vector<const Shape*>& shapes,
     const Vector3 axis(std::cos(i * golden_angle), std::sin(i * golden_angle), 0.0);
     const Pose X_OT = Eigen::AngleAxisd(tilt, axis) * X_OE;
     const Matrix3 R_OT = (BottomTilt(X_OT, shapes).inverse() * X_OT).linear();
-    // The least turn that levels the same face, so that the foot points to where it points at zero.
+    // The smallest rotation that levels the same face, so that the foot keeps its heading.
     const Vector3 up_O = X_OE.linear() * R_OT.transpose() * Vector3::UnitZ();
     const Pose levelled = Eigen::Quaterniond::FromTwoVectors(up_O, Vector3::UnitZ()) * X_OE;
     Foot there = foot;
@@ -91,9 +90,9 @@ bool FindAslantBottom(const Pose& X_OE, const std::vector<const Shape*>& shapes,
   return largest > 0.0 && FindFlatBottom(X_OL, shapes, std::nullopt, foot);
 }
 
-/// The flat bottom of shapes of the last body at joint positions zero, as a sole. Where it is larger by far in a
-/// posture that is given, which a sole is that lies aslant at zero, that one. Where neither is known, the largest of
-/// those that are level when the foot is turned.
+/// The flat bottom of the last body's shapes at joint positions zero, as a sole. If the flat bottom in a given posture
+/// is much larger, the sole is tilted at zero and the bottom in that posture is used. If there is neither, the largest
+/// bottom over many orientations of the foot (FindAslantBottom).
 bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, const VectorX& given,
               std::optional<double> give_m, Foot& foot) {
   constexpr double kLarger = 1.5;
@@ -117,15 +116,15 @@ bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const S
   return true;
 }
 
-/// The farthest point of the shapes from the last joint: the middle of those points of one shape that are as far, so
-/// that a box that hangs straight down ends in the middle of its bottom. Without shapes: the frame that is farthest.
+/// The point of the shapes that is farthest from the last joint. If several points of a shape are equally far, their
+/// mean, so that a box that hangs straight down ends at the middle of its bottom. Without shapes: the farthest frame.
 void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, Foot& foot) {
-  constexpr double kPointRadius = 1e-3;  // [m] a smaller ball is a point
+  constexpr double kPointRadius = 1e-3;  // [m] a smaller sphere is a point
   constexpr double kSame = 1e-3;         // [m]
   double farthest = -1.0;
   const Shape* tip = nullptr;
   for (const Shape* shape : shapes) {
-    // A sphere at the far end stands out a little beyond the shank that it ends.
+    // A sphere at the end of a shank reaches only slightly farther than the shank.
     const double extent = Extent(*shape);
     if (extent < farthest + (shape->type == ShapeType::kSphere ? -kSame : kSame)) continue;
     farthest = extent;
@@ -155,8 +154,8 @@ void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, F
   foot.type = foot.radius > 0.0 ? FootType::kSphere : FootType::kPoint;
 }
 
-/// The wheel that shapes of a body make about its joint: all round to one radius. It is held still and stands as a ball
-/// of its radius does, about its axle. @return whether there is one.
+/// Finds a wheel: shapes of a body with the same radius all around its joint. The wheel is locked and stands like a
+/// sphere of its radius. @return whether there is a wheel.
 bool FindWheel(const RobotModel& model, const std::vector<const Shape*>& shapes, Foot& foot) {
   constexpr double kRound = 0.05;  // share of the radius that a wheel may be out of round
   constexpr int kDirections = 24;
@@ -186,8 +185,8 @@ bool FindWheel(const RobotModel& model, const std::vector<const Shape*>& shapes,
   return true;
 }
 
-/// Refuses a sole's give that changes nothing or takes the sole away: where the foot is given one, or would have a sole
-/// without it.
+/// Refuses a sole give that has no effect or removes the sole: for a foot with its own value and no sole, and for a
+/// foot that would have a sole without this key.
 void CheckGiveIsIdle(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes,
                      const LegChoices& choices, const FootOverride* given, const VectorX& standing) {
   Foot foot;
@@ -196,14 +195,17 @@ void CheckGiveIsIdle(const RobotModel& model, const Leg& leg, const std::vector<
   const bool own = given != nullptr && given->sole_give_m.has_value();
   const int line = own ? given->line : choices.sole_give_line;
   if (leg.joints.size() >= kSoleJoints && FindSole(model, leg, shapes, standing, std::nullopt, foot)) {
-    RefuseYamlLine(line, fmt::format("'sole_give_m' leaves foot '{}' without a sole: no area of its shapes lies within "
-                                     "{} m of their lowest point; a sole is found without this key",
+    RefuseYamlLine(line, fmt::format("foot '{}' has no sole with 'sole_give_m' {}: its shapes have no area within this "
+                                     "height [m] of their lowest point; leave the key out to find a sole",
                                      name, own ? *given->sole_give_m : *choices.sole_give_m));
   }
-  if (own) RefuseYamlLine(line, fmt::format("foot '{}' has 'sole_give_m', but no sole is found in its shapes", name));
+  if (own)
+    RefuseYamlLine(line, fmt::format("foot '{}' has 'sole_give_m', but no sole is found in its shapes; leave the key "
+                                     "out, or give the sole's corners: 'sole_m'",
+                                     name));
 }
 
-/// A foot whose sole the user gives.
+/// Sets the sole given by the user.
 void TakeSole(const RobotModel& model, const FootOverride& given, Foot& foot) {
   const Frame& frame = model.frames[static_cast<std::size_t>(model.FrameIndex(given.link))];
   foot.type = given.type.value_or(FootType::kSole);
@@ -214,8 +216,8 @@ void TakeSole(const RobotModel& model, const FootOverride& given, Foot& foot) {
   foot.derived_from = fmt::format("its {} corners from robot.yaml", given.sole_m.size());
 }
 
-/// Puts the type and radius that the user gives in place of those that were found. @throws InvalidArgument for a sphere
-/// without a radius.
+/// Replaces type and radius of a foot by those given by the user. @throws InvalidArgument for a sphere without a
+/// radius.
 void TakeType(const FootOverride& given, Foot& foot) {
   foot.link = given.link;
   if (given.radius_m > 0.0) {
@@ -252,7 +254,7 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices
   foot.body = leg.joints.back() + 1;
   foot.link = model.bodies[static_cast<std::size_t>(foot.body)].name;
   std::vector<const Shape*> shapes = ShapesOf(model, foot.body);
-  if (given != nullptr) {  // the link's own shapes, where it has some
+  if (given != nullptr) {  // prefer the shapes of the named link
     std::vector<const Shape*> own;
     std::copy_if(shapes.begin(), shapes.end(), std::back_inserter(own),
                  [&](const Shape* shape) { return shape->link == given->link; });
@@ -286,7 +288,7 @@ std::optional<Foot> FindRest(const RobotModel& model, const std::string& link, s
   if (!FindFlatBottom(BodyPoses(model, model.standing_joints)[static_cast<std::size_t>(rest.body)], shapes, give_m,
                       rest))
     return std::nullopt;
-  rest.derived_from = "a rest from " + rest.derived_from;
+  rest.derived_from = "a surface to lie on from " + rest.derived_from;
   return rest;
 }
 

@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// How much a finding about a robot description weighs.
+/// Severity of a finding about a robot description.
 enum class FindingLevel {
   kInfo,     ///< worth knowing; nothing is wrong
   kWarning,  ///< wrong or doubtful; the robot is loaded anyway
@@ -17,9 +17,9 @@ enum class FindingLevel {
 /// Wrong or doubtful data in a robot description, and the replacement.
 struct Finding {
   FindingLevel level = FindingLevel::kWarning;
-  FailureCode code = FailureCode::kInternal;  ///< its kind; with `--strict`, why the file is refused
-  std::string part;                           ///< where: "link 'trunk'", "joint 'FL_KFE'", "robot"
-  int line = 0;                               ///< line in the file; 0 if it belongs to no single line
+  FailureCode code = FailureCode::kInternal;  ///< kind of the finding; failure code of the refusal with `--strict`
+  std::string part;                           ///< "link 'trunk'", "joint 'FL_KFE'" or "robot"
+  int line = 0;                               ///< line in the file; 0 if there is no single line
   std::string message;                        ///< finding and replacement
 
   bool operator==(const Finding&) const = default;

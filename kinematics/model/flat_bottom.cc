@@ -14,10 +14,11 @@
 namespace gaitwright {
 namespace {
 
-/// At most this many corners of a mesh's flat bottom are kept, which of a disc is 95 % of the area.
+/// Largest number of corners of a mesh's flat bottom; for a disc they cover 95 % of the area.
 constexpr int kMostCorners = 12;
 
-/// The convex hull of points in the plane, or the polygon of its points that are farthest in evenly spread directions.
+/// The convex hull of points in the plane. A hull with too many corners is reduced to the points that are farthest in
+/// evenly spread directions.
 Polygon Outline(const std::vector<Vector2>& points) {
   Polygon hull = ConvexHull(points);
   if (hull.size() <= kMostCorners) return hull;
@@ -31,7 +32,7 @@ Polygon Outline(const std::vector<Vector2>& points) {
   return ConvexHull(farthest);
 }
 
-/// Axis-aligned rectangle around points in the plane, counter-clockwise, and its middle.
+/// Axis-aligned rectangle around points in the plane, counter-clockwise, relative to its middle.
 Polygon Rectangle(const std::vector<Vector2>& points, Vector2& middle) {
   Vector2 low = points.front(), high = points.front();
   for (const Vector2& p : points) {
@@ -44,12 +45,12 @@ Polygon Rectangle(const std::vector<Vector2>& points, Vector2& middle) {
 }
 
 constexpr double kLeastSole = 1e-4;     // [m^2] a flat bottom smaller than this is a tip
-constexpr double kThinnestSole = 1e-3;  // of its length: a round limb that lies level touches the ground in a line
+constexpr double kThinnestSole = 1e-3;  // width over length: a level round limb touches the ground along a line
 
 constexpr double kLeastGive = 2e-3;  // [m]
 
-/// By how much rubber gives [m]: what of a mesh is no higher than that over its lowest point touches the ground too, so
-/// that the hull of a rounded sole has the area that people see. It goes with the size of the foot.
+/// Compression of the rubber of a mesh's sole [m], proportional to the size of the foot. Parts of the mesh up to this
+/// height above its lowest point also touch the ground, so that a rounded sole has its visible area.
 double DerivedGiveOf(const std::vector<Vector3>& corners) {
   constexpr double kShare = 0.02, kMost = 0.006;
   Vector2 low = corners.front().head<2>(), high = low;
@@ -60,9 +61,9 @@ double DerivedGiveOf(const std::vector<Vector3>& corners) {
   return std::clamp(kShare * (high - low).maxCoeff(), kLeastGive, kMost);
 }
 
-/// By how much a shape of a sole gives [m]. @param given  by the user, for shapes of any kind.
+/// Compression of a shape of a sole [m]. @param given_m  the user's value, for shapes of any kind.
 double GiveOf(const Shape& shape, const std::vector<Vector3>& corners, std::optional<double> given_m) {
-  constexpr double kRoundingGive = 1e-6;  // [m] points of one level differ by that
+  constexpr double kRoundingGive = 1e-6;  // [m] points at the same height differ by rounding
   if (given_m) return std::max(*given_m, kRoundingGive);
   return shape.type == ShapeType::kMesh ? DerivedGiveOf(corners) : kLeastGive;
 }

@@ -13,11 +13,11 @@ namespace gaitwright {
 namespace {
 
 constexpr double kAside = 0.4;       // [rad]
-constexpr double kHeavy = 1e-3;      // of weight times leg length: what a joint has to lower to matter
-constexpr double kUpsideDown = 2.0;  // [rad] farther than this, a part stands rather than hangs
-constexpr double kStraight = 0.5;    // the axis's part along x that makes a joint turn a limb aside
+constexpr double kHeavy = 1e-3;      // share of mass times leg length; a joint with a smaller load is left at zero
+constexpr double kUpsideDown = 2.0;  // [rad] a part whose lowest angle is farther than this is upright
+constexpr double kStraight = 0.5;    // smallest part of an axis along x for a joint that moves a limb sideways
 
-/// Sum of mass times position of all that a joint carries, in the base frame [kg m].
+/// Sum of mass times position over all bodies that a joint moves, in the base frame [kg m].
 Vector3 CarriedMoment(const RobotModel& model, int joint, const VectorX& joints) {
   const std::vector<Pose> X_OB = BodyPoses(model, joints);
   Vector3 moment = Vector3::Zero();
@@ -33,7 +33,7 @@ Vector3 MomentAt(const RobotModel& model, int joint, VectorX joints, double angl
   return CarriedMoment(model, joint, joints);
 }
 
-/// A revolute joint of its own, in no leg and not given.
+/// Whether a joint may be moved: it is revolute, mimics no other joint, is in no leg, and its position is not given.
 bool CanHang(const RobotModel& model, int joint, const VectorX& given) {
   const Joint& j = model.joints[static_cast<std::size_t>(joint)];
   if (j.is_prismatic() || j.is_mimic || std::isfinite(given[j.dof])) return false;
@@ -41,9 +41,9 @@ bool CanHang(const RobotModel& model, int joint, const VectorX& given) {
                       [&](const Leg& leg) { return std::count(leg.joints.begin(), leg.joints.end(), joint) > 0; });
 }
 
-/// Moves a joint to where its load hangs lowest. False where it stays.
+/// Moves a joint to the angle at which its load hangs lowest. False if the joint keeps its position.
 bool Hang(const RobotModel& model, int joint, VectorX& joints) {
-  // Heights turn with the angle as a + b cos + c sin.
+  // The moment's height is a + b cos(angle) + c sin(angle).
   const double front = MomentAt(model, joint, joints, 0.0).z();
   const double back = MomentAt(model, joint, joints, std::numbers::pi).z();
   const double side = MomentAt(model, joint, joints, 0.5 * std::numbers::pi).z();
@@ -56,7 +56,7 @@ bool Hang(const RobotModel& model, int joint, VectorX& joints) {
   return true;
 }
 
-/// Turns a limb outwards by the first of its joints that can. @return that joint, or -1.
+/// Rotates a limb outward with the first of its joints that can do it. @return this joint, or -1.
 int TurnAside(const RobotModel& model, int limb, const VectorX& given, VectorX& joints) {
   const double side = CarriedMoment(model, limb, joints).y() > 0.0 ? 1.0 : -1.0;
   for (int j = limb; j < static_cast<int>(model.joints.size()); ++j) {
@@ -77,7 +77,7 @@ int TurnAside(const RobotModel& model, int limb, const VectorX& given, VectorX& 
 std::vector<std::string> HangLimbs(const RobotModel& model, const VectorX& given, VectorX& joints) {
   std::vector<std::string> done;
   if (model.legs.size() != 2) return done;
-  std::vector<int> limbs;  // their first joints
+  std::vector<int> limbs;  // first joints of the limbs
   for (int j = 0; j < static_cast<int>(model.joints.size()); ++j) {
     if (!CanHang(model, j, given) || !Hang(model, j, joints)) continue;
     const bool beyond =
@@ -88,7 +88,7 @@ std::vector<std::string> HangLimbs(const RobotModel& model, const VectorX& given
     const int aside = TurnAside(model, limb, given, joints);
     done.push_back(fmt::format("the limb beyond joint '{}' hangs{}", model.joints[static_cast<std::size_t>(limb)].name,
                                aside < 0 ? ""
-                                         : fmt::format(", {} rad away from the body by '{}'", kAside,
+                                         : fmt::format(", rotated {} rad away from the body at joint '{}'", kAside,
                                                        model.joints[static_cast<std::size_t>(aside)].name)));
   }
   return done;

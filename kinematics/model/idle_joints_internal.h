@@ -10,10 +10,10 @@
 
 namespace gaitwright {
 
-/// Names of the joints that move nothing: all beyond them has no inertia about their axis.
+/// Names of the joints that move nothing: the bodies beyond them have no inertia about their axis.
 std::vector<std::string> IdleJoints(const RobotModel& model);
 
-/// Fixes joints, and those that mimic them. @return their names.
+/// Fixes joints and the joints that mimic them. @return the names of all these joints.
 std::vector<std::string> FixJoints(urdf::ModelInterface& urdf, std::vector<std::string> names);
 
 }  // namespace gaitwright

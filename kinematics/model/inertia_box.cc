@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kCore = 0.5;  // of the box's edges
+constexpr double kCore = 0.5;  // factor on the edges of the box
 
 int BodyOfLink(const RobotModel& model, const std::string& link) {
   const auto frame =
@@ -24,7 +24,7 @@ bool HasShapeOrFoot(const RobotModel& model, int body) {
          std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return foot.body == body; });
 }
 
-/// Whether a finding has said what is used for the missing meshes of a link, as for feet.
+/// Whether a finding already reports the replacement of a link's missing mesh, as for feet.
 bool IsReported(const RobotModel& model, const std::string& link) {
   const std::string part = fmt::format("link '{}'", link);
   return std::any_of(model.findings.begin(), model.findings.end(),
@@ -69,8 +69,8 @@ void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model
       continue;
     }
     add(FindingLevel::kWarning,
-        fmt::format("{}: the core of its inertia's box, {:.3f} x {:.3f} x {:.3f} m, is used instead", mesh.why,
-                    box->size.x(), box->size.y(), box->size.z()));
+        fmt::format("{}: a box of {:.3f} x {:.3f} x {:.3f} m, half the size of the link's inertia box, is used instead",
+                    mesh.why, box->size.x(), box->size.y(), box->size.z()));
     model.collision_shapes.push_back(std::move(*box));
   }
 }

@@ -7,15 +7,15 @@
 
 namespace gaitwright {
 
-/// The box of one density that has a body's mass and inertia, about its centre of mass and along its principal axes.
-/// Nothing where the body has no mass or no inertia.
+/// The box of uniform density with the mass and inertia of a body, at its centre of mass and along its principal axes.
+/// Nothing if the body has no mass or no inertia.
 std::optional<Shape> InertiaBox(const RobotModel& model, int body);
 
-/// Gives the bodies whose collision meshes are missing, and which have no other collision shape and no foot, their
-/// inertia boxes at half their size; each is a warning. A body with weight at its ends, as an ankle with its motors,
-/// has a box that is larger than the body and could reach into the ground or the other leg; half the size avoids that a
-/// guess refuses a walk. Boxes longer than the legs are not plausible and left out, and so are boxes for a part of a
-/// body; a note says that the shape is unknown.
+/// Adds an inertia box at half its size to each body whose collision meshes are missing and that has no other collision
+/// shape and no foot; each box is a warning. A body with mass at its ends, such as an ankle with motors, has a box that
+/// is larger than the body and could reach into the ground or the other leg. Half the size avoids that a guess refuses
+/// a walk. Boxes longer than the legs are not plausible and are left out, and so are boxes for a part of a body; a
+/// finding then reports that contacts of the link are not checked.
 void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model);
 
 }  // namespace gaitwright

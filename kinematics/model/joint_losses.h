@@ -11,24 +11,25 @@ namespace gaitwright {
 struct JointLosses {
   double rotor_inertia = 0.0;  ///< of rotor and gear, as felt at the joint [kg m^2]
   double damping = 0.0;        ///< [N m s/rad]
-  double friction = 0.0;       ///< dry [N m]
+  double friction = 0.0;       ///< dry friction [N m]
 
   bool none() const { return rotor_inertia <= 0.0 && damping <= 0.0 && friction <= 0.0; }
 };
 
-/// The losses that robot.yaml and URDF tell of coordinate `dof`. Damping and friction are those of all joints that it
-/// moves: sums of multiplier^2 * damping and of |multiplier| * friction.
-/// Rotors of a transmission are not in it: they couple its joints (Transmission::RotorInertia).
+/// The losses of coordinate `dof` from robot.yaml and URDF. Damping and friction are sums over all joints that the
+/// coordinate moves: of multiplier^2 * damping and of |multiplier| * friction. Rotors of a transmission are not
+/// included, because they couple its joints (Transmission::RotorInertia).
 JointLosses LossesOf(const RobotModel& model, int dof);
 
-/// The robot as it would be if its joints took nothing for themselves: no damping, friction or rotor inertia.
+/// The robot without joint losses: no damping, friction or rotor inertia.
 RobotModel WithoutLosses(const RobotModel& model);
 
-/// Adds the rotors' inertia to a mass matrix M(q), size nv x nv: to its diagonal, and beside it where motors of a
-/// transmission drive several joints.
+/// Adds the rotor inertias to a mass matrix M(q), size nv x nv. Motors of a transmission, which drive several joints,
+/// also change elements off the diagonal.
 void AddRotorInertia(const RobotModel& model, MatrixX& M);
 
-/// Inertia of rotors and gears as felt at coordinate `dof` while all others are still: the diagonal of AddRotorInertia.
+/// Inertia of rotors and gears reflected to coordinate `dof`, with all other coordinates at rest: the diagonal of
+/// AddRotorInertia.
 double RotorInertiaAt(const RobotModel& model, int dof);
 
 }  // namespace gaitwright

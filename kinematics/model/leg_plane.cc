@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kAlike = 0.9;       // cosine of 25 degrees
 constexpr double kLevelSine = 0.43;  // sine of 25 degrees
-constexpr double kNothing = 0.01;    // of what else there is, to be told from none
-constexpr double kNoBend = 0.1;      // [rad] of limits that favour neither side
+constexpr double kNothing = 0.01;    // share of the leg below which a distance counts as zero
+constexpr double kNoBend = 0.1;      // [rad] limits favour neither side if their middle is within half of this
 
 /// Joint axes, origins and the foot of a leg at joint positions zero.
 struct ZeroPose {
@@ -35,7 +35,7 @@ Vector3 Level(const Vector3& v) { return {v.x(), v.y(), 0.0}; }
 
 bool Turns(const RobotModel& model, int joint) { return !model.joints[static_cast<std::size_t>(joint)].is_prismatic(); }
 
-/// Places in the leg of the joints that can bend it.
+/// Indices into leg.joints of the joints that can bend the leg.
 std::vector<std::size_t> LevelJoints(const RobotModel& model, const Leg& leg, const Foot& foot, const ZeroPose& zero) {
   const double size = std::max((zero.p_OF - zero.p_OJ.front()).norm(), 1e-9);
   std::vector<std::size_t> level;
@@ -61,9 +61,9 @@ std::vector<std::size_t> LargestGroup(const std::vector<std::size_t>& level, con
   return best;
 }
 
-/// The length of a leg that its bending joints can straighten: what lies between their axes in the leg's plane, and
-/// from the last one on the way to the foot, of a sole the ankle's height. Joints that lie beside one another across
-/// the plane make no leg longer. Nothing for legs that slide, or that have no knee or a sole without an ankle.
+/// Length of a straight leg in its plane: the distances between the axes of its bending joints, plus the distance from
+/// the last one to the foot (for a sole the height of the ankle). An offset between joints across the plane does not
+/// make the leg longer. Nothing for legs with prismatic joints, without a knee, or with a sole but without an ankle.
 std::optional<double> LengthInPlane(const RobotModel& model, const Leg& leg, const Foot& foot, const LegPlane& plane) {
   const bool has_sole = !foot.sole_F.empty();
   const std::size_t needed = has_sole ? 3 : 2;
@@ -80,7 +80,7 @@ std::optional<double> LengthInPlane(const RobotModel& model, const Leg& leg, con
   return length;
 }
 
-/// Whether an upright axis and no level one comes before the joint at that place.
+/// Whether all revolute joints before index `first` have upright axes, and there is at least one.
 bool SwungAbout(const RobotModel& model, const Leg& leg, const ZeroPose& zero, std::size_t first, Vector3& p_OY) {
   bool upright = false;
   for (std::size_t i = 0; i < first; ++i) {
@@ -149,7 +149,7 @@ void MeasureLeg(const RobotModel& model, Leg& leg, const Foot& foot) {
   const VectorX zeros = VectorX::Zero(model.num_dofs());
   const std::vector<Pose> X_OB = BodyPoses(model, zeros);
   Vector3 p_BF = foot.X_BF.translation();
-  if (!foot.sole_F.empty()) {  // only the ankle's height counts
+  if (!foot.sole_F.empty()) {  // only the height of the ankle counts
     const Matrix3& R_OE = X_OB[static_cast<std::size_t>(foot.body)].linear();
     p_BF = R_OE.transpose() * Vector3(0.0, 0.0, (R_OE * p_BF).z());
   }
@@ -159,10 +159,11 @@ void MeasureLeg(const RobotModel& model, Leg& leg, const Foot& foot) {
   leg.knee_joint = plane.joints[1];
   const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
   const Vector3 axis_O = X_OB[static_cast<std::size_t>(leg.knee_joint) + 1].linear() * knee.axis_J;
-  const double middle = 0.5 * (knee.lower + knee.upper);  // of limits; without them a knee that is drawn bent tells
+  const double middle = 0.5 * (knee.lower + knee.upper);  // without limits, the bend at zero decides
   double side = WrapAngle(KneeBend(model, leg, foot, zeros) + (std::isfinite(middle) ? middle : 0.0));
   if (std::abs(side) <= 0.5 * kNoBend) {
-    // Limits favour neither side: a knee that sprawls stands high, four legs bend it back, two legs forward.
+    // The limits favour neither side. The knee of a sprawling leg bends upward, that of a leg without a sole backward,
+    // and that of a leg with a sole forward.
     const double back = -axis_O.dot(plane.normal_O);
     side = plane.sprawls ? -axis_O.cross(plane.outward_O).z() : foot.sole_F.empty() ? back : -back;
   }

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// A position past its joint's limits.
+/// A position outside the limits of its joint.
 struct PastLimit {
   int row = 0, dof = 0;
 

@@ -39,7 +39,7 @@ Failure BadInput(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "LoadRobot", message, {}};
 }
 
-/// Of the texts and of the meshes' points.
+/// Hash of the texts and of the points of the meshes.
 std::string RobotHash(const RobotModel& model) {
   std::string bytes = model.urdf_text + '\0' + model.yaml_text;
   for (const MeshHull& mesh : model.meshes) {
@@ -49,7 +49,7 @@ std::string RobotHash(const RobotModel& model) {
   return HexHash(bytes);
 }
 
-/// Takes what the robot.yaml says of joints that were fixed, since they move nothing or a toe.
+/// Removes the data of the robot.yaml for joints that were fixed because they move nothing or a toe.
 void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
   const auto is_fixed = [&](const auto& entry) {
     const std::string part = fmt::format("joint '{}'", entry.joint);
@@ -63,7 +63,7 @@ void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
   std::erase_if(yaml.motors, is_fixed);
 }
 
-/// What a strict reader refuses: a mesh that is replaced or left out.
+/// The failure of a strict reader if a mesh was replaced or left out.
 std::optional<Failure> RefusedMesh(const RobotModel& model) {
   for (const Finding& finding : model.findings) {
     if (finding.code != FailureCode::kMissingMesh || finding.level == FindingLevel::kInfo) continue;
@@ -72,7 +72,7 @@ std::optional<Failure> RefusedMesh(const RobotModel& model) {
   return std::nullopt;
 }
 
-/// What a robot is made of.
+/// The texts from which a robot is built.
 struct RobotTexts {
   const std::string& urdf;
   const std::string& yaml;
@@ -80,7 +80,7 @@ struct RobotTexts {
   bool strict;
 };
 
-/// A model of bodies and shapes alone.
+/// A model with bodies and shapes only.
 struct BuiltTree {
   RobotModel model;
   std::vector<MeshHull> meshes;
@@ -98,7 +98,7 @@ Result<BuiltTree> BuildTree(const std::string& tree, const RobotTexts& texts, do
   return built;
 }
 
-/// BuildTree, and where legs end in feet of two links, once more with their toes held.
+/// Runs BuildTree. If legs end in feet of two links, runs it again with locked toes.
 Result<BuiltTree> BuildWithToesHeld(const std::string& tree, const RobotTexts& texts, const RobotYaml& yaml,
                                     const MeshSource& source) {
   Result<BuiltTree> built = BuildTree(tree, texts, yaml.scale, source);
@@ -165,7 +165,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   return model;
 }
 
-/// Whether some knee is stretched in the standing posture.
+/// Whether a knee is straight in the standing posture.
 bool HasStraightKnee(const RobotModel& model) {
   constexpr double kStraight = 0.05;  // [rad]
   return std::any_of(model.legs.begin(), model.legs.end(), [&](const Leg& leg) {
@@ -200,11 +200,11 @@ void NoteMissingPictures(const std::string& folder, const PackageFolders& packag
   for (const Shape& shape : model.visual_shapes) {
     if (shape.type != ShapeType::kMesh || !shape.vertices.empty()) continue;
     const Result<std::string> file = FindMeshFile(shape.mesh_file, folder, packages);
-    if (!file) model.notes.push_back(fmt::format("link '{}': not drawn: {}", shape.link, file.failure().message));
+    if (!file) model.notes.push_back(fmt::format("link '{}' is not drawn: {}", shape.link, file.failure().message));
   }
 }
 
-/// The line on which the text begins a part such as "link 'trunk'"; 0 where it does not.
+/// The line of the text on which the element of a part such as "link 'trunk'" begins; 0 if there is no such element.
 int LineOfPart(const std::string& text, const std::string& part) {
   const std::size_t quote = part.find(" '");
   if (quote == std::string::npos) return 0;
@@ -219,7 +219,7 @@ int LineOfPart(const std::string& text, const std::string& part) {
   return 0;
 }
 
-/// Gives findings on a link or a joint their lines.
+/// Sets the lines of findings about a link or a joint.
 void FillLines(const std::string& text, std::vector<Finding>& findings) {
   for (Finding& finding : findings) {
     if (finding.line == 0) finding.line = LineOfPart(text, finding.part);
@@ -290,7 +290,7 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
     }
     if (other || !stands) model = std::move(other);
   }
-  // Lines of a text that was made of the file mean nothing to its reader.
+  // Line numbers of a text that was converted from the file would not match the file.
   const Result<std::string> text = ReadFile(path);
   const bool has_lines = description->findings.empty() && !(text && IsMjcf(*text));
   if (!model) return has_lines ? WithLine(model.failure(), path, description->urdf) : model.failure();
@@ -324,7 +324,7 @@ Result<RobotModel> LoadNamedRobot(const std::string& name) {
   const std::vector<std::string> names = RobotNames();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     return BadInput(FailureCode::kUnknownRobot,
-                    fmt::format("there is no robot '{}'; there are {}; give your own URDF with --urdf FILE", name,
+                    fmt::format("there is no robot '{}'; the robots are {}; load your own URDF with --urdf FILE", name,
                                 QuotedList(names)));
   }
   return LoadRobot((fs::path(RobotsFolder()) / name / "robot.urdf").string());

@@ -17,23 +17,25 @@ namespace gaitwright {
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const RobotLoading& loading);
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 
-/// Loads a robot from texts. @param name used where the robot.yaml gives none. @param meshes the hulls of the URDF's
-/// collision meshes, as RobotModel::meshes has them.
+/// Loads a robot from texts.
+/// @param name  used if the robot.yaml does not contain a name.
+/// @param meshes  the hulls of the URDF's collision meshes, as in RobotModel::meshes.
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
                                      const std::string& name = "robot", const std::vector<MeshHull>& meshes = {},
                                      bool strict = false);
 
-/// A robot of the `robots` folder by name. The folder is that of the environment variable GAITWRIGHT_ROBOTS, else the
-/// one that comes with the program (see DataPath). An unknown name is a failure that lists what exists.
+/// Loads a robot of the `robots` folder by name. The environment variable GAITWRIGHT_ROBOTS sets the folder; its
+/// default is the folder that comes with the program (see DataPath). The failure for an unknown name lists the known
+/// names.
 Result<RobotModel> LoadNamedRobot(const std::string& name);
 
-/// The robot with an additional link to lie on: `rests` of its robot.yaml. Failure as of LoadRobotFromText.
+/// The robot with an additional link to lie on: `rests` of its robot.yaml. Failure: as in LoadRobotFromText.
 Result<RobotModel> WithRest(const RobotModel& model, const std::string& link);
 
-/// That folder.
+/// The `robots` folder.
 std::string RobotsFolder();
 
-/// Names of the robots in that folder, sorted.
+/// Names of the robots in the `robots` folder, sorted.
 std::vector<std::string> RobotNames();
 
 }  // namespace gaitwright

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// A chain at some positions of its joints.
+/// A chain with the positions of its joints.
 class ChainAt {
  public:
   ChainAt(const RobotModel& model, const std::vector<int>& chain) {
@@ -24,7 +24,7 @@ class ChainAt {
   std::size_t size() const { return joints_.size(); }
   double height() const { return end_.z(); }
 
-  /// Moves one joint to where the end is lowest.
+  /// Moves one joint to the position at which the end is lowest.
   void Lower(std::size_t i) {
     positions_[i] = joints_[i]->is_prismatic() ? LowestSlide(i) : LowestTurn(i);
     Place();
@@ -54,7 +54,7 @@ class ChainAt {
     return std::isfinite(there) ? there : positions_[i];
   }
 
-  /// Turned on by t the end is at a constant + c cos t + s sin t.
+  /// If the joint rotates by t, the height of the end is a constant + c cos t + s sin t.
   double LowestTurn(std::size_t i) const {
     const Vector3& axis = axes_[i];
     const Vector3 arm = end_ - origins_[i];

@@ -7,9 +7,9 @@
 
 namespace gaitwright {
 
-/// How low the end of a chain can come within the limits of its joints, in the base's frame at its upright [m]. The end
-/// is a ball about the last joint that holds all of the last body. Each joint in turn goes to where that is lowest,
-/// which has a closed form, until none gains any more.
+/// Lowest height that the end of a chain can reach within the limits of its joints, in the frame of the upright base
+/// [m]. The end is a sphere about the last joint that contains the last body. The joints go in turn to the position at
+/// which the end is lowest (closed form), until no joint improves.
 /// @param chain  indices of joints, base first, at least one.
 double LowestReach(const RobotModel& model, const std::vector<int>& chain);
 

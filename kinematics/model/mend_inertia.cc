@@ -11,9 +11,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRounding = 1e-9, kRelativeRounding = 1e-6;  // [kg m^2], of the largest moment
-constexpr double kThinnest = 1e-6;  // least second moment that is used, of the largest: a body has an extent
-constexpr double kFarOff = 0.5;     // change of a tensor, of its size, from which its numbers tell nothing
+constexpr double kRounding = 1e-9, kRelativeRounding = 1e-6;  // [kg m^2], share of the largest moment
+constexpr double kThinnest = 1e-6;  // smallest used second moment over the largest: a body has an extent
+constexpr double kFarOff = 0.5;     // relative change of a tensor from which its numbers are not usable
 
 /// Whether the smallest principal moment is zero to rounding, and the largest is not.
 bool HasZeroMoment(const Vector3& moments) {

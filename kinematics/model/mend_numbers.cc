@@ -15,7 +15,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// An attribute that holds numbers.
+/// An attribute that contains numbers.
 struct NumberAttribute {
   const char* element;
   const char* name;
@@ -50,7 +50,7 @@ std::string Replaced(std::string text, char from, char to) {
   return text;
 }
 
-/// A comma between two digits of a word without a point.
+/// Whether a word has one comma between two digits and no point.
 bool HasDecimalComma(const std::string& word) {
   const std::size_t at = word.find(',');
   const auto digit = [&](std::size_t i) { return i < word.size() && word[i] >= '0' && word[i] <= '9'; };
@@ -88,7 +88,7 @@ bool MendNumbers(XMLElement& element, const std::string& part, std::vector<Findi
     if (const auto text = WithoutCommas(value, numbers.count)) put(numbers.name, *text, "has commas");
     const std::vector<std::string> words = WordsOf(element.Attribute(numbers.name));
     if (words.size() == 1 && std::strcmp(numbers.name, "scale") == 0)
-      put("scale", fmt::format("{0} {0} {0}", words.front()), "holds one number");
+      put("scale", fmt::format("{0} {0} {0}", words.front()), "has one number, three are needed");
   }
   for (XMLElement* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
     mended = MendNumbers(*child, part, findings) || mended;

@@ -14,11 +14,11 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr char kThin[] = "0.0001";       // [m] of a shape that has the size 0
-constexpr char kUnknownLimit[] = "1e9";  // of effort and speed: more than any joint has, which is read as unknown
-constexpr char kNoLimit[] = "1000";      // [rad], [m] where a limit is not given and the joint is not continuous
+constexpr char kThin[] = "0.0001";       // [m] replaces the size 0 of a shape
+constexpr char kUnknownLimit[] = "1e9";  // effort and speed; the reader treats such large values as unknown
+constexpr char kNoLimit[] = "1000";      // [rad], [m] replaces a missing limit of a joint that is not continuous
 
-/// What is said of the parts of a link or a joint.
+/// Collects the findings about the elements of a link or a joint.
 struct PartNotes {
   const std::string& part;
   std::vector<Finding>& findings;
@@ -34,7 +34,7 @@ bool IsZero(const char* text) {
   return end != text && value == 0.0;
 }
 
-/// Sizes that are 0 become thin. @return whether any was.
+/// Replaces sizes of 0 by kThin. @return whether there was one.
 bool ThickenShape(XMLElement& shape, const PartNotes& notes) {
   bool thickened = false;
   for (const char* name : {"radius", "length"}) {
@@ -62,7 +62,7 @@ bool ThickenShape(XMLElement& shape, const PartNotes& notes) {
   return thickened;
 }
 
-/// Whether a visual has a shape that can be shown.
+/// Whether a <visual> has a shape that can be drawn.
 bool CanBeShown(const XMLElement& visual) {
   const XMLElement* geometry = visual.FirstChildElement("geometry");
   const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
@@ -133,17 +133,16 @@ bool MendInertial(XMLElement& link, const PartNotes& notes) {
   return mended;
 }
 
-/// Whether a limit holds a joint to less than a turn.
+/// Whether a <limit> restricts a joint to less than a turn.
 bool HoldsToPartOfATurn(const XMLElement* limit) {
-  constexpr double kNearlyATurn = 6.0;  // [rad]; -pi to pi is what is written for wheels
+  constexpr double kNearlyATurn = 6.0;  // [rad]; files often give -pi to pi for wheels
   if (limit == nullptr || limit->Attribute("lower") == nullptr || limit->Attribute("upper") == nullptr) return false;
   const double lower = std::strtod(limit->Attribute("lower"), nullptr);
   const double upper = std::strtod(limit->Attribute("upper"), nullptr);
   return lower < upper && upper - lower < kNearlyATurn;
 }
 
-/// Gives a joint the attributes of <limit> that it lacks, and a continuous one that has limits of position the type
-/// that goes by them.
+/// Adds the missing attributes of <limit> to a joint. A continuous joint with position limits becomes revolute.
 bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& notes) {
   const bool held = given == "continuous" && HoldsToPartOfATurn(joint.FirstChildElement("limit"));
   const std::string type = held ? "revolute" : given;
@@ -179,7 +178,7 @@ bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& not
     if (!lacks(name)) continue;
     limit->SetAttribute(name, kUnknownLimit);
     notes.Add(FindingLevel::kInfo, FailureCode::kMissingLimit, joint,
-              fmt::format("its {} limit is not given: none is used", name));
+              fmt::format("its {} limit is not given: no limit is used", name));
     mended = true;
   }
   return mended;

@@ -18,11 +18,11 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr int kDeepest = 100;  // elements within elements that are looked into
+constexpr int kDeepest = 100;  // largest depth of nested elements that is searched
 
 std::string TextOr(const char* text) { return text == nullptr ? "" : text; }
 
-/// The URDF's links or joints, by pointers that stay while others are deleted.
+/// The links or joints of the URDF as pointers, which stay valid when other elements are deleted.
 std::vector<XMLElement*> ElementsOf(XMLElement& robot, const char* kind) {
   std::vector<XMLElement*> elements;
   for (XMLElement* e = robot.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind))
@@ -46,7 +46,7 @@ std::string Printed(const XMLElement& element) {
   return printer.CStr();
 }
 
-/// Takes a prefix, as `urdf` of <urdf:robot>, from the names of all elements that have it.
+/// Removes a prefix, such as `urdf:` of <urdf:robot>, from the names of all elements.
 bool DropPrefix(XMLElement& element, const std::string& prefix, int depth = 0) {
   bool dropped = false;
   const std::string name = element.Name();
@@ -60,7 +60,7 @@ bool DropPrefix(XMLElement& element, const std::string& prefix, int depth = 0) {
   return dropped;
 }
 
-/// Mends the parts of a document whose root is <robot>.
+/// Repairs the parts of a document whose root is <robot>.
 class Mender {
  public:
   Mender(XMLElement& robot, std::vector<Finding>& findings) : robot_(robot), findings_(findings) {}
@@ -89,7 +89,8 @@ class Mender {
     mended_ = true;
   }
 
-  /// Roots from which one joint at most moves: more are limbs of the root, and a floating one is not the base's.
+  /// Roots with at most one moving joint. With more moving joints the root carries limbs, and a floating joint is not
+  /// the floating base.
   std::set<std::string> FreeRoots() const {
     std::set<std::string> roots;
     for (const XMLElement* link : ElementsOf(robot_, "link")) roots.insert(TextOr(link->Attribute("name")));
@@ -102,7 +103,7 @@ class Mender {
     return roots;
   }
 
-  /// Programs that write URDFs give all joints the range 0 to 0 where the user enters none.
+  /// Removes the range 0 to 0 if all joints have it. Exporters write this range if the user does not enter one.
   void FreePlaceholderRanges() {
     constexpr std::size_t kFewest = 2;  // joints
     std::vector<XMLElement*> limited;
@@ -120,7 +121,8 @@ class Mender {
       limit->DeleteAttribute("lower");
       limit->DeleteAttribute("upper");
       findings_.push_back({FindingLevel::kWarning, FailureCode::kMissingLimit, PartOf("joint", *joint),
-                           joint->GetLineNum(), "its position range is 0 to 0, as that of all joints: not used"});
+                           joint->GetLineNum(),
+                           "its position range is 0 to 0, like that of all joints: the range is not used"});
       mended_ = true;
     }
   }
@@ -137,7 +139,7 @@ class Mender {
     }
   }
 
-  /// Where one root has the tree, links that no joint names are none of the robot's.
+  /// Removes links that no joint names, because they do not belong to the robot.
   void DropLooseLinks() {
     std::set<std::string> held;
     for (const XMLElement* joint : ElementsOf(robot_, "joint")) {
@@ -150,12 +152,12 @@ class Mender {
       names.insert(TextOr(link->Attribute("name")));
       if (!held.contains(TextOr(link->Attribute("name")))) loose.push_back(link);
     }
-    constexpr std::size_t kMost = 20;  // more are no slip
-    const bool misspelt =              // a joint names what is no link
+    constexpr std::size_t kMost = 20;  // more loose links are not an oversight
+    const bool misspelt =              // a joint names a link that does not exist
         !std::includes(names.begin(), names.end(), held.begin(), held.end());
     if (misspelt || loose.size() > kMost || loose.size() == ElementsOf(robot_, "link").size()) return;
     for (XMLElement* link : loose) {
-      Add(FailureCode::kLooseLink, "link", *link, "no joint connects it: left out");
+      Add(FailureCode::kLooseLink, "link", *link, "no joint connects it to the robot: left out");
       robot_.DeleteChild(link);
     }
   }
@@ -171,7 +173,7 @@ class Mender {
       while (names.contains(fmt::format("{}_{}", name, number))) ++number;
       const std::string renamed = fmt::format("{}_{}", name, number);
       Add(FailureCode::kDoubleName, "joint", *joint,
-          fmt::format("it is the second of that name: renamed to '{}'", renamed));
+          fmt::format("another joint has the same name: renamed to '{}'", renamed));
       joint->SetAttribute("name", renamed.c_str());
       names.insert(renamed);
     }
@@ -208,7 +210,7 @@ MendedUrdf MendUrdf(const std::string& urdf_text) {
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);
   mended.text = printer.CStr();
-  if (const auto text = InUtf8(mended.text)) mended.text = *text;  // numbers of characters may stand for none
+  if (const auto text = InUtf8(mended.text)) mended.text = *text;  // a character reference may be invalid
   return mended;
 }
 

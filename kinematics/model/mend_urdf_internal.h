@@ -12,18 +12,20 @@
 
 namespace gaitwright {
 
-/// So many numbers, written with a decimal comma or with commas between them, as XML has them; nothing where the text
-/// has no comma, or commas that cannot be told.
+/// Text of `count` numbers, given with decimal commas or with commas between them, without the commas. Nothing if the
+/// text has no comma, or if the meaning of the commas is unclear.
 std::optional<std::string> WithoutCommas(const std::string& text, std::size_t count);
 
-/// Mends the numbers of an element of a link or a joint and of all in it. @param part  whose element it is.
-/// @return whether any was.
+/// Repairs the numbers of an element of a link or a joint and of its child elements.
+/// @param part  the link or joint, for findings.
+/// @return whether something was repaired.
 bool MendNumbers(tinyxml2::XMLElement& element, const std::string& part, std::vector<Finding>& findings);
 
-/// Mends masses and shapes of a link, likewise.
+/// Repairs numbers, masses and shapes of a link. @return whether something was repaired.
 bool MendLink(tinyxml2::XMLElement& link, const std::string& part, std::vector<Finding>& findings);
 
-/// Mends type and limits of a joint, likewise. @param at_root  whether its parent link is the root.
+/// Repairs numbers, type and limits of a joint. @param at_root  whether its parent link is the root.
+/// @return whether something was repaired.
 bool MendJoint(tinyxml2::XMLElement& joint, const std::string& part, bool at_root, std::vector<Finding>& findings);
 
 }  // namespace gaitwright

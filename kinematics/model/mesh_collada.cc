@@ -17,8 +17,8 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr int kMostNodes = 10000;          // that a scene shows, those that are shown twice counted twice
-constexpr int kLargestNumber = 100000000;  // of a count or an index
+constexpr int kMostNodes = 10000;          // nodes in a scene; each instance of a node counts
+constexpr int kLargestNumber = 100000000;  // largest count or index
 
 [[noreturn]] void Refuse(const XMLElement& at, const std::string& why) {
   throw InvalidArgument(fmt::format("line {}: <{}> {}", at.GetLineNum(), at.Name(), why));
@@ -29,7 +29,7 @@ std::string Text(const XMLElement& element, const char* name) {
   return text == nullptr ? "" : text;
 }
 
-/// The words of an element, each read by `take`.
+/// Calls `take` for each word of an element.
 template <class Take>
 void ForEachWord(const XMLElement& element, Take take) {
   const char* text = element.GetText();
@@ -77,12 +77,12 @@ const XMLElement& Needed(const XMLElement& parent, const char* name) {
   return *child;
 }
 
-/// The member of a map that a text `#ID` names.
+/// The value of a map for a reference `#ID`.
 template <class Value>
 const Value& Named(const std::map<std::string, Value>& all, const XMLElement& at, const char* attribute) {
   const std::string url = Text(at, attribute);
   const auto found = all.find(url.starts_with('#') ? url.substr(1) : "");
-  if (found == all.end()) Refuse(at, fmt::format("names '{}', which is not there", Shortened(url)));
+  if (found == all.end()) Refuse(at, fmt::format("refers to '{}', which does not exist", Shortened(url)));
   return found->second;
 }
 
@@ -96,7 +96,7 @@ std::vector<Vector3> Points(const XMLElement& source) {
   const auto offset = static_cast<std::size_t>(WholeAttribute(accessor, "offset", 0));
   if (stride < 3) Refuse(accessor, fmt::format("has the stride {}; points have three numbers or more", stride));
   if (offset + count * stride > numbers.size())
-    Refuse(accessor, fmt::format("takes {} numbers; there are {}", offset + count * stride, numbers.size()));
+    Refuse(accessor, fmt::format("needs {} numbers; the array has {}", offset + count * stride, numbers.size()));
   CheckMeshSize(count, 0);
   std::vector<Vector3> points;
   for (std::size_t i = offset; points.size() < count; i += stride)
@@ -104,7 +104,7 @@ std::vector<Vector3> Points(const XMLElement& source) {
   return points;
 }
 
-/// Which of the numbers of a corner names its point.
+/// The count of numbers for a corner, and the position of the point's index among them.
 struct CornerLayout {
   int stride = 1, position = -1;
 };
@@ -121,22 +121,22 @@ CornerLayout LayoutOf(const XMLElement& primitive) {
   return layout;
 }
 
-/// The points of the corners of a <p>.
+/// The indices of the corners' points in a <p>.
 std::vector<int> Corners(const XMLElement& p, const CornerLayout& layout, std::size_t points) {
   const std::vector<int> numbers = Wholes(p);
   const auto stride = static_cast<std::size_t>(layout.stride);
   if (numbers.size() % stride != 0)
-    Refuse(p, fmt::format("has {} numbers, which are not {} for each corner", numbers.size(), stride));
+    Refuse(p, fmt::format("has {} numbers, which is not a multiple of the {} for each corner", numbers.size(), stride));
   std::vector<int> corners;
   for (std::size_t i = static_cast<std::size_t>(layout.position); i < numbers.size(); i += stride) {
     if (static_cast<std::size_t>(numbers[i]) >= points)
-      Refuse(p, fmt::format("names point {}; there are {}", numbers[i], points));
+      Refuse(p, fmt::format("refers to point {}, counted from 0; the mesh has {} points", numbers[i], points));
     corners.push_back(numbers[i]);
   }
   return corners;
 }
 
-/// Calls `add` for each face of a <p>, as its primitive has them.
+/// Calls `add` for each face of a <p>, according to the kind of its primitive.
 template <class Add>
 void Faces(const XMLElement& primitive, const std::vector<int>& corners, Add add) {
   const std::string kind = primitive.Name();
@@ -145,7 +145,7 @@ void Faces(const XMLElement& primitive, const std::vector<int>& corners, Add add
     std::size_t at = 0;
     for (const int count : Wholes(Needed(primitive, "vcount"))) {
       if (at + static_cast<std::size_t>(count) > corners.size())
-        Refuse(primitive, fmt::format("has {} corners, fewer than its <vcount> takes", corners.size()));
+        Refuse(primitive, fmt::format("has {} corners, fewer than its <vcount> needs", corners.size()));
       const auto first = corners.begin() + static_cast<std::ptrdiff_t>(at);
       add({first, first + count});
       at += static_cast<std::size_t>(count);
@@ -190,7 +190,7 @@ Mesh GeometryOf(const XMLElement& geometry) {
 
 using Transform = Eigen::Affine3d;
 
-/// What one element of a <node> does to what is in it; nothing where it is no transform.
+/// The transform of one element of a <node>; identity for an element that is not a transform.
 Transform TransformOf(const XMLElement& element) {
   const std::string kind = element.Name();
   Transform made = Transform::Identity();
@@ -219,7 +219,7 @@ Transform TransformOf(const XMLElement& element) {
   return made;
 }
 
-/// Puts a Collada file's scene together.
+/// Builds the mesh of the scene of a Collada file.
 class SceneReader {
  public:
   explicit SceneReader(const XMLElement& root) : root_(root) {
@@ -234,7 +234,7 @@ class SceneReader {
     const XMLElement* said = asset == nullptr ? nullptr : asset->FirstChildElement("unit");
     if (said != nullptr && said->Attribute("meter") != nullptr) {
       const double meter = MeshNumber(Text(*said, "meter"), fmt::format("line {}: the unit", said->GetLineNum()));
-      if (!(meter > 0.0)) Refuse(*said, fmt::format("has a meter of {}; it must be over 0", meter));
+      if (!(meter > 0.0)) Refuse(*said, fmt::format("has a meter of {}; it must be above 0", meter));
       unit.scale(meter);
     }
     unit = unit * UpAxis(asset == nullptr ? nullptr : asset->FirstChildElement("up_axis"));
@@ -245,8 +245,8 @@ class SceneReader {
   }
 
  private:
-  /// From the file's axes to those with z up, as Gazebo turns them: of Y_UP right, up and out are x, y and z, of X_UP
-  /// -y, x and z, of Z_UP x, z and -y. Without a word the file has z up.
+  /// Rotation from the file's axes to axes with z up, as in Gazebo. Right, up and out are x, y and z for Y_UP; -y, x
+  /// and z for X_UP; x, z and -y for Z_UP. The default is z up.
   static Transform UpAxis(const XMLElement* said) {
     Transform turned = Transform::Identity();
     const std::string axis = said == nullptr || said->GetText() == nullptr ? "" : Trimmed(said->GetText());
@@ -269,8 +269,8 @@ class SceneReader {
   }
 
   void Visit(const XMLElement& node, const Transform& above) {
-    if (++visited_ > kMostNodes) Refuse(node, fmt::format("is one of more than {} nodes", kMostNodes));
-    if (!open_.insert(&node).second) Refuse(node, fmt::format("'{}' shows itself", Shortened(Text(node, "id"))));
+    if (++visited_ > kMostNodes) Refuse(node, fmt::format("exceeds the limit of {} nodes in a scene", kMostNodes));
+    if (!open_.insert(&node).second) Refuse(node, fmt::format("'{}' contains itself", Shortened(Text(node, "id"))));
     Transform here = above;
     for (const XMLElement* e = node.FirstChildElement(); e != nullptr; e = e->NextSiblingElement())
       here = here * TransformOf(*e);

@@ -36,7 +36,7 @@ std::string Kind(const std::string& path) {
 constexpr std::size_t kLargestMeshFile = std::size_t{256} << 20;  // [byte]
 constexpr double kLargestCoordinate = 1e12;
 
-/// The mesh without the points that no triangle has.
+/// The mesh without the points that no triangle uses.
 Mesh OnlyUsed(const Mesh& mesh) {
   std::vector<int> number(mesh.vertices.size(), -1);
   Mesh used;
@@ -55,7 +55,7 @@ Mesh OnlyUsed(const Mesh& mesh) {
   return used;
 }
 
-/// Direction i of n spread evenly over the sphere, along a spiral of golden angles.
+/// Direction i of n directions that are spread evenly over the sphere, on a spiral with the golden angle.
 Vector3 Spread(int i, int n) {
   const double z = 1.0 - (2.0 * i + 1.0) / n;
   const double turn = i * std::numbers::pi * (3.0 - std::sqrt(5.0)), r = std::sqrt(1.0 - z * z);
@@ -74,9 +74,9 @@ std::size_t FarthestOf(const std::vector<Vector3>& points, const Vector3& direct
   return farthest;
 }
 
-/// The farthest of the points in each of many directions. Few points can be so in a direction near a given one: with
-/// the points within R of a middle c, who is farthest along d is no nearer along D than what is known to be reached
-/// along d less R |D - d|.
+/// The farthest of the points in each of many directions. To save time, only candidates near a coarse direction D are
+/// compared. All points are within R of a middle c. If a known point reaches r along d, the farthest point along d
+/// reaches at least r - R |D - d| along D.
 std::vector<Vector3> FarthestAlong(const std::vector<Vector3>& points, const std::vector<Vector3>& directions) {
   constexpr int kCoarse = 64;
   Vector3 low = points.front(), high = low;
@@ -115,7 +115,7 @@ std::vector<Vector3> FarthestAlong(const std::vector<Vector3>& points, const std
 Result<std::string> ReadMeshBytes(const std::string& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error))
-    return Refused(FailureCode::kNoFile, fmt::format("there is no file '{}'", path));
+    return Refused(FailureCode::kNoFile, fmt::format("file '{}' does not exist", path));
   if (std::find(kKinds.begin(), kKinds.end(), Kind(path)) == kKinds.end()) {
     return Refused(FailureCode::kMeshKind,
                    fmt::format("'{}' is a mesh in an unsupported format; accepted: {}", path, QuotedList(kKinds)));
@@ -123,8 +123,10 @@ Result<std::string> ReadMeshBytes(const std::string& path) {
   Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
   if (!bytes) return bytes.failure();
   if (bytes->starts_with("version https://git-lfs")) {
-    return Refused(FailureCode::kNoFile,
-                   fmt::format("the mesh '{}' is a pointer of Git LFS; fetch the file with 'git lfs pull'", path));
+    return Refused(
+        FailureCode::kNoFile,
+        fmt::format("the mesh '{}' is a Git LFS pointer, not the file itself; fetch the file with 'git lfs pull'",
+                    path));
   }
   return bytes;
 }
@@ -191,7 +193,7 @@ Result<std::string> FindMeshFile(const std::string& name, const std::string& fol
                     [&](const auto& at) { return is_there(fs::path(at) / path); });
     if (package) return tried.back();
     reason = package.failure().message;
-    // A package that lies in a folder of another name: a copy, or an archive that was unpacked.
+    // The folder of a package may have another name, for example a copy or an unpacked archive.
     fs::path above = fs::weakly_canonical(folder.empty() ? "." : folder, error);
     for (int level = 0; level <= kFoldersAbove; ++level, above = above.parent_path()) {
       if (is_there(above / path)) return tried.back();
@@ -207,7 +209,8 @@ Result<std::string> FindMeshFile(const std::string& name, const std::string& fol
   return Refused(
       FailureCode::kNoFile,
       reason.empty()
-          ? fmt::format("the mesh '{}' cannot be searched for; use a path, 'file://' or 'package://NAME/'", name)
+          ? fmt::format("the mesh '{}' has an unsupported kind of address; use a path, 'file://' or 'package://NAME/'",
+                        name)
           : fmt::format("the mesh '{}' is not found: {}", name, reason));
 }
 

@@ -16,18 +16,19 @@ struct Mesh {
   std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
 };
 
-/// Reads an STL (text or binary), OBJ or Collada (.dae) file. A Collada file's unit and up-axis are kept to: its
-/// numbers become metres, with z up. Failure: no such file, another kind of file, one that
-/// cannot be read (with the reason), one without triangles or with numbers that are not finite.
+/// Reads an STL (text or binary), OBJ or Collada (.dae) file. The unit and up axis of a Collada file are applied, so
+/// its mesh is in metres with z up. Failure: the file does not exist, has another format, cannot be read (with the
+/// reason), has no triangles, or contains a number that is not finite.
 Result<Mesh> ReadMesh(const std::string& path);
 
-/// Points with the convex hull of those given, sorted: each once; of over 512 of them those that are farthest in one of
-/// 1024 directions spread over the sphere, whose hull is smaller by at most 0.2 % of the mesh's radius.
+/// The given points without duplicates, sorted. More than 512 points are reduced to those that are farthest in one of
+/// 1024 directions spread over the sphere. The hull of these is smaller by at most 0.2 % of the mesh's radius.
 std::vector<Vector3> HullPoints(std::vector<Vector3> points);
 
-/// Path of a file that a URDF names: a path relative to `folder` (the URDF's; "" the present one) or absolute,
-/// `file://PATH`, or `package://NAME/PATH`, where FindPackage looks for folders of the package and the first that holds
-/// the file is taken. Failure `no_file`: there is none; the message lists where it was looked for.
+/// Path of a file that a URDF names. The name may be an absolute path, a path relative to `folder` (the folder of the
+/// URDF; "" is the current folder), `file://PATH`, or `package://NAME/PATH`. For a package, the first folder of
+/// FindPackage that contains the file is used. Failure `no_file`: the file does not exist; the message lists the
+/// searched places.
 Result<std::string> FindMeshFile(const std::string& name, const std::string& folder,
                                  const PackageFolders& packages = {});
 

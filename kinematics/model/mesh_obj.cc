@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// The vertex that a corner such as `3/1/2` or `-1//4` names.
+/// Index of the vertex of a corner such as `3/1/2` or `-1//4`.
 int VertexOf(const std::string& corner, std::size_t vertices, const std::string& place) {
   const std::string word = corner.substr(0, corner.find('/'));
   long long index = 0;
@@ -20,7 +20,8 @@ int VertexOf(const std::string& corner, std::size_t vertices, const std::string&
   if (is_number && index >= 1 && index <= count) return static_cast<int>(index - 1);
   if (is_number && index <= -1 && index >= -count) return static_cast<int>(count + index);
   throw InvalidArgument(
-      fmt::format("{}: the corner '{}' names no vertex; there are {} so far", place, Shortened(corner), vertices));
+      fmt::format("{}: face corner '{}' refers to a vertex that does not exist; the lines before it define {} vertices",
+                  place, Shortened(corner), vertices));
 }
 
 void TakeLine(const std::string& line, const std::string& place, Mesh& mesh) {

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// Corners in the plane that fits them best (Newell), counter-clockwise.
+/// Corners projected on their best-fit plane (Newell), counter-clockwise.
 std::vector<Vector2> Flat(const std::vector<int>& corners, const Mesh& mesh) {
   const auto at = [&](std::size_t i) -> const Vector3& {
     return mesh.vertices[static_cast<std::size_t>(corners[i % corners.size()])];
@@ -30,7 +30,7 @@ bool IsInside(const Vector2& p, const Vector2& a, const Vector2& b, const Vector
   return Cross(b - a, p - a) >= 0.0 && Cross(c - b, p - b) >= 0.0 && Cross(a - c, p - c) >= 0.0;
 }
 
-/// Whether the corner at `i` of those that are left can be cut off.
+/// Whether corner `i` of the remaining corners can be cut off.
 bool IsEar(const std::vector<Vector2>& flat, const std::vector<std::size_t>& left, std::size_t i) {
   const std::size_t n = left.size(), before = left[(i + n - 1) % n], after = left[(i + 1) % n];
   const Vector2 &a = flat[before], &b = flat[left[i]], &c = flat[after];
@@ -59,7 +59,7 @@ void AddFace(const std::vector<int>& corners, Mesh& mesh) {
   while (left.size() > 3) {
     std::size_t ear = 0;
     while (ear < left.size() && !IsEar(flat, left, ear)) ++ear;
-    if (ear == left.size()) ear = 0;  // one that crosses itself or has no area: any corner will do
+    if (ear == left.size()) ear = 0;  // no ear, because the face crosses itself or has no area: take any corner
     const std::size_t n = left.size();
     add(left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
@@ -69,8 +69,9 @@ void AddFace(const std::vector<int>& corners, Mesh& mesh) {
 
 void CheckMeshSize(std::size_t points, std::size_t triangles) {
   if (points > kMostMeshPoints || triangles > kMostMeshTriangles) {
-    throw InvalidArgument(fmt::format("more than {} points or {} triangles; at most that many are read",
-                                      kMostMeshPoints, kMostMeshTriangles));
+    throw InvalidArgument(
+        fmt::format("it has more than {0} points or {1} triangles; at most {0} points and {1} triangles are read",
+                    kMostMeshPoints, kMostMeshTriangles));
   }
 }
 
@@ -83,7 +84,7 @@ double MeshNumber(const std::string& word, const std::string& what) {
     throw InvalidArgument(fmt::format("{} is '{}', which is not a finite number", what, Shortened(word)));
   constexpr double kMost = 1e12;
   if (std::abs(value) > kMost)
-    throw InvalidArgument(fmt::format("{} is {}; at most {} up or down is accepted", what, value, kMost));
+    throw InvalidArgument(fmt::format("{} is {}; its magnitude may be at most {}", what, value, kMost));
   return value;
 }
 

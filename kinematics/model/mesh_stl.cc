@@ -12,9 +12,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kHead = 84, kFacet = 50;  // bytes of a binary STL's head, of each of its triangles
+constexpr std::size_t kHead = 84, kFacet = 50;  // bytes of a binary STL's header and of each triangle
 
-/// A number as a binary STL holds it, low byte first.
+/// Reads a number of a binary STL, low byte first.
 std::uint32_t Word(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -53,7 +53,7 @@ Mesh ParseBinary(const std::string& bytes, std::size_t count) {
   return mesh;
 }
 
-/// One line of a text STL. @return whether the facet is at its end.
+/// Reads one line of a text STL. @return whether the line ends a facet.
 bool TakeLine(const std::string& line, const std::string& place, std::vector<Vector3>& corners) {
   std::istringstream words(line);
   std::string word;
@@ -82,15 +82,16 @@ Mesh ParseText(const std::string& text) {
   for (int number = 1; std::getline(stream, line); ++number) {
     const std::string place = fmt::format("line {}", number);
     if (!TakeLine(line, place, corners)) {
-      if (corners.size() > 3) throw InvalidArgument(place + ": a fourth vertex; a facet has three");
+      if (corners.size() > 3)
+        throw InvalidArgument(place + ": this is the fourth vertex of a facet; a facet has three");
       continue;
     }
     if (corners.size() != 3)
-      throw InvalidArgument(fmt::format("{}: a facet of {} vertices; it has three", place, corners.size()));
+      throw InvalidArgument(fmt::format("{}: a facet has {} vertices; three are needed", place, corners.size()));
     AddTriangle(corners, mesh);
     corners.clear();
   }
-  if (!corners.empty()) throw InvalidArgument("it ends within a facet");
+  if (!corners.empty()) throw InvalidArgument("the file ends within a facet");
   return mesh;
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kLongestName = 64;
 constexpr std::array<std::string_view, 10> kFoldersOfAllRobots = {"description", "mjcf", "model", "models", "robot",
                                                                   "robots",      "urdf", "urdfs", "xacro",  "xml"};
 
-/// <robot name>, where it can be the name of a file too; else "".
+/// The <robot name> if it is also a valid file name; else "".
 std::string NameInText(const std::string& urdf) {
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf.c_str(), urdf.size()) != tinyxml2::XML_SUCCESS) return "";

@@ -5,8 +5,9 @@
 
 namespace gaitwright {
 
-/// Name of a robot from a file: the file's name without its endings. For an unspecific name such as `robot.urdf`, it is
-/// the name of the folder, and in folders such as `urdf` the <robot name> of the text.
+/// Name of a robot from its file: the file name without its endings. For an unspecific file name such as `robot.urdf`,
+/// it is the name of the folder; if the folder has an unspecific name such as `urdf`, it is the <robot name> of the
+/// text.
 std::string NameOfDescription(const std::string& path, const std::string& urdf);
 
 }  // namespace gaitwright

@@ -13,7 +13,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kFarOut = 4.0;  // radius of gyration over the extent
-constexpr double kPoint = 1e-3;  // [m] a link of a smaller extent is a point, and its shapes do not tell its size
+constexpr double kPoint = 1e-3;  // [m] a link with a smaller extent is a point, and its size is unknown
 
 }  // namespace
 
@@ -39,10 +39,11 @@ std::optional<MendedInertia> MendOversizedInertia(const Matrix3& I, double mass,
   if (!(gyration >= kFarOut * extent_m)) return std::nullopt;
   const auto solid = SolidInertia(shapes, mass);
   if (!solid) return std::nullopt;
-  return MendedInertia{*solid,
-                       fmt::format("equals {:.3g} kg at {:.3g} m from its centre, {:.3g} times its size of {:.3g} m",
-                                   mass, gyration, gyration / extent_m, extent_m),
-                       "the inertia of its shapes"};
+  return MendedInertia{
+      *solid,
+      fmt::format("equals that of {:.3g} kg at {:.3g} m from its centre, {:.3g} times its size of {:.3g} m", mass,
+                  gyration, gyration / extent_m, extent_m),
+      "the inertia of its shapes"};
 }
 
 }  // namespace gaitwright

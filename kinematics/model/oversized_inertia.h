@@ -9,14 +9,15 @@
 
 namespace gaitwright {
 
-/// Largest distance between two known points of a link [m]: its shapes, and points such as its origin, its centre of
-/// mass and the joints on it, all in the link's frame.
+/// Largest distance between two known points of a link [m].
+/// @param shapes  shapes of the link, in its frame.
+/// @param points  other points in its frame: its origin, its centre of mass, the joints on it.
 double LinkExtent(const std::vector<const Shape*>& shapes, std::vector<Vector3> points);
 
-/// Replaces an inertia that is far too large for the link by that of its shapes; such inertias come from files with a
-/// wrong unit or invented numbers. No body has a radius of gyration sqrt(tr(I) / (2 m)) larger than its extent. Shapes
-/// may show only a part of a link, so only four times the extent or more is replaced; a link without shapes keeps its
-/// inertia.
+/// Replaces an inertia that is far too large for the link by the inertia of its shapes. Such inertias come from files
+/// with a wrong unit or invented numbers. The radius of gyration sqrt(tr(I) / (2 m)) of a body cannot exceed its
+/// extent. Shapes may show only a part of a link, so the inertia is replaced only if the radius is four times the
+/// extent or more. A link without shapes keeps its inertia.
 std::optional<MendedInertia> MendOversizedInertia(const Matrix3& I, double mass, double extent_m,
                                                   const std::vector<const Shape*>& shapes);
 

@@ -5,9 +5,9 @@
 
 namespace gaitwright {
 
-/// Whether a joint coordinate has no motor: its effort limit is given as 0, and that of another one is not. In a leg
-/// the others of that leg count; elsewhere those of the whole robot. Where all are 0 the file's author did not know
-/// them, and the limits are unknown.
+/// Whether a joint coordinate has no motor: its effort limit is given as 0, and that of another coordinate is known.
+/// For a coordinate of a leg, only those of the same leg are compared; otherwise those of the whole robot. If all
+/// limits are 0, the author of the file did not know them, and the limits are unknown.
 bool IsPassive(const RobotModel& model, int dof);
 
 }  // namespace gaitwright

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The text of a file; where not `strict`, one in another encoding than UTF-8 too.
+/// The text of a file. Unless `strict`, an encoding other than UTF-8 is accepted.
 Result<std::string> ReadText(const std::string& path, bool strict) {
   Result<std::string> text = ReadFile(path);
   if (text || strict || text.failure().code != FailureCode::kNotText) return text;
@@ -29,7 +29,7 @@ Result<std::string> ReadText(const std::string& path, bool strict) {
   return converted ? Result<std::string>(*converted) : text;
 }
 
-/// The robot.yaml that goes with a description; "" where there is none.
+/// The robot.yaml of a description; "" if it has none.
 Result<std::string> ReadYaml(const fs::path& folder, const std::string& yaml_path) {
   std::error_code error;
   const std::string path = yaml_path.empty() ? (folder / "robot.yaml").string() : yaml_path;
@@ -43,7 +43,7 @@ std::string RootOf(const std::string& text) {
   return document.RootElement() == nullptr ? "" : document.RootElement()->Name();
 }
 
-/// The given YAML, and those keys of another that it does not have.
+/// The given YAML, with the keys of another YAML that it does not contain.
 std::string Joined(const std::string& given, const std::string& other) {
   if (given.empty() || other.empty()) return given + other;
   const YAML::Node mine = YAML::Load(given), theirs = YAML::Load(other);
@@ -85,7 +85,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
       description.yaml = Joined(*yaml, converted->yaml);
       description.yaml_without_posture = Joined(*yaml, converted->yaml_without_posture);
     } catch (const YAML::Exception&) {
-      description.yaml = *yaml;  // which is refused when it is read
+      description.yaml = *yaml;  // ParseRobotYaml refuses it later
     }
     for (const std::string& said : converted->notes) note(FailureCode::kMjcf, said);
   } else if (IsXacro(*text)) {
@@ -98,7 +98,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
     return Failure{FailureKind::kBadInput,
                    FailureCode::kNotUrdf,
                    "LoadRobot",
-                   fmt::format("'{}' is a pointer of Git LFS, not the file itself", path),
+                   fmt::format("'{}' is a Git LFS pointer, not the file itself", path),
                    {"fetch the file with 'git lfs pull'"}};
   } else if (text->find_first_not_of(" \t\r\n") == std::string::npos) {
     return Failure{FailureKind::kBadInput, FailureCode::kNotUrdf, "LoadRobot", fmt::format("'{}' is empty", path), {}};
@@ -107,7 +107,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
                    FailureCode::kNotUrdf,
                    "LoadRobot",
                    fmt::format("'{}' is an SDF (Gazebo) file; accepted: URDF, xacro or MJCF", path),
-                   {"most makers publish a URDF beside it"}};
+                   {"most manufacturers also publish a URDF; use that file"}};
   }
   return description;
 }

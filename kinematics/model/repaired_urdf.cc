@@ -28,7 +28,7 @@ Matrix3 AxesOf(const XMLElement& inertial) {
   return FromUrdf(pose).linear();
 }
 
-/// The inertias that the model has in place of those of its URDF, whose text is mended.
+/// The inertias of the model that replace inertias of its URDF. @param text  the repaired text of the URDF.
 std::vector<LinkInertia> InertiasOf(const RobotModel& model, const std::string& text) {
   const double scale = ParseRobotYaml(model.yaml_text).scale;
   UrdfParts parts = SplitUrdf(WithoutBallJoints(text), scale);
@@ -44,7 +44,7 @@ std::vector<LinkInertia> InertiasOf(const RobotModel& model, const std::string& 
   return InertiasUsed(parts, scale);
 }
 
-/// @return whether the link's inertia was written anew.
+/// Writes the replacement of a link's inertia, if there is one. @return whether there was one.
 bool WriteInertia(const std::vector<LinkInertia>& used, XMLElement& link) {
   XMLElement* inertial = link.FirstChildElement("inertial");
   const std::string name = link.Attribute("name");

@@ -7,8 +7,7 @@
 
 namespace gaitwright {
 
-/// The URDF of a robot with all that was mended written into it, so that strict loading takes it. The text itself where
-/// nothing was.
+/// The URDF of a robot with all repairs, so that strict loading accepts it. The text itself if nothing was repaired.
 std::string RepairedUrdf(const RobotModel& model);
 
 }  // namespace gaitwright

@@ -18,7 +18,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr int kLeastMoving = 3;  // joints of a limb whose end is a root
+constexpr int kLeastMoving = 3;  // moving joints of a limb whose end may be the root
 
 struct UrdfEdge {
   XMLElement* joint = nullptr;
@@ -54,7 +54,7 @@ struct UrdfGraph {
     const XMLElement* mass = inertial == nullptr ? nullptr : inertial->FirstChildElement("mass");
     return mass == nullptr ? 0.0 : mass->DoubleAttribute("value");
   }
-  /// Of a link and all that is fixed to it further out.
+  /// Mass of a link and of the links fixed beyond it [kg].
   double MassOfBody(const std::string& link) const {
     double mass = 0.0;
     std::vector<std::string> open = {link};
@@ -68,7 +68,7 @@ struct UrdfGraph {
     }
     return mass;
   }
-  /// Joints below a link that move, or have one that does beyond them.
+  /// Joints below a link that move, or that carry a moving joint.
   std::vector<UrdfEdge> MovingBelow(const std::string& link) const {
     std::vector<UrdfEdge> moving;
     for (const UrdfEdge& edge : Below(link)) {
@@ -95,7 +95,7 @@ struct UrdfGraph {
   }
 };
 
-/// From the root as far as the tree does not part.
+/// The joints from the root to the first branch of the tree.
 std::vector<UrdfEdge> StemOf(const UrdfGraph& graph) {
   std::vector<UrdfEdge> stem;
   for (std::vector<UrdfEdge> next = graph.MovingBelow(graph.root); next.size() == 1;
@@ -108,7 +108,7 @@ int MovingIn(const std::vector<UrdfEdge>& edges) {
   return static_cast<int>(std::count_if(edges.begin(), edges.end(), [](const UrdfEdge& e) { return e.moves; }));
 }
 
-/// Whether a limb that goes out from a link, and does not part, has so many moving joints and ends in such a mass.
+/// Whether a link carries a limb without branches that has this number of moving joints and about this mass at its end.
 bool HasLimbLike(const UrdfGraph& graph, const std::string& link, int moving, double mass) {
   constexpr double kAlike = 0.2;
   for (const UrdfEdge& first : graph.MovingBelow(link)) {
@@ -123,7 +123,7 @@ bool HasLimbLike(const UrdfGraph& graph, const std::string& link, int moving, do
   return false;
 }
 
-/// How many joints of the stem lead to the body that limbs go out from; 0 where there is none such.
+/// Number of joints of the stem up to the body that carries the limbs; 0 if there is no such body.
 std::size_t StemToBody(const UrdfGraph& graph, const std::vector<UrdfEdge>& stem) {
   if (stem.empty()) return 0;
   std::size_t to = stem.size();
@@ -166,7 +166,7 @@ void SetOrigin(const Pose& X, XMLElement& owner) {
   origin->SetAttribute("rpy", fmt::format("{:.17g} {:.17g} {:.17g}", roll, pitch, yaw).c_str());
 }
 
-/// Moves the frame of a link to X_LN: all that is given in it is given in the new one.
+/// Moves the frame of a link to X_LN and expresses its elements in the new frame.
 void MoveFrame(const Pose& X_LN, XMLElement& link) {
   for (const char* part : {"inertial", "visual", "collision"}) {
     for (XMLElement* e = link.FirstChildElement(part); e != nullptr; e = e->NextSiblingElement(part))
@@ -174,7 +174,7 @@ void MoveFrame(const Pose& X_LN, XMLElement& link) {
   }
 }
 
-/// Makes the child of a joint its parent. @param X_from  where the joint is in the frame of its new parent.
+/// Swaps parent and child of a joint. @param X_from  pose of the joint in the frame of its new parent.
 void TurnOver(const UrdfEdge& edge, const Pose& X_from) {
   edge.joint->FirstChildElement("parent")->SetAttribute("link", edge.child.c_str());
   edge.joint->FirstChildElement("child")->SetAttribute("link", edge.parent.c_str());
@@ -201,7 +201,7 @@ std::optional<RerootedUrdf> RerootFromLimbEnd(const std::string& urdf_text) try 
   std::vector<UrdfEdge> stem = StemOf(graph);
   stem.resize(StemToBody(graph, stem));
   if (stem.empty()) return std::nullopt;
-  std::vector<Pose> X_LN;  // of each link on the way, where its frame goes
+  std::vector<Pose> X_LN;  // new frame of each link of the stem
   for (const UrdfEdge& edge : stem) X_LN.push_back(OriginOf(*edge.joint));
   for (std::size_t i = 0; i < stem.size(); ++i) {
     MoveFrame(X_LN[i], *graph.links.at(stem[i].parent));
@@ -216,7 +216,7 @@ std::optional<RerootedUrdf> RerootFromLimbEnd(const std::string& urdf_text) try 
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);
   return RerootedUrdf{printer.CStr(), stem.back().child, graph.root};
-} catch (const Failure&) {  // of numbers that others tell of
+} catch (const Failure&) {  // an invalid number, which other checks report
   return std::nullopt;
 }
 

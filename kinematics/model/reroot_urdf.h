@@ -6,19 +6,19 @@
 
 namespace gaitwright {
 
-/// A URDF with another root link, from which the joints on the way to the former one are turned over.
+/// A URDF with another root link. The joints between the old and the new root are reversed.
 struct RerootedUrdf {
   std::string text;
-  std::string root;    ///< the link that is the root now
-  std::string former;  ///< the end of a limb, which was
+  std::string root;    ///< the new root link
+  std::string former;  ///< the old root link, the end of a limb
 };
 
-/// A URDF whose root link is the end of a limb, such as a foot, with the body that its limbs go out from as root;
-/// nothing where it is not so. The root link is such an end where the tree does not part for three moving joints or
-/// more, and the link where it parts (of a single chain its heaviest) has another limb of as many moving joints that
-/// ends in a link of the same mass, within a fifth. Names and positions of joints stay what they are; of a link on the
-/// way the frame is that of the joint which was after it.
-/// @param urdf_text  that CheckUrdf accepts.
+/// If the root link of a URDF is the end of a limb, such as a foot, makes the body that carries the limbs the root.
+/// Nothing for other URDFs. The root link is the end of a limb if two conditions hold. The tree has no branch for three
+/// moving joints or more. The link of the first branch (for a single chain, the heaviest link) carries another limb
+/// with the same number of moving joints, whose end has the same mass within 20 %. Names and positions of joints do not
+/// change. A link between the old and the new root gets the frame of the joint that was below it.
+/// @param urdf_text  must be accepted by CheckUrdf.
 std::optional<RerootedUrdf> RerootFromLimbEnd(const std::string& urdf_text);
 
 }  // namespace gaitwright

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// The tightest of a limit over all joints that one coordinate moves.
+/// The tightest limit of all joints that one coordinate moves.
 template <class Limit>
 double Tightest(const RobotModel& model, int dof, Limit limit) {
   double tightest = std::numeric_limits<double>::infinity();

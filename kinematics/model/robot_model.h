@@ -12,7 +12,7 @@
 
 namespace gaitwright {
 
-/// How a joint moves its child body. A continuous joint is a revolute one without position limits.
+/// Type of a joint's motion. A continuous joint is a revolute joint without position limits.
 enum class JointType { kRevolute, kContinuous, kPrismatic };
 
 /// One moving joint; it carries the body of the same index plus one (`RobotModel::bodies`).
@@ -28,10 +28,10 @@ struct Joint {
   double lower = 0.0, upper = 0.0;             ///< [rad] or [m]; -inf and inf when continuous
   double velocity_limit = 0.0;                 ///< [rad/s] or [m/s]
   double effort_limit = 0.0;                   ///< [N m] or [N]
-  bool velocity_limit_is_placeholder = false;  ///< reported, never used to fail a plan
+  bool velocity_limit_is_placeholder = false;  ///< the limit is reported but not checked
   bool effort_limit_is_placeholder = false;
   double damping = 0.0;   ///< viscous damping [N m s/rad]
-  double friction = 0.0;  ///< dry, against any motion [N m]
+  double friction = 0.0;  ///< dry friction, against any motion [N m]
 
   /// Index of the independent joint coordinate that moves it; position = multiplier * q_joint[dof] + offset.
   /// A joint that mimics no other has its own dof, multiplier 1 and offset 0.
@@ -70,10 +70,10 @@ struct Shape {
   Vector3 size = Vector3::Zero();  ///< box: edge lengths; cylinder, capsule: (radius, length, 0); sphere: (radius, 0,
                                    ///< 0); mesh: scale
   std::string mesh_file;           ///< mesh: as written in the URDF
-  std::vector<Vector3> vertices;   ///< collision mesh: of its convex hull, in S, scaled; visual mesh: none
+  std::vector<Vector3> vertices;   ///< collision mesh: vertices of its convex hull in S, scaled; visual mesh: empty
 };
 
-/// The points that span the convex hull of a mesh file; all that is used of it.
+/// The points that span the convex hull of a mesh file. Nothing else of the mesh is used.
 struct MeshHull {
   std::string file;               ///< as written in the URDF
   std::vector<Vector3> vertices;  ///< in the mesh's frame, before the URDF's scale
@@ -84,25 +84,25 @@ struct MeshHull {
 /// A collision mesh of the URDF that is missing or cannot be read; contacts of its link are unknown.
 struct MissingMesh {
   std::string link;
-  std::string why;  ///< names the file
+  std::string why;  ///< reason, with the name of the file
 };
 
-/// How a foot meets the ground; FootTypeNames has their names.
+/// Type of a foot's contact with the ground; FootTypeNames has the names.
 enum class FootType {
   kPoint,   ///< a point: three constraints
-  kSphere,  ///< rolls: the contact point is a radius below the centre
+  kSphere,  ///< rolling contact: the contact point is a radius below the centre
   kLine,    ///< a sole without ankle roll
   kSole,    ///< a flat convex polygon: six constraints
 };
 
-/// "point", "sphere", "line", "sole": in the order of FootType, as files have them.
+/// "point", "sphere", "line", "sole": the names in files, in the order of FootType.
 const std::vector<std::string>& FootTypeNames();
 
 /// The part of a leg that touches the ground.
 ///
 /// = Notation =
-///   F  sole frame: z is up out of the ground and x ahead in the nominal standing posture; its origin is the middle of
-///      the sole polygon (sole, line), the sphere's centre (sphere) or the point itself
+///   F  sole frame: z points up and x forward in the nominal standing posture; its origin is the middle of the sole
+///      polygon (sole, line), the sphere's centre (sphere) or the point itself
 struct Foot {
   std::string name;  ///< the link's name
   std::string link;
@@ -123,7 +123,7 @@ struct Leg {
   std::vector<int> joints;  ///< indices into joints, base first
   int mirror = -1;          ///< index of the leg on the other side, or -1
   double length_m = 0.0;    ///< from the hip joint to the contact, with the leg straight and prismatic joints extended
-  int hip_joint = -1;       ///< index into joints: the first of those that bend the leg in its own plane
+  int hip_joint = -1;       ///< index into joints: the first joint that bends the leg in its own plane
   int knee_joint = -1;      ///< index into joints, or -1
   double knee_sign = 0.0;   ///< sign of the knee's bend in the standing posture
 };
@@ -133,8 +133,8 @@ struct Leg {
 /// State vectors have one order everywhere:
 ///   q = [p_WB (3), quaternion of R_WB as x y z w (4), independent joints (n)], size 7 + n
 ///   v = [v_WB in W (3), w_WB in W (3), joint rates (n)], size 6 + n;   a in the same order
-/// Mimic joints follow their dof and have no coordinate of their own. Invariant: joints[i] carries bodies[i + 1];
-/// parents come before children; masses and inertias are physical.
+/// Mimic joints follow their dof and have no own coordinate. Invariant: joints[i] carries bodies[i + 1]; parents come
+/// before children; masses and inertias are physical.
 struct RobotModel {
   std::string name, description;
   std::vector<Body> bodies;
@@ -146,33 +146,33 @@ struct RobotModel {
   std::vector<Leg> legs;   ///< legs[i].foot == i; front before rear, left before right
 
   VectorX standing_joints;              ///< nominal posture of the independent joints, size n
-  double standing_base_height_m = 0.0;  ///< of the base origin over level ground in that posture
+  double standing_base_height_m = 0.0;  ///< height of the base origin above level ground in that posture
   double nominal_speed_m_s = 0.0;
 
   double total_mass_kg = 0.0;
-  std::vector<std::string> dof_names;  ///< of the joint that leads each independent coordinate, size n
+  std::vector<std::string> dof_names;  ///< name of the joint that leads each independent coordinate, size n
   std::vector<int> dof_joint;          ///< index of that joint, size n
 
-  /// Gains from robot.yaml, by dof; zero if they are to be derived from the effective inertia.
+  /// Gains from robot.yaml, by dof; zero if they are derived from the effective inertia.
   VectorX stiffness, damping;               ///< [N m/rad], [N m s/rad]
   std::vector<Motor> motors;                ///< by dof; see MotorOf
-  std::vector<Transmission> transmissions;  ///< of motors that drive several joints together; see AddTransmission
+  std::vector<Transmission> transmissions;  ///< motors that drive several joints together; see AddTransmission
 
   std::vector<Finding> findings;     ///< wrong or doubtful data in the description, and replacements
   std::vector<std::string> notes;    ///< derived data with sources and irregularities, as text
-  std::string urdf_text, yaml_text;  ///< texts that it was made from, with
-  std::vector<MeshHull> meshes;      ///< those of the collision shapes, each file once, in the order of the URDF
+  std::string urdf_text, yaml_text;  ///< texts from which the robot was loaded
+  std::vector<MeshHull> meshes;      ///< hulls of the collision shapes, each file once, in the order of the URDF
   std::vector<MissingMesh> missing_meshes;
-  std::string hash;  ///< of all three
+  std::string hash;  ///< hash of the texts and the hulls
 
   int num_dofs() const { return static_cast<int>(dof_names.size()); }
   int nq() const { return 7 + num_dofs(); }
   int nv() const { return 6 + num_dofs(); }
   double weight_n() const { return total_mass_kg * kGravity; }
 
-  /// Limits of an independent coordinate: position and speed: the tightest of all joints that it moves; effort: that of
-  /// the leading joint; infinite for placeholders. Plans and playbacks are checked against the limits of the motors
-  /// (Actuator); the limits of a joint of a transmission are the bounding box of its motors' limits.
+  /// Limits of an independent coordinate. Position and speed: the tightest limit of all joints that it moves. Effort:
+  /// the limit of the leading joint. Infinite for placeholders. Plans and playbacks are checked against the limits of
+  /// the motors (Actuator). The limits of a joint of a transmission are the bounding box of its motors' limits.
   double dof_lower(int dof) const;
   double dof_upper(int dof) const;
   double dof_velocity_limit(int dof) const;
@@ -181,14 +181,14 @@ struct RobotModel {
   /// The joint that leads an independent coordinate.
   const Joint& LeaderOf(int dof) const;
 
-  /// Motor data of an independent coordinate; without limits if unknown. For a joint of a transmission only the limits
-  /// of acceleration and jerk: its motors are those of TransmissionOf.
+  /// Motor data of an independent coordinate; unknown limits are infinite. For a joint of a transmission, only the
+  /// limits of acceleration and jerk apply; its motors are those of TransmissionOf.
   const Motor& MotorOf(int dof) const;
 
   /// The transmission that drives an independent coordinate; null if it has its own motor.
   const Transmission* TransmissionOf(int dof) const;
 
-  /// Longest leg, hip to contact, straight [m]; the length that limits scale with.
+  /// Length of the longest leg, from hip to contact, straight [m]; many limits scale with it.
   double leg_length_m() const;
 
   /// Index of the frame of that name. @throws InvalidArgument naming the nearest.
@@ -197,12 +197,12 @@ struct RobotModel {
   int DofIndex(const std::string& joint_name) const;
 };
 
-/// R_WB of a q, whose quaternion need not be exactly unit.
+/// R_WB of a q. The quaternion may deviate from unit length.
 inline Matrix3 BaseRotation(const VectorX& q) {
   return Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix();
 }
 
-/// q of the robot standing in its nominal posture, base above the origin of W, facing x.
+/// q of the robot in its nominal standing posture, with the base above the origin of W, facing x.
 VectorX StandingConfiguration(const RobotModel& model);
 
 }  // namespace gaitwright

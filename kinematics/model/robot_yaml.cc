@@ -26,12 +26,12 @@ FootType ParseFootType(const YAML::Node& node) {
   const std::string text = TextOf(node, "'type'");
   const auto at = std::find(names.begin(), names.end(), text);
   if (at == names.end()) {
-    RefuseYaml(node, fmt::format("foot type '{}' is unknown; there are {}", text, QuotedList(names)));
+    RefuseYaml(node, fmt::format("foot type '{}' is unknown; the types are {}", text, QuotedList(names)));
   }
   return static_cast<FootType>(at - names.begin());
 }
 
-/// Whether the segments a and b cross inside both.
+/// Whether the segments a and b cross at an inner point of both.
 bool SegmentsCross(const Vector2& a0, const Vector2& a1, const Vector2& b0, const Vector2& b1) {
   return Cross(a1 - a0, b0 - a0) * Cross(a1 - a0, b1 - a0) < 0.0 &&
          Cross(b1 - b0, a0 - b0) * Cross(b1 - b0, a1 - b0) < 0.0;
@@ -47,7 +47,7 @@ bool CrossesItself(const std::vector<Vector2>& corners) {
   return false;
 }
 
-/// The corners counter-clockwise, each once. Refuses what is no convex polygon.
+/// The corners counter-clockwise, each once. Refuses an outline that is not a convex polygon.
 std::vector<Vector2> ParseSole(const YAML::Node& node) {
   std::vector<Vector2> corners;
   for (const YAML::Node& corner : ListOf(node, "'sole_m'")) {
@@ -186,7 +186,7 @@ RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
   return motor;
 }
 
-/// Calls `each` for every entry of the map under `key`.
+/// Calls `each` for every entry of the map in `key`.
 template <class Each>
 void ForEach(const YamlMap& root, const std::string& key, Each each) {
   if (const YAML::Node* node = root.Find(key)) {
@@ -267,7 +267,7 @@ RobotYaml ParseRobotYaml(const std::string& text) {
   try {
     return Parse(root);
   } catch (const YAML::Exception& error) {
-    RefuseYamlLine(error.mark.line + 1, "a value of the wrong kind");
+    RefuseYamlLine(error.mark.line + 1, "a value is of the wrong kind");
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(fmt::format("robot.yaml, {}", error.what()));
   }

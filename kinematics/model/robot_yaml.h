@@ -12,20 +12,20 @@ namespace gaitwright {
 
 /// Content of a robot.yaml; all of it is optional. Each item has its line; docs/robot-yaml.md explains the keys.
 struct RobotYaml : LegChoices {
-  /// A value of a joint, in the units of `sliding` joints (m, N) or turning ones (rad, N m).
+  /// A value of a joint, in the units of a prismatic joint (m, N) if `sliding`, else of a revolute one (rad, N m).
   struct JointPosition {
     std::string joint;
     double position = 0.0;
     int line = 0;
   };
-  /// Gains of a joint that are given: [N m/rad, N m s/rad], of a sliding one [N/m, N s/m].
+  /// Given gains of a joint [N m/rad, N m s/rad]; of a prismatic joint [N/m, N s/m].
   struct JointGains {
     std::string joint;
     std::optional<double> stiffness, damping;
     bool sliding = false;
     int line = 0;
   };
-  /// Limits of a joint that are given: [rad, rad/s, N m], of a sliding one [m, m/s, N].
+  /// Given limits of a joint [rad, rad/s, N m]; of a prismatic joint [m, m/s, N].
   struct JointLimits {
     std::string joint;
     std::optional<double> lower, upper, velocity, effort;
@@ -59,8 +59,8 @@ struct RobotYaml : LegChoices {
   };
 
   std::string name, description;
-  double scale = 1.0;                ///< by which the URDF's lengths are multiplied
-  std::optional<Vector3> ahead, up;  ///< axes of the root link; `up` too where `ahead` is given, and across it
+  double scale = 1.0;                ///< factor on the lengths of the URDF
+  std::optional<Vector3> ahead, up;  ///< perpendicular axes of the root link; both are given or neither
   /// A link that the robot may lie on.
   struct Rest {
     std::string link;
@@ -73,12 +73,12 @@ struct RobotYaml : LegChoices {
   std::vector<JointMotor> motors;
   std::vector<SharedDrive> transmissions;
   std::optional<double> standing_base_height_m, nominal_speed_m_s;
-  int height_line = 0;  ///< of standing_base_height_m
+  int height_line = 0;  ///< line of standing_base_height_m
 };
 
-/// Reads the text of a robot.yaml. @throws InvalidArgument with the line, for invalid YAML, an unknown key (names the
-/// nearest), a duplicate key, a wrong kind of value, a number that is not finite or out of range, a sole that is not a
-/// convex polygon, or a foot whose keys contradict its type.
+/// Reads the text of a robot.yaml. @throws InvalidArgument with the line, for invalid YAML, an unknown key (with the
+/// nearest one), a duplicate key, a wrong kind of value, a number that is not finite or out of range, a sole that is
+/// not a convex polygon, or a foot whose keys contradict its type.
 RobotYaml ParseRobotYaml(const std::string& text);
 
 }  // namespace gaitwright

@@ -15,7 +15,7 @@ using namespace shapes;
 
 namespace {
 
-/// What the motor of one joint and a motor of a transmission have both: curve, warmth and rotor.
+/// The keys of both a joint's motor and a transmission's motor: curve, thermal limit and rotor.
 std::vector<ShapeMember> TurningMotorKeys(const std::string& of_rotor) {
   const DataShape positive = Positive(kLargestValue);
   return {Optional("corner_velocity_rad_s", positive, "Speed up to which the motor gives its full effort."),
@@ -25,7 +25,7 @@ std::vector<ShapeMember> TurningMotorKeys(const std::string& of_rotor) {
           Optional("rotor_inertia_kg_m2", positive, of_rotor)};
 }
 
-/// TurningMotorKeys in the units of a motor that slides.
+/// TurningMotorKeys in the units of a linear motor.
 std::vector<ShapeMember> SlidingMotorKeys() {
   const DataShape positive = Positive(kLargestValue);
   return {Optional("corner_velocity_m_s", positive), Optional("no_load_velocity_m_s", positive),
@@ -80,7 +80,7 @@ DataShape MotorYamlShape() {
                            Optional("friction_nm", positive, "Dry friction of the joint.")});
   std::vector<ShapeMember> sliding = SlidingMotorKeys();
   sliding.front().meaning =
-      "Speed up to which the motor of a prismatic joint gives its full effort; as the keys below, for prismatic joints "
+      "Speed up to which the motor of a prismatic joint gives its full effort. The keys below are for prismatic joints "
       "only.";
   sliding.insert(sliding.end(), {Optional("acceleration_m_s2", positive), Optional("jerk_m_s3", positive),
                                  Optional("damping_n_s_m", positive), Optional("friction_n", positive)});
@@ -97,7 +97,7 @@ DataShape TransmissionMotorYamlShape() {
                                    Optional("velocity_rad_s", positive, "Largest speed; not checked unless given.")};
   const auto add = [&](const std::vector<ShapeMember>& more) { keys.insert(keys.end(), more.begin(), more.end()); };
   add(TurningMotorKeys("Inertia of rotor and gear at the motor's shaft."));
-  add({Optional("effort_n", positive, "Largest force of a linear motor; as the keys below, for linear motors only."),
+  add({Optional("effort_n", positive, "Largest force of a linear motor. The keys below are for linear motors only."),
        Optional("velocity_m_s", positive)});
   add(SlidingMotorKeys());
   return Object(keys);
@@ -117,12 +117,12 @@ DataShape RobotYamlShape() {
        Optional("up", axis, "Axis of the root link that points up; needs 'ahead'."),
        Optional("ahead", axis, "Axis of the root link that points forward; needs 'up'."),
        Optional("limits", MapOf(LimitsYamlShape()), "Limits by joint, which replace the URDF's."),
-       Optional("feet", List(FootYamlShape(), 1), "All feet."),
+       Optional("feet", List(FootYamlShape(), 1), "All feet, instead of derived ones."),
        Optional("sole_give_m", Number(0.0, kLargestSoleGive),
                 "Compression of the rubber of all soles: parts of a foot's shapes up to this height above their lowest "
                 "point belong to the sole."),
        Optional("legs", MapOf(LegYamlShape()), "Overrides for a leg, by the foot's link."),
-       Optional("mirror_pairs", List(List(Text(), 2, 2)), "All pairs of feet that mirror each other."),
+       Optional("mirror_pairs", List(List(Text(), 2, 2)), "All pairs of feet whose legs mirror each other."),
        Optional("standing", MapOf(by_joint), "Positions of joints in the standing posture, by joint [rad], [m]."),
        Optional("standing_base_height_m", Positive(kLongestPart),
                 "Height of the root link above level ground in the standing posture."),

@@ -5,10 +5,10 @@
 
 namespace gaitwright {
 
-/// The point of a shape that lies farthest along a direction, both in S [m]; of a mesh without vertices the origin.
+/// The point of a shape that is farthest along a direction, both in S [m]; the origin for a mesh without vertices.
 Vector3 SupportPoint(const Shape& shape, const Vector3& direction_S);
 
-/// Radius about the origin of S that holds the whole shape [m].
+/// Radius of a sphere about the origin of S that contains the shape [m].
 double BoundingRadius(const Shape& shape);
 
 }  // namespace gaitwright

@@ -13,7 +13,7 @@ namespace {
 struct Solid {
   double mass = 0.0;
   Vector3 centre = Vector3::Zero();   ///< in S
-  Vector3 moments = Vector3::Zero();  ///< principal ones, about the centre, in the axes of S
+  Vector3 moments = Vector3::Zero();  ///< principal moments about the centre, along the axes of S
 };
 
 Solid Box(const Vector3& size, const Vector3& centre) {
@@ -33,7 +33,7 @@ Solid Sphere(double radius) {
   return {mass, Vector3::Zero(), Vector3::Constant(0.4 * mass * radius * radius)};
 }
 
-/// A cylinder with half a sphere at each end, whose centre of mass is 3/8 of the radius from its flat face.
+/// A cylinder with a hemisphere at each end; the centre of mass of a hemisphere is 3/8 r from its flat face.
 Solid Capsule(double radius, double length) {
   Solid solid = Cylinder(radius, length);
   const Solid ends = Sphere(radius);

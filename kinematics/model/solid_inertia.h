@@ -8,9 +8,9 @@
 
 namespace gaitwright {
 
-/// Inertia of solids of one density that together weigh `mass` [kg], about their common centre of mass, in the axes of
-/// the frame that their poses X_BS are in [kg m^2]; a mesh counts as the box around it, and what overlaps counts twice.
-/// Nothing where there is no shape.
+/// Inertia of solids of the same density with the total mass `mass` [kg], about their common centre of mass, in the
+/// axes of frame B of their poses X_BS [kg m^2]. A mesh counts as its bounding box, and overlapping volumes count
+/// twice. Nothing if there is no shape.
 std::optional<Matrix3> SolidInertia(const std::vector<const Shape*>& shapes, double mass);
 
 }  // namespace gaitwright

@@ -18,14 +18,14 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kCrouchedShare = 0.62;  // hip to foot over straight leg, for legs without a sole
-constexpr double kUprightShare = 0.92;   // hip to ankle over straight, for legs with a sole
+constexpr double kCrouchedShare = 0.62;  // hip to foot over straight length, for legs without a sole
+constexpr double kUprightShare = 0.92;   // hip to ankle over straight length, for legs with a sole
 
 double Clamped(const RobotModel& model, int dof, double value) {
   return std::clamp(value, model.dof_lower(dof), std::max(model.dof_lower(dof), model.dof_upper(dof)));
 }
 
-/// Difference of a foot from where it is wanted: position, and rotation when it has a sole.
+/// Difference of a foot from its desired pose: position, and rotation if it has a sole.
 VectorX FootError(const RobotModel& model, const Foot& foot, const VectorX& joints, const Pose& wanted) {
   const Pose X_OF = BodyPoses(model, joints)[static_cast<std::size_t>(foot.body)] * foot.X_BF;
   VectorX error = VectorX::Zero(foot.sole_F.empty() ? 3 : 6);
@@ -34,8 +34,8 @@ VectorX FootError(const RobotModel& model, const Foot& foot, const VectorX& join
   return error;
 }
 
-/// Damped least squares on the leg's coordinates, by differences: run once for a model, so speed does not matter.
-/// @return what is left of the error.
+/// Damped least squares on the leg's coordinates with finite differences. Runs once for a model, so speed does not
+/// matter. @return the norm of the remaining error.
 double MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, VectorX& joints) {
   const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
   std::set<int> unique;
@@ -65,7 +65,7 @@ double MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, Vec
   return error.norm();
 }
 
-/// A leg about to be bent: its plane, and where hip and foot are at joint positions zero in the base frame.
+/// A leg with its plane, and the positions of hip and foot at joint positions zero in the base frame.
 struct BentLeg {
   BentLeg(const RobotModel& robot, const Leg& which)
       : model(robot),
@@ -90,8 +90,8 @@ struct BentLeg {
   double ankle_height = 0.0;
 };
 
-/// Where a foot without a sole is wanted, so far from its hip: below it. A leg that sprawls has it as far out of the
-/// upright axis as below its hip, where that axis moves it about as far as the others do.
+/// Desired position of a foot without a sole, at a distance from its hip. It is below the hip. The foot of a sprawling
+/// leg is as far out from the upright axis as it is below its hip, so that this axis moves it as far as the others do.
 Vector3 PlaceBelow(const BentLeg& bent, double distance) {
   const Vector3& normal = bent.plane.normal_O;
   Vector3 place = bent.p_OH + normal * normal.dot(bent.p_OF - bent.p_OH) - distance * Vector3::UnitZ();
@@ -103,7 +103,8 @@ Vector3 PlaceBelow(const BentLeg& bent, double distance) {
   return place;
 }
 
-/// The share of the straight leg by each joint in a leg that hangs down straight at zero; slides at half their stroke.
+/// Guess for a leg that hangs straight down at zero: its joints bend so that the leg has this share of its straight
+/// length; prismatic joints are at half their stroke.
 VectorX BentGuess(const BentLeg& bent, double share, VectorX joints) {
   const RobotModel& model = bent.model;
   for (const int j : bent.leg.joints) {
@@ -127,7 +128,7 @@ VectorX BentGuess(const BentLeg& bent, double share, VectorX joints) {
   return joints;
 }
 
-/// Places over the limits of a leg's first two bending joints to start from, where the first guess leads astray.
+/// A grid of guesses within the limits of a leg's first two bending joints, used if the first guess fails.
 std::vector<VectorX> MoreGuesses(const BentLeg& bent, const VectorX& guess) {
   constexpr int kPlaces = 4;
   std::vector<VectorX> guesses;
@@ -144,7 +145,7 @@ std::vector<VectorX> MoreGuesses(const BentLeg& bent, const VectorX& guess) {
   return guesses;
 }
 
-/// Takes whole turns out of joints that may turn so far, which a search can go through.
+/// Removes whole turns from revolute joints; the search may add them.
 void Unwind(const RobotModel& model, const Leg& leg, VectorX& joints) {
   for (const int j : leg.joints) {
     const Joint& joint = model.joints[static_cast<std::size_t>(j)];
@@ -154,8 +155,8 @@ void Unwind(const RobotModel& model, const Leg& leg, VectorX& joints) {
   }
 }
 
-/// Brings the foot to a place with the knee bent to its side. Of guesses that miss, what comes nearest; before those
-/// the ones that bend the knee back.
+/// Moves the foot to a pose with the knee bent to its side. If no guess does this, takes a result that reaches the pose
+/// with the knee bent to the wrong side, otherwise the nearest result, preferably with the knee bent to its side.
 void ReachFrom(const BentLeg& bent, const VectorX& guess, const Pose& wanted, VectorX& joints) {
   constexpr double kMissed = 1e-6;
   std::vector<VectorX> guesses = MoreGuesses(bent, guess);
@@ -175,8 +176,8 @@ void ReachFrom(const BentLeg& bent, const VectorX& guess, const Pose& wanted, Ve
   }
 }
 
-/// Bends hip, knee and ankle of a leg and brings the foot under its hip, or out of it. @param share  hip to foot over
-/// the straight leg.
+/// Bends hip, knee and ankle of a leg and moves the foot below its hip, or outward for a sprawling leg.
+/// @param share  distance from hip to foot over the straight length.
 void BendLegTo(const BentLeg& bent, double share, VectorX& joints) {
   const RobotModel& model = bent.model;
   const Leg& leg = bent.leg;
@@ -201,8 +202,8 @@ void BendLegTo(const BentLeg& bent, double share, VectorX& joints) {
   ReachFrom(bent, guess, wanted, joints);
 }
 
-/// What a posture of a leg leaves to its joints for steps, from nothing (0) up to enough (1): of the ankle of a leg
-/// with a sole a share of its range, of the bending joints of others a distance from their limits.
+/// Range of motion that a leg's posture leaves for steps, from none (0) to enough (1). For a leg with a sole, it is the
+/// remaining share of the ankle's range; for other legs, the distance of the bending joints from their limits.
 double RoomOf(const BentLeg& bent, const VectorX& joints) {
   constexpr double kOfAnkle = 0.4, kOfBending = 0.3;  // share of the limit, [rad]
   double room = 1.0;
@@ -220,7 +221,7 @@ double RoomOf(const BentLeg& bent, const VectorX& joints) {
   return room;
 }
 
-/// As far as its kind usually is, or straighter where a joint would have little room left.
+/// Bends a leg by the usual share for its kind of foot, or less if a joint would have little range left.
 void BendLeg(const RobotModel& model, const Leg& leg, VectorX& joints) {
   constexpr double kStep = 0.01;
   const BentLeg bent(model, leg);
@@ -246,8 +247,8 @@ Vector3 CentreOfMassInBase(const RobotModel& model, const VectorX& joints) {
   return moment / model.total_mass_kg;
 }
 
-/// Brings all feet to the level of the one that hangs least low, where legs of different lengths hang to different
-/// levels; nothing where a leg cannot.
+/// Moves all feet to the height of the highest one if legs of different lengths end at different heights. Changes
+/// nothing if a leg cannot do it.
 void LevelFeet(const RobotModel& model, VectorX& joints) {
   constexpr double kLevel = 1e-4, kMissed = 1e-6;  // [m]
   const std::vector<Pose> X_OB = BodyPoses(model, joints);
@@ -267,8 +268,8 @@ void LevelFeet(const RobotModel& model, VectorX& joints) {
   joints = moved;
 }
 
-/// How far from the middle of the feet the centre of mass may stand: on soles half the way to their edges, as ankles
-/// have the less to hold the nearer it is to them; without soles not at all.
+/// Largest distance of the centre of mass from the middle of the feet. On soles, it is half of the distance to their
+/// edges, because the ankle torque is small if the centre of mass is near the ankles. Without soles, it is zero.
 Vector2 BalanceSlack(const RobotModel& model) {
   Vector2 slack = Vector2::Constant(std::numeric_limits<double>::infinity());
   for (const Foot& foot : model.feet) {
@@ -279,7 +280,8 @@ Vector2 BalanceSlack(const RobotModel& model) {
   return slack;
 }
 
-/// Moves all feet alike under the centre of mass, so that it stands over their middle; nothing where a leg cannot.
+/// Moves all feet by the same distance so that the centre of mass is above their middle. Changes nothing if a leg
+/// cannot do it.
 void Balance(const RobotModel& model, VectorX& joints) {
   constexpr int kPasses = 20;
   constexpr double kMissed = 1e-6, kBalanced = 1e-7;

@@ -6,7 +6,7 @@
 namespace gaitwright {
 
 /// Fills standing_joints, standing_base_height_m and the axes of spherical feet. Needs legs and feet.
-/// @param given joint positions by coordinate; NaN where they are to be derived.
+/// @param given  joint positions by coordinate; NaN for positions that are derived.
 void DeriveStanding(RobotModel& model, const VectorX& given);
 
 }  // namespace gaitwright

@@ -14,9 +14,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kJointsWithToe = 6;  // of a limb: five or more are left for a leg with a sole
+constexpr std::size_t kJointsWithToe = 6;  // joints of a limb with a toe; a leg with a sole has five or more
 
-/// The flat bottom of a body at joint positions zero, as a sole; none where it has none.
+/// The flat bottom of a body at joint positions zero, as a sole; an empty sole if it has no flat bottom.
 Foot BottomOf(const RobotModel& model, const std::vector<Pose>& X_OB, int body) {
   std::vector<const Shape*> shapes;
   for (const Shape& shape : model.collision_shapes) {

@@ -8,9 +8,9 @@
 
 namespace gaitwright {
 
-/// Joints of toes: the last joint of a limb of six or more, where the body before it has a flat bottom that is on one
-/// level with that of the body beyond it, within 3 mm at joint positions zero, and no smaller. A foot of two links is
-/// planned as one sole. Joints that follow others, or that others follow, are none.
+/// Joints of toes. A toe joint is the last joint of a limb with six or more joints. The bodies before and beyond it
+/// have flat bottoms at the same height, within 3 mm at joint positions zero, and the area of the first is at least a
+/// quarter of the second. A mimic joint or its leader is not a toe joint. A foot of two links is planned as one sole.
 std::vector<std::string> ToeJoints(const RobotModel& model);
 
 /// A URDF with joints of these names made fixed.

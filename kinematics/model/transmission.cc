@@ -38,7 +38,7 @@ void CheckTransmission(const Transmission& t, const RobotModel& model) {
   }
 }
 
-/// The most that sum of weight * x gives with |x| within limits; motors without a weight do not count.
+/// Largest value of the sum of weight * x for |x| within limits; motors with weight 0 are ignored.
 double MostOf(const Eigen::Ref<const VectorX>& weights, const VectorX& limits) {
   double most = 0.0;
   for (Eigen::Index m = 0; m < weights.size(); ++m) {

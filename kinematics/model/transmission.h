@@ -11,17 +11,17 @@ namespace gaitwright {
 
 struct RobotModel;
 
-/// One of the motors of a transmission. All its figures are the motor's own, not a joint's.
+/// One of the motors of a transmission. All its values are those of the motor, not of a joint.
 struct TransmissionMotor {
   std::string name;
   double effort_limit = Motor::kNone;    ///< [N m]; infinite if unknown
   double velocity_limit = Motor::kNone;  ///< [rad/s]; infinite if unknown
-  bool slides = false;                   ///< its units are N, m/s and kg
-  Motor motor = {};                      ///< curve, warmth and rotor; limits of acceleration and jerk are the joints'
+  bool slides = false;                   ///< a linear motor, with units N, m/s and kg
+  Motor motor = {};                      ///< curve, thermal limit and rotor; joints have acceleration and jerk limits
 };
 
 /// Motors that drive several joints together, such as the two motors that move pitch and roll of an ankle by rods.
-/// With v and tau the speeds and torques of its joints, w and m those of its motors, and a constant matrix R:
+/// Let v and tau be the speeds and torques of its joints, w and m those of its motors, and R a constant matrix:
 ///   w = R v,   tau = R^T m,   so that   m^T w = tau^T v,   v = R^-1 w,   m = R^-T tau.
 /// A rotor of inertia J adds R^T diag(J) R to the inertia of the joints.
 struct Transmission {
@@ -31,24 +31,24 @@ struct Transmission {
   MatrixX ratios;                         ///< R: a row for each motor, a column for each of dofs
   MatrixX inverse;                        ///< R^-1; AddTransmission computes it
 
-  /// How many joints it drives, and motors it has.
+  /// Number of its joints, which equals the number of its motors.
   Eigen::Index size() const { return static_cast<Eigen::Index>(dofs.size()); }
-  /// Those of a vector of all joints that are its own, and the reverse.
+  /// Selects the elements of its joints from a vector of all joints, and the reverse.
   VectorX Own(const Eigen::Ref<const VectorX>& joints) const;
   void Put(const VectorX& own, Eigen::Ref<VectorX> joints) const;
 
-  /// w and m for speeds and torques of all joints of the robot.
+  /// w and m from the speeds and torques of all joints of the robot.
   VectorX MotorSpeeds(const Eigen::Ref<const VectorX>& v) const { return ratios * Own(v); }
   VectorX MotorEfforts(const Eigen::Ref<const VectorX>& tau) const { return inverse.transpose() * Own(tau); }
-  /// R^T diag(J) R of the rotors.
+  /// Rotor inertia at its joints, R^T diag(J) R.
   MatrixX RotorInertia() const;
 };
 
-/// How far a matrix of ratios is from a singular one: its least singular value over the largest, once each row and then
-/// each column has length 1, so that units and gear ratios do not matter. 0 for a singular matrix.
+/// Distance of a matrix of ratios from a singular one: its smallest singular value over the largest, after scaling each
+/// row and then each column to length 1, so that units and gear ratios do not matter. 0 for a singular matrix.
 double Regularity(const MatrixX& ratios);
 
-/// Least Regularity that a transmission may have.
+/// Smallest accepted Regularity of a transmission.
 inline constexpr double kLeastRegularity = 1e-3;
 
 /// Adds a transmission to a model. Speed and effort limits of its joints become the bounding box of the motors' limits:

@@ -17,7 +17,7 @@ std::string NameOfPart(const YamlMap& map, const YAML::Node& node, const char* w
   return name;
 }
 
-/// Curve, warmth and rotor, which are taken as those of a motor of one joint.
+/// Reads curve, thermal limit and rotor, with the same keys as for the motor of one joint.
 void ParseTraits(const YamlMap& map, UnitKeys& keys, const YAML::Node& node, RobotYaml::SharedMotor& motor) {
   motor.corner_speed = keys.Take("corner_velocity_rad_s", "corner_velocity_m_s");
   motor.no_load_speed = keys.Take("no_load_velocity_rad_s", "no_load_velocity_m_s");

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// The list under `transmissions` of a robot.yaml. Refuses by line what it says wrong, whatever the robot is.
+/// Reads the list `transmissions` of a robot.yaml. Refuses errors that do not depend on the robot, with their lines.
 std::vector<RobotYaml::SharedDrive> ParseTransmissions(const YAML::Node& node);
 
 }  // namespace gaitwright

@@ -20,7 +20,7 @@ struct UnitKeys {
     sliding = sliding || map.Find(of_sliding) != nullptr;
     return map.InRange(map.Find(of_turning) != nullptr ? of_turning : of_sliding);
   }
-  /// @param who  "joint 'knee'", for the refusal of keys of both kinds.
+  /// @param who  such as "joint 'knee'", for the message about keys of both kinds.
   bool Sliding(const YAML::Node& node, const std::string& who) const {
     if (turning && sliding) {
       const std::string kind = who.substr(0, who.find(' '));

@@ -10,10 +10,10 @@ struct MotorBounds {
   double effort, speed;
 };
 
-/// Bounds of a dof by the robot's mass m and leg length l: for a revolute joint 2 m g l and 20 sqrt(g / l), for a
-/// prismatic one 10 m g and 10 sqrt(g l); infinite for a model without legs. Robots whose motors are known have up to
-/// 0.8 m g l (Mini Cheetah) and 12 sqrt(g / l) (Laikago). They limit no plan; they bound the torque of a falling robot,
-/// so that it is not thrown upward.
+/// Bounds of a dof from the robot's mass m and leg length l: for a revolute joint 2 m g l and 20 sqrt(g / l), for a
+/// prismatic joint 10 m g and 10 sqrt(g l); infinite for a model without legs. Robots with known motors have up to
+/// 0.8 m g l (Mini Cheetah) and 12 sqrt(g / l) (Laikago). Plans are not limited by these bounds. They bound the torque
+/// of a falling robot, so that it is not thrown upward.
 MotorBounds BoundsOfUnknownMotor(const RobotModel& model, int dof);
 
 }  // namespace gaitwright

@@ -11,7 +11,7 @@ namespace {
 
 enum class Side { kLeft, kRight, kMiddle, kBoth };
 
-/// The tree of what no leg carries, in the standing posture.
+/// The tree of all parts that do not belong to a leg, in the standing posture.
 class FreeParts {
  public:
   explicit FreeParts(const RobotModel& model) : model_(model), X_OB_(BodyPoses(model, model.standing_joints)) {
@@ -33,7 +33,7 @@ class FreeParts {
     FindSides();
   }
 
-  /// The joints that carry the largest parts of a side, below the base or parts of both sides.
+  /// The first joint of each part whose ends are all on this side.
   std::vector<int> Roots(Side side) const {
     std::vector<int> roots;
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
@@ -70,7 +70,7 @@ class FreeParts {
     return EndOf(static_cast<std::size_t>(limb.end_body) - 1).z() - Origin(root).z();
   }
 
-  /// How far a limb's joint is from one that nods: the share of its axis along the body's y.
+  /// Share of a joint's axis along the body's y; 1 for a joint that nods, 0 for a prismatic joint.
   double Nods(int dof) const {
     const int joint = model_.dof_joint[static_cast<std::size_t>(dof)];
     const Vector3 axis_O = X_OB_[static_cast<std::size_t>(joint) + 1].linear() * model_.LeaderOf(dof).axis_J;
@@ -98,8 +98,8 @@ class FreeParts {
 
   const RobotModel& model_;
   const std::vector<Pose> X_OB_;
-  std::vector<bool> in_leg_, is_end_;  // by joint: of a leg or carried by one; carries no other
-  std::vector<Side> side_;             // by joint, of all ends that it carries
+  std::vector<bool> in_leg_, is_end_;  // by joint: belongs to a leg or is carried by one; carries no other joint
+  std::vector<Side> side_;             // by joint: side of all ends that it carries
 };
 
 std::optional<Limb> ArmOf(const FreeParts& parts, Side side) {

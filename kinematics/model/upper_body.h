@@ -25,10 +25,10 @@ struct UpperBody {
 
 /// Finds arms and a head by their position in the standing posture; names are not used.
 ///
-///   arm    of what no leg carries, the largest part all of whose ends are on one side of the body, with two joints or
-///          more; of several on a side that which reaches farthest
-///   head   of the same, a part whose ends are all in the middle, above where it begins, with a joint that nods (an
-///          axis within 45 degrees of the body's y)
+///   arm    a part outside the legs with two or more joints whose ends are all on one side of the body; if a side has
+///          several such parts, the longest one
+///   head   a part outside the legs whose ends are all in the middle and above its first joint, with a joint that nods
+///          (an axis within 45 degrees of the body's y)
 ///
 /// The middle is within a tenth of the leg's length of the body's upright plane.
 UpperBody FindUpperBody(const RobotModel& model);

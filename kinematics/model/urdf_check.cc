@@ -25,7 +25,7 @@ constexpr int kMostLinks = 1000, kMostMoving = 300, kMostShapes = 5000;
 
 const std::vector<std::string> kSupportedJoints = {"revolute", "continuous", "prismatic", "spherical", "fixed"};
 
-/// What the joints say of the tree.
+/// The tree of links and joints.
 struct Tree {
   std::set<std::string> links;
   std::vector<std::string> link_names;
@@ -46,12 +46,12 @@ void CheckJoint(const XMLElement& joint, bool strict, Tree& tree) {
   const std::string name = NameOf(joint, "a joint");
   const std::string owner = fmt::format("joint '{}'", name);
   if (!tree.joint_names.insert(name).second) {
-    Refuse(FailureCode::kDoubleName, fmt::format("{}: there are two joints of that name", owner));
+    Refuse(FailureCode::kDoubleName, fmt::format("{}: two joints have this name", owner));
   }
   const std::string type = Attribute(joint, "type", owner);
   if (std::find(kSupportedJoints.begin(), kSupportedJoints.end(), type) == kSupportedJoints.end()) {
     Refuse(FailureCode::kJointType,
-           fmt::format("{}: type '{}' is not supported; there are {}", owner, type, QuotedList(kSupportedJoints)));
+           fmt::format("{}: type '{}' is not supported; supported: {}", owner, type, QuotedList(kSupportedJoints)));
   }
   CheckOrigin(joint, owner);
   std::string ends[2];
@@ -92,7 +92,8 @@ void CheckRoots(const Tree& tree) {
     std::set<std::string> seen;
     while (tree.parent_of.contains(at)) {
       if (!seen.insert(at).second)
-        Refuse(FailureCode::kUrdfLoop, fmt::format("link '{}' is part of a cycle of joints: a closed loop", link));
+        Refuse(FailureCode::kUrdfLoop,
+               fmt::format("link '{}' is part of a cycle of joints: a closed loop; the joints must form a tree", link));
       at = tree.parent_of.at(at);
     }
   }
@@ -122,7 +123,7 @@ void CheckText(const std::string& urdf_text) {
   }
 }
 
-/// Counts elements of a kind below a parent, and refuses more than `most`.
+/// Counts the elements of a kind in a parent and refuses more than `most`.
 int Count(const XMLElement& parent, const char* kind, int most, const std::string& owner) {
   int count = 0;
   for (const XMLElement* e = parent.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind)) ++count;
@@ -132,7 +133,7 @@ int Count(const XMLElement& parent, const char* kind, int most, const std::strin
   return count;
 }
 
-/// Refuses a robot of so many parts that deriving its legs would take for ever.
+/// Refuses a robot with so many parts that deriving its legs would take too long.
 void CheckCounts(const XMLElement& robot) {
   Count(robot, "link", kMostLinks, "the robot");
   Count(robot, "joint", kMostLinks, "the robot");
@@ -174,7 +175,7 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
     const std::string name = NameOf(*link, "a link");
     const std::string owner = fmt::format("link '{}'", name);
     if (!tree.links.insert(name).second)
-      Refuse(FailureCode::kDoubleName, fmt::format("{}: there are two links of that name", owner));
+      Refuse(FailureCode::kDoubleName, fmt::format("{}: two links have this name", owner));
     tree.link_names.push_back(name);
     CheckLink(*link, strict, owner);
   }

@@ -13,7 +13,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// The URDF gives a limit that is left out the value 0; a joint cannot be meant to stop there unsaid.
+/// In the URDF format, a missing limit has the value 0. This is unlikely to be intended, so it is refused.
 double PositionLimit(const XMLElement& limit, const char* name, const std::string& owner) {
   if (limit.Attribute(name) == nullptr) {
     Refuse(FailureCode::kMissingLimit, fmt::format("{}: its <limit> has no '{}', which the URDF format reads as 0; add "
@@ -45,7 +45,7 @@ void CheckLimit(const XMLElement& joint, const std::string& type, bool strict, c
            fmt::format("{}: its position range is 0 to 0; give its range, or make the joint fixed", owner));
 }
 
-/// Numbers of an element of a joint that may be left out; negative ones are refused where `positive`.
+/// Checks optional numbers of an element of a joint. @param positive  refuses negative numbers.
 void CheckNumbers(const XMLElement& joint, const char* element, const std::vector<const char*>& names, bool positive,
                   const std::string& owner) {
   const XMLElement* e = joint.FirstChildElement(element);

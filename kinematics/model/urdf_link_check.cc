@@ -65,7 +65,7 @@ void CheckShape(const XMLElement& shape, const std::string& owner) {
     CheckMesh(shape, owner);
   } else {
     Refuse(FailureCode::kUrdfGeometry,
-           fmt::format("{}: geometry '{}' is not known; there are 'box', 'cylinder', 'sphere', "
+           fmt::format("{}: geometry '{}' is not known; supported: 'box', 'cylinder', 'sphere', "
                        "'capsule', 'mesh'",
                        owner, type));
   }

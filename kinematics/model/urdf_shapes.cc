@@ -49,7 +49,7 @@ Shape ReadShape(const XMLElement& element, const std::string& link, double scale
   return shape;
 }
 
-/// Takes all elements of that kind out of a link.
+/// Removes all elements of a kind from a link and returns their shapes.
 std::vector<Shape> TakeShapes(XMLElement& link, const char* kind, double scale) {
   std::vector<Shape> shapes;
   while (XMLElement* element = link.FirstChildElement(kind)) {

@@ -9,15 +9,15 @@
 
 namespace gaitwright {
 
-/// A URDF in two parts: its tree, as a URDF without geometry, and the geometry. Each shape has its link's name, X_BS is
-/// its pose in that link's frame and `body` is not set; meshes have no vertices yet.
+/// A URDF in two parts: its tree, as a URDF without geometry, and its shapes. Each shape has the name of its link, X_BS
+/// is its pose in the frame of that link, `body` is not set, and meshes have no vertices yet.
 struct UrdfParts {
   std::string tree_text;
   std::vector<Shape> collision, visual;
-  std::set<std::string> incomplete = {};  ///< links that had a collision mesh which is not there
+  std::set<std::string> incomplete = {};  ///< links with a missing collision mesh
 };
 
-/// Splits a URDF that CheckUrdf has passed. @param scale  by which the lengths of the shapes are multiplied.
+/// Splits a URDF that CheckUrdf has passed. @param scale  factor on the lengths of the shapes.
 UrdfParts SplitUrdf(const std::string& urdf_text, double scale);
 
 }  // namespace gaitwright

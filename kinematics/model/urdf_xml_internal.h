@@ -10,20 +10,20 @@
 
 namespace gaitwright {
 
-/// Ends the reading of a URDF with a Failure that CheckUrdf catches.
+/// Stops reading a URDF by throwing a Failure, which CheckUrdf catches.
 [[noreturn]] void Refuse(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions = {});
 
-/// The attribute's text. Refuses, naming the owner, where there is none.
+/// The text of an attribute. Refuses a missing attribute; the message names the owner.
 std::string Attribute(const tinyxml2::XMLElement& element, const char* name, const std::string& owner);
 
-/// The numbers of a text. Refuses one that is not finite, one whose size is over `largest`, and another count of them.
+/// The numbers of a text. Refuses a number that is not finite or whose magnitude is above `largest`, and a wrong count.
 std::vector<double> Numbers(const std::string& text, std::size_t count, const std::string& owner,
                             double largest = 1e12);
 
-/// The number of an attribute, likewise.
+/// The number of an attribute, with the same checks as in Numbers.
 double Number(const tinyxml2::XMLElement& element, const char* name, const std::string& owner, double largest = 1e12);
 
-/// Refuses an <origin> in `parent` whose numbers are none.
+/// Refuses an <origin> in `parent` with invalid numbers.
 void CheckOrigin(const tinyxml2::XMLElement& parent, const std::string& owner);
 
 /// Refuses an impossible mass or geometry of a link, and where `strict` an impossible inertia or one without mass.
@@ -33,10 +33,10 @@ void CheckLink(const tinyxml2::XMLElement& link, bool strict, const std::string&
 /// 0.
 void CheckMotion(const tinyxml2::XMLElement& joint, const std::string& type, bool strict, const std::string& owner);
 
-/// Refuses what joints mimic wrongly: no such joint, a fixed one, themselves, in a circle, with numbers that are none.
+/// Refuses a mimic of an unknown or fixed joint, of the joint itself, in a cycle, or with invalid numbers.
 void CheckMimics(const tinyxml2::XMLElement& robot);
 
-/// Longest that a robot's parts and distances may be [m]; heaviest that a link may be [kg, kg m^2].
+/// Largest size of a robot's parts and distances [m]; largest mass and inertia of a link [kg, kg m^2].
 inline constexpr double kLongest = 1e3, kHeaviest = 1e6;
 
 }  // namespace gaitwright

@@ -8,7 +8,7 @@ namespace gaitwright {
 /// "robot.yaml, line N: message".
 std::string AtYamlLine(int line, const std::string& message);
 
-/// Throws InvalidArgument with that text.
+/// Throws InvalidArgument with the text of AtYamlLine.
 [[noreturn]] void RefuseYamlLine(int line, const std::string& message);
 
 }  // namespace gaitwright

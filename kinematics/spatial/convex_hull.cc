@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kCollinear = 1e-12;
 
-/// Takes out corners that lie, to rounding, between their neighbours. Done after the chains: popping by a tolerance
-/// there can lose a true corner next to two that are nearly in line with it.
+/// Removes corners that are, up to rounding, on the line between their neighbours. This is done after the chains,
+/// because a tolerance there can remove a true corner next to two nearly collinear ones.
 void DropMiddleCorners(Polygon& hull) {
   for (std::size_t i = 0; hull.size() > 2 && i < hull.size();) {
     const Vector2 in = hull[i] - hull[(i + hull.size() - 1) % hull.size()];

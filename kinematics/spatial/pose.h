@@ -17,7 +17,7 @@ using VectorX = Eigen::VectorXd;
 using MatrixX = Eigen::MatrixXd;
 using Quaternion = Eigen::Quaterniond;
 
-/// Standard gravity as the metrics use it [m/s^2].
+/// Gravity used by plans, metrics and playback [m/s^2].
 inline constexpr double kGravity = 9.81;
 
 }  // namespace gaitwright

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRoundingShare = 1e-10;  // of the extent of all points: what is nearer to a face lies in it
+constexpr double kRoundingShare = 1e-10;  // share of the extent of all points; a nearer point is on a face
 
 /// A triangle of the hull and its plane: the hull is where normal . p <= offset.
 struct HullFace {
@@ -18,7 +18,7 @@ struct HullFace {
   double offset = 0.0;
 };
 
-/// The hull of some of the points, which grows by one point at a time.
+/// The hull of some of the points; points are added one by one.
 class GrowingHull {
  public:
   GrowingHull(const std::vector<Vector3>& points, double rounding) : points_(points), rounding_(rounding) {}
@@ -31,7 +31,7 @@ class GrowingHull {
     return volume != 0.0;
   }
 
-  /// Replaces the faces that the point is outside of by triangles from their rim to the point.
+  /// Adds a point: replaces the faces that are visible from it by triangles from their rim to the point.
   void Take(int point) {
     std::set<std::pair<int, int>> edges;
     const auto hidden = std::partition(faces_.begin(), faces_.end(), [&](const HullFace& face) {
@@ -86,7 +86,7 @@ std::vector<Eigen::Vector3i> HullTriangles(const std::vector<Vector3>& points) {
   Eigen::AlignedBox3d box;
   for (const Vector3& p : points) box.extend(p);
   const double rounding = kRoundingShare * box.diagonal().norm();
-  // A tetrahedron to begin with, as large as is found quickly.
+  // Start with a tetrahedron that is large and quickly found.
   const auto at = [&](int i) -> const Vector3& { return points[static_cast<std::size_t>(i)]; };
   const int a = Farthest(points, [&](const Vector3& p) { return -p.x(); }).first;
   const auto [b, length] = Farthest(points, [&](const Vector3& p) { return (p - at(a)).norm(); });

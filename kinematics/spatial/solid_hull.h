@@ -8,7 +8,7 @@
 namespace gaitwright {
 
 /// The surface of the convex hull of points in space as triangles, counter-clockwise seen from outside; indices into
-/// `points`. Points that lie, to rounding, in a face are not corners. Nothing for points without volume.
+/// `points`. Points that are, up to rounding, on a face are not corners. Empty for points without volume.
 std::vector<Eigen::Vector3i> HullTriangles(const std::vector<Vector3>& points);
 
 }  // namespace gaitwright

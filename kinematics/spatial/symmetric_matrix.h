@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// Of six elements, as an inertia is given. They are known before the matrix is begun: Eigen takes what throws between
-/// two elements for too few of them.
+/// A symmetric matrix of six elements, such as an inertia. The elements are evaluated before the matrix is built: if
+/// the evaluation of an element threw between two elements, Eigen would report too few elements.
 inline Matrix3 SymmetricMatrix(double xx, double xy, double xz, double yy, double yz, double zz) {
   Matrix3 matrix;
   matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// Torque of a joint near the ground by where the ZMP is:  tau = normal_n (1 - share) (across . Z - middle).
+/// Torque of a joint near the ground as a function of the ZMP:  tau = normal_n (1 - share) (across . Z - middle).
 struct AnkleTorque {
   int dof;
   double share;
@@ -22,7 +22,7 @@ void KeepStrip(const Vector2& across, double middle, double most, Polygon& held)
   if (part.size() >= 3) held = part;
 }
 
-/// What the motors of a transmission leave, whose torque is a sum of those of its joints.
+/// Limits the support by a motor of a transmission, whose torque is a sum over its joints.
 void KeepSharedStrip(const Actuator& motor, const std::vector<AnkleTorque>& ankles, double normal_n, double use,
                      Polygon& held) {
   Vector2 across = Vector2::Zero();
@@ -42,8 +42,8 @@ void KeepSharedStrip(const Actuator& motor, const std::vector<AnkleTorque>& ankl
 
 Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch, int foot, const Polygon& support,
                         const FootLoad& load, double use) {
-  constexpr double kLow = 0.5;   // of the height of the centre of mass
-  constexpr double kFlat = 0.5;  // horizontal part of an axis that counts
+  constexpr double kLow = 0.5;   // largest height of a joint over that of the centre of mass
+  constexpr double kFlat = 0.5;  // smallest horizontal part of the axis
   if (support.size() < 3 || foot >= static_cast<int>(model.legs.size())) return support;
   const double ground = ContactFrame(model, scratch, foot).translation().z();
   const double height = load.p_WC.z() - ground;
@@ -55,7 +55,7 @@ Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch,
     const Vector3 p_WJ = scratch.p_WB[j + 1], axis = scratch.axis_W[j];
     const double share = (p_WJ.z() - ground) / height;
     if (joint.is_prismatic() || share > kLow || axis.head<2>().norm() < kFlat) continue;
-    // tau = N (a_y (x - p_x) - a_x (y - p_y)) at the point (x, y) = Z + (C - Z) share of the force's line.
+    // tau = N (a_y (x - p_x) - a_x (y - p_y)), where (x, y) = Z + (C - Z) share is a point on the line of the force.
     const Vector2 across(axis.y(), -axis.x());
     const double middle = across.dot(p_WJ.head<2>() - share * load.p_WC.head<2>()) / (1.0 - share);
     if (model.TransmissionOf(joint.dof) != nullptr) {

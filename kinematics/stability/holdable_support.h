@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// The force that a robot standing on one foot puts on it.
+/// The load on one foot of a standing robot.
 struct FootLoad {
   Vector3 p_WC;           ///< centre of mass of the robot [m]
   double normal_n = 0.0;  ///< force on the foot [N]
@@ -15,17 +15,17 @@ struct FootLoad {
 
 /// The part of one foot's support in which its ankle can hold the robot alone.
 ///
-/// With the contact force f = N z + N (C - Z)_xy / h through the ZMP Z and the centre of mass C, a revolute joint with
-/// unit axis a through P, at height z below h / 2, takes  tau = -((Z + (C - Z) z / h - P) x N z) . a, linear in Z; each
-/// joint leaves the strip where |tau| <= use * limit. Joints higher up hardly feel where the ZMP is, and are left out.
-/// Of a transmission each motor leaves the strip where its own torque, a sum of those of its joints, is in its limit.
+/// The contact force is f = N z + N (C - Z)_xy / h, through the ZMP Z and the centre of mass C. A revolute joint with
+/// unit axis a through P, at a height z below h / 2, needs  tau = -((Z + (C - Z) z / h - P) x N z) . a, which is linear
+/// in Z. So each joint limits the support to a strip where |tau| <= use * limit. Joints at a larger height are left
+/// out, because the ZMP hardly changes their torque. For a transmission, each motor limits the support to the strip
+/// where its torque, a sum over its joints, is within its limit.
 ///
-/// @param support   convex, in plan view, of the ground at the height of the foot's contact frame; W [m].
+/// @param support   convex polygon of the ground in plan view, at the height of the foot's contact frame; W [m].
 /// @param load      centre of mass C and force N.
 /// @param use       share of the motors' effort limits, > 0.
-/// @return the part of `support`; `support` itself when it has no area. A joint that would leave nothing is passed
-/// over.
-/// Needs ForwardKinematics on the scratch.
+/// @return the part of `support`; `support` itself if it has no area. A joint that would exclude the whole support is
+/// skipped. Needs ForwardKinematics on the scratch.
 Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch, int foot, const Polygon& support,
                         const FootLoad& load, double use);
 

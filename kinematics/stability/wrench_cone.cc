@@ -18,12 +18,12 @@ using Matrix4 = Eigen::Matrix4d;
 using Matrix64 = Eigen::Matrix<double, 6, 4>;
 using Matrix26 = Eigen::Matrix<double, 2, 6>;
 
-constexpr double kTiny = 1e-9;  // of what is scaled to about one
+constexpr double kTiny = 1e-9;  // tolerance for values scaled to about one
 
-/// The linear programme over the shifts: max c . d  s.t.  G x = w + B d, x >= 0, the columns of G rays of the friction
-/// cones, B what a shift does to the wrench. With d eliminated, four rows are left. Forces are in units of |F|, lengths
-/// in units of the farthest contact. Primal simplex; a ray enters that the multipliers price best, in closed form for
-/// each cone.
+/// The linear program for the shifts: max c . d  s.t.  G x = w + B d, x >= 0. The columns of G are rays of the friction
+/// cones, and B is the change of the wrench by a shift. With d eliminated, four rows are left. Forces are in units of
+/// |F|, lengths in units of the farthest contact. Primal simplex; the entering ray has the best reduced cost, which has
+/// a closed form for each cone.
 class ShiftProgramme {
  public:
   ShiftProgramme(const std::vector<ContactPoint>& contacts, const PointWrench& wrench) : contacts_(contacts) {
@@ -44,7 +44,7 @@ class ShiftProgramme {
 
   double length_m() const { return length_m_; }
 
-  /// Finds a first solution; false when there is none.
+  /// Finds a first solution. @return false if there is none.
   bool Start() {
     const Vector4 wanted = across_.transpose() * wanted_;
     for (int i = 0; i < 4; ++i) {
@@ -60,7 +60,7 @@ class ShiftProgramme {
     return left < kLeft;
   }
 
-  /// The farthest shift along a direction, from the last solution on [m]; one far out where there is no end.
+  /// The farthest shift along a direction [m], starting from the last solution; a distant one if it is unbounded.
   Vector2 Farthest(const Vector2& direction) {
     endless_.setZero();
     Climb(&direction);
@@ -69,7 +69,7 @@ class ShiftProgramme {
   }
 
  private:
-  /// The ray that a functional of wrenches values most, and its value.
+  /// The ray with the largest value of a linear functional of wrenches. @return this value.
   double BestRay(const Vector6& value, Vector6& best) const {
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -87,7 +87,7 @@ class ShiftProgramme {
     return most;
   }
 
-  /// Simplex steps: for a direction, or without one to drive out what stands in for rays at the start.
+  /// Simplex steps for a direction; without a direction, steps that remove the artificial columns of the start.
   void Climb(const Vector2* direction) {
     constexpr int kMostSteps = 200;
     for (int step = 0; step < kMostSteps; ++step) {
@@ -103,7 +103,7 @@ class ShiftProgramme {
       if (BestRay(value, ray) < kPriced) return;
       const Vector4 column = across_.transpose() * ray, change = lu.solve(column);
       const int leaves = Leaving(change, direction != nullptr);
-      if (leaves < 0) {  // no end: forces that close upon each other
+      if (leaves < 0) {  // unbounded: contact forces can press against each other
         endless_ = to_shift_ * ray - shifts_ * change;
         return;
       }
@@ -117,7 +117,7 @@ class ShiftProgramme {
     }
   }
 
-  /// The column that comes to nothing first; what stands in for rays leaves as soon as it can.
+  /// The column whose amount becomes zero first; artificial columns leave as soon as possible.
   int Leaving(const Vector4& change, bool is_started) const {
     int leaves = -1;
     double least = std::numeric_limits<double>::infinity();
@@ -137,12 +137,12 @@ class ShiftProgramme {
   std::vector<Vector3> arms_;
   double length_m_ = 1.0;
   Vector6 wanted_;
-  Matrix64 across_;    // orthonormal, across what shifts do
-  Matrix26 to_shift_;  // of a wrench
+  Matrix64 across_;    // orthonormal complement of the effect of shifts
+  Matrix26 to_shift_;  // shift from a wrench
   Matrix4 basis_;
-  Eigen::Matrix<double, 2, 4> shifts_;  // of the basis' rays
+  Eigen::Matrix<double, 2, 4> shifts_;  // shifts of the rays in the basis
   Vector4 amounts_;
-  Vector2 endless_ = Vector2::Zero();  // where to, if the last direction has no end
+  Vector2 endless_ = Vector2::Zero();  // unbounded direction, if the last result is unbounded
   std::array<bool, 4> artificial_{};
 };
 
@@ -154,7 +154,7 @@ void Check(const std::vector<ContactPoint>& contacts, const PointWrench& wrench)
   }
 }
 
-/// The edge of a polygon that is nearest to a point, by its first corner.
+/// Index of the first corner of the polygon's edge that is nearest to a point.
 std::size_t NearestEdge(const Polygon& polygon, const Vector2& point) {
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -175,7 +175,7 @@ Polygon WrenchShifts(const std::vector<ContactPoint>& contacts, const PointWrenc
   std::vector<Vector2> points;
   for (const Vector2& direction : {Vector2(1.0, 0.0), Vector2(0.0, 1.0), Vector2(-1.0, 0.0), Vector2(0.0, -1.0)})
     points.push_back(programme.Farthest(direction));
-  // Beyond the edge nearest to no shift there may be more; that edge is looked over again until there is none.
+  // There may be shifts beyond the edge nearest to zero; search there until there are none.
   constexpr int kMostEdges = 40;
   constexpr double kExact = 1e-4;  // [m]
   Polygon region = ConvexHull(points);

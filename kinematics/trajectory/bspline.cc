@@ -30,11 +30,11 @@ class Basis {
 
  private:
   static constexpr int kDegree = static_cast<int>(degree);
-  /// Entry j of degree p stands for function span - p + j.
+  /// Entry j of degree p is function span - p + j.
   using Row = std::array<double, degree + 1>;
   static std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
-  /// Functions of degree p from those of the degree below.
+  /// Functions of degree p from the functions of degree p - 1.
   Row Raised(int p, const Row& below, double t) const {
     Row row{};
     for (int j = 0; j <= p; ++j) {
@@ -45,7 +45,7 @@ class Basis {
     return row;
   }
 
-  /// Derivatives of functions of degree p from the functions, or derivatives, of the degree below:
+  /// Derivatives of functions of degree p from the functions, or derivatives, of degree p - 1:
   ///   N'_i,p = p N_i,p-1 / (k_i+p - k_i) - p N_i+1,p-1 / (k_i+p+1 - k_i+1).
   Row Derivative(int p, const Row& below) const {
     Row row{};

@@ -6,8 +6,8 @@
 
 namespace gaitwright {
 
-/// The basis functions that are not zero at one place of a clamped B-spline: the spline there is the sum of value[i]
-/// times control point first + i; derivatives in the same way.
+/// The non-zero basis functions of a clamped B-spline at one point. The spline is the sum of value[i] times control
+/// point first + i; its derivatives are sums of the derivatives.
 template <std::size_t degree>
 struct BsplineBasis {
   int first = 0;
@@ -17,17 +17,17 @@ struct BsplineBasis {
 using CubicBasis = BsplineBasis<3>;
 using QuinticBasis = BsplineBasis<5>;
 
-/// Of a quintic spline over u in [0, 1] with even knots, at u, which is taken into [0, 1]; derivatives by u. The first
-/// three control points alone decide value, rate and acceleration at u = 0, the last three those at u = 1.
+/// Basis of a quintic spline over u in [0, 1] with uniform knots; u is limited to [0, 1]; derivatives by u. The first
+/// three control points alone determine value, rate and acceleration at u = 0, and the last three at u = 1.
 /// @throws InvalidArgument for fewer than six control points.
 /// Piegl and Tiller, The NURBS Book, 1997, equations 2.5 and 2.7.
 QuinticBasis EvaluateQuinticBasis(int control_points, double u);
 
-/// Of a cubic spline that is three times differentiable but at its breaks, there twice; at t, which is taken into their
-/// range; derivatives by t. There are two more control points than breaks; the first two alone decide value and rate at
-/// the first break, the last two those at the last. At a break the last of the four functions is zero with all its
-/// derivatives, but at the last break the first is.
-/// @throws InvalidArgument for fewer than two breaks or where they do not increase.
+/// Basis of a cubic spline that is twice continuously differentiable at its knots; t is limited to their range;
+/// derivatives by t. There are two more control points than knots. The first two alone determine value and rate at the
+/// first knot, and the last two at the last knot. At a knot, the last of the four functions and its derivatives are
+/// zero; at the last knot, the first function and its derivatives are zero.
+/// @param breaks  the knots. @throws InvalidArgument for fewer than two knots, or knots that do not increase.
 CubicBasis EvaluateCubicBasis(const std::vector<double>& breaks, double t);
 
 }  // namespace gaitwright

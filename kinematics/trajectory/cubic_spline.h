@@ -14,7 +14,7 @@ class CubicSpline {
   /// @param values two or more, at start_s + i * step_s.  @throws InvalidArgument for fewer or step_s not positive.
   CubicSpline(double start_s, double step_s, std::vector<double> values);
 
-  /// Value and derivatives; the end values outside the grid.
+  /// Value and derivatives; outside the grid, the value at the nearer end, at rest.
   Motion1 At(double time_s) const;
 
  private:

@@ -10,10 +10,9 @@
 namespace gaitwright {
 namespace {
 
-/// The step within (0, 1) that cruises: its ends are halves of the plain one, taken in `ends` of the time and as far as
-/// makes the rates meet.
+/// The step with a cruise, for u in (0, 1): halves of the plain step at both ends, scaled so that the rates match.
 Motion1 CruisingStep(double u, double cruise) {
-  constexpr double kFastest = 1.875;  // rate of the plain one at half time
+  constexpr double kFastest = 1.875;  // rate of the plain step at half time
   const double ends = 1.0 - cruise, rate = 1.0 / (cruise + ends / kFastest), scale = rate / kFastest;
   if (std::abs(u - 0.5) <= 0.5 * cruise) return {0.5 + rate * (u - 0.5), rate, 0.0};
   const bool late = u > 0.5;
@@ -40,14 +39,14 @@ Motion1 SmoothBump(double u) {
 
 namespace {
 
-/// A parabola over the way of a step, 1 at its middle.
+/// A parabola over the progress of a step, 1 at its middle.
 Motion1 Arc(const Motion1& step) {
   const double slope = 4.0 * (1.0 - 2.0 * step.value);
   return {4.0 * step.value * (1.0 - step.value), slope * step.rate,
           slope * step.acceleration - 8.0 * step.rate * step.rate};
 }
 
-/// What is added to the straight move, and its derivatives by the fraction of the swing.
+/// Offset from the straight move, with its derivatives by the fraction of the swing.
 struct Offset {
   Vector3 value = Vector3::Zero(), rate = Vector3::Zero(), acceleration = Vector3::Zero();
 };

@@ -17,7 +17,8 @@ struct Motion1 {
 /// has constant rate, with the two halves of the minimum-jerk step before and after.
 Motion1 SmoothStep(double u, double cruise = 0.0);
 
-/// Bump 64 u^3 (1 - u)^3 from 0 to 1 at u = 1/2 and back, with zero rate and acceleration at both ends; 0 outside.
+/// Bump 64 u^3 (1 - u)^3: from 0 to 1 at u = 1/2 and back to 0, with zero rate and acceleration at both ends; 0
+/// outside.
 Motion1 SmoothBump(double u);
 
 /// Motion of a foot's contact frame in W.
@@ -27,13 +28,14 @@ struct FrameMotion {
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };
 
-/// Control points at each end of a swing's detour, which are zero: it starts and ends at rest on its footholds.
+/// Number of zero control points at each end of a swing's detour, so that the swing starts and ends at rest.
 inline constexpr int kFixedSwingPoints = 3;
 
-/// A swing: a minimum-jerk move, or one with constant speed in the middle (`cruise`), from start to end (SmoothStep),
-/// with a bump of `lift_m` along z, which is a parabola with `cruise`, as of a body in flight; at rest (zero velocity
-/// and acceleration) at both ends. The rotation is the shortest one, about a fixed axis. If `detour_W` has control
-/// points, a quintic B-spline replaces the bump: three points of zero, these, three points of zero.
+/// A swing from start to end, at rest (zero velocity and acceleration) at both ends. The move is a minimum-jerk move,
+/// or one with constant speed in the middle (`cruise`); see SmoothStep. A bump of `lift_m` along z is added; with
+/// `cruise`, it is a parabola like that of a body in flight. The rotation is the shortest one, about a fixed axis. If
+/// `detour_W` has control points, a quintic B-spline replaces the bump, with three zero control points before and after
+/// them.
 struct SwingCurve {
   double start_s = 0.0, end_s = 1.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
@@ -42,10 +44,10 @@ struct SwingCurve {
   double cruise = 0.0;                 ///< share of the time at constant speed, below 1
 };
 
-/// The frame's motion at a time; at rest on the ends outside [start_s, end_s].
+/// The motion of the frame at a time; outside [start_s, end_s], at rest at the nearer end.
 FrameMotion Evaluate(const SwingCurve& curve, double time_s);
 
-/// Height of the curve's origin above the straight line between its ends, at half time [m].
+/// Height of the frame's origin above the straight line between its ends, at half time [m].
 double LiftAtHalfTime(const SwingCurve& curve);
 
 }  // namespace gaitwright

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kSame = 1e-6;  // [s]
 
-/// The farthest point of a polytope from the origin [m]: one of the corners, in which three sides meet. That of a box
-/// around all legs where it has no end.
+/// Distance from the origin to the farthest point of a polytope [m]. That is one of the corners, in which three sides
+/// meet; for an unbounded polytope, a corner of a box around all legs.
 double FarthestOf(std::vector<WorkspaceSide> sides) {
   constexpr double kSlack = 1e-9, kWithoutEnd = 100.0;
   const std::vector<WorkspaceSide> box = BoxAbout(Vector3::Zero(), Vector3::Constant(kWithoutEnd));
@@ -40,14 +40,14 @@ double FarthestOf(std::vector<WorkspaceSide> sides) {
   return farthest;
 }
 
-/// A while in which some foot is on the ground all the time.
+/// A time interval during which at least one foot is on the ground.
 struct Support {
   double start_s = 0.0, end_s = 0.0;
-  double most_n = 0.0;                                        // that all its feet push at once
-  double lowest_m = std::numeric_limits<double>::infinity();  // of its footholds
-  double highest_m = -lowest_m;                               // that the centre of mass is over any of them
-  double leaves_m = std::numeric_limits<double>::infinity();  // the same over those that leave last
-  double lands_m = -lowest_m;                                 // the highest foothold of those that land first
+  double most_n = 0.0;                                        // largest total force of its feet
+  double lowest_m = std::numeric_limits<double>::infinity();  // lowest foothold
+  double highest_m = -lowest_m;                               // largest height of the centre of mass above a foothold
+  double leaves_m = std::numeric_limits<double>::infinity();  // the same for the feet that leave last
+  double lands_m = -lowest_m;                                 // highest foothold of the feet that land first
 };
 
 class Limits {
@@ -66,7 +66,7 @@ class Limits {
   }
 
   std::optional<Failure> Flights() {
-    double up = 0.0;  // the most with which a support begins
+    double up = 0.0;  // largest upward speed at the start of a support
     for (std::size_t i = 0; i + 1 < supports_.size(); ++i) {
       const Support &from = supports_[i], &to = supports_[i + 1];
       const double flight_s = to.start_s - from.end_s, fall_m = from.leaves_m - to.lands_m;
@@ -89,7 +89,7 @@ class Limits {
     }
     for (const double of_foot : reach_m_) reach = std::max(reach, of_foot);
     const double way = (problem_.goal.p_WC - problem_.start.p_WC).head<2>().norm(), t = problem_.duration_s;
-    // Without flight too a body that is thrown up by its legs turns again within their reach.
+    // Also without flight, a body that its legs throw up stops rising within their reach.
     const double up = std::max(fastest_, std::sqrt(2.0 * kGravity * reach));
     const double most = friction * t * (0.25 * kGravity * t + up);
     if (way <= most) return std::nullopt;
@@ -100,7 +100,8 @@ class Limits {
         fmt::format("moving {:.2f} m from rest to rest in {:.2f} s needs more friction than {:.3g}, which allows at "
                     "most {:.2f} m",
                     way, t, friction / use, most),
-        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "more time", "a shorter distance"}};
+        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "give more time",
+         "choose a shorter distance"}};
   }
 
  private:

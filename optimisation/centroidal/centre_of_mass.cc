@@ -25,8 +25,8 @@ std::vector<double> BumpOver(const ZmpProblem& problem, double start_s, double e
   return bump;
 }
 
-/// Moves the ZMP by two bumps, one in the first phase and one in the last (the halves of an only one), so that the DCM
-/// starts on the resting CoM and the CoM ends at its goal. Both are linear in the ZMP.
+/// Moves the ZMP by two bumps, so that the DCM starts at the resting CoM and the CoM ends at its goal. One bump is in
+/// the first phase, one in the last; a single phase is halved. The DCM and the CoM are linear in the ZMP.
 void MeetEnds(const ZmpProblem& problem, std::vector<Vector2>& p_WZ) {
   const ZmpPhase &head = problem.phases.front(), &tail = problem.phases.back();
   const double middle_s = 0.5 * (head.start_s + head.end_s);
@@ -49,7 +49,7 @@ void MeetEnds(const ZmpProblem& problem, std::vector<Vector2>& p_WZ) {
   for (std::size_t k = 0; k < p_WZ.size(); ++k) p_WZ[k] += (Eigen::RowVector2d(first[k], last[k]) * moved).transpose();
 }
 
-/// The preferred points with their ends met.
+/// The preferred points, corrected so that both ends are at rest.
 std::vector<Vector2> ClosedFormZmp(const ZmpProblem& problem) {
   std::vector<Vector2> p_WZ;
   for (int k = 0; k < problem.samples; ++k) {
@@ -60,7 +60,7 @@ std::vector<Vector2> ClosedFormZmp(const ZmpProblem& problem) {
   return p_WZ;
 }
 
-/// The motion under a ZMP, when that keeps to its supports.
+/// The motion for a ZMP; a failure if the ZMP leaves its supports.
 Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ,
                                  const std::vector<double>& margin_m) {
   constexpr double kRounding = 1e-6;
@@ -74,7 +74,7 @@ Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Ve
     const bool has_area = region.size() >= 3;
     if (has_area) plan.margin_min_m = std::min(plan.margin_min_m, inside);
     const double lacking = (has_area ? margin_m[static_cast<std::size_t>(k)] : 0.0) - kRounding - inside;
-    if (lacking > worst + (worst > 0.0 ? kRounding : 0.0)) {  // of equal ones the first
+    if (lacking > worst + (worst > 0.0 ? kRounding : 0.0)) {  // the first one of equals
       worst = lacking;
       worst_s = t;
     }

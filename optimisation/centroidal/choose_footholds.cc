@@ -10,13 +10,13 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/polygon.h"
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 #include "optimisation/centroidal/hold_goal.h"
 
 namespace gaitwright {
 namespace {
 
-/// How far a patch without end is looked at.
+/// Half size to which an infinite patch is cut [m].
 constexpr double kFar = 100.0;
 
 Polygon OutlineOf(const TerrainPatch& patch) {
@@ -24,8 +24,8 @@ Polygon OutlineOf(const TerrainPatch& patch) {
   return {{-kFar, -kFar}, {kFar, -kFar}, {kFar, kFar}, {-kFar, kFar}};
 }
 
-/// The part of a patch around the place nearest to p where no other patch lies above it: cut off, patch by patch, along
-/// the side of it that the place is farthest outside of.
+/// The part of a patch, around the place nearest to p, that no other patch covers. For each covering patch, the part
+/// beyond one side is kept: the side from which the place is farthest outside.
 Polygon FreePart(const Terrain& terrain, std::size_t patch, const Vector3& p_W, double margin_m) {
   const TerrainPatch& own = terrain.patches[patch];
   Polygon part = Shrunk(OutlineOf(own), margin_m);
@@ -68,8 +68,8 @@ class Chooser {
 
   Result<ChosenFootholds> Run() {
     if (const std::optional<Failure> failure = GoalNotHeld()) return *failure;
-    way_ = StraightWay(terrain_, result_.problem, options_.spacing_s);
-    // Ways and patches are fitted to each other in turn until the patches stay.
+    way_ = StraightPath(terrain_, result_.problem, options_.spacing_s);
+    // Paths and patches are fitted to each other in turn until the patches no longer change.
     constexpr int kRounds = 5;
     for (int round = 0; round < kRounds; ++round) {
       if (!TakeBestPatches()) break;
@@ -80,8 +80,8 @@ class Chooser {
     }
     HoldAtGoal();
     TryOthers();
-    const BodyWayMisfit misfit = OutOfReach(result_.problem, way_);
-    if (misfit.largest_m > options_.hopeless_m) return Hopeless(misfit);
+    const BodyTrajectoryMisfit misfit = OutOfReach(result_.problem, way_);
+    if (misfit.largest_m > options_.infeasible_m) return Infeasible(misfit);
     result_.misfit_m = misfit.largest_m;
     result_.problem.way = way_;
     result_.patches = patches_;
@@ -91,7 +91,7 @@ class Chooser {
  private:
   std::vector<RigidStance>& stances() { return result_.problem.stances; }
 
-  Failure Hopeless(const BodyWayMisfit& misfit) const {
+  Failure Infeasible(const BodyTrajectoryMisfit& misfit) const {
     const RigidStance& stance = result_.problem.stances[static_cast<std::size_t>(misfit.stance)];
     Vector3 first = way_.p_WC.back(), last = way_.p_WC.back();
     for (std::size_t k = way_.time_s.size(); k-- > 0;) {
@@ -102,13 +102,13 @@ class Chooser {
         FailureKind::kInfeasible,
         FailureCode::kOutOfReach,
         "ChooseFootholds",
-        fmt::format("foot {}, on the ground from {:.2f} to {:.2f} s while the body moves {:.2f} m, stays {:.3f} m "
-                    "outside its workspace at {:.2f} s on the best path found, for any forces",
+        fmt::format("foot {} is on the ground from {:.2f} to {:.2f} s while the body moves {:.2f} m; on the best path "
+                    "found, it is {:.3f} m outside its workspace at {:.2f} s",
                     stance.foot, stance.start_s, stance.end_s, (last - first).norm(), misfit.largest_m, misfit.at_s),
         {"allow more time, a shorter path or shorter stances"}};
   }
 
-  /// All patches there are covered by others.
+  /// Failure if all patches are covered by others.
   static Failure NoRoom(const RigidStance& stance) {
     return {
         FailureKind::kInfeasible,
@@ -118,7 +118,7 @@ class Chooser {
         {"give the ground larger patches, or lower edge_margin_m"}};
   }
 
-  /// The feet that stand at the end reach ground from where the body is asked to be then, and it holds the body.
+  /// At the end, each standing foot must reach ground from the body's goal, and that ground must hold the body.
   std::optional<Failure> GoalNotHeld() const {
     const GoalGround ground = LookAtGoal(terrain_, result_.problem, options_.edge_margin_m, options_.misfit_m);
     if (ground.foot >= 0) {
@@ -139,7 +139,7 @@ class Chooser {
                    {"choose a goal on less steep ground, or more friction"}};
   }
 
-  /// Whether friction holds a body at rest on the ground that feet stand on at the end.
+  /// Whether friction holds a body at rest on the patches of the final stances.
   bool IsHeld() const {
     std::vector<Vector3> normals;
     double friction = 0.0;
@@ -151,7 +151,7 @@ class Chooser {
     return LeastHoldingFriction(normals) <= friction;
   }
 
-  /// Where a body that is to be at rest is not held at the end, moves the foot there whose other patch suits it best.
+  /// If the final patches cannot hold a body at rest, moves the foot whose other patch has the lowest cost.
   void HoldAtGoal() {
     const RigidBodyState& goal = result_.problem.goal;
     if (!goal.v_WC.isZero() || !goal.w_WB_B.isZero() || IsHeld()) return;
@@ -177,18 +177,18 @@ class Chooser {
   }
 
   void Fit() {
-    FitBodyWay(result_.problem, way_);
+    FitBodyTrajectory(result_.problem, way_);
     ++result_.trials;
   }
 
-  /// As PutOnPatch, and remembers it.
+  /// Calls PutOnPatch and stores the patch.
   bool Put(std::size_t s, int patch, const Vector3& p_W) {
     if (!PutOnPatch(terrain_, patch, p_W, options_.edge_margin_m, stances()[s])) return false;
     patches_[s] = patch;
     return true;
   }
 
-  /// The patches by how well they suit a stance on the present way, best first.
+  /// The patches by their cost for a stance on the present path, best first.
   std::vector<int> Ranked(std::size_t s) {
     const RigidStance before = stances()[s];
     const int patch_before = patches_[s];
@@ -205,7 +205,7 @@ class Chooser {
     return patches;
   }
 
-  /// @return true where any stance has changed its patch.
+  /// @return true if any stance has changed its patch.
   bool TakeBestPatches() {
     bool changed = false;
     for (std::size_t s = 0; s < stances().size(); ++s) {
@@ -218,7 +218,7 @@ class Chooser {
     return changed;
   }
 
-  /// The stances that are not held, those that are farthest out of reach first.
+  /// The free stances that are out of reach, the farthest first.
   std::vector<std::size_t> Troubled() {
     std::vector<double> trouble(stances().size(), 0.0);
     for (std::size_t s = 0; s < stances().size(); ++s) trouble[s] = OutOfReach(result_.problem, way_, s).largest_m;
@@ -230,7 +230,7 @@ class Chooser {
     return order;
   }
 
-  /// Moves one stance to another patch where that lets all feet be reached better, until it does not help.
+  /// Moves one stance at a time to another patch if that reduces the distances out of reach, until nothing improves.
   void TryOthers() {
     bool better = true;
     while (better && result_.trials < options_.max_trials &&
@@ -248,7 +248,7 @@ class Chooser {
 
   bool Improves(std::size_t s, int patch) {
     const double before = OutOfReach(result_.problem, way_).sum;
-    const BodyWay way = way_;
+    const BodyTrajectory way = way_;
     const std::vector<RigidStance> kept = stances();
     const std::vector<int> patches = patches_;
     Put(s, patch, WantedFoothold(result_.problem, way_, s));
@@ -264,7 +264,7 @@ class Chooser {
   const ChooseFootholdsOptions& options_;
   ChosenFootholds result_;
   std::vector<int> patches_;  // by stance
-  BodyWay way_;
+  BodyTrajectory way_;
 };
 
 }  // namespace
@@ -286,9 +286,9 @@ OptionFields ChooseFootholdsOptions::Fields() {
           {"spacing_s", &spacing_s, "s", 0.01, 1.0,
            "Distance between the positions of the body at which reach is checked."},
           {"misfit_m", &misfit_m, "m", 0.0, 1.0,
-           "Distance out of reach up to which no other patch is tried for a foothold."},
-          {"hopeless_m", &hopeless_m, "m", 0.0, 10.0,
-           "Largest distance out of reach that a foothold may keep; the problem is infeasible beyond it."},
+           "Distance of a foothold outside its foot's workspace above which other patches are tried for it."},
+          {"infeasible_m", &infeasible_m, "m", 0.0, 10.0,
+           "Distance of a foothold outside its foot's workspace above which the problem is refused as infeasible."},
           {"max_trials", &max_trials, "1", 1, 1000, "Maximum number of paths of the body that are fitted."}};
 }
 

@@ -12,12 +12,12 @@ namespace gaitwright {
 
 /// Tuning
 ///   feet stand too near to edges                       raise edge_margin_m
-///   the way is refused although there is one           raise max_trials, lower spacing_s
+///   the path is refused although one exists             raise max_trials, lower spacing_s
 struct ChooseFootholdsOptions {
   double edge_margin_m = 0.01;
   double spacing_s = 0.1;
   double misfit_m = 0.005;
-  double hopeless_m = 0.05;
+  double infeasible_m = 0.05;
   int max_trials = 24;
 
   OptionFields Fields();
@@ -42,9 +42,9 @@ bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double ed
 ///   `goal_out_of_reach`  names a foot that reaches no patch from the body's goal
 ///   `goal_not_held`      names the friction that would hold the body at rest at the goal, if the available friction
 ///                        does not suffice at any place that its feet reach from there
-///   `out_of_reach`       names the foot that stays out of its workspace by more than hopeless_m for any forces, the
+///   `out_of_reach`       names the foot that stays out of its workspace by more than infeasible_m for any forces, the
 ///                        time, and the distance that the body moves during the stance
-/// @throws InvalidArgument as CheckRigidBodyProblem.
+/// @throws InvalidArgument as CheckRigidBodyProblem does.
 Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
                                         const ChooseFootholdsOptions& options = {});
 

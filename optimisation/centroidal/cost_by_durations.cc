@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The multipliers of rows by these, less the ends that they hold them at.
+/// Sum of the multipliers times (row - its active bound).
 double Held(const ConstrainedProblem& rows, const RigidBodyNumbers& numbers) {
   double sum = 0.0;
   VectorX value;
@@ -33,7 +33,7 @@ Eigen::Index CountOf(const ConstrainedProblem& rows) {
   return count;
 }
 
-/// Nothing for numbers that do not fit.
+/// Nothing for numbers that do not fit the problem.
 std::optional<double> Lagrangian(const RigidBodyProblem& problem, const RigidBodyOptions& options,
                                  const RigidBodyNumbers& numbers) {
   const RigidBodyUnknowns unknowns(problem, numbers.breaks_s);
@@ -71,7 +71,7 @@ VectorX CostByDurations(const RigidBodyProblem& problem, const RigidBodyOptions&
       const TimeMap map(switches, moved);
       return Lagrangian(Retimed(problem, map), options, Retimed(numbers, map));
     };
-    // At a duration of just swing_lead_s there are as many rows on one side only.
+    // At a duration of exactly swing_lead_s, the number of rows differs between the two sides.
     double step = kStep;
     std::optional<double> there = moved_by(step);
     if (!there) there = moved_by(step = -kStep);

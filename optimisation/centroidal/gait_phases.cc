@@ -54,7 +54,7 @@ RigidBodyProblem Retimed(RigidBodyProblem problem, const TimeMap& map) {
 }
 
 bool IsRetimable(const RigidBodyProblem& problem) {
-  return problem.inner_momentum_W.empty() && problem.clearances.empty() &&
+  return problem.leg_momentum_W.empty() && problem.clearances.empty() &&
          std::all_of(problem.stances.begin(), problem.stances.end(),
                      [](const RigidStance& stance) { return stance.motors.empty(); });
 }

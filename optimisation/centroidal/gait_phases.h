@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// Contact switches closer than this in time are one [s].
+/// Contact switches closer than this are merged [s].
 constexpr double kSameSwitch_s = 1e-4;
 
 /// The times at which any contact or rest of a problem begins or ends, in order, with nearly equal times merged; the

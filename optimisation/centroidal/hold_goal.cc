@@ -7,14 +7,14 @@
 #include <numbers>
 #include <set>
 
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 #include "optimisation/centroidal/choose_footholds.h"
 
 namespace gaitwright {
 namespace {
 
-/// Whether there is a heading along which no force in these cones of friction pushes but backwards: then none of their
-/// sums is upright.
+/// Whether there is a heading in which no force of these friction cones pushes forward. In that case no sum of forces
+/// is vertical.
 bool OneSided(const std::vector<Vector3>& normals_W, double friction) {
   constexpr int kHeadings = 720;
   const double half = std::atan(friction);
@@ -44,8 +44,8 @@ double LeastHoldingFriction(const std::vector<Vector3>& normals_W, double most) 
 GoalGround LookAtGoal(const Terrain& terrain, const RigidBodyProblem& problem, double edge_margin_m,
                       double tolerance_m) {
   GoalGround ground;
-  std::vector<Vector3> held;               // normals below feet that stay where they are
-  std::set<std::set<int>> choices = {{}};  // of the patches that the others could stand on
+  std::vector<Vector3> held;               // normals of feet that do not move
+  std::set<std::set<int>> choices = {{}};  // combinations of patches for the other feet
   const RigidBodyState& goal = problem.goal;
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     if (problem.stances[s].end_s < problem.duration_s) continue;

@@ -10,7 +10,7 @@ namespace gaitwright {
 
 /// The smallest friction, up to `most`, with which contact forces on ground with these normals can add up to a vertical
 /// force, as needed at rest; infinite if `most` is not enough. On parallel slopes it is the tangent of the smallest
-/// slope; between facing walls or astride a ridge it is less.
+/// slope; between facing walls or on both sides of a ridge it is less.
 double LeastHoldingFriction(const std::vector<Vector3>& normals_W, double most = 10.0);
 
 /// Ground of the final stance feet, for the body at its goal.

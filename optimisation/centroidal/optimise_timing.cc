@@ -22,7 +22,7 @@ VectorX DurationsOf(const std::vector<double>& switches) {
   return durations;
 }
 
-/// The shortest that phases may be: by themselves, and as parts of the swings between stances of a foot.
+/// Shortest durations of the phases: by the options, and as parts of the swings between stances of a foot.
 VectorX ShortestOf(const RigidBodyProblem& problem, const std::vector<double>& switches, const TimingOptions& options) {
   const VectorX durations = DurationsOf(switches);
   VectorX shortest = VectorX::Constant(durations.size(), options.shortest_s);
@@ -45,8 +45,8 @@ Failure NoTiming(const VectorX& durations, const char* which, const char* of_tot
   return {FailureKind::kInfeasible,
           FailureCode::kNoTiming,
           "OptimiseTiming",
-          fmt::format("{} phases take {:g} s in all at their {} durations; the {} accepted total is {:g} s",
-                      durations.size(), durations.sum(), which, of_total, total_s),
+          fmt::format("the {} durations of the {} phases sum to {:g} s; the {} accepted total is {:g} s", which,
+                      durations.size(), durations.sum(), of_total, total_s),
           {"change shortest_s, shortest_swing_s, longest_s, least_total or most_total"}};
 }
 
@@ -108,10 +108,10 @@ class TimingSearch {
                    {"leave them out, and compute them again for the optimised times"}};
   }
 
-  /// The variables: durations of phases, or of the parts that they are tied to.
+  /// The variables: durations of the phases, or of the parts from which they follow.
   VectorX Variables() const { return ties_ == nullptr ? DurationsOf(switches_) : best_.parts_s; }
 
-  /// The switches of phases of such durations; the end is in bounds to the last digit.
+  /// The switch times for these durations; the total is exactly within its bounds.
   std::vector<double> SwitchesOf(const VectorX& variables) const {
     const VectorX durations =
         ties_ == nullptr ? variables : VectorX(ties_->phases_by_parts * variables + ties_->rest_s);
@@ -121,7 +121,7 @@ class TimingSearch {
     return switches;
   }
 
-  /// The slope of the least cost by the variables.
+  /// Gradient of the optimal cost with respect to the variables.
   VectorX SlopeOf(const RigidBodyProblem& problem, const RigidBodyNumbers& numbers) const {
     const VectorX slope = CostByDurations(problem, planning_, numbers);
     return ties_ == nullptr ? slope : VectorX(ties_->phases_by_parts.transpose() * slope);
@@ -142,14 +142,14 @@ class TimingSearch {
     return true;
   }
 
-  /// What is paid for a motion that breaks laws.
+  /// Penalty of a motion for violated constraints.
   double Paid(const RigidBodySummary& summary) const {
-    return summary.cost + 2.0 * planning_.most_price * summary.violations;
+    return summary.cost + 2.0 * planning_.max_penalty * summary.violations;
   }
 
-  /// A motion at times at which there is one.
+  /// Searches for times with a feasible motion after a failure.
   Result<RigidBodyPlan> Mended(Failure failure) {
-    // Slopes are right where a solve has come to rest.
+    // The derivatives are accurate only if the solve has converged.
     RigidBodyOptions patient = planning_;
     patient.screening = patient.max_iterations = std::max(kPatience, planning_.max_iterations);
     RigidBodyPlan at;
@@ -159,7 +159,7 @@ class TimingSearch {
     while (!plan && best_.solves < options_.max_solves && change_ > kLeastChange) {
       ++best_.solves;
       if (at.summary.violation <= planning_.tolerance) {
-        // All that is left is between breaks that stayed where they were.
+        // The remaining violations are between nodes, which were kept.
         plan = PlanRigidBody(best_.problem, planning_);
         break;
       }
@@ -194,7 +194,7 @@ class TimingSearch {
     }
   }
 
-  /// @return false where no more is to be gained.
+  /// @return false if the cost can fall no further.
   bool Step() {
     const VectorX durations = Variables();
     if (curvature_.size() == 0) curvature_ = MatrixX::Zero(durations.size(), durations.size());
@@ -226,8 +226,8 @@ class TimingSearch {
     return gained >= little;
   }
 
-  /// What a step showed of the curvature, which stays positive; the first one shows how great it is, taken to be the
-  /// same for shares of durations.
+  /// Updates the curvature from a step; it stays positive definite. The first step gives its scale, assumed to be equal
+  /// for relative changes of all durations.
   void Learn(const VectorX& durations, const VectorX& step, VectorX change) {
     constexpr double kLeastBend = 0.2;
     if (curvature_.isZero()) {
@@ -264,7 +264,7 @@ class TimingSearch {
   DurationBounds bounds_;
   VectorX slope_;
   MatrixX curvature_;
-  double change_ = 0.0;  // most share of a duration that it changes by in a step
+  double change_ = 0.0;  // largest relative change of a duration in a step
 };
 
 }  // namespace
@@ -276,7 +276,7 @@ OptionFields TimingOptions::PhaseFields() {
           {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase."},
           {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase."},
           {"shortest_swing_s", &shortest_swing_s, "s", 0.0, 100.0,
-           "Shortest duration of a foot's swing; a swing that starts out shorter keeps its duration as the limit."},
+           "Shortest duration of a foot's swing; a swing that is shorter at first must not become even shorter."},
           {"first_change", &first_change, "1", 0.01, 0.9,
            "Largest relative change of a phase's duration in the first step of the optimiser."},
           {"most_change", &most_change, "1", 0.01, 0.9,
@@ -284,8 +284,8 @@ OptionFields TimingOptions::PhaseFields() {
           {"least_gain", &least_gain, "1", 1e-6, 1.0,
            "Relative decrease of the cost below which the optimisation ends."},
           {"max_solves", &max_solves, "1", 0, 1000,
-           "Maximum number of motions planned while the cost falls; the search for a first feasible motion may use as "
-           "many."},
+           "Maximum number of motions planned to lower the cost; the search for a first feasible motion has the same "
+           "limit again."},
       });
 }
 

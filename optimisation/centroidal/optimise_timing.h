@@ -15,7 +15,7 @@ struct TimedPlan {
   bool mended = false;      ///< the given times had no feasible motion
   int steps = 0;            ///< improvements of the durations
   int solves = 0;           ///< number of solves, including refused ones, without the first motion
-  VectorX parts_s;          ///< where phases are tied: the durations of their parts
+  VectorX parts_s;          ///< durations of the parts, if phases are tied
 };
 
 /// Optimises the durations of a motion's phases (SwitchTimes) within bounds, with fixed or free total time, by a local
@@ -24,7 +24,7 @@ struct TimedPlan {
 /// BFGS; Nocedal and Wright, 2006, procedure 18.2), limited by a trust region relative to each duration, and is planned
 /// from the last motion; it is accepted only if the motion satisfies all constraints, also at 1 kHz, and costs less. If
 /// the given times have no feasible motion, steps follow the derivative of the constraint penalty until there is one.
-/// Legs have no mass here, so swing durations need a bound: none becomes shorter than shortest_swing_s, or than its
+/// Legs have no mass here, so swing durations need a bound: no swing becomes shorter than shortest_swing_s, or its
 /// given duration if that is less; each of its phases keeps at least its share of that. At the end, if the optimised
 /// times need more nodes, these are placed again, provided that the motion over them costs no more.
 ///
@@ -35,7 +35,7 @@ struct TimedPlan {
 /// durations exceeds the longest total, or the sum of the longest is below the shortest total; kBadInput `no_duration`
 /// if a shortest duration exceeds the longest, `tied_to_time` for leg angular momentum or motor limits, which belong to
 /// given times.
-/// @throws InvalidArgument as CheckRigidBodyProblem, and for invalid options.
+/// @throws InvalidArgument as CheckRigidBodyProblem does, and for invalid options.
 /// @param first  if given: the motion at the given times, with the same options. It is planned again if some of these
 ///               times are out of bounds and are moved to the bounds.
 /// @param ties   if given: durations of phases follow from those of fewer parts, which are then the variables. The sum

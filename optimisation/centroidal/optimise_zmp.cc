@@ -31,7 +31,8 @@ std::vector<int> Numbered(int first, int size) {
 
 std::vector<int> VariablesOf(const ZmpKnot& knot) { return Numbered(knot.first, knot.size); }
 
-/// Writes the problem of the knots' variables. The constraints' names are texts of failures, open for millimetres.
+/// Assembles the problem of the knots' variables. The names of constraints are texts for failures with a placeholder
+/// for mm.
 class Assembler {
  public:
   Assembler(const ZmpProblem& problem, const ZmpWeights& weights, const ZmpKnots& zmp)
@@ -63,7 +64,7 @@ class Assembler {
     }
   }
 
-  /// A knot stands for the half of each straight piece beside it.
+  /// A knot represents half of each straight piece beside it.
   void AddCentring() {
     std::vector<double> time_s(zmp_.knots.size(), 0.0);
     for (const auto& [left, right] : zmp_.spans) {
@@ -91,7 +92,7 @@ class Assembler {
     out_.residuals.push_back({Linear(A, root * (left.origin_W - right.origin_W)), variables});
   }
 
-  /// Distance to each edge, or the way along the line.
+  /// Distance to each edge, or the fraction of the line.
   void AddRegion(const ZmpKnot& knot) {
     if (knot.size == 0) return;
     const Polygon& region = knot.region_W;
@@ -154,7 +155,7 @@ class Assembler {
   ConstrainedProblem out_;
 };
 
-/// Each knot in its region exactly, where the solver leaves its tolerance.
+/// Moves each knot exactly into its region; the solver only reaches its tolerance.
 VectorX Clamped(const ZmpKnots& zmp, VectorX x) {
   for (const ZmpKnot& knot : zmp.knots) {
     const Vector2 p = knot.At(x), inside = knot.size == 0 ? p : NearestPoint(knot.region_W, p);

@@ -18,7 +18,7 @@ VectorX NearestDurations(const VectorX& wanted, const DurationBounds& bounds) {
   constexpr double kDigits = 1e-13;
   const double total = std::clamp(nearest.sum(), bounds.least_total_s, bounds.most_total_s);
   if (std::abs(total - nearest.sum()) <= kDigits * total) return nearest;
-  // All are shifted by the same until their sum is right, which rises with the shift.
+  // All durations get the same shift; their sum is a rising function of it.
   double low = (bounds.lower - wanted).minCoeff(), high = (bounds.upper - wanted).maxCoeff();
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);

@@ -5,16 +5,16 @@
 
 namespace gaitwright {
 
-/// How the durations of a problem's phases (SwitchTimes) follow from fewer ones, as all cycles of a periodic gait
-/// follow from the durations within one:
+/// Dependence of the durations of a problem's phases (SwitchTimes) on fewer parts, as all cycles of a periodic gait
+/// depend on the durations within one cycle:
 ///   durations = phases_by_parts * parts + rest_s.
-/// The parts add up to what they do where they are given.
+/// The sum of the parts is constant.
 struct PhaseTies {
-  MatrixX phases_by_parts;  ///< a row for each phase, a column for each part; columns of them add up to 0 where the
-                            ///< duration of the whole is to stay
+  MatrixX phases_by_parts;  ///< a row for each phase, a column for each part; for a fixed total duration, each
+                            ///< column adds up to 0
   VectorX rest_s;           ///< by phase
-  VectorX parts_s;          ///< the parts at the times that are given
-  VectorX shortest_s;       ///< of each part, no more than it is given
+  VectorX parts_s;          ///< the parts at the given times
+  VectorX shortest_s;       ///< by part; at most its given duration
 };
 
 }  // namespace gaitwright

@@ -8,12 +8,12 @@
 #include <limits>
 
 #include "kinematics/stability/polygon.h"
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 
 namespace gaitwright {
 namespace {
 
-/// How far stances are from what they must keep: out of region and reach [m], and beyond friction [0.1 m g], by stance.
+/// Violation of each stance: distances out of region and out of reach [m], and force beyond friction [0.1 m g].
 std::vector<double> TroubleOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion) {
   std::vector<double> trouble(problem.stances.size(), 0.0);
   for (const RigidBodySample& sample : Sample(motion, 0.01)) {
@@ -38,7 +38,7 @@ std::vector<double> TroubleOf(const RigidBodyProblem& problem, const RigidBodyMo
   return trouble;
 }
 
-/// How far a stance's foot is in plan view from where it could stand on a patch.
+/// Distance in plan view of a stance's foot from the nearest possible foothold on a patch.
 double Far(const Terrain& terrain, const PlanOverPatches& plan, std::size_t s, int patch, double edge_margin_m) {
   const Vector3 p_W = plan.plan.motion.X_WF[s].translation();
   RigidStance on = plan.choice.problem.stances[s];
@@ -46,7 +46,7 @@ double Far(const Terrain& terrain, const PlanOverPatches& plan, std::size_t s, i
   return (on.X_WF.translation() - p_W).head<2>().norm();
 }
 
-/// A stance and those that last as long as it on the same patch.
+/// A stance and the stances of the same time on the same patch.
 std::vector<std::size_t> Together(const ChosenFootholds& choice, std::size_t s) {
   const std::vector<RigidStance>& stances = choice.problem.stances;
   std::vector<std::size_t> together;
@@ -94,7 +94,7 @@ class PatchSearch {
     return plan;
   }
 
-  /// Tries others until one is better, which is the best then, with its plan. @return false where none is.
+  /// Plans other patches until a choice is better, which then becomes the best one. @return false if none is better.
   bool TryOthers(Result<RigidBodyPlan>& plan) {
     for (const PatchChange& change : PatchChanges(terrain_, best_, choosing_.edge_margin_m, search_.near_m)) {
       if (steps_ >= search_.most_steps) return false;
@@ -147,16 +147,16 @@ ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, con
     PutOnPatch(terrain, change.patch, plan.plan.motion.X_WF[s].translation(), edge_margin_m, choice.problem.stances[s]);
     choice.patches[s] = change.patch;
   }
-  FitBodyWay(choice.problem, choice.problem.way);
+  FitBodyTrajectory(choice.problem, choice.problem.way);
   return choice;
 }
 
 OptionFields PatchSearchOptions::Fields() {
   return {{"near_m", &near_m, "m", 0.0, 10.0, "Largest distance from a foot at which another patch is tried for it."},
           {"better", &better, "1", 0.0, 1.0,
-           "Share of the former sum of violations that a change of patches must stay below to be accepted."},
+           "A change of patches is accepted if the sum of violations falls below this share of the former sum."},
           {"screening_steps", &screening_steps, "1", 1, 10000,
-           "Iterations after which an infeasible solve that compares patches is stopped."},
+           "Number of iterations after which a solve that compares patches is stopped if it is still infeasible."},
           {"most_steps", &most_steps, "1", 1, 100000,
            "Total number of iterations after which no other patches are tried."}};
 }

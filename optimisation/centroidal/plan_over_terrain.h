@@ -10,7 +10,7 @@ namespace gaitwright {
 
 /// Tuning
 ///   a motion is refused although other footholds allow one   raise most_steps, near_m
-///   too long is spent on what has no motion                  lower most_steps
+///   infeasible motions take too long                         lower most_steps
 struct PatchSearchOptions {
   double near_m = 0.6;
   double better = 0.95;

@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// Where no forces on the footholds at the goal can hold a body there; else nothing.
+/// Text for the failure if no forces on the footholds at the goal can hold the body there; otherwise empty.
 std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
   std::vector<Vector3> normals_W;
   double friction = 0.0;
@@ -31,7 +31,7 @@ std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
       needed, friction);
 }
 
-/// The worst three that are violated, and all of it.
+/// Text of the three largest violations and their total.
 std::string UnmetOf(const ConstrainedSolution& at) {
   std::string unmet;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, at.unmet.size()); ++i)
@@ -41,7 +41,7 @@ std::string UnmetOf(const ConstrainedSolution& at) {
                      at.iterations, at.violations, at.least ? ", which small changes of the motion do not reduce" : "");
 }
 
-/// What would help where a law of that name stays unmet.
+/// Suggestion for a violated constraint with this name.
 std::string ReliefOf(const std::string& worst) {
   if (worst.starts_with("reach"))
     return "reduce the travel in a stance: lower speed, shorter cycle, or footholds closer together";
@@ -52,7 +52,7 @@ std::string ReliefOf(const std::string& worst) {
   if (worst.starts_with("clearance")) return "move ground or obstacles farther from the body, or raise the body";
   if (worst.starts_with("region")) return "put footholds on larger or other patches";
   if (worst.starts_with("turning")) return "let feet stand longer, so that they can turn the body: larger duty factor";
-  return "more time";
+  return "give more time";
 }
 
 Failure Unmet(const RigidBodyProblem& problem, const std::string& worst, const std::string& unmet) {
@@ -72,26 +72,26 @@ Failure FaultsBetween(const RigidBodySummary& summary) {
           {"raise max_refinements or reach_margin_m"}};
 }
 
-/// Where a problem's rows are far from being kept, and how; nothing where they may be kept.
-std::optional<ConstrainedSolution> Hopeless(const RigidBodyProblem& problem, const RigidBodyOptions& options,
-                                            double hopeless) {
-  constexpr double kNearly = 1e-2;  // kept so far it is not hopeless
+/// The result of the early infeasibility check, if constraints are clearly violated; otherwise nothing.
+std::optional<ConstrainedSolution> Infeasible(const RigidBodyProblem& problem, const RigidBodyOptions& options,
+                                              double infeasible) {
+  constexpr double kNearly = 1e-2;  // violations below it are not clearly infeasible
   const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals, options.grid_s);
   ConstrainedProblem rows = RigidBodyRows(problem, unknowns, options, {});
   rows.start = GuessRigidBody(problem, unknowns);
   ElasticOptions solving;
   solving.tolerance = solving.cost_tolerance = kNearly;
-  solving.price = options.price;
-  solving.most_price = options.most_price;
+  solving.penalty = options.penalty;
+  solving.max_penalty = options.max_penalty;
   solving.screening = options.screening;
-  solving.hopeless = hopeless;
+  solving.infeasible = infeasible;
   solving.max_iterations = options.screening;
   ConstrainedSolution at;
-  if (SolveElastic(rows, solving, &at).ok() || at.violations <= hopeless) return std::nullopt;
+  if (SolveElastic(rows, solving, &at).ok() || at.violations <= infeasible) return std::nullopt;
   return at;
 }
 
-/// Plans over breaks that are put nearer to each other, and feet looked at more often, where that is needed.
+/// Plans over nodes. Halves the node spacing or adds reach checks where needed.
 class RigidBodyPlanner {
  public:
   RigidBodyPlanner(const RigidBodyProblem& problem, const RigidBodyOptions& options)
@@ -102,7 +102,7 @@ class RigidBodyPlanner {
     return Refined();
   }
 
-  /// From numbers over breaks that stay.
+  /// Starts from given variables, with fixed nodes.
   Result<RigidBodyPlan> RunFrom(const RigidBodyNumbers& from) {
     unknowns_.emplace(problem_, from.breaks_s);
     missed_ = from.missed;
@@ -118,7 +118,7 @@ class RigidBodyPlanner {
   const RigidBodyPlan& plan() const { return plan_; }
 
  private:
-  /// Solves, and again with breaks nearer to each other or feet looked at more often, as that is needed.
+  /// Solves; repeats with a smaller node spacing or more reach checks while needed.
   Result<RigidBodyPlan> Refined() {
     while (true) {
       SolveOnce();
@@ -143,7 +143,7 @@ class RigidBodyPlanner {
     first_gap_ = kFirstGap;
   }
 
-  /// Where reach alone is missed, at what times. @return false where other laws are.
+  /// Adds reach checks if only reach is violated. @return false if other constraints are violated.
   bool LookCloser() {
     RigidBodyFaults others = plan_.summary.faults;
     others.reach_m = 0.0;
@@ -158,11 +158,11 @@ class RigidBodyPlanner {
     ElasticOptions solving;
     solving.tolerance = options_.tolerance;
     solving.cost_tolerance = options_.cost_tolerance;
-    solving.price = options_.price;
-    solving.most_price = options_.most_price;
+    solving.penalty = options_.penalty;
+    solving.max_penalty = options_.max_penalty;
     solving.first_gap = first_gap_;
     solving.screening = options_.screening;
-    solving.hopeless = options_.hopeless;
+    solving.infeasible = options_.infeasible;
     solving.max_iterations = options_.max_iterations;
     return SolveElastic(rows, solving, &at).ok();
   }
@@ -177,7 +177,7 @@ class RigidBodyPlanner {
     solving.patience = 5;
     solving.max_outer = 25;
     solving.max_inner = 40;
-    solving.max_steps = 200;  // where it settles it does so after 30 to 120
+    solving.max_steps = 200;  // converges after 30 to 120 iterations, if at all
     return Solve(rows, solving, &at).ok();
   }
 
@@ -223,7 +223,7 @@ class RigidBodyPlanner {
 
 }  // namespace
 
-std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options) {
+std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options) {
   CheckRigidBodyProblem(problem);
   RigidBodyOptions lenient = options;
   CheckOptions(lenient.Fields());
@@ -231,16 +231,16 @@ std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const Rigi
   lenient.force_margin = lenient.reach_margin_m = lenient.swing_lead_s = 0.0;
   RigidBodyProblem without_swings = problem;
   without_swings.swings.clear();
-  if (const auto at = Hopeless(without_swings, lenient, options.hopeless)) {
+  if (const auto at = Infeasible(without_swings, lenient, options.infeasible)) {
     Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
     failure.code = FailureCode::kNotCarried;
     failure.message = "no contact forces can move the body along its path, for any rotation: " + UnmetOf(*at) +
                       TooSteepAtGoal(problem);
     return failure;
   }
-  if (options.method == "interior-point") return std::nullopt;  // looks in the same way when it plans
-  constexpr double kFar = 5.0;                                  // a motion may be found another way otherwise
-  if (const auto at = Hopeless(problem, options, kFar * options.hopeless))
+  if (options.method == "interior-point") return std::nullopt;  // does the same check when it plans
+  constexpr double kFar = 5.0;                                  // smaller violations may vanish with another solver
+  if (const auto at = Infeasible(problem, options, kFar * options.infeasible))
     return Unmet(problem, at->worst_constraint, UnmetOf(*at));
   return std::nullopt;
 }
@@ -277,13 +277,14 @@ OptionFields RigidBodyOptions::Fields() {
            "Maximum number of refinements, each of which halves the node spacing or adds reach checks."},
           {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0,
            "Relative change of the cost below which the solve has converged."},
-          {"price", &price, "1", 1e-3, 1e6,
+          {"penalty", &penalty, "1", 1e-3, 1e6,
            "Initial penalty weight on constraint violation, in units of half the cost."},
-          {"most_price", &most_price, "1", 1e-3, 1e6,
+          {"max_penalty", &max_penalty, "1", 1e-3, 1e6,
            "Maximum penalty weight on constraint violation, in units of half the cost."},
           {"screening", &screening, "1", 1, 10000,
-           "Iterations of the early infeasibility check: after these the solve stops if violations exceed `hopeless`."},
-          {"hopeless", &hopeless, "1", 0.0, 1e6,
+           "Iterations of the early infeasibility check: after these the solve stops if violations exceed "
+           "`infeasible`."},
+          {"infeasible", &infeasible, "1", 0.0, 1e6,
            "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
           {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations of a solve."},
           {"force_rate", &weights.force_rate, "s", 0.0, 1e3,

@@ -13,14 +13,14 @@
 
 namespace gaitwright {
 
-/// The defaults are those of `walk` and of `bench centroidal`, of which `walk` changes two (MotionOptions): the method
-/// while footholds are free, and swing_lead_s, since the legs of robots have mass.
+/// The defaults are those of `walk` and of `bench centroidal`. `walk` changes two of them (MotionOptions): the method
+/// while footholds are free, and swing_lead_s, because the legs of robots have mass.
 ///
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
 ///   friction that is barely sufficient        raise friction_sides
-///   infeasible problems take long             lower screening, hopeless
-///   a motion that nearly keeps constraints    raise most_price
+///   infeasible problems take long             lower screening, infeasible
+///   a motion that nearly keeps constraints    raise max_penalty
 struct RigidBodyOptions {
   std::string method = "interior-point";
   double spacing_s = 0.04;
@@ -34,13 +34,13 @@ struct RigidBodyOptions {
   double fault_tolerance = 1e-3;
   int max_refinements = 4;
   double cost_tolerance = 1e-3;
-  double price = 10.0;
-  double most_price = 100.0;
+  double penalty = 10.0;
+  double max_penalty = 100.0;
   int screening = 40;
-  double hopeless = 0.1;
+  double infeasible = 0.1;
   int max_iterations = 100;
   RigidBodyWeights weights = {.stance = 20.0, .way = 1.0};
-  bool turns_by_forces = true;  ///< else rotation is free: a relaxation that tests the forces
+  bool turns_by_forces = true;  ///< false: rotation is free, a relaxation that tests the forces
 
   OptionFields Fields();
 };
@@ -50,7 +50,7 @@ struct RigidBodySummary {
   int variables = 0, constraints = 0;   ///< of the last solve
   int iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
-  bool settled = true;      ///< else the motion satisfies all constraints but is not optimal
+  bool settled = true;      ///< false: satisfies all constraints, but is not optimal
   bool gave_up = false;     ///< the requested solver left constraints violated, so the interior-point method continued
   double violation = 0.0;   ///< largest, in m, rad, rad/s and m g
   double violations = 0.0;  ///< sum of all
@@ -88,15 +88,15 @@ struct RigidBodyPlan {
 /// with additional reach checks if only reach is violated, else with half the node spacing. Failure kInfeasible
 /// `unmet_law` names the violated constraints with place and size, `faults_between` those violated between nodes after
 /// all refinements; `last` then has the last state.
-/// @throws InvalidArgument as CheckRigidBodyProblem.
+/// @throws InvalidArgument as CheckRigidBodyProblem does.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
 
 /// Checks before PlanRigidBody, at a tenth of its cost, whether forces could carry the body at all with free rotation,
 /// free swings and the full reach and friction cones. @return kInfeasible `not_carried` with the violated constraints
-/// if violations exceed `hopeless` in all; nothing if a motion may exist. If the planner is not interior-point, the
+/// if violations exceed `infeasible` in all; nothing if a motion may exist. If the planner is not interior-point, the
 /// full problem is checked by that method too, with `unmet_law` if violations exceed five times as much.
-std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
+std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
 
 /// As above, warm-started from a motion of a similar problem: the same stances at other times, with nodes at those
 /// times. Nodes are not refined, so violations between them other than of reach are refused.

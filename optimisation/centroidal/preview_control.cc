@@ -16,7 +16,7 @@ namespace {
 using Matrix4 = Eigen::Matrix4d;
 using Vector4 = Eigen::Vector4d;
 
-constexpr int kMostPreviews = 10000;  // steps; the gains of a robot's height are nothing long before
+constexpr int kMostPreviews = 10000;  // steps; the gains for a robot's height are negligible long before
 
 /// The cart-table in discrete time: x' = A x + b u, p = c x.
 struct CartTable {
@@ -32,7 +32,7 @@ struct CartTable {
   }
 };
 
-/// P = A' P A - A' P b (R + b' P b)^-1 b' P A + Q, by doubling: each turn squares the number of steps looked at.
+/// P = A' P A - A' P b (R + b' P b)^-1 b' P A + Q, by doubling: each iteration squares the number of steps covered.
 Matrix4 SolveRiccati(const Matrix4& A, const Vector4& b, const Matrix4& Q, double R) {
   Matrix4 A_k = A, G = b * b.transpose() / R, P = Q;
   for (int turn = 0; turn < 60; ++turn) {
@@ -101,7 +101,7 @@ PreviewMotion FollowZmp(const PreviewSetup& setup, const std::vector<double>& re
   const CartTable model(setup);
   if (reference_m.empty()) throw InvalidArgument("preview control: the ZMP reference is empty");
   const auto reference = [&](std::size_t k) { return reference_m[std::min(k, reference_m.size() - 1)]; };
-  // What lies beyond the preview counts as standing still, so that a constant reference is held exactly.
+  // Beyond the preview the reference is taken as constant, so that a constant reference is followed exactly.
   const double beyond = gains.state[0] - std::accumulate(gains.preview.begin(), gains.preview.end(), 0.0);
   PreviewMotion motion;
   Vector3 x(com_m, 0.0, 0.0);

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// Along one axis: `input` with one preview of standing at both ends, followed, and cut to its own length again.
+/// The ZMP along one axis: adds one preview horizon of standing at both ends, follows, and cuts to the original length.
 std::vector<double> Followed(const PreviewSetup& setup, const std::vector<double>& input) {
   const auto padding = static_cast<std::size_t>(std::lround(setup.preview_s / setup.step_s));
   std::vector<double> padded(padding, input.front());
@@ -20,7 +20,7 @@ std::vector<double> Followed(const PreviewSetup& setup, const std::vector<double
   return {first, first + static_cast<std::ptrdiff_t>(input.size())};
 }
 
-/// By phase boundary: what takes the ZMP there into the supports on both sides of it; nothing at the ends of the plan.
+/// By phase boundary: the shift that moves the ZMP there into the supports on both sides; zero at the ends of the plan.
 std::vector<Vector2> ShiftsAtBoundaries(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ) {
   const auto& phases = problem.phases;
   std::vector<Vector2> shifts(phases.size() + 1, Vector2::Zero());
@@ -34,8 +34,8 @@ std::vector<Vector2> ShiftsAtBoundaries(const ZmpProblem& problem, const std::ve
   return shifts;
 }
 
-/// Takes each sample into its support. What the boundaries need is spread over the phases, so that the ZMP comes onto a
-/// line before the feet beside it leave.
+/// Moves each sample into its support. The shifts at the boundaries are spread over the phases, so that the ZMP reaches
+/// a support line before the feet beside the line leave.
 void HoldInSupports(const ZmpProblem& problem, std::vector<Vector2>& p_WZ) {
   const std::vector<Vector2> shifts = ShiftsAtBoundaries(problem, p_WZ);
   for (std::size_t k = 0; k < p_WZ.size(); ++k) {

@@ -18,7 +18,7 @@ struct PreviewChoice {
 std::vector<Vector2> PreviewReference(const ZmpProblem& problem, double preview_s);
 
 /// The ZMP of preview control for this reference, projected to the nearest point of its support. Before and after the
-/// plan, the reference rests for one more preview horizon. Gains and law: preview_control.h.
+/// plan, the reference rests for one more preview horizon. Gains and control law: preview_control.h.
 std::vector<Vector2> PreviewZmp(const ZmpProblem& problem, const PreviewChoice& choice);
 
 }  // namespace gaitwright

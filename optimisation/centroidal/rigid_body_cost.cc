@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// Weight times the square of what a vector is off along some directions, which are rows.
+/// Adds weight times the squared deviation of a vector along some directions (rows).
 void AddRowsAlong(const MatrixX& directions, const AffineVector& vector, double weight, const Vector3& wanted,
                   std::vector<Residual>& cost) {
   if (vector.parts.empty() || weight <= 0.0) return;
@@ -23,7 +23,7 @@ void AddRows(const AffineVector& vector, double weight, const Vector3& wanted, s
   AddRowsAlong(Matrix3::Identity(), vector, weight, wanted, cost);
 }
 
-/// A foot on the ground from the centre of mass, less where it likes to stand.
+/// Position of a stance foot relative to the centre of mass, minus its nominal position.
 void AddStance(const FootPlace& place, const AffineVector& com, double weight, const Vector3& wanted,
                std::vector<Residual>& cost) {
   SeenUnknowns seen;
@@ -42,7 +42,7 @@ void AddStance(const FootPlace& place, const AffineVector& com, double weight, c
   cost.back().affine = true;
 }
 
-/// The mean jerk of a free swing from each of even shares to the next, from the acceleration of none at both ends.
+/// Mean jerk of a free swing between uniform fractions; the acceleration is zero at both ends.
 void AddSwing(const RigidBodyUnknowns& unknowns, std::size_t swing, double weight, std::vector<Residual>& cost) {
   constexpr int kSamples = 40;
   const double root = std::sqrt(weight * (kSamples + 1.0));

@@ -10,10 +10,10 @@ namespace gaitwright {
 
 /// Cost of a motion of a rigid body: the integral over time of
 ///   force_rate |f_i'|^2 + momentum |l|^2 + tilt |angles - wanted|^2 + stance |foot - nominal place|^2
-///     + way |across . (p_WC - that of the way)|^2,
-/// forces in m g, l the angular momentum over the mean inertia, feet on the ground from the centre of mass in the
-/// wanted heading, across horizontal and normal to that; and swing_jerk times the integral of |p'''|^2 of feet in free
-/// swings over the share of each.
+///     + way |across . (p_WC - point of the path)|^2,
+/// Forces are in m g; l is the angular momentum over the mean inertia; positions of stance feet are relative to the
+/// centre of mass in the wanted heading; `across` is horizontal and normal to the path. In addition, swing_jerk times
+/// the integral of |p'''|^2 of each free swing over its fraction.
 ///
 /// Tuning
 ///   forces change fast, feet land hard          raise force_rate

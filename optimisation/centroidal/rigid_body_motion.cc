@@ -14,22 +14,22 @@
 namespace gaitwright {
 namespace {
 
-/// Longest steps of the integration of angles [s]; with inner momentum, whose third derivative has jumps, shorter.
+/// Longest integration steps of the angles [s]; shorter with leg angular momentum, whose third derivative has jumps.
 constexpr double kMotionStep_s = 4e-3, kMotionStepWithLegs_s = 1e-3;
 
 Vector3 PowersAt(const std::array<Vector3, 4>& c, double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
 
-/// Where a force acts, at a share of its interval.
+/// Point of application of a force at a share of its interval.
 Vector3 PointAt(const RigidBodyInterval::Force& force, double u) { return force.p_W + u * force.moves_W; }
 
-/// The angular momentum of the box over an interval: its start and the integral of sum (p_i - p) x f_i, a polynomial of
-/// degree five, since p is cubic and forces are linear; less what goes to what moves inside.
+/// Angular momentum of the body over an interval: its initial value plus the integral of sum (p_i - p) x f_i, minus the
+/// change of the legs' momentum. The integral is a polynomial of degree five, because p is cubic and forces are linear.
 class MomentumOver {
  public:
-  MomentumOver(const RigidBodyInterval& in, const InnerMomentum& inner)
+  MomentumOver(const RigidBodyInterval& in, const LegMomentum& inner)
       : inner_(&inner), start_s_(in.start_s), inner_W_(inner.At(in.start_s)) {
     const double h = in.end_s - in.start_s;
-    Vector3 from = Vector3::Zero(), rate = Vector3::Zero();  // of the sum of the forces
+    Vector3 from = Vector3::Zero(), rate = Vector3::Zero();  // sum of the forces at the start, and its rate
     std::array<Vector3, 5> torque;
     torque.fill(Vector3::Zero());
     for (const RigidBodyInterval::Force& f : in.forces) {
@@ -50,7 +50,7 @@ class MomentumOver {
 
   double step_s() const { return inner_->empty() ? kMotionStep_s : kMotionStepWithLegs_s; }
 
-  /// At a time from the start of the interval.
+  /// At a time since the start of the interval.
   Vector3 At(double t) const {
     Vector3 l = powers_[5];
     for (std::size_t i = 5; i-- > 0;) l = powers_[i] + t * l;
@@ -58,13 +58,13 @@ class MomentumOver {
   }
 
  private:
-  const InnerMomentum* inner_;
+  const LegMomentum* inner_;
   double start_s_;
   Vector3 inner_W_;  // at the start
   std::array<Vector3, 6> powers_;
 };
 
-/// The angles at time `to` of an interval from those at time `from`.
+/// The angles at time `to` of an interval, integrated from those at time `from`.
 Vector3 Turned(const MomentumOver& momentum, const Matrix3& inverse_B, double from, double to, Vector3 angles) {
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / momentum.step_s() - 1e-9)));
   const double h = (to - from) / steps;
@@ -90,7 +90,7 @@ std::array<Vector3, 4> PowersOf(const RigidBodyUnknowns& unknowns, const VectorX
   return {from, (to - from) / h - h * (2.0 * a_from + a_to) / 6.0, 0.5 * a_from, (a_to - a_from) / (6.0 * h)};
 }
 
-/// All of a sample but its angles and what follows from them.
+/// A sample without its angles and the values that follow from them.
 RigidBodySample At(const RigidBodyMotion& motion, const MomentumOver& momentum, std::size_t interval, double time_s) {
   const RigidBodyInterval& in = motion.intervals[interval];
   const double t = time_s - in.start_s, u = t / (in.end_s - in.start_s);
@@ -109,7 +109,7 @@ RigidBodySample At(const RigidBodyMotion& motion, const MomentumOver& momentum, 
   return s;
 }
 
-/// How far a point is outside of a polygon in its plane; 0 where the polygon has no end.
+/// Distance of a point outside of a polygon in its plane; 0 for an unbounded polygon.
 double OutOf(const std::vector<Vector2>& region, const Vector2& p) {
   double out = 0.0;
   for (std::size_t i = 0; i < region.size(); ++i) {
@@ -119,7 +119,7 @@ double OutOf(const std::vector<Vector2>& region, const Vector2& p) {
   return out;
 }
 
-/// Compares the momentum of the turning that every other sample shows with that of the forces, step by step.
+/// Compares, step by step, the momentum of the sampled rotation (every other sample) with that of the forces.
 double TorqueBalance(const RigidBodyMotion& motion, const std::vector<RigidBodySample>& samples) {
   if (samples.size() < 3) return 0.0;  // a motion of less than a millisecond
   const double h = samples[2].time_s - samples[0].time_s;
@@ -171,7 +171,7 @@ std::string RigidBodyFaults::Worst() const {
 }
 
 RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, const VectorX& x) {
-  RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, InnerMomentum(problem), {}, {}};
+  RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, LegMomentum(problem), {}, {}};
   const double weight = problem.mass_kg * kGravity;
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     motion.X_WF.push_back(problem.stances[s].X_WF);

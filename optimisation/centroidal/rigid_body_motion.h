@@ -21,7 +21,7 @@ struct RigidBodyInterval {
 
   double start_s = 0.0, end_s = 0.0;
   std::array<Vector3, 4> com;      ///< cubic in the time since start_s, by rising power
-  Vector3 angles_rad, momentum_W;  ///< at its start; momentum of the box about the centre of mass [N m s]
+  Vector3 angles_rad, momentum_W;  ///< at its start; momentum of the body about the centre of mass [N m s]
   std::vector<Force> forces;
 };
 
@@ -30,7 +30,7 @@ struct RigidBodyInterval {
 struct RigidBodyMotion {
   double mass_kg = 1.0;
   Matrix3 inertia_B = Matrix3::Identity();
-  InnerMomentum inner;
+  LegMomentum inner;
   std::vector<RigidBodyInterval> intervals;
   std::vector<Pose> X_WF;  ///< foothold of each stance
   /// Control points of each free swing of the problem; none for other swings [m].
@@ -44,7 +44,7 @@ struct RigidBodySample {
   double time_s = 0.0;
   std::size_t interval = 0;
   Vector3 p_WC, v_WC, a_WC, angles_rad, w_WB_B;
-  Vector3 momentum_W, torque_W;  ///< of the box, and its rate: moment of forces minus rate of leg momentum
+  Vector3 momentum_W, torque_W;  ///< of the body, and its rate: moment of forces minus rate of leg momentum
   std::vector<Vector3> force_W;  ///< on each of the interval's points of contact [N]
 };
 

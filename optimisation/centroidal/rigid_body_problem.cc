@@ -35,7 +35,7 @@ void CheckMotors(const RigidStance& stance, std::size_t points, std::size_t numb
   }
 }
 
-/// Of so many even places: the one before a place, and how far it is to the next one from there.
+/// For `count` uniform places: index of the one before `place`, and the fraction of the distance to the next one.
 std::pair<std::size_t, double> PartOf(double place, std::size_t count) {
   const double last = static_cast<double>(count) - 1.0, at = std::clamp(place, 0.0, last);
   const double before = std::min(std::floor(at), last - 1.0);
@@ -53,8 +53,8 @@ void CheckRests(const RigidBodyProblem& problem) {
     if (!(rest.start_s > since_s && rest.end_s > rest.start_s && rest.end_s < problem.duration_s) ||
         !rest.p_WC.allFinite() || !rest.angles_rad.allFinite()) {
       throw InvalidArgument(
-          fmt::format("rigid body: the rest from {} s to {} s does not fit a motion of {} s or its other rests, or its "
-                      "pose is not finite",
+          fmt::format("rigid body: the rest from {} s to {} s must lie within the motion of {} s and after the rest "
+                      "before it, and have a finite pose",
                       rest.start_s, rest.end_s, problem.duration_s));
     }
     since_s = rest.end_s;
@@ -84,7 +84,8 @@ void CheckBody(const RigidBodyProblem& problem) {
 void CheckRegion(const RigidStance& stance, std::size_t number) {
   const auto n = stance.region_F.size();
   if (n == 1 || n == 2)
-    throw InvalidArgument(fmt::format("rigid body: stance {} has a region of {} corners", number, n));
+    throw InvalidArgument(
+        fmt::format("rigid body: stance {} has a region of {} corners; accepted: none, or three or more", number, n));
   for (std::size_t i = 0; i < n; ++i) {
     const Vector2 edge = stance.region_F[(i + 1) % n] - stance.region_F[i];
     const Vector2 next = stance.region_F[(i + 2) % n] - stance.region_F[(i + 1) % n];
@@ -93,7 +94,7 @@ void CheckRegion(const RigidStance& stance, std::size_t number) {
   }
 }
 
-void CheckWay(const BodyWay& way) {
+void CheckWay(const BodyTrajectory& way) {
   const auto n = way.time_s.size();
   if (n == 0) return;
   if (n < 2 || way.p_WC.size() != n || way.angles_rad.size() != n ||
@@ -102,10 +103,10 @@ void CheckWay(const BodyWay& way) {
         "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
 }
 
-void CheckInnerMotion(const RigidBodyProblem& problem) {
+void CheckLegMotion(const RigidBodyProblem& problem) {
   const auto finite = [](const Vector3& v) { return v.allFinite(); };
-  const std::vector<Vector3>& momentum = problem.inner_momentum_W;
-  const std::vector<Vector3>& torque = problem.inner_torque_W;
+  const std::vector<Vector3>& momentum = problem.leg_momentum_W;
+  const std::vector<Vector3>& torque = problem.leg_torque_W;
   if (momentum.size() == 1 || torque.size() != momentum.size() ||
       !std::all_of(momentum.begin(), momentum.end(), finite) || !std::all_of(torque.begin(), torque.end(), finite))
     throw InvalidArgument(
@@ -122,8 +123,8 @@ void CheckStances(const RigidBodyProblem& problem) {
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     const RigidStance& stance = problem.stances[s];
     if (stance.foot < 0 || stance.foot >= static_cast<int>(problem.feet.size())) {
-      throw InvalidArgument(
-          fmt::format("rigid body: stance {} names foot {} of {}", s, stance.foot, problem.feet.size()));
+      throw InvalidArgument(fmt::format("rigid body: stance {} names foot {}, but there are {} feet", s, stance.foot,
+                                        problem.feet.size()));
     }
     double& from = free_from[static_cast<std::size_t>(stance.foot)];
     if (!(stance.start_s >= from && stance.end_s > stance.start_s && stance.end_s <= problem.duration_s)) {
@@ -132,7 +133,9 @@ void CheckStances(const RigidBodyProblem& problem) {
                       stance.start_s, stance.end_s, stance.foot, from, problem.duration_s));
     }
     from = stance.end_s;
-    if (!(stance.friction > 0.0)) throw InvalidArgument(fmt::format("rigid body: stance {} has no friction", s));
+    if (!(stance.friction > 0.0))
+      throw InvalidArgument(
+          fmt::format("rigid body: stance {} has the friction coefficient {}; it must be above 0", s, stance.friction));
     if (!stance.X_WF.matrix().allFinite())
       throw InvalidArgument(fmt::format("rigid body: the foothold of stance {} is not finite", s));
     CheckRegion(stance, s);
@@ -169,7 +172,7 @@ void CheckSwings(const RigidBodyProblem& problem) {
     if (swing.free && (swing.detour_W.empty() || swing.detour_W.size() % 2 != 0))
       throw InvalidArgument(
           fmt::format("rigid body: the free swing from stance {} has {} control points; accepted: an "
-                      "even count of them",
+                      "even number",
                       swing.from, swing.detour_W.size()));
     CheckShares(swing);
   }
@@ -210,16 +213,16 @@ const MotorLimits* RigidStance::MotorsAt(double time_s) const {
   return &motors[static_cast<std::size_t>(std::lround(at))];
 }
 
-Vector3 BodyWay::PlaceAt(double at_s) const { return Between(time_s, p_WC, at_s); }
+Vector3 BodyTrajectory::PlaceAt(double at_s) const { return Between(time_s, p_WC, at_s); }
 
-Vector3 BodyWay::AnglesAt(double at_s) const { return Between(time_s, angles_rad, at_s); }
+Vector3 BodyTrajectory::AnglesAt(double at_s) const { return Between(time_s, angles_rad, at_s); }
 
-InnerMomentum::InnerMomentum(const RigidBodyProblem& problem)
-    : step_s_(problem.duration_s / std::max(1.0, static_cast<double>(problem.inner_momentum_W.size()) - 1.0)),
-      momentum_W_(problem.inner_momentum_W),
-      torque_W_(problem.inner_torque_W) {}
+LegMomentum::LegMomentum(const RigidBodyProblem& problem)
+    : step_s_(problem.duration_s / std::max(1.0, static_cast<double>(problem.leg_momentum_W.size()) - 1.0)),
+      momentum_W_(problem.leg_momentum_W),
+      torque_W_(problem.leg_torque_W) {}
 
-Vector3 InnerMomentum::At(double time_s) const {
+Vector3 LegMomentum::At(double time_s) const {
   if (momentum_W_.empty()) return Vector3::Zero();
   const auto [k, u] = PartOf(time_s / step_s_, momentum_W_.size());
   const double v = 1.0 - u;
@@ -227,7 +230,7 @@ Vector3 InnerMomentum::At(double time_s) const {
          step_s_ * u * v * (v * torque_W_[k] - u * torque_W_[k + 1]);
 }
 
-Vector3 InnerMomentum::RateAt(double time_s) const {
+Vector3 LegMomentum::RateAt(double time_s) const {
   if (momentum_W_.empty()) return Vector3::Zero();
   const auto [k, u] = PartOf(time_s / step_s_, momentum_W_.size());
   const double v = 1.0 - u;
@@ -264,12 +267,13 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
   CheckBody(problem);
   for (std::size_t f = 0; f < problem.feet.size(); ++f) {
     if (problem.feet[f].contacts_F.empty() || !(problem.feet[f].force_max_n > 0.0))
-      throw InvalidArgument(fmt::format("rigid body: foot {} cannot carry any load", f));
+      throw InvalidArgument(fmt::format(
+          "rigid body: foot {} cannot carry any load; it needs a contact point and a largest force above 0", f));
   }
   CheckStances(problem);
   CheckSwings(problem);
   CheckClearances(problem);
-  CheckInnerMotion(problem);
+  CheckLegMotion(problem);
   CheckWay(problem.way);
 }
 

@@ -14,8 +14,8 @@ struct RigidFoot {
   Vector3 p_CF_nominal_B = Vector3::Zero();             ///< nominal position relative to the centre of mass, in B [m]
   std::vector<WorkspaceSide> workspace_B;               ///< for its position relative to the centre of mass, in B [m]
   std::vector<Vector3> contacts_F = {Vector3::Zero()};  ///< contact points of the sole, in the foothold's frame [m]
-  double force_max_n = 1e4;                             ///< along the ground's normal, of each of these points
-  std::vector<WorkspaceSide> workspace_in_air_B = {};   ///< workspace during swings; empty for the same
+  double force_max_n = 1e4;                             ///< largest normal force of each of these points
+  std::vector<WorkspaceSide> workspace_in_air_B = {};   ///< workspace during swings; empty if equal to workspace_B
 };
 
 /// Limits of a leg's motors: lower <= by_force (f_1; f_2; ..) <= upper for the forces on the foot's points [N], in W.
@@ -29,8 +29,8 @@ struct RigidStance {
   int foot = 0;
   double start_s = 0.0, end_s = 0.0;
   Pose X_WF = Pose::Identity();   ///< initial guess; z along the ground's normal, along which it is fixed
-  bool held = false;              ///< it is fixed there
-  std::vector<Vector2> region_F;  ///< else its region in the plane: convex, counter-clockwise; empty if unbounded [m]
+  bool held = false;              ///< true: the foothold is fixed there
+  std::vector<Vector2> region_F;  ///< its region if not held: convex, counter-clockwise; empty if unbounded [m]
   double friction = 0.8;
   /// Displacement of its contact points along the ground at uniform times from start to end, for rolling spheres; empty
   /// for none [m].
@@ -77,7 +77,7 @@ struct RigidBodyState {
 };
 
 /// Poses of a body at uniform times from start to goal, without regard to forces.
-struct BodyWay {
+struct BodyTrajectory {
   std::vector<double> time_s;
   std::vector<Vector3> p_WC, angles_rad;
 
@@ -119,16 +119,16 @@ struct RigidBodyProblem {
   double rise_max_m_s = 0.0;  ///< largest upward or downward speed while any foot is on the ground; 0 for no limit
   /// Leg angular momentum: of all parts that move relative to the body, about the centre of mass, with its rate, at two
   /// or more uniform times from 0 to the end; empty for none [N m s], [N m].
-  std::vector<Vector3> inner_momentum_W = {}, inner_torque_W = {};
-  BodyWay way;               ///< initial guess; empty for one above the footholds
+  std::vector<Vector3> leg_momentum_W = {}, leg_torque_W = {};
+  BodyTrajectory way;        ///< initial guess; empty for one above the footholds
   bool follows_yaw = false;  ///< the wanted yaw is that of the path; else it changes evenly from start to goal
 };
 
 /// The leg angular momentum of a problem as a function of time: cubic Hermite interpolation of the given values.
-class InnerMomentum {
+class LegMomentum {
  public:
-  InnerMomentum() = default;  ///< none
-  explicit InnerMomentum(const RigidBodyProblem& problem);
+  LegMomentum() = default;  ///< none
+  explicit LegMomentum(const RigidBodyProblem& problem);
 
   bool empty() const { return momentum_W_.empty(); }
   /// [N m s]

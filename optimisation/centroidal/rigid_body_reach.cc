@@ -14,8 +14,8 @@
 namespace gaitwright {
 namespace {
 
-/// Where the body is at a time and how it is turned, in a term's own numbers of the unknowns; at a break without what
-/// is beyond.
+/// Position and rotation of the body at a time, in local indices of the unknowns. At a node, the interval after it is
+/// not needed.
 class BodyAt {
  public:
   BodyAt(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, double time_s, SeenUnknowns& seen) {
@@ -34,7 +34,7 @@ class BodyAt {
     momentum_to_ = seen.See(unknowns.Momentum(k + 1));
   }
 
-  /// Angles, and what they depend on between breaks.
+  /// Angles, and their dependence on the unknowns between nodes.
   struct Turned {
     Vector3 angles;
     std::optional<AnglesBetween> between;
@@ -49,7 +49,7 @@ class BodyAt {
     return {between.value, between};
   }
 
-  /// Adds to a Jacobian what hangs on the angles.
+  /// Adds to a Jacobian the part that depends on the angles.
   void AddByAngles(const MatrixX& by_angles, const Turned& turned, MatrixX& J) const {
     if (!turned.between) {
       angles_from_.AddTo(by_angles, J, 0);
@@ -104,7 +104,7 @@ struct ClearanceTerm {
   }
 };
 
-/// Ends of a workspace's rows, with its normals.
+/// Bounds of a workspace's rows; also sets its normals.
 Constraint WorkspaceOf(const std::vector<WorkspaceSide>& sides, double margin_m, MatrixX& normals) {
   const auto n = static_cast<Eigen::Index>(sides.size());
   Constraint rows{"", {}, VectorX::Constant(n, -kInfinity), VectorX(n)};

@@ -9,8 +9,8 @@
 namespace gaitwright {
 namespace {
 
-/// The times at which a stance's foot must be within reach: at breaks, half way between them, and as long before
-/// touch-down and after lift-off as it is as good as there; where its swings are known, these tell.
+/// Times at which a stance's foot must be within reach: at nodes, half-way between them, and shortly before touch-down
+/// and after lift-off. If swings are given, their own reach checks replace the latter.
 std::vector<double> ReachTimes(const RigidBodyProblem& problem, std::size_t number, const std::vector<double>& breaks,
                                double lead_s) {
   const RigidStance& stance = problem.stances[number];
@@ -31,7 +31,8 @@ std::vector<double> ReachTimes(const RigidBodyProblem& problem, std::size_t numb
   return times;
 }
 
-/// Where the body would be with the feet where they like to stand below it: the mean over the feet on the ground.
+/// Initial guess of the centre of mass: the mean of the positions for which each stance foot is at its nominal
+/// position.
 Vector3 GuessCentreOfMass(const RigidBodyProblem& problem, double time_s) {
   Vector3 sum = Vector3::Zero();
   double weights = 0.0;
@@ -90,7 +91,7 @@ std::vector<MissedReach> MissedReaches(const RigidBodyProblem& problem, const Ri
 
 namespace {
 
-/// Where a foot on its way is looked at.
+/// Fractions at which a swing foot is checked.
 std::vector<double> SharesOf(const RigidSwing& swing) {
   if (!swing.shares.empty()) return swing.shares;
   return {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95};
@@ -102,7 +103,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
                                  const RigidBodyOptions& options, const std::vector<MissedReach>& missed) {
   const RigidBodyTerms terms(problem, unknowns);
   ConstrainedProblem rows;
-  // What depends on no unknown is given, and nothing to be solved for.
+  // A constraint without unknowns is constant, so it is left out.
   const auto add = [&](Constraint constraint) {
     if (!constraint.variables.empty()) rows.constraints.push_back(std::move(constraint));
   };
@@ -142,7 +143,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
 VectorX GuessRigidBody(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
   VectorX x = VectorX::Zero(unknowns.size());
   const std::vector<double>& t = unknowns.breaks_s();
-  // A control point belongs to the mean of the three knots that it stands over: Greville's abscissa.
+  // A control point belongs to the mean of its three knots (Greville abscissa).
   const auto knot = [&](std::size_t j) { return t[std::clamp<std::size_t>(j, 3, t.size() + 2) - 3]; };
   for (std::size_t i = 2; i < t.size(); ++i) {
     const int place = unknowns.ControlPoint(i);

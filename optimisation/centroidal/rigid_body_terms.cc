@@ -15,18 +15,18 @@
 namespace gaitwright {
 namespace {
 
-/// Five even places over an interval, and the weights with which a polynomial of degree four there has the integral
-/// over all of it and over its first half.
+/// Five uniform places in an interval, and weights that integrate a polynomial of degree four exactly over the interval
+/// and over its first half.
 constexpr std::size_t kPlaces = 5;
 constexpr std::array<double, kPlaces> kWhole = {7.0 / 90, 32.0 / 90, 12.0 / 90, 32.0 / 90, 7.0 / 90};
 constexpr std::array<double, kPlaces> kHalf = {29.0 / 360, 124.0 / 360, 24.0 / 360, 4.0 / 360, -1.0 / 360};
 
-/// Turning, in its own numbers of the unknowns.
+/// Rotation rows, in local indices of the unknowns.
 struct TurningTerm {
   struct Carried {
     FootPlace place;
     AffineVector from, to;
-    Vector3 moves;  // from the start of the interval to its end, evenly
+    Vector3 moves;  // displacement of the contact point over the interval
   };
 
   Matrix3 inverse_B;    // of the inertia over its mean
@@ -35,17 +35,17 @@ struct TurningTerm {
   std::array<AffineVector, kPlaces> com;
   AffineVector whole_from, whole_to;
   std::vector<Carried> carried;
-  Vector3 lost_by_half, lost;     // momentum to what moves inside, by the middle and the end
-  std::array<Vector3, 3> unseen;  // what stands at start, middle and end for all that it does in between
+  Vector3 lost_by_half, lost;     // momentum given to the legs, until the middle and the end
+  std::array<Vector3, 3> unseen;  // corrections at start, middle and end for the rest of the interval
 
-  /// Integrals over the first part of an interval of a force that goes linearly from `from` to `to`, over its length,
+  /// For a force that is linear from `from` to `to`: integral over the first part of an interval, over its length,
   ///   from * from_share + to * to_share,
-  /// and of the same times the share of the interval that has passed.
+  /// and the integral of the same times the elapsed share of the interval.
   struct Shares {
     double from, to, from_moved, to_moved;
   };
 
-  /// The impulse up to the middle or the end, by `weights`, added to `value` with its derivatives.
+  /// Adds the impulse until the middle or the end, by `weights`, to `value` with its derivatives.
   void AddImpulse(const VectorX& x, const std::array<double, kPlaces>& weights, const Shares& share, Vector3& value,
                   MatrixX* J) const {
     const double unit = h * per_force;
@@ -109,11 +109,11 @@ struct TurningTerm {
   }
 };
 
-/// Inner momentum goes up and down within an interval faster than a rule with three places sees. Rates of angles are
-/// linear in momentum, so that with the angles' part quadratic over the interval, that of inner momentum l is exact
-/// where the places see, for its values there, its integrals with Lagrange's polynomials over their weights. What is to
-/// be added to the momentum of the box, l less than the whole, there:
-std::array<Vector3, 3> UnseenOf(const InnerMomentum& inner, double start_s, double h) {
+/// The legs' angular momentum l varies faster within an interval than the three places of the rule resolve. Rates of
+/// angles are linear in momentum, and the angles' part is quadratic over the interval. The contribution of l is
+/// therefore exact if l is replaced at the three places by its integrals with Lagrange's polynomials divided by their
+/// weights. The result is the correction to be added to the body's momentum (the total minus l) at these places:
+std::array<Vector3, 3> UnseenOf(const LegMomentum& inner, double start_s, double h) {
   constexpr double kStep = 2.5e-3;  // [s]
   constexpr std::array<double, 3> kWeights = {1.0 / 6, 4.0 / 6, 1.0 / 6};
   std::array<Vector3, 3> means = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
@@ -210,7 +210,7 @@ Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
   SeenUnknowns seen;
   std::vector<AffineVector> own;
   for (const BoundForce& force : forces) own.push_back(seen.See(force.force));
-  // In shares of what they hold, so that all rows are alike.
+  // Divided by the range of the limits, so that all rows have similar scales.
   const VectorX unit = (0.5 * (limits.upper - limits.lower)).cwiseMax(1e-6);
   const MatrixX by_force = weight * unit.cwiseInverse().asDiagonal() * limits.by_force;
   const auto rows = [own, by_force](const VectorX& x, VectorX& value, MatrixX* J) {

@@ -49,13 +49,13 @@ class RigidBodyTerms {
   Constraint Region(std::size_t stance) const;
 
  private:
-  // In rigid_body_reach.cc, with what is public of reach and clearance.
+  // Implemented in rigid_body_reach.cc, together with the public functions for reach and clearance.
   Constraint ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place, double time_s,
                      double margin_m) const;
 
   const RigidBodyProblem& problem_;
   const RigidBodyUnknowns& unknowns_;
-  const InnerMomentum inner_;
+  const LegMomentum inner_;
 };
 
 }  // namespace gaitwright

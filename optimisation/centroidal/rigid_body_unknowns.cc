@@ -23,8 +23,8 @@ std::size_t Nearest(const std::vector<double>& times, double t) {
   return static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
 }
 
-/// Adds sum_i of[i] * (control point first + i) of a detour whose numbers begin at `start`, two numbers at a time: the
-/// spline or a derivative of it.
+/// Adds sum_i of[i] * (control point first + i) of a detour whose unknowns begin at `start`, two unknowns at a time.
+/// `of` holds the coefficients of the spline or of a derivative.
 void AddDetour(int start, int points, int first, const std::array<double, 6>& of, FootPlace& place) {
   const auto column = [&](int number) -> Vector3 {
     const int i = number / 3 + kFixedSwingPoints - first;
@@ -69,7 +69,7 @@ RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, std::vecto
     : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0), breaks_s_(std::move(breaks_s)) {
   if (breaks_s_.size() < 2 ||
       std::adjacent_find(breaks_s_.begin(), breaks_s_.end(), std::greater_equal<>()) != breaks_s_.end())
-    throw InvalidArgument("rigid body: its nodes must rise from its start to its end");
+    throw InvalidArgument("rigid body: two or more nodes at increasing times are needed");
   for (const double t : SwitchTimes(problem)) {
     const double nearest = breaks_s_[Nearest(breaks_s_, t)];
     if (std::abs(nearest - t) > kSameSwitch_s)
@@ -128,7 +128,7 @@ void RigidBodyUnknowns::AddCentreOfMass() {
   control_[0].constant = problem_.start.p_WC;
   control_[1].constant = problem_.start.p_WC + first * problem_.start.v_WC;
   for (std::size_t i = 2; i + 2 < n; ++i) {
-    // What lies between a break and the next hangs on the control points of the first and of the three after it.
+    // The interval between a node and the next one depends on the node's control point and on the three after it.
     const RigidRest* rest = RestTouching(i - 2, i);
     control_[i] = rest == nullptr ? Next() : AffineVector{rest->p_WC};
   }
@@ -249,7 +249,7 @@ void RigidBodyUnknowns::AddForces() {
     from.push_back(Nearest(breaks_s_, stance.start_s));
     to.push_back(Nearest(breaks_s_, stance.end_s));
   }
-  std::map<std::array<std::size_t, 3>, AffineVector> at;  // by stance, point and break
+  std::map<std::array<std::size_t, 3>, AffineVector> at;  // by stance, point and node
   for (std::size_t k = 0; k < n; ++k) {
     std::vector<std::size_t> through, ending, starting;
     for (std::size_t s = 0; s < from.size(); ++s) {

@@ -24,12 +24,12 @@ struct FootPlace {
   Vector3 At(const VectorX& x) const;
   /// Adds factor * other.
   FootPlace& Add(double factor, const FootPlace& other);
-  /// Adds `by` * (derivative of this by the unknowns) to rows of a Jacobian, from `row` on.
+  /// Adds `by` * (derivative of the position with respect to the unknowns) to rows of a Jacobian, from `row` on.
   template <typename Derived>
   void AddTo(const Eigen::MatrixBase<Derived>& by, MatrixX& J, Eigen::Index row) const {
     for (const Part& part : parts) J.block(row, part.start, by.rows(), 2) += by * part.axes;
   }
-  /// The same in a term's local variables.
+  /// The place in a term's local variables.
   FootPlace SeenBy(SeenUnknowns& seen) const;
 };
 

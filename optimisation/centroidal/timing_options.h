@@ -5,14 +5,14 @@
 
 namespace gaitwright {
 
-/// How the times of contacts may be changed (OptimiseTiming).
+/// Bounds and steps of the optimisation of contact times (OptimiseTiming).
 ///
 /// Tuning
-///   phases of the gait become a hurry or a wait     raise shortest_s, lower longest_s
-///   legs cannot swing as fast as that               raise shortest_swing_s
-///   there is no haste, or time to gain              raise most_total, lower least_total
-///   cost could fall further                         lower least_gain, raise max_solves
-///   motions from one step to the next are refused   lower first_change, most_change
+///   phases of the gait become very short or long    raise shortest_s, lower longest_s
+///   legs cannot swing fast enough                   raise shortest_swing_s
+///   the total time should change more               raise most_total, lower least_total
+///   the cost could fall further                     lower least_gain, raise max_solves
+///   motions between steps of the search are refused lower first_change, most_change
 struct TimingOptions {
   double shortest_s = 0.02;
   double longest_s = 5.0;
@@ -24,9 +24,9 @@ struct TimingOptions {
   double least_gain = 1e-2;
   int max_solves = 12;
 
-  /// Those of the phases, which hold for whole robots too.
+  /// Options of the phases, which also apply to whole robots.
   OptionFields PhaseFields();
-  /// All.
+  /// All options.
   OptionFields Fields();
 };
 

@@ -9,7 +9,7 @@ namespace gaitwright {
 /// @param inverse_B  of the inertia in B; divided by the mean inertia if l is.
 Vector3 AngleRates(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
 
-/// As above with its derivatives.
+/// Rate of the angles with its derivatives.
 struct TurningRate {
   Vector3 rate;
   Matrix3 by_angles, by_momentum;
@@ -23,8 +23,8 @@ struct TurningState {
   const Vector3 &angles_rad, &momentum;
 };
 
-/// Angles at a share u of an interval of length h, from those at its ends and the momenta there, by Hermite's cubic,
-/// with their derivatives.
+/// Angles at a share u of an interval of length h by Hermite's cubic, from the angles and momenta at both ends, with
+/// their derivatives.
 struct AnglesBetween {
   AnglesBetween(const Matrix3& inverse_B, double h, double u, const TurningState& from, const TurningState& to);
 

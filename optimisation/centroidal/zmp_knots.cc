@@ -23,7 +23,7 @@ Vector2 Mean(const Polygon& region) {
   return sum / static_cast<double>(region.size());
 }
 
-/// How much the corners of a phase's region move against each other from one time to another.
+/// Largest displacement of a region's corners relative to each other between two times.
 double Deformation(const ZmpPhase& phase, double from_s, double to_s) {
   const Polygon before = RegionAt(phase, from_s), after = RegionAt(phase, to_s);
   const Vector2 moved = Mean(after) - Mean(before);
@@ -32,7 +32,7 @@ double Deformation(const ZmpPhase& phase, double from_s, double to_s) {
   return most;
 }
 
-/// The segment without `margin_m` at both ends, or its middle.
+/// The segment without `margin_m` at both ends; its middle if it is too short.
 Polygon Shortened(const Polygon& line, double margin_m) {
   const double share = std::min(margin_m / std::max((line[1] - line[0]).norm(), 1e-12), 0.5);
   return {(1.0 - share) * line[0] + share * line[1], share * line[0] + (1.0 - share) * line[1]};
@@ -54,7 +54,8 @@ class Placer {
       }
       const int intervals = Intervals(phases[i]);
       const double step_s = (phases[i].end_s - phases[i].start_s) / intervals;
-      // Between two knots at corners of a region that deforms, a straight piece could leave it by half of that.
+      // Between two knots at corners of a region that deforms, a straight piece can leave the region by half of the
+      // deformation.
       const double spare_m = 0.5 * Deformation(phases[i], phases[i].start_s, phases[i].start_s + step_s);
       for (int k = 1; k < intervals; ++k) own.push_back(Add(i, phases[i].start_s + k * step_s, spare_m));
       own.push_back(AddLast(i));

@@ -15,8 +15,9 @@ double FractionOf(const ZmpPhase& phase, double time_s) {
   return std::clamp((time_s - phase.start_s) / (phase.end_s - phase.start_s), 0.0, 1.0);
 }
 
-/// A place in one polygon, by the same shares of its corners in another: it stays on its side, corner or inside. The
-/// triangle of the fan from the first corner that holds it, or that it is nearest to, gives the shares.
+/// Transfers a point from one polygon to another, keeping its relative position to the corners: it stays on its edge,
+/// at its corner or inside. The weights come from the triangle of the fan around the first corner that contains the
+/// point or is nearest to it.
 Vector2 Carried(const Polygon& from, const Vector2& p, const Polygon& to) {
   double best = -std::numeric_limits<double>::infinity();
   Vector2 carried = p;
@@ -46,7 +47,7 @@ Polygon RegionAt(const ZmpPhase& phase, double time_s) {
 }
 
 Vector2 PreferredAt(const ZmpPhase& phase, double time_s) {
-  const bool has_area = phase.region_start.size() >= 3;  // on a line it must keep to the line, which moves evenly
+  const bool has_area = phase.region_start.size() >= 3;  // a ZMP on a line must follow the line, which moves evenly
   const double fraction = FractionOf(phase, time_s);
   if (!has_area) return (1.0 - fraction) * phase.preferred_start + fraction * phase.preferred_end;
   const Polygon now = RegionAt(phase, time_s);

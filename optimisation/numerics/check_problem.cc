@@ -10,16 +10,19 @@
 namespace gaitwright {
 namespace {
 
-/// @throws InvalidArgument unless there are `size` of both ends, one or more, and no lower one is above its upper one.
+/// @throws InvalidArgument unless both bounds have `size` entries, at least one, and no lower bound is above its upper
+/// bound.
 void CheckInterval(const std::string& what, const VectorX& lower, const VectorX& upper, Eigen::Index size) {
   if (size == 0 || lower.size() != size || upper.size() != size) {
-    throw InvalidArgument(fmt::format("Solve: {}: {} lower and {} upper bounds; equal numbers, one or more, are needed",
-                                      what, lower.size(), upper.size()));
+    throw InvalidArgument(
+        fmt::format("Solve: {}: {} lower and {} upper bounds; the numbers must be equal and at least 1", what,
+                    lower.size(), upper.size()));
   }
   for (Eigen::Index i = 0; i < size; ++i) {
     if (!(lower[i] <= upper[i]))
-      throw InvalidArgument(
-          fmt::format("Solve: {}: bounds {} are {} (lower) and {} (upper)", what, i, lower[i], upper[i]));
+      throw InvalidArgument(fmt::format(
+          "Solve: {}: bounds {} are {} (lower) and {} (upper); the lower one must not be above the upper one", what, i,
+          lower[i], upper[i]));
   }
 }
 

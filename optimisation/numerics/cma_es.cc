@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// x mirrored at 0 and 1 as often as it takes.
+/// x mirrored at 0 and 1 until it is in [0, 1].
 double Mirrored(double x) {
   const double within = std::abs(x) - 2.0 * std::floor(0.5 * std::abs(x));  // in [0, 2)
   return within <= 1.0 ? within : 2.0 - within;
@@ -129,7 +129,7 @@ void CmaEs::Move(const std::vector<std::size_t>& ranked) {
   covariance_ = (1.0 + c_one_ * lost - c_one_ - c_mu_) * covariance_ + c_one_ * path_ * path_.transpose() +
                 c_mu_ * of_parents;                                                          // eq. 47
   spread_ *= std::exp(std::min(1.0, c_spread_ / damping_ * (norm / expected_norm_ - 1.0)));  // eq. 44
-  spread_ = std::min(spread_, 1.0);  // wider than the box is no wider
+  spread_ = std::min(spread_, 1.0);  // the box limits the spread anyway
   Decompose();
 }
 

@@ -21,13 +21,14 @@ struct CmaEsOptions {
   OptionFields Fields() {
     return {{"population", &population, "1", 0.0, 1000.0,
              "Number of points in a generation; 0 uses 4 + 3 ln n for n unknowns."},
-            {"spread", &spread, "1", 1e-6, 1.0, "Standard deviation of the first generation."}};
+            {"spread", &spread, "1", 1e-6, 1.0,
+             "Standard deviation of the first generation, as a share of the range of each unknown."}};
   }
 };
 
-/// Search without derivatives for the least value of a function of n unknowns, each in [0, 1]: the covariance matrix
-/// adaptation evolution strategy. Each generation is drawn from a normal distribution about a mean; the better half of
-/// it moves the mean, and the paths that the mean went stretch the distribution along valleys and set its size.
+/// Derivative-free minimisation of a function of n unknowns, each in [0, 1], by the covariance matrix adaptation
+/// evolution strategy. Each generation is drawn from a normal distribution about a mean. The better half of it moves
+/// the mean. The path of the mean stretches the distribution along valleys and sets its size.
 ///
 ///     CmaEs search(start, seed);
 ///     while (...) {
@@ -68,7 +69,7 @@ class CmaEs {
   VectorX mean_, path_, spread_path_;
   MatrixX covariance_, axes_;  ///< axes: square root of the covariance, B D
   MatrixX inverse_axes_;       ///< B D^-1 B^T
-  MatrixX drawn_;              ///< the last generation less the mean over spread, a column a point
+  MatrixX drawn_;              ///< the last generation: (points - mean) / spread, one column per point
   VectorX weights_;
   double mu_effective_ = 0.0, c_path_ = 0.0, c_spread_ = 0.0, c_one_ = 0.0, c_mu_ = 0.0, damping_ = 0.0;
   double expected_norm_ = 0.0;

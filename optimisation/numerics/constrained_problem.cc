@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// A function of some of the variables with the room to evaluate it in, and for a constraint its multipliers and
+/// A function of some of the variables with memory for its evaluation; for a constraint, also its multipliers and
 /// penalty.
 struct Term {
   const VectorFunction* function;
@@ -36,8 +36,8 @@ struct Term {
     Evaluate(wants_jacobian);
   }
 
-  /// y - clamp(y): what is left outside of the interval.
-  void FindExcess() {
+  /// y - clamp(y): the part outside of the interval.
+  void FindViolations() {
     excess = value + lambda / rho;
     excess -= excess.cwiseMax(constraint->lower).cwiseMin(constraint->upper);
   }
@@ -47,18 +47,18 @@ struct Term {
   }
 };
 
-/// Neighbouring variables that the same terms see.
+/// Neighbouring variables that occur in the same terms.
 struct Block {
   int start, size;
 };
 
-/// Where a variable of a term is among its blocks.
+/// Position of a term's variable in the term's blocks.
 struct Place {
   std::size_t block;
   int offset;
 };
 
-/// A term as Ceres wants it. Evaluates in the term's own room, so one thread at a time.
+/// A term as a Ceres cost function. Evaluates in the term's own memory, so it is not thread-safe.
 class Cost final : public ceres::CostFunction {
  public:
   Cost(Term& term, const std::vector<Block>& blocks, std::vector<Place> places)
@@ -76,7 +76,7 @@ class Cost final : public ceres::CostFunction {
     double root = 1.0;
     const VectorX* out = &term_.value;
     if (term_.constraint != nullptr) {
-      term_.FindExcess();
+      term_.FindViolations();
       root = std::sqrt(term_.rho);
       out = &term_.excess;
     }
@@ -107,7 +107,7 @@ void Identity(const VectorX& x, VectorX& value, MatrixX* J) {
   if (J != nullptr) J->setIdentity();
 }
 
-/// The coarsest blocks of neighbours such that each term sees all of a block or nothing of it.
+/// The coarsest blocks of neighbouring variables such that each term depends on all of a block or on nothing of it.
 std::vector<Block> BlocksOf(const std::vector<Term>& terms, int count) {
   std::vector<std::vector<std::size_t>> seen_by(static_cast<std::size_t>(count));
   for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -126,7 +126,7 @@ std::vector<Block> BlocksOf(const std::vector<Term>& terms, int count) {
   return blocks;
 }
 
-/// Runs the outer loop.
+/// The outer loop of the augmented Lagrangian.
 class Solver {
  public:
   Solver(const ConstrainedProblem& problem, const ConstrainedOptions& options)
@@ -178,7 +178,7 @@ class Solver {
   }
 
  private:
-  /// As constraints, by block: smoother for Levenberg and Marquardt than projected steps.
+  /// Adds bounds as constraints, by block. This is smoother for Levenberg-Marquardt than projected steps.
   void AddBounds() {
     if (problem_.lower.size() == 0) return;
     x_ = x_.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
@@ -233,7 +233,7 @@ class Solver {
     }
   }
 
-  /// rho = stiffness * median_j of the cost's curvature over the constraints', by variable.
+  /// rho = stiffness * median over the variables of (curvature of the cost / curvature of the constraints).
   void MatchCurvature() {
     VectorX of_cost = VectorX::Zero(x_.size()), of_constraints = of_cost;
     for (Term& term : terms_) {
@@ -292,16 +292,16 @@ class Solver {
     }
   }
 
-  /// By the values that Measure left.
+  /// Uses the values that Measure computed.
   void UpdateMultipliers() {
     for (Term& term : terms_) {
       if (term.constraint == nullptr) continue;
-      term.FindExcess();
+      term.FindViolations();
       term.lambda = term.rho * term.excess;
     }
   }
 
-  /// Those of |r|^2; Ceres takes half of all squares.
+  /// Multipliers of |r|^2; Ceres minimises half of the sum of squares.
   VectorX Multipliers() const {
     VectorX multipliers(0);
     const std::size_t first = problem_.residuals.size();
@@ -312,7 +312,7 @@ class Solver {
     return multipliers;
   }
 
-  /// @return true when the penalty is at its cap.
+  /// @return true if the penalty has reached its maximum.
   bool GrowPenalty(double last_violation) {
     constexpr double kGrowth = 10.0, kCap = 1e5, kEnough = 0.25;
     const bool slow = solution_.violation > options_.tolerance && solution_.violation > kEnough * last_violation;

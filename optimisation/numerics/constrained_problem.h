@@ -12,29 +12,30 @@
 
 namespace gaitwright {
 
-/// Rows of the cost. If they depend on a few variables only, naming these keeps a large problem sparse: `function` then
-/// gets only these, in this order, and its Jacobian has one column for each.
+/// Rows of the cost. A residual that depends on a few variables should name them, which keeps a large problem sparse:
+/// `function` gets only these variables, in this order, and its Jacobian has one column for each.
 struct Residual {
   Residual(VectorFunction of, std::vector<int> variables_seen = {})
       : function(std::move(of)), variables(std::move(variables_seen)) {}
 
   VectorFunction function;
-  std::vector<int> variables;  ///< empty for all
+  std::vector<int> variables;  ///< on which `function` depends; empty for all
   bool affine = false;         ///< its Jacobian is constant
 };
 
-/// lower <= c(x) <= upper by rows; equal bounds make an equality, an infinite bound a one-sided constraint.
+/// lower <= c(x) <= upper, row by row. Equal bounds make an equality; an infinite bound makes a one-sided constraint.
 struct Constraint {
   std::string name;
   VectorFunction function;
   VectorX lower, upper;
-  std::vector<int> variables = {};  ///< that `function` sees, as in Residual; empty for all
+  std::vector<int> variables = {};  ///< on which `function` depends, as in Residual; empty for all
   bool affine = false;              ///< its Jacobian is constant
 };
 
-/// min |r(x)|^2 subject to constraints and bounds. Solved by dense factorisation up to 60 variables, by sparse beyond.
+/// min |r(x)|^2 subject to constraints and bounds. Solved by dense factorisation up to 60 variables, by sparse
+/// factorisation beyond.
 struct ConstrainedProblem {
-  VectorX start;  ///< first guess
+  VectorX start;  ///< initial guess
   std::vector<Residual> residuals;
   std::vector<Constraint> constraints;
   VectorX lower, upper;  ///< bounds; empty for none
@@ -42,9 +43,10 @@ struct ConstrainedProblem {
 
 /// Tuning
 ///   hundreds of iterations, steps rejected at every change of the active set   lower stiffness
-///   the violation goes down slowly                                             raise stiffness
-///   many steps although residuals are linear or nearly so                      raise trust_radius
-///   many steps rejected where many bounds are active                           give it patience, inner_tolerance 1e-4
+///   the violation decreases slowly                                             raise stiffness
+///   many steps although residuals are nearly linear                            raise trust_radius
+///   many steps rejected while many bounds are active                           raise patience, set inner_tolerance to
+///   1e-4
 struct ConstrainedOptions {
   double tolerance = 1e-8;
   double stiffness = 10.0;
@@ -77,18 +79,18 @@ struct ConstrainedOptions {
   }
 };
 
-/// A solution with its statistics.
+/// A solution with solver data.
 struct ConstrainedSolution {
   VectorX x;
-  double cost = 0.0;                                       ///< |r|^2
-  double violation = 0.0;                                  ///< largest
-  double violations = 0.0;                                 ///< sum of all; as the next two of SolveElastic alone
-  bool least = false;                                      ///< it does not get less by small changes
+  double cost = 0.0;        ///< |r|^2
+  double violation = 0.0;   ///< largest violation
+  double violations = 0.0;  ///< sum of all violations; set by SolveElastic only, as the next two
+  bool least = false;       ///< small changes do not reduce it
   std::vector<std::pair<std::string, double>> unmet = {};  ///< constraints by their violation, worst first
-  /// By row of the constraints: minus the derivative of the cost by the end that the row is held at, so that it is
-  /// positive at an upper end, negative at a lower one, and zero where neither is.
+  /// By row of the constraints: minus the derivative of the cost with respect to the active bound. Positive at an upper
+  /// bound, negative at a lower bound, zero if no bound is active.
   VectorX multipliers = {};
-  std::string worst_constraint;  ///< name of the constraint with that violation
+  std::string worst_constraint;  ///< name of the constraint with the largest violation
   int outer = 0, iterations = 0;
   std::string brief;  ///< one line
 };
@@ -98,8 +100,8 @@ struct ConstrainedSolution {
 /// The first rho matches the curvature of the constraints to that of the cost, which makes the iterates independent of
 /// the cost's scale; rho grows if the violation does not fall. A solve that stops without a step is repeated with a
 /// smaller tolerance before any update. Failure kInfeasible names the violated constraint and the amount, or that the
-/// cost does not converge. @throws InvalidArgument as CheckConstrainedProblem, and if a function is not finite at the
-/// start. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
+/// cost does not converge. @throws InvalidArgument as CheckConstrainedProblem does, and if a function is not finite at
+/// the start. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
 /// @param last  if given: the last iterate, also if it is not a solution.
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {},
                                   ConstrainedSolution* last = nullptr);

@@ -16,19 +16,19 @@ namespace {
 
 using Eigen::Index;
 
-/// An end of a row that is not to be passed: sign * (value - bound) <= 0.
+/// A one-sided row: sign * (value - bound) <= 0.
 struct Side {
   Index row;
   double sign, bound;
 };
 
-/// A row that is to have one value.
+/// An equality row.
 struct Fixed {
   Index row;
   double bound;
 };
 
-/// The longest share of a step, up to 1, that leaves all of v above (1 - keep) of what it is.
+/// The largest share of a step, up to 1, that leaves every v above (1 - keep) times its present value.
 double Longest(const VectorX& v, const VectorX& step, double keep) {
   double longest = 1.0;
   for (Index i = 0; i < v.size(); ++i) {
@@ -37,19 +37,19 @@ double Longest(const VectorX& v, const VectorX& step, double keep) {
   return longest;
 }
 
-/// A place, or a step from one to another.
+/// A point, or a step between two points.
 struct Move {
   VectorX x, s, t, y, z;
 };
 
 /// = Notation =
-///   s, t   how far a side is kept from, and by how much it is passed: value + s - t = bound
-///   z, w   their multipliers, z + w = price
-///   y      multipliers of rows that are to have one value
+///   s, t   slack of a side, and its violation: value + s - t = bound
+///   z, w   their multipliers; z + w = penalty weight
+///   y      multipliers of equality rows
 class ElasticSolver {
  public:
   ElasticSolver(const ConstrainedProblem& problem, const ElasticOptions& options)
-      : options_(options), rows_(problem), price_(options.price) {
+      : options_(options), rows_(problem), penalty_(options.penalty) {
     Index row = rows_.residuals();
     for (const Constraint& c : problem.constraints) {
       for (Index i = 0; i < c.lower.size(); ++i, ++row) {
@@ -83,25 +83,25 @@ class ElasticSolver {
   double Bend(const Move& from, double share);
   void TakeStep();
 
-  /// By how much a side's row moves for a change of its multiplier.
-  double Give(Index i) const { return at_.s[i] / at_.z[i] + at_.t[i] / (price_ - at_.z[i]); }
+  /// Change of a side's row per change of its multiplier.
+  double Give(Index i) const { return at_.s[i] / at_.z[i] + at_.t[i] / (penalty_ - at_.z[i]); }
   double PrimalShare(double keep) const {
     return std::min(Longest(at_.s, step_.s, keep), Longest(at_.t, step_.t, keep));
   }
   double DualShare(double keep) const {
     return std::min(Longest(at_.z, step_.z, keep),
-                    Longest(VectorX::Constant(at_.z.size(), price_) - at_.z, -step_.z, keep));
+                    Longest(VectorX::Constant(at_.z.size(), penalty_) - at_.z, -step_.z, keep));
   }
-  /// The sum of all products of s, t and their multipliers after shares of a step.
+  /// Sum of all products of s, t and their multipliers after given shares of a step.
   double Gap(double primal, double dual) const {
     const VectorX z = at_.z + dual * step_.z;
-    return (at_.s + primal * step_.s).dot(z) + (at_.t + primal * step_.t).dot((price_ - z.array()).matrix());
+    return (at_.s + primal * step_.s).dot(z) + (at_.t + primal * step_.t).dot((penalty_ - z.array()).matrix());
   }
-  /// The mean of those products.
+  /// Mean of these products.
   double Mean(double gap) const { return gap / std::max(1.0, 2.0 * static_cast<double>(sides_.size())); }
   double Unbalanced() const { return c_.lpNorm<1>() + (h_ + at_.s - at_.t).lpNorm<1>(); }
   double Merit() const {
-    return half_cost_ + price_ * at_.t.sum() - mean_ * (at_.s.array().log().sum() + at_.t.array().log().sum()) +
+    return half_cost_ + penalty_ * at_.t.sum() - mean_ * (at_.s.array().log().sum() + at_.t.array().log().sum()) +
            weight_ * Unbalanced();
   }
 
@@ -112,8 +112,8 @@ class ElasticSolver {
   Move at_, step_;
   VectorX gradient_, c_, h_, wanted_s_, wanted_t_, moved_;  // wanted: products of s and z, t and w
   double half_cost_ = 0.0, last_total_ = std::numeric_limits<double>::infinity();
-  double price_, mean_ = 0.0;                // mean_: the product that is aimed at
-  double weight_ = 1.0, damping_ = kLittle;  // weight_: of what is unbalanced, in the merit
+  double penalty_, mean_ = 0.0;              // mean_: target of the products
+  double weight_ = 1.0, damping_ = kLittle;  // weight_: of the equality violations in the merit function
   static constexpr double kLittle = 1e-8, kKeep = 0.99;
   ConstrainedSolution solution_;
 };
@@ -127,7 +127,7 @@ void ElasticSolver::Evaluate(const VectorX& x) {
     h_[static_cast<Index>(i)] = sides_[i].sign * (value[sides_[i].row] - sides_[i].bound);
 }
 
-/// @throws InvalidArgument where a function is not finite.
+/// @throws InvalidArgument if a function is not finite.
 void ElasticSolver::Start() {
   constexpr double kRoom = 1e-2;
   Evaluate(at_.x);
@@ -141,7 +141,7 @@ void ElasticSolver::Start() {
   for (Index i = 0; i < h_.size(); ++i) {
     at_.t[i] = std::max(h_[i], 0.0) + kRoom;
     at_.s[i] = at_.t[i] - h_[i];
-    at_.z[i] = std::min(options_.first_gap / at_.s[i], 0.5 * price_);
+    at_.z[i] = std::min(options_.first_gap / at_.s[i], 0.5 * penalty_);
   }
 }
 
@@ -153,7 +153,7 @@ void ElasticSolver::Measure() {
   solution_.x = at_.x;
 }
 
-/// Names what is unmet, and writes the multipliers down: those of |r|^2, twice those of its half.
+/// Stores the unmet constraints and the multipliers: those of |r|^2, which are twice those of its half.
 void ElasticSolver::Finish() {
   const Index first = rows_.residuals();
   solution_.multipliers = VectorX::Zero(rows_.count() - first);
@@ -175,9 +175,9 @@ void ElasticSolver::Finish() {
   if (!solution_.unmet.empty()) solution_.worst_constraint = solution_.unmet.front().first;
 }
 
-/// Whether cost and violations no longer change and multipliers belong to them.
+/// Whether cost and violations no longer change and the multipliers satisfy the optimality conditions.
 bool ElasticSolver::Settled() {
-  const double total = half_cost_ + price_ * at_.t.sum(), change = std::abs(total - last_total_);
+  const double total = half_cost_ + penalty_ * at_.t.sum(), change = std::abs(total - last_total_);
   const double little = options_.cost_tolerance * (1e-3 + total);
   last_total_ = total;
   return change <= little && Gap(0.0, 0.0) <= little &&
@@ -193,7 +193,7 @@ void ElasticSolver::Factor() {
   gradient_ = rows_.Gradient(cost);
 }
 
-/// Newton's step to the products that are wanted, with the present factors.
+/// Newton's step to the target products, with the present factors.
 void ElasticSolver::Solve() {
   VectorX pull = VectorX::Zero(rows_.count()), off(h_.size());
   for (std::size_t k = 0; k < fixed_.size(); ++k) {
@@ -202,7 +202,7 @@ void ElasticSolver::Solve() {
   }
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const auto i = static_cast<Index>(k);
-    off[i] = h_[i] + wanted_s_[i] / at_.z[i] - wanted_t_[i] / (price_ - at_.z[i]);
+    off[i] = h_[i] + wanted_s_[i] / at_.z[i] - wanted_t_[i] / (penalty_ - at_.z[i]);
     pull[sides_[k].row] += sides_[k].sign * (at_.z[i] + off[i] / Give(i));
   }
   step_.x = rows_.Solved(-gradient_ - rows_.Gradient(pull));
@@ -215,11 +215,11 @@ void ElasticSolver::Solve() {
     const auto i = static_cast<Index>(k);
     step_.z[i] = (sides_[k].sign * moved_[sides_[k].row] + off[i]) / Give(i);
     step_.s[i] = (wanted_s_[i] - at_.s[i] * step_.z[i]) / at_.z[i] - at_.s[i];
-    step_.t[i] = (wanted_t_[i] + at_.t[i] * step_.z[i]) / (price_ - at_.z[i]) - at_.t[i];
+    step_.t[i] = (wanted_t_[i] + at_.t[i] * step_.z[i]) / (penalty_ - at_.z[i]) - at_.t[i];
   }
 }
 
-/// Mehrotra's: a step to no products at all tells how much of them is worth keeping, and its second order.
+/// Mehrotra's predictor and corrector: the step to zero products gives the new target and a second-order correction.
 void ElasticSolver::FindStep() {
   Factor();
   wanted_s_.setZero();
@@ -239,7 +239,7 @@ void ElasticSolver::FindStep() {
   Solve();
 }
 
-/// Goes a share of the step. @return whether the merit is not over `most` then.
+/// Takes a share of the step. @return whether the merit function is then at most `most`.
 bool ElasticSolver::Falls(const Move& from, double share, double most) {
   at_.x = from.x + share * step_.x;
   at_.t = from.t + share * step_.t;
@@ -248,7 +248,7 @@ bool ElasticSolver::Falls(const Move& from, double share, double most) {
   return Merit() <= most;
 }
 
-/// Bends a step that has been tried by how far rows were then from what it took them for. @return its longest share.
+/// Second-order correction of a step that was tried, from the error of the linearised rows. @return its largest share.
 double ElasticSolver::Bend(const Move& from, double share) {
   for (std::size_t i = 0; i < fixed_.size(); ++i) c_[static_cast<Index>(i)] -= share * moved_[fixed_[i].row];
   for (std::size_t i = 0; i < sides_.size(); ++i)
@@ -258,12 +258,12 @@ double ElasticSolver::Bend(const Move& from, double share) {
   return PrimalShare(kKeep);
 }
 
-/// As far as s, t and multipliers allow and the merit falls.
+/// Takes the largest step for which s, t and multipliers stay positive and the merit function falls.
 void ElasticSolver::TakeStep() {
   constexpr double kEnough = 1e-4, kRound = 1e-10;
   constexpr int kMostHalvings = 8;
   const double unbalanced = Unbalanced();
-  const double slope = gradient_.dot(step_.x) + price_ * step_.t.sum() -
+  const double slope = gradient_.dot(step_.x) + penalty_ * step_.t.sum() -
                        mean_ * (step_.s.cwiseQuotient(at_.s).sum() + step_.t.cwiseQuotient(at_.t).sum());
   if (unbalanced > 1e-9) {
     const double needed = slope / (0.9 * unbalanced);
@@ -307,14 +307,14 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
         Finish();
         return solution_;
       }
-      solution_.least = price_ >= options_.most_price;
+      solution_.least = penalty_ >= options_.max_penalty;
       if (solution_.least) break;
-      price_ = std::min(10.0 * price_, options_.most_price);
+      penalty_ = std::min(10.0 * penalty_, options_.max_penalty);
       ++solution_.outer;
       last_total_ = std::numeric_limits<double>::infinity();
     }
     if (solution_.iterations == options_.max_iterations) break;
-    if (solution_.iterations >= options_.screening && solution_.violations > options_.hopeless) break;
+    if (solution_.iterations >= options_.screening && solution_.violations > options_.infeasible) break;
     FindStep();
     TakeStep();
   }
@@ -343,16 +343,17 @@ OptionFields ElasticOptions::Fields() {
       {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
       {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
        "Relative change of the cost below which the solve has converged."},
-      {"price", &price, "1", 1e-6, 1e9, "Initial penalty weight on constraint violation, in units of half the cost."},
-      {"most_price", &most_price, "1", 1e-6, 1e9,
+      {"penalty", &penalty, "1", 1e-6, 1e9,
+       "Initial penalty weight on constraint violation, in units of half the cost."},
+      {"max_penalty", &max_penalty, "1", 1e-6, 1e9,
        "Maximum penalty weight on constraint violation, in units of half the cost."},
       {"first_gap", &first_gap, "1", 1e-12, 1e3,
        "Initial barrier parameter: product of the distance to a bound and its multiplier."},
       {"give", &give, "1", 1e-14, 1.0,
        "Regularisation of equalities in a step: change of an equality for a unit change of its multiplier."},
       {"screening", &screening, "1", 1, 10000,
-       "Iterations of the early infeasibility check: after these the solve stops if violations exceed `hopeless`."},
-      {"hopeless", &hopeless, "1", 0.0, 1e12,
+       "Iterations of the early infeasibility check: after these the solve stops if violations exceed `infeasible`."},
+      {"infeasible", &infeasible, "1", 0.0, 1e12,
        "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
       {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
 }

@@ -6,18 +6,18 @@
 namespace gaitwright {
 
 /// Tuning
-///   problems that have a solution end with a small violation   raise most_price
-///   problems without one take many iterations                  lower screening, hopeless
+///   problems that have a solution end with a small violation   raise max_penalty
+///   problems without one take many iterations                  lower screening, infeasible
 ///   short steps from the start                                 raise first_gap
 struct ElasticOptions {
   double tolerance = 1e-8;
   double cost_tolerance = 1e-6;
-  double price = 10.0;
-  double most_price = 1e3;
+  double penalty = 10.0;
+  double max_penalty = 1e3;
   double first_gap = 1e-2;
   double give = 1e-8;
   int screening = 60;
-  double hopeless = 1e12;
+  double infeasible = 1e12;
   int max_iterations = 100;
 
   OptionFields Fields();
@@ -31,9 +31,9 @@ struct ElasticOptions {
 /// for affine constraints), and at the solution of the original problem if the penalty weight exceeds all multipliers.
 /// Each step solves Newton's equations with the squares of the Jacobians for curvature, twice with one factorisation
 /// (Mehrotra's predictor and corrector), and is shortened until a merit function falls. If it converges with violated
-/// constraints, the penalty weight is raised tenfold up to most_price. Failure kInfeasible names the most violated
-/// constraint and the amount, or that the cost does not converge. @throws InvalidArgument as Solve, and for bounds,
-/// which must be given as constraints. Nocedal and Wright, Numerical Optimization, 2006, chapters 17.2 and 19.
+/// constraints, the penalty weight is raised tenfold up to max_penalty. Failure kInfeasible names the most violated
+/// constraint and the amount, or that the cost does not converge. @throws InvalidArgument as Solve does, and for
+/// bounds, which must be given as constraints. Nocedal and Wright, Numerical Optimization, 2006, chapters 17.2 and 19.
 /// @param last  if given: the last iterate, also if it is not a solution; `outer` counts the penalty weights.
 Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options = {},
                                          ConstrainedSolution* last = nullptr);

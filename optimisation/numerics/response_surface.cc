@@ -53,7 +53,7 @@ void CheckMeasured(const std::vector<VectorX>& points, const std::vector<double>
   }
 }
 
-/// One eigendirection of the surface, seen through all unknowns.
+/// Residual of one eigendirection of the surface, as a function of all unknowns.
 class AlongEigenvector {
  public:
   AlongEigenvector(VectorX v, double slope, double curvature, double top)
@@ -133,7 +133,7 @@ VectorX Climbed(ceres::CostFunction& cost, VectorX x, const VectorX& low, const 
   return x.cwiseMax(low).cwiseMin(high);
 }
 
-/// One coordinate after the other to where the surface is highest along it, until none gains.
+/// Maximises along one coordinate after the other until the value no longer increases.
 VectorX Sharpened(const QuadraticSurface& surface, VectorX x, const VectorX& low, const VectorX& high) {
   constexpr int kMostRounds = 200;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -153,7 +153,8 @@ VectorX Sharpened(const QuadraticSurface& surface, VectorX x, const VectorX& low
   return x;
 }
 
-/// The middle, each end and all combinations for up to four unknowns, else the middle and at most 64 vertices.
+/// Start points: the middle, each end and all combinations for up to four unknowns; otherwise the middle and at most 64
+/// vertices.
 std::vector<VectorX> Starts(const VectorX& low, const VectorX& high) {
   const Eigen::Index n = low.size();
   const VectorX middle = 0.5 * (low + high);
@@ -191,7 +192,7 @@ FittedSurface FitQuadratic(const std::vector<VectorX>& points, const std::vector
   if (count <= A.cols() || about_mean <= 0.0) return fitted;
   const VectorX leverage = (A * solver.pseudoInverse()).diagonal();
   const VectorX error = (y - A * coefficients).cwiseQuotient((1.0 - leverage.array()).max(1e-9).matrix());
-  fitted.foretold = 1.0 - error.squaredNorm() / about_mean;
+  fitted.predicted = 1.0 - error.squaredNorm() / about_mean;
   return fitted;
 }
 

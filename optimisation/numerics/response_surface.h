@@ -13,36 +13,35 @@ struct QuadraticSurface {
   VectorX slope;
   MatrixX curvature;
 
-  /// Its value at x (size n).
+  /// Value at x (size n).
   double At(const VectorX& x) const { return constant + slope.dot(x) + 0.5 * x.dot(curvature * x); }
 };
 
 /// A surface fitted to measured values, and its cross-validated quality.
 struct FittedSurface {
   QuadraticSurface surface;
-  /// 1 - sum of squared errors over that about the mean, each value predicted by the fit to all others: 1 is exact, 0
-  /// no better than the mean. 0 if there are no more values than coefficients, or all are equal.
-  double foretold = 0.0;
+  /// 1 - sum of squared errors / sum of squares about the mean. Each value is predicted by the fit to all others: 1 is
+  /// exact, 0 is no better than the mean. 0 if there are no more values than coefficients, or if all values are equal.
+  double predicted = 0.0;
 };
 
 /// Coefficients of a quadratic function: (n + 1)(n + 2) / 2.
 int CoefficientsOfQuadratic(int unknowns);
 
 /// The quadratic surface with the least squared error at the points (Box and Wilson, J. Royal Stat. Soc. B 13(1),
-/// 1951). Exact for values of a quadratic function. The leave-one-out errors follow from the leverage, e / (1 - h)
+/// 1951). Exact for values of a quadratic function. The leave-one-out errors follow from the leverage h as e / (1 - h)
 /// (Allen, Technometrics 16(1), 1974).
-/// @throws InvalidArgument unless there are as many values as points, as many points as coefficients, all points have
-/// one size of 1 or more, and everything is finite.
+/// @throws InvalidArgument unless there is one value per point, at least as many points as coefficients, all points
+/// have the same size of 1 or more, and everything is finite.
 FittedSurface FitQuadratic(const std::vector<VectorX>& points, const std::vector<double>& values);
 
-/// Where the surface is highest between two corners: least squares with bounds by Ceres from the middle and from lower
-/// end, middle and upper end of each coordinate combined (beyond four unknowns from at most 64 vertices), each end then
-/// sharpened along one coordinate after the other; the highest counts, then the first.
+/// The point of the largest value between two corners. Least squares with bounds by Ceres is started from combinations
+/// of lower end, middle and upper end of each coordinate (beyond four unknowns, from at most 64 vertices). Each result
+/// is then improved along one coordinate after the other. The largest value is returned; of equal values, the first.
 ///
-/// The residuals: along each eigenvector v of the curvature, t = v^T x, the surface less its constant is
-/// g t + c t^2 / 2. For c < 0 the residual is sqrt(-c) (t + g / c), otherwise sqrt(2 (k - g t - c t^2 / 2)) with k
-/// above all that it takes between the corners. Half the sum of their squares is a constant less the surface,
-/// everywhere.
+/// The residuals: along each eigenvector v of the curvature, with t = v^T x, the surface minus its constant is g t + c
+/// t^2 / 2. For c < 0 the residual is sqrt(-c) (t + g / c), otherwise sqrt(2 (k - g t - c t^2 / 2)), where k exceeds
+/// all values between the corners. Half the sum of their squares equals a constant minus the surface everywhere.
 /// @throws InvalidArgument unless all sizes agree and low < high, finite.
 VectorX HighestOf(const QuadraticSurface& surface, const VectorX& low, const VectorX& high);
 

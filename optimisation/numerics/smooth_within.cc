@@ -13,7 +13,7 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Second differences, the numbers going on beyond both ends as they are there.
+/// Second differences; the numbers are constant beyond both ends.
 SparseMatrix SecondDifferences(Eigen::Index count) {
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -32,7 +32,7 @@ std::vector<double> SmoothWithin(const std::vector<double>& wanted, const std::v
                                  double firm) {
   constexpr int kMostSets = 100;
   if (wanted.size() < 3 || bounds.size() != wanted.size())
-    throw InvalidArgument("SmoothWithin: three or more numbers are needed, with bounds for each");
+    throw InvalidArgument("SmoothWithin: three or more numbers are needed, with one pair of bounds for each");
   const auto count = static_cast<Eigen::Index>(wanted.size());
   VectorX low(count), high(count);
   for (Eigen::Index k = 0; k < count; ++k) {

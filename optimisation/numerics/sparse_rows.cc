@@ -65,7 +65,7 @@ void SparseRows::FindPattern() {
 }
 
 void SparseRows::AddSquare(const Term& term, VectorX& values) {
-  // Of few rows, so column by column rather than by blocks.
+  // The term has few rows, so columns are faster than blocks.
   const Eigen::Index count = term.weighted.cols(), rows = term.weighted.rows();
   const Eigen::Index* slot = term.slots.data();
   const double* all = term.weighted.data();

@@ -8,33 +8,34 @@
 
 namespace gaitwright {
 
-/// All rows of a problem, those of its residuals first, with their Jacobian J and the factors of a matrix
-///   sum over rows of w_row J_row^T J_row + damping * identity
-/// whose sparsity is found once. Rows that are affine are differentiated once. Keeps a reference to the problem.
+/// All rows of a problem, residuals first, with their Jacobian J and the factors of the matrix
+///   sum over rows of w_row J_row^T J_row + damping * identity.
+/// Its sparsity is determined once. Affine rows are differentiated once. Keeps a reference to the problem.
 class SparseRows {
  public:
   explicit SparseRows(const ConstrainedProblem& problem);
 
-  /// How many rows there are.
+  /// Number of rows.
   Eigen::Index count() const { return value_.size(); }
-  /// How many of them are residuals.
+  /// Number of rows that are residuals.
   Eigen::Index residuals() const { return residual_rows_; }
-  /// The rows' values as Evaluate left them.
+  /// Values of the rows at the last Evaluate.
   const VectorX& value() const { return value_; }
-  /// The constraint that a row belongs to; null for a residual.
+  /// The constraint of a row; null for a residual.
   const Constraint* ConstraintOf(Eigen::Index row) const { return owner_[static_cast<std::size_t>(row)]; }
 
-  /// Computes the rows' values. The Jacobian stays that of its last computation, initially the start.
+  /// Computes the values of the rows. The Jacobian is not changed; initially it is that at the start.
   void Evaluate(const VectorX& x);
-  /// Finds the Jacobian where Evaluate has found the values last.
+  /// Computes the Jacobian at the point of the last Evaluate.
   void Differentiate();
   /// J^T * by.
   VectorX Gradient(const VectorX& by) const;
   /// J * by.
   VectorX Moved(const VectorX& by) const;
-  /// Factors the matrix for a weight by row; those of residuals are 1. @return false if it is not positive definite.
+  /// Factors the matrix for one weight per row; the weights of residuals are 1. @return false if it is not positive
+  /// definite.
   bool Factor(const VectorX& weights, double damping);
-  /// Solves with the factors.
+  /// Solves with the present factors.
   VectorX Solved(const VectorX& right) const { return cholesky_.solve(right); }
 
  private:
@@ -42,8 +43,8 @@ class SparseRows {
     const VectorFunction* function;
     bool affine, residual;
     std::vector<int> variables;
-    Eigen::Index row = 0;                  // its first
-    std::vector<Eigen::Index> slots = {};  // of the lower triangle, column by column
+    Eigen::Index row = 0;                  // index of its first row
+    std::vector<Eigen::Index> slots = {};  // entries of the lower triangle, column by column
     VectorX x = {}, value = {};
     MatrixX J = {}, weighted = {};
   };

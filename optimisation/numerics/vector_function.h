@@ -7,10 +7,11 @@
 
 namespace gaitwright {
 
-/// A vector function of the variables. `J` is null when it is not wanted; else size value x variables, to be filled.
+/// A vector function of the variables. `J` is null if the Jacobian is not needed; otherwise it has size value x
+/// variables and must be filled.
 using VectorFunction = std::function<void(const VectorX& x, VectorX& value, MatrixX* J)>;
 
-/// A function given by its values alone: the Jacobian by central differences.
+/// A function from values only: the Jacobian is computed by central differences.
 VectorFunction Differenced(std::function<void(const VectorX& x, VectorX& value)> function);
 
 }  // namespace gaitwright

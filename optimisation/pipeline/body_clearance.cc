@@ -9,8 +9,8 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kKept = 0.07;        // of the leg
-constexpr double kLeastShare = 0.25;  // of the clearance that is kept
+constexpr double kKept = 0.07;        // required clearance, as a share of the leg length
+constexpr double kLeastShare = 0.25;  // smallest accepted share of that clearance
 constexpr double kWindow_s = 0.02;
 
 }  // namespace
@@ -31,7 +31,7 @@ const std::vector<GroundHit>& BodyClearance::NearAt(const VectorX& q) {
   return watch_.Look(scratch_, limits_);
 }
 
-/// Asks of no part for more than it has there.
+/// Limits the required clearance of each part to its clearance in this posture.
 void BodyClearance::LimitBy(const VectorX& q) {
   for (const GroundHit& hit : NearAt(q)) {
     double& kept = kept_m_[static_cast<std::size_t>(hit.part)];
@@ -43,7 +43,7 @@ double BodyClearance::Look(const WholeBodyTrajectory& rows, const std::vector<Ri
   LimitBy(rows.q.front());
   LimitBy(rows.q.back());
   double lacking = 0.0;
-  std::map<std::pair<int, int>, std::pair<double, Place>> worst;  // by part and window
+  std::map<std::pair<int, int>, std::pair<double, Place>> worst;  // by part and time window
   for (std::size_t k = 0; k < rows.q.size(); ++k) {
     const RigidBodySample& sample = samples[k];
     for (const GroundHit& hit : NearAt(rows.q[k])) {

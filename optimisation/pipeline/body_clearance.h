@@ -50,7 +50,7 @@ class BodyClearance {
   std::vector<bool> ends_in_foot_;  // by body
   std::vector<double> kept_m_;      // by part of the watch
   std::vector<Place> places_;
-  double share_ = 1.0;  // of the clearance that is wanted now
+  double share_ = 1.0;  // present share of the required clearance
 };
 
 }  // namespace gaitwright

@@ -6,8 +6,8 @@
 
 namespace gaitwright {
 
-/// Approximate base motion for a motion of the centre of mass, before any whole-body pass: with the centre of mass at
-/// its position of the standing posture, rotated with the body.
+/// Approximate base motion for a motion of the centre of mass, before any whole-body pass. The centre of mass is fixed
+/// in the base as in the standing posture.
 /// @param body, motion  must outlive the result.
 BaseMotion CarriedBase(const RobotModel& model, const BodyPath& body, const CentroidalTrajectory& motion);
 

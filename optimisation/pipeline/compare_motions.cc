@@ -26,12 +26,12 @@ TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion
 }
 
 bool IsBetterMotion(const MotionFigures& motion, const std::optional<MotionFigures>& former, double residual) {
-  constexpr double kLess = 0.99;      // of what it was
-  constexpr double kSlight = 1e-3;    // excess that the audit lets pass
-  constexpr double kBalanced = 10.0;  // times the residual that ends the passes: the audit holds far more
+  constexpr double kLess = 0.99;      // required ratio to the former value
+  constexpr double kSlight = 1e-3;    // violation that the audit accepts
+  constexpr double kBalanced = 10.0;  // multiple of the passes' final residual; the audit accepts far more
   if (!former) return true;
-  const double excess = std::max(motion.limit_excess, kSlight), was = std::max(former->limit_excess, kSlight);
-  if (excess > kSlight || was > kSlight) return excess < kLess * was;
+  const double violation = std::max(motion.limit_excess, kSlight), was = std::max(former->limit_excess, kSlight);
+  if (violation > kSlight || was > kSlight) return violation < kLess * was;
   const bool balanced = motion.residual < kBalanced * residual, was_balanced = former->residual < kBalanced * residual;
   if (balanced != was_balanced) return balanced;
   return motion.torque.rms * motion.torque.peak < kLess * former->torque.rms * former->torque.peak;

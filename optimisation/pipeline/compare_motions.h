@@ -8,25 +8,25 @@
 
 namespace gaitwright {
 
-/// How much of their limits the motors use in torque, over all motors with a limit.
+/// Use of the motors' torque limits, over all motors with a limit.
 struct TorqueUse {
-  double rms = 0.0;   ///< root of the mean square over time and motors
-  double peak = 0.0;  ///< the greatest share
+  double rms = 0.0;   ///< root mean square over time and motors
+  double peak = 0.0;  ///< largest share of a limit
 };
-/// @return the use of the motors over all samples of the motion.
+/// @return the torque use over all samples of the motion.
 TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion);
 
-/// What of the motion of a rigid body says whether it is better than another one.
+/// Figures for the comparison of two motions of a rigid body.
 struct MotionFigures {
-  double limit_excess = 0.0;  ///< past limits of joints and motors, summed in shares of the limits
-  double residual = 0.0;      ///< what contacts do not give over m g [1], [m]
+  double limit_excess = 0.0;  ///< violation of joint and motor limits, summed in shares of the limits
+  double residual = 0.0;      ///< unbalanced force / (m g) [1] or moment / (m g) [m]
   TorqueUse torque;
 };
 
-/// Whether a motion is better than a former one, none where there is no former one: it keeps the limits, or breaks them
-/// by less, where the former one breaks them; or its contacts balance it where those of the former one do not; or the
-/// product of both figures of TorqueUse is less by 1 % or more.
-/// @param residual  that the passes were to come to.
+/// Whether a motion is better than the former one (always true without a former one): it has a smaller limit violation,
+/// if the former motion violates limits; or it is balanced by its contacts and the former motion is not; or the product
+/// of both figures of TorqueUse is smaller by at least 1 %.
+/// @param residual  target residual of the passes.
 bool IsBetterMotion(const MotionFigures& motion, const std::optional<MotionFigures>& former, double residual);
 
 }  // namespace gaitwright

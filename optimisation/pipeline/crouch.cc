@@ -15,12 +15,12 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kUse = 0.95;           // of what motors give
-constexpr double kJointReserve = 0.03;  // of joints' ranges
-constexpr double kSpareSpeed = 1.3;     // times the speed of lift-off that is wanted, to turn and to go ahead too
-constexpr double kLeastSpeed = 1.15;    // of it at the least, since a push that ends goes over into flight over a while
+constexpr double kUse = 0.95;          // share of the motors' effort limits
+constexpr double kJointMargin = 0.03;  // share of the joints' ranges
+constexpr double kSpeedMargin = 1.3;   // times the lift-off speed; the margin is for rotation and forward motion
+constexpr double kLeastSpeed = 1.15;   // smallest accepted factor; a push ends gradually
 
-/// The longest flight of a schedule, and the most feet that push at once since the flight before.
+/// The longest flight of a schedule, and the largest number of feet that push at once since the flight before.
 struct PushedFlight {
   double start_s = 0.0, duration_s = 0.0;
   int pushing = 0;
@@ -37,8 +37,8 @@ PushedFlight LongestPushedFlight(const ContactSchedule& schedule) {
   return longest;
 }
 
-/// The upward speed that torques give by each height, from rest at the lowest at which they hold the body, if speeds
-/// did not matter [m/s].
+/// Upward speed at each height that the torques give from rest at the lowest height at which they hold the body,
+/// without speed limits [m/s].
 std::vector<double> SpeedByTorque(const std::vector<PushOff>& at) {
   std::vector<double> speed(at.size(), 0.0);
   double squared = 0.0;
@@ -51,7 +51,7 @@ std::vector<double> SpeedByTorque(const std::vector<PushOff>& at) {
 }
 
 std::string MotorText(const RobotModel& model, int index, bool speed) {
-  if (index < 0) return "no motor";
+  if (index < 0) return "no motor is at its limit";
   const Actuator motor = ActuatorOf(model, index);
   return speed ? fmt::format("'{}' is limited to {:.3g} rad/s", motor.name, motor.velocity_limit)
                : fmt::format("'{}' is limited to {:.3g} N m", motor.name, motor.effort_limit);
@@ -64,15 +64,15 @@ Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const Pus
                                          "a larger duty factor (--set gait.duty_factor)"};
   if (longest_s > 0.005) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
   return {FailureKind::kInfeasible, by_speed ? FailureCode::kLegsTooSlow : FailureCode::kLegsTooWeak, "CrouchFor",
-          fmt::format("a flight of {:.3f} s at {:.2f} s needs a lift-off speed of {:.2f} m/s and {:.2f} m/s before the "
-                      "push ends; with flat soles and a level body, the legs of '{}' give at most {:.2f} m/s with the "
-                      "centre of mass at {:.3f} m, where {}",
+          fmt::format("a flight of {:.3f} s at {:.2f} s needs a lift-off speed of {:.2f} m/s; because a push ends "
+                      "gradually, the legs must reach {:.2f} m/s. With flat soles and a level body, the legs of '{}' "
+                      "reach at most {:.2f} m/s, with the centre of mass at {:.3f} m, where {}",
                       flight.duration_s, flight.start_s, takes, kLeastSpeed * takes, model.name, gives, best.com_m,
                       MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
           suggestions};
 }
 
-/// The robot with that posture for its standing one.
+/// The robot with that posture as its standing posture.
 Crouch At(const RobotModel& model, const VectorX& carried) {
   Crouch crouch;
   crouch.model = model;
@@ -82,12 +82,12 @@ Crouch At(const RobotModel& model, const VectorX& carried) {
   return crouch;
 }
 
-/// Where flights need it; nothing where standing serves them.
+/// The crouch for the flights; nothing if the standing posture is sufficient.
 Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactSchedule& schedule) {
-  constexpr double kLeastStroke = 0.02;  // of the leg
+  constexpr double kLeastStroke = 0.02;  // share of the leg length
   const PushedFlight flight = LongestPushedFlight(schedule);
   if (flight.duration_s == 0.0 || flight.pushing == 0) return std::optional<Crouch>();
-  const std::vector<PushOff> at = PushOffs(model, flight.pushing, kJointReserve, kUse);
+  const std::vector<PushOff> at = PushOffs(model, flight.pushing, kJointMargin, kUse);
   if (at.empty()) return std::optional<Crouch>();
   const double takes = 0.5 * kGravity * flight.duration_s, standing_m = StandingCentreOfMass(model).z();
   const std::vector<double> by_torque = SpeedByTorque(at);
@@ -100,10 +100,10 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
     const bool by_speed = kUse * at[best].speed_m_s <= by_torque[best];
     return CannotFly(model, flight, at[best], gives(best), by_speed);
   }
-  const auto fast_enough = [&](const PushOff& p) { return kUse * p.speed_m_s >= kSpareSpeed * takes; };
+  const auto fast_enough = [&](const PushOff& p) { return kUse * p.speed_m_s >= kSpeedMargin * takes; };
   const auto stands = std::find_if(at.begin(), at.end(), [&](const PushOff& p) { return p.com_m < standing_m + 1e-9; });
   if (stands != at.end() && fast_enough(*stands)) return std::optional<Crouch>();
-  // The highest at which there is a reserve, or the one with the most.
+  // The highest posture with a margin, or the one with the largest margin.
   const auto first = std::find_if(stands, at.end(), fast_enough);
   const std::size_t highest = first == at.end() ? best : std::min(best, static_cast<std::size_t>(first - at.begin()));
   const double stroke_m =
@@ -117,7 +117,7 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
   return std::optional<Crouch>(crouch);
 }
 
-/// At a height of the centre of mass, with what flights need kept otherwise.
+/// The crouch for a height of the centre of mass, within the requirements of the flights.
 Result<std::optional<Crouch>> AtHeight(const RobotModel& model, double com_height_m,
                                        const std::optional<Crouch>& needed) {
   const std::vector<PushOff> at = PushOffs(model, static_cast<int>(model.feet.size()), 0.0, 1.0);
@@ -133,7 +133,7 @@ Result<std::optional<Crouch>> AtHeight(const RobotModel& model, double com_heigh
                                lowest_m, highest_m),
                    {"set another pipeline.com_height_m; 0 uses the robot's default"}};
   }
-  // Between two postures that differ by 1 % of the leg joints are as good as straight in height.
+  // Between two neighbouring postures (1 % of the leg length apart), joints are nearly linear in height.
   const auto above = below == at.begin() ? below : below - 1;
   const double rise_m = above->com_m - below->com_m;
   const double share = rise_m > 0.0 ? (com_height_m - below->com_m) / rise_m : 0.0;

@@ -22,7 +22,7 @@ bool IsDynamic(const Gait& gait, const CentreOfMassOptions& options) {
   constexpr double kBeside = 1e-9;
   if (IsAskedFor(options)) return true;
   if (StandsStill(gait)) return false;
-  // Feet that carry become fewer at lift-offs alone.
+  // The number of stance feet decreases only at lift-offs.
   for (std::size_t i = 0; i < gait.phase.size(); ++i) {
     const double lift_off = gait.phase[i] + gait.duty_factor[i];
     const auto carrying = [&](double cycles) { return StanceAt(gait, cycles - std::floor(cycles)); };

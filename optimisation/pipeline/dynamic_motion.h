@@ -6,11 +6,11 @@
 
 namespace gaitwright {
 
-/// Whether a motion is planned as that of a rigid body, because it is requested or because the pendulum model is not
-/// sufficient: at some time all stance feet change at once.
+/// Whether a motion is planned as that of a rigid body: because it is requested, or because the pendulum model is not
+/// sufficient (at some time all stance feet change at once).
 bool IsDynamic(const ContactSchedule& schedule, const CentreOfMassOptions& options);
 
-/// As above, for a gait's steady cycle.
+/// The same decision for the steady cycle of a gait.
 bool IsDynamic(const Gait& gait, const CentreOfMassOptions& options);
 
 }  // namespace gaitwright

@@ -14,7 +14,7 @@ namespace {
 struct Flights {
   double longest_s = 0.0, whole_s = 0.0;
 
-  /// How far a body rises in the longest, at most: g T^2 / 8.
+  /// Largest rise of a body in the longest flight: g T^2 / 8.
   double Rise() const { return kGravity * longest_s * longest_s / 8.0; }
 };
 
@@ -28,13 +28,13 @@ Flights FlightsIn(const ContactSchedule& schedule, double start_s, double end_s)
   return flights;
 }
 
-/// The greatest acceleration of a swing on one place that is lifted by 1 m in 1 s [m/s^2].
+/// Peak acceleration of a swing that starts and ends at one place and is lifted by 1 m in 1 s [m/s^2].
 double PeakAcceleration(double cruise) {
   constexpr int kSamples = 200;
   SwingCurve curve;
   curve.lift_m = 1.0;
   curve.cruise = cruise;
-  // A parabola over the way is one over the time of it, whatever the way is.
+  // The bump depends on the progress along the path only, so its acceleration does not depend on the path's length.
   double peak = 0.0;
   for (int k = 0; k <= kSamples; ++k)
     peak = std::max(peak, std::abs(Evaluate(curve, static_cast<double>(k) / kSamples).a_WF.z()));
@@ -60,7 +60,7 @@ FlightSwing FlightSwings::At(double start_s, double end_s) const {
   constexpr double kMostCruise = 0.6, kUse = 0.4, kLeastLift = 0.1;
   const Flights flights = FlightsIn(schedule_, start_s, end_s);
   const double time_s = end_s - start_s, rise_m = flights.Rise();
-  // While the body flies at constant speed its feet do best to go along.
+  // While the body flies at constant speed, its feet should move along with it.
   FlightSwing swing{lift_m_ + rise_m, kMostCruise * flights.whole_s / time_s};
   if (flights.whole_s == 0.0 || own_lift_) return swing;
   const FootSet stance = schedule_.phases[static_cast<std::size_t>(PhaseAt(schedule_, 0.5 * (start_s + end_s)))].stance;

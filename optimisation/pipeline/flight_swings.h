@@ -22,7 +22,7 @@ struct FlightSwing {
 /// the swing starts and ends more gently: the leg is then longer in flight.
 class FlightSwings {
  public:
-  /// @param model, schedule  outlive this.
+  /// @param model, schedule  must outlive this object.
   FlightSwings(const RobotModel& model, const ContactSchedule& schedule, const SwingOptions& options);
 
   /// The shape of a swing, by its times in the schedule.
@@ -34,7 +34,7 @@ class FlightSwings {
   const RobotModel& model_;
   const ContactSchedule& schedule_;
   const double lift_m_;
-  const bool own_lift_;  // asked for
+  const bool own_lift_;  // the lift is set by an option
   mutable std::map<FootSet, double> acceleration_m_s2_;
 };
 

@@ -10,7 +10,7 @@ namespace gaitwright {
 namespace {
 
 MotionFigures FiguresOf(const RobotModel& model, const MotionPass& pass) {
-  return {pass.excess, pass.error_m, TorqueUseOf(model, pass.solution.trajectory)};
+  return {pass.violation, pass.error_m, TorqueUseOf(model, pass.solution.trajectory)};
 }
 
 }  // namespace

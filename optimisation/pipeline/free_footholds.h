@@ -6,9 +6,10 @@
 
 namespace gaitwright {
 
-/// The passes of a rigid body (RigidBodyPasses) over a task. With options.footholds "free" and ground that is not level
-/// they are made twice, with footholds held and free on their patches, and the better motion is taken (IsBetterMotion).
-/// @param passes  made for the motion that is given.
+/// Runs the passes of a rigid body (RigidBodyPasses) for a task. With options.footholds "free" and uneven ground they
+/// run twice, with fixed footholds and with footholds free on their patches, and the better motion is returned
+/// (IsBetterMotion).
+/// @param passes  number of passes of the returned motion.
 Result<MotionPass> RunRigidBodyPasses(const MotionTask& task, const Crouch* crouch, int& passes);
 
 }  // namespace gaitwright

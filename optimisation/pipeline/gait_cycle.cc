@@ -11,17 +11,17 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kOneEvent = 1e-6;  // of the cycle, that events which are one may be apart
+constexpr double kOneEvent = 1e-6;  // share of the cycle; closer events are merged
 
 double ShareOf(double cycles) { return cycles - std::floor(cycles); }
 
-/// A switch of contact of a walk and how many of each part of the gait's cycle lie before it.
+/// A contact switch of a walk, and the number of times that each part of the gait's cycle lies before it.
 struct CountedSwitch {
   double time_s;
   VectorX before;
 };
 
-/// A foot's lift-off and the touch-down after it.
+/// A foot's lift-off and the following touch-down.
 struct FootSwing {
   int foot;
   double liftoff_s, touchdown_s;
@@ -88,7 +88,8 @@ GaitCycle::GaitCycle(const Gait& gait, int first_foot) : gait_(gait) {
   Fold(all_s);
 }
 
-/// Finds how often the cycle repeats itself: parts as long begin with as many lift-offs and touch-downs.
+/// Finds the number of repeats in the cycle: parts of equal duration that begin with equal numbers of lift-offs and
+/// touch-downs.
 void GaitCycle::Fold(const VectorX& all_s) {
   const Eigen::Index parts = all_s.size();
   std::vector<int> lifts(static_cast<std::size_t>(parts), 0), touches = lifts;
@@ -158,7 +159,7 @@ Gait GaitCycle::With(const VectorX& durations_s) const {
   double first = 1.0;
   for (std::size_t i = 0; i < gait.phase.size(); ++i)
     first = std::min(first, ShareOf(gait_.phase[i] + gait_.duty_factor[i] + kOneEvent) - kOneEvent);
-  // The foot that lifts off first in a cycle stays that.
+  // The foot that lifts off first in a cycle must remain the first.
   if (first < 0.0 || first + last >= 1.0 - kOneEvent) first = 0.0;
   for (int foot = 0; foot < gait_.num_feet(); ++foot) {
     const auto i = static_cast<std::size_t>(foot);
@@ -172,7 +173,7 @@ Gait GaitCycle::With(const VectorX& durations_s) const {
 
 std::optional<CycleTies> TiesOf(const FootstepSkeleton& skeleton, std::size_t part,
                                 const std::vector<double>& switches_s, double grid_s) {
-  constexpr double kOff = 3.0;  // steps of the grid, to which times are rounded
+  constexpr double kOff = 3.0;  // steps of the grid to which times are rounded
   const Gait& gait = skeleton.parts[part].gait;
   const std::vector<FootSwing> swings = SwingsIn(skeleton, part);
   const bool steps = std::all_of(gait.duty_factor.begin(), gait.duty_factor.end(),

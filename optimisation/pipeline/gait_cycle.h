@@ -10,30 +10,30 @@
 
 namespace gaitwright {
 
-/// The cycle of a gait as durations: of the parts between the times at which any of its feet lifts off or touches down,
-/// from the lift-off of one foot on. Where the cycle repeats itself with other feet, as a trot does after half of it,
-/// the parts are those until then, so that at other durations it still does.
+/// The cycle of a gait as durations of parts. A part lies between two times at which any foot lifts off or touches
+/// down; the first part begins with the lift-off of a given foot. If the cycle repeats with other feet, as a trot does
+/// after half of its cycle, the parts cover one repeat, so that the repetition is kept when durations change.
 class GaitCycle {
  public:
-  /// @param first_foot  the foot from whose lift-off on the cycle is counted. Each foot swings (a duty factor below 1).
+  /// @param first_foot  foot whose lift-off is the start of the cycle. Each foot must swing (duty factor below 1).
   GaitCycle(const Gait& gait, int first_foot);
 
-  /// Of the parts, in order; together the time of the cycle over its repeats [s].
+  /// Durations of the parts, in order; their sum is the cycle time divided by repeats() [s].
   const VectorX& durations_s() const { return durations_s_; }
-  /// How many times a cycle has the parts, each time with other feet.
+  /// Number of repeats of the parts in a cycle, each with other feet.
   int repeats() const { return repeats_; }
-  /// How many of each part lie between the first lift-off and that of a foot in a cycle (0 for the first), or the
-  /// touch-down after it.
+  /// Number of occurrences of each part between the first lift-off and the lift-off of a foot in a cycle (0 for the
+  /// first), or the touch-down after it.
   VectorX LiftOff(int foot, int cycle) const;
   VectorX TouchDown(int foot, int cycle) const;
-  /// Of the way from the durations of the gait to others, how far one may go so that no swing becomes shorter than
-  /// `least_swing` of its time or shortest_swing_s, or than it is where that is less: in [0, 1].
+  /// Largest share, in [0, 1], of the change from the gait's durations to others such that no swing becomes shorter
+  /// than `least_swing` of its time or shortest_swing_s (or than it is, if that is less).
   double ShareKeepingSwings(const VectorX& to_s, double shortest_swing_s, double least_swing) const;
-  /// The gait with parts of other durations.
+  /// The gait with other durations of the parts.
   Gait With(const VectorX& durations_s) const;
 
  private:
-  /// An event of a cycle: which of its parts it begins, and in which cycle after that of the lift-off.
+  /// An event of a cycle: the part that it begins, and the number of cycles after that of the lift-off.
   struct Event {
     Eigen::Index part = 0;
     int cycle = 0;
@@ -48,10 +48,10 @@ class GaitCycle {
   std::vector<Event> lift_off_, touch_down_;  // by foot
 };
 
-/// How the phases of a walk follow from the cycle of the gait of one of its parts: times before its first lift-off and
-/// after its last touch-down stay, but that the time of standing at the end makes up for what others become longer or
-/// shorter, so that the walk lasts as long. Nothing where its contacts are not those of the gait.
-/// @param switches_s  SwitchTimes of the walk's problem, from its start on.
+/// Dependence of the phases of a walk on the gait cycle of one of its parts. Times before its first lift-off and after
+/// its last touch-down are constant, except the final standing time, which changes so that the duration of the walk is
+/// constant. Nothing if the contacts are not those of the gait.
+/// @param switches_s  SwitchTimes of the walk's problem, from its start.
 struct CycleTies {
   GaitCycle cycle;
   PhaseTies ties;

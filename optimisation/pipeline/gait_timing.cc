@@ -21,9 +21,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLeastSwing = 0.7;  // of the time of a swing: legs have mass, which OptimiseTiming does not know
+constexpr double kLeastSwing = 0.7;  // share of a swing's time: legs have mass, which OptimiseTiming ignores
 
-/// The gait of one part at better times.
+/// The gait of one part with optimised times.
 struct TimedGait {
   Gait gait;
   double cost_before, cost;
@@ -34,7 +34,7 @@ Failure NoTimes(const std::string& why) {
   return {FailureKind::kInfeasible, FailureCode::kNoTiming, "OptimiseGaits", why, {"timing=fixed"}};
 }
 
-/// A walk straight ahead on level ground no longer than it takes to tell what suits its cycles.
+/// On level ground, a walk straight forward is shortened to the length needed to optimise its cycles.
 std::vector<WalkPart> Shortened(const Terrain& terrain, std::vector<WalkPart> parts) {
   constexpr double kCycles = 6.0;
   if (parts.size() > 1 || KindOfGround(terrain) != GroundKind::kFlat) return parts;
@@ -52,7 +52,7 @@ Result<TimedGait> OptimiseGait(const RobotModel& model, const Terrain& terrain, 
   if (!skeleton) return skeleton.failure();
   const double cycle_s = parts[part].gait.cycle_s;
   const BodyPath path(model, *skeleton, cycle_s);
-  // Where no posture is fast enough for the flights, shorter ones are sought without one.
+  // If no posture is fast enough for the flights, shorter flights are searched without a crouch.
   const Result<std::optional<Crouch>> found = CrouchFor(model, skeleton->schedule, options.pipeline.com_height_m);
   const Crouch* crouch = found && *found ? &**found : nullptr;
   const MotionTask task{crouch != nullptr ? crouch->model : model, terrain, *skeleton, options, path, cycle_s};
@@ -85,7 +85,7 @@ double MeanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Between a gait and one like it at other times: 0 for the first, 1 for the second.
+/// Interpolates between two similar gaits with different times: share 0 is the first, 1 the second.
 Gait Between(const Gait& from, const Gait& to, double share) {
   Gait gait = to;
   for (std::size_t i = 0; i < gait.phase.size(); ++i) {
@@ -107,7 +107,8 @@ MotionFigures FiguresOf(const RobotModel& model, const PlannedMotion& planned) {
   return {planned.limit_excess, planned.residual, TorqueUseOf(model, planned.plan.whole_body)};
 }
 
-/// What is changed, and why: the plan at the gaits' own times is refused, or costs more.
+/// Adds adjustments for the changed times. The reason is that the plan with the gaits' own times is refused, or costs
+/// more.
 void TellTimes(const std::vector<WalkPart>& from, const std::vector<WalkPart>& to, FailureCode why, MotionPlan& plan) {
   for (std::size_t k = 0; k < to.size(); ++k) {
     if (to[k].gait == from[k].gait) continue;

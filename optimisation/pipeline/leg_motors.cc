@@ -14,9 +14,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kStill = 1e-9;  // speeds and torques that are none
+constexpr double kStill = 1e-9;  // speeds and torques below it count as zero
 
-/// Standing as a target.
+/// The standing posture as a target.
 BodyTarget TargetOf(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch) {
   ForwardKinematics(model, q, scratch);
   BodyTarget target;
@@ -32,17 +32,17 @@ BodyTarget TargetOf(const RobotModel& model, const VectorX& q, DynamicsScratch& 
   return target;
 }
 
-/// What the motors do while some feet push the body up.
+/// Limits of the motors while some feet push the body up.
 class PushingLegs {
  public:
-  /// @param share  of the force on the whole that each foot pushes with;  @param use  of the motors' effort limits
+  /// @param share  share of the total force that each foot pushes with;  @param use  share of the motors' effort limits
   PushingLegs(const RobotModel& model, double share, double use)
       : model_(model), ik_(model), scratch_(model), share_(share), use_(use) {}
 
   WholeBodyIk& ik() { return ik_; }
   DynamicsScratch& scratch() { return scratch_; }
 
-  /// Greatest speed upward in the posture `at.q`, and the joint that allows no more.
+  /// Sets the largest upward speed in the posture `at.q`, and the joint that limits it.
   void SetSpeed(BodyTarget target, PushOff& at) {
     VectorX v, a;
     target.v_WC = Vector3::UnitZ();
@@ -57,7 +57,7 @@ class PushingLegs {
     }
   }
 
-  /// Greatest acceleration upward in the posture `at.q`, and the joint that allows no more.
+  /// Sets the largest upward acceleration in the posture `at.q`, and the joint that limits it.
   void SetGain(const BodyTarget& target, PushOff& at) {
     const VectorX held = HoldingTorques(target, at.q, 0.0);
     const VectorX by_gain = HoldingTorques(target, at.q, 1.0) - held;
@@ -74,7 +74,7 @@ class PushingLegs {
   }
 
  private:
-  /// Torques that hold the robot while its centre of mass has an upward acceleration.
+  /// Torques that hold the robot while its centre of mass accelerates upward.
   VectorX HoldingTorques(BodyTarget target, const VectorX& q, double up_m_s2) {
     VectorX v, a, tau;
     target.a_WC = up_m_s2 * Vector3::UnitZ();
@@ -109,7 +109,7 @@ bool KeepsLimits(const RobotModel& model, const VectorX& q, double reserve) {
 }  // namespace
 
 std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reserve, double use) {
-  constexpr double kStep = 0.01;  // of the leg
+  constexpr double kStep = 0.01;  // share of the leg length
   PushingLegs legs(model, 1.0 / pushing, use);
   const VectorX standing = StandingConfiguration(model);
   const BodyTarget at_standing = TargetOf(model, standing, legs.scratch());
@@ -152,7 +152,7 @@ double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>&
     InverseDynamics(model, q, VectorX::Zero(model.nv()), a, scratch, tau);
     return Vector3(tau.segment<3>(3));
   };
-  // In the air the body turns against its legs.
+  // In the air, the body reacts to its legs by rotation.
   const Vector3 held = needed(Vector3::Zero());
   Matrix3 by_turning;
   for (int i = 0; i < 3; ++i) by_turning.col(i) = needed(Vector3::Unit(i)) - held;

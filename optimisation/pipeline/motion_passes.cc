@@ -7,7 +7,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/centre_of_mass.h"
 #include "optimisation/pipeline/carried_base.h"
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/swing/plan_swings.h"
 #include "optimisation/swing/planar_swings.h"
@@ -20,19 +20,20 @@
 namespace gaitwright {
 namespace {
 
-/// [m] Out of a support. A reference that hands over from a line starts on the edge, so that every error shows there.
+/// [m] Tolerance outside of a support. A reference that leaves a line starts on the edge, so that every error shows
+/// there.
 constexpr double kOutside = 5e-7;
-constexpr int kAdapting = 2;    // passes in which the body's height is sought
-constexpr double kBend = 0.12;  // of a cycle, over which its bends are spread
-constexpr double kFirstSpareReach = 0.03,
-                 kSpareReach = 0.02;  // of the leg, kept of its reach: by guess, and with a pass made
+constexpr int kAdapting = 2;    // passes that adapt the body's height
+constexpr double kBend = 0.12;  // share of a cycle over which bends of the body's height are spread
+constexpr double kFirstReachMargin = 0.03,
+                 kReachMargin = 0.02;  // margin of reach in leg lengths: at first, and after the first pass
 
-/// Where the centre of mass is in plan view in standing, the base's origin at a planar pose.
+/// Position of the centre of mass in plan view in the standing posture, with the base's origin at a planar pose.
 Vector2 CentreOfMassAt(const RobotModel& model, const PlanarPose& at) {
   return Vector2(at.x_m, at.y_m) + (YawRotation(at.yaw_rad) * StandingCentreOfMass(model)).head<2>();
 }
 
-/// Controlled frames of the feet at a time, on their footholds or swinging.
+/// Controlled frames of the feet at a time, on their footholds or in swing.
 std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double time_s) {
   std::vector<Pose> feet;
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
@@ -48,10 +49,10 @@ std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double
   return feet;
 }
 
-/// Excess of a body that is carried higher and lower so quickly that it hops: legs that straighten and bend again
-/// within one step keep their limits, and controllers do not follow them. It stays below what ends a search, so that
-/// such a motion is taken if no other way to carry the body is better.
-double HopExcess(const CentroidalTrajectory& motion) {
+/// Violation of a body whose height changes so quickly that it hops: legs that straighten and bend again within one
+/// step keep their limits, but controllers do not follow them. It stays below the bound that ends a search, so that
+/// such a motion is used if no other body strategy is better.
+double HopViolation(const CentroidalTrajectory& motion) {
   constexpr double kQuick = 0.1 * kGravity, kMost = 0.04;
   double quickest = 0.0;
   for (const Vector3& a_WC : motion.a_WC) quickest = std::max(quickest, std::abs(a_WC.z()));
@@ -60,11 +61,11 @@ double HopExcess(const CentroidalTrajectory& motion) {
 
 }  // namespace
 
-MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
+MotionPasses::MotionPasses(const MotionTask& task, const BodyStrategy& strategy)
     : task_(task),
       model_(task.model),
       body_(task.body),
-      in_reach_(carriage.in_reach),
+      in_reach_(strategy.in_reach),
       level_(KindOfGround(task.terrain) <= GroundKind::kLevel),
       footsteps_(task.skeleton.footsteps),
       planes_(PlanesOfLegs(task.model)) {
@@ -75,24 +76,24 @@ MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
   problem_.step_s = task.options.pipeline.grid_step_s;
   problem_.samples =
       1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
-  problem_.com_height_m = carriage.com_height_m;
-  problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
+  problem_.com_height_m = strategy.com_height_m;
+  problem_.omega_rad_s = std::sqrt(kGravity / strategy.com_height_m);
   problem_.start_W = CentreOfMassAt(model_, skeleton.path.pose.front());
   problem_.end_W = CentreOfMassAt(model_, skeleton.path.pose.back());
   problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
-  support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}, {}};
+  support_ = {problem_.start_W, problem_.end_W, strategy.zmp_inward, problem_.step_s, {}, {}};
   for (const Foothold& foothold : footsteps_.footholds) {
     const Foot& foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
     support_.support_F.push_back(SupportOf(foot, foothold, task.terrain));
   }
-  if (carriage.lean_rad != 0.0) body_.Lean(carriage.lean_rad, task.cycle_s);
+  if (strategy.lean_rad != 0.0) body_.Lean(strategy.lean_rad, task.cycle_s);
 }
 
-Result<MotionPass> MotionPasses::Run(int& passes, double hopeless) {
+Result<MotionPass> MotionPasses::Run(int& passes, double infeasible) {
   MotionPass best;
   double gain = 1.0;
   const int most = task_.options.pipeline.max_passes;
-  bool nears = false;  // the ZMP came nearer to its reference in the last pass, and is not as near as an audit asks
+  bool nears = false;  // the last pass reduced the ZMP error, and the error is still above the audit's limit
   for (passes = 0; passes < most || (nears && passes < 2 * most); ++passes) {
     adapts_ = in_reach_ && passes < kAdapting;
     Result<MotionPass> made = MakePass();
@@ -107,7 +108,7 @@ Result<MotionPass> MotionPasses::Run(int& passes, double hopeless) {
       gain *= 0.5;
       if (gain < 0.1) break;
     }
-    if (passes == (in_reach_ ? kAdapting : 0) && best.excess > hopeless) break;
+    if (passes == (in_reach_ ? kAdapting : 0) && best.violation > infeasible) break;
     const bool near = best.error_m < task_.options.pipeline.zmp_tolerance_m && best.outside_m < kOutside;
     if (best.settled && near && !adapts_) break;
     UpdateOffset(*made, gain);
@@ -125,8 +126,8 @@ double MotionPasses::Outside(const MotionPass& pass) const {
   return outside;
 }
 
-/// Lifts the pendulum onto the ground that the body is carried over. What that changes of the ZMP is made good like
-/// all that the pendulum leaves out.
+/// Moves the pendulum up by the height of the ground below the body. The resulting change of the ZMP is corrected like
+/// all other effects that the pendulum model ignores.
 void MotionPasses::FollowGround(CentroidalTrajectory& motion) const {
   for (int k = 0; k < motion.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -137,7 +138,7 @@ void MotionPasses::FollowGround(CentroidalTrajectory& motion) const {
   }
 }
 
-/// Carries the body higher or lower where legs do not reach their feet.
+/// Raises or lowers the body where legs do not reach their feet.
 void MotionPasses::KeepInReach(MotionPass& pass) {
   const ReachHeight height(model_);
   const FormerMotion former = Former(pass.centroidal);
@@ -145,18 +146,18 @@ void MotionPasses::KeepInReach(MotionPass& pass) {
   for (int k = 0; k < body_.knots(); ++k) {
     const double time_s = body_.KnotTime(k), ground_m = body_.GroundAt(time_s).value;
     const auto change = height.Changes(former.base(time_s), FeetAt(model_, pass, time_s),
-                                       former_.base ? kSpareReach : kFirstSpareReach);
-    constexpr double kAnything = 10.0;  // [m] for others to tell
+                                       former_.base ? kReachMargin : kFirstReachMargin);
+    constexpr double kAnything = 10.0;  // [m] no limit here; others check the height
     reach_.push_back({ground_m + (change ? change->low : -kAnything), ground_m + (change ? change->high : kAnything)});
   }
   body_.KeepWithin(reach_, kBend * task_.cycle_s);
   FollowGround(pass.centroidal);
 }
 
-/// The whole body's motion; where a leg does not reach after all, with the body lower around that time.
+/// The whole-body motion. If a leg is out of reach nevertheless, lowers the body around that time.
 Result<WholeBodySolution> MotionPasses::SolveBody(MotionPass& pass) {
   constexpr int kTries = 12;
-  constexpr double kLower = 0.01;  // of the leg
+  constexpr double kLower = 0.01;  // share of the leg length
   const WholeBodyProblem problem{&task_.terrain, &task_.skeleton.schedule,
                                  &footsteps_,    &pass.centroidal,
                                  &pass.swings,   [this](double time_s) { return body_.TurningAt(time_s); }};
@@ -199,18 +200,18 @@ Result<MotionPass> MotionPasses::MakePass() {
     pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
   }
   pass.outside_m = Outside(pass);
-  pass.excess = TotalExcess(model_, pass.solution.trajectory, kRangeMargin);
-  if (in_reach_) pass.excess += HopExcess(pass.centroidal);
+  pass.violation = TotalViolation(model_, pass.solution.trajectory, kRangeMargin);
+  if (in_reach_) pass.violation += HopViolation(pass.centroidal);
   return pass;
 }
 
-/// What swings over ground that is not level reckon with: the pass before, or where the base is carried at first.
+/// The assumed motion for swings over uneven ground: that of the previous pass, or the initial motion of the base.
 FormerMotion MotionPasses::Former(const CentroidalTrajectory& motion) const {
   if (level_ || former_.base) return former_;
   return {CarriedBase(model_, body_, motion), {}, {}};
 }
 
-/// True when the rolls are what the swings were aimed by.
+/// True if the rolls equal those assumed by the swings.
 bool MotionPasses::UpdateRolls(const WholeBodySolution& solution) {
   support_.contact_W = solution.contact_W;
   constexpr double kSettled = 2e-4;
@@ -226,7 +227,7 @@ bool MotionPasses::UpdateRolls(const WholeBodySolution& solution) {
   return change < kSettled;
 }
 
-/// True when the base leaned as the swings of legs that stay in a plane were made for.
+/// True if the base leaned as assumed by the swings of planar legs.
 bool MotionPasses::UpdateLeans(const MotionPass& pass) {
   constexpr double kSettled = 2e-4;  // [m]
   if (!is_planar_) return true;
@@ -235,7 +236,7 @@ bool MotionPasses::UpdateLeans(const MotionPass& pass) {
   return LeanSwings(planes_, leans_by_.base, swings) < kSettled;
 }
 
-/// Feet that roll on in their last stance, on what is level, are put down so much before.
+/// Moves the last footholds of rolling feet on level ground back by the distance that they roll in their last stance.
 void MotionPasses::EndAsStanding() {
   constexpr double kTime = 1e-6, kUpright = 1.0 - 1e-9;  // [s], cosine
   const double end_s = task_.skeleton.schedule.end_s();

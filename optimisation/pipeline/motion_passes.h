@@ -27,7 +27,7 @@ struct MotionPass {
   FootstepPlan footsteps;
   WholeBodySolution solution;
   double error_m = std::numeric_limits<double>::infinity();
-  double excess = 0.0;  ///< beyond joint limits, summed in shares of the limits
+  double violation = 0.0;  ///< beyond joint limits, summed in shares of the limits
   double outside_m =
       0.0;  ///< distance of the multibody ZMP outside supports with area; for a line support, see the error
   double lacks_m = 0.0;  ///< missing clearance of the body from the ground, if checked
@@ -41,7 +41,7 @@ struct MotionPass {
 };
 
 /// Height, lean and preferred ZMP of the body.
-struct Carriage {
+struct BodyStrategy {
   double com_height_m = 0.0;  ///< above the ground under the body
   double zmp_inward = 0.0;    ///< see SupportRegions
   bool in_reach = false;      ///< temporarily higher or lower if legs do not reach otherwise
@@ -61,14 +61,14 @@ struct MotionTask {
 /// Repeats the planning stages after the footsteps, with feedback from the multibody motion.
 class MotionPasses {
  public:
-  MotionPasses(const MotionTask& task, const Carriage& carriage);
+  MotionPasses(const MotionTask& task, const BodyStrategy& strategy);
 
-  /// One pass without corrections, which suffices to check limits.
+  /// One pass without corrections, which is sufficient to check limits.
   Result<MotionPass> RunOnce() { return MakePass(); }
 
   /// Runs passes until the ZMP reaches its reference; stops early if the first ones exceed limits by more than
-  /// `hopeless`.
-  Result<MotionPass> Run(int& passes, double hopeless);
+  /// `infeasible`.
+  Result<MotionPass> Run(int& passes, double infeasible);
 
  private:
   double Outside(const MotionPass& pass) const;
@@ -86,13 +86,13 @@ class MotionPasses {
   const RobotModel& model_;
   BodyPath body_;
   const bool in_reach_, level_;
-  bool adapts_ = false;        // the body's height is still sought
-  std::vector<Bounds> reach_;  // of the ground under the body, by its knots
+  bool adapts_ = false;        // the body's height is still being adapted
+  std::vector<Bounds> reach_;  // bounds from reach for the height of the body, by knot
   FormerMotion former_;        // over ground that is not level
   FootstepPlan footsteps_;
-  std::vector<std::optional<Vector3>> planes_;  // of legs that cannot leave theirs
-  bool is_planar_ = false;                      // there are such legs
-  FormerMotion leans_by_;                       // their swings, of the pass before
+  std::vector<std::optional<Vector3>> planes_;  // planes of legs that cannot leave them
+  bool is_planar_ = false;                      // true if there are such legs
+  FormerMotion leans_by_;                       // assumed motion for their swings, from the previous pass
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;
   SupportInputs support_;

@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// Replaces "foot 0" in the message of a rigid body's failure by the name of the robot's foot.
+/// Replaces "foot 0" in the message of a rigid body's failure with the name of the robot's foot.
 Failure WithNamesOfFeet(const RobotModel& model, Failure failure);
 
 }  // namespace gaitwright

@@ -11,12 +11,12 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "optimisation/pipeline/carriage_search.h"
+#include "optimisation/pipeline/body_strategy_search.h"
 #include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
 #include "optimisation/pipeline/free_footholds.h"
 #include "optimisation/pipeline/gait_timing.h"
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/motion_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
@@ -26,7 +26,7 @@
 namespace gaitwright {
 namespace {
 
-/// True where the robot stands on one sole alone for a while.
+/// True if the robot stands on a single sole at some time.
 bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
   return std::any_of(schedule.phases.begin(), schedule.phases.end(), [&](const ContactPhase& phase) {
     return std::has_single_bit(phase.stance) &&
@@ -34,29 +34,30 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
   });
 }
 
-/// The motion with the body carried as well as is found, and the number of its passes.
+/// The motion with the best body posture that is found, and the number of its passes.
 Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
-  const CarriageProblem problem{StandingCentreOfMass(task.model).z(),
-                                task.options.pipeline.com_height_m,
-                                task.options.pipeline.zmp_inward,
-                                KindOfGround(task.terrain) > GroundKind::kLevel,
-                                StandsOnOneSole(task.model, task.skeleton.schedule),
-                                task.options.pipeline.allow_limits};
-  return FindCarriage(problem, {[&](const Carriage& carriage, double hopeless) {
-                                  return MotionPasses(task, carriage).Run(passes, hopeless);
-                                },
-                                [&](const Carriage& carriage) { return MotionPasses(task, carriage).RunOnce().ok(); }});
+  const BodyStrategyProblem problem{StandingCentreOfMass(task.model).z(),
+                                    task.options.pipeline.com_height_m,
+                                    task.options.pipeline.zmp_inward,
+                                    KindOfGround(task.terrain) > GroundKind::kLevel,
+                                    StandsOnOneSole(task.model, task.skeleton.schedule),
+                                    task.options.pipeline.allow_limits};
+  return FindBodyStrategy(problem,
+                          {[&](const BodyStrategy& strategy, double infeasible) {
+                             return MotionPasses(task, strategy).Run(passes, infeasible);
+                           },
+                           [&](const BodyStrategy& strategy) { return MotionPasses(task, strategy).RunOnce().ok(); }});
 }
 
-/// The motion of a rigid body on legs, crouched as far as flights need it.
+/// The motion of a rigid body, crouched as far as flights need it.
 Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch>& crouch, int& passes) {
   if (!crouch) return RunRigidBodyPasses(task, nullptr, passes);
   const MotionTask crouched{crouch->model, task.terrain, task.skeleton, task.options, task.body, task.cycle_s};
   return RunRigidBodyPasses(crouched, &*crouch, passes);
 }
 
-/// Whether brief stances, or brief flights near the motors' greatest speed, have too few rows of the grid, as may be
-/// had with half as far between them.
+/// Whether short stances, or short flights near the motors' speed limits, have too few rows of the grid. A grid with
+/// half the time step has enough.
 bool WantsFinerGrid(const FootstepPlan& footsteps, const std::optional<Crouch>& crouch, double step_s) {
   constexpr double kRows = 20.0, kLeast = 0.002;
   double brief_s = crouch && crouch->flight_s > 0.0 ? crouch->flight_s : std::numeric_limits<double>::infinity();
@@ -95,19 +96,19 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
 
 namespace {
 
-/// Options that act on the motion of a rigid body alone, and are set where the motion is that of a pendulum.
+/// Warns of options for rigid-body motions that have no effect because the motion is planned with the pendulum.
 void WarnOfIdleOptions(const MotionOptions& options, std::vector<std::string>& warnings) {
   const auto warn = [&](const char* key, const std::string& value) {
-    warnings.push_back(fmt::format(
-        "{}={} has no effect: this gait does not leave the ground and is planned as the motion of a pendulum; "
-        "with centre_of_mass.method=rigid-body it has",
-        key, value));
+    warnings.push_back(
+        fmt::format("{}={} has no effect: this gait has no flight and is planned with the pendulum model; "
+                    "set centre_of_mass.method=rigid-body to use it",
+                    key, value));
   };
   if (options.timing != MotionOptions().timing) warn("timing", options.timing);
   if (options.footholds != MotionOptions().footholds) warn("footholds", options.footholds);
 }
 
-/// The plan of a motion over what is settled, by a pendulum's passes or those of a rigid body.
+/// Plans a motion over fixed footsteps, by passes of the pendulum or of the rigid body.
 Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::optional<Crouch>& crouch) {
   PlannedMotion planned;
   Result<MotionPass> pass = dynamic ? RunDynamic(task, crouch, planned.passes) : RunPendulum(task, planned.passes);
@@ -127,11 +128,11 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   plan.whole_body = std::move(pass->solution.trajectory);
   plan.warnings = task.skeleton.warnings;
   if (!dynamic) WarnOfIdleOptions(task.options, plan.warnings);
-  planned.limit_excess = TotalExcess(model, plan.whole_body, 0.0);
+  planned.limit_excess = TotalViolation(model, plan.whole_body, 0.0);
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
   const std::string left = dynamic
-                               ? fmt::format("contacts give all of the motion but {:.1e} m g", pass->error_m)
+                               ? fmt::format("contact forces leave at most {:.1e} m g unbalanced", pass->error_m)
                                : fmt::format("multibody ZMP within {:.1f} mm of its reference", 1e3 * pass->error_m);
   (dynamic ? planned.residual : planned.zmp_error_max_m) = pass->error_m;
   planned.summary = fmt::format("{:.2f} s, {} footholds, {} passes, {}", plan.duration_s(),
@@ -139,7 +140,7 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   return planned;
 }
 
-/// How low a body crouches for a schedule; nothing for a pendulum's motion.
+/// The crouch for a schedule; nothing for a pendulum's motion.
 Result<std::optional<Crouch>> CrouchOf(const RobotModel& model, const ContactSchedule& schedule,
                                        const MotionOptions& options) {
   if (!IsDynamic(schedule, options.centre_of_mass)) return std::optional<Crouch>{};

@@ -59,11 +59,11 @@ struct PipelineOptions {
   }
 };
 
-/// Every option that shapes a motion; the same keys serve YAML, `--set` and the plan's provenance.
+/// All options that shape a motion. The same keys are used in YAML, in `--set` and in the plan's provenance.
 ///
 /// Tuning
-///   motors are near their limits, or warm, in a gait with flight    timing=optimised
-///   such a gait has no plan over stones, slopes or steps            footholds=free
+///   motors near their limits, or hot, in a gait with flight         timing=optimised
+///   a gait with flight has no plan over stones, slopes or steps     footholds=free
 struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;
@@ -103,38 +103,38 @@ struct MotionOptions {
   }
 };
 
-/// A plan and how it came about.
+/// A plan with results of the planner.
 struct PlannedMotion {
   MotionPlan plan;
-  int passes = 0;                ///< of the ZMP correction
-  double zmp_error_max_m = 0.0;  ///< multibody ZMP against its reference, worst; of a pendulum's motion
-  double residual = 0.0;         ///< what contacts do not give over m g [1], [m]; of a rigid body's motion
-  double limit_excess = 0.0;     ///< past limits of joints, summed in shares of the limits
+  int passes = 0;                ///< of the ZMP correction or of the rigid body
+  double zmp_error_max_m = 0.0;  ///< pendulum: largest distance of the multibody ZMP from its reference
+  double residual = 0.0;         ///< rigid body: unbalanced force / (m g) [1] or moment / (m g) [m]
+  double limit_excess = 0.0;     ///< violation of joint limits, summed in shares of the limits
   std::string summary;           ///< one line
 };
 
-/// How a plan came about.
+/// Origin of a plan with these options.
 Provenance ProvenanceOf(MotionOptions options);
 
-/// Options of the footsteps for a motion, on its grid. With preview control the plan stands one preview longer at both
-/// ends, so that it starts and ends at rest.
+/// Options of the footsteps for a motion, on its grid. With preview control the plan stands one preview horizon longer
+/// at both ends, so that it starts and ends at rest.
 FootstepOptions StandingOptions(const MotionOptions& options);
 
-/// From a command to a whole motion: footsteps, centre of mass, swings, whole body. The multibody ZMP of each pass,
-/// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; once the feet
-/// roll as they were taken to, a pass that does not help is dropped. A plan past limits of joints is given with
-/// warnings, its passes cut short unless pipeline.allow_limits is set; PlanWalk refuses it.
+/// Plans a complete motion from a command: footsteps, centre of mass, swings, whole body. After each pass, the
+/// multibody ZMP from inverse dynamics corrects the pendulum of the next pass, until it agrees with its reference. Once
+/// the rolling of the feet has converged, a pass that does not improve the result is dropped. A plan that violates
+/// joint limits is returned with warnings; its passes end early unless pipeline.allow_limits is set. PlanWalk refuses
+/// such a plan.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options);
 
-/// The same of several parts one after the other (PlanSequence), in one motion without seams: where one of them takes
-/// the motion of a rigid body, the whole is planned so.
+/// PlanMotion for several consecutive parts (PlanSequence), in one motion without seams. If one part needs the motion
+/// of a rigid body, all parts are planned in that way.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
                                  const MotionOptions& options);
 
-/// The same over footholds, times and a way of the base that are settled already, as where others planned them;
-/// options.timing does nothing here.
-/// @param cycle_s  time in which every foot steps about once; the body's height and tilt are evened out over it.
+/// PlanMotion over given footholds, times and base path, for example from another planner; options.timing is ignored.
+/// @param cycle_s  time in which every foot steps about once; the body's height and tilt are smoothed over it.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
                                  double cycle_s, const MotionOptions& options);
 

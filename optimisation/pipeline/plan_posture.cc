@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kTime = 1e-9;  // [s]
 
-/// Standing still on all feet of legs under a name, but for those that are lifted meanwhile.
+/// The gait of standing still on all feet of legs, with a given name; lifted feet leave the ground for a while.
 Gait GaitOf(const RobotModel& model, const PostureMotion& motion, const std::string& name, double start_s,
             double end_s) {
   Gait gait = StandingGait(static_cast<int>(model.legs.size()));
@@ -55,7 +55,7 @@ void AddParts(const RobotModel& model, const PostureMotion& motion, MotionPlan& 
   }
 }
 
-/// Where the feet stand at the first key, reckoned from standing: spheres have rolled with their legs since.
+/// Positions of the feet at the first key. Spherical feet have rolled with their legs since standing.
 Result<std::vector<Pose>> FeetAtStart(const RobotModel& model, const PostureMotion& motion, double com_height_m) {
   DynamicsScratch scratch(model);
   VectorX q = StandingConfiguration(model);
@@ -86,7 +86,7 @@ Result<std::vector<Pose>> FeetAtStart(const RobotModel& model, const PostureMoti
   return feet;
 }
 
-/// The schedule, the footholds and the swings of lifts.
+/// Adds the schedule, the footholds and the swings of lifted feet.
 void AddContacts(const RobotModel& model, const PostureMotion& motion, const std::vector<Pose>& feet,
                  MotionPlan& plan) {
   const double end_s = motion.duration_s();
@@ -113,7 +113,7 @@ void AddContacts(const RobotModel& model, const PostureMotion& motion, const std
   SortFootholds(plan.footsteps);
 }
 
-/// The centre of mass by the keys; the ZMP is left out.
+/// Motion of the centre of mass from the keys; the ZMP is left out.
 CentroidalTrajectory CentreOfMassOf(const RobotModel& model, const PostureMotion& motion, double height_m,
                                     double step_s) {
   Vector3 standing = StandingCentreOfMass(model);
@@ -135,7 +135,7 @@ CentroidalTrajectory CentreOfMassOf(const RobotModel& model, const PostureMotion
   return c;
 }
 
-/// Solves a problem until spheres roll as they were taken to, and takes over what comes of it.
+/// Solves a problem repeatedly until the rolling of spherical feet has converged, and stores the result.
 std::optional<Failure> Solve(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,
                              MotionPlan& plan) {
   constexpr int kPasses = 6;
@@ -158,7 +158,7 @@ std::optional<Failure> Solve(const RobotModel& model, const WholeBodyProblem& pr
   return std::nullopt;
 }
 
-/// Where rests lie is where the body puts them.
+/// Puts the footholds of support links where the body's motion puts the links.
 void PlaceRests(const RobotModel& model, MotionPlan& plan) {
   DynamicsScratch scratch(model);
   const WholeBodyTrajectory& w = plan.whole_body;
@@ -171,7 +171,7 @@ void PlaceRests(const RobotModel& model, MotionPlan& plan) {
   }
 }
 
-/// Where the base ends in each part: a body may go a way over feet that stay.
+/// Sets the base's final pose of each part: the body may move over fixed feet.
 void SetGoals(MotionPlan& plan) {
   constexpr double kSame = 1e-3;  // [m]
   const WholeBodyTrajectory& w = plan.whole_body;
@@ -191,7 +191,7 @@ void SetGoals(MotionPlan& plan) {
   plan.goal = from;
 }
 
-/// A gate at the end of each section that waits: all feet of legs carry.
+/// Adds a gate at the end of each section that waits: all feet of legs must carry force.
 void AddGates(const RobotModel& model, const PostureMotion& motion, MotionPlan& plan) {
   for (const PostureSection& section : motion.sections) {
     if (!section.waits) continue;
@@ -219,7 +219,8 @@ Result<MotionPlan> PlanPosture(const RobotModel& model, const PostureMotion& mot
   const double step_s = options.pipeline.grid_step_s;
   const PostureMotion on_grid = Stretched(motion, 1.0, step_s);
   if (!(on_grid.duration_s() >= step_s))
-    throw InvalidArgument(fmt::format("posture motion '{}' lasts {} s", motion.name, motion.duration_s()));
+    throw InvalidArgument(fmt::format("posture motion '{}' lasts {} s; at least one time step, {} s, is needed",
+                                      motion.name, motion.duration_s(), step_s));
   MotionPlan plan;
   SetRobot(model, plan);
   plan.terrain = FlatTerrain();
@@ -252,7 +253,7 @@ Result<MotionPlan> WithGesture(const RobotModel& model, const MotionPlan& plan, 
   CheckPostureMotion(model, gesture);
   const WholeBodyTrajectory& w = plan.whole_body;
   if (!(from_s >= w.start_s - kTime && from_s + gesture.duration_s() <= w.end_s() + kTime)) {
-    throw InvalidArgument(fmt::format("gesture '{}' lasts from {} to {} s, but the plan lasts from {} to {} s",
+    throw InvalidArgument(fmt::format("gesture '{}' lasts from {} to {} s; it must lie within the plan, {} to {} s",
                                       gesture.name, from_s, from_s + gesture.duration_s(), w.start_s, w.end_s()));
   }
   MotionPlan moved = plan;

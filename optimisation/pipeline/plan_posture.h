@@ -9,12 +9,12 @@
 
 namespace gaitwright {
 
-/// A plan of a posture motion on level ground: feet as in standing, except a lifted one; centre of mass, base and
-/// joints outside the legs as in the keys. The ZMP reference is the multibody ZMP; the audit checks whether it is in
-/// the support. Its single part stands still and has the motion's name.
-/// @param options  of which only the grid, the contact forces' and `pipeline.com_height_m` are used; the latter is the
-///        reference of the keys' shifts, and 0 means that of standing.
-/// Failure kInfeasible `out_of_reach` for a key that is out of the legs' reach, with the time and the foot.
+/// A plan of a posture motion on level ground. Feet are as in standing, except lifted ones; centre of mass, base and
+/// joints outside the legs are as in the keys. The ZMP reference is the multibody ZMP; the audit checks whether it is
+/// inside the support. The single part of the plan stands still and has the motion's name.
+/// @param options  only the grid, the options of contact forces and `pipeline.com_height_m` are used. The latter is the
+///                 reference of the keys' shifts; 0 uses the standing height.
+/// Failure kInfeasible `out_of_reach` for a key out of the legs' reach, with the time and the foot.
 /// @throws InvalidArgument for an invalid motion (CheckPostureMotion), or zero duration.
 Result<MotionPlan> PlanPosture(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options);
 

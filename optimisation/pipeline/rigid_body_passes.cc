@@ -15,7 +15,7 @@
 #include "kinematics/model/actuator.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/body_limits.h"
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/mean_height.h"
 #include "optimisation/pipeline/names_of_feet.h"
 #include "optimisation/pipeline/roll_moments.h"
@@ -25,10 +25,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kFollows = 0.05;   // of the leg, by which a body makes up for what swings are out of reach
-constexpr double kMotorUse = 0.95;  // of what the motors give at most
+constexpr double kFollows = 0.05;   // share of the leg length: correction of the body's motion for swings out of reach
+constexpr double kMotorUse = 0.95;  // share of the motors' effort limits
 
-/// How a motion turns the base at a row.
+/// Rotation of the base in a motion at a row.
 BaseTurning TurningOf(const RigidBodySample& sample, const Matrix3& inertia_B) {
   const Matrix3 R = RotationOf(sample.angles_rad);
   const Vector3& w = sample.w_WB_B;
@@ -36,7 +36,7 @@ BaseTurning TurningOf(const RigidBodySample& sample, const Matrix3& inertia_B) {
   return {R, R * w, R * alpha};
 }
 
-/// By row and foot: the share of the weight that a motion lets it carry.
+/// By row and foot: the share of the weight that the foot carries in a motion.
 std::vector<std::vector<double>> LoadsOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion,
                                          const std::vector<RigidBodySample>& samples) {
   std::vector<std::vector<double>> loads(samples.size(), std::vector<double>(problem.feet.size(), 0.0));
@@ -51,9 +51,9 @@ std::vector<std::vector<double>> LoadsOf(const RigidBodyProblem& problem, const 
   return loads;
 }
 
-/// Rows at which something presses on the ground.
+/// Rows at which any foot presses on the ground.
 std::vector<bool> PressingIn(const std::vector<std::vector<double>>& loads) {
-  constexpr double kPresses = 0.02;  // of the weight
+  constexpr double kPresses = 0.02;  // share of the weight
   std::vector<bool> presses;
   for (const std::vector<double>& row : loads)
     presses.push_back(std::accumulate(row.begin(), row.end(), 0.0) > kPresses);
@@ -83,18 +83,18 @@ RigidBodyPasses::RigidBodyPasses(const MotionTask& task, const Crouch* crouch)
 
 Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   constexpr double kGain = 0.9;
-  constexpr int kFreePasses = 2;  // after which footholds stay, so that postures do
-  constexpr int kIdle = 3;        // passes without gain
+  constexpr int kFreePasses = 2;  // passes with free footholds; then they are fixed, so that postures converge
+  constexpr int kIdle = 3;        // passes without improvement
   int idle = 0;
   MotionPass best;
   const double tolerance = task_.options.pipeline.residual;
   const RigidBodyOptions options = Options();
   auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use);
-  if (!failure) failure = WhyNotCarried(problem_, options);
+  if (!failure) failure = ReasonNotCarried(problem_, options);
   if (failure) return WithNamesOfFeet(model_, *failure);
   for (passes = 0; passes < task_.options.pipeline.max_body_passes;) {
     Result<MotionPass> made = MakePass();
-    if (!made && best.settled) break;  // the audit tells whether that one is good enough
+    if (!made && best.settled) break;  // the audit decides whether that one is good enough
     if (!made) return made;
     ++passes;
     Learn(*made);
@@ -119,12 +119,12 @@ RigidBodyOptions RigidBodyPasses::Options() const {
   return options;
 }
 
-/// Whether joints are past their limits as they were in the pass before, which the next ones do not change: legs that
-/// are too short, or too slow for their swings, stay so. Far past them that shows at once.
+/// Whether joint limits are violated as in the previous pass. Further passes do not help then: legs are too short, or
+/// too slow for their swings. A large violation shows this after fewer passes.
 bool RigidBodyPasses::StaysPastLimits(const MotionPass& pass, int passes) {
   constexpr double kLeast = 1e-3, kFall = 0.9, kFar = 0.2, kFarFall = 0.8;
-  constexpr int kSettling = 4, kFarSettling = 2;  // passes
-  const double before = std::exchange(past_limits_, TotalExcess(model_, pass.solution.trajectory, 0.0));
+  constexpr int kSettling = 4, kFarSettling = 2;  // number of passes
+  const double before = std::exchange(past_limits_, TotalViolation(model_, pass.solution.trajectory, 0.0));
   if (task_.options.pipeline.allow_limits) return false;
   const bool far = std::min(before, past_limits_) > kFar && past_limits_ > kFarFall * before;
   const bool past = std::min(before, past_limits_) > kLeast && past_limits_ > kFall * before;
@@ -160,7 +160,7 @@ void RigidBodyPasses::SetCentroidal(const std::vector<RigidBodySample>& samples,
   c.omega_rad_s = std::sqrt(kGravity / MeanHeightOverFeet(c, pass.footsteps, static_cast<int>(model_.feet.size())));
 }
 
-/// Where a foot in the air can be by the last motion, and a little beyond, for the next motion to follow.
+/// Positions of a swing foot that the last motion allows, with a margin, for the next motion.
 std::vector<ReachSide> RigidBodyPasses::ReachAt(int foot, double time_s) const {
   const double at = (time_s - task_.skeleton.schedule.start_s()) / task_.options.pipeline.grid_step_s;
   const auto row = std::clamp<long>(std::lround(at), 0, static_cast<long>(samples_.size()) - 1);
@@ -169,8 +169,8 @@ std::vector<ReachSide> RigidBodyPasses::ReachAt(int foot, double time_s) const {
                       RotationOf(sample.angles_rad), kFollows * model_.leg_length_m());
 }
 
-/// Where no motion keeps as clear of the ground as is wanted, one that keeps clear by as much as it must. What misses
-/// laws by little is good enough for a pass, from which the next one learns; the audit tells whether it is in the end.
+/// Plans with the wanted clearance from the ground; if no motion keeps it, with the required clearance. A motion with
+/// small violations is accepted in a pass, because the next pass corrects it; the audit checks the final motion.
 Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options) {
   constexpr double kLittle = 3e-3;  // m, rad, m g
   while (true) {
@@ -233,13 +233,14 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   pass.solution = std::move(*solution);
   pass.centroidal.p_WZ = HeldOverFlights(pass.solution.pressure_W, PressingIn(loads));
   pass.error_m = Largest(pass.solution.residual_W, model_.weight_n());
-  pass.excess = TotalExcess(model_, pass.solution.trajectory, kRangeMargin);
+  pass.violation = TotalViolation(model_, pass.solution.trajectory, kRangeMargin);
   pass.lacks_m = clearance_.Look(pass.solution.trajectory, samples_);
   pass.settled = pass.lacks_m <= 0.0;
   return pass;
 }
 
-/// What the motors of a leg hold of forces on its foot in the posture of a row: all but what they need for the motion.
+/// Limits of a foot's forces from the motors of its leg in the posture of a row. The torques that the motion needs are
+/// subtracted.
 MotorLimits RigidBodyPasses::MotorsOf(const MotionPass& pass, int foot, std::size_t row,
                                       DynamicsScratch& scratch) const {
   const WholeBodyTrajectory& rows = pass.solution.trajectory;
@@ -282,17 +283,16 @@ MotorLimits RigidBodyPasses::MotorsOf(const MotionPass& pass, int foot, std::siz
   return limits;
 }
 
-/// Takes note of the momentum that the legs had against the box. What comes back of a pass differs from what went in by
-/// ever less; how far to go on is found from the last two differences (Irons and Tuck, Int. J. Numerical Methods in
-/// Engineering 1, 1969).
-void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch) {
+/// Updates the legs' angular momentum by a fixed-point iteration. The step length comes from the last two differences
+/// between the result of a pass and its assumption (Irons and Tuck, Int. J. Numerical Methods in Engineering 1, 1969).
+void RigidBodyPasses::UpdateLegMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch) {
   constexpr double kLeast = 0.6, kMost = 2.0;
   VectorX needed;
   const std::size_t n = samples_.size();
   const std::vector<Vector3> roll_moment = RollMoments(problem_, motion_, samples_);
   Vector3 by_roll = Vector3::Zero();
-  problem_.inner_momentum_W.resize(n, Vector3::Zero());
-  problem_.inner_torque_W.resize(n, Vector3::Zero());
+  problem_.leg_momentum_W.resize(n, Vector3::Zero());
+  problem_.leg_torque_W.resize(n, Vector3::Zero());
   std::vector<Vector3> off(n), torque_off(n);
   double along = 0.0, change = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
@@ -300,22 +300,22 @@ void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, Dynamics
     const Vector3 arm = scratch.p_WB[0] - CentreOfMass(model_, scratch);
     const Vector3 of_box = RotationOf(samples_[k].angles_rad) * problem_.inertia_B * samples_[k].w_WB_B;
     if (k > 0) by_roll += 0.5 * rows.step_s * (roll_moment[k - 1] + roll_moment[k]);
-    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll - problem_.inner_momentum_W[k];
+    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll - problem_.leg_momentum_W[k];
     torque_off[k] = needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - roll_moment[k] -
-                    problem_.inner_torque_W[k];
+                    problem_.leg_torque_W[k];
     if (off_.empty()) continue;
     along += off_[k].dot(off[k] - off_[k]);
     change += (off[k] - off_[k]).squaredNorm();
   }
   if (change > 0.0) step_ = std::clamp(-step_ * along / change, kLeast, kMost);
   for (std::size_t k = 0; k < n; ++k) {
-    problem_.inner_momentum_W[k] += step_ * off[k];
-    problem_.inner_torque_W[k] += step_ * torque_off[k];
+    problem_.leg_momentum_W[k] += step_ * off[k];
+    problem_.leg_torque_W[k] += step_ * torque_off[k];
   }
   off_ = std::move(off);
 }
 
-/// Takes note of how feet were lifted over the ground, which may be by more than the bump or by a detour.
+/// Stores the swing paths over the ground, whose lift may exceed the bump, or which may have a detour.
 void RigidBodyPasses::LearnSwings(const std::vector<SwingTrajectory>& swings) {
   constexpr double kSame = 1e-9;  // [s]
   const double start_s = task_.skeleton.schedule.start_s();
@@ -330,7 +330,7 @@ void RigidBodyPasses::LearnSwings(const std::vector<SwingTrajectory>& swings) {
   }
 }
 
-/// Takes note of how the legs moved and the feet rolled.
+/// Stores the motion of the legs and the rolling of the feet.
 void RigidBodyPasses::Learn(const MotionPass& pass) {
   const WholeBodySolution& solution = pass.solution;
   DynamicsScratch scratch(model_);
@@ -350,7 +350,7 @@ void RigidBodyPasses::Learn(const MotionPass& pass) {
       stance.motors.push_back(MotorsOf(pass, stance.foot, k, scratch));
     }
   }
-  LearnInnerMotion(solution.trajectory, scratch);
+  UpdateLegMotion(solution.trajectory, scratch);
 }
 
 }  // namespace gaitwright

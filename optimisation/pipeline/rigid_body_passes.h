@@ -42,7 +42,7 @@ class RigidBodyPasses {
   bool StaysPastLimits(const MotionPass& pass, int passes);
   void HoldFootholds(const FootstepPlan& footsteps);
   void Learn(const MotionPass& pass);
-  void LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
+  void UpdateLegMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
   void LearnSwings(const std::vector<SwingTrajectory>& swings);
   MotorLimits MotorsOf(const MotionPass& pass, int foot, std::size_t row, DynamicsScratch& scratch) const;
 
@@ -54,12 +54,12 @@ class RigidBodyPasses {
   RigidBodyProblem problem_;
   RigidBodyMotion motion_;  // of the last pass
   Stage stage_ = Stage::kFree;
-  std::string method_;                       // the one asked for until it gives up
-  std::optional<RigidBodyNumbers> numbers_;  // of the last motion with footholds held
-  std::vector<RigidBodySample> samples_;     // of it, by row of the grid
-  std::vector<Vector3> off_;                 // inner momentum that came back, less what went in, of the last pass
-  double past_limits_ = 0.0;                 // of the last pass, TotalExcess
-  double step_ = 1.0;                        // of that, how much was taken
+  std::string method_;                       // the requested method until it fails
+  std::optional<RigidBodyNumbers> numbers_;  // of the last motion with fixed footholds
+  std::vector<RigidBodySample> samples_;     // samples of that motion, by row of the grid
+  std::vector<Vector3> off_;                 // leg angular momentum of the last pass minus its assumption
+  double past_limits_ = 0.0;                 // TotalViolation of the last pass
+  double step_ = 1.0;                        // share of that difference that was applied
   std::vector<Vector3> expected_roll_;       // by foothold
   std::vector<Vector3> roll_;                // by foothold, over its stance
 };

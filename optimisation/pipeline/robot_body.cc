@@ -16,9 +16,9 @@
 namespace gaitwright {
 namespace {
 
-/// The greatest upright force on a foot at the scratch's pose that the leg's motors hold [N].
+/// Largest vertical force on a foot at the scratch's pose that the leg's motors hold [N].
 double MostUpright(const RobotModel& model, const DynamicsScratch& scratch, int foot) {
-  constexpr double kMost = 20.0;  // of the weight, where no motor says so
+  constexpr double kMost = 20.0;  // multiple of the weight; used if no motor limits the force
   const Foot& f = model.feet[static_cast<std::size_t>(foot)];
   MatrixX J = MatrixX::Zero(6, model.nv());
   PointJacobian(model, scratch, f.body, f.X_BF.translation(), J);
@@ -33,8 +33,8 @@ double MostUpright(const RobotModel& model, const DynamicsScratch& scratch, int 
 
 RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, const StandingBody& body, int foot,
                       double reserve) {
-  constexpr double kFarthest = 0.6;       // of the leg
-  constexpr double kReserveInAir = 0.01;  // nothing pushes a foot there
+  constexpr double kFarthest = 0.6;      // share of the leg length
+  constexpr double kMarginInAir = 0.01;  // smaller margin, because no force acts on a foot in the air
   const Foot& described = model.feet[static_cast<std::size_t>(foot)];
   RigidFoot rigid;
   const Vector3 p_WC = CentreOfMass(model, scratch);
@@ -45,7 +45,8 @@ RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, c
   }
   rigid.force_max_n = MostUpright(model, scratch, foot);
   const double farthest = kFarthest * model.legs[static_cast<std::size_t>(foot)].length_m;
-  // From the controlled frame seen from the base to the contact frame seen from the centre of mass.
+  // Shift of coordinates: from the controlled frame relative to the base, to the contact frame relative to the centre
+  // of mass.
   const Vector3 shift = body.p_HC + described.radius * Vector3::UnitZ();
   const auto reach = [&](double kept, const Vector3& up_B) {
     LegWorkspace workspace(model, foot, kept);
@@ -57,13 +58,13 @@ RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, c
     return sides;
   };
   rigid.workspace_B = reach(reserve, body.R_HB.transpose() * Vector3::UnitZ());
-  rigid.workspace_in_air_B = reach(kReserveInAir, Vector3::Zero());
+  rigid.workspace_in_air_B = reach(kMarginInAir, Vector3::Zero());
   return rigid;
 }
 
-/// Feet keep to their sides of the middle between where they stand, so that they do not meet.
+/// Limits each foot to its side of the middle between the standing positions, so that feet do not collide.
 void KeepApart(const RobotModel& model, std::vector<RigidFoot>& feet) {
-  constexpr double kApart = 0.05;  // of the leg
+  constexpr double kApart = 0.05;  // share of the leg length
   for (std::size_t i = 0; i < feet.size(); ++i) {
     for (std::size_t j = 0; j < feet.size(); ++j) {
       if (i == j) continue;
@@ -86,10 +87,10 @@ RigidBodyState Standing(const StandingBody& body, const PlanarPose& at, double b
   return state;
 }
 
-/// Where the body comes to rest: at the goal, where its feet, whose places the ground has a say in, are near enough to
-/// where they stand under it; else over its feet.
+/// Final pose of the base: the goal, if its feet end near their standing positions there (the ground may shift
+/// footholds); otherwise the pose above the feet.
 PlanarPose EndOf(const RobotModel& model, const FootstepSkeleton& skeleton) {
-  constexpr double kNear = 0.08;  // of the leg
+  constexpr double kNear = 0.08;  // share of the leg length
   PlanarPose end = PoseAt(skeleton.path, skeleton.schedule.end_s());
   const Vector2 off(skeleton.goal.x_m - end.x_m, skeleton.goal.y_m - end.y_m);
   if (off.norm() > kNear * model.leg_length_m()) return end;
@@ -98,17 +99,17 @@ PlanarPose EndOf(const RobotModel& model, const FootstepSkeleton& skeleton) {
   return end;
 }
 
-/// Whether a foot stands still there with all others.
+/// Whether a foothold belongs to a stance in which all feet stand still.
 bool StandsIn(const FootstepSkeleton& skeleton, const Foothold& foothold) {
   return std::any_of(skeleton.parts.begin(), skeleton.parts.end(), [&](const MotionPart& part) {
     return StandsStill(part.gait) && foothold.touchdown_s < part.end_s && foothold.liftoff_s > part.start_s;
   });
 }
 
-/// When the body rests in a part on the way that stands still: all of it but what it takes to come to rest after the
-/// feet have, and to make ready for those to move again.
+/// Time during which the body rests in an intermediate part that stands still: the part without the time to come to
+/// rest after the feet, and the time to prepare for their next motion.
 std::optional<ContactInterval> RestOf(const FootstepSkeleton& skeleton, const MotionPart& part) {
-  constexpr double kLongest = 0.4, kShare = 0.4;  // [s], and of the time that it stands
+  constexpr double kLongest = 0.4, kShare = 0.4;  // [s], and share of the standing time
   const bool at_end = part.start_s <= skeleton.schedule.start_s() || part.end_s >= skeleton.schedule.end_s();
   if (at_end || !StandsStill(part.gait)) return std::nullopt;
   const double settling = std::min(kLongest, kShare * (part.end_s - part.start_s));

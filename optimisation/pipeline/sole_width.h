@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// Width of a sole across its foot, along y of F [m]; 0 for a foot without one.
+/// Width of a sole along y of F [m]; 0 for a foot without a sole.
 inline double SoleWidth(const Foot& foot) {
   const auto [low, high] = std::minmax_element(foot.sole_F.begin(), foot.sole_F.end(),
                                                [](const Vector2& a, const Vector2& b) { return a.y() < b.y(); });

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// Corners of a foot's contact with the ground at a time since the start of the grid, in plan view.
+/// Corners of a foot's contact with the ground in plan view, at a time since the start of the grid.
 std::vector<Vector2> CornersAt(const Foot& foot, const Foothold& foothold, double since_start_s,
                                const SupportInputs& inputs, const Polygon& support_F) {
   const auto index = static_cast<std::size_t>(foothold.foot);
@@ -28,14 +28,14 @@ std::vector<Vector2> CornersAt(const Foot& foot, const Foothold& foothold, doubl
   return corners;
 }
 
-/// What a phase's region is made from.
+/// Inputs for the region of a phase.
 struct Scene {
   const RobotModel& model;
   const FootstepPlan& footsteps;
   const SupportInputs& inputs;
   double start_s;
 
-  /// What carries a foot at its foothold, in F.
+  /// Support polygon of a foot at its foothold, in F.
   const Polygon& SupportAt(int foothold) const {
     const auto i = static_cast<std::size_t>(foothold);
     if (!inputs.support_F.empty()) return inputs.support_F[i];
@@ -72,15 +72,15 @@ ZmpPhase MovingHull(const Scene& scene, const ContactPhase& phase) {
   return region;
 }
 
-/// Where the ZMP is best while a foot stands alone.
-class Homes {
+/// Preferred ZMP of single support.
+class PreferredZmp {
  public:
-  explicit Homes(const RobotModel& model) : model_(model), scratch_(model) {
+  explicit PreferredZmp(const RobotModel& model) : model_(model), scratch_(model) {
     ForwardKinematics(model, StandingConfiguration(model), scratch_);
     height_m_ = CentreOfMass(model, scratch_).z();
   }
 
-  /// The middle, in F, of that part of what carries a sole in which its ankle holds the robot.
+  /// The middle, in F, of the part of the support polygon in which the ankle can hold the robot.
   Vector2 Of(int foot, const Polygon& support_F) const {
     constexpr double kUse = 1.0;
     const Foot& sole = model_.feet[static_cast<std::size_t>(foot)];
@@ -100,10 +100,10 @@ class Homes {
   double height_m_ = 0.0;
 };
 
-/// Where the ZMP is wanted at an end of a phase: the middle of its region; under a single sole its home, moved towards
-/// where the other feet are or stood last.
+/// Preferred ZMP at an end of a phase: the middle of its region. Under a single sole it is the sole's preferred ZMP,
+/// moved towards the other feet or their last footholds.
 Vector2 Preferred(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& region,
-                  const Homes& homes) {
+                  const PreferredZmp& preferred) {
   if (std::popcount(phase.stance) != 1) return Centroid(region);
   const int foot = std::countr_zero(phase.stance);
   const Foot& sole = scene.model.feet[static_cast<std::size_t>(foot)];
@@ -116,12 +116,12 @@ Vector2 Preferred(const Scene& scene, const ContactPhase& phase, const std::vect
   for (int f = 0; f < static_cast<int>(scene.model.feet.size()); ++f) {
     if (f != foot) side += (place(foot).inverse() * place(f).translation()).y();
   }
-  const Vector2 home = homes.Of(foot, scene.SupportAt(FootholdAt(scene.footsteps, foot, time_s)));
+  const Vector2 home = preferred.Of(foot, scene.SupportAt(FootholdAt(scene.footsteps, foot, time_s)));
   const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * SoleWidth(sole);
   return (place(foot) * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
 
-/// Where one stance goes over into a larger or smaller one, both want the point of the smaller.
+/// At a change to a larger or smaller stance, both phases get the preferred point of the smaller one.
 void JoinPreferred(const std::vector<ContactPhase>& phases, std::vector<ZmpPhase>& regions) {
   const std::vector<ZmpPhase> own = regions;
   for (std::size_t i = 0; i + 1 < regions.size(); ++i) {
@@ -133,7 +133,7 @@ void JoinPreferred(const std::vector<ContactPhase>& phases, std::vector<ZmpPhase
   }
 }
 
-/// How far the corners of a phase are from where they are taken to be between its ends [m].
+/// Largest distance of the corners in a phase from their linear interpolation between its ends [m].
 double Bend(const Scene& scene, const ContactPhase& phase, const ZmpPhase& region) {
   const double middle_s = 0.5 * (phase.start_s + phase.end_s);
   const std::vector<Vector2> corners = StanceCorners(scene, phase, middle_s);
@@ -146,8 +146,8 @@ double Bend(const Scene& scene, const ContactPhase& phase, const ZmpPhase& regio
   return bend;
 }
 
-/// A phase on a line, in as many parts as keep its corners within half a millimetre of straight ways between their
-/// ends: feet roll to and fro under a body that sways, and off the line nothing holds.
+/// Divides a phase on a line into parts, such that the corners stay within 0.5 mm of straight lines between the ends of
+/// a part. Feet roll back and forth under a swaying body, and off the line no force can act.
 void AppendParts(const Scene& scene, const ContactPhase& phase, const ZmpPhase& region, std::vector<ZmpPhase>& parts) {
   constexpr double kStraight = 5e-4;  // [m]
   constexpr int kFewestSteps = 8;
@@ -176,12 +176,12 @@ std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSched
                                      const FootstepPlan& footsteps, const SupportInputs& inputs) {
   const auto& phases = schedule.phases;
   const Scene scene{model, footsteps, inputs, schedule.start_s()};
-  const Homes homes(model);
+  const PreferredZmp preferred(model);
   std::vector<ZmpPhase> regions;
   for (const ContactPhase& phase : phases) {
     ZmpPhase region = MovingHull(scene, phase);
-    region.preferred_start = Preferred(scene, phase, region.region_start, homes);
-    region.preferred_end = Preferred(scene, phase, region.region_end, homes);
+    region.preferred_start = Preferred(scene, phase, region.region_start, preferred);
+    region.preferred_end = Preferred(scene, phase, region.region_end, preferred);
     regions.push_back(region);
   }
   JoinPreferred(phases, regions);

@@ -8,9 +8,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kWorkspaceReserve = 0.03;  // of the legs' workspaces
+constexpr double kWorkspaceMargin = 0.03;  // margin as a share of the legs' workspaces
 
-/// The swings between a walk's stances.
+/// The swings between the stances of a walk.
 std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, double from_s, const FlightSwings& shapes) {
   std::vector<RigidSwing> swings;
   for (std::size_t from = 0; from < problem.stances.size(); ++from) {
@@ -25,10 +25,10 @@ std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, double from_s,
   return swings;
 }
 
-/// Lets feet without soles that are held in between stand anywhere on their patches near to where they are, as far from
-/// edges as they may roll.
+/// Frees the footholds of feet without soles between start and goal: they may move on their patches, near their present
+/// places and as far from edges as they may roll.
 void FreeFootholds(const MotionTask& task, RigidBodyProblem& problem) {
-  constexpr double kNear = 0.25;  // of the leg
+  constexpr double kNear = 0.25;  // share of the leg length
   const double near_m = kNear * task.model.leg_length_m();
   for (std::size_t i = 0; i < problem.stances.size(); ++i) {
     RigidStance& stance = problem.stances[i];
@@ -48,7 +48,7 @@ void FreeFootholds(const MotionTask& task, RigidBodyProblem& problem) {
 }  // namespace
 
 StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch) {
-  StandingBody body = BodyOf(model, kWorkspaceReserve);
+  StandingBody body = BodyOf(model, kWorkspaceMargin);
   if (crouch == nullptr) return body;
   body.p_SB = crouch->p_SB;
   if (crouch->highest_m == 0.0) return body;

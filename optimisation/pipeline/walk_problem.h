@@ -8,15 +8,15 @@
 
 namespace gaitwright {
 
-/// The robot as it stands, or crouches, with its feet no farther below it than legs are fast enough for.
+/// The robot's body in standing or crouching. The feet are no farther below it than the legs' speeds allow.
 StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch);
 
-/// A walk as a problem for a single rigid body before anything is known of how its legs move: ProblemOf with the
-/// friction that a plan may use, the speed that the motors let the body rise with, and the swings.
+/// A walk as a problem for a single rigid body before the motion of its legs is known: ProblemOf with the friction that
+/// a plan may use, the largest rising speed of the motors, and the swings.
 RigidBodyProblem WalkProblem(const MotionTask& task, const StandingBody& body, const Crouch* crouch,
                              const FlightSwings& shapes);
 
-/// The options for this problem (FittedOptions), with knots on the plan's grid.
+/// Options for this problem (FittedOptions), with nodes on the plan's grid.
 RigidBodyOptions WalkOptions(const MotionTask& task, const RigidBodyProblem& problem);
 
 }  // namespace gaitwright

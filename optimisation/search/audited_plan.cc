@@ -12,7 +12,7 @@ Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motio
   if (!motion) return motion.failure();
   PlannedWalk planned;
   planned.motion = std::move(*motion);
-  if (planned.motion.limit_excess >= kSlightExcess && only_sound) return planned;
+  if (planned.motion.limit_excess >= kSlightViolation && only_sound) return planned;
   const Result<AuditReport> audit = Audit(model, planned.motion.plan, options);
   if (!audit) return audit.failure();
   planned.audit = *audit;

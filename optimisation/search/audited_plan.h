@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// The motion with its audit, or why there is neither.
-/// @param only_sound  a motion that is past limits is given without an audit, since it is not sound anyway
+/// The motion with its audit, or the reason why there is no motion.
+/// @param only_sound  a motion that violates limits is returned without an audit, because it is not sound anyway.
 Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const AuditOptions& options = {},
                             bool only_sound = false);
 

@@ -5,31 +5,32 @@
 
 namespace gaitwright {
 
-/// A variation of a walk, of which the search for a sound plan evaluates one after the other.
+/// A variation of a walk; the search for a sound plan evaluates variations one after the other.
 struct Candidate {
-  double pace = 0.0;    ///< in the unit of the command's pace, see PaceOf
-  int cycle = 0;        ///< number of the gait's cycle, see GaitCycles
-  double flight = 1.0;  ///< factor of the gait's flight times; 0 for its duty factors at no speed
+  double pace = 0.0;    ///< in the unit of the command's speed, see PaceOf
+  int cycle = 0;        ///< index of the gait's cycle, see GaitCycles
+  double flight = 1.0;  ///< factor of the gait's flight times; 0: its duty factors at speed zero
 
   bool operator==(const Candidate&) const = default;
 };
 
-/// How a candidate is evaluated, cheapest first. What a cheaper way refuses is refused by all later ones.
+/// How a candidate is evaluated, in the order of the cost. A candidate that a cheaper evaluation refuses is refused by
+/// all others.
 enum class Effort {
-  kStartLook,  ///< a few passes of a rigid body, of the start of the walk; any limit that is passed refuses
-  kFirstLook,  ///< a few passes of a rigid body; limits that are passed by far refuse
+  kStartLook,  ///< a few passes of a rigid body for the start of the walk; every violated limit refuses
+  kFirstLook,  ///< a few passes of a rigid body; clearly violated limits refuse
   kStart,      ///< the start of the walk, planned coarsely and audited
   kWhole,      ///< the whole walk, planned and audited
 };
 
-/// A row of a table of candidates: what is changed of the walk as asked for.
+/// A row of a table of candidates: changes to the requested walk.
 struct Variation {
-  double pace_share = 1.0;  ///< of the pace asked for
+  double pace_share = 1.0;  ///< factor of the requested speed
   int cycle = 0;
   double flight = 1.0;
 };
 
-/// What decides which candidates may be better than the walk as asked for.
+/// Properties of a walk that decide which candidates may be better.
 struct SearchSituation {
   enum class Kind {
     kLevel,   ///< a pendulum's motion on level ground
@@ -37,18 +38,18 @@ struct SearchSituation {
     kFlying,  ///< the motion of a rigid body, with or without flight
   };
   Kind kind = Kind::kLevel;
-  bool refused_by_ground = false;  ///< friction or support forbids the walk as asked for, not the robot's limits
-  bool may_slow_down = false;      ///< nobody asked for the pace
-  bool may_vary_flight = false;    ///< counted leaps off level ground, whose flight time nobody asked for
+  bool refused_by_ground = false;  ///< friction or support forbids the requested walk, not the robot's limits
+  bool may_slow_down = false;      ///< the request does not set the speed
+  bool may_vary_flight = false;    ///< counted leaps on uneven ground, with no flight time in the request
 };
 
-/// Candidates that replace the walk as asked for, in the order in which they are evaluated. What joints cannot do is
-/// helped by quicker steps before slower ones, what the ground cannot hold by slower ones. Over uneven ground it is
-/// the ground that says how long steps are, so that only slower ones are looked at, and fewer, since each takes longer.
-/// Leaps onto other ground are helped by a longer or shorter flight.
+/// Candidates that replace the requested walk, in the order of their evaluation. For violated joint limits, shorter
+/// cycles come before longer ones; for too little friction or support, longer cycles. On uneven ground the terrain
+/// determines the step length, so only longer cycles are tried, and fewer of them, because each takes longer to plan.
+/// For leaps onto other ground, longer or shorter flights are tried.
 std::span<const Variation> VariationsFor(const SearchSituation& situation);
 
-/// How a variation is screened before the whole walk is planned; kWhole for no screening.
+/// Evaluation of a variation before the whole walk is planned; kWhole for none.
 Effort ScreeningOf(SearchSituation::Kind kind);
 
 }  // namespace gaitwright

@@ -10,24 +10,24 @@
 
 namespace gaitwright {
 
-/// What is known of a candidate.
+/// Result for a candidate.
 struct Evaluation {
-  std::optional<Failure> refusal;        ///< nothing for a candidate that is sound
-  bool at_every_pace = false;            ///< the refusal depends neither on the pace nor on the cycle
-  bool by_ground = false;                ///< no limit of the robot refuses it, but friction or support
-  double ease = 0.8;                     ///< share of the pace at which it may be sound, by how far limits are passed
-  bool solved = true;                    ///< an optimisation problem was solved to know it
-  std::shared_ptr<PlannedWalk> planned;  ///< with Effort::kWhole, where there is a plan, sound or not
+  std::optional<Failure> refusal;  ///< nothing for a sound candidate
+  bool at_every_pace = false;      ///< the refusal does not depend on the speed or the cycle
+  bool by_ground = false;          ///< friction or support refuses it, not a limit of the robot
+  double ease = 0.8;   ///< factor of the speed at which it may be sound, estimated from the limit violations
+  bool solved = true;  ///< the evaluation solved an optimisation problem
+  std::shared_ptr<PlannedWalk> planned;  ///< for Effort::kWhole: the plan if there is one, sound or not
 
   bool sound() const { return !refusal; }
 };
 
-/// Evaluates candidates of one walk. The search knows no more of plans than this.
+/// Evaluates candidates of one walk. The search knows plans only through this interface.
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
 
-  /// What is known of a candidate by an effort; the same at each call.
+  /// Evaluates a candidate with a given effort; repeated calls give equal results.
   virtual Evaluation Evaluate(const Candidate& candidate, Effort effort) = 0;
 
   /// Whether the candidate is planned as the motion of a rigid body, which takes much longer.

@@ -12,29 +12,29 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kFarPast = 0.05;  // limits, summed in shares of them: more than what further passes mend
+constexpr double kFarPast = 0.05;  // limits, summed in shares of the limits: more than further passes can correct
 
-constexpr double kFarEase = 0.5;  // of the pace, where a law that stays unmet does not say by how much
+constexpr double kFarEase = 0.5;  // factor of the speed if a violated constraint does not tell by how much
 
-/// The request for few and cheap passes.
+/// The request, changed to few and cheap passes.
 WalkRequest Cheap(const WalkRequest& request) {
-  constexpr int kPasses = 3;  // footholds are held from the third pass on, so that its limits are those of the plan
+  constexpr int kPasses = 3;  // footholds are fixed from the third pass, so that its limits are those of the plan
   WalkRequest cheap = request;
-  cheap.motion.rigid_body.method = "interior-point";  // which knows soon where there is none
+  cheap.motion.rigid_body.method = "interior-point";  // fast if no motion exists
   cheap.motion.pipeline.max_body_passes = std::min(kPasses, request.motion.pipeline.max_body_passes);
   return cheap;
 }
 
-/// The start of a walk on level ground, where it is much shorter than all of it.
+/// The start of a walk on level ground, if it is much shorter than the whole walk.
 WalkCommand ShortStart(const RobotModel& model, const Terrain& terrain, const Gait& gait, const WalkCommand& command) {
-  constexpr double kMuch = 1.5;  // of the start; what is little longer is looked at as a whole
+  constexpr double kMuch = 1.5;  // factor of the start; a walk that is little longer is evaluated as a whole
   if (KindOfGround(terrain) != GroundKind::kFlat) return command;
   const WalkCommand start = StartOfWalk(model, command, gait);
   const bool by_distance = command.extent == WalkCommand::Extent::kDistance;
   return by_distance && command.distance_m < kMuch * start.distance_m ? command : start;
 }
 
-/// Whether a problem had to be solved before a plan was refused: what comes after that, and its own laws.
+/// Whether a plan was refused only after a problem was solved: by constraints of the solver, or by later stages.
 bool TookSolving(const Failure& failure) {
   static const std::set<FailureCode> kAfterSolving = {FailureCode::kUnmetLaw, FailureCode::kNotCarried,
                                                       FailureCode::kNoClearance, FailureCode::kOutOfReach,
@@ -67,23 +67,23 @@ FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequ
                  const WalkCommand& command, bool whole) {
   const WalkRequest cheap = Cheap(request);
   const WalkCommand start = ShortStart(model, terrain, gait, command);
-  const double far = whole ? kFarPast : kSlightExcess;
+  const double far = whole ? kFarPast : kSlightViolation;
   FirstLook look = Look(model, terrain, cheap, gait, start, far);
   if (!whole || !look.refusal || look.planned || start == command) return look;
   return Look(model, terrain, cheap, gait, command, far);
 }
 
 double EaseOf(const AuditReport& audit) {
-  constexpr double kSpare = 0.95;              // limits that are just kept fail between the knots
-  constexpr double kLeast = 0.4, kMost = 0.8;  // so that each look moves on, and none skips most paces
-  constexpr double kOtherwise = 0.7;           // for laws that do not go with a power of the pace
+  constexpr double kSpare = 0.95;              // limits that are just kept at the knots are violated between them
+  constexpr double kLeast = 0.4, kMost = 0.8;  // so that each look makes progress and none skips most speeds
+  constexpr double kOtherwise = 0.7;           // for checks that are not a power of the speed
   double ease = 1.0;
   for (const Violation& v : BrokenLimits(audit)) {
     double share = kOtherwise;
     if (v.law == Law::kJointVelocity || v.law == Law::kJointAcceleration || v.law == Law::kJointJerk ||
         v.law == Law::kJointTorque)
       share = std::abs(v.limit / v.value);
-    // Torques and accelerations go with the square of the pace, jerk with its cube.
+    // Torques and accelerations grow with the square of the speed, jerk with its cube.
     if (v.law == Law::kJointTorque || v.law == Law::kJointAcceleration) share = std::sqrt(share);
     if (v.law == Law::kJointJerk) share = std::cbrt(share);
     ease = std::min(ease, share);

@@ -8,25 +8,25 @@
 
 namespace gaitwright {
 
-/// What a few cheap passes tell of a walk that is planned as the motion of a rigid body.
+/// Result of a few cheap passes for a walk that is planned as the motion of a rigid body.
 struct FirstLook {
-  std::optional<Failure> refusal;  ///< nothing where there may be a plan
-  double ease = 0.7;               ///< share of the pace at which it may be otherwise, by how far limits are passed
-  bool solved = false;             ///< whether anything had to be solved to know
-  bool planned = false;            ///< there is a motion; its audit refuses it where anything does
+  std::optional<Failure> refusal;  ///< nothing if a plan may exist
+  double ease = 0.7;     ///< factor of the speed at which a plan may exist, estimated from the limit violations
+  bool solved = false;   ///< whether an optimisation problem was solved
+  bool planned = false;  ///< there is a motion; a refusal comes from its audit
 };
 
-/// Looks at a walk by few passes of the interior-point method alone: what stays unmet or far past limits there was so
-/// in all full plans that were compared, which take some ten times as long. On level ground the start of a long walk is
-/// looked at (StartOfWalk). Limits that it passes by far are passed at that pace however long the walk is; where
-/// another law stays unmet, which more time to gain speed may mend, all of it is looked at with `whole`; without it,
-/// for a pace to name, nothing may be past a limit. The work is bounded by passes, three for each, so that the answer
-/// is always the same.
+/// Evaluates a walk by a few passes of the interior-point method. Constraints and limits that are clearly violated
+/// there were also violated in all full plans that were compared, which take about ten times as long. On level ground,
+/// the start of a long walk is evaluated (StartOfWalk): clearly violated limits do not depend on the length of the
+/// walk. If another constraint is violated, more time to accelerate may help, so with `whole` the complete walk is
+/// evaluated. Without `whole` (to find a speed for a message), no limit may be violated. The work is limited to three
+/// passes for each, so the result is deterministic.
 FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait,
                  const WalkCommand& command, bool whole);
 
-/// The share of a pace at which a plan may keep its limits, from those it breaks: speeds of joints go with the pace,
-/// their torques with its square, which is that of accelerations.
+/// Factor of the speed at which a plan may keep its limits, estimated from the violated ones: joint speeds are
+/// proportional to the speed, torques and accelerations to its square.
 double EaseOf(const AuditReport& audit);
 
 }  // namespace gaitwright

@@ -24,7 +24,7 @@ Result<GaitCycles> FindCycles(const RobotModel& model, const WalkRequest& reques
   const Result<double> shortest = ShortestCycle(model, request.gait, request.gait_options);
   const Result<double> longest = LongestCycle(model, request.gait, request.gait_options);
   if (!shortest || !longest) return shortest ? longest.failure() : shortest.failure();
-  // Steps of a given length gain nothing by a shorter cycle.
+  // For steps of a given length, a shorter cycle has no advantage.
   const double least_s = PaceOf(command) == Pace::kStepLength ? gait->cycle_s : *shortest;
   return GaitCycles{*gait, least_s, *longest, request.gait_options.cycle_step_s};
 }

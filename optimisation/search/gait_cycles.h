@@ -5,20 +5,20 @@
 
 namespace gaitwright {
 
-/// A gait fitted to a command and its other possible cycles, by number: 0 as fitted, up to kQuickest ever shorter, down
-/// to kSlowest ever longer, in even ratios.
+/// A gait fitted to a command and its other possible cycles by index: 0 as fitted, up to kQuickest ever shorter, down
+/// to kSlowest ever longer, in equal ratios.
 struct GaitCycles {
-  /// Neighbours differ by a tenth or so, within which plans hardly differ.
+  /// Neighbouring cycles differ by about 10 %; plans for cycles in between hardly differ.
   static constexpr int kQuickest = 6, kSlowest = -4;
   Gait fitted;
   double shortest_s = 0.0, longest_s = 0.0;
-  double step_s = 0.0;  ///< each is a whole number of these; 0 for any
+  double step_s = 0.0;  ///< each cycle is a multiple of this time; 0 for any cycle
 
-  /// The gait with the cycle of that number, from kSlowest to kQuickest.
+  /// The gait with the cycle of an index from kSlowest to kQuickest.
   Gait At(int number) const;
 };
 
-/// Failure as of FindGait.
+/// Failure as for FindGait.
 Result<GaitCycles> FindCycles(const RobotModel& model, const WalkRequest& request, const WalkCommand& command);
 
 }  // namespace gaitwright

@@ -8,28 +8,28 @@
 
 namespace gaitwright {
 
-/// The quantity of a command that says how fast it is, or with counted steps of a given length how far a step goes.
+/// The quantity that sets the speed of a command: a speed, or the step length for counted steps of a given length.
 enum class Pace { kSpeed, kLateralSpeed, kYawRate, kStepLength };
 Pace PaceOf(const WalkCommand& command);
-/// Its value, not negative; the robot's own speed where the command gives none.
+/// Value of this quantity, not negative; the robot's default speed if the command gives none.
 double PaceValue(const RobotModel& model, const WalkCommand& command);
 
-/// "speed", "turning rate"
+/// Name for messages: "speed", "turning rate".
 std::string PaceName(Pace pace);
 /// The command's flag without dashes: `speed`, `lateral-speed`, `yaw-rate`, `step-length`.
 std::string PaceFlag(Pace pace);
-/// "m/s", "rad/s" or "m"
+/// Unit: "m/s", "rad/s" or "m".
 std::string PaceUnit(Pace pace);
-/// A command's pace with its unit: "0.8 m/s".
+/// Value and unit of a command's speed: "0.8 m/s".
 std::string PaceText(const WalkCommand& command);
-/// The flags that ask for a pace and what goes with it: "--speed 1.1 --yaw-rate 0.2".
+/// The flags that request this speed and the speeds in proportion to it: "--speed 1.1 --yaw-rate 0.2".
 std::string PaceFlags(const WalkCommand& command);
 
-/// The same walk with its pace at `value`, positive, and every other speed in proportion, to four digits. The robot's
-/// own speed counts where the command gives none.
+/// The same walk with its speed changed to `value` (positive) and every other speed in proportion, to four digits. The
+/// robot's default speed is used if the command gives none.
 WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double value);
 
-/// A pace that no leg reaches: three times that of a pendulum of the leg's length, or a step of two legs' lengths.
+/// A speed that no leg reaches: three times that of a pendulum of the leg's length, or a step of two leg lengths.
 double UnreachablePace(const RobotModel& model, Pace pace);
 
 }  // namespace gaitwright

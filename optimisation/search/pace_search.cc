@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// The numbers of two digits between two others, both left out.
+/// The numbers of two significant digits between two others, which are excluded.
 std::vector<double> TwoDigitsBetween(double low, double high) {
   std::vector<double> values;
   const double decade = std::floor(std::log10(low) + 1e-12);
@@ -24,7 +24,8 @@ std::vector<double> TwoDigitsBetween(double low, double high) {
   return values;
 }
 
-/// Largest of the numbers of two digits between `known` and `high` that is possible, else `known`, by bisection.
+/// Largest possible number of two significant digits between `known` and `high`, or `known` if none is possible. By
+/// bisection.
 double LargestBetween(double known, double high, const std::function<bool(double)>& possible) {
   const std::vector<double> between = TwoDigitsBetween(known, high);
   const auto first_impossible =

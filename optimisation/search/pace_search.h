@@ -5,26 +5,26 @@
 
 namespace gaitwright {
 
-/// The paces among which a search looks for the largest that is possible, each of two digits.
+/// The speeds among which the largest possible one is searched; each has two significant digits.
 struct PaceRange {
-  double asked = 0.0;      ///< the paces looked at are below it
-  double unreachable = 0;  ///< no pace from here on is possible
-  int halvings = 9;        ///< how often the first pace is halved at most
+  double asked = 0.0;      ///< only lower speeds are evaluated
+  double unreachable = 0;  ///< this speed and all higher ones are impossible
+  int halvings = 9;        ///< largest number of halvings of the first speed
 };
 
-/// Rounded towards zero to a number of significant digits.
+/// Rounds towards zero to a number of significant digits.
 double TowardsZero(double value, int digits);
 
-/// The next lower number of two digits.
+/// The next lower number of two significant digits.
 double NextLower(double value);
 
-/// Largest pace of the range that is possible: by halving and then bisection, at most 20 questions. 0 when there is
-/// none, as when the slowest is not possible.
+/// Largest possible speed of the range, by halving and then bisection, with at most 20 evaluations. 0 if no speed is
+/// possible; this is assumed if the slowest one is not.
 double LargestPace(const PaceRange& range, const std::function<bool(double)>& possible);
 
-/// The same from a pace on that is known to be possible, short of the largest by less than `grain` numbers of two
-/// digits; that one when none above it is, as one question tells. Strides up from it double, and where they lead too
-/// far they are bisected.
+/// Largest possible speed of the range, starting from a speed that is known to be possible. The result may be less than
+/// the largest one by less than `grain` numbers of two significant digits. One evaluation tells that no higher speed is
+/// possible; then it is `known`. Strides upward double; the last one is bisected.
 double LargestPaceAbove(const PaceRange& range, double known, int grain, const std::function<bool(double)>& possible);
 
 }  // namespace gaitwright

@@ -34,7 +34,7 @@ struct ServingParts {
   std::vector<Adjustment> adjustments;
 };
 
-/// The parts with what serves each of them by itself; the failure of the first that nothing serves.
+/// The parts, each with the cycle for which it alone has a sound plan; the failure of the first part without one.
 Result<ServingParts> ServingAlone(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                   const std::vector<AskedPart>& asked, std::vector<WalkPart> parts,
                                   SearchTrace* trace) {
@@ -57,11 +57,11 @@ Result<ServingParts> ServingAlone(const RobotModel& model, const Terrain& terrai
   return serving;
 }
 
-/// Why the whole is not given though each part alone may be, with the part in which it breaks.
+/// Failure of the whole sequence, with the part in which it violates a limit, although each part alone may be feasible.
 Failure RefusedWhole(const Result<PlannedWalk>& planned) {
   if (!planned) {
     Failure failure = planned.failure();
-    failure.suggestions.emplace_back("a part of standing still between others, or a longer one");
+    failure.suggestions.emplace_back("add standing still between the parts, or make it longer");
     return failure;
   }
   Failure failure = WhyForbidden(*planned);
@@ -71,7 +71,8 @@ Failure RefusedWhole(const Result<PlannedWalk>& planned) {
     const MotionPart* part = PartAt(parts, forbidding.front().at_s);
     failure = OfPart(static_cast<std::size_t>(part - parts.data()), part->gait.name, failure);
   }
-  failure.suggestions = {"a part of standing still between others, or a longer one", "a slower part", AllowLimits()};
+  failure.suggestions = {"add standing still between the parts, or make it longer", "make a part slower",
+                         AllowLimits()};
   return failure;
 }
 

@@ -8,9 +8,9 @@
 
 namespace gaitwright {
 
-/// A plan of several parts that passes its audit, or why there is none: see PlanWalk. Where the whole does not pass
-/// with gaits as they are fitted to their speeds, each part that walks is planned by itself to find its time and what
-/// it can do; a part that has no plan alone is named by its number and gait.
+/// A plan of several parts that passes its audit, or the reason why there is none; see PlanWalk. If the whole plan
+/// fails with the gaits as fitted to their speeds, each walking part is planned alone to find its cycle time and its
+/// feasible speed. The failure names a part without a plan by its number and gait.
 Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                     const std::vector<AskedPart>& asked, SearchTrace* trace = nullptr);
 

@@ -13,7 +13,8 @@
 namespace gaitwright {
 namespace {
 
-/// A distance in strides of the gait's own, where it has any; what is wrong with the gait is for planning to tell.
+/// A distance becomes strides of the gait's default length, if it has one. Errors of the gait are reported later by
+/// planning.
 WalkCommand InOwnStrides(const RobotModel& model, const WalkRequest& request, const std::string& name,
                          const WalkCommand& command) {
   const Result<Gait> gait = FindGait(model, name, CommandedSpeed(model, command), request.gait_options);
@@ -43,9 +44,9 @@ OptionFields RequestFields(WalkRequest& request) {
   if (!request.gait.empty()) request.gait = file_name(request.gait);
   request.terrain = file_name(request.terrain);
   if (!SequenceFileOf(request.sequence).empty()) request.sequence = file_name(request.sequence);
-  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best."},
-                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for."},
-                  {"sequence", &request.sequence, "", 0.0, 0.0, "The parts asked for; empty for a single one."}},
+  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "Requested gait; empty for the robot's best gait."},
+                  {"terrain", &request.terrain, "", 0.0, 0.0, "Requested ground."},
+                  {"sequence", &request.sequence, "", 0.0, 0.0, "Requested parts; empty for a single part."}},
                  request.Fields()});
 }
 

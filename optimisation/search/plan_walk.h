@@ -15,24 +15,24 @@
 
 namespace gaitwright {
 
-/// How long a sound plan is looked for.
+/// Budget of the search for a sound plan.
 struct SearchOptions {
   int max_plans = 400;
 
   OptionFields Fields() {
     return WithBasics(
         {}, {{"max_plans", &max_plans, "1", 1, 100000,
-              "Largest number of candidates (pace, cycle, flight) that are planned before a walk is refused."}});
+              "Maximum number of candidates (speed, cycle, flight) that are planned before a walk is refused."}});
   }
 };
 
-/// What is asked of PlanWalk.
+/// Request for PlanWalk.
 struct WalkRequest {
-  std::string gait;  ///< "" for the robot's best
+  std::string gait;  ///< empty for the robot's best gait
   std::string terrain = "flat";
   WalkCommand command;
-  bool own_pace = false;  ///< nobody asked for the command's speed: see PlanWalk; of commands without one it is true
-  std::string sequence;   ///< parts one after the other in place of the gait and command, see ReadSequence; or ""
+  bool own_pace = false;  ///< the caller gave no speed, so PlanWalk may lower it; set for commands without a speed
+  std::string sequence;   ///< consecutive parts that replace gait and command, see ReadSequence; may be empty
   GaitOptions gait_options;
   SearchOptions search;
   MotionOptions motion;
@@ -50,23 +50,23 @@ struct PlannedWalk {
   double planning_cpu_s = 0.0;
 };
 
-/// Plans and audits. A walk whose plan fails its audit is planned again with quicker or slower steps as far as the
-/// gait's own time may change; when that does not help either, failure kInfeasible names what forbids it, the robot's
-/// worst limit before laws of the ground (dynamics, friction, support), by how much it is passed, and the largest
-/// speed, turning rate or step length of the same walk that has a plan; where the speed is the robot's own, that walk
-/// is given. Both are looked for on the start of the walk and then tried on the whole. With `pipeline.allow_limits` the
-/// first plan is given all the same, with the audit's verdict; so is in any case one whose only fault is a shank in the
-/// ground beside the foot at its end, which no pace mends. A sequence is planned in one motion; a part that has no plan
-/// is named.
-/// @param trace  where each plan that was tried is added, unless null.
+/// Plans a walk and audits the plan. If the plan fails its audit, the walk is planned again with shorter or longer
+/// cycles, if the request allows another cycle. If that does not help, the failure kInfeasible names the violated limit
+/// or check and by how much it is violated: the robot's worst limit, or otherwise a check of dynamics, friction or
+/// support. It also names the largest speed, turning rate or step length of the same walk that has a plan; if the speed
+/// is the robot's default, that walk is returned instead. Cycles and speeds are searched on the start of the walk and
+/// then tried on the whole walk. With `pipeline.allow_limits` the first plan is returned in any case, with the audit's
+/// verdict. A plan whose only fault is a shank in the ground beside its foot at the end is also returned, because no
+/// speed corrects that. A sequence is planned in one motion; the failure names a part without a plan.
+/// @param trace  receives each plan that was tried; may be null.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request, SearchTrace* trace = nullptr);
 
 /// PlanWalk on a given ground; the request's `terrain` is only written into the plan.
 Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                SearchTrace* trace = nullptr);
 
-/// What shapes a plan besides its command and seed: gait, ground and sequence by name (of a file its name alone, since
-/// a plan holds no path), and the options. The request must outlive the fields.
+/// Everything besides command and seed that shapes a plan: gait, ground and sequence by name (files without their
+/// path), and the options. The request must outlive the fields.
 OptionFields RequestFields(WalkRequest& request);
 
 }  // namespace gaitwright

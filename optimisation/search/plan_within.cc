@@ -18,37 +18,37 @@ namespace {
 
 using Extent = WalkCommand::Extent;
 
-/// Whether a walk stays where it is, so that there is no slower one; steps of a millimetre go nowhere either.
+/// Whether a walk has no displacement (steps below 1 mm count as none), so that no slower walk exists.
 bool IsInPlace(const WalkCommand& c) {
   constexpr double kNoStep = 1e-3;  // [m]
   return c.extent == Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 && c.yaw_rate_rad_s == 0.0 &&
          std::abs(c.step_length_m) < kNoStep;
 }
 
-/// Whether the pace is the robot's own, so that it may be lowered.
+/// Whether the speed is the robot's default, so that it may be lowered.
 bool IsOwnPace(const WalkRequest& request) {
   const WalkCommand& c = request.command;
   return request.own_pace ||
          (c.extent != Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 && c.yaw_rate_rad_s == 0.0);
 }
 
-/// Counted leaps onto other ground, down or over something, whose flight times are not given: what feet have to clear,
-/// and how far the body falls, say how long the flight should be.
+/// Counted leaps on uneven ground without given flight times. The suitable flight time depends on the height that feet
+/// must clear and on the drop of the body.
 bool MayVaryFlight(const WalkRequest& request, const Gait& gait, const Terrain& terrain) {
   const bool given = request.gait_options.cycle_s > 0.0 || request.gait_options.duty_factor > 0.0;
   return !given && request.command.extent == Extent::kSteps && HasFlight(gait) &&
          KindOfGround(terrain) != GroundKind::kFlat;
 }
 
-/// A goal is not walked to as slowly as other walks, since one plan does not last so long.
+/// A walk to a goal has a higher smallest speed than other walks, because a plan has a maximum duration.
 PaceRange PacesOf(const RobotModel& model, const WalkCommand& command) {
-  constexpr int kHalvingsToGoal = 5;  // a thirty-second of the pace
+  constexpr int kHalvingsToGoal = 5;  // a thirty-second of the speed
   PaceRange paces{PaceValue(model, command), UnreachablePace(model, PaceOf(command))};
   if (command.extent == Extent::kGoal) paces.halvings = kHalvingsToGoal;
   return paces;
 }
 
-/// The situation of a request whose gait is fitted as `gait`.
+/// The search problem of a request whose gait is fitted as `gait`.
 SearchProblem ProblemOf(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait) {
   using Kind = SearchSituation::Kind;
   const auto flies = [&](const Gait& g) { return IsDynamic(g, request.motion.centre_of_mass); };
@@ -65,7 +65,7 @@ SearchProblem ProblemOf(const RobotModel& model, const Terrain& terrain, const W
   return problem;
 }
 
-/// What a candidate changes of the walk as asked for.
+/// Differences between a candidate and the requested walk.
 std::vector<Adjustment> AdjustmentsOf(const RobotModel& model, const WalkRequest& request,
                                       const WalkEvaluator& evaluator, const Candidate& given, FailureCode why) {
   std::vector<Adjustment> adjustments;
@@ -83,7 +83,7 @@ std::vector<Adjustment> AdjustmentsOf(const RobotModel& model, const WalkRequest
   return adjustments;
 }
 
-/// The failure with the slower walk that would be given instead, if any.
+/// The failure, with the slower walk that is feasible instead, if any.
 Failure Refusal(const RobotModel& model, const WalkRequest& request, const std::string& gait, Failure failure,
                 const SlowerPace& slower) {
   const WalkCommand& command = request.command;

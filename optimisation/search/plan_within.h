@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// A plan that passes its audit, or why there is none and what there is instead: see PlanWalk.
+/// A plan that passes its audit, or the failure with a feasible alternative; see PlanWalk.
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                SearchTrace* trace = nullptr);
 

@@ -40,7 +40,7 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit) {
                        [&](const Violation& v) { return v.law == Law::kJointVelocity && v.where == where; });
   };
   std::vector<Violation> causes,
-      followers;  // a motor past its no-load speed has no torque left, however little it needs
+      followers;  // a motor above its no-load speed has no torque, so its torque limit is only a consequence
   for (const Violation& v : broken) (v.law == Law::kTorqueSpeed && too_fast(v.where) ? followers : causes).push_back(v);
   causes.insert(causes.end(), followers.begin(), followers.end());
   return causes;
@@ -54,24 +54,23 @@ std::vector<Violation> Forbidding(const AuditReport& audit) {
 }
 
 bool IsSound(const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
+  return planned && planned->motion.limit_excess < kSlightViolation && Forbidding(planned->audit).empty();
 }
 
 Failure WhyForbidden(const PlannedWalk& planned) {
   const std::vector<Violation> forbidding = Forbidding(planned.audit);
-  if (forbidding.empty()) {  // limits that are passed between the audit's samples
+  if (forbidding.empty()) {  // limits that are violated between the audit's samples
     std::string text;
     for (const std::string& warning : planned.motion.plan.warnings) text += (text.empty() ? "" : "; ") + warning;
     return {FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", text, {AllowLimits()}};
   }
   const std::size_t limits = BrokenLimits(planned.audit).size();
-  return {
-      FailureKind::kInfeasible,
-      limits > 0 ? FailureCode::kLimits : FailureCodeOf(forbidding.front().law),
-      "PlanWalk",
-      LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} limits that are broken)", limits) : ""),
-      {AllowLimits()},
-      forbidding.front()};
+  return {FailureKind::kInfeasible,
+          limits > 0 ? FailureCode::kLimits : FailureCodeOf(forbidding.front().law),
+          "PlanWalk",
+          LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} violated limits)", limits) : ""),
+          {AllowLimits()},
+          forbidding.front()};
 }
 
 FailureCode ReasonRefused(const Result<PlannedWalk>& planned) {
@@ -82,35 +81,35 @@ std::string LimitText(const Violation& v) {
   if (v.law == Law::kSelfCollision) return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
   if (v.law == Law::kDynamics && v.where.starts_with("base")) {
     return fmt::format(
-        "at {:.2f} s the feet on the ground cannot push as the motion needs: {:.3g} {} are lacking, "
-        "where {:.2g} may be; there is too little friction, or too little ground to balance on",
+        "at {:.2f} s the contact forces cannot produce the motion: the residual is {:.3g} {}, the limit "
+        "{:.2g}; the friction or the support area is too small",
         v.at_s, v.value, v.unit, v.limit);
   }
   if (v.law == Law::kZmpSupport) {
-    return fmt::format("the {} is {:.1f} mm outside the feet on the ground at {:.2f} s, where {:.2g} mm may be",
-                       v.where, 1e3 * v.value, v.at_s, 1e3 * v.limit);
+    return fmt::format("the {} is {:.1f} mm outside the support polygon at {:.2f} s (limit {:.2g} mm)", v.where,
+                       1e3 * v.value, v.at_s, 1e3 * v.limit);
   }
   if (v.law == Law::kBodyClearance)
     return fmt::format("'{}' is {:.1f} mm in the ground or an obstacle at {:.2f} s", v.where, -1e3 * v.value, v.at_s);
   if (!IsLimit(v)) {
-    return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", LawName(v.law),
+    return fmt::format("the plan fails the check '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", LawName(v.law),
                        v.where, v.value, v.unit, v.at_s, v.limit);
   }
   const char* what = v.law == Law::kJointTorque         ? "needs"
-                     : v.law == Law::kTorqueSpeed       ? "needs, at the speed that it has,"
-                     : v.law == Law::kContinuousTorque  ? "needs, as a mean over time,"
+                     : v.law == Law::kTorqueSpeed       ? "needs, at its present speed,"
+                     : v.law == Law::kContinuousTorque  ? "needs a root mean square of"
                      : v.law == Law::kJointVelocity     ? "moves at"
                      : v.law == Law::kJointAcceleration ? "accelerates at"
                      : v.law == Law::kJointJerk         ? "changes its acceleration by"
                      : v.law == Law::kJointPosition     ? "is at"
-                                                        : "reaches for";
+                                                        : "must reach";
   return fmt::format("'{}' {} {:.4g} {} at {:.2f} s, {:.3g} {} past its limit of {:.4g}", v.where, what, v.value,
                      v.unit, v.at_s, std::abs(v.value - v.limit), v.unit, v.limit);
 }
 
 Suggestion AllowLimits() {
   return {"pipeline.allow_limits", "true", Certainty::kPlanned,
-          "--set pipeline.allow_limits=true gives the plan all the same"};
+          "--set pipeline.allow_limits=true gives the plan in spite of violated limits"};
 }
 
 }  // namespace gaitwright

@@ -8,33 +8,34 @@
 
 namespace gaitwright {
 
-/// What a plan breaks of what the robot can do, worst first in proportion to its limit: position, speed and torque of
-/// joints, reach of legs, collisions of the robot with itself. Empty for a plan that keeps them all.
+/// Violations of the robot's limits, the worst relative to its limit first: position, speed and torque of joints, reach
+/// of legs, self-collision. Empty if all limits are kept.
 std::vector<Violation> BrokenLimits(const AuditReport& audit);
 
-/// All that a plan breaks for which it is not given: limits, worst first, and then other laws in the audit's order.
+/// All violations for which a plan is refused: limits, worst first, then other checks in the audit's order.
 std::vector<Violation> Forbidding(const AuditReport& audit);
 
-/// Past limits by this much in all the audit may let a plan pass.
-inline constexpr double kSlightExcess = 1e-5;
+/// Largest total limit violation of a sound plan; the audit may accept it.
+inline constexpr double kSlightViolation = 1e-5;
 
-/// True for failures that a slower walk may not have: not what the gait, the robot's build or the ground forbids.
+/// True for failures that a slower walk may avoid. False if the gait, the robot's structure or the ground is the
+/// reason.
 bool IsTooMuch(const Failure& failure);
 
-/// Whether a plan is sound enough to be given.
+/// Whether a plan is good enough to be returned.
 bool IsSound(const Result<PlannedWalk>& planned);
 
-/// Why a plan that is not sound is not given: the worst limit of the robot, or else the first of the other laws.
+/// Failure for a plan that is not sound: the robot's worst limit, or otherwise the first of the other checks.
 Failure WhyForbidden(const PlannedWalk& planned);
 
-/// The code for which a plan that is not sound is refused.
+/// Code of that failure, or of the planner's own failure.
 FailureCode ReasonRefused(const Result<PlannedWalk>& planned);
 
-/// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
-/// much that is passed; of other laws than limits what is lacking.
+/// One sentence, without a full stop, for a violation of a limit: joint, link or foot, value, limit and the excess. For
+/// other checks: what is missing.
 std::string LimitText(const Violation& violation);
 
-/// To give a plan all the same that fails its audit.
+/// Suggestion to accept a plan that fails its audit.
 Suggestion AllowLimits();
 
 }  // namespace gaitwright

@@ -10,10 +10,10 @@
 
 namespace gaitwright {
 
-/// A plan that the search for a sound plan evaluated.
+/// A plan that was evaluated in the search for a sound plan.
 struct TriedPlan {
   Effort effort = Effort::kWhole;
-  std::string pace;         ///< the flag of the command's pace, without dashes: `speed`
+  std::string pace;         ///< flag that sets the speed, without dashes: `speed`
   double pace_value = 0.0;  ///< in `unit`
   std::string unit;
   double cycle_s = 0.0;
@@ -22,13 +22,13 @@ struct TriedPlan {
   bool operator==(const TriedPlan&) const = default;
 };
 
-/// `start-look`, `first-look`, `start` or `whole`, as JSON has it.
+/// Name in JSON: `start-look`, `first-look`, `start` or `whole`.
 const char* EffortName(Effort effort);
 
-/// In the order in which they were tried.
+/// The plans in the order in which they were tried.
 using SearchTrace = std::vector<TriedPlan>;
 
-/// "tried 2 plans:" and a line for each: effort, pace, cycle, and the code of its refusal or "sound".
+/// "tried 2 plans:" and one line per plan: effort, speed, cycle, and the code of its refusal or "sound".
 std::string TraceText(const SearchTrace& trace);
 
 }  // namespace gaitwright

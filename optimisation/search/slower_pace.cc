@@ -22,10 +22,10 @@ std::string SlowerPace::Text(const WalkCommand& at_pace, const std::string& gait
   switch (known) {
     case Known::kLargest:
       return fmt::format("the largest {} with gait '{}' is {}", name, gait, amount);
-    case Known::kServes:
-      return fmt::format("a {} of {} serves with gait '{}'", name, amount, gait);
+    case Known::kFeasible:
+      return fmt::format("a {} of {} is feasible with gait '{}'", name, amount, gait);
     case Known::kMay:
-      return fmt::format("a {} of about {} may serve with gait '{}'", name, amount, gait);
+      return fmt::format("a {} of about {} may be feasible with gait '{}'", name, amount, gait);
   }
   return "";
 }

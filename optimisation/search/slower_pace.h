@@ -8,19 +8,19 @@
 
 namespace gaitwright {
 
-/// A pace that is slower than the one asked for, and what is known of it.
+/// A speed below the requested one, and how well its feasibility is known.
 struct SlowerPace {
   enum class Known {
-    kLargest,  ///< its plan passes, and none of a faster one was found to
-    kServes,   ///< its plan passes
-    kMay,      ///< what was looked at of it has nothing against it
+    kLargest,   ///< its plan passes, and no faster plan was found that does
+    kFeasible,  ///< its plan passes
+    kMay,       ///< the cheap evaluation found no reason against it
   };
-  double value = 0.0;  ///< 0 for none
+  double value = 0.0;  ///< 0 if no such speed is known
   Known known = Known::kLargest;
 
-  /// What is known of it, for people, of a command at that pace.
+  /// Text for messages, for a command at this speed.
   std::string Text(const WalkCommand& at_pace, const std::string& gait) const;
-  /// To ask for the command at that pace; what else moves goes on in proportion.
+  /// Suggestion to request this speed, with all other speeds in proportion.
   Suggestion AsSuggestion(const WalkCommand& at_pace) const;
 };
 

@@ -12,10 +12,10 @@ namespace {
 
 using Kind = SearchSituation::Kind;
 
-/// A candidate that is sound, and its evaluation.
+/// A sound candidate and its evaluation.
 using Sound = std::optional<std::pair<Candidate, Evaluation>>;
 
-/// The one loop over a table: the first row whose whole walk is sound.
+/// The only loop over a table: returns the first row whose whole walk is sound.
 Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
   for (const Variation& v : variations) {
     const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight};
@@ -27,14 +27,14 @@ Sound FirstSound(std::span<const Variation> variations, const Candidate& base, E
   return {};
 }
 
-/// The largest pace on level ground, without flight, by the starts of walks.
+/// Finds the largest speed on level ground, without flight, from the starts of walks.
 class LargestStart {
  public:
   LargestStart(const PaceRange& paces, double flight, Evaluator& evaluator)
       : paces_(paces), flight_(flight), evaluator_(evaluator) {}
 
-  /// Climbs from the middle one of the quicker cycles and from the fitted one on, by neighbours as long as they do
-  /// better. Pace 0 when none is possible with any.
+  /// Climbs from the middle one of the shorter cycles and from the fitted one to neighbouring cycles while the speed
+  /// increases. Speed 0 if no cycle has a possible one.
   Candidate Find() {
     constexpr int kMiddle = GaitCycles::kQuickest / 2;
     Climb(kMiddle, GaitCycles::kQuickest, 1);
@@ -47,13 +47,13 @@ class LargestStart {
 
  private:
   void Climb(int from, int to, int step) {
-    constexpr int kCoarse = 4;  // numbers of two digits by which the largest of a cycle may be missed on the way
+    constexpr int kCoarse = 4;  // tolerance of a cycle's largest speed during the climb, in numbers of two digits
     for (int cycle = from; cycle != to + step; cycle += step) {
       if (!Raise(cycle, kCoarse) && best_.pace > 0.0) return;
     }
   }
 
-  /// Raises the largest pace so far to the largest of a cycle; true when that is larger.
+  /// Raises the largest speed so far to the largest of a cycle; true if that is larger.
   bool Raise(int cycle, int grain) {
     const auto possible = [&](double pace) {
       return evaluator_.Evaluate({pace, cycle, flight_}, Effort::kStart).sound();
@@ -71,10 +71,10 @@ class LargestStart {
   Candidate best_;
 };
 
-/// The largest pace on level ground whose whole walk is sound: that of the largest start or, where the whole of that
-/// is refused, some lower ones.
+/// The largest speed on level ground whose whole walk is sound: the largest one for the start or, if the whole walk is
+/// refused, some lower ones.
 Sound LargestOnLevelGround(const PaceRange& paces, double flight, Evaluator& evaluator) {
-  constexpr int kNearTries = 2, kFarTries = 5;  // by a step of two digits each, and by a share
+  constexpr int kNearTries = 2, kFarTries = 5;  // by a step of two digits each, and by a factor
   constexpr double kFarShare = 0.75;
   const Candidate start = LargestStart(paces, flight, evaluator).Find();
   double pace = start.pace;
@@ -86,11 +86,11 @@ Sound LargestOnLevelGround(const PaceRange& paces, double flight, Evaluator& eva
   return {};
 }
 
-/// Three quarters of a slower pace that a look finds nothing against, since a look finds less than a plan's audit, or
-/// a pace whose start is sound where the gait does not fly at it; 0 for none. Each is as much slower as the last one's
-/// limits say.
+/// A slower speed for a gait with flight; 0 if none is found. It is three quarters of a speed without objections in a
+/// look (a look finds less than the audit of a plan), or a speed with a sound start if the gait has no flight at that
+/// speed. Each trial is slower by the factor that follows from the violated limits of the last one.
 double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
-  constexpr int kPaces = 10, kLooks = 3;  // most of either, as each look takes seconds
+  constexpr int kPaces = 10, kLooks = 3;  // largest number of each, because a look takes seconds
   constexpr double kSpare = 0.75;
   const Evaluation asked = evaluator.Evaluate({problem.paces.asked}, Effort::kFirstLook);
   double pace = problem.paces.asked, ease = asked.sound() ? Evaluation{}.ease : asked.ease;
@@ -106,7 +106,7 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   return 0.0;
 }
 
-/// A slower walk without flight: the largest on level ground, and over other ground the first of a few.
+/// A slower walk without flight: on level ground the fastest one, over other ground the first sound one of a few.
 Sound SlowerWithoutFlight(const SearchProblem& problem, Kind kind, double flight, Evaluator& evaluator) {
   if (kind == Kind::kLevel) return LargestOnLevelGround(problem.paces, flight, evaluator);
   SearchSituation slower;
@@ -115,10 +115,10 @@ Sound SlowerWithoutFlight(const SearchProblem& problem, Kind kind, double flight
   return FirstSound(VariationsFor(slower), {problem.paces.asked, 0, flight}, ScreeningOf(kind), evaluator);
 }
 
-/// The largest pace at which a gait that flies by its speed stays on the ground; 0 for none.
+/// The largest speed at which the gait has no flight, for a gait whose flight depends on the speed; 0 if there is none.
 double LargestOnTheGround(const SearchProblem& problem, Evaluator& evaluator) {
-  constexpr int kTries = 10;         // down to three fifths of the pace
-  constexpr double kLower = 0.95;    // a step that the duty factor feels
+  constexpr int kTries = 10;         // down to three fifths of the speed
+  constexpr double kLower = 0.95;    // a step that changes the duty factor noticeably
   constexpr double kNoFlight = 0.0;  // see Candidate
   if (!problem.grounded || problem.situation.may_slow_down) return 0.0;
   const Sound sound = SlowerWithoutFlight(problem, *problem.grounded, kNoFlight, evaluator);
@@ -159,7 +159,7 @@ SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator)
   }
   if (situation.may_slow_down) return {};
   const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, evaluator);
-  return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kServes};
+  return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kFeasible};
 }
 
 }  // namespace gaitwright

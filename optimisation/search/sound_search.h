@@ -9,31 +9,31 @@
 
 namespace gaitwright {
 
-/// A walk for which a sound plan is looked for.
+/// A walk for which a sound plan is searched.
 struct SearchProblem {
   SearchSituation situation;
-  PaceRange paces;        ///< `asked` is the pace of the walk as asked for
-  bool in_place = false;  ///< it goes nowhere, so that there is no slower one
-  bool any_plan = false;  ///< the plan of the walk as asked for is taken, sound or not
-  /// Of the same gait at duty factors without flight; nothing where it always flies.
+  PaceRange paces;        ///< `asked` is the speed of the requested walk
+  bool in_place = false;  ///< it has no displacement, so no slower walk exists
+  bool any_plan = false;  ///< the plan of the requested walk is accepted, sound or not
+  /// Kind of the same gait at duty factors without flight; nothing if the gait always has flight.
   std::optional<SearchSituation::Kind> grounded;
 };
 
-/// The best that a search found.
+/// The best candidate of a search.
 struct SearchResult {
-  Candidate candidate;             ///< a sound one, or the walk as asked for
+  Candidate candidate;             ///< a sound one, or the requested walk
   Evaluation evaluation;           ///< of `candidate`
-  std::optional<FailureCode> why;  ///< why the walk as asked for is refused, where it is
+  std::optional<FailureCode> why;  ///< why the requested walk is refused, if it is
 };
 
-/// The walk as asked for; where it is refused, the first candidate of VariationsFor that is sound; and where its pace
-/// may be lowered on level ground, the largest pace that has a sound plan. What is possible is found on the start of
-/// the walk, and a whole walk is planned only where its start is sound.
+/// Evaluates the requested walk. If it is refused, returns the first sound candidate of VariationsFor. If its speed may
+/// be lowered on level ground, returns the largest speed with a sound plan. Candidates are first evaluated on the start
+/// of the walk; a whole walk is planned only if its start is sound.
 SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator);
 
-/// The largest pace below that asked for which has a sound plan, or one that may have: for a refusal to name. Gaits
-/// that fly are looked at alone; those that fly by their speed are also tried at duty factors without flight. None
-/// where FindSound lowered the pace already.
+/// The largest speed below the requested one that has, or may have, a sound plan; for failure messages. Gaits with
+/// flight are only evaluated cheaply; gaits whose flight depends on the speed are also tried at duty factors without
+/// flight. Nothing if FindSound has already lowered the speed.
 SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator);
 
 }  // namespace gaitwright

@@ -12,7 +12,7 @@ namespace {
 
 using Extent = WalkCommand::Extent;
 
-constexpr double kCycles = 4.0;  // one to gain speed, one to stop, and two in between at full speed
+constexpr double kCycles = 4.0;  // one to accelerate, one to stop, and two in between at full speed
 
 }  // namespace
 

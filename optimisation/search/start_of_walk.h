@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// The start of the same walk: long enough to gain full speed, hold it for some cycles and stop again.
+/// The start of the same walk: long enough to reach full speed, keep it for some cycles and stop again.
 WalkCommand StartOfWalk(const RobotModel& model, const WalkCommand& command, const Gait& gait);
 
 }  // namespace gaitwright

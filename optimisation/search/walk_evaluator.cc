@@ -16,13 +16,13 @@
 namespace gaitwright {
 namespace {
 
-/// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
-/// enough, and no matter how good.
+/// The request for plans that only test feasibility: with twice the time step if a cycle has enough steps, and without
+/// optimality.
 WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
-  constexpr double kStepsOfCycle = 100.0;  // with fewer, peaks of joint speeds are missed
+  constexpr double kStepsOfCycle = 100.0;  // with fewer steps, peaks of joint speeds are missed
   constexpr double kCoarsest = 0.01;       // [s]
   WalkRequest coarse = request;
-  coarse.motion.rigid_body.method = "interior-point";  // which finds sooner that there is none
+  coarse.motion.rigid_body.method = "interior-point";  // faster if no motion exists
   double& grid = coarse.motion.pipeline.grid_step_s;
   if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
   return coarse;
@@ -68,7 +68,7 @@ Result<GaitCycles> WalkEvaluator::CyclesOf(const Candidate& candidate) const {
 }
 
 Gait WalkEvaluator::GaitOf(const Candidate& candidate, const GaitCycles& cycles) const {
-  constexpr double kMost = 0.95;  // of the cycle in stance, so that the feet still have time to swing
+  constexpr double kMost = 0.95;  // share of the cycle in stance, so that the feet have time to swing
   Gait gait = cycles.At(candidate.cycle);
   if (candidate.flight == 0.0 || candidate.flight == 1.0) return gait;
   for (double& duty : gait.duty_factor) duty = std::min(1.0 - candidate.flight * (1.0 - duty), kMost);
@@ -118,12 +118,12 @@ Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const 
     case Effort::kWhole:
       break;
   }
-  // The body's height at which the start is sound is tried first.
+  // Try first the body height for which the start is sound.
   if (const auto height = com_height_m_.find(start); height != com_height_m_.end()) {
     WalkRequest at_height = request_;
     at_height.motion.pipeline.com_height_m = height->second;
     Result<PlannedWalk> planned = Whole(at_height, gait, command, true);
-    if (planned && planned->motion.limit_excess < kSlightExcess) return EvaluationOf(std::move(planned));
+    if (planned && planned->motion.limit_excess < kSlightViolation) return EvaluationOf(std::move(planned));
   }
   return EvaluationOf(Whole(request_, gait, command, candidate != Candidate{asked_}));
 }
@@ -142,7 +142,7 @@ Result<PlannedWalk> WalkEvaluator::Whole(const WalkRequest& request, const Gait&
   return Audited(model_, PlanMotion(model_, terrain_, gait, command, request.motion), {}, only_sound);
 }
 
-/// On a grid twice as coarse where a cycle of `fitted_s` has steps enough.
+/// Uses twice the time step if a cycle of `fitted_s` has enough steps.
 Result<PlannedWalk> WalkEvaluator::Start(const Gait& gait, double fitted_s, const WalkCommand& command) const {
   AuditOptions seldom;
   seldom.rate_hz *= 0.5;

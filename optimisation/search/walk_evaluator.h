@@ -12,24 +12,24 @@
 namespace gaitwright {
 
 /// Plans and audits candidates of a walk, each once, and adds each to the trace. After `search.max_plans` of the
-/// request it refuses all others.
+/// request, all other candidates are refused.
 class WalkEvaluator : public Evaluator {
  public:
-  /// All are kept by reference. @param trace  may be null.
+  /// Keeps references to all arguments. @param trace  may be null.
   WalkEvaluator(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, SearchTrace* trace);
 
   Evaluation Evaluate(const Candidate& candidate, Effort effort) override;
   bool Flies(const Candidate& candidate) override;
 
-  /// The command at the candidate's pace.
+  /// The command at the candidate's speed.
   WalkCommand CommandOf(const Candidate& candidate) const;
-  /// The gait fitted to the candidate's pace and flight, and its other cycles.
+  /// The gait fitted to the candidate's speed and flight, and its other cycles.
   Result<GaitCycles> CyclesOf(const Candidate& candidate) const;
   /// The gait with the candidate's cycle and flight.
   Gait GaitOf(const Candidate& candidate, const GaitCycles& cycles) const;
 
  private:
-  using Key = std::tuple<Effort, std::string, double, double>;  // flags of the pace, cycle and first duty factor
+  using Key = std::tuple<Effort, std::string, double, double>;  // flags of the speed, cycle and first duty factor
 
   Evaluation Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait);
   Evaluation Look(const Gait& gait, const WalkCommand& command, bool whole) const;

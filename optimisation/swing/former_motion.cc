@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// Base and feet of a pass, by row.
+/// Poses of base and feet in a pass, by row.
 struct Rows {
   double start_s = 0.0, step_s = 1.0;
   std::vector<Vector3> p_WB;
@@ -21,7 +21,7 @@ struct Rows {
   std::vector<std::vector<Quaternion>> R_WF;  // by foot
   std::vector<double> radius_m;               // by foot
 
-  /// The row before a time and the share of the way to the next one.
+  /// The row before a time, and the fraction of the interval to the next row.
   std::pair<std::size_t, double> At(double time_s) const {
     const double place = std::clamp((time_s - start_s) / step_s, 0.0, static_cast<double>(p_WB.size() - 1));
     const std::size_t row = std::min(static_cast<std::size_t>(place), p_WB.size() - 2);
@@ -56,7 +56,7 @@ SwingRoll RollOf(const Rows& rows, const SwingTrajectory& swing) {
     return rows.R_WF[foot][row].slerp(share, rows.R_WF[foot][row + 1]).toRotationMatrix();
   };
   const SwingCurve curve = CurveOf(swing);
-  // The curve's own z goes over from the one ground's normal to the other's.
+  // The curve's own z changes from the normal of the first ground to that of the second.
   const auto normal_W = [&](double piece) {
     return Vector3(Evaluate(curve, swing.start_s + piece * duration / pieces).X_WF.linear().col(2));
   };

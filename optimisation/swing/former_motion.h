@@ -19,10 +19,10 @@ using BaseMotion = std::function<Pose(double time_s)>;
 class SwingRoll {
  public:
   SwingRoll() = default;  ///< for a foot that does not roll, or whose roll is unknown: zero
-  /// @param off_W  at even fractions of the swing from 0 to 1 [m]; two or more, or none.
+  /// @param off_W  at uniform fractions of the swing from 0 to 1 [m]; two or more, or empty.
   explicit SwingRoll(std::vector<Vector3> off_W) : off_W_(std::move(off_W)) {}
 
-  /// At a fraction of the swing, clamped to [0, 1]; linear between samples.
+  /// Offset at a fraction of the swing, clamped to [0, 1]; linear between samples.
   Vector3 At(double u) const;
 
  private:

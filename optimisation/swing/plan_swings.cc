@@ -19,9 +19,9 @@ namespace gaitwright {
 namespace {
 
 constexpr double kClearancePerLift = 0.25;
-constexpr double kClearanceInFlight = 0.125;  // of all lift, that for the body's rise too
+constexpr double kClearanceInFlight = 0.125;  // share of the whole lift, including the lift for the body's rise
 
-/// Swings of a robot's feet over a terrain.
+/// Plans the swings of a robot's feet over a terrain.
 class SwingPlanner {
  public:
   SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const FormerMotion& former)
@@ -51,7 +51,7 @@ class SwingPlanner {
       swing.lift_m = speed_bound_->LiftInTime(swing.foot, swing.end_s - swing.start_s, lift_m_);
     }
     choice_.clearance_m = clearance_m_ > 0.0 ? clearance_m_ : kClearancePerLift * std::min(lift_m_, swing.lift_m);
-    // What begins lower than where the feet go is lifted over.
+    // Obstacles that begin lower than the foot's path are stepped over.
     const double below_m =
         std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + swing.lift_m;
     ground_ = [this, below_m](const Vector2& p_W) { return HeightToClear(terrain_, p_W, below_m); };
@@ -61,29 +61,29 @@ class SwingPlanner {
     choice_.reach = ReachOf(swing);
     choice_.may_stray = false;
     const SwingTrajectory straight = swing;
-    // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
-    // room is for the audit to tell.
+    // A detour that no leg can follow goes above the obstacle, because another height of the body may allow it. A shank
+    // without room is reported by the audit.
     const bool room = guard_.LegHasRoom(swing);
     bool clear = FindHigher(swing, {room, true}) || Find(swing, {room, true});
     if (!clear && legs_known_) clear = Find(swing, {room, false}) || (room && Find(swing, {false, false}));
-    // Out of reach as little as can be, or else anyhow, for the audit to tell.
+    // Use the path least out of reach, or any path; the audit checks it.
     choice_.may_stray = true;
     clear = clear || (!choice_.reach.empty() && Find(swing, {room, true}));
     if (!clear && !choice_.reach.empty()) {
       choice_.reach.clear();
       clear = Find(swing, {room, true});
     }
-    if (!clear && !hit_) MeetsNothing(straight);  // names what is in the way
+    if (!clear && !hit_) MeetsNothing(straight);  // sets hit_ to the obstacle
     if (!clear) return NoClearance(swing);
     swing.clearance_m = MidSwingClearance(swing);
     return swing;
   }
 
  private:
-  /// What is asked of a swing beyond its foot's clearance, where the base's motion is known.
+  /// Requirements on a swing besides its foot's clearance, if the base's motion is known.
   struct LegDemand {
     bool clear = true;    ///< nothing touches the leg
-    bool follows = true;  ///< and of a detour, that the leg can follow it
+    bool follows = true;  ///< the leg can follow it, for a detour
   };
 
   bool Find(SwingTrajectory& swing, const LegDemand& demand) {
@@ -98,8 +98,8 @@ class SwingPlanner {
     return GoOver(swing);
   }
 
-  /// Of a foot that goes along with a body in flight, which is fast and comes off its way by more, an eighth of what it
-  /// is lifted by is asked for, where that is more and can be had.
+  /// Searches with a higher clearance for a foot in flight: an eighth of its lift, if that is more and possible. Such a
+  /// foot is fast and deviates more from its path.
   bool FindHigher(SwingTrajectory& swing, const LegDemand& demand) {
     const double usual_m = choice_.clearance_m, higher_m = kClearanceInFlight * swing.lift_m;
     if (clearance_m_ > 0.0 || higher_m <= usual_m) return false;
@@ -126,7 +126,7 @@ class SwingPlanner {
             {"lower swing.clearance_m or choose other footholds"}};
   }
 
-  /// The detour that the former pass took, if it still does: passes come to rest only when swings stay.
+  /// Reuses the detour of the former pass if it is still valid: passes converge only if swings do not change.
   bool TakeFormer(SwingTrajectory& swing) {
     constexpr double kSame = 1e-9;  // [s]
     const auto former = std::find_if(former_.begin(), former_.end(), [&](const SwingTrajectory& f) {
@@ -141,22 +141,22 @@ class SwingPlanner {
     return true;
   }
 
-  /// What cruises keeps its arc if it can, along with the body.
+  /// Keeps the arc of a swing with a cruise phase if possible, so that the foot moves along with the body.
   bool GoOver(SwingTrajectory& swing) {
     return swing.cruise > 0.0 ? Raise(swing) || Refine(swing) : Refine(swing) || Raise(swing);
   }
 
-  /// Sooner to the side than so high that the leg folds up. What is clear but more than the leg can follow is kept for
-  /// those who do not ask for that.
+  /// Prefers a sideways detour to one so high that the leg folds. A clear path that the leg cannot follow is kept as a
+  /// fallback.
   bool Detour(SwingTrajectory& swing) {
-    if (!choice_.reach.empty()) {  // which leaves no other ways
+    if (!choice_.reach.empty()) {  // other paths would be out of reach
       highest_m_ = model_.leg_length_m();
       return GoOver(swing);
     }
     for (const double share : {0.5, 1.0}) {
       highest_m_ = share * model_.leg_length_m();
       if (GoOver(swing)) return true;
-      if (unfollowed_) return false;  // ways around and higher ones are no easier to follow
+      if (unfollowed_) return false;  // lateral and higher paths are no easier to follow
       if (GoAround(swing)) return true;
     }
     return false;
@@ -166,7 +166,7 @@ class SwingPlanner {
     return undersides_[static_cast<std::size_t>(swing.foot)];
   }
 
-  /// Whether all that is under the way lies in the plane through both footholds, or below.
+  /// Whether all ground under the path is in the plane through both footholds, or below it.
   bool GroundIsPlane(const SwingTrajectory& swing) const {
     constexpr double kLevel = 1e-3;  // [m]
     constexpr int kSamples = 40;
@@ -183,23 +183,24 @@ class SwingPlanner {
     return true;
   }
 
-  /// The whole clearance in mid swing, and a part of what the ramp asks for on the way there and back.
+  /// Whether the swing has the full clearance in mid swing, and the share `part` of the ramp's clearance before and
+  /// after.
   bool Clears(const SwingTrajectory& swing, double part) const {
     constexpr double kRounding = 1e-6;
     return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
-           SpareClearance(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
+           ClearanceMargin(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
                -kRounding;
   }
 
-  /// Clears, and meets nothing with the whole foot and the leg. On level ground a lift that has the clearance in mid
-  /// swing has a third of the ramp's.
+  /// Clears, and neither foot nor leg touches anything. On level ground, a lift with the clearance in mid swing has a
+  /// third of the ramp's clearance.
   bool Keeps(const SwingTrajectory& swing) { return Clears(swing, kPart) && InReach(swing) && MeetsNothing(swing); }
 
   bool InReach(const SwingTrajectory& swing) const {
     return OutOfReach(CurveOf(swing), choice_.reach, choice_.roll) <= 0.0;
   }
 
-  /// Where the foot can be along a swing.
+  /// Reach of the foot along a swing.
   std::vector<ReachAt> ReachOf(const SwingTrajectory& swing) const {
     constexpr double kApart = 3e-3;  // [s]
     constexpr int kLeast = 60;
@@ -212,7 +213,7 @@ class SwingPlanner {
     return reach;
   }
 
-  /// Asked of detours alone: whether the plain swing can be followed is for the whole-body stage to tell.
+  /// Checked for detours only; the whole-body stage checks whether the closed-form swing can be followed.
   bool Followed(const SwingTrajectory& swing) const { return !demand_.follows || guard_.LegFollows(swing); }
 
   bool MeetsNothing(const SwingTrajectory& swing) {
@@ -221,13 +222,13 @@ class SwingPlanner {
     return !hit;
   }
 
-  /// By a detour, with more clearance where the one asked for does not do.
+  /// Finds a detour, with a larger clearance if the requested one is not sufficient.
   bool Refine(SwingTrajectory& swing) {
     RefineChoice choice = choice_;
     for (const double more : {1.0, 1.5, 2.0}) {
       choice.clearance_m = more * choice_.clearance_m;
       if (Refine(swing, choice)) return true;
-      if (unfollowed_ && demand_.follows) return false;  // less so with more clearance
+      if (unfollowed_ && demand_.follows) return false;  // a larger clearance is even harder to follow
     }
     return false;
   }
@@ -247,7 +248,7 @@ class SwingPlanner {
     return true;
   }
 
-  /// Of the curve over the higher of its ends.
+  /// Height of the curve above the higher of its ends.
   static double HighestOf(const SwingCurve& curve) {
     constexpr int kSamples = 40;
     const double ends = std::max(curve.X_WF_start.translation().z(), curve.X_WF_end.translation().z());
@@ -259,7 +260,7 @@ class SwingPlanner {
     return highest;
   }
 
-  /// By more lift.
+  /// Raises the lift.
   bool Raise(SwingTrajectory& swing) {
     SwingTrajectory raised = swing;
     while (!Keeps(raised) || !Followed(raised)) {
@@ -270,7 +271,7 @@ class SwingPlanner {
     return true;
   }
 
-  /// By a way to either side, up to a third of the leg's length.
+  /// Finds a path on either side, up to a third of the leg's length away.
   bool GoAround(SwingTrajectory& swing) {
     constexpr double kFarthest = 0.33;
     constexpr int kTries = 6;
@@ -284,7 +285,7 @@ class SwingPlanner {
     return false;
   }
 
-  /// Lowest height of the underside where the whole clearance is asked for.
+  /// Smallest height of the underside in the part of the swing with full clearance.
   double MidSwingClearance(const SwingTrajectory& swing) const {
     constexpr double kFrom = kClearanceEnds, kTo = 1.0 - kClearanceEnds;
     constexpr int kSamples = 24;
@@ -309,14 +310,14 @@ class SwingPlanner {
   const std::vector<SwingTrajectory> former_;
   const std::function<double(const SwingTrajectory&)> lift_of_, cruise_;
   const std::function<std::vector<ReachSide>(int, double)> reach_;
-  const bool legs_known_;  // else nothing is asked of them
+  const bool legs_known_;  // otherwise legs are not checked
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;
-  std::optional<SwingTrajectory> unfollowed_;  // clear, but more than the leg can follow
+  std::optional<SwingTrajectory> unfollowed_;  // clear, but the leg cannot follow it
   double lift_m_ = 0.0, highest_m_ = 0.0;
-  std::optional<SpeedBoundLift> speed_bound_;  // where no lift is given
-  double clearance_m_ = 0.0;                   // that is asked for; 0 for a share of the lift
+  std::optional<SpeedBoundLift> speed_bound_;  // used if no lift is given
+  double clearance_m_ = 0.0;                   // requested clearance; 0 for a share of the lift
   LegDemand demand_;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot

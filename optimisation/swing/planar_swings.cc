@@ -13,13 +13,13 @@ namespace gaitwright {
 namespace {
 
 constexpr double kParallel = 0.9999;  // cosine of 0.8 degrees
-constexpr double kUpright = 0.7;      // of a plane: sine of its normal to the vertical
+constexpr double kUpright = 0.7;      // sine of the angle between its normal and the vertical
 
-/// Control points of a detour that goes as the bump of a swing's lift does: found by taking what is missing at the
-/// places that the points have most to say.
+/// Control points of a detour with the same path as the bump of a swing's lift. Found by correcting the error at the
+/// places where each point has the most influence.
 std::vector<Vector3> DetourOfBump(double lift_m) {
   constexpr int kFree = 18, kAll = kFree + 2 * kFixedSwingPoints, kDegree = 5, kPasses = 40;
-  const auto place = [](int free) {  // Greville's, of even knots
+  const auto place = [](int free) {  // Greville abscissa of uniform knots
     double sum = 0.0;
     for (int i = 1; i <= kDegree; ++i)
       sum += std::clamp((free + kFixedSwingPoints + i - kDegree) / static_cast<double>(kAll - kDegree), 0.0, 1.0);
@@ -64,7 +64,7 @@ std::vector<std::optional<Vector3>> PlanesOfLegs(const RobotModel& model) {
 
 double LeanSwings(const std::vector<std::optional<Vector3>>& planes_B, const BaseMotion& base,
                   std::vector<SwingTrajectory>& swings) {
-  constexpr double kNoLean = 1e-4;  // [m] to the side
+  constexpr double kNoLean = 1e-4;  // [m] lateral
   double largest = 0.0;
   for (SwingTrajectory& swing : swings) {
     const std::optional<Vector3>& plane_B = planes_B[static_cast<std::size_t>(swing.foot)];

@@ -21,7 +21,7 @@
 namespace gaitwright {
 namespace {
 
-/// First guesses for a way down, as shares of the way that the foot is ahead and of the swing that it is there sooner.
+/// Initial guesses for a path down: (lead of the foot as a share of the path, earlier arrival as a share of the swing).
 constexpr std::array<std::pair<double, double>, 6> kGuesses = {
     {{0.0, 0.0}, {0.15, 0.0}, {0.35, 0.0}, {-0.35, 0.0}, {0.0, 0.2}, {0.0, 0.3}}};
 const char* const kReach = "the reach";
@@ -47,7 +47,7 @@ std::vector<double> Fractions(int count) {
   return fractions;
 }
 
-/// The problem in the free control points: along the way first, then upwards.
+/// The problem in the free control points: forward components first, then upward.
 class Detour {
  public:
   Detour(const SwingCurve& swing, const SwingProfile& profile, const RefineChoice& choice)
@@ -67,15 +67,15 @@ class Detour {
       const Vector3 roll_W = choice.roll.At(u);
       straight_s_.push_back(Gone(u) * profile.length_m() + profile.along_W().dot(roll_W.head<2>()));
       straight_z_.push_back(start_z_ + Gone(u) * rise_m_ + roll_W.z());
-      // To the neighbours on both sides, so that two samples over the ground are over all that is between them.
+      // Up to the neighbours on both sides, so that the samples together cover the whole ground between them.
       const double reach = std::max(Gone(u + step) - Gone(u), Gone(u) - Gone(u - step));
       reach_m_.push_back(reach * profile.length_m());
     }
     AddReach(swing, choice);
   }
 
-  /// @param lead  share of the way by which the first guess is ahead in mid swing, or behind.
-  /// @param wait  share of the swing that it waits before it goes ahead, or is there before the end where negative.
+  /// @param lead  share of the path by which the initial guess is ahead in mid swing; negative: behind.
+  /// @param wait  share of the swing before the foot starts forward; negative: it arrives that much before the end.
   ConstrainedProblem Problem(double lead, double wait) const {
     ConstrainedProblem problem;
     problem.start = VectorX::Zero(variables_);
@@ -117,10 +117,10 @@ class Detour {
   }
 
  private:
-  /// Share of the straight way at a fraction of the swing.
+  /// Share of the straight path at a fraction of the swing.
   double Gone(double u) const { return SmoothStep(u, cruise_).value; }
 
-  /// Control points along the way of a foot that waits.
+  /// Forward control points of a foot that waits.
   VectorX Waiting(double wait) const {
     VectorX ahead_m(basis_.rows());
     for (Eigen::Index k = 0; k < ahead_m.size(); ++k) {
@@ -131,11 +131,10 @@ class Detour {
     return SolveLeastSquares(basis_, ahead_m);
   }
 
-  /// Along the way and upwards, by the fraction of the swing: the mean jerk from each sample to the next, from the
-  /// acceleration of none at both ends.
+  /// Adds the jerk, forward and upward: its mean between neighbouring samples; the acceleration at both ends is zero.
   void AddJerk(ConstrainedProblem& problem) const {
     constexpr int kSamples = 40;
-    constexpr double kCheap = 1e-5;  // so that no price of a missed reach is less than what the jerk would save
+    constexpr double kCheap = 1e-5;  // so that the penalty on reach always exceeds the gain in jerk
     const double scale = std::sqrt(kSamples + 1.0) * (variables_ > 2 * free_ ? kCheap : 1.0);
     const std::vector<double> fractions = Fractions(kSamples);
     const MatrixX accelerations = BasisAt(fractions, free_, true);
@@ -204,20 +203,20 @@ class Detour {
     }
   }
 
-  static constexpr double kDepth = 0.8 * kSpareDepth;
+  static constexpr double kDepth = 0.8 * kDepthMargin;
 
   const SwingProfile& profile_;
   const int free_;
   const Vector2 sideways_W_;
-  const int variables_;                                // along the way, upwards, and with a reach to the left
-  const double start_z_, rise_m_, cruise_, firmness_;  // the last of the clearance, against the reach
+  const int variables_;                                // forward, upward and, with a reach, to the left
+  const double start_z_, rise_m_, cruise_, firmness_;  // firmness_: of the clearance, relative to the reach
   std::vector<double> fractions_, wanted_m_, reach_m_;
   std::vector<double> straight_s_, straight_z_;  // progress and height without a detour, by sample
   MatrixX basis_, within_;
   VectorX room_m_;
 };
 
-/// The way that costs least; with a reach by an interior-point method, since many of its sides hold at once.
+/// The path of least cost. With a reach an interior-point method is used, because many sides are active at once.
 Result<ConstrainedSolution> LeastJerk(const ConstrainedProblem& problem, bool has_reach, ConstrainedSolution& last) {
   ElasticOptions elastic;
   elastic.tolerance = 1e-5;
@@ -230,7 +229,7 @@ Result<ConstrainedSolution> LeastJerk(const ConstrainedProblem& problem, bool ha
   return Solve(problem, options, &last);
 }
 
-/// By what the best of all ways misses its clearance, or strays out of reach.
+/// Failure with the missing clearance, or the distance out of reach, of the best path.
 Failure Unmet(double by_m, double out_m) {
   const std::string why =
       out_m < by_m
@@ -257,8 +256,9 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
   Check(choice);
   const SwingProfile profile(swing, underside_F, ground, choice);
   const Detour detour(swing, profile, choice);
-  // A riser is felt only where the foot is at it: a foot goes straight up to one, or rises first, or comes down last,
-  // and more or less so, the likelier ones for a way up or down first. What takes the least jerk of these.
+  // A riser has a gradient only when the foot is at it. So several initial guesses are tried: straight, rising first,
+  // and descending last, by different amounts, with the likelier ones for a path up or down first. The result with the
+  // least jerk is used.
   const double rise_m = swing.X_WF_end.translation().z() - swing.X_WF_start.translation().z();
   const double side = rise_m > 0.0 ? -1.0 : 1.0;
   const double rounding_m = 1e-4 + 0.05 * choice.clearance_m;
@@ -275,7 +275,7 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
     if ((!solution && !choice.may_stray) || cost >= least_cost) continue;
     RefinedSwing refined{swing, 0.0, last.brief};
     refined.curve.detour_W = detour.ControlPoints(last.x);
-    refined.spare_m = SpareClearance(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
+    refined.spare_m = ClearanceMargin(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
     least_missed_m = std::min(least_missed_m, -refined.spare_m);
     if (refined.spare_m < -rounding_m) continue;
     least_cost = cost;

@@ -21,7 +21,7 @@ std::vector<Vector3> UndersideOf(const Foot& foot);
 
 /// Accepted depth of the underside at both ends, half of the audit's tolerance: it lies on its foothold's plane, not on
 /// tilted or curved ground beside it [m].
-inline constexpr double kSpareDepth = 0.5 * tolerance::kPosition;
+inline constexpr double kDepthMargin = 0.5 * tolerance::kPosition;
 
 /// Share of a swing at each end in which less than the full clearance is required.
 inline constexpr double kClearanceEnds = 0.35;
@@ -33,8 +33,8 @@ double ClearanceRamp(double u);
 /// Smallest height of the underside above the ground minus `clearance_m` times the ramp, over the whole swing: not
 /// negative if the swing clears the ground. At both ends half a millimetre less (SwingDepth).
 /// @param roll  offset of the foot from the curve by rolling.
-double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
-                      double clearance_m, const SwingRoll& roll = {});
+double ClearanceMargin(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+                       double clearance_m, const SwingRoll& roll = {});
 
 /// Reach of the foot at a fraction of the swing.
 struct ReachAt {
@@ -57,7 +57,7 @@ struct RefineChoice {
 /// A swing with a detour, with solver data.
 struct RefinedSwing {
   SwingCurve curve;
-  double spare_m = 0.0;  ///< SpareClearance
+  double spare_m = 0.0;  ///< ClearanceMargin
   std::string brief;
 };
 

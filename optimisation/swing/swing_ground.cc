@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The corners of the box about an obstacle along its own axes, in O: lowest and highest.
+/// The lowest and the highest corner of the box around an obstacle along its own axes, in O.
 std::pair<Vector3, Vector3> BoxAbout(const Obstacle& obstacle) {
   Vector3 half = 0.5 * obstacle.size_m;
   if (obstacle.type == ShapeType::kCylinder)

@@ -14,9 +14,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kTouchingDepth = 1e-4;  // [m] that solver and rounding may be off by
+constexpr double kTouchingDepth = 1e-4;  // [m] tolerance for solver and rounding errors
 
-/// The foot's frame F (of a sphere: its centre) where its contact frame is.
+/// The foot's frame F (sphere: its centre) for a pose of its contact frame.
 Pose FootFrame(const Foot& foot, Pose X_WF) {
   X_WF.translation() += foot.radius * X_WF.linear().col(2);
   return X_WF;
@@ -51,7 +51,7 @@ std::vector<Pose> SwingGuard::FootPoses(const SwingTrajectory& swing) const {
 }
 
 double SwingGuard::AskedAtMost(const SwingTrajectory& swing, double clearance_m) const {
-  constexpr double kShare = 0.9;  // of what is had beside the footholds
+  constexpr double kShare = 0.9;  // share of the distance beside the footholds
   double asked = clearance_m;
   for (Pose X_WF : {swing.X_WF_start, swing.X_WF_end}) {
     X_WF.translation().z() += clearance_m;
@@ -63,7 +63,7 @@ double SwingGuard::AskedAtMost(const SwingTrajectory& swing, double clearance_m)
 }
 
 std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double clearance_m, bool with_leg) const {
-  constexpr double kShare = 0.5;  // of what the audit lets pass
+  constexpr double kShare = 0.5;  // share of the audit's tolerance
   const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
   const double asked_at_most = AskedAtMost(swing, clearance_m);
   const std::vector<Pose> X_WF = FootPoses(swing);
@@ -91,7 +91,7 @@ VectorX SwingGuard::StandingLeg(int foot) const {
 
 namespace {
 
-/// Whether motors turn the leg's joints so far in a time; other joints that they drive are still.
+/// Whether motors can move the leg's joints by `way` in the given time. Other joints of a transmission do not move.
 bool MotorsFollow(const std::vector<Actuator>& motors, const std::vector<int>& dofs, const VectorX& way,
                   double step_s) {
   for (const Actuator& motor : motors) {
@@ -132,7 +132,7 @@ std::optional<SwingHit> SwingGuard::CheckLeg(const SwingTrajectory& swing, int s
   for (int k = 0; k <= kSamples; k += stride) {
     const Pose X_WB = former_.base(TimeOf(swing, k));
     const auto leg = ik.Solve(X_WB.inverse() * X_WF[static_cast<std::size_t>(k)], guess);
-    if (!leg) continue;  // for LegFollows and the whole-body stage to tell
+    if (!leg) continue;  // checked by LegFollows and the whole-body stage
     guess = leg->joints;
     for (Eigen::Index i = 0; i < guess.size(); ++i) q[7 + ik.dofs()[static_cast<std::size_t>(i)]] = guess[i];
     q.head<3>() = X_WB.translation();

@@ -64,8 +64,8 @@ class SwingGuard {
   const RobotModel& model_;
   GroundWatch watch_;
   FormerMotion former_;
-  std::vector<LegIk> ik_;                    // by foot, where the base's motion is known
-  std::vector<std::vector<LegPart>> parts_;  // by foot: the leg's shapes that are not the foot's
+  std::vector<LegIk> ik_;                    // by foot, if the base's motion is known
+  std::vector<std::vector<LegPart>> parts_;  // by foot: the leg's shapes that do not belong to the foot
   mutable DynamicsScratch scratch_;
 };
 

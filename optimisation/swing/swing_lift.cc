@@ -22,7 +22,7 @@ VectorX StandingOfLeg(const RobotModel& model, const LegIk& ik) {
   return standing;
 }
 
-/// A leg whose foot is lifted straight up from the standing posture, the base staying where it is.
+/// A leg whose foot is lifted straight up from the standing posture with the base fixed.
 class LiftedLeg {
  public:
   LiftedLeg(const RobotModel& model, int foot)
@@ -35,8 +35,8 @@ class LiftedLeg {
     }
   }
 
-  /// Joint speeds, by dofs(), of the leg as it is for a foot that goes up so fast: of least squares, so that a leg
-  /// whose plane is a little aslant has some.
+  /// Joint speeds of the leg, by dofs(), for an upward speed of the foot. Least squares, so that it also works for a
+  /// leg whose plane is slightly tilted.
   VectorX SpeedsFor(double rate_m_s) {
     constexpr double kDamping = 1e-8;
     ForwardKinematics(model_, q_, scratch_);
@@ -51,7 +51,7 @@ class LiftedLeg {
     return SolveSymmetric(normal, J.transpose() * wanted);
   }
 
-  /// @return whether all joints are within their limits then.
+  /// @return whether all joints are within their limits at this lift.
   bool LiftBy(double lift_m) {
     constexpr int kSteps = 30;
     bool within = true;
@@ -79,14 +79,14 @@ class LiftedLeg {
 }  // namespace
 
 double SwingLift(const RobotModel& model, const SwingOptions& options) {
-  constexpr double kRoom = 1.3;   // of the lift: a foot ahead of or behind its place bends the leg more
-  constexpr double kLess = 0.85;  // of the lift, from try to try
+  constexpr double kRoom = 1.3;   // factor of the lift: a foot ahead of or behind its nominal place bends the leg more
+  constexpr double kLess = 0.85;  // factor from trial to trial
   constexpr int kTries = 10;
   if (options.height_m > 0.0) return options.height_m;
   double lift = kLiftPerLegLength * model.leg_length_m();
   for (const Leg& leg : model.legs) {
     if (!model.feet[static_cast<std::size_t>(leg.foot)].has_sole()) {
-      // Where it can be lifted at all no room is asked for: other postures of the body give it.
+      // If the plain lift is possible, the margin is dropped: other body postures provide it.
       if (LiftedLeg(model, leg.foot).LiftBy(lift)) continue;
       for (int i = 0; i < kTries && !LiftedLeg(model, leg.foot).LiftBy(kRoom * lift); ++i) lift *= kLess;
       continue;
@@ -103,9 +103,9 @@ double SwingLift(const RobotModel& model, const SwingOptions& options) {
   return lift;
 }
 
-/// Largest share of a joint's speed limit that a lift takes when the foot goes up fastest.
+/// Largest share of a joint's speed limit that a lift uses, at the time of the foot's largest upward speed.
 double SpeedBoundLift::LargestUse(int foot, double duration_s, double lift_m) const {
-  constexpr double kFastest = 0.27639320225002106;  // 0.5 (1 - 1 / sqrt 5), of the swing
+  constexpr double kFastest = 0.27639320225002106;  // 0.5 (1 - 1 / sqrt 5), fraction of the swing
   const Motion1 bump = SmoothBump(kFastest);
   LiftedLeg leg(*model_, foot);
   leg.LiftBy(bump.value * lift_m);
@@ -118,7 +118,7 @@ double SpeedBoundLift::LargestUse(int foot, double duration_s, double lift_m) co
 }
 
 double SpeedBoundLift::LiftInTime(int foot, double duration_s, double usual_m) {
-  constexpr double kEnough = 0.6;  // of a speed limit; the rest is for the way ahead
+  constexpr double kEnough = 0.6;  // share of a speed limit; the rest is for the forward motion
   constexpr double kLess = 0.85, kLeast = 0.25;
   if (!(duration_s > 0.0)) return usual_m;
   const std::pair<int, long long> asked{foot, std::llround(1e6 * duration_s)};

@@ -9,16 +9,16 @@
 
 namespace gaitwright {
 
-/// The lift of a swing where nothing asks for more [m].
+/// Default lift of a swing [m].
 double SwingLift(const RobotModel& model, const SwingOptions& options);
 
-/// How far feet can be lifted and put down again in a time, as slow motors or legs that stand nearly straight let them.
+/// Lift that the motors' speeds allow in a given time; small for slow motors and for legs that stand nearly straight.
 class SpeedBoundLift {
  public:
   explicit SpeedBoundLift(const RobotModel& model) : model_(&model) {}
 
-  /// The usual lift, or where a joint of the leg would need more than its speed limit for that alone, one that takes
-  /// 0.6 of the limit: from the standing posture, straight up and down. Never less than a quarter of the usual one.
+  /// The usual lift, or a smaller one that uses 0.6 of a joint's speed limit if the usual lift alone would exceed the
+  /// limit. Computed straight up and down from the standing posture. At least a quarter of the usual lift.
   double LiftInTime(int foot, double duration_s, double usual_m);
 
  private:

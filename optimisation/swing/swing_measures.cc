@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a swing's curve keeps of what is asked of it: clearance and reach.
+// Clearance and reach of a swing's curve.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ std::vector<Vector3> UndersideOf(const Foot& foot) {
   constexpr int kAround = 8;
   for (int i = 0; foot.radius > 0.0 && i < kAround; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kAround;
-    for (const double share : {0.6, 1.0}) {  // of the radius: 0.2 and 1 of it up
+    for (const double share : {0.6, 1.0}) {  // of the radius; heights 0.2 and 1 of the radius
       const Vector2 away = share * foot.radius * Vector2(std::cos(angle), std::sin(angle));
       points.emplace_back(away.x(), away.y(), foot.radius * (1.0 - std::sqrt(1.0 - share * share)));
     }
@@ -25,7 +25,7 @@ std::vector<Vector3> UndersideOf(const Foot& foot) {
   points.clear();
   Vector2 middle = Vector2::Zero();
   for (const Vector2& corner : foot.sole_F) middle += corner / static_cast<double>(foot.sole_F.size());
-  constexpr int kPieces = 4;  // of an edge
+  constexpr int kPieces = 4;  // samples of an edge
   for (std::size_t i = 0; i < foot.sole_F.size(); ++i) {
     const Vector2 &corner = foot.sole_F[i], &next = foot.sole_F[(i + 1) % foot.sole_F.size()];
     for (int piece = 0; piece < kPieces; ++piece) {
@@ -42,15 +42,15 @@ double ClearanceRamp(double u) {
   return std::min(SmoothStep(u / kClearanceEnds).value, SmoothStep((1.0 - u) / kClearanceEnds).value);
 }
 
-double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
-                      double clearance_m, const SwingRoll& roll) {
+double ClearanceMargin(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+                       double clearance_m, const SwingRoll& roll) {
   constexpr int kSamples = 180;
   double least = kInfinity;
   for (int k = 1; k < kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;
     Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
     X_WF.translation() += roll.At(u);
-    const double asked = clearance_m * ClearanceRamp(u) - kSpareDepth * SwingEndShare(u);
+    const double asked = clearance_m * ClearanceRamp(u) - kDepthMargin * SwingEndShare(u);
     for (const Vector3& q_F : underside_F) {
       const Vector3 q_W = X_WF * q_F;
       least = std::min(least, q_W.z() - ground(q_W.head<2>()) - asked);

@@ -14,15 +14,15 @@ std::vector<Vector3> CornersOfPatch(const TerrainPatch& patch) {
   return corners_W;
 }
 
-/// The upright plane through an edge, with the patch behind it; its outline is counter-clockwise from above.
+/// The vertical plane through an edge, with the patch behind it; the outline is counter-clockwise from above.
 PartingPlane SideAt(const Vector3& from_W, const Vector3& to_W) {
   const Vector3 along = to_W - from_W;
   const Vector3 out = Vector3(along.y(), -along.x(), 0.0).normalized();
   return {out, out.dot(from_W)};
 }
 
-/// The plane through the point of an edge that is nearest to p, at right angles to the way there. @return false where
-/// it does not part p from the solid.
+/// The plane through the point of an edge that is nearest to p, perpendicular to the line to p. @return false if it
+/// does not separate p from the solid.
 bool EdgeBefore(const std::vector<Vector3>& corners_W, std::size_t edge, const Vector3& p_W, PartingPlane& plane) {
   constexpr double kTouching = 1e-9, kRounding = 1e-9;  // [m]
   const Vector3 &from = corners_W[edge], &to = corners_W[(edge + 1) % corners_W.size()];

@@ -8,22 +8,23 @@
 
 namespace gaitwright {
 
-/// A plane with all that is solid under a patch on one side of it:
+/// A plane with the whole solid under a patch on one side:
 ///   normal_W . p <= offset_m for all points of the solid.
 struct PartingPlane {
-  Vector3 normal_W = Vector3::UnitZ();  ///< unit, never downwards
+  Vector3 normal_W = Vector3::UnitZ();  ///< unit vector, never downward
   double offset_m = 0.0;
 
-  /// How far a point is beyond it [m].
+  /// Distance of a point beyond the plane [m].
   double Beyond(const Vector3& p_W) const { return normal_W.dot(p_W) - offset_m; }
 };
 
-/// Of the planes that touch what is solid under a patch, at its top, at one of its sides or at an edge of its outline,
-/// the one that a point is farthest beyond; where the point is inside, least deep.
+/// The separating plane of a point. Candidates touch the solid under a patch at its top, at a side or at an edge of its
+/// outline. The plane that the point is farthest beyond is returned; for a point inside, the one with the smallest
+/// depth.
 PartingPlane PlaneBefore(const TerrainPatch& patch, const Vector3& p_W);
 
-/// The same for a way as short as to be nearly straight, by points on it in turn: that of the point that is least far
-/// beyond its own, so that the whole way is beyond it where it does not touch the solid.
+/// The separating plane of a short, nearly straight path, given by points in order. It is the plane of the point with
+/// the smallest distance beyond its own plane, so the whole path is beyond it unless it touches the solid.
 PartingPlane PlaneBefore(const TerrainPatch& patch, const std::vector<Vector3>& way_W);
 
 }  // namespace gaitwright

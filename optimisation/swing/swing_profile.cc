@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStep = 0.002, kBeyond = 0.1, kShortest = 1e-3;  // [m]
 
-/// Share of the way to the side at a fraction of the swing: what free control points that are all one give.
+/// Share of the sideways offset at a fraction of the swing, if all free control points are equal.
 double SidewaysShare(int control_points, double u) {
   const QuinticBasis basis = EvaluateQuinticBasis(control_points, u);
   double share = 0.0;
@@ -25,7 +25,7 @@ double SidewaysShare(int control_points, double u) {
   return share;
 }
 
-/// The fraction of the swing at which a straight one has gone a share of its way.
+/// Fraction of a straight swing at which it has covered a share of its path.
 double FractionAt(double share, double cruise) {
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 40; ++i) {
@@ -52,10 +52,10 @@ SwingProfile::SwingProfile(const SwingCurve& swing, const std::vector<Vector3>& 
   LimitSlope(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z());
 }
 
-/// The table of what is under the way as it is.
+/// Fills the table with the ground under the path.
 void SwingProfile::Look(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
                         const RefineChoice& choice) {
-  constexpr double kDeep = 1.0;  // where there is no ground
+  constexpr double kDeep = 1.0;  // used without ground
   const Vector2 sideways_W = choice.sideways_m * left_W();
   const Vector3 turn = RotationLog(swing.X_WF_end.linear() * swing.X_WF_start.linear().transpose());
   const double floor_m = std::min(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) - kDeep;
@@ -88,13 +88,13 @@ std::pair<double, double> SwingProfile::At(double s) const {
   return {height_m_[i] + (place - static_cast<double>(i)) * kStep * slope, slope};
 }
 
-/// Whether a row is nearest to the start or the end of the way.
+/// Whether a row is nearest to the start or the end of the path.
 bool SwingProfile::IsEnd(std::size_t row) const {
   const double s = static_cast<double>(row) * kStep - kBeyond;
   return std::min(std::abs(s), std::abs(s - length_m_)) < 0.5 * kStep;
 }
 
-/// An edge between two rows is taken to be at the farther one, so that nothing is lower in the table than it is.
+/// Moves each edge between two rows to the farther row, so that no height in the table is too low.
 void SwingProfile::Widen() {
   const std::vector<double> own = height_m_;
   for (std::size_t i = 0; i < own.size(); ++i) {
@@ -103,7 +103,7 @@ void SwingProfile::Widen() {
   }
 }
 
-/// Raises the table where it climbs or falls faster than a slope that leaves start and end as they are.
+/// Raises the table where its slope is too steep, without changing start and end.
 void SwingProfile::LimitSlope(double start_z, double end_z) {
   constexpr double kGentle = 2.0, kSteepest = 40.0;
   double slope = kGentle;

@@ -8,9 +8,9 @@
 
 namespace gaitwright {
 
-/// The least height of a swing's contact frame at which its underside touches the ground, by progress along the way
-/// [m]: a table with straight pieces, in which an edge is where it is highest, and what climbs or falls steeply is
-/// raised beside it, as far as start and end of the way allow.
+/// The smallest height of a swing's contact frame at which its underside touches the ground, by progress along the path
+/// [m]. A piecewise linear table: steps of the ground are shifted outward, and steep parts are raised beside the step,
+/// as far as start and end of the path allow.
 class SwingProfile {
  public:
   SwingProfile(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
@@ -20,7 +20,7 @@ class SwingProfile {
   const Vector2& along_W() const { return along_W_; }
   Vector2 left_W() const { return {-along_W_.y(), along_W_.x()}; }
 
-  /// The greatest height within `reach` of a progress [m], and the slope there.
+  /// The largest height within `reach` of a progress [m], and its slope.
   std::pair<double, double> Highest(double s, double reach) const;
 
  private:

@@ -22,7 +22,7 @@ double StepOf(const ContactSchedule& schedule) {
   return (schedule.end_s() - schedule.start_s()) / (Knots(schedule) - 1);
 }
 
-/// A foot at a time: on its foothold, or on its way between two.
+/// Pose of a foot at a time: on its foothold, or between two footholds.
 Pose PlaceAt(const FootstepPlan& footsteps, int foot, double time_s) {
   const auto& all = footsteps.footholds;
   const auto index = static_cast<std::size_t>(FootholdAt(footsteps, foot, time_s));
@@ -36,7 +36,7 @@ Pose PlaceAt(const FootstepPlan& footsteps, int foot, double time_s) {
   return X_WF;
 }
 
-/// Means over a window about each value; beyond the ends they go on as they are there.
+/// Moving average. Values are constant beyond the ends.
 std::vector<double> Evened(const std::vector<double>& values, int half_width) {
   std::vector<double> evened;
   const int last = static_cast<int>(values.size()) - 1;
@@ -65,7 +65,7 @@ std::vector<double> Yaws(const FootstepSkeleton& skeleton) {
   return yaw;
 }
 
-/// One number of the base over its feet, at the knots of a spline.
+/// One component of the base's pose above its feet, at the knots of a spline.
 std::vector<double> Follow(const RobotModel& model, const FootstepSkeleton& skeleton, double even_s,
                            double BaseOverFeet::*number) {
   const std::vector<Pose> standing = StandingFeet(model);
@@ -105,7 +105,7 @@ void BodyPath::Lean(double angle_rad, double bend_s) {
 }
 
 void BodyPath::KeepWithin(const std::vector<Bounds>& ground_m, double bend_s) {
-  constexpr double kFirm = 4.0;  // of what a single knot's bound takes to be kept
+  constexpr double kFirm = 4.0;  // weight of a single knot's bound
   const double stiff = bend_s / step_s_;
   ground_m_ = SmoothWithin(over_feet_m_, ground_m, stiff, kFirm * stiff * stiff);
   ground_ = CubicSpline(start_s_, step_s_, ground_m_);
@@ -119,7 +119,7 @@ BaseTurning TurningOf(const Motion1& yaw, const Motion1& pitch, const Motion1& r
   BaseTurning turning;
   const Vector3 z = Vector3::UnitZ(), y = YawRotation(yaw.value).col(1);
   const Matrix3 R_pitched = YawRotation(yaw.value) * Eigen::AngleAxisd(pitch.value, Vector3::UnitY());
-  const Vector3 x = R_pitched.col(0), w_y = yaw.rate * z, w_x = w_y + pitch.rate * y;  // at which y and x turn
+  const Vector3 x = R_pitched.col(0), w_y = yaw.rate * z, w_x = w_y + pitch.rate * y;  // angular velocities of y and x
   turning.R_WB = R_pitched * Eigen::AngleAxisd(roll.value, Vector3::UnitX());
   turning.w_WB = w_x + roll.rate * x;
   turning.alpha_WB = yaw.acceleration * z + pitch.acceleration * y + pitch.rate * w_y.cross(y) + roll.acceleration * x +

@@ -13,10 +13,10 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLeastLoad = 1e-5;
-constexpr double kRestRamp = 0.3;   // of a foot's ramp: what is to lie down does not hover
-constexpr double kRestLoad = 20.0;  // of what a foot carries: legs of a robot that lies are nearly limp
+constexpr double kRestRamp = 0.3;   // share of a foot's ramp: a body part that lies down does not hover
+constexpr double kRestLoad = 20.0;  // factor of a foot's load: legs of a lying robot carry almost nothing
 
-/// Share of its load that a foot bears at a time: rises from 0 after touch-down and falls to 0 before lift-off.
+/// Share of the load of a foot at a time: rises from 0 after touch-down and falls to 0 before lift-off.
 class LoadShare {
  public:
   LoadShare(const ContactSchedule& schedule, int foot, double ramp_s) {
@@ -48,7 +48,7 @@ class LoadShare {
   }
 
  private:
-  static constexpr double kTiny = 1e-9;  // [s] that a time may be off the grid by rounding
+  static constexpr double kTiny = 1e-9;  // [s] tolerance of rounding for times on the grid
   struct Ramp {
     ContactInterval interval;
     double rise_s, fall_s;
@@ -56,7 +56,7 @@ class LoadShare {
   std::vector<Ramp> ramps_;
 };
 
-/// The split over the contacts; over none, nothing is given.
+/// Splits a wrench over the contacts; does nothing without contacts.
 void Split(const std::vector<ContactPoint>& contacts, const PointWrench& needed, ContactSplitter& splitter,
            ContactSplit& split) {
   if (!contacts.empty()) return splitter.Solve(contacts, needed, split);
@@ -65,22 +65,22 @@ void Split(const std::vector<ContactPoint>& contacts, const PointWrench& needed,
   split.residual_moment_W = needed.moment_W;
 }
 
-/// On a plane, of a wrench that presses on it; else a given point.
+/// ZMP of a wrench on a plane if the wrench presses on the plane; otherwise a given point.
 Vector2 ZmpOf(const RobotModel& model, const PointWrench& wrench, const GroundPlane& plane, const Vector2& otherwise) {
-  constexpr double kPresses = 0.01;  // of the weight
+  constexpr double kPresses = 0.01;  // share of the weight
   if (wrench.force_W.z() < kPresses * model.weight_n()) return otherwise;
   return ZeroMomentPoint(wrench.p_W, wrench.force_W, wrench.moment_W, plane).head<2>();
 }
 
 /// The points at which the feet press on the ground at one time.
 struct PressingPoints {
-  ContactsByFoot of_foot;              ///< of all feet, also of those in the air
+  ContactsByFoot of_foot;              ///< of all feet, including those in the air
   std::vector<Vector3> origin_W;       ///< of each foot's contact frame
-  std::vector<ContactPoint> contacts;  ///< of the feet that bear a load
-  std::vector<std::size_t> foot;       ///< of each contact
+  std::vector<ContactPoint> contacts;  ///< of the feet that carry a load
+  std::vector<std::size_t> foot;       ///< index of the foot of each contact
 };
 
-/// Where the feet press, and how much of the load each of them should bear.
+/// Computes contact points of the feet, and each foot's share of the load.
 class PressingFeet {
  public:
   PressingFeet(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options)
@@ -96,7 +96,7 @@ class PressingFeet {
     points_.origin_W.resize(model.feet.size());
   }
 
-  /// Needs ForwardKinematics on the scratch. The next call overwrites what this one gave.
+  /// Needs ForwardKinematics on the scratch. The next call overwrites the result.
   const PressingPoints& At(double time_s, const DynamicsScratch& scratch) {
     points_.contacts.clear();
     points_.foot.clear();
@@ -109,7 +109,7 @@ class PressingFeet {
 
   void AddFoot(std::size_t f, double time_s, const DynamicsScratch& scratch) {
     const int foot = static_cast<int>(f), at = FootholdAt(*problem_.footsteps, foot, time_s);
-    if (at < 0) {  // a rest that is never lain on
+    if (at < 0) {  // a support link that never touches the ground
       points_.origin_W[f].setZero();
       return;
     }

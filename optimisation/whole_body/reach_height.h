@@ -9,16 +9,16 @@
 
 namespace gaitwright {
 
-/// How high a base may be for all legs to reach their feet.
+/// Range of heights of the base at which all legs reach their feet.
 class ReachHeight {
  public:
-  /// @param model  outlives this.
+  /// @param model  must outlive this object.
   explicit ReachHeight(const RobotModel& model);
 
-  /// The changes of the base's height [m], about the least one, with which every leg brings its foot there, joints
-  /// within their limits; up to a quarter of the leg's length. Nothing where there are none.
+  /// The range of changes of the base's height [m], around the smallest possible change, for which every leg reaches
+  /// its foot with joints within their limits; at most a quarter of the leg's length. Nothing if no change is possible.
   /// @param X_WF   controlled frames (middle of a sole, centre of a sphere) by foot.
-  /// @param spare  share of the leg's length that is kept to both ends, where there is as much room.
+  /// @param spare  margin to both ends, as a share of the leg's length, if the range is large enough.
   std::optional<Bounds> Changes(const Pose& X_WB, const std::vector<Pose>& X_WF, double spare) const;
 
  private:

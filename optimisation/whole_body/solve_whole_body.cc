@@ -13,10 +13,10 @@
 namespace gaitwright {
 namespace {
 
-/// Follows one foot through its footholds and swings, and keeps account of how far it has rolled.
+/// Follows one foot through its footholds and swings, and integrates its rolling.
 ///
-/// A sphere's contact point is `path + roll`: the path stands still in stance and is the swing curve in swing; the roll
-/// grows with the foot's rotation all the time. A swing's path therefore ends short of its foothold by the roll
+/// A sphere's contact point is `path + roll`. The path is constant in stance and is the swing curve in swing; the roll
+/// always changes with the foot's rotation. A swing's path therefore ends short of its foothold by the expected roll.
 /// expected there.
 class FootPath {
  public:
@@ -36,14 +36,14 @@ class FootPath {
     path_ = footholds_.front()->X_WF;
   }
 
-  /// The target at a time; times must not go back.
+  /// The target at a time; times must not decrease.
   FootTarget At(double time_s) {
     Advance(time_s);
     FootTarget target;
     FrameMotion motion;
     motion.X_WF = path_;
     if (in_swing_) motion = Evaluate(curve_, time_s);
-    // The curve's own z goes over from the one ground's normal to the other's.
+    // The curve's own z changes from the normal of the first ground to that of the second.
     target.normal_W = motion.X_WF.linear().col(2);
     target.normal_rate_W = motion.w_WF.cross(target.normal_W);
     target.normal_anchor_W = started_ ? Vector3(0.5 * (normal_last_ + target.normal_W)) : target.normal_W;
@@ -60,7 +60,7 @@ class FootPath {
     return target;
   }
 
-  /// Takes note of the foot's rotation once the sample is solved.
+  /// Stores the foot's rotation after the sample is solved.
   void Settle(const Matrix3& R_WF) {
     if (started_) roll_ += foot_->radius * RotationLog(R_WF * R_last_.transpose()).cross(normal_anchor_);
     started_ = true;
@@ -106,7 +106,7 @@ class FootPath {
   Matrix3 R_last_ = Matrix3::Identity();
 };
 
-/// The body's target without its feet.
+/// Sets the body's target without its feet.
 void SetBodyTarget(const RobotModel& model, const WholeBodyProblem& problem, int sample, BodyTarget& target) {
   const CentroidalTrajectory& c = *problem.centroidal;
   const auto k = static_cast<std::size_t>(sample);
@@ -121,7 +121,7 @@ void SetBodyTarget(const RobotModel& model, const WholeBodyProblem& problem, int
   if (problem.posture) problem.posture(c.start_s + sample * c.step_s, target.posture);
 }
 
-/// The next first guess: the last solution moved on by its velocity.
+/// Initial guess for the next sample: the last solution extrapolated by its velocity.
 void Extrapolate(const VectorX& v, double step_s, VectorX& q) {
   q.head<3>() += step_s * v.head<3>();
   const Matrix3 R = RotationExp(step_s * v.segment<3>(3)) * Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix();
@@ -129,7 +129,7 @@ void Extrapolate(const VectorX& v, double step_s, VectorX& q) {
   q.tail(q.size() - 7) += step_s * v.tail(v.size() - 6);
 }
 
-/// The standing configuration turned and moved under the first centre of mass.
+/// The standing configuration, rotated and moved under the first centre of mass.
 VectorX FirstGuess(const RobotModel& model, const BodyTarget& target, DynamicsScratch& scratch) {
   VectorX q = StandingConfiguration(model);
   const Quaternion R(target.R_WB);
@@ -139,8 +139,8 @@ VectorX FirstGuess(const RobotModel& model, const BodyTarget& target, DynamicsSc
   return q;
 }
 
-/// Solves the first sample. Spheres start on their footholds, unrolled, whatever the first guess was: each solution's
-/// rotations are where the next one reckons its rolls from, until they stay.
+/// Solves the first sample. Spheres start on their footholds without roll, independent of the initial guess: the roll
+/// is measured from the rotations of each solution, until these converge.
 Result<int> SolveStart(WholeBodyIk& ik, double time_s, std::vector<FootPath>& paths, BodyTarget& target, VectorX& q) {
   constexpr int kPasses = 50;
   constexpr double kSettled = 1e-10;  // [rad]

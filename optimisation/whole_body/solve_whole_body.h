@@ -15,7 +15,7 @@
 
 namespace gaitwright {
 
-/// How contact forces of a plan are chosen.
+/// Options for the contact forces of a plan.
 struct WholeBodyOptions {
   double load_ramp_s = 0.1;
   double friction_use = 0.9;
@@ -30,7 +30,7 @@ struct WholeBodyOptions {
   }
 };
 
-/// What the whole-body stage is given: everything that is settled before joints are.
+/// Inputs of the whole-body stage: all results of the stages before.
 struct WholeBodyProblem {
   const Terrain* terrain = nullptr;
   const ContactSchedule* schedule = nullptr;
@@ -38,39 +38,39 @@ struct WholeBodyProblem {
   const CentroidalTrajectory* centroidal = nullptr;
   const std::vector<SwingTrajectory>* swings = nullptr;
   std::function<BaseTurning(double time_s)> turning;
-  /// What of the robot's weight a foot on the ground is to carry, above 0; empty for even shares that rise after
-  /// touch-down and fall before lift-off, by load_ramp_s.
+  /// Share of the robot's weight that a foot on the ground carries, above 0. Empty: equal shares that rise after
+  /// touch-down and fall before lift-off over load_ramp_s.
   std::function<double(int foot, double time_s)> load = {};
-  /// Where joints are held that no task takes; empty for the standing posture.
+  /// Posture of joints that no task determines; empty for the standing posture.
   std::function<void(double time_s, PostureTarget& posture)> posture = {};
 };
 
-/// Joint motion and what it tells back to the stages before it.
+/// Joint motion, and feedback to the stages before.
 struct WholeBodySolution {
   WholeBodyTrajectory trajectory;
-  std::vector<Vector3> roll_at_touchdown_W;     ///< by foothold: how far the foot has rolled since the start [m]
+  std::vector<Vector3> roll_at_touchdown_W;     ///< by foothold: roll of the foot since the start [m]
   std::vector<Vector3> roll_at_liftoff_W;       ///< by foothold
   std::vector<std::vector<Vector3>> contact_W;  ///< by foot, by sample: origin of the contact frame [m]
-  std::vector<Vector2> zmp_W;       ///< by sample: of the multibody, from its inverse dynamics; in flight below C [m]
-  std::vector<Vector2> pressure_W;  ///< by sample: the same of the contact forces alone [m]
-  std::vector<PointWrench> residual_W;  ///< by sample: what the motion needs and contact forces do not give
+  std::vector<Vector2> zmp_W;       ///< by sample: multibody ZMP from inverse dynamics; in flight the point below C [m]
+  std::vector<Vector2> pressure_W;  ///< by sample: ZMP of the contact forces alone [m]
+  std::vector<PointWrench> residual_W;  ///< by sample: wrench that the motion needs minus that of the contact forces
 };
 
-/// Joint positions that put the centre of mass, base orientation and feet where the plan has them, with their exact
-/// derivatives; then torques and contact forces by inverse dynamics and the split over the contacts.
-/// @param expected_roll_W  by foothold, the roll at touch-down that the swings aim off by (from an earlier solution;
-///        zero at first). A sphere's swing ends on its foothold once this agrees with `roll_at_touchdown_W`.
-/// @param unreached_s  set to the time at which a foot cannot reach, where that is why it fails; may be null.
+/// Computes joint positions, with exact derivatives, from the planned centre of mass, base orientation and feet; then
+/// torques by inverse dynamics and contact forces by splitting the wrench over the contacts.
+/// @param expected_roll_W  by foothold, the roll at touch-down that the swings assume (from an earlier solution; zero
+///   at first). A sphere's swing ends on its foothold once this agrees with `roll_at_touchdown_W`.
+/// @param unreached_s  receives the time at which a foot cannot reach its target, if that is the failure; may be null.
 Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBodyProblem& problem,
                                          const std::vector<Vector3>& expected_roll_W, const WholeBodyOptions& options,
                                          double* unreached_s = nullptr);
 
-/// Adds torques and contact wrenches to a trajectory that has q, v, a; and the multibody ZMP by sample.
+/// Adds torques and contact wrenches to a trajectory with q, v and a, and the multibody ZMP by sample.
 void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,
                       WholeBodySolution& solution);
 
-/// Points by row, where nothing presses those of the nearest row at which something does: so a reference of the ZMP is
-/// inside of the supports on both sides of a flight.
+/// Points by row; in rows without contact, the point of the nearest row with contact. So a ZMP reference is inside the
+/// supports on both sides of a flight.
 std::vector<Vector2> HeldOverFlights(const std::vector<Vector2>& p_W, const std::vector<bool>& presses);
 
 }  // namespace gaitwright

@@ -68,8 +68,8 @@ bool Auditor::Hanging(double time_s) const {
   return part != nullptr && Hangs(part->gait);
 }
 
-/// Whether a time is in the middle half of an interval of contact of a foot, or of the gap between two: at the ends of
-/// both, forces and heights are next to none whatever the plan.
+/// Whether a time is in the middle half of a foot's contact interval or of a gap between two intervals. At the ends,
+/// forces and heights are close to zero in every plan.
 bool Auditor::InMiddle(int foot, double time_s, bool of_stance) const {
   const std::vector<ContactInterval>& intervals = intervals_[static_cast<std::size_t>(foot)];
   for (std::size_t i = 0; i < intervals.size(); ++i) {
@@ -125,7 +125,7 @@ AuditReport Auditor::Run() {
     const double time_s = plan_.whole_body.start_s + k * step;
     SampleWholeBody(plan_.whole_body, time_s, sample_);
     if (!AllFinite()) {
-      findings_.Note(Law::kConsistency, "not a number", time_s, std::nan(""), 0.0, "1");
+      findings_.Note(Law::kConsistency, "value is not finite", time_s, std::nan(""), 0.0, "1");
       continue;
     }
     const auto phase = [&](double t) {
@@ -193,7 +193,7 @@ void Auditor::NoteUnknown(AuditReport& report) const {
 
 namespace {
 
-/// Why the rows of a plan are not those of a robot, or nothing.
+/// Reason why the rows of a plan do not fit a robot, or nothing.
 std::optional<std::string> WhyRowsMisfit(const RobotModel& model, const WholeBodyTrajectory& w) {
   if (w.size() < 2) return "it has fewer than two samples";
   const auto columns = [&](const char* name, const std::vector<VectorX>& list, int size) -> std::optional<std::string> {

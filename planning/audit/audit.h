@@ -21,8 +21,8 @@ struct AuditOptions {
   double jerk_over_s = 0.01;
   double start_tolerance_rad = 0.05, start_tolerance_m = 0.005, start_tilt_rad = 0.1;
   double start_speed_rad_s = 0.1, start_speed_m_s = 0.02;
-  bool margins = false;               ///< report the margin of each check, including self-collision and body clearance
-  std::optional<StartPosture> start;  ///< measured before the first command, for the check start_posture
+  bool margins = false;               ///< report the margin of each check, with self-collision and body clearance
+  std::optional<StartPosture> start;  ///< measured before the first command; enables the check start_posture
 
   OptionFields Fields() {
     const auto share = [](const char* key, double* target, const char* what) {
@@ -53,35 +53,37 @@ struct AuditOptions {
 };
 
 /// Checks a plan densely between its nodes, with the model's own dynamics and independently of the planner. Each failed
-/// check is reported once for each joint, foot or pair, at its worst place.
+/// check is reported once for each joint, foot or pair of links, at its worst time.
 ///
-///   dynamics       what the motion needs less what contacts and torques give: 0.02 m g of force, 0.02 m g h of moment;
-///                  at a joint no more than 5 % of its effort limit either
+///   dynamics       residual of the equations of motion: at most 0.02 m g of force and 0.02 m g h of moment; at a joint
+///                  also at most 5 % of its effort limit
 ///   unilateral     no pulling force; centre of pressure inside the part of the sole that is on its surface
 ///   friction_cone  tangential force at most friction times normal force
-///   zmp_support    multibody ZMP on the plane of the contacts inside the hull of the scheduled soles, as far as they
-///                  are on their surfaces, or within 2 mm of it where it is a line (under an eighth of the weight,
-///                  1e-3 m g h of moment); the reference that the plan has for it likewise, to 5 mm. Not where contacts
-///                  are in no plane: the forces say it there
-///   foot_clearance the whole foot against all that is solid of the terrain (SolidsOf), 0.1 mm, in stance 1 mm deep at
-///                  most, and near both ends of a swing between the two (SwingDepth);  body_clearance  all other shapes
-///   consistency    all columns tell one story:
-///                  q against v, v against a: 0.01 m/s and 0.02 rad/s, 1 m/s^2 and 100 rad/s^2, mean over a step;
-///                  centre of mass against the joints: 1 mm, 0.01 m/s, 0.1 m/s^2, and its own derivatives likewise;
-///                  reference of the ZMP against the multibody's: 2 mm (where little presses,
-///                  1e-3 h m g over the force); pendulum's frequency against sqrt(g / h): 2 %;
-///                  feet on footholds, along swings: 1 mm and 1e-3 rad; a foothold for each interval of contact and a
-///                  swing for each gap between two, at their times to 1e-6 s; the goal where the command leads, to 3 %
-///                  of the leg's length
-///   start_posture  the first command within a tolerance of the measured joints, where these are given, and at rest
-///   joint_...      position, velocity, acceleration, jerk and torque within limits, torque_speed inside the motor's
-///                  curve, continuous_torque at most what it bears without end (JointWatch). Speeds and torques are
-///                  those of the motors, which a transmission shares among joints (Actuator), and name them; what joint
-///                  and rotor take is added (MotorEffort). Limits that are not known are none
-/// In a hanging part (HangingGait), the base is held externally by forces that are not checked; it must not move. A
-/// plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
+///   zmp_support    multibody ZMP, on the plane of the contacts, inside the hull of the scheduled soles (only the parts
+///                  on their surfaces), or within 2 mm of the hull if it is a line. With a load under an eighth of the
+///                  weight, the tolerance is a moment of 1e-3 m g h. The plan's ZMP reference is checked to 5 mm.
+///                  For contacts that are not in one plane, the contact forces are checked instead
+///   foot_clearance the whole foot against all solids of the terrain (SolidsOf): at most 0.1 mm deep in swing, 1 mm in
+///                  stance, and a value between them near both ends of a swing (SwingDepth)
+///   body_clearance all other shapes against the solids of the terrain
+///   consistency    the columns agree with each other:
+///                  q with v, v with a: 0.01 m/s and 0.02 rad/s, 1 m/s^2 and 100 rad/s^2, mean over a step;
+///                  centre of mass with the joints, and with its own derivatives: 1 mm, 0.01 m/s, 0.1 m/s^2;
+///                  ZMP reference with the multibody ZMP: 2 mm (at small vertical force F: 1e-3 h m g / F);
+///                  pendulum frequency with sqrt(g / h): 2 %;
+///                  feet with footholds and swings: 1 mm and 1e-3 rad; one foothold for each contact interval and one
+///                  swing for each gap between two, at their times to 1e-6 s; the goal with the command, to 3 % of the
+///                  leg's length
+///   start_posture  the first command is at rest and within a tolerance of the measured joints, if these are given
+///   joint_...      position, velocity, acceleration, jerk and torque within limits; torque_speed inside the motor's
+///                  curve; continuous_torque at most the continuous limit (JointWatch). Speeds and torques are those of
+///                  the motors (Actuator), also with a transmission between motors and joints. Torques include the
+///                  losses of joint and rotor (MotorEffort). Unknown limits are not checked
 ///
-/// Failure only when the plan does not fit the robot at all, or lasts over an hour.
+/// In a hanging part (HangingGait), the base is held externally by forces that are not checked; it must not move. A
+/// plan of the pipeline stays below a tenth of most of these tolerances, and below half of that of the ZMP.
+///
+/// Failure only if the plan does not fit the robot, or lasts over an hour.
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
 
 }  // namespace gaitwright

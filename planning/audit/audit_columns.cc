@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Law `consistency`: columns of the same grid against each other, row by row.
+// Check `consistency`: columns of the same grid against each other, row by row.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace gaitwright {
 using namespace tolerance;
 namespace {
 
-/// What v and a say that a position does in one step: the corrected trapezium, exact to the fifth order.
+/// Change of a position in one step, from v and a: the corrected trapezoidal rule, exact to the fifth order.
 template <class Vector>
 Vector StepOf(double h, const Vector& v0, const Vector& v1, const Vector& a0, const Vector& a1) {
   return 0.5 * h * (v0 + v1) + h * h / 12.0 * (a0 - a1);
@@ -37,7 +37,7 @@ void Auditor::CheckColumns() {
     Expect("base position against velocity", time_s, moved.norm() / h, kSpeed, "m/s");
     Expect("base rotation against velocity", time_s, (turn - step.segment<3>(3)).norm() / h, kRate, "rad/s");
     Expect("base velocity against acceleration", time_s, change.head<3>().norm(), kAcceleration, "m/s^2");
-    Expect("base turning against acceleration", time_s, change.segment<3>(3).norm(), kAngular, "rad/s^2");
+    Expect("base angular velocity against acceleration", time_s, change.segment<3>(3).norm(), kAngular, "rad/s^2");
     for (int d = 0; d < model_.num_dofs(); ++d) {
       const std::string& name = model_.dof_names[static_cast<std::size_t>(d)];
       const bool slides = Slides(d);
@@ -73,7 +73,7 @@ void Auditor::CheckCentroidal() {
     FindFooting(time_s);
     if (const GroundPlane plane = SupportPlaneAt(plan_.schedule, time_s, points_); PressesOn(plane)) {
       const Vector2 p_WZ = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), plane).head<2>();
-      // Where little presses, a moment that is none otherwise moves the ZMP far.
+      // At small vertical force, a negligible moment moves the ZMP far.
       const double slight = kCertain * (p_WC.z() - plane.HeightAt(p_WC.head<2>())) * model_.weight_n() / needed_[2];
       Expect("reference of the zero-moment point against joints", time_s, (p_WZ - c.p_WZ[k]).norm(),
              std::max(kZmp, slight), "m");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Law `consistency`: what stands beside the grid, against it and each other: schedule, gait, command, footholds.
+// Check `consistency`: schedule, gait, command and footholds against the grid and against each other.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace gaitwright {
 using namespace tolerance;
 namespace {
 
-/// Where a constant twist of the base in the plane leads in a time, from the origin.
+/// Pose after a constant planar twist of the base from the origin.
 PlanarPose Arc(double forward_m_s, double lateral_m_s, double yaw_rate_rad_s, double duration_s) {
   const double yaw = yaw_rate_rad_s * duration_s;
   const double half = 0.5 * yaw;
@@ -26,7 +26,7 @@ PlanarPose Arc(double forward_m_s, double lateral_m_s, double yaw_rate_rad_s, do
           chord * (std::sin(half) * forward_m_s + std::cos(half) * lateral_m_s), yaw};
 }
 
-/// Pose `p` given in the frame of pose `origin`.
+/// The pose `p`, given in the frame of pose `origin`, in the outer frame.
 PlanarPose Carried(const PlanarPose& origin, const PlanarPose& p) {
   const double c = std::cos(origin.yaw_rad), s = std::sin(origin.yaw_rad);
   return {origin.x_m + c * p.x_m - s * p.y_m, origin.y_m + s * p.x_m + c * p.y_m, origin.yaw_rad + p.yaw_rad};
@@ -49,8 +49,8 @@ void Auditor::CheckSchedule() {
   }
 }
 
-/// The parts follow each other from the start of the grid to its end, and the last one's goal is the plan's. In one
-/// that stands still no foot leaves the ground.
+/// The parts must follow each other from the start of the grid to its end, and the last goal must be the plan's goal.
+/// While a part stands still, no foot leaves the ground.
 void Auditor::CheckParts() {
   const WholeBodyTrajectory& w = plan_.whole_body;
   PlanarPose from = BaseInPlan(w.q.front());
@@ -73,15 +73,16 @@ void Auditor::CheckStand(const MotionPart& part) {
   for (const ContactPhase& phase : plan_.schedule.phases) {
     const bool within = phase.end_s > part.start_s + kTime && phase.start_s < part.end_s - kTime;
     if (within && (phase.stance & all) != all) {
-      findings_.Note(Law::kConsistency, "feet on the ground while it stands", std::max(part.start_s, phase.start_s),
-                     std::popcount(phase.stance & all), static_cast<double>(model_.legs.size()), "1");
+      findings_.Note(Law::kConsistency, "feet on the ground while the robot stands",
+                     std::max(part.start_s, phase.start_s), std::popcount(phase.stance & all),
+                     static_cast<double>(model_.legs.size()), "1");
     }
   }
 }
 
-/// A part's goal is where its command leads from the goal before, the first one's from where the base stands. A command
-/// of steps says it only to a step of each foot; one that turns on the spot as far as the planner likes says only
-/// where.
+/// The goal of a part must be the previous goal moved by the command; for the first part, the start pose of the base
+/// moved by the command. For a number of steps the goal is known only to within a step of each foot. For a turn on the
+/// spot by a default angle only the position is checked.
 void Auditor::CheckCommand(const MotionPart& part, const PlanarPose& start) {
   const WalkCommand& c = part.command;
   const double position = kGoalShare * model_.leg_length_m(), start_s = part.start_s;
@@ -91,7 +92,7 @@ void Auditor::CheckCommand(const MotionPart& part, const PlanarPose& start) {
     const double turned = std::abs(WrapAngle(goal.yaw_rad - part.goal.yaw_rad));
     Expect(std::string(where) + ", heading", start_s, turned, kGoalHeading, "rad");
   };
-  const bool leads = c.extent == WalkCommand::Extent::kGoal;  // of a body over feet that stay, too
+  const bool leads = c.extent == WalkCommand::Extent::kGoal;  // also for a body that moves over feet that stay
   if (!leads && (StandsStill(part.gait) || Hangs(part.gait))) {
     compare(StandsStill(part.gait) ? "goal of standing still" : "goal of hanging", {});
     return;
@@ -143,7 +144,7 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
                    "1");
 }
 
-/// True for a sole that is tilted from the surface under its middle, and over another one too.
+/// True for a sole that is tilted against the surface under its middle and also overlaps another surface.
 bool Auditor::RestsAcross(const Foothold& foothold) const {
   const Foot& foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
   if (LiesOn(plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)], foothold.X_WF)) return false;
@@ -153,7 +154,7 @@ bool Auditor::RestsAcross(const Foothold& foothold) const {
   });
 }
 
-/// A sole that rests across surfaces has its corners on the ground and lies nowhere through it.
+/// A sole across several surfaces must have its corners on the ground and must not be inside the ground.
 void Auditor::CheckAcross(const Foothold& foothold) {
   constexpr int kAcross = 9;
   const std::string& foot = FootName(foothold.foot);
@@ -183,8 +184,8 @@ void Auditor::CheckOnPatch(const Foothold& foothold, const TerrainPatch& patch) 
          normal_W.cross(foothold.X_WF.linear().col(2)).norm(), kRotation, "rad");
 }
 
-/// A point or a sphere is on the field itself; a sole lies on the highest that is under it, nowhere through the ground.
-/// Either is tilted like the field on the whole.
+/// A point or a sphere must be on the height field. A sole must be on the highest ground under it and not inside the
+/// ground. Both must be tilted like the mean of the field.
 void Auditor::CheckOnField(const Foothold& foothold) {
   const std::string& foot = FootName(foothold.foot);
   const Foot& of_foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
@@ -232,8 +233,8 @@ void Auditor::CheckFootholds() {
   }
   for (const Foothold& foothold : plan_.footsteps.footholds) {
     if (foothold.foot < 0 || foothold.foot >= feet)
-      findings_.Note(Law::kConsistency, "foothold of a foot that does not exist", foothold.touchdown_s, foothold.foot,
-                     feet - 1.0, "1");
+      findings_.Note(Law::kConsistency, "foothold of an unknown foot", foothold.touchdown_s, foothold.foot, feet - 1.0,
+                     "1");
   }
 }
 

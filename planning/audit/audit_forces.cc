@@ -38,8 +38,8 @@ void Auditor::CheckDynamics(double time_s) {
   }
 }
 
-/// Whether a foot is in swing at a time and a step of the plan's grid before and after: forces are linear between the
-/// rows, so that one which jumps at touch-down has its slope in the swing.
+/// Whether a foot is in swing from one plan step before a time to one step after it. Forces are linear between rows, so
+/// a force that jumps at touch-down is non-zero in the last step of the swing.
 bool Auditor::SwingsThroughout(int foot, double time_s) const {
   const double step = plan_.whole_body.step_s;
   for (const double t : {time_s - step, time_s, time_s + step}) {
@@ -88,7 +88,7 @@ void Auditor::CheckContactForces(double time_s) {
 
 namespace {
 
-/// How far the farthest point of a stance is from a plane, upright [m].
+/// Largest vertical distance of the points of a stance from a plane [m].
 double FarthestFrom(const GroundPlane& plane, const ContactsByFoot& points, FootSet stance) {
   double farthest = 0.0;
   for (std::size_t f = 0; f < points.size(); ++f) {
@@ -100,8 +100,8 @@ double FarthestFrom(const GroundPlane& plane, const ContactsByFoot& points, Foot
 
 }  // namespace
 
-/// On contacts that are not in one plane there is no ZMP. There the plan's own contact forces show that the needed
-/// wrench can be had, or else the margin in the contact wrench cone shows whether any forces could give it.
+/// Contacts that are not in one plane have no ZMP. In that case the plan's contact forces must give the needed wrench;
+/// otherwise the margin in the contact wrench cone shows whether any contact forces can give it.
 void Auditor::CheckWrenchCone(double time_s) {
   if (forces_hold_) return;
   std::vector<ContactPoint> contacts;
@@ -110,7 +110,7 @@ void Auditor::CheckWrenchCone(double time_s) {
     for (const Vector3& p : points_[f]) contacts.push_back({p, footing_[f].normal_W, footing_[f].friction, 1.0});
   }
   if (contacts.empty()) return;
-  constexpr double kFarthest = 10.0;  // [m] said of a force that no contact can give
+  constexpr double kFarthest = 10.0;  // [m] reported if no contact force can give the wrench
   const PointWrench needed{scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3)};
   const double outside = std::min(-WrenchConeMargin(contacts, needed), kFarthest);
   if (!(outside <= kSupportLine))
@@ -122,14 +122,14 @@ bool Auditor::PressesOn(const GroundPlane& plane) const {
   return needed_[2] > least && needed_[2] - plane.slope.dot(needed_.head<2>()) > least;
 }
 
-/// Whether the contacts of the stance are in a plane and can but press on it: astride a ridge they are in one, and yet
-/// push each other off it, with a ZMP outside of their hull.
+/// Whether the contacts of the stance are in a plane and can only press on it. Feet on both sides of a ridge have
+/// contact points in one plane, but can push against each other, so a ZMP outside of their hull is possible.
 bool Auditor::AllPressOn(const GroundPlane& plane) const {
   if (FarthestFrom(plane, points_, stance_) > kCoplanar) return false;
   const Vector3 normal_W = Vector3(-plane.slope.x(), -plane.slope.y(), 1.0).normalized();
   for (std::size_t f = 0; f < footing_.size(); ++f) {
     if (!Contains(stance_, static_cast<int>(f))) continue;
-    // The cone's side is as far from its axis as the plane's is from the normal.
+    // The side of the friction cone has the same angle to its axis as the plane to its normal.
     const double along = normal_W.dot(footing_[f].normal_W), across = normal_W.cross(footing_[f].normal_W).norm();
     if (along < footing_[f].friction * across) return false;
   }
@@ -148,13 +148,13 @@ void Auditor::CheckZmp(double time_s) {
   const Polygon support = ConvexHull(corners);
   const double outside = -SignedDistance(support, zmp);
   const bool has_area = Area(support) > 1e-3 * (support[0] - support[support.size() / 2]).norm();
-  // At a switch the sample may lie on either side of it.
-  // Where little presses, a moment that is none otherwise moves the ZMP far.
+  // At a change of stance, the sample may belong to either stance.
+  // At small vertical force, a negligible moment moves the ZMP far.
   const double slight = kCertain * com_height_m_ * model_.weight_n() / needed_[2];
   const double limit = has_area && !at_switch_ ? 1e-6 : std::max(kSupportLine, slight);
   findings_.Hold(places_.zmp, time_s, outside, limit, limit - outside);
   if (plan_.centroidal.size() != plan_.whole_body.size()) return;
-  // The reference is in a plane of its own where feet stand at several heights.
+  // With feet at several heights, the reference is in another plane.
   if (FarthestFrom(SupportPlaneAt(plan_.schedule, time_s, points_), points_, stance_) > kCoplanar) return;
   const double reference = -SignedDistance(support, SampleCentroidal(plan_.centroidal, time_s).p_WZ);
   findings_.Hold(places_.reference, time_s, reference, kReferenceSlack, kReferenceSlack - reference);

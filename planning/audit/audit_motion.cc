@@ -22,7 +22,7 @@ void Auditor::CheckStanceFeet(double time_s) {
     const Foot& foot = model_.feet[i];
     const Pose& X_WF = X_WF_[i];
     if (foot.radius > 0.0) {
-      // The material point under a sphere must stand still; the contact point moves on as the sphere rolls.
+      // The material point under a sphere must not move; the contact point moves as the sphere rolls.
       const Vector3 p_BQ = scratch_.R_WB[static_cast<std::size_t>(foot.body)].transpose() *
                            (X_WF.translation() - scratch_.p_WB[static_cast<std::size_t>(foot.body)]);
       if (foothold_[i] != index) {
@@ -42,12 +42,12 @@ void Auditor::CheckStanceFeet(double time_s) {
     if (!(off <= kPosition))
       findings_.Note(Law::kConsistency, FootName(f) + " off its foothold", time_s, off, kPosition, "m");
     if (foot.type == FootType::kSole && !(turned <= kRotation)) {
-      findings_.Note(Law::kConsistency, FootName(f) + " turned from its foothold", time_s, turned, kRotation, "rad");
+      findings_.Note(Law::kConsistency, FootName(f) + " rotated from its foothold", time_s, turned, kRotation, "rad");
     }
   }
 }
 
-/// What SwingDepth lets pass between the footholds that the foot leaves and comes to.
+/// Depth allowed by SwingDepth, from the footholds before and after the swing.
 double Auditor::DepthLetPass(int foot, double time_s) const {
   if (Contains(stance_, foot)) return kPosition;
   const auto& all = plan_.footsteps.footholds;
@@ -74,8 +74,8 @@ void Auditor::CheckFeetHeights(double time_s) {
   }
 }
 
-/// A point is under the ground when it is lower than the surface above it, and no way out to the side is shorter than
-/// what is let pass: the edge of a sole may stand at the foot of a riser.
+/// A point is under the ground if it is lower than the surface above it and deeper than allowed in every lateral
+/// direction, too. The edge of a sole may touch the riser of a step.
 void Auditor::CheckHeight(const std::string& where, const Vector3& p_W, double limit, double time_s) {
   const GroundPoint ground = GroundAt(plan_.terrain, p_W.head<2>());
   const double height = p_W.z() - ground.height_m;
@@ -90,7 +90,7 @@ void Auditor::CheckBodies(double time_s) {
   }
 }
 
-/// After CheckFeetHeights, which says how near the feet may be.
+/// Call after CheckFeetHeights, which sets the allowed distances of the feet.
 void Auditor::CheckSolids(double time_s) {
   for (const GroundHit& hit : watch_.Look(scratch_, limits_to_ground_)) {
     if (hit.foot < 0) {
@@ -102,9 +102,10 @@ void Auditor::CheckSolids(double time_s) {
   }
 }
 
-/// How near the robot comes to itself, and but for its feet to what is solid; nearer than before is all that is asked.
+/// Updates the smallest distances between links, and between the ground's solids and all links but the feet. Only
+/// distances smaller than those found so far are computed.
 void Auditor::NearestOfAll(double time_s) {
-  constexpr double kFarthest = 0.2;  // [m] that is looked for
+  constexpr double kFarthest = 0.2;  // [m] limit of the search
   const Overlap pair = collision_.Nearest(scratch_, std::min(findings_.RoomOf(places_.self), kFarthest));
   if (!pair.link_a.empty()) {
     findings_.Near(places_.self, time_s, -pair.depth_m, 0.0, -pair.depth_m);

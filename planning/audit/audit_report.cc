@@ -25,7 +25,7 @@ nlohmann::ordered_json MarginsJson(const std::vector<AuditMargin>& margins) {
 
 std::string MarginsText(const std::vector<AuditMargin>& margins) {
   if (margins.empty()) return "";
-  std::string text = "margins, the smallest of each check and place:\n";
+  std::string text = "smallest margin of each check and place:\n";
   for (const AuditMargin& m : margins) {
     text += fmt::format("  {:<18} {:>5}  at {:6.3f} s  {}: {} (limit {:.4g})\n", LawName(m.law),
                         m.share ? fmt::format("{:.0f} %", 100.0 * *m.share) : "", m.at_s, m.where,
@@ -45,7 +45,7 @@ std::vector<AuditMargin> TightestOfEachLaw(const std::vector<AuditMargin>& margi
 }
 
 std::string AuditFigure(double value, const std::string& unit) {
-  const double shown = value == 0.0 ? 0.0 : value;  // no minus before a zero
+  const double shown = value == 0.0 ? 0.0 : value;  // no minus sign before zero
   return unit == "1" || unit.empty() ? fmt::format("{:.4g}", shown) : fmt::format("{:.4g} {}", shown, unit);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Law `start_posture`, and `consistency` of a base that is held from outside.
+// Check `start_posture`, and check `consistency` for a base that is held externally.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ using namespace tolerance;
 
 namespace {
 
-/// The angle between what is up for a posture and for a measured base. Only the tilt: which way an IMU calls ahead is
-/// its own affair.
+/// Angle between the vertical axes of a posture and of a measured base. The heading of an IMU is arbitrary, so only the
+/// tilt is compared.
 double TiltBetween(const VectorX& q, const Quaternion& R_WB) {
   const Vector3 up = BaseRotation(q).row(2), measured = R_WB.toRotationMatrix().row(2);
   return std::atan2(up.cross(measured).norm(), up.dot(measured));
@@ -24,7 +24,7 @@ double TiltBetween(const VectorX& q, const Quaternion& R_WB) {
 
 }  // namespace
 
-/// The first command against where the robot was measured: what a joint would have to jump.
+/// Compares the first command with the measured posture: the difference is a jump of each joint.
 void Auditor::CheckStart() {
   if (!options_.start) return;
   const StartPosture& start = *options_.start;
@@ -41,7 +41,7 @@ void Auditor::CheckStart() {
   if (start.R_WB) CheckStartTilt(*start.R_WB);
 }
 
-/// A robot that is measured far from upright likely is not: its quaternion has w first.
+/// If the measured tilt is very large, the quaternion was probably written with w first.
 void Auditor::CheckStartTilt(const Quaternion& R_WB) {
   constexpr double kFarFromUpright = 1.0;  // [rad]
   const VectorX& q = plan_.whole_body.q.front();
@@ -56,7 +56,7 @@ void Auditor::CheckStartTilt(const Quaternion& R_WB) {
       w_first, tilt));
 }
 
-/// A robot that was measured stands or hangs still: a first command that moves is a jump too.
+/// The measured robot is at rest, so a first command with a speed is a jump, too.
 void Auditor::CheckStartSpeeds() {
   const double time_s = plan_.whole_body.start_s;
   const VectorX& v = plan_.whole_body.v.front();
@@ -68,24 +68,24 @@ void Auditor::CheckStartSpeeds() {
   for (int d = 0; d < model_.num_dofs(); ++d)
     hold(model_.dof_names[static_cast<std::size_t>(d)], std::abs(v[6 + d]), Slides(d));
   hold("base", v.head<3>().norm(), true);
-  hold("base turning", v.segment<3>(3).norm(), false);
+  hold("base rotation", v.segment<3>(3).norm(), false);
 }
 
-/// In a part that hangs no foot is on the ground, and the base stays where it is held.
+/// In a hanging part no foot is on the ground, and the base does not move.
 void Auditor::CheckHanging(const MotionPart& part) {
   for (const ContactPhase& phase : plan_.schedule.phases) {
     const bool within = phase.end_s > part.start_s + kTime && phase.start_s < part.end_s - kTime;
     if (within && phase.stance != 0) {
-      findings_.Note(Law::kConsistency, "feet on the ground while it hangs", std::max(part.start_s, phase.start_s),
-                     std::popcount(phase.stance), 0.0, "1");
+      findings_.Note(Law::kConsistency, "feet on the ground while the robot hangs",
+                     std::max(part.start_s, phase.start_s), std::popcount(phase.stance), 0.0, "1");
     }
   }
   const WholeBodyTrajectory& w = plan_.whole_body;
   for (std::size_t k = 0; k < w.v.size(); ++k) {
     const double time_s = w.start_s + static_cast<double>(k) * w.step_s;
     if (time_s < part.start_s - kTime || time_s > part.end_s + kTime) continue;
-    Expect("base while it hangs", time_s, w.v[k].head<3>().norm(), kSpeed, "m/s");
-    Expect("turning of the base while it hangs", time_s, w.v[k].segment<3>(3).norm(), kRate, "rad/s");
+    Expect("velocity of the hanging base", time_s, w.v[k].head<3>().norm(), kSpeed, "m/s");
+    Expect("angular velocity of the hanging base", time_s, w.v[k].segment<3>(3).norm(), kRate, "rad/s");
   }
 }
 

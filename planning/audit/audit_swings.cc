@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Laws `foot_clearance` of the swings' own curves, and `consistency`: swings against the schedule, the footholds and
-// the way that the feet go in q.
+// Check `foot_clearance` of the swing curves, and check `consistency` of swings with the schedule, the footholds and
+// the motion of the feet in q.
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +13,12 @@ namespace gaitwright {
 
 using namespace tolerance;
 
-/// Where a foot goes in q, against the curve from start to end. A sphere rolls in the air as on the ground: its contact
-/// point is on the curve but for what it has rolled since lift-off, and the curve ends short by the whole of that.
+/// The motion of a foot in q must follow its swing curve from start to end. A spherical foot also rolls in the air: its
+/// contact point differs from the curve by the distance rolled since lift-off, and the curve ends short by the total of
+/// it.
 void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
   const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
-  const Vector3 normal_W = swing.X_WF_start.linear().col(2);  // of the ground that it rolls on until it lands
+  const Vector3 normal_W = swing.X_WF_start.linear().col(2);  // ground on which it rolls until touch-down
   const double duration = swing.end_s - swing.start_s;
   const int pieces = std::max(2, static_cast<int>(std::ceil(duration / plan_.whole_body.step_s)));
   const auto time = [&](int k) { return swing.start_s + k * duration / pieces; };
@@ -26,7 +27,7 @@ void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
   for (int k = 0; k <= pieces; ++k) {
     SampleWholeBody(plan_.whole_body, time(k), sample_);
     ForwardKinematics(model_, sample_.q, scratch_);
-    // The foot's own frame: the curve's z goes over from the one ground's normal to the other's.
+    // The foot's own frame: the curve's z changes from the normal of the first ground to that of the second.
     path.push_back(FramePose(scratch_, foot.body, foot.X_BF));
     Vector3 roll_W = Vector3::Zero();
     if (k > 0) {
@@ -44,7 +45,7 @@ void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
     Expect(FootName(swing.foot) + " off its swing", time(k), (path[i].translation() - rolled_W[i] - p_WF).norm(),
            kPosition, "m");
     if (foot.type == FootType::kSole) {
-      Expect(FootName(swing.foot) + " turned from its swing", time(k),
+      Expect(FootName(swing.foot) + " rotated from its swing", time(k),
              RotationLog(path[i].linear() * X_WF.linear().transpose()).norm(), kRotation, "rad");
     }
     X_WF.translation() += rolled_W[i];
@@ -56,14 +57,14 @@ void Auditor::CheckSwingClearance(int foot, const Pose& X_WF, double time_s, dou
   const Foot& of_foot = model_.feet[static_cast<std::size_t>(foot)];
   const std::string where = FootName(foot) + " on its swing";
   for (const Vector3& p : ContactPoints(of_foot, X_WF)) CheckHeight(where, p, limit, time_s);
-  Pose X_WS = X_WF;  // of a sphere: its centre
+  Pose X_WS = X_WF;  // the centre of a sphere
   X_WS.translation() += of_foot.radius * X_WF.linear().col(2);
   constexpr double kNear = 1e-3;  // [m]
   const double distance = watch_.NearestToFoot(foot, X_WS, kNear).distance_m;
   if (!(distance >= limit)) findings_.Note(Law::kFootClearance, where, time_s, distance, limit, "m");
 }
 
-/// The swings of each foot in order, one for each gap between two of its intervals of contact.
+/// Each foot has its swings in order, one for each gap between two of its contact intervals.
 void Auditor::CheckSwings() {
   const int feet = static_cast<int>(model_.feet.size());
   std::vector<std::vector<const SwingTrajectory*>> swings(model_.feet.size());
@@ -71,11 +72,10 @@ void Auditor::CheckSwings() {
     if (swing.foot >= 0 && swing.foot < feet) {
       swings[static_cast<std::size_t>(swing.foot)].push_back(&swing);
     } else {
-      findings_.Note(Law::kConsistency, "swing of a foot that does not exist", swing.start_s, swing.foot, feet - 1.0,
-                     "1");
+      findings_.Note(Law::kConsistency, "swing of an unknown foot", swing.start_s, swing.foot, feet - 1.0, "1");
     }
   }
-  for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) {  // rests go with the body that they are part of
+  for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) {  // support links have no swings
     const auto intervals = IntervalsOf(plan_.schedule, f);
     const auto& of_foot = swings[static_cast<std::size_t>(f)];
     const std::size_t gaps = intervals.empty() ? 0 : intervals.size() - 1;
@@ -107,7 +107,7 @@ void Auditor::CheckSwing(const SwingTrajectory& swing, const ContactInterval& ga
   const auto turned = [](const Pose& X_WF, const Pose& X_WG) {
     return RotationLog(X_WF.linear() * X_WG.linear().transpose()).norm();
   };
-  Expect(foot + " swing turned from its footholds", swing.start_s,
+  Expect(foot + " swing rotated from its footholds", swing.start_s,
          std::max(turned(start.X_WF, swing.X_WF_start), turned(end.X_WF, swing.X_WF_end)), kRotation, "rad");
   CheckSwingPath(swing);
 }

@@ -17,7 +17,7 @@
 
 namespace gaitwright {
 
-/// One pass over a plan. Each Check... function is one check, or several that use the same data.
+/// One audit of a plan. Each Check... function does one check, or several that use the same data.
 class Auditor {
  public:
   Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
@@ -27,21 +27,21 @@ class Auditor {
  private:
   void NamePlaces();
   void NoteUnknown(AuditReport& report) const;
-  bool AllFinite() const;  // the present sample
+  bool AllFinite() const;  // at the present sample
   bool Hanging(double time_s) const;
   bool InMiddle(int foot, double time_s, bool of_stance) const;
   bool SwingsThroughout(int foot, double time_s) const;
 
-  /// Surface under a foot, present or last: that of its foothold, or the highest ground if the foothold names none.
+  /// Surface under a foot at its present or last foothold, or the highest ground if the foothold names no surface.
   struct Footing {
     int foothold = -1;
     Vector3 normal_W = Vector3::UnitZ();
     double friction = 0.0;
   };
-  void FindFooting(double time_s);  // footing_, X_WF_ and points_ of the scratch's pose
+  void FindFooting(double time_s);  // sets footing_, X_WF_ and points_ at the scratch's pose
   bool HoldsSurface(int surface) const { return surface >= 0 && surface < plan_.terrain.num_surfaces(); }
 
-  // At one sample (audit_forces.cc, audit_motion.cc)
+  // Checks of one sample (audit_forces.cc, audit_motion.cc)
   void CheckDynamics(double time_s);
   void CheckContactForces(double time_s);
   void CheckZmp(double time_s);
@@ -54,7 +54,7 @@ class Auditor {
   void CheckSolids(double time_s);
   void NearestOfAll(double time_s);
   void CheckReach(double time_s);
-  // Over the plan as a whole (audit_columns.cc, audit_consistency.cc, audit_swings.cc)
+  // Checks of the whole plan (audit_columns.cc, audit_consistency.cc, audit_swings.cc)
   void CheckColumns();
   void CheckCentroidal();
   void CheckPendulum();
@@ -77,12 +77,12 @@ class Auditor {
   void CheckSwingPath(const SwingTrajectory& swing);
   void CheckSwingClearance(int foot, const Pose& X_WF, double time_s, double limit);
 
-  /// Notes a breach of consistency unless `off` is at most `limit`.
+  /// Notes a violation of consistency unless `off` is at most `limit`.
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {
     findings_.Near(places_.columns, time_s, off / limit, 1.0, 1.0 - off / limit);
     if (!(off <= limit)) findings_.Note(Law::kConsistency, where, time_s, off, limit, unit);
   }
-  /// Whether enough of the needed force presses on the ground, and on a plane, for a ZMP there to mean something.
+  /// Whether the needed force presses on the ground and on a plane strongly enough for a meaningful ZMP.
   bool PressesOn(const GroundPlane& plane) const;
   bool AllPressOn(const GroundPlane& plane) const;
   bool Slides(int dof) const { return model_.LeaderOf(dof).is_prismatic(); }
@@ -95,31 +95,31 @@ class Auditor {
   CollisionChecker collision_;
   GroundWatch watch_;
   GroundLimits limits_to_ground_;
-  std::vector<Polygon> support_F_;  // by foothold: the part of the sole that is on its surface
+  std::vector<Polygon> support_F_;  // by foothold: the part of the sole on its surface
   WholeBodySample sample_;
   VectorX needed_;  // generalised forces of the motion
   FootSet stance_ = 0;
   bool forces_hold_ = false;      // the plan's contact forces give the needed wrench, inside their cones
-  bool at_switch_ = false;        // a foot lands or leaves within a sample of now
-  GroundPlane plane_;             // through the points of the feet that stand
-  double com_height_m_ = 0.0;     // over it
+  bool at_switch_ = false;        // a foot lands or lifts within one sample of this time
+  GroundPlane plane_;             // through the points of the standing feet
+  double com_height_m_ = 0.0;     // above plane_
   std::vector<Footing> footing_;  // by foot
   std::vector<Pose> X_WF_;        // by foot: contact frames
-  ContactsByFoot points_;         // by foot: through which it can push
+  ContactsByFoot points_;         // by foot: points at which it can push
   std::vector<Vector3> slip_W_;   // by foot: travel of the material contact point in this stance
-  std::vector<int> foothold_;     // by foot: the one last stood on
+  std::vector<int> foothold_;     // by foot: the present or last foothold
   int samples_;
   Findings findings_;
   std::vector<std::string> remarks_;
   JointWatch joints_;
-  /// Numbers of places in findings_.
+  /// Indices of places in findings_.
   struct Places {
     int columns, base_force, base_moment, zmp, reference, self, body;
     std::vector<int> residual;                             // by dof
     std::vector<int> reach, friction, press, swing, edge;  // by foot
   } places_;
   std::vector<double> efforts_;                          // by dof: limit, before derating
-  std::vector<std::vector<ContactInterval>> intervals_;  // by foot: of contact
+  std::vector<std::vector<ContactInterval>> intervals_;  // by foot: contact intervals
 };
 
 }  // namespace gaitwright

@@ -7,10 +7,11 @@
 namespace gaitwright {
 namespace {
 
-/// What is compared between the places of one law: shares of limits where these are sizes, else what there is to spare.
-double SpareOf(const AuditMargin& margin) { return margin.share ? *margin.share : margin.margin; }
+/// Value that is compared between the places of one check: the share of the limit if there is one, otherwise the
+/// margin.
+double MarginOf(const AuditMargin& margin) { return margin.share ? *margin.share : margin.margin; }
 
-/// Laws whose limits are sizes from zero up, so that a share of them means something.
+/// Checks whose limits are sizes from zero up, so that a share of the limit is meaningful.
 bool IsOfSize(Law law) {
   return law != Law::kJointPosition && law != Law::kZmpSupport && law != Law::kUnilateral &&
          law != Law::kFootClearance && law != Law::kBodyClearance && law != Law::kSelfCollision;
@@ -30,7 +31,7 @@ void Findings::Break(int place, double at_s, double value, double limit) {
 }
 
 void Findings::Note(Law law, const std::string& where, double at_s, double value, double limit, const char* unit) {
-  // A value that is no number breaks its law too.
+  // A value that is not finite is a violation, too.
   const double excess = std::isfinite(value) ? std::abs(value - limit) : 1e300;
   const auto [entry, is_first] = worst_.try_emplace({law, where});
   if (is_first || excess > entry->second.first) entry->second = {excess, {law, at_s, where, value, limit, unit}};
@@ -62,7 +63,7 @@ std::vector<AuditMargin> Findings::Margins() const {
       of_law.push_back(margin);
     }
     std::stable_sort(of_law.begin(), of_law.end(),
-                     [](const AuditMargin& a, const AuditMargin& b) { return SpareOf(a) < SpareOf(b); });
+                     [](const AuditMargin& a, const AuditMargin& b) { return MarginOf(a) < MarginOf(b); });
     sorted.insert(sorted.end(), of_law.begin(), of_law.end());
   }
   return sorted;

@@ -13,7 +13,7 @@ namespace gaitwright {
 /// Keeps the worst value of each check at each place, and its margin.
 class Findings {
  public:
-  /// Adds a place of a check. @return its number for Hold and Near, which allocate nothing.
+  /// Adds a place of a check. @return its index for Hold and Near, which do not allocate.
   int Place(Law law, const std::string& where, const std::string& unit);
 
   /// Value of a place at a time. `room` is the margin to the limit, negative beyond; the check fails if it is less than
@@ -23,24 +23,24 @@ class Findings {
     if (!(room >= -slack)) Break(place, at_s, value, limit);
   }
 
-  /// As Hold, without a verdict.
+  /// Like Hold, but never fails the check.
   void Near(int place, double at_s, double value, double limit, double room) {
     Closest& closest = places_[static_cast<std::size_t>(place)];
     if (!(room < closest.room)) return;
     closest = {room, at_s, value, limit};
   }
 
-  /// The least room of a place so far.
+  /// The smallest margin of a place so far.
   double RoomOf(int place) const { return places_[static_cast<std::size_t>(place)].room; }
-  /// Gives a place another name, such as that of the pair that is nearest now.
+  /// Renames a place, for example to the pair of links that is nearest now.
   void Rename(int place, const std::string& where) { names_[static_cast<std::size_t>(place)].where = where; }
 
-  /// Records a value beyond its limit; the worst is kept for each check and place.
+  /// Records a value beyond its limit; the worst one is kept for each check and place.
   void Note(Law law, const std::string& where, double at_s, double value, double limit, const char* unit);
 
-  /// Violations by law in the order of AllLaws, then worst first.
+  /// Violations by check in the order of AllLaws, then worst first.
   std::vector<Violation> Sorted() const;
-  /// Margins of all places with a finite limit, by check, then the smallest first.
+  /// Margins of all places with a finite limit, by check, then smallest first.
   std::vector<AuditMargin> Margins() const;
 
  private:

@@ -12,8 +12,8 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLook = 0.25;   // [m] within which distances are asked for
-constexpr double kGrain = 1e-4;  // [m] radius of what stands for a point
+constexpr double kLook = 0.25;   // [m] limit of the distance queries
+constexpr double kGrain = 1e-4;  // [m] radius of the sphere used for a point
 
 Shape BallOf(int body, const std::string& link, double radius_m) {
   Shape ball;
@@ -24,7 +24,7 @@ Shape BallOf(int body, const std::string& link, double radius_m) {
   return ball;
 }
 
-/// Height above which there is nothing solid [m].
+/// Height above which nothing is solid [m].
 double HighestSolid(const Terrain& terrain) {
   double highest = -kInfinity;
   for (const TerrainPatch& patch : terrain.patches) {
@@ -40,8 +40,8 @@ double HighestSolid(const Terrain& terrain) {
   return highest;
 }
 
-/// How far a shape reaches beyond its foot's own surface where that meets the ground, with a sphere or point however it
-/// is tilted by up to 60 degrees.
+/// Distance by which a shape extends beyond its foot's surface where that meets the ground. For a sphere or a point, at
+/// any tilt up to 60 degrees.
 double ReachBeyond(const Foot& foot, const Shape& shape, const Pose& X_FS) {
   double beyond = 0.0;
   const int tilts = foot.has_sole() ? 1 : 3, turns = foot.has_sole() ? 1 : 8;
@@ -56,7 +56,7 @@ double ReachBeyond(const Foot& foot, const Shape& shape, const Pose& X_FS) {
   return beyond;
 }
 
-/// How far any point of a shape has moved at most between two poses.
+/// Upper bound of the motion of any point of a shape between two poses.
 double MovedAtMost(const Pose& from, const Pose& to, double radius_m) {
   const double chord = (to.linear() - from.linear()).norm() / std::numbers::sqrt2;
   return (to.translation() - from.translation()).norm() + radius_m * chord;

@@ -83,8 +83,8 @@ void JointWatch::LookAtMotion(Watched& joint, double q, double motor_speed, doub
   before = a;
 }
 
-/// Up to the corner of the curve, and where it brakes, the peak says it all; how near to that it comes is told here
-/// too.
+/// Up to the corner speed of the curve, and while the motor brakes, the limit is the peak effort. The margin to it is
+/// noted for the curve, too.
 void JointWatch::LookAtEffort(Watched& joint, const Motor& motor, double effort, double v, double time_s) {
   const double size = std::abs(effort);
   findings_.Hold(joint.torque, time_s, size, joint.effort, joint.effort - size, kRelative * joint.effort);
@@ -108,7 +108,7 @@ void JointWatch::LookAtHeat(Watched& joint, double effort, double time_s) {
   findings_.Hold(joint.heat, time_s, mean, joint.continuous, joint.continuous - mean, kRelative * joint.continuous);
 }
 
-/// Where samples were left out, windows as long as the plan are not full.
+/// If samples were left out, windows as long as the plan are not full.
 void JointWatch::Finish(double time_s) {
   for (Watched& joint : joints_) {
     if (joint.squares.empty() || count_ >= joint.window || count_ == 0) continue;
@@ -121,7 +121,7 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
   struct Known {
     Law law;
     const char* what;
-    bool of_joint;  // rather than of the motor
+    bool of_joint;  // true: a joint's limit; false: a motor's limit
     bool (*of)(const Motor&);
   };
   const Known all[] = {

@@ -7,12 +7,12 @@
 
 namespace gaitwright {
 
-/// Motor torque for a motion: the torque for the bodies plus the losses of joint and rotor. With damping d and dry
-/// friction c of the joints that a coordinate moves (a joint that mimics by its ratio: d r^2, c |r|) and the rotor's
-/// inertia I as felt at the joint, the motor of one joint gives
+/// Motor torque for a motion: the torque on the bodies plus the losses of joint and rotor. Let d and c be the damping
+/// and the dry friction of the joints that a coordinate moves (a joint that mimics with ratio r adds d r^2 and c |r|),
+/// and I the rotor's inertia reflected to the joint. The motor of one joint then gives
 ///   tau_motor = tau + d v + c clamp(v / 0.01, -1, 1) + I a.
 /// A motor of a transmission gives its part of these torques at all joints that it drives, and J (R a) for its own
-/// rotor J. Friction comes on evenly up to a speed of 0.01 rad/s (m/s), because friction of a joint at rest can act in
+/// rotor J. Friction grows linearly up to a speed of 0.01 rad/s (m/s), because friction of a joint at rest can act in
 /// either direction. All three are zero if unknown.
 class MotorEffort {
  public:
@@ -21,7 +21,7 @@ class MotorEffort {
   const std::vector<Actuator>& motors() const { return motors_; }
 
   /// @param motor      index into motors().
-  /// @param tau, v, a  torques that the bodies take, speeds and accelerations of all coordinates [N m, rad/s, rad/s^2].
+  /// @param tau, v, a  torques on the bodies, speeds and accelerations of all coordinates [N m, rad/s, rad/s^2].
   double Of(int motor, const Eigen::Ref<const VectorX>& tau, const Eigen::Ref<const VectorX>& v,
             const Eigen::Ref<const VectorX>& a) const;
 

@@ -23,7 +23,7 @@ constexpr char kQuaternion[] = "base_quaternion_xyzw", kJoints[] = "joints";
 Quaternion ReadQuaternion(const YAML::Node& node) {
   const std::vector<YAML::Node> xyzw = ListOf(node, fmt::format("'{}'", kQuaternion));
   if (xyzw.size() != 4)
-    RefuseYaml(node, fmt::format("'{}' has {} numbers; [x, y, z, w] is needed", kQuaternion, xyzw.size()));
+    RefuseYaml(node, fmt::format("'{}' has {} numbers; four are needed: [x, y, z, w]", kQuaternion, xyzw.size()));
   double c[4];
   for (std::size_t i = 0; i < 4; ++i) c[i] = NumberOf(xyzw[i], fmt::format("'{}'", kQuaternion));
   const Quaternion R_WB(c[3], c[0], c[1], c[2]);
@@ -34,7 +34,7 @@ Quaternion ReadQuaternion(const YAML::Node& node) {
   return R_WB.normalized();
 }
 
-/// Refuses a joint that is none, or that has no coordinate of its own.
+/// Refuses an unknown joint and a joint that follows another one.
 int DofOf(const RobotModel& model, const YamlMap::Entry& entry) {
   const auto at = std::find(model.dof_names.begin(), model.dof_names.end(), entry.key);
   if (at != model.dof_names.end()) return static_cast<int>(at - model.dof_names.begin());
@@ -90,7 +90,7 @@ void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& n
   }
 }
 
-/// The joints under a key of their own.
+/// File structure with the joints under a separate key.
 DataShape NestedShape() {
   using namespace shapes;
   return Object({{kJoints, MapOf(Number(), 1), "Position of every joint that is not coupled to another [rad], [m]."},

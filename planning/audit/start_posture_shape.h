@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What the file of a start posture may hold: joints by name.
+/// Structure of a start posture file: joints by name.
 DataShape StartPostureShape();
 
 }  // namespace gaitwright

@@ -15,7 +15,8 @@ Vector3 Middle(const std::vector<Pose>& feet) {
   return sum / static_cast<double>(feet.size());
 }
 
-/// Yaw that turns the standing feet onto the feet as they are, about their middles; of a single foot its own.
+/// Yaw that rotates the standing feet onto the present feet, about their mean positions; for a single foot, its own
+/// yaw.
 double FitYaw(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF) {
   if (standing.size() == 1) return YawOf(X_WF[0].linear()) - YawOf(standing[0].linear());
   const Vector3 from = Middle(standing), to = Middle(X_WF);
@@ -28,10 +29,10 @@ double FitYaw(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF) 
   return std::atan2(cross, dot);
 }
 
-/// Slope of the plane through the feet in the base's heading, z = slope . p, by least squares; directions in which the
-/// feet are not spread give none.
+/// Slope of the least-squares plane through the feet in the base's heading, z = slope . p. Zero in directions in which
+/// the feet are not spread.
 Vector2 SlopeOf(const Matrix3& R, const Vector3& middle, const std::vector<Pose>& X_WF) {
-  constexpr double kSpread = 0.05;  // of the largest
+  constexpr double kSpread = 0.05;  // share of the largest spread
   Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
   Vector2 rises = Vector2::Zero();
   for (const Pose& foot : X_WF) {
@@ -50,13 +51,13 @@ Vector2 SlopeOf(const Matrix3& R, const Vector3& middle, const std::vector<Pose>
 
 BaseOverFeet FitBase(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF) {
   if (standing.empty() || standing.size() != X_WF.size())
-    throw InvalidArgument("FitBase needs as many feet as stand, and at least one");
+    throw InvalidArgument("FitBase: the numbers of standing and present feet must be equal, and at least 1");
   return FitBase(standing, X_WF, FitYaw(standing, X_WF));
 }
 
 BaseOverFeet FitBase(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF, double yaw_rad) {
   if (standing.empty() || standing.size() != X_WF.size())
-    throw InvalidArgument("FitBase needs as many feet as stand, and at least one");
+    throw InvalidArgument("FitBase: the numbers of standing and present feet must be equal, and at least 1");
   BaseOverFeet base;
   base.plan.yaw_rad = yaw_rad;
   const Matrix3 R = YawRotation(yaw_rad);

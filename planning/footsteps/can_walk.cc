@@ -20,15 +20,15 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kThin = 0.01;  // of the leg's length: the width under which a support is none
-constexpr double kWeak = 0.02;  // of the leg's length a foot moves for each radian of its joints, under which it cannot
+constexpr double kThin = 0.01;  // smallest width of a support, as a share of the leg's length
+constexpr double kWeak = 0.02;  // smallest motion of a movable foot, in leg lengths per radian of its joints
 
 Failure Cannot(FailureCode code, const std::string& message, const std::vector<Suggestion>& suggestions) {
   return {FailureKind::kInfeasible, code, "PlanFootsteps", message, suggestions};
 }
 
-/// Least width of a polygon in any direction, which is across one of its edges. Edges of almost no length have no
-/// direction, so the width is taken between both sides.
+/// Smallest width of a polygon in any direction; it is perpendicular to one of the edges. An edge of almost no length
+/// has an arbitrary direction, so the extents on both sides of each edge are added.
 double WidthOf(const Polygon& polygon) {
   if (polygon.size() < 3) return 0.0;
   double least = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ double WidthOf(const Polygon& polygon) {
   return least;
 }
 
-/// Feet that no shape tells of and that nobody described: points at the origins of links.
+/// Feet that are points at the origins of links, because no shape and no robot.yaml describes them.
 std::vector<std::string> FeetWithoutShape(const RobotModel& model) {
   std::vector<std::string> names;
   for (const Foot& foot : model.feet) {
@@ -90,8 +90,8 @@ struct Hip {
   Vector3 p_O, axis_O;
 };
 
-/// Two legs that hang on one axis, on one side of the base: the halves of a leg with two motors at its hip, which are
-/// one at their ends. No other legs are so near to each other.
+/// Detects two legs on one side of the base with a common hip axis: they are halves of one leg with two motors at its
+/// hip, joined at their ends. Other legs are never so close to each other.
 std::optional<Failure> HasHalvesOfLegs(const RobotModel& model) {
   constexpr double kParallel = 0.995, kOffAxis = 0.05, kNear = 0.5;  // cosine; lengths in legs' lengths
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
@@ -124,7 +124,7 @@ std::optional<Failure> HasHalvesOfLegs(const RobotModel& model) {
   return std::nullopt;
 }
 
-/// What a foot must be able to do: rows of its Jacobian in W, lengths in legs' lengths.
+/// Required motions of a foot: rows of its Jacobian in W, with lengths in leg lengths.
 struct Demand {
   MatrixX J;
   std::vector<std::string> names;
@@ -133,7 +133,7 @@ struct Demand {
 enum class Walk { kAhead, kSideways, kTurning };
 
 const char* What(Walk walk) {
-  return walk == Walk::kTurning ? "turn as it walks" : walk == Walk::kSideways ? "walk sideways" : "walk";
+  return walk == Walk::kTurning ? "turn while it walks" : walk == Walk::kSideways ? "walk sideways" : "walk";
 }
 
 Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg, const std::vector<int>& dofs,

@@ -23,8 +23,8 @@ PlanarTwist Scaled(const PlanarTwist& twist, double factor) {
   return {factor * twist.x_m, factor * twist.y_m, factor * twist.yaw_rad};
 }
 
-/// Turning rate at which soles side by side, turned against each other by what a step turns, keep apart with a margin;
-/// for feet without soles that at which they move no faster than the body's own speed.
+/// Default yaw rate. For soles: neighbouring soles, rotated against each other by the turn of one step, keep a margin.
+/// For feet without soles: the feet move no faster than the body's own speed.
 double OwnTurnRate(const RobotModel& model, const Gait& gait, double speed) {
   constexpr double kShareOfGap = 0.7;
   double gap = std::numeric_limits<double>::infinity(), half_length = 0.0;
@@ -39,7 +39,7 @@ double OwnTurnRate(const RobotModel& model, const Gait& gait, double speed) {
   return kShareOfGap * std::max(gap, 0.0) / half_length / gait.cycle_s;
 }
 
-/// The course to a pose, with its time at full speed in duration_s.
+/// The course to a pose; duration_s is the time at full speed.
 Course ToGoal(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
   const PlanarTwist twist = TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
   const PlanarTwist speed = FittingSpeeds(model, gait, c);
@@ -49,7 +49,7 @@ Course ToGoal(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
           0.0};
 }
 
-/// The course along the commanded velocity, with its time at full speed in duration_s.
+/// The course along the commanded velocity; duration_s is the time at full speed.
 Course AlongDistance(const RobotModel& model, const WalkCommand& c) {
   const PlanarTwist velocity = CommandedVelocity(model, c);
   const double speed = std::hypot(velocity.x_m, velocity.y_m);
@@ -100,13 +100,13 @@ std::optional<Failure> CheckCommand(const WalkCommand& c) {
   for (const double value : {c.speed_m_s, c.lateral_speed_m_s, c.yaw_rate_rad_s, c.distance_m, c.duration_s, c.goal_x_m,
                              c.goal_y_m, c.goal_yaw_rad, c.step_length_m}) {
     if (!std::isfinite(value))
-      return BadCommand(fmt::format("the command contains {}; finite numbers are needed", value));
+      return BadCommand(fmt::format("the command contains {}; all numbers must be finite", value));
     if (std::abs(value) > kMost)
       return BadCommand(fmt::format("the command contains {}; at most +-{} is accepted", value, kMost));
   }
   if (c.speed_m_s < 0.0) {
     return BadCommand(fmt::format(
-        "the speed is {} m/s; it must not be negative; a goal behind makes the robot walk backward", c.speed_m_s));
+        "the speed is {} m/s; it must not be negative; to walk backward, give a goal behind the robot", c.speed_m_s));
   }
   return CheckExtent(c);
 }

@@ -10,40 +10,40 @@
 
 namespace gaitwright {
 
-/// How the base gains its speed and loses it: in some cycles of the gait, or as much longer as takes an acceleration.
+/// Acceleration of the base: a smallest number of gait cycles, and a largest acceleration.
 struct SpeedRamp {
-  double cycles = 0.0, acceleration_m_s2 = 0.0;  ///< 0 for any
+  double cycles = 0.0, acceleration_m_s2 = 0.0;  ///< 0 sets no limit
 };
 
-/// Where the base goes and how long it takes.
+/// Path and duration of the base's motion.
 struct Course {
-  PlanarTwist twist;        ///< of the whole course; with counted footfalls, of one footfall
+  PlanarTwist twist;        ///< of the whole course; for counted footfalls, of one footfall
   double duration_s = 0.0;  ///< from the first lift-off until the base stands again
-  double ramp_s = 0.0;      ///< in which the base gains its speed, and again loses it
+  double ramp_s = 0.0;      ///< duration of the acceleration, and of the deceleration
 };
 
-/// Why a command makes no sense for any robot: numbers that are not finite or out of range, contradictions.
+/// Failure for a command that is invalid for every robot: numbers that are not finite or out of range, contradictions.
 std::optional<Failure> CheckCommand(const WalkCommand& command);
 
-/// Speed of the command along its direction that is used: given, or the robot's own [m/s].
+/// Speed along the direction of the command: the given speed, or the robot's default [m/s].
 double CommandedSpeed(const RobotModel& model, const WalkCommand& command);
 
-/// Speeds of a command, per second: those given. The robot's default forward speed is used if no speed is given, or a
+/// The velocity of a command, per second. The robot's default forward speed is used if no speed is given, or for a
 /// distance with only a yaw rate.
 PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& command);
 
-/// The course of a command at a gait.
-///   distance   at the commanded velocity until the path is that long; a yaw rate alone, without a distance, is a
-///              quarter turn
-///   duration   the commanded velocity for that time, rounded to whole cycles, in which the ramps are contained
-///   goal       the twist that leads there, at the speeds given
+/// The course of a command with a gait.
+///   distance   at the commanded velocity until the path has this length; a yaw rate without a distance gives a turn of
+///              90 degrees
+///   duration   the commanded velocity for this time, rounded to whole cycles, including the ramps
+///   goal       the twist to the goal, at the given speeds
 ///   steps      the twist of one footfall: its length, or the commanded velocity for cycle / number of feet
-/// @param ramp  of counted footfalls none.
-/// Failure kBadInput when it goes nowhere or lasts over 600 s.
+/// @param ramp  not used for counted footfalls.
+/// Failure kBadInput for a course without motion, or of more than 600 s.
 Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const SpeedRamp& ramp);
 
-/// Lateral speed and yaw rate that suit a forward speed, if the command gives none [m/s, rad/s]; small enough that feet
-/// do not collide.
+/// Lateral speed and yaw rate that suit the forward speed, if the command gives none [m/s, rad/s]. They are small
+/// enough that feet do not collide.
 PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkCommand& command);
 
 }  // namespace gaitwright

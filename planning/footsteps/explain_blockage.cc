@@ -17,12 +17,12 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Something on the way of a foot.
+/// An obstruction on the path of a foot.
 struct Hurdle {
   enum class Kind { kGap, kStep, kSlope } kind;
   Vector2 place_W;
   double station_m;
-  double size;  ///< width [m], infinite where the ground ends; rise [m]; slope [rad]
+  double size;  ///< width [m], infinite if the ground ends; rise [m]; slope [rad]
 };
 
 std::string PlaceText(const Vector2& p) {
@@ -30,18 +30,18 @@ std::string PlaceText(const Vector2& p) {
   return fmt::format("x = {:.2f} m, y = {:.2f} m", p.x(), p.y());
 }
 
-/// The ground on the way of a foot, sampled finely.
+/// The ground on the path of a foot, sampled finely.
 class Lane {
  public:
   Lane(const SearchScene& scene, const FootstepGraph& graph, int foot, double from_m)
       : scene_(scene), table_(graph.table()), foot_(foot), step_m_(0.01 * scene.model.leg_length_m()) {
-    // Behind the sole or the sphere the ground is known to hold.
+    // Starts in front of the sole or the sphere; the ground under it is known to be good.
     constexpr double kAhead = 2.0;  // leg lengths
     end_m_ = std::min(from_m + kAhead * scene.model.leg_length_m(), scene.query.route.length_m());
     start_m_ = from_m;
   }
 
-  /// Hurdles in the order in which the foot meets them.
+  /// Obstructions in the order in which the foot meets them.
   std::vector<Hurdle> Hurdles(double height_m) const {
     std::vector<Hurdle> hurdles;
     const double lift = scene_.options.step_height * scene_.model.leg_length_m();
@@ -67,7 +67,7 @@ class Lane {
       const double slope = ground.normal_W.head<2>().norm() / ground.normal_W.z();
       if (slope > steep && !on_slope) hurdles.push_back({Hurdle::Kind::kSlope, Told(u), u, std::atan(slope)});
       on_slope = slope > steep;
-      constexpr double kSheer = 2.0;  // rise over run of what is a step
+      constexpr double kSheer = 2.0;  // smallest slope (rise / run) of a step
       const double rise = ground.height_m - height_m;
       if (std::abs(rise) > kSheer * step_m_) hurdles.push_back({Hurdle::Kind::kStep, Told(u), u, rise});
       height_m = ground.height_m;
@@ -81,14 +81,14 @@ class Lane {
     return {place.x_m, place.y_m};
   }
 
-  /// The place on the middle of the way, beside the foot's own.
+  /// The place on the centre line of the path, beside the foot's own path.
   Vector2 Told(double u) const {
     const PlanarPose base = RouteAt(scene_.query.route, u);
     const Vector2 ahead(std::cos(base.yaw_rad), std::sin(base.yaw_rad)), middle(base.x_m, base.y_m);
     return middle + ahead.dot(PlaceAt(u) - middle) * ahead;
   }
 
-  /// Whether there are surfaces in between to which the foot could be put aside.
+  /// Whether there are surfaces beside the gap on which the foot could step instead.
   bool SurfacesBeside(double u, double beyond) const {
     const Vector2 a = PlaceAt(u + step_m_), b = PlaceAt(beyond - step_m_);
     if (beyond - u < 4.0 * step_m_) return false;
@@ -119,7 +119,7 @@ class Lane {
   double step_m_, start_m_ = 0.0, end_m_ = 0.0;
 };
 
-/// What a refusal is made from.
+/// Builds the message and the suggestions of a failure.
 class Explanation {
  public:
   Explanation(const SearchScene& scene, FootstepGraph& graph, const Blockage& blockage)
@@ -145,7 +145,7 @@ class Explanation {
     return {FailureKind::kInfeasible, FailureCode::kNoFootholds, "SearchFootsteps", reason, suggestions_};
   }
 
-  /// Of all feet, by how far along the route they are met.
+  /// Obstructions of all feet, in the order in which they are met along the route.
   std::vector<Hurdle> HurdlesAhead() const {
     std::vector<Hurdle> all;
     for (int foot = 0; foot < static_cast<int>(scene_.model.feet.size()); ++foot) {
@@ -186,7 +186,7 @@ class Explanation {
                        scene_.model.name, reach);
   }
 
-  /// What feet cannot be set over may be leapt over.
+  /// Suggests a jump over a gap or step that is too large for a stride.
   void HintAtLeap(double size_m) {
     const bool leaps = scene_.model.legs.size() == 4 && !HasFlight(scene_.query.gait);
     if (leaps && size_m <= 2.0 * leg_m_) suggestions_.emplace_back("gait", "jump", Certainty::kUntried, "--gait jump");
@@ -210,7 +210,7 @@ class Explanation {
     return fmt::format("{} steps {} {:.2f} m", what, up ? "up" : "down", most);
   }
 
-  /// Names of the obstacles nearest to a place, two at most.
+  /// Names of at most two obstacles nearest to a place.
   std::vector<std::string> ObstaclesNear(const Vector2& p) const {
     std::vector<std::pair<double, std::string>> near;
     const std::vector<ObstacleOutline>& outlines = scene_.ground.obstacles();
@@ -253,7 +253,7 @@ class Explanation {
     return fmt::format("no room between '{}' and '{}' at {}", names[0], names[1], PlaceText(p));
   }
 
-  /// What most footholds or stances beyond fail by.
+  /// The most frequent reason for which footholds or stances beyond this place fail.
   std::string CommonReason() const {
     const PlanarPose base = RouteAt(scene_.query.route, graph_.Progress(farthest_));
     std::string most = "only backward steps are possible";

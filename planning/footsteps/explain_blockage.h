@@ -6,9 +6,9 @@
 
 namespace gaitwright {
 
-/// A search that found nothing.
+/// A search without a solution.
 struct Blockage {
-  int farthest = -1;  ///< checked stance with the most progress; -1 for none
+  int farthest = -1;  ///< checked stance with the most progress; -1 if none was checked
   bool out_of_budget = false;
 };
 
@@ -21,10 +21,10 @@ struct SearchScene {
   const FootstepSearchOptions& options;
 };
 
-/// Why the search could not go on beyond its farthest stance, as a failure that names the place and the reason. Looked
-/// for are, in this order and where the feet would go next: a gap wider, a step higher or ground steeper than the robot
-/// can do (measured by trial, see StepLimits), an obstacle in the body's way, and what most footholds and stances there
-/// fail by.
+/// Failure with the place and the reason why the search could not continue beyond its farthest stance. The reasons are
+/// checked in this order, where the feet would step next: a gap too wide, a step too high or ground too steep for the
+/// robot (limits found by trial, see StepLimits); an obstacle on the body's path; the most frequent reason for failed
+/// footholds and stances.
 Failure ExplainBlockage(const SearchScene& scene, FootstepGraph& graph, const Blockage& blockage);
 
 }  // namespace gaitwright

@@ -17,13 +17,13 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRolls = 0.5;    // [rad] by which a sphere may roll towards a riser while it stands
-constexpr double kFlush = 3e-4;   // [m] that ground may stick out of a sole's plane: swings let half a millimetre pass
-constexpr double kMissed = 0.5;   // of the margin, by which a sole may miss its place
-constexpr double kSteady = 0.05;  // of half a sole's width, by which its middle is in what holds it
-constexpr double kSafe = 0.06;    // distance from edges beyond which there is no risk, of the leg length
-constexpr double kUnderFoot = 0.5;      // height over a foothold in which obstacles matter, of the leg length
-constexpr double kFrictionShare = 0.8;  // of the friction that a slope may use
+constexpr double kRolls = 0.5;          // [rad] by which a sphere may roll towards a riser during a stance
+constexpr double kFlush = 3e-4;         // [m] allowed height of ground above a sole's plane; swings allow 0.5 mm
+constexpr double kMissed = 0.5;         // share of the margin by which a sole may miss its place
+constexpr double kSteady = 0.05;        // share of half a sole's width: depth of its middle inside its steady part
+constexpr double kSafe = 0.06;          // distance from edges without risk, as a share of the leg length
+constexpr double kUnderFoot = 0.5;      // height over a foothold up to which obstacles matter, in leg lengths
+constexpr double kFrictionShare = 0.8;  // share of the friction coefficient that a slope may use
 constexpr int kAround = 8;
 
 Vector2 Around(int i) {
@@ -52,7 +52,7 @@ Pose Standing(const PlanarPose& at, double height_m, const Vector3& normal_W) {
   return X_WF;
 }
 
-/// The plane fitted to points of the ground, lifted onto the highest of them.
+/// The plane fitted to points of the ground, raised to the highest point.
 Vector3 PlaneOver(const std::vector<Vector3>& points_W, const PlanarPose& at) {
   MatrixX places(static_cast<Eigen::Index>(points_W.size()), 3);
   VectorX heights(static_cast<Eigen::Index>(points_W.size()));
@@ -67,7 +67,7 @@ Vector3 PlaneOver(const std::vector<Vector3>& points_W, const PlanarPose& at) {
   return plane;
 }
 
-/// Corners, middles of the edges and the middle of a sole in plan view.
+/// Corners, edge midpoints and centre of a sole in plan view.
 std::vector<Vector2> SamplesOf(const Polygon& outline_W) {
   std::vector<Vector2> samples = {Centroid(outline_W)};
   for (std::size_t i = 0; i < outline_W.size(); ++i) {
@@ -204,7 +204,7 @@ Placing FootholdChecker::PlaceSole(int foot, const PlanarPose& at) const {
     tried.push_back(surface);
     const bool patch = surface < static_cast<int>(ground_->surfaces().size());
     const Placing placing = patch ? PlaceOnPatch(foot, at, surface) : PlaceOnField(foot, at, surface);
-    // Of the faults the one that came nearest to standing is told: an edge rather than a riser of the lower surface.
+    // Report the fault that came nearest to standing: an edge is preferred to a riser of the lower surface.
     const double rank = placing.ok() ? 2.0 - placing.placed.risk : placing.fault == FootholdFault::kEdge ? 0.5 : 0.0;
     if (rank <= on) continue;
     on = rank;
@@ -230,7 +230,7 @@ bool FootholdChecker::SticksOut(const Polygon& outline_W, int patch, const Vecto
   for (const int i : near) {
     const GroundSurface& other = ground_->surfaces()[static_cast<std::size_t>(i)];
     const auto above = [&](const Vector2& q) { return other.HeightAt(q) - On(plane, q) > most_m; };
-    if (i == patch || std::none_of(outline_W.begin(), outline_W.end(), above)) continue;  // nor anywhere between them
+    if (i == patch || std::none_of(outline_W.begin(), outline_W.end(), above)) continue;  // nor between them
     Polygon part = outline_W;
     for (std::size_t k = 0; k < other.inward.size() && !part.empty(); ++k)
       part = Clipped(part, other.inward[k], other.inward[k].dot(other.outline_W[k]));
@@ -268,12 +268,12 @@ bool FootholdChecker::GoesOn(const Vector2& from_W, const Vector2& to_W) const {
   const double length = (to_W - from_W).norm();
   if (std::abs(to.height_m - from.height_m) > kFlush + kGoesOn * length) return false;
   if (from.patch == to.patch || length < kNear) return true;
-  const Vector2 middle_W = 0.5 * (from_W + to_W);  // nearer to where one ends and another begins
+  const Vector2 middle_W = 0.5 * (from_W + to_W);  // next to a point where one surface ends and another begins
   return GoesOn(from_W, middle_W) && GoesOn(middle_W, to_W);
 }
 
 bool FootholdChecker::GoesOn(const Polygon& outline_W) const {
-  constexpr int kParts = 24;  // of an edge
+  constexpr int kParts = 24;  // samples along an edge
   for (std::size_t i = 0; i < outline_W.size(); ++i) {
     const Vector2 &a = outline_W[i], edge = outline_W[(i + 1) % outline_W.size()] - a;
     for (int part = 0; part < kParts; ++part) {
@@ -367,7 +367,7 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
   const Vector2 p = PlaceOf(at), box = Vector2::Constant(radius_m);
   const bool sole = model_->feet[static_cast<std::size_t>(foot)].has_sole();
   const Polygon outline_F = OutlineAt(foot, {0.0, 0.0, at.yaw_rad});
-  constexpr double kBeside = 1e-4;  // [m] more than the margin
+  constexpr double kBeside = 1e-4;  // [m] added to the margin
   std::vector<int> near;
   Depths known;
   ground_->PatchesIn(p - box, p + box, near);
@@ -377,13 +377,13 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
   for (const int i : near) {
     const GroundSurface& surface = ground_->surfaces()[static_cast<std::size_t>(i)];
     if (surface.outline_W.empty()) continue;
-    // Shares of the foot's own size that are kept inside of an edge; a sole may overhang as far as is allowed.
+    // Shares of the foot's size that stay inside of an edge; a sole may overhang as far as allowed.
     for (const double inside : sole ? std::array<double, 3>{1.0, 0.6, 0.0} : std::array<double, 3>{2.0, 1.4, 1.0}) {
       const Polygon left = Eroded(surface, outline_F, inside, known);
       if (!left.empty()) offer(NearestPoint(ConvexHull(left), p));
     }
     offer(Centroid(surface.outline_W));
-    // Beside it: in front of a riser, as near as may be. Spheres roll towards it as long as they stand.
+    // Beside the edge: in front of a riser, as near as allowed. Spheres roll towards it during the stance.
     for (std::size_t k = 0; sole && k < surface.inward.size(); ++k) {
       const Vector2& n = surface.inward[k];
       const double inside = n.dot(p - surface.outline_W[k]) + ReachOf(outline_F, n) + options_.margin_m;

@@ -12,7 +12,7 @@
 
 namespace gaitwright {
 
-/// What ground a foot may be put on.
+/// Requirements on the ground under a foot.
 struct FootholdOptions {
   double margin_m = 0.005;
   double least_on = 0.6;
@@ -31,21 +31,21 @@ struct FootholdOptions {
   }
 };
 
-/// Why a foot cannot be put down.
+/// Reason why a foot cannot be put down.
 enum class FootholdFault { kNone, kNoGround, kEdge, kSlope, kRough, kRiser, kObstacle };
 
-/// The fault in words, such as "too near an edge".
+/// Text of the fault, such as "too near an edge".
 std::string Describe(FootholdFault fault);
 
 /// A foot put down on the ground.
 struct PlacedFoot {
   int foot = 0;
-  Pose X_WF = Pose::Identity();  ///< as of Foothold
+  Pose X_WF = Pose::Identity();  ///< as in Foothold
   int surface = -1;              ///< number of the surface
-  double risk = 0.0;             ///< 0 far from every edge on level ground, 1 at the limits
+  double risk = 0.0;             ///< 0 on level ground far from edges, 1 at the limits
 };
 
-/// A foot put down, or why not.
+/// A foot put down, or the reason why it cannot be.
 struct Placing {
   FootholdFault fault = FootholdFault::kNoGround;
   PlacedFoot placed;
@@ -55,36 +55,38 @@ struct Placing {
 
 /// Places feet on the ground and checks whether they can stand there.
 ///
-///   point, sphere  on the highest ground; edges and risers keep away by the margin, and by a sphere's radius more;
-///                  risers also by what it rolls towards them while it stands
-///   sole, line     in the plane of a surface that nothing under the sole rises above; the part on the surface by the
-///                  margin is `least_on` of it or more; on a height field in the plane in which it rests when
-///                  loaded in its middle, touching with `least_on` of it or more and not rocking there; or across
-///                  surfaces, as in the corner where a slope begins, with all corners on the ground and nothing between
-///                  them above
-/// Obstacles keep away by the margin, up to half a leg over the foothold. All distances are those in plan view, which
-/// are never more than those on the slope. Ground that goes on beyond an edge at a slope below kGoesOn is no edge.
+///   point, sphere  on the highest ground. The distance from edges and risers is at least the margin; for a sphere it
+///                  also includes the radius and, to risers, the distance that it rolls during the stance
+///   sole, line     in the plane of a surface, with no ground above it under the sole; at least `least_on` of the sole
+///                  is on the surface, inside the margin. On a height field: in the plane in which the sole rests when
+///                  loaded at its middle; at least `least_on` of it touches, and it does not rock. Across surfaces, for
+///                  example where a slope begins: all corners are on the ground, and no ground between them is above
+///                  the sole
+///
+/// The distance from obstacles is at least the margin, up to half a leg length above the foothold. All distances are
+/// measured in plan view; they are never longer than those on the slope. An edge beyond which the ground continues with
+/// a slope below kGoesOn is ignored.
 class FootholdChecker {
  public:
-  /// tan of the slope at which ground is taken to go on rather than to end or rise.
+  /// tan of the largest slope at which ground is treated as continuous, without an edge or riser.
   static constexpr double kGoesOn = 0.364;  // 20 degrees
 
-  /// Model and ground must outlive it. @throws InvalidArgument for options out of range.
+  /// Model and ground must outlive the checker. @throws InvalidArgument for options out of range.
   FootholdChecker(const RobotModel& model, const GroundIndex& ground, const FootholdOptions& options);
 
-  /// Whether there is ground on which the foot rocks in many places: soles on height fields.
+  /// Whether the ground makes a foot rock at many places: true for soles on height fields.
   bool MayRock(int foot) const;
 
-  /// Puts a foot's contact frame down at a place in plan view; yaw is that of its x axis.
+  /// Puts a foot's contact frame down at a place in plan view; yaw is the heading of its x axis.
   Placing Place(int foot, const PlanarPose& at) const;
 
-  /// Places on each surface around, nearest to `at`, at which the foot is likely to stand: well inside and just inside
-  /// of its edges, a sole also out over them as far as it may be, in its middle; and a sole just beside each of its
-  /// edges. Turned like `at`, at most `radius_m` away. Appends.
+  /// Appends places on each surface around `at` where the foot is likely to stand: the nearest place well inside the
+  /// edges and just inside each of them; for a sole also the largest allowed overhang, and places just beside each
+  /// edge. They have the yaw of `at` and are at most `radius_m` away.
   void Near(int foot, const PlanarPose& at, double radius_m, std::vector<PlanarPose>& places) const;
 
-  /// Corners of a foot's outline in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon
-  /// around a sphere; a point for a point.
+  /// Corners of a foot's outline in plan view at a yaw, relative to the origin of its contact frame: a sole, the
+  /// octagon around a sphere, or a single point.
   Polygon OutlineAt(int foot, const PlanarPose& at) const;
 
   const GroundIndex& ground() const { return *ground_; }
@@ -94,7 +96,7 @@ class FootholdChecker {
   Placing PlacePoint(int foot, const PlanarPose& at) const;
   Placing PlaceSole(int foot, const PlanarPose& at) const;
   Placing PlaceOnPatch(int foot, const PlanarPose& at, int patch) const;
-  /// Whether there is ground without steps all along a line in plan view, or around an outline.
+  /// Whether the ground is continuous (without steps) along a line in plan view, or around an outline.
   bool GoesOn(const Vector2& from_W, const Vector2& to_W) const;
   bool GoesOn(const Polygon& outline_W) const;
   Placing PlaceAcross(int foot, const PlanarPose& at) const;
@@ -102,13 +104,13 @@ class FootholdChecker {
   Placing PlaceOnField(int foot, const PlanarPose& at, int surface) const;
   FootholdFault PointSurroundings(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
   double PointRisk(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
-  /// Whether ground sticks out of a sole's plane under it or just beside it, or more than it may go on within the
-  /// margin around it.
+  /// Whether ground is above a sole's plane under it or just beside it, or rises too steeply within the margin around
+  /// it.
   bool AnythingAbove(const Polygon& outline_W, int patch, const Vector3& plane) const;
   bool SticksOut(const Polygon& outline_W, int patch, const Vector3& plane, double most_m) const;
   bool TooSteep(const Vector3& normal_W, double friction) const;
   bool HitsObstacle(int foot, const PlanarPose& at, double height_m) const;
-  /// Least depths of a sole inside of edges, by their inward normals; for one outline.
+  /// Smallest depths of a sole inside of edges, by the inward normals of the edges; for one outline.
   using Depths = std::vector<std::pair<Vector2, double>>;
   double LeastInside(const Polygon& outline_F, const Vector2& inward, Depths& known) const;
   Polygon Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside, Depths& known) const;

@@ -11,9 +11,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLattice = 1.0 / 16.0;  // of the leg length, between places around the foot's own
-constexpr double kBesideGoal = 4.0;      // tolerances of the goal within which feet end beside it
-constexpr double kSafeRisk = 0.05;       // below which few other places are offered
+constexpr double kLattice = 1.0 / 16.0;  // spacing of places around the nominal position, as a share of the leg length
+constexpr double kBesideGoal = 4.0;      // multiple of the goal tolerance within which feet may end beside the goal
+constexpr double kSafeRisk = 0.05;       // largest risk at which only few other places are offered
 
 PlanarPose InPlan(const Pose& X_WF) { return {X_WF.translation().x(), X_WF.translation().y(), YawOf(X_WF.linear())}; }
 
@@ -142,7 +142,7 @@ int FootholdTable::Intern(const PlacedFoot& placed, int step) {
 }
 
 void FootholdTable::Locate(FootholdChoice& choice, int step) const {
-  constexpr int kParts = 4;  // of a step of the route
+  constexpr int kParts = 4;  // parts of a step of the route
   const int foot = choice.placed.foot, around = static_cast<int>(std::ceil(offset_m_ / step_m_)) + 1;
   const PlanarPose own = InPlan(choice.placed.X_WF);
   const double given = options_.goal_tolerance * leg_m_;

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kOneLevel = 0.05;  // of the leg, between footholds of one height
+constexpr double kOneLevel = 0.05;  // largest height difference of footholds on one level, in leg lengths
 
 Vector2 InPlan(const FootholdChoice& choice) { return choice.placed.X_WF.translation().head<2>(); }
 double HeightOf(const FootholdChoice& choice) { return choice.placed.X_WF.translation().z(); }
@@ -151,7 +151,7 @@ void FootstepGraph::StepsTo(int stance, int step, std::vector<Edge>& edges, Refu
   if (groups_.size() == 1) CombineLevel(stance, budget, edges);
 }
 
-/// Of a leap of all feet those that land at one height, which may each be far down in the order of their foot's.
+/// For a leap of all feet, combines footholds on one level, which may come late in the order of each foot.
 void FootstepGraph::CombineLevel(int stance, std::size_t budget, std::vector<Edge>& edges) {
   const double same_m = kOneLevel * leg_m_;
   const std::vector<std::vector<int>> all = options_by_member_;
@@ -234,7 +234,7 @@ bool FootstepGraph::SwingHolds(const FootholdChoice& from, const FootholdChoice&
 }
 
 double FootstepGraph::RiseOnWay(const FootholdChoice& from, const FootholdChoice& to) const {
-  constexpr double kStep = 0.05;  // of the leg length
+  constexpr double kStep = 0.05;  // share of the leg length
   const Vector2 a = InPlan(from), way = InPlan(to) - a;
   const double low = std::min(HeightOf(from), HeightOf(to));
   const Vector2 least = a.cwiseMin(InPlan(to)), most = a.cwiseMax(InPlan(to));
@@ -250,7 +250,7 @@ double FootstepGraph::RiseOnWay(const FootholdChoice& from, const FootholdChoice
 }
 
 bool FootstepGraph::WayIsFree(const FootholdChoice& from, const FootholdChoice& to) const {
-  constexpr double kLeg = 0.5;  // of the leg length over the foot
+  constexpr double kLeg = 0.5;  // height above the foot, as a share of the leg length
   if (ground_->obstacles().empty()) return true;
   Vector2 least = from.outline_W.front(), most = least;
   for (const Polygon* outline : {&from.outline_W, &to.outline_W}) {

@@ -19,7 +19,7 @@ void Bound(const Polygon& outline, Vector2& lowest, Vector2& highest) {
   }
 }
 
-/// Points whose hull holds an obstacle, in W. A cylinder is taken as the prism around it.
+/// Points in W whose hull contains an obstacle. A cylinder is replaced by the prism around it.
 std::vector<Vector3> CornersOf(const Obstacle& obstacle) {
   std::vector<Vector3> corners;
   if (obstacle.type == ShapeType::kMesh) {
@@ -90,7 +90,7 @@ void GroundIndex::AddObstacle(const Obstacle& obstacle) {
 }
 
 void GroundIndex::MakeGrid(double cell_m) {
-  constexpr double kMostCells = 256.0;  // along one side
+  constexpr double kMostCells = 256.0;  // cells along one side
   Vector2 low = Vector2::Constant(kInfinity), high = -low;
   const auto take = [&](const Vector2& a, const Vector2& b) {
     low = low.cwiseMin(a);

@@ -10,42 +10,42 @@ namespace gaitwright {
 
 /// A patch in plan view.
 struct GroundSurface {
-  /// How the ground goes on beyond an edge of the outline.
+  /// Ground beyond an edge of the outline.
   enum class Beyond { kLower, kSame, kHigher };
 
-  Polygon outline_W;            ///< counter-clockwise; empty without end
+  Polygon outline_W;            ///< counter-clockwise; empty for an infinite surface
   std::vector<Vector2> inward;  ///< unit normal of each edge, from corner i to i + 1
   std::vector<Beyond> beyond;   ///< by edge
-  Vector2 lowest_W, highest_W;  ///< of the box around it
+  Vector2 lowest_W, highest_W;  ///< corners of the bounding box
   Vector3 plane;                ///< height = plane . (x, y, 1)
   Vector3 normal_W;
   double friction = 0.0;
 
-  /// Height of its plane, inside and outside of its outline [m].
+  /// Height of the surface's plane, inside and outside of its outline [m].
   double HeightAt(const Vector2& p_W) const { return plane.x() * p_W.x() + plane.y() * p_W.y() + plane.z(); }
-  /// Least distance inside of its edges [m]; negative outside, infinite without end.
+  /// Smallest distance inside of its edges [m]; negative outside, infinity for an infinite surface.
   double Inside(const Vector2& p_W) const;
 };
 
-/// An obstacle in plan view, with its least and greatest height.
+/// An obstacle in plan view, with its smallest and largest height.
 struct ObstacleOutline {
   Polygon outline_W;
   double bottom_m = 0.0, top_m = 0.0;
 };
 
-/// Terrain made ready for many questions about small areas: surfaces and obstacles by the cells of a grid that they
-/// touch. At answers as GroundAt does. Refers to the terrain, which must outlive it.
+/// Prepares a terrain for many queries of small areas: surfaces and obstacles are listed by the grid cells that they
+/// touch. At() gives the same results as GroundAt. The terrain must outlive the object.
 class GroundIndex {
  public:
-  /// @param cell_m  size of the grid's cells, about that of a foot's surroundings.
+  /// @param cell_m  size of the grid cells; suitable is the size of a foot's surroundings.
   GroundIndex(const Terrain& terrain, double cell_m);
 
-  /// The highest ground at a point; patch -1 without ground.
+  /// The highest ground at a point; patch is -1 without ground.
   GroundPoint At(const Vector2& p_W) const;
 
-  /// Indices of the patches, height fields apart, that may touch a box, each once, in rising order.
+  /// Indices of the patches (not height fields) that may touch a box, without duplicates, in ascending order.
   void PatchesIn(const Vector2& lowest_W, const Vector2& highest_W, std::vector<int>& found) const;
-  /// Obstacles in a box.
+  /// Indices of the obstacles in a box.
   void ObstaclesIn(const Vector2& lowest_W, const Vector2& highest_W, std::vector<int>& found) const;
 
   /// An upper bound of the ground's height in a box; -infinity without ground.
@@ -74,7 +74,7 @@ class GroundIndex {
   void Collect(const Vector2& lowest_W, const Vector2& highest_W, Member member, std::vector<int>& found) const;
 
   const Terrain* terrain_;
-  Terrain fields_;                       // the height fields alone
+  Terrain fields_;                       // only the height fields
   std::vector<GroundSurface> surfaces_;  // patches only
   std::vector<ObstacleOutline> obstacles_;
   std::vector<int> endless_;

@@ -23,7 +23,7 @@ bool LegRoom::IsClear(LegWorkspace& workspace, const Foot& foot, const Pose& X_W
   Vector2 low = X_WF.translation().head<2>(), high = low;
   for (Ball& ball : balls_) {
     ball.centre_B = X_WB * ball.centre_B;
-    // Over the foot's own ground the leg stands as its foot does, near to it as that may be.
+    // Above its own foothold, the leg may be as near to the ground as its foot is.
     const double own = X_WF.linear().col(2).dot(ball.centre_B - X_WF.translation());
     const double close = own > ball.radius_m ? 0.5 * (ball.radius_m + own) : 0.9 * own;
     ball.radius_m = own > 0.0 ? std::min(ball.radius_m + margin_m_, close) : ball.radius_m;
@@ -62,7 +62,7 @@ bool LegRoom::MeetsField(const Vector3& p_W, double radius_m) const {
     const GroundPoint under = ground_->At(p_W.head<2>() + away);
     return under.patch >= 0 && under.height_m > p_W.z() - std::sqrt(1.0 - x * x - y * y) * radius_m;
   };
-  constexpr double kOut = 0.7;  // of the radius, at which the ground around is looked at
+  constexpr double kOut = 0.7;  // share of the radius at which the ground around is sampled
   return meets(0.0, 0.0) || meets(kOut, 0.0) || meets(-kOut, 0.0) || meets(0.0, kOut) || meets(0.0, -kOut);
 }
 

@@ -8,19 +8,20 @@
 
 namespace gaitwright {
 
-/// Whether thighs and shanks are clear of the ground in a stance, such as of the edge of a stair that a shank leans
-/// back over. The ground is solid below its surfaces. Scratch is kept; not for several threads at once.
+/// Checks whether thighs and shanks are clear of the ground in a stance, for example of the edge of a stair under a
+/// shank that leans back. The ground is solid below its surfaces. Keeps scratch data, so it is not thread-safe.
 class LegRoom {
  public:
-  /// @param margin_m  distance of the legs from the ground [m]; near the foot, half of their height above its plane.
+  /// @param margin_m  smallest distance of the legs from the ground [m]; near the foot, half of their height above its
+  ///                  plane.
   LegRoom(const RobotModel& model, const GroundIndex& ground, double margin_m);
 
-  /// @param workspace  of the leg.
+  /// @param workspace  workspace of the leg.
   /// @param X_WF       contact frame of its foot.
-  /// @return true also where the leg does not reach, which is another matter.
+  /// @return true also if the leg cannot reach the foothold, which is checked elsewhere.
   bool IsClear(LegWorkspace& workspace, const Foot& foot, const Pose& X_WF, const Pose& X_WB);
 
-  /// Whether any ground around the foot is higher than the foot, so that the leg may collide with it.
+  /// Whether ground around the foot is higher than the foot, so that the leg may collide with it.
   bool MayMeet(const Pose& X_WF) const;
 
  private:

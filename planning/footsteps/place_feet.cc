@@ -10,20 +10,20 @@
 namespace gaitwright {
 namespace {
 
-/// Which parts of a twist a foot on one side treats in its own way, for two feet.
+/// Components of a twist in which two feet are treated differently.
 struct Sides {
   bool lateral = false, turn = false;
   bool any() const { return lateral || turn; }
 };
 
-/// What a foot leads, being on that side; none unless there are two feet.
+/// Components in which a foot leads because it is on that side; none unless the robot has two feet.
 Sides LedBy(const std::vector<Pose>& standing, std::size_t foot, const PlanarTwist& twist) {
   if (standing.size() != 2) return {};
   const double side = standing[foot].translation().y();
   return {side * twist.y_m > 0.0, side * twist.yaw_rad > 0.0};
 }
 
-/// `base` with the lateral place and the heading of `other`, as far as `parts` says.
+/// `base` with the lateral position and the heading of `other`, if selected by `parts`.
 PlanarPose WithParts(PlanarPose base, const PlanarPose& other, const Sides& parts) {
   if (parts.turn) base.yaw_rad = other.yaw_rad;
   if (parts.lateral) {
@@ -40,13 +40,13 @@ void SortByTouchdown(FootstepPlan& plan) {
                    [](const Foothold& a, const Foothold& b) { return a.touchdown_s < b.touchdown_s; });
 }
 
-/// A footfall of a schedule.
+/// A touchdown of a schedule and the stance that follows it.
 struct Footfall {
   int foot = 0;
-  ContactInterval stance;   // that it begins
-  double liftoff_s = 0.0;   // of the swing before
-  int count = 0;            // 1 for the first; the last one's for those that land together
-  PlanarTwist steps_ahead;  // by component, how many steps of the twist
+  ContactInterval stance;   // stance that begins with it
+  double liftoff_s = 0.0;   // start of the swing before
+  int count = 0;            // number from 1; feet that land together have the last number of them
+  PlanarTwist steps_ahead;  // number of steps of the twist, by component
 };
 
 std::vector<Footfall> FootfallsOf(const ContactSchedule& schedule, int num_feet) {
@@ -65,7 +65,7 @@ std::vector<Footfall> FootfallsOf(const ContactSchedule& schedule, int num_feet)
   return footfalls;
 }
 
-/// The number of steps that every foot's last footfall can reach.
+/// Number of steps that the last footfalls of all feet can reach.
 int StepsToGoal(const std::vector<Footfall>& footfalls, int num_feet) {
   double goal = std::numeric_limits<double>::infinity();
   for (int foot = 0; foot < num_feet; ++foot) {
@@ -79,14 +79,14 @@ int StepsToGoal(const std::vector<Footfall>& footfalls, int num_feet) {
   return static_cast<int>(goal);
 }
 
-/// The stretch that a time is in.
+/// The stretch at a time.
 const PathStretch& StretchAt(const std::vector<PathStretch>& stretches, double time_s) {
   const auto at = std::find_if(stretches.begin(), stretches.end(),
                                [&](const PathStretch& stretch) { return time_s < stretch.end_s; });
   return at == stretches.end() ? stretches.back() : *at;
 }
 
-/// The time in the middle of what stands still in a stance; negative where nothing does.
+/// Time in the middle of the standing part of a stance; negative if the stance has no such part.
 double RestWithin(const std::vector<PathStretch>& stretches, const ContactInterval& stance) {
   for (const PathStretch& stretch : stretches) {
     const double middle = 0.5 * (stretch.start_s + stretch.end_s);
@@ -133,7 +133,7 @@ CountedFootsteps PlaceCounted(const RobotModel& model, const ContactSchedule& sc
   const int num_feet = static_cast<int>(standing.size());
   std::vector<Footfall> footfalls = FootfallsOf(schedule, num_feet);
   for (Footfall& footfall : footfalls) {
-    // The foot on the other side than the one that leads follows.
+    // The foot on the side opposite to the motion lags.
     const Sides lags = LedBy(standing, static_cast<std::size_t>(footfall.foot), {0.0, -step.y_m, -step.yaw_rad});
     const double count = footfall.count;
     footfall.steps_ahead = {count, count - (lags.lateral ? 1.0 : 0.0), count - (lags.turn ? 1.0 : 0.0)};

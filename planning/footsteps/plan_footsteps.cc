@@ -20,7 +20,7 @@
 namespace gaitwright {
 namespace {
 
-/// The foothold farthest from its hip, against what the leg reaches.
+/// The foothold farthest from its hip, and the leg's reach.
 struct Reach {
   int foothold = -1;
   double distance_m = 0.0, limit_m = 0.0, at_s = 0.0;
@@ -49,7 +49,7 @@ Reach WorstReach(const RobotModel& model, const FootstepSkeleton& skeleton, doub
   return worst;
 }
 
-/// The base's path for counted footfalls: at the rate of one step in the time of a footfall between its ramps.
+/// The path of the base for counted footfalls. Between its ramps, the base moves one step per footfall.
 BasePath PathOfSteps(const PlanarTwist& step, int steps_to_goal, double footfall_s, const ContactSchedule& schedule) {
   if (schedule.phases.size() < 3) return MakeBasePath({}, 0.0, 1.0, 0.0, schedule.end_s());
   const double start = schedule.phases.front().end_s, duration = schedule.phases.back().start_s - start;
@@ -111,7 +111,7 @@ bool Sidesteps(const BasePath& path) {
   });
 }
 
-/// The command as far as a skeleton of SearchSkeleton goes, which ends beside the goal where it has a warning.
+/// The command, changed to the goal of a skeleton. SearchSkeleton may end beside the goal, with a warning.
 WalkCommand AsReached(WalkCommand command, const FootstepSkeleton& skeleton) {
   if (skeleton.warnings.empty()) return command;
   const PlanarPose &from = skeleton.path.pose.front(), &to = skeleton.goal;
@@ -124,7 +124,7 @@ WalkCommand AsReached(WalkCommand command, const FootstepSkeleton& skeleton) {
   return command;
 }
 
-/// A skeleton of one part alone, of a robot that can turn and step sideways if it does.
+/// A skeleton with a single part. Fails if the robot cannot turn or step sideways as the skeleton needs.
 Result<FootstepSkeleton> WithPart(const RobotModel& model, Result<FootstepSkeleton> skeleton, const Gait& gait,
                                   const WalkCommand& command) {
   if (!skeleton) return skeleton;
@@ -138,9 +138,9 @@ Result<FootstepSkeleton> WithPart(const RobotModel& model, Result<FootstepSkelet
   return skeleton;
 }
 
-/// Footsteps over ground that is not level: along the command's own course, or along a route around what is in its
-/// way. Where nothing stands on the ground the search for footholds alone says what can be walked on, and a route is
-/// asked for only where a goal cannot be had straight.
+/// Footsteps over ground that is not level: along the command's own course, or along a route around obstacles. On
+/// ground without obstacles, only the search for footholds decides where the robot can walk; a route is planned only
+/// for a goal that cannot be reached straight.
 Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
   const Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
@@ -161,7 +161,7 @@ Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& t
 
 }  // namespace
 
-std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
+std::optional<Failure> ReasonNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
   if (auto failure = CheckCommand(command)) return failure;
   if (gait.num_feet() != static_cast<int>(model.feet.size())) {
     return Failure{FailureKind::kBadInput,
@@ -200,7 +200,7 @@ void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps) {
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                             const WalkCommand& command, const std::vector<PlanarPose>& way,
                                             const FootstepOptions& options) {
-  if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
+  if (auto failure = ReasonNotWalked(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
   const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
   const Result<FootstepSkeleton> found = SearchSkeleton(model, terrain, query, options);
@@ -209,7 +209,7 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
 
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
-  if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
+  if (auto failure = ReasonNotWalked(model, gait, command)) return *failure;
   if (KindOfGround(terrain) != GroundKind::kFlat) {
     const Result<FootstepSkeleton> found = FindFootsteps(model, terrain, gait, command, options);
     return WithPart(model, found, gait, found ? AsReached(command, *found) : command);

@@ -16,14 +16,14 @@
 
 namespace gaitwright {
 
-/// Start and end of a walk, reach of the feet and, for uneven ground, foothold rules and search.
+/// Start and end of a walk, reach of the feet, and for uneven ground the foothold rules and the search.
 struct FootstepOptions {
   double initial_stand_s = 0.8;
   double final_stand_s = 0.8;
   SpeedRamp ramp = {1.0, 1.0};
   double reach = 0.97;
-  double grid_s = 0.005;    ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
-  double settling_s = 0.0;  ///< more time of standing at both ends; the pipeline sets it
+  double grid_s = 0.005;    ///< time step of the plan, on which contacts begin and end; set by the pipeline
+  double settling_s = 0.0;  ///< additional standing time at both ends; set by the pipeline
   FootholdOptions foothold;
   FootstepSearchOptions search;
   BaseRouteOptions route;
@@ -57,34 +57,34 @@ struct FootstepSkeleton {
   PlanarPose goal;
   std::vector<MotionPart> parts;
   std::vector<std::string> warnings;
-  FootstepSearchStats search;  ///< all zero on level ground, which needs no search
+  FootstepSearchStats search;  ///< all zero on level ground, where no search is needed
 };
 
 /// Base path, contact schedule and footholds for a command.
 ///
-/// On level ground without end or obstacles footholds follow the base along its path (PlaceAlongPath), or a command of
-/// counted footfalls (PlaceCounted). On all other ground the command's course in plan view is the route of a search
-/// (SearchFootsteps); a goal without a free direct path is reached around obstacles (RouteOf). Steps aim at the stride
-/// of the gait at the commanded speed: there are as many footfalls as it takes, also for a command of a duration or of
-/// counted ones. Failures: kBadInput for an invalid or contradictory command, one that has no effect or takes over 600
-/// s, and for a gait too fast for the grid; kInfeasible for a foothold out of reach (names foot, time and distance),
-/// and where there are no footholds (names place and reason).
+/// On infinite level ground without obstacles, footholds follow the base along its path (PlaceAlongPath), or a command
+/// of counted footfalls (PlaceCounted). On other ground, the command's course in plan view is the route of a search
+/// (SearchFootsteps); a goal without a free direct path is reached around obstacles (RouteOf). The search aims at steps
+/// of the gait's stride at the commanded speed and uses as many footfalls as needed, also for a command with a duration
+/// or a number of steps. Failures: kBadInput for a command that is invalid, contradictory, without motion or longer
+/// than 600 s, and for a gait too fast for the grid; kInfeasible for a foothold out of reach (names foot, time and
+/// distance), and if no footholds are found (names place and reason).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options);
 
-/// As PlanFootsteps, along a given path of the base, such as one around obstacles: the command gives only the speeds.
-/// @param way  poses in plan view from (0, 0, 0) on, dense enough to be joined by straight lines.
+/// PlanFootsteps along a given path of the base, for example around obstacles. The command only gives the speeds.
+/// @param way  poses in plan view from (0, 0, 0) on, dense enough for straight lines between them.
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                             const WalkCommand& command, const std::vector<PlanarPose>& way,
                                             const FootstepOptions& options);
 
-/// Reason why footholds are infeasible: the one farthest out of reach of its leg, by name, time and distance.
+/// Failure if a foothold is out of reach of its leg: names the worst foot, the time and the distance.
 std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share);
 
-/// Puts footholds that were planned on the level plane at height zero onto it.
+/// Moves footholds planned on the level plane z = 0 onto the ground of `terrain`.
 void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps);
 
-/// Why a command or a gait is for no robot, or not for this one.
-std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command);
+/// Failure if a command or a gait is invalid for every robot, or for this one.
+std::optional<Failure> ReasonNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command);
 
 }  // namespace gaitwright

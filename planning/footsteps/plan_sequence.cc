@@ -21,17 +21,17 @@ Failure BadPart(const std::string& message) {
   return {FailureKind::kBadInput, FailureCode::kCommand, "PlanSequence", message, {}};
 }
 
-/// A part with where it leads and how it takes over from the one before.
+/// A part with its path, and its transition from the part before.
 struct PartCourse {
   WalkPart part;
   bool stands = false;
-  PlanarTwist twist;    // of all of it
-  double full_s = 0.0;  // that it takes at full speed
+  PlanarTwist twist;    // of the whole part
+  double full_s = 0.0;  // duration at full speed
   double start_ramp_s = 0.0, stop_ramp_s = 0.0;
-  bool follows = false;     // a gait goes over into this one
-  bool goes_on = false;     // this gait goes over into the next one
-  double early_s = 0.0;     // from where the base takes its speed until its feet begin
-  double outlasts_s = 0.0;  // from where the next one's feet begin until the base has lost its speed
+  bool follows = false;     // a gait changes into this one without a stop
+  bool goes_on = false;     // this gait changes into the next one without a stop
+  double early_s = 0.0;     // from the start of the base's speed change until the feet begin
+  double outlasts_s = 0.0;  // from the start of the next part's feet until the base's speed change ends
 
   bool counted() const { return part.command.extent == Extent::kSteps; }
   double duration_s() const { return full_s + 0.5 * (start_ramp_s + stop_ramp_s); }
@@ -43,7 +43,7 @@ std::optional<Failure> WhyNoStand(const WalkCommand& command) {
   const double duration = command.duration_s;
   if (command.extent == Extent::kDuration && duration >= kShortest && duration <= kLongest) return std::nullopt;
   return BadPart(
-      fmt::format("standing still for {} s; a duration of {} to {} s is needed", duration, kShortest, kLongest));
+      fmt::format("the duration of standing still is {} s; accepted: {} to {} s", duration, kShortest, kLongest));
 }
 
 Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const FootstepOptions& options) {
@@ -55,9 +55,9 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
     course.full_s = part.command.duration_s;
     return course;
   }
-  if (auto failure = WhyNotWalked(model, part.gait, part.command)) return *failure;
+  if (auto failure = ReasonNotWalked(model, part.gait, part.command)) return *failure;
   if (part.command.extent == Extent::kGoal)
-    return BadPart("a part of a sequence cannot have a goal; give a distance, a duration or steps");
+    return BadPart("a part of a sequence cannot have a goal; give a distance, a duration or a number of steps");
   const Result<Course> own = MakeCourse(model, part.gait, part.command, options.ramp);
   if (!own) return own.failure();
   course.twist = own->twist;
@@ -75,8 +75,7 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
   return course;
 }
 
-/// Lets neighbours without a stand between them go over into each other. It is the faster one's feet that do the change
-/// of speed.
+/// Joins neighbouring gaits without standing in between. The speed changes while the feet of the faster gait step.
 void Couple(std::vector<PartCourse>& courses) {
   for (std::size_t k = 1; k < courses.size(); ++k) {
     PartCourse &before = courses[k - 1], &after = courses[k];
@@ -89,7 +88,7 @@ void Couple(std::vector<PartCourse>& courses) {
   }
 }
 
-/// Most of the cycle that passes from one lift-off to the next.
+/// Longest time between two lift-offs, as a share of the cycle.
 double LongestPause(const Gait& gait) {
   std::vector<double> liftoff;
   for (std::size_t i = 0; i < gait.phase.size(); ++i)
@@ -108,26 +107,26 @@ GaitStint StintOf(const RobotModel& model, const PartCourse& course) {
     stint.footfalls = course.part.command.steps;
     if (!course.follows) stint.first_foot = LeadingFoot(model, course.twist);
   }
-  const double feet_s = course.duration_s() - course.early_s;  // from the first lift-off until the base has its goal
+  const double feet_s = course.duration_s() - course.early_s;  // from first lift-off to the base's arrival
   if (!course.goes_on) {
     stint.time_s = std::ceil(feet_s / gait.cycle_s - 1e-6) * gait.cycle_s;
     return stint;
   }
-  // The last feet come down when the base is to be handed over, or up to one footfall later: it has not to be faster
-  // than asked.
+  // The last feet touch down at the transition, or up to one footfall later, so that the base need not exceed the
+  // requested speed.
   const double duty = *std::max_element(gait.duty_factor.begin(), gait.duty_factor.end());
   const double last_s = feet_s - course.outlasts_s + (LongestPause(gait) - (1.0 - duty)) * gait.cycle_s;
   stint.time_s = std::max(last_s, gait.cycle_s);
   return stint;
 }
 
-/// When the base of a part begins its way: with its feet, or before them where it has to be slower first.
+/// Start time of the base's motion in a part: with the first lift-off, or earlier if the base has to slow down first.
 double StartOf(const std::vector<PartCourse>& courses, const JoinedSchedule& joined, double first_s, std::size_t k) {
   return (k == 0 ? first_s : joined.start_s[k]) - courses[k].early_s;
 }
 
-/// A part that lasts for a time and goes over into the next one lasts up to a footfall longer, until its last feet are
-/// down: it goes so much farther, at the speed asked for.
+/// A part with a duration that changes into the next gait lasts up to one footfall longer, until its last feet touch
+/// down. It goes farther by that time at the requested speed.
 void KeepSpeeds(const JoinedSchedule& joined, double first_s, std::vector<PartCourse>& courses) {
   for (std::size_t k = 0; k + 1 < courses.size(); ++k) {
     PartCourse& course = courses[k];
@@ -140,8 +139,8 @@ void KeepSpeeds(const JoinedSchedule& joined, double first_s, std::vector<PartCo
   }
 }
 
-/// The base's way over a schedule. Times of the feet are kept, so that a part of a given distance that goes over into
-/// the next one takes up to a footfall longer than at the speed asked for.
+/// The base's path over a schedule. The times of the feet are kept; a part with a distance that changes into the next
+/// gait takes up to one footfall longer than at the requested speed.
 BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& joined, double first_s) {
   const ContactSchedule& schedule = joined.schedule;
   std::vector<PathPiece> path;
@@ -155,7 +154,8 @@ BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& jo
     } else if (course.counted()) {
       const double down_s = k + 1 < courses.size() ? joined.start_s[k + 1] : schedule.phases.back().start_s;
       way.duration_s = down_s - way.start_s;
-      const double ramps = 2.0 * std::max(0.0, way.duration_s - course.full_s);  // that keep the speed as it is
+      const double ramps =
+          2.0 * std::max(0.0, way.duration_s - course.full_s);  // total ramp time at the requested speed
       if (!course.follows) way.start_ramp_s = 0.5 * ramps;
       way.stop_ramp_s = std::max(0.0, ramps - way.start_ramp_s);
     }
@@ -164,7 +164,7 @@ BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& jo
   return MakeBasePath(path, schedule.end_s());
 }
 
-/// Adds what each part is and when, and gives what it does on the path.
+/// Appends the parts with their times, and returns their stretches of the path.
 std::vector<PathStretch> AddParts(const std::vector<PartCourse>& courses, const JoinedSchedule& joined,
                                   FootstepSkeleton& skeleton) {
   std::vector<PathStretch> stretches;

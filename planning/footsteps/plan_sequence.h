@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// A part of a walk: a gait with a command relative to the end of the part before, or StandingGait with a duration.
+/// A part of a walk: a gait with a command relative to the end of the previous part, or StandingGait with a duration.
 struct WalkPart {
   Gait gait;
   WalkCommand command;
@@ -15,17 +15,17 @@ struct WalkPart {
   bool operator==(const WalkPart&) const = default;
 };
 
-/// Base path, contact schedule and footholds of consecutive parts, from standing to standing. For a single part, those
-/// of PlanFootsteps.
+/// Base path, contact schedule and footholds of consecutive parts, from standing to standing. A single part gives the
+/// result of PlanFootsteps.
 ///
-/// Before a part that stands still the last swings bring the feet beside each other, and the base is at rest for so
-/// long. Where two gaits follow each other the base goes on: it changes from one speed to the other within a ramp of
-/// the slower of both, around which the feet change over too (JoinSchedules), and each foothold is where the foot
-/// stands under the base at the middle of its stance. Counted footfalls are as many as asked for, and lead as far as
-/// they do alone. A part of standing still that begins or ends the walk takes the place of the times in the options.
+/// Before a part that stands still, the last swings bring the feet beside each other, and the base is at rest during
+/// the part. Between two consecutive gaits the base does not stop: its speed changes within a ramp of the slower gait,
+/// and the feet change to the new gait around that ramp (JoinSchedules). Each foothold is the foot's standing position
+/// under the base at the middle of its stance. The number of counted footfalls is as requested, and they cover the same
+/// distance as in a separate plan. Standing still as the first or last part replaces the standing times of the options.
 ///
-/// Failures: as of PlanFootsteps; kBadInput for a command of a goal, and for a part that stands still for less than
-/// 0.1 s. That of a part names it by its number and gait.
+/// Failures: as for PlanFootsteps; kBadInput for a command with a goal, and for standing still for less than 0.1 s. The
+/// message names the part by number and gait.
 Result<FootstepSkeleton> PlanSequence(const RobotModel& model, const Terrain& terrain,
                                       const std::vector<WalkPart>& parts, const FootstepOptions& options);
 

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The gap between two outlines along a unit direction that leads out of `a`.
+/// The gap between two outlines in a unit direction that points out of `a`.
 double GapAlong(const Polygon& a, const Polygon& b, const Vector2& out) {
   double far_a = -kInfinity, near_b = kInfinity;
   for (const Vector2& p : a) far_a = std::max(far_a, out.dot(p));

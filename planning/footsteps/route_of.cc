@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// Poses along the whole of a course, no farther apart than the options say.
+/// Poses along the whole course, with at most the given spacing.
 std::vector<PlanarPose> PosesAlong(const WalkCommand& command, const Course& course, double spacing_m) {
   constexpr double kTurn = 0.1;  // [rad] between poses
   const double count = command.extent == WalkCommand::Extent::kSteps ? command.steps : 1.0;
@@ -24,19 +24,19 @@ std::vector<PlanarPose> PosesAlong(const WalkCommand& command, const Course& cou
   return poses;
 }
 
-/// The first pose along a way that is not free, as the place among all poses that are looked at; way.size() for none.
+/// The first pose along a path that is not free.
 struct FirstBlocked {
-  std::size_t before = 0;  ///< the waypoint that it comes before
+  std::size_t before = 0;  ///< index of the waypoint after it; way.size() if all are free
   Hindrance hindrance;
 };
 
 std::optional<FirstBlocked> FindBlocked(PoseCheck& check, const std::vector<PlanarPose>& way) {
   for (std::size_t i = 0; i < way.size(); ++i) {
-    if (auto why = check.WhyNot(way[i])) return FirstBlocked{i, *why};
+    if (auto why = check.ReasonRefused(way[i])) return FirstBlocked{i, *why};
     if (i + 1 == way.size() || check.IsFreeBetween(way[i], way[i + 1])) continue;
     constexpr int kBetween = 16;
     for (int k = 1; k <= kBetween; ++k) {
-      if (auto why = check.WhyNot(Between(way[i], way[i + 1], static_cast<double>(k) / kBetween)))
+      if (auto why = check.ReasonRefused(Between(way[i], way[i + 1], static_cast<double>(k) / kBetween)))
         return FirstBlocked{i + 1, *why};
     }
   }
@@ -49,14 +49,14 @@ Failure Refused(const std::vector<PlanarPose>& way, const FirstBlocked& blocked)
             FailureCode::kStartBlocked,
             "RouteOf",
             "the robot cannot stand at the start: " + blocked.hindrance.text,
-            {"start elsewhere"}};
+            {"start at another place"}};
   const std::vector<PlanarPose> free(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(blocked.before));
   return {FailureKind::kInfeasible,
           FailureCode::kWayBlocked,
           "RouteOf",
           fmt::format("the path is blocked after {:.2f} of {:.2f} m: {}", LengthOf(free), LengthOf(way),
                       blocked.hindrance.text),
-          {"give a goal (--goal), which the robot reaches around obstacles", "go less far"}};
+          {"give a goal (--goal), which the robot reaches around obstacles", "reduce the distance"}};
 }
 
 BaseRoute AlongCourse(const RobotModel& model, std::vector<PlanarPose> way, const BaseRouteOptions& options) {
@@ -80,7 +80,7 @@ Result<BaseRoute> RouteOf(const RobotModel& model, const Terrain& terrain, const
   if (command.extent != WalkCommand::Extent::kGoal) return Refused(way, *blocked);
   Result<BaseRoute> route =
       PlanBaseRoute(model, terrain, {}, {command.goal_x_m, command.goal_y_m, command.goal_yaw_rad}, options);
-  if (route) route->statistics.direct = false;  // though it may be a direct way of another kind
+  if (route) route->statistics.direct = false;  // even if it is a direct route of another kind
   return route;
 }
 

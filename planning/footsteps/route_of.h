@@ -10,11 +10,12 @@
 namespace gaitwright {
 
 /// Route of the base on a terrain for a command, from the origin facing x.
-///   goal                       along the course's constant twist if that is free, else around obstacles
-///   distance, duration, steps  along the course; never around anything
-/// `statistics.direct` is true if it is the course.
-/// @param course  of the command, as MakeCourse gives it. Failures, kInfeasible: those of PlanBaseRoute;
-/// `start_blocked`; and `way_blocked` for a course that is not free, which names the obstacle and the free distance.
+///   goal                       along the course's constant twist if that is free, otherwise around obstacles
+///   distance, duration, steps  along the course; never around obstacles
+/// `statistics.direct` is true if the route is the course.
+/// @param course  course of the command, from MakeCourse.
+/// Failures, kInfeasible: those of PlanBaseRoute; `start_blocked`; `way_blocked` for a course that is not free (names
+/// the obstacle and the free distance).
 Result<BaseRoute> RouteOf(const RobotModel& model, const Terrain& terrain, const WalkCommand& command,
                           const Course& course, const BaseRouteOptions& options);
 

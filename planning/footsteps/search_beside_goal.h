@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// SearchFootsteps with ends within four times the goal tolerance. For rough ground, which may hold no foot near the
-/// goal although it holds the feet a little beside it.
+/// SearchFootsteps with ends within four times the goal tolerance. For rough ground without footholds near the goal but
+/// with footholds a little beside it.
 Result<FootstepSequence> SearchBesideGoal(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                           const FootholdOptions& footholds, const FootstepSearchOptions& options);
 

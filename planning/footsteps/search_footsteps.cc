@@ -25,7 +25,7 @@ class AnytimeSearch {
  public:
   AnytimeSearch(FootstepGraph& graph, const FootstepSearchOptions& options) : graph_(graph), options_(options) {}
 
-  /// Stances that the way may start from, at no cost.
+  /// Stances at which the path may start, at no cost.
   void Start(const std::vector<int>& stances) {
     for (const int stance : stances) {
       Reach(stance, 0.0, -1);
@@ -33,10 +33,10 @@ class AnytimeSearch {
     }
   }
 
-  /// Looks for a way with ever larger weights until one is found, and then improves it with ever smaller ones until
-  /// its bound is as wanted or what may be spent is spent.
+  /// Searches with growing weights until a path is found. Then improves it with shrinking weights until its bound is
+  /// small enough or the budget is used up.
   void Run() {
-    constexpr double kHarder = 2.0, kEase = 0.5;  // of the weight; of what it is over 1
+    constexpr double kHarder = 2.0, kEase = 0.5;  // factor of the weight; factor of (weight - 1)
     double weight = options_.first_bound;
     stats_.bound = kInfinity;
     while (true) {
@@ -54,7 +54,7 @@ class AnytimeSearch {
   }
 
   int goal() const { return goal_; }
-  /// The stance of the most progress that was expanded; -1 when none was.
+  /// The expanded stance with the most progress; -1 if none was expanded.
   int farthest() const { return farthest_; }
   const FootstepSearchStats& stats() const { return stats_; }
 
@@ -70,7 +70,7 @@ class AnytimeSearch {
   struct Node {
     double cost = kInfinity, left = 0.0;
     int parent = -1;
-    int closed_in = -1;  // round in which it was last expanded
+    int closed_in = -1;  // round of the last expansion
   };
   struct Candidate {
     double key, left;
@@ -90,7 +90,7 @@ class AnytimeSearch {
     node.parent = parent;
   }
 
-  /// One round of weighted A*. @return false when the budget ended it.
+  /// One round of weighted A*. @return false if the budget ended it.
   bool Improve(double weight) {
     ++round_;
     expanded_before_ = stats_.expanded;
@@ -111,7 +111,7 @@ class AnytimeSearch {
       if (node.closed_in == round_ || top.key > node.cost + weight * node.left + 1e-12) continue;
       Visit(top.stance, weight);
     }
-    // What is left is the fringe of the next round.
+    // The remaining states are the fringe of the next round.
     for (; !queue_.empty(); queue_.pop()) {
       const Candidate& top = queue_.top();
       const Node& node = nodes_[Index(top.stance)];
@@ -152,14 +152,14 @@ class AnytimeSearch {
       if (Index(edge.to) < nodes_.size() && through >= nodes_[Index(edge.to)].cost - 1e-12) continue;
       Reach(edge.to, through, stance);
       if (nodes_[Index(edge.to)].closed_in == round_) {
-        open_.push_back(edge.to);  // again in the next round
+        open_.push_back(edge.to);  // expanded again in the next round
       } else {
         Queue(edge.to, weight);
       }
     }
   }
 
-  /// Least cost that any way not yet seen may have.
+  /// Lower bound of the cost of all paths not yet seen.
   double Least() const {
     double least = nodes_[Index(goal_)].cost;
     for (const int stance : open_) least = std::min(least, nodes_[Index(stance)].cost + nodes_[Index(stance)].left);
@@ -206,7 +206,7 @@ std::optional<Failure> CheckQuery(const RobotModel& model, const FootstepQuery& 
   return std::nullopt;
 }
 
-/// The options as they hold for a gait: while no foot is on the ground, the body takes the feet along.
+/// The options for a gait: in a gait with flight, the body carries the feet along while no foot is on the ground.
 FootstepSearchOptions OptionsFor(const Gait& gait, FootstepSearchOptions options) {
   CheckOptions(options.Fields());
   if (!HasFlight(gait)) return options;
@@ -215,7 +215,7 @@ FootstepSearchOptions OptionsFor(const Gait& gait, FootstepSearchOptions options
   return options;
 }
 
-/// All that a search works with. The members refer to each other, so it stays where it is made.
+/// All data of a search. The members refer to each other, so the object is not movable.
 struct Problem {
   Problem(const RobotModel& the_model, const Terrain& terrain, const FootstepQuery& query,
           const FootholdOptions& footholds, const FootstepSearchOptions& the_options, bool beside_goal = false)
@@ -231,7 +231,7 @@ struct Problem {
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
-  /// Puts the feet down at the start, or says why they cannot stand there.
+  /// Puts the feet down at the start; a failure if they cannot stand there.
   std::optional<Failure> Start() {
     for (int foot = 0; foot < static_cast<int>(start.size()); ++foot) {
       const Placing placing = table.Start(foot, start[static_cast<std::size_t>(foot)]);
@@ -261,10 +261,11 @@ struct Problem {
   }
 
   static Failure CannotStart(const std::string& message) {
-    return {FailureKind::kInfeasible, FailureCode::kNoFootholds, "SearchFootsteps", message, {"start elsewhere"}};
+    return {
+        FailureKind::kInfeasible, FailureCode::kNoFootholds, "SearchFootsteps", message, {"start at another place"}};
   }
 
-  static constexpr double kCell = 0.5;  // of the ground's index, of the leg length
+  static constexpr double kCell = 0.5;  // cell size of the ground index, as a share of the leg length
   const RobotModel& model;
   const FootstepSearchOptions options;
   const GroundIndex ground;
@@ -288,7 +289,7 @@ OptionFields FootstepSearchOptions::Fields() {
        {"leap_height", &leap_height, "1", 0.01, 2.0,
         "Highest step up or down in a gait with flight, as a share of the leg length."},
        {"reserve", &reserve, "1", 0.0, 0.2,
-        "Margin of footholds to the joint ranges and the leg length, as a share of both."},
+        "Margin to the joint limits and to the full leg length, as a share of the joint range and of the leg length."},
        {"offset", &offset, "1", 0.02, 1.0,
         "Largest distance of a foothold from its nominal position, as a share of the leg length."},
        {"body_clearance", &body_clearance, "1", 0.0, 0.5,
@@ -323,7 +324,7 @@ OptionFields FootstepSearchOptions::Fields() {
 }
 
 std::vector<std::vector<int>> FootGroups(const Gait& gait) {
-  constexpr double kTogether = 1e-6;  // of the cycle
+  constexpr double kTogether = 1e-6;  // share of the cycle
   std::vector<double> liftoff;
   for (std::size_t i = 0; i < gait.phase.size(); ++i) {
     const double at = gait.phase[i] + gait.duty_factor[i] + kTogether;
@@ -364,7 +365,7 @@ Result<FootstepSequence> SearchBesideGoal(const RobotModel& model, const Terrain
   return Failure{FailureKind::kInfeasible,
                  FailureCode::kNoFootholds,
                  "SearchFootsteps",
-                 "the ground near the goal holds no feet",
+                 "the ground near the goal has no footholds",
                  {}};
 }
 

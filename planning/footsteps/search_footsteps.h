@@ -16,10 +16,10 @@ namespace gaitwright {
 /// Limits, cost weights and budget of the search.
 ///
 /// Tuning
-///   finds nothing where there must be a way   more `max_expansions`, a larger `offset`, a smaller `reserve`
-///   the feet stand too near to edges          more `risk_weight`
-///   the gait is uneven on easy ground         more `phase_weight` and `departure_weight`
-///   takes too long                            a larger `bound`, fewer `improving_expansions`
+///   finds nothing although a path exists     larger `max_expansions` or `offset`, smaller `reserve`
+///   the feet stand too near to edges         larger `risk_weight`
+///   the gait is uneven on easy ground        larger `phase_weight` and `departure_weight`
+///   takes too long                           larger `bound`, smaller `improving_expansions`
 struct FootstepSearchOptions {
   double step_length = 0.8;
   double step_height = 0.3;
@@ -51,8 +51,8 @@ struct FootstepSearchOptions {
 struct FootstepQuery {
   Gait gait;
   FootstepRoute route;
-  double stride_m = 0.0;  ///< stations that the base passes in a cycle of the gait at full speed
-  /// Whether the body may be at a pose of the base, above ground of a height; empty allows any.
+  double stride_m = 0.0;  ///< distance in stations that the base moves in one cycle at full speed
+  /// Whether the body may be at a pose of the base, with ground at a given height; empty allows all poses.
   std::function<bool(const PlanarPose& base, double ground_m)> body_free = {};
 };
 
@@ -62,10 +62,10 @@ using Footfalls = std::vector<PlacedFoot>;
 /// Statistics of a search.
 struct FootstepSearchStats {
   int expanded = 0, generated = 0;
-  int expanded_to_first = 0;  ///< until the first solution
-  int stances = 0;            ///< that were checked for reach and clearance
+  int expanded_to_first = 0;  ///< number of expansions until the first solution
+  int stances = 0;            ///< number of stances checked for reach and clearance
   double first_cost = 0.0;
-  double cost = 0.0;   ///< of the result, about the number of group steps; see SearchFootsteps
+  double cost = 0.0;   ///< cost of the result, roughly the number of group steps; see SearchFootsteps
   double bound = 0.0;  ///< no sequence of this graph costs less than cost / bound
 };
 
@@ -79,35 +79,35 @@ struct FootstepSequence {
 /// The feet that lift off together, in the gait's order of lifting off.
 std::vector<std::vector<int>> FootGroups(const Gait& gait);
 
-/// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its weight
-/// starts at `first_bound`, is doubled after `patience` expansions without a solution, and falls again after the first
-/// solution.
+/// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its heuristic
+/// weight starts at `first_bound` and is doubled after `patience` expansions without a solution. After the first
+/// solution it is reduced again.
 ///
 /// A state is a foothold of each foot and the group that steps next. For each foot and station of the route there are
 /// few footholds: the foot's standing position under the base, points of a lattice around it, and the nearest point of
 /// each surface near it. Each step of a group costs
 ///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2
 ///                         + height |dz| / leg + risk r,     plus phase (e + e^2), e = |lead - wanted| / L,
-/// and where all feet leap at once, landing times the tilt of the base over them [rad];
-/// a the stations gained, L the stride, d the distance from the foot's place on the route, lead how far the group comes
-/// to stand ahead of all others. Never less is left than, summed over groups, the mean over feet of
-/// max((end - station) / L, 1 if not at the goal), which is the heuristic: it is consistent, so `stats.bound` holds for
-/// every sequence of these footholds.
-/// A stance holds when all feet are within the workspace of their legs under the base fitted to them (at the standing
-/// height or up to 15 % lower; with single soles also with the base moved over each of them by `sway`), no two feet are
-/// crossed or nearer than their sizes, and body, thighs and shanks are clear of the ground and the body of obstacles. A
-/// swing holds when no ground or obstacle on the straight way stands higher over either end than the feet may be
-/// lifted.
+/// and, if all feet leap together, landing times the tilt of the base above them [rad]. Here a is the gain in stations,
+/// L the stride, d the distance of the foot from its nominal position, and lead the distance of the group ahead of all
+/// other feet. The heuristic is the sum over groups of the mean over feet of max((end - station) / L, 1 if not at the
+/// goal). It never exceeds the remaining cost and is consistent, so `stats.bound` holds for every sequence of these
+/// footholds.
+/// The robot can stand in a stance if all feet are within the workspace of their legs under the base fitted to the feet
+/// (at the standing height or up to 15 % lower; with single soles also with the base moved above each of them by
+/// `sway`), no two feet are crossed or nearer than their sizes, body, thighs and shanks are clear of the ground, and
+/// the body is clear of obstacles. A swing is possible if no ground or obstacle on the straight line is higher above
+/// either end than the feet can be lifted.
 ///
-/// Failure kInfeasible: `no_footholds` names the place and the reason, with a hint where it was expansions that ran
-/// out. kBadInput for a gait with another number of feet, or a route or stride without length. @throws InvalidArgument
-/// for options out of range.
+/// Failure kInfeasible: `no_footholds` names the place and the reason, with a hint if the expansions were used up.
+/// kBadInput for a gait with another number of feet, or a route or stride of length zero. @throws InvalidArgument for
+/// options out of range.
 ///
 /// Likhachev, Gordon and Thrun, ARA*: Anytime A* with Provable Bounds on Sub-Optimality, NIPS 2003.
 Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                          const FootholdOptions& footholds, const FootstepSearchOptions& options);
 
-/// Whether SearchFootsteps finds a solution; faster than the search itself if there is none.
+/// Whether SearchFootsteps finds a solution. Faster than that search if there is no solution.
 bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                     const FootholdOptions& footholds, const FootstepSearchOptions& options);
 

@@ -18,11 +18,11 @@
 namespace gaitwright {
 namespace {
 
-// What the base of a plan is off the one over its feet while they stand, of the leg length: it moves on, and its height
-// is evened out. Lower is worse for all legs.
+// Distance of the planned base from the base fitted to its feet, as a share of the leg length: during a stance the base
+// moves on, and its height is smoothed. A lower base is worse for all legs.
 constexpr double kDrift = 0.03;
-constexpr double kUncrossed = 0.25;                                 // of the feet's distance in the standing posture
-constexpr std::array<double, 4> kHeights = {1.0, 0.95, 0.9, 0.85};  // of the base, as shares of the standing one
+constexpr double kUncrossed = 0.25;  // share of the feet's distance in the standing posture
+constexpr std::array<double, 4> kHeights = {1.0, 0.95, 0.9, 0.85};  // base heights as shares of the standing height
 
 Matrix3 TiltOf(const BaseOverFeet& base) {
   return YawRotation(base.plan.yaw_rad) * RotationExp(base.pitch_rad * Vector3::UnitY()) *
@@ -36,7 +36,7 @@ Pose PoseOver(const BaseOverFeet& base, double height_m) {
   return X_WB;
 }
 
-/// Corners of a box in B, carried to W.
+/// Corners of a box in B, transformed to W.
 std::array<Vector3, 8> CornersOf(const Pose& X_WB, const Vector3& low, const Vector3& high) {
   std::array<Vector3, 8> corners;
   for (unsigned i = 0; i < 8; ++i) {
@@ -111,7 +111,7 @@ void StanceChecker::MeasureBody(const RobotModel& model) {
     trunk_high_ = trunk_high_.cwiseMax(high);
   }
   if (lone_.empty()) return;
-  for (const Pose& X_BF : standing_) {  // the body sways over them
+  for (const Pose& X_BF : standing_) {  // sway of the body above each of them
     const double aside = options_.easy_sway * X_BF.translation().y();
     (aside < 0.0 ? whole_low_ : whole_high_).y() += aside;
   }
@@ -222,7 +222,7 @@ StanceFault StanceChecker::BodyRoom(const BaseOverFeet& base, const Pose& X_WB) 
   ground_->ObstaclesIn(box.lowest, box.highest, near);
   const bool hits = std::any_of(near.begin(), near.end(), [&](int i) {
     const ObstacleOutline& obstacle = ground_->obstacles()[static_cast<std::size_t>(i)];
-    const double lift = options_.step_height * leg_m_;  // what the legs step over is not in the body's way
+    const double lift = options_.step_height * leg_m_;  // the legs step over obstacles up to this height
     if (obstacle.top_m <= bottom + lift || obstacle.bottom_m >= top) return false;
     return !ApartBy(plan, obstacle.outline_W, margin_m_);
   });

@@ -19,13 +19,13 @@ namespace gaitwright {
 /// Reason why a robot cannot stand with given footholds.
 enum class StanceFault { kNone, kFeetClose, kReach, kTilt, kBodyLow, kLegLow, kBodyObstacle };
 
-/// How often each fault was met, by its number.
+/// Number of times that each fault occurred, indexed by fault.
 using StanceFaults = std::array<int, static_cast<std::size_t>(StanceFault::kBodyObstacle) + 1>;
 
-/// The fault in words, such as "out of reach of a leg".
+/// Text of the fault, such as "out of reach of a leg".
 std::string Describe(StanceFault fault);
 
-/// The feet with soles that stand alone at times in a gait.
+/// The feet with soles that are at times the only feet on the ground in a gait.
 std::vector<int> LoneSoles(const RobotModel& model, const Gait& gait);
 
 /// Checks whether a robot can stand with given footholds. Caches the workspaces of the legs, so later queries are
@@ -36,10 +36,10 @@ class StanceChecker {
                 const FootholdOptions& footholds, const FootstepSearchOptions& options);
 
   /// @param X_WF      contact frames by foot.
-  /// @param outlines  what the feet cover in plan view, by foot.
+  /// @param outlines  areas of the feet in plan view, by foot.
   StanceFault Check(const std::vector<Pose>& X_WF, const std::vector<const Polygon*>& outlines);
 
-  /// The base over feet as the walk has it: heading by the feet's own.
+  /// The base above its feet as in the planned walk: with the mean heading of the feet.
   BaseOverFeet BaseOf(const std::vector<Pose>& X_WF) const;
 
   const std::vector<Pose>& standing() const { return standing_; }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFar = 100.0;  // [m]
 
-/// Level ground across a heading, from one distance along it to another.
+/// Level ground across a heading, between two distances along it.
 TerrainPatch Band(double heading_rad, double from_m, double to_m, double height_m) {
   TerrainPatch patch;
   patch.name = "band";

@@ -5,17 +5,17 @@
 
 namespace gaitwright {
 
-/// Limits of a robot for a gait, a stride and options, found by trial on synthetic ground, for messages of refusals.
-/// Accurate to a hundredth of the leg length.
+/// Limits of a robot with a gait, a stride and options, found by trial on synthetic ground. Used in messages. Accurate
+/// to 1 % of the leg length.
 class StepLimits {
  public:
-  /// @param heading_rad  of the path, relative to the body.
+  /// @param heading_rad  heading of the path, relative to the body.
   StepLimits(const RobotModel& model, const FootstepQuery& query, const FootholdOptions& footholds,
              const FootstepSearchOptions& options, double heading_rad);
 
-  /// The widest gap that can be crossed, at most `most_m` [m].
+  /// The widest gap that the robot can cross, at most `most_m` [m].
   double WidestGap(double most_m) const;
-  /// The highest step up or down that can be taken, at most `most_m` [m].
+  /// The highest step up or down that the robot can take, at most `most_m` [m].
   double HighestStep(double most_m, bool up) const;
 
  private:
@@ -28,7 +28,7 @@ class StepLimits {
   FootholdOptions footholds_;
   FootstepSearchOptions options_;
   double heading_rad_;
-  double spread_m_ = 0.0;  // of the feet about the base, and half a leg
+  double spread_m_ = 0.0;  // spread of the feet around the base, plus half a leg length
 };
 
 }  // namespace gaitwright

@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// Mean distance of the standing feet from under the base: what they move by when it turns.
+/// Mean distance of the standing feet from the base's axis: motion of the feet per radian of turning.
 double TurnRadius(const RobotModel& model) {
   double sum = 0.0;
   const std::vector<Pose> standing = StandingFeet(model);
@@ -24,11 +24,11 @@ double TurnRadius(const RobotModel& model) {
   return sum / static_cast<double>(standing.size());
 }
 
-/// Heights, or any other quantity, through knots in time: at rest at both ends, and never beyond neighbouring knots.
-/// Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984.
-class SmoothWay {
+/// Monotone cubic (PCHIP) through knots in time of heights or another quantity: at rest at both ends, without
+/// overshoot. Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984.
+class SmoothRoute {
  public:
-  SmoothWay(std::vector<double> time_s, std::vector<double> value)
+  SmoothRoute(std::vector<double> time_s, std::vector<double> value)
       : time_s_(std::move(time_s)), value_(std::move(value)), slope_(value_.size(), 0.0) {
     for (std::size_t k = 1; k + 1 < value_.size(); ++k) {
       const double before = Slope(k - 1), after = Slope(k);
@@ -53,12 +53,12 @@ class SmoothWay {
   std::vector<double> time_s_, value_, slope_;
 };
 
-/// Swings of a schedule, as the groups of a sequence take them.
+/// Swings of a schedule, assigned to the groups of a sequence.
 struct GroupTimes {
   std::vector<double> liftoff_s, touchdown_s;
 };
 
-/// Footholds of the sequence in the intervals of the schedule, and when each group swings.
+/// Puts the footholds of a sequence into the intervals of the schedule. Returns the swing times of the groups.
 GroupTimes PutFootholds(const FootstepSequence& sequence, const ContactSchedule& schedule, FootstepPlan& plan) {
   std::vector<std::vector<ContactInterval>> intervals;
   std::vector<std::size_t> next(sequence.start.size(), 1);
@@ -104,7 +104,7 @@ BasePath PathOver(const RobotModel& model, const FootstepSequence& sequence, con
     const bool last = k + 1 == sequence.steps.size();
     knot(last ? times.touchdown_s[k] : 0.5 * (times.touchdown_s[k] + times.liftoff_s[k + 1]));
   }
-  const SmoothWay way_x(time, x), way_y(time, y), way_yaw(time, yaw);
+  const SmoothRoute way_x(time, x), way_y(time, y), way_yaw(time, yaw);
   constexpr double kStep = 0.01;
   const int samples = 1 + static_cast<int>(std::ceil(end_s / kStep - 1e-9));
   BasePath path;
@@ -156,7 +156,8 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
       return Failure{FailureKind::kBadInput,
                      FailureCode::kCommand,
                      "PlanFootsteps",
-                     fmt::format("{} footfalls only close the stance of {} feet; {} or more move the robot",
+                     fmt::format("the number of footfalls is {}; a robot with {} feet needs {} or more, because the "
+                                 "last ones bring its feet together",
                                  command.steps, gait.num_feet(), gait.num_feet()),
                      {}};
     }
@@ -170,7 +171,7 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
 
 namespace {
 
-/// With the base well over soles that stand alone, or else as far as it has to be.
+/// Searches with `easy_sway` first, so that ankles get more room, and then with `sway`.
 /// @param search  SearchFootsteps or SearchBesideGoal
 template <class Search>
 Result<FootstepSequence> SearchAtEase(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
@@ -191,7 +192,7 @@ bool IsStraight(const FootstepRoute& route) {
          std::abs(WrapAngle(to.yaw_rad - from.yaw_rad)) < kSame;
 }
 
-/// Puts the goal on the straight route beside the end of the path, and says so.
+/// Moves the goal to the end of the path, beside which it lies, and adds a warning.
 void MoveGoal(const FootstepRoute& route, FootstepSkeleton& skeleton) {
   const PlanarPose &from = route.pose.front(), &asked = route.pose.back(), &end = skeleton.path.pose.back();
   const Vector2 along = Vector2(asked.x_m - from.x_m, asked.y_m - from.y_m).normalized();

@@ -5,22 +5,23 @@
 
 namespace gaitwright {
 
-/// Steps of the base for counted footfalls on level ground, where the last ones close the stance; 0 or less if they
-/// only close it.
+/// Number of steps of the base for counted footfalls on level ground, where the last ones close the stance; 0 or less
+/// if all of them only close it.
 int StepsAhead(const Gait& gait, int footfalls);
 
-/// A command of a distance without speeds as counted footfalls: as few cycles of the gait as reach that far with
-/// strides of at most stride_m, all of one length. Any other command is unchanged, and any if stride_m is not above 0.
+/// Converts a command with a distance and without speeds to counted footfalls: the smallest number of gait cycles that
+/// covers the distance with equal strides of at most stride_m. Other commands are returned unchanged; so is any command
+/// if stride_m <= 0.
 WalkCommand CountedByStride(const Gait& gait, double stride_m, const WalkCommand& command);
 
 /// Search problem of a command: its course in plan view, at the stride of the gait at the commanded speed. Failures as
-/// of MakeCourse; kBadInput also for too few counted footfalls to move.
+/// for MakeCourse; also kBadInput if there are too few counted footfalls to move the robot.
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                   const FootstepOptions& options);
 
-/// Schedule, footholds and base path of the footfalls that a search finds. The base is over its feet (FitBase, at their
-/// mean heading) half way between a touch-down and the next lift-off, and moves smoothly between.
-/// Failures as of SearchFootsteps and ScheduleContacts.
+/// Schedule, footholds and base path for the footfalls that a search finds. Half-way between a touch-down and the next
+/// lift-off, the base is above its feet (FitBase, at their mean heading); it moves smoothly in between. Failures as for
+/// SearchFootsteps and ScheduleContacts.
 Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                         const FootstepOptions& options);
 

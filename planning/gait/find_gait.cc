@@ -9,18 +9,19 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kShortest = 0.5, kLongest = 2.0;  // of a gait's own cycle, where that scales with the leg
-// Where its cycle would be shorter than kQuick of that, feet are on the ground for less of a cycle of kRunning instead.
+constexpr double kShortest = 0.5, kLongest = 2.0;  // as a multiple of the default cycle, if that scales with the leg
+// A gait that needs a cycle shorter than kQuick times its default gets a cycle of kRunning times the default and a
+// smaller duty factor.
 constexpr double kQuick = 0.57, kRunning = 0.6;
 constexpr double kLeastDuty = 0.3, kRunningDuty = 0.62;
-constexpr int kRunningFeet = 4;  // with fewer of them that is another gait
+constexpr int kRunningFeet = 4;  // with fewer feet this would be another gait
 constexpr double kLeastFlight_s = 0.005;
 
 Failure BadGait(const std::string& message) {
   return {FailureKind::kBadInput, FailureCode::kGait, "FindGait", message, {}};
 }
 
-/// A name as a file and the gait in it; both empty where it is not one.
+/// File and gait name of a text such as FILE.yaml:NAME; both empty if the text does not name a file.
 struct FileAndName {
   std::string file, gait;
   bool is_file() const { return !file.empty(); }
@@ -35,7 +36,7 @@ FileAndName SplitName(const std::string& name) {
   return {};
 }
 
-/// The name that "walk" and "" stand for.
+/// The gait for which "walk" or "" stands.
 std::string ResolvedName(const std::string& name, int feet) {
   if (!name.empty() && name != "walk") return name;
   if (feet == 2) return "biped";
@@ -86,23 +87,23 @@ Result<GaitEntry> FindEntry(const std::string& name, int feet) {
     return BadGait(fmt::format("gait '{}' is for {} feet, but the robot has {}; choose one of {}", name, other_feet,
                                feet, QuotedList(names)));
   }
-  return BadGait(fmt::format("there is no gait '{}' for {} feet; there are {}", name, feet, QuotedList(names)));
+  return BadGait(fmt::format("there is no gait '{}' for {} feet; accepted: {}", name, feet, QuotedList(names)));
 }
 
-/// The cycle of a gait for a robot where nothing hurries it.
+/// Default cycle of a gait for a robot, before it is shortened for speed.
 double OwnCycle(const GaitEntry& entry, const RobotModel& model) {
   return entry.gait.cycle_s > 0.0 ? entry.gait.cycle_s
                                   : entry.cycle_per_leg_time * std::sqrt(model.leg_length_m() / kGravity);
 }
 
-/// All feet on the ground for a share of the cycle more, or less.
+/// The gait with all duty factors increased by `share` (may be negative).
 Gait WithLongerStance(Gait gait, double share) {
   for (double& duty : gait.duty_factor) duty += share;
   return gait;
 }
 
-/// Where feet would lift just as others land, so that forces leap from some feet to others at once, they fly for
-/// kLeastFlight_s instead.
+/// If feet lift exactly when others land, forces would jump from some feet to others. A flight of kLeastFlight_s is
+/// then inserted.
 Gait ClearOfExchanges(const Gait& gait) {
   const double least = kLeastFlight_s / gait.cycle_s;
   const auto flies_still = [&](double longer) {
@@ -141,7 +142,7 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
   return gait;
 }
 
-/// So much of the gait's own cycle, or the cycle that is given.
+/// The default cycle times `scale`, or the cycle in the options if one is given.
 Result<double> ScaledCycle(const RobotModel& model, const std::string& name, const GaitOptions& options, double scale) {
   const Result<GaitEntry> entry = FindEntry(name, static_cast<int>(model.feet.size()));
   if (!entry) return entry.failure();
@@ -149,7 +150,7 @@ Result<double> ScaledCycle(const RobotModel& model, const std::string& name, con
   return (entry->gait.cycle_s > 0.0 ? 1.0 : scale) * OwnCycle(*entry, model);
 }
 
-/// Why the options fit no gait.
+/// Failure for options that are out of range.
 std::optional<Failure> CheckGaitOptions(const GaitOptions& options) {
   constexpr double kLeastCycle = 0.05, kLeast = 0.05;  // as in files
   if (options.cycle_s != 0.0 && options.cycle_s < kLeastCycle) {

@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-/// Changes of a gait for one walk.
+/// Changes to a gait for one walk.
 struct GaitOptions {
   double cycle_s = 0.0;
   double duty_factor = 0.0;
@@ -31,23 +31,24 @@ struct GaitOptions {
   }
 };
 
-/// The gait of that name fitted to a robot and speed. "walk" is the one for its number of legs, "" its best; a name
-/// that ends in .yaml is a file whose first gait is taken, FILE.yaml:NAME another one. Gaits that no file lists are
-/// made for any number of feet, see GeneratedGaits. Failure kBadInput lists what exists for this number of feet.
+/// The gait with this name, fitted to the robot and the speed. "walk" is the default gait for the robot's number of
+/// legs; an empty name is the best gait of the robot. A name that ends in .yaml is a file: its first gait is used, or
+/// the gait NAME of FILE.yaml:NAME. GeneratedGaits makes further gaits for any number of feet. Failure kBadInput lists
+/// the gaits for this number of feet.
 Result<Gait> FindGait(const RobotModel& model, const std::string& name, double speed_m_s, const GaitOptions& options);
 
-/// The file of such a name; empty for a gait name.
+/// The file that a gait name refers to; empty if it refers to no file.
 std::string GaitFileOf(const std::string& name);
 
-/// Shortest cycle that the gait may be given for a robot [s]: half of its default if that scales with the leg, else the
-/// given one.
+/// Shortest accepted cycle of the gait for a robot [s]: half of its default if the default scales with the leg,
+/// otherwise the fixed cycle of the gait or of `options`.
 Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
 
-/// Longest cycle that the gait may be given for a robot [s]: twice its default if that scales with the leg, else the
-/// given one.
+/// Longest accepted cycle of the gait for a robot [s]: twice its default if the default scales with the leg, otherwise
+/// the fixed cycle of the gait or of `options`.
 Result<double> LongestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
 
-/// Largest stride of a gait if no speed is given [m]; 0 if the gait has no default stride.
+/// Largest stride of a gait without a given speed [m]; 0 if the gait has no default stride.
 Result<double> OwnStride(const RobotModel& model, const std::string& name);
 
 }  // namespace gaitwright

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// A number for all feet, or a list of one for each.
+/// One number for all feet, or a list with one number per foot.
 DataShape ByFootShape(double lowest, double highest) {
   return shapes::Either(shapes::Number(lowest, highest), shapes::List(shapes::Number(lowest, highest), 1));
 }
@@ -35,7 +35,8 @@ DataShape GaitShape() {
 std::vector<double> ByFoot(const YAML::Node& node, const std::string& what, int feet, const DataShape& shape) {
   if (node.IsScalar()) return std::vector<double>(static_cast<std::size_t>(feet), NumberOf(node, what, shape));
   if (!node.IsSequence()) {
-    RefuseYaml(node, fmt::format("{} is {}; a number is needed, or a list of one for each foot", what, KindOf(node)));
+    RefuseYaml(node,
+               fmt::format("{} is {}; accepted: a number, or a list with one number per foot", what, KindOf(node)));
   }
   std::vector<double> values;
   for (const YAML::Node& entry : node) values.push_back(NumberOf(entry, what, shape));
@@ -44,7 +45,7 @@ std::vector<double> ByFoot(const YAML::Node& node, const std::string& what, int 
   return values;
 }
 
-/// A gait's keys.
+/// The keys of one gait.
 YamlMap KeysOf(const std::string& name, const YAML::Node& node, const DataShape& shape) {
   YamlMap map(node, fmt::format("gait '{}'", name), shape);
   const bool both = map.Find("cycle_s") != nullptr && map.Find("cycle_per_leg_time") != nullptr;
@@ -77,7 +78,7 @@ GaitEntry ParseGait(const std::string& name, const YAML::Node& node) {
 }
 
 GaitEntry Wave(int num_feet) {
-  constexpr double kShareOfTurn = 0.6, kLegTimesPerFoot = 2.0;  // those of the crawl
+  constexpr double kShareOfTurn = 0.6, kLegTimesPerFoot = 2.0;  // duty factor and cycle of the crawl
   GaitEntry wave;
   wave.gait.name = "wave";
   wave.gait.description = "one foot at a time, from rear to front";
@@ -97,7 +98,7 @@ GaitEntry Alternating(int num_feet) {
   sets.gait.name = "alternating";
   sets.gait.description = "two alternating sets of feet, with neighbours in different sets";
   sets.gait.cycle_s = 0.0;
-  sets.cycle_per_leg_time = 3.4;  // as the tripod
+  sets.cycle_per_leg_time = 3.4;  // same value as for the tripod
   sets.gait.duty_factor.assign(static_cast<std::size_t>(num_feet), 0.6);
   for (int foot = 0; foot < num_feet; ++foot) sets.gait.phase.push_back((foot / 2 + foot % 2) % 2 == 0 ? 0.0 : 0.5);
   return sets;

@@ -21,7 +21,7 @@ bool Has(const OptionTexts& texts, const std::string& key) {
   return std::any_of(texts.begin(), texts.end(), [&](const auto& text) { return text.first == key; });
 }
 
-/// What a command can be given as.
+/// Keys of a part, with their ranges.
 OptionFields FieldsOf(WalkCommand& c) {
   constexpr double kFast = 50.0, kFar = 10000.0, kLong = 600.0, kMany = 100000.0, kStride = 10.0;
   return {{"speed", &c.speed_m_s, "m/s", 0.0, kFast, "Forward speed."},
@@ -33,7 +33,7 @@ OptionFields FieldsOf(WalkCommand& c) {
           {"step-length", &c.step_length_m, "m", -kStride, kStride, "Forward advance of the robot in each footfall."}};
 }
 
-/// How far a command goes. @throws InvalidArgument where that is said twice, or not at all.
+/// Extent of a command. @throws InvalidArgument if the distance is given twice or is missing.
 void SetExtent(const OptionTexts& texts, WalkCommand& c) {
   std::vector<std::string> given;
   for (const char* key : {"distance", "duration", "steps"}) {
@@ -56,7 +56,7 @@ void SetExtent(const OptionTexts& texts, WalkCommand& c) {
   }
 }
 
-/// @throws InvalidArgument for a key that is not known or does not fit, and for a wrong value.
+/// @throws InvalidArgument for an unknown key, a key that does not fit the others, and a wrong value.
 AskedPart PartOf(const std::string& gait, const OptionTexts& texts) {
   AskedPart part{gait, {}};
   if (part.stands()) {
@@ -72,7 +72,7 @@ AskedPart PartOf(const std::string& gait, const OptionTexts& texts) {
   return part;
 }
 
-/// A part as text: a gait, and after a colon what is asked of it.
+/// A part as text: a gait, then a colon and its keys.
 AskedPart ParsePart(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return PartOf(text, {});

@@ -19,14 +19,14 @@ struct Swing {
 
 double Fraction(double x) { return x - std::floor(x); }
 
-/// When each foot lifts off, as shares of the cycle.
+/// Lift-off of each foot, as a share of the cycle.
 std::vector<double> Liftoffs(const Gait& gait) {
   std::vector<double> liftoff(gait.phase.size());
   for (std::size_t i = 0; i < liftoff.size(); ++i) liftoff[i] = Fraction(gait.phase[i] + gait.duty_factor[i] + 1e-12);
   return liftoff;
 }
 
-/// The same from the lift-off of one of them on.
+/// Lift-offs as shares of the cycle that begins when `first_foot` lifts.
 std::vector<double> LiftoffsFrom(const Gait& gait, int first_foot) {
   std::vector<double> liftoff = Liftoffs(gait);
   const double first = first_foot < 0 ? *std::min_element(liftoff.begin(), liftoff.end())
@@ -59,7 +59,7 @@ std::vector<Swing> Swings(const GaitStint& stint) {
   return swings;
 }
 
-/// When feet come down, in order.
+/// Touchdown times in ascending order.
 std::vector<double> Touchdowns(const std::vector<Swing>& swings) {
   std::vector<double> touchdowns;
   for (const Swing& swing : swings) touchdowns.push_back(swing.touchdown_s);
@@ -67,7 +67,7 @@ std::vector<double> Touchdowns(const std::vector<Swing>& swings) {
   return touchdowns;
 }
 
-/// The one of `times`, which rise, that is nearest to `t`; of two as near the later.
+/// The element of the ascending `times` that is nearest to `t`; the later one if two are equally near.
 double Nearest(const std::vector<double>& times, double t) {
   const auto after = std::lower_bound(times.begin(), times.end(), t);
   if (after == times.begin()) return *after;
@@ -76,9 +76,9 @@ double Nearest(const std::vector<double>& times, double t) {
   return t - before < *after - t - 1e-9 ? before : *after;
 }
 
-/// Why the grid is too coarse for a gait.
+/// Failure if the grid is too coarse for a gait.
 std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
-  constexpr double kLeast = 2.0;  // steps of the grid in each swing and stance
+  constexpr double kLeast = 2.0;  // least number of grid steps in each swing and stance
   for (std::size_t i = 0; i < gait.phase.size(); ++i) {
     const double share = std::min(gait.duty_factor[i], 1.0 - gait.duty_factor[i]);
     if (share * gait.cycle_s >= kLeast * grid_s * (1.0 - 1e-9)) continue;
@@ -95,7 +95,7 @@ std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
   return std::nullopt;
 }
 
-/// Puts one stint after the other.
+/// Appends stints to one schedule.
 class Joiner {
  public:
   Joiner(int num_feet, const ScheduleEnds& ends)
@@ -114,7 +114,7 @@ class Joiner {
   }
 
  private:
-  /// Halves go up, whatever rounding errors they carry, so that what falls together stays together.
+  /// Rounds halves up with a tolerance, so that equal times stay equal in spite of rounding errors.
   double OnGrid(double t) const { return std::floor(t / ends_.grid_s + 0.5 + 1e-6) * ends_.grid_s; }
 
   void Stand(double time_s) {
@@ -132,7 +132,8 @@ class Joiner {
     const std::vector<double> touchdowns = Touchdowns(swings);
     for (const Swing& swing : swings) {
       const auto i = static_cast<std::size_t>(swing.foot);
-      // As far from the touchdown next to it as in the gait: flights and double supports are alike in every cycle.
+      // Keep the gait's time between the lift-off and the nearest touchdown, so that flights and double supports are
+      // alike in every cycle.
       const double near = Nearest(touchdowns, swing.liftoff_s);
       by_foot_[i].push_back({down_s_[i], OnGrid(start + near) + OnGrid(swing.liftoff_s - near)});
       down_s_[i] = OnGrid(start + swing.touchdown_s);
@@ -142,7 +143,7 @@ class Joiner {
     former_ = &gait_;
   }
 
-  /// The foot that lets a gait begin first after another one, and when that is.
+  /// Chooses the first foot with which a gait can begin earliest after the gait before. Returns the start time.
   double Follow(GaitStint& stint) const {
     double earliest = std::numeric_limits<double>::infinity();
     const int asked = stint.first_foot;
@@ -156,7 +157,7 @@ class Joiner {
     return earliest;
   }
 
-  /// When a gait whose feet lift in such an order may begin.
+  /// Earliest start of a gait with these lift-offs.
   double Earliest(const Gait& gait, const std::vector<double>& liftoff) const {
     double start = free_s_;
     for (std::size_t i = 0; i < feet_; ++i) {
@@ -169,11 +170,11 @@ class Joiner {
   const ScheduleEnds ends_;
   const std::size_t feet_;
   std::vector<std::vector<ContactInterval>> by_foot_;
-  std::vector<double> down_s_;  // when each foot came down last
-  double free_s_;               // when all feet are down, and have stood for as long as they were to
+  std::vector<double> down_s_;  // last touchdown of each foot
+  double free_s_;               // when all feet are down and have stood for their full time
   std::vector<double> start_s_;
   Gait gait_;
-  const Gait* former_ = nullptr;  // the gait before; null where the robot stands
+  const Gait* former_ = nullptr;  // the gait before; null if the robot stands
 };
 
 }  // namespace
@@ -187,7 +188,11 @@ Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest
 
 Result<JoinedSchedule> JoinSchedules(const std::vector<GaitStint>& stints, const ScheduleEnds& ends) {
   if (stints.empty())
-    return Failure{FailureKind::kBadInput, FailureCode::kGait, "ScheduleContacts", "the schedule has no part", {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kGait,
+                   "ScheduleContacts",
+                   "the schedule contains no gait and no standing; give at least one part",
+                   {}};
   Joiner joiner(stints.front().gait.num_feet(), ends);
   for (const GaitStint& stint : stints) {
     if (!StandsStill(stint.gait)) {

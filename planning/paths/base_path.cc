@@ -7,7 +7,7 @@
 namespace gaitwright {
 namespace {
 
-/// sin(a)/a and (1 - cos(a))/a, exact near zero.
+/// sin(a)/a and (1 - cos(a))/a, accurate near zero.
 struct ArcFactors {
   double along, across;
   explicit ArcFactors(double a)

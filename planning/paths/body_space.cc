@@ -15,7 +15,7 @@ namespace {
 
 using Extent = Eigen::AlignedBox3d;
 
-/// Which bodies are legs' or carried by them.
+/// Marks the bodies that belong to a leg or are carried by one.
 std::vector<bool> BodiesOnLegs(const RobotModel& model) {
   std::vector<bool> of_leg = BodiesOfLegs(model);
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
@@ -34,7 +34,7 @@ void AddShape(const DynamicsScratch& scratch, const Shape& shape, Extent& extent
   }
 }
 
-/// Whether each leg has one on the other side: then both sides are given the same room.
+/// Whether each foot has a mirror image on the other side; if so, both sides get the same space.
 bool IsMirrored(const RobotModel& model) {
   return std::all_of(model.legs.begin(), model.legs.end(), [](const Leg& leg) { return leg.mirror >= 0; });
 }
@@ -45,7 +45,7 @@ void MakeSymmetric(Extent& extent) {
   extent.max().y() = half;
 }
 
-/// Feet of two sides to the middle of what they and their mirror images are.
+/// Moves the feet of two sides to the mean of their places and the mirror images of these.
 void MakeSymmetric(const RobotModel& model, std::vector<Vector2>& feet) {
   const std::vector<Vector2> as_they_are = feet;
   for (std::size_t f = 0; f < feet.size(); ++f) {
@@ -54,7 +54,8 @@ void MakeSymmetric(const RobotModel& model, std::vector<Vector2>& feet) {
   }
 }
 
-/// A box around an extent, grown to all sides, that begins no lower than `lowest`; none where nothing is that high.
+/// Adds a box around an extent, enlarged on all sides. The box begins at `lowest` or higher; nothing is added if the
+/// extent is lower than that.
 void AddBox(Extent extent, const Vector3& grown, double lowest, BodySpace& space) {
   if (extent.isEmpty()) return;
   extent.min() -= grown;
@@ -72,7 +73,7 @@ void AddBox(Extent extent, const Vector3& grown, double lowest, BodySpace& space
   }
 }
 
-/// Half the least width of the soles, or the largest radius of the spheres.
+/// Half the smallest width of the soles, or the largest radius of the spheres.
 double FootRadius(const RobotModel& model) {
   double radius = 0.0;
   for (const Foot& foot : model.feet) {
@@ -85,7 +86,7 @@ double FootRadius(const RobotModel& model) {
   return radius;
 }
 
-/// Half the way from one to the other of two feet; nothing for other robots, whose bodies stay between their feet.
+/// Half the distance between the feet of a biped; 0 for other robots, whose bodies stay between their feet.
 double HalfStance(const std::vector<Vector2>& feet_G) {
   return feet_G.size() == 2 ? 0.5 * std::abs(feet_G[1].y() - feet_G[0].y()) : 0.0;
 }

@@ -11,9 +11,9 @@ namespace gaitwright {
 /// Space that a walking robot needs, and ground that it may use; lengths in leg lengths, for robots of any size.
 ///
 /// Tuning
-///   refused at a doorway that it fits through    less margin, less step_ahead and step_aside
+///   no route through a wide enough doorway       less margin, less step_ahead and step_aside
 ///   swings or arms graze walls along the route   more margin
-///   the route climbs what no footsteps climb     less step_height
+///   the route is too steep for the footsteps     less step_height
 struct BodySpaceOptions {
   double step_ahead = 0.2;
   double step_aside = 0.06;
@@ -46,26 +46,26 @@ struct BodySpaceOptions {
   }
 };
 
-/// Space that a robot needs for walking.
+/// The space that a robot needs to walk.
 ///
 /// = Notation =
-///   G  the base's frame put down on the plane through its feet: x ahead, z along the plane's normal
+///   G  the base's frame moved down to the plane through the feet: x forward, z along the plane's normal
 struct BodySpace {
-  std::vector<Shape> boxes;     ///< X_BS is X_GS: one around the legs and their steps, one around all the rest
+  std::vector<Shape> boxes;     ///< X_BS is X_GS: one around the legs and their steps, one around the rest
   std::vector<Vector2> feet_G;  ///< contact points of the standing posture
-  double foot_radius_m = 0.0;   ///< of the ground that a foot needs
-  double reach_ahead_m = 0.0;   ///< from a foot's standing place to where it may be put, ahead and behind, and
-  double reach_aside_m = 0.0;   ///< to its sides
+  double foot_radius_m = 0.0;   ///< radius of the ground that a foot needs
+  double reach_ahead_m = 0.0;   ///< largest forward or backward distance of a foothold from the foot's standing place
+  double reach_aside_m = 0.0;   ///< largest lateral distance
   double step_height_m = 0.0;
   double margin_m = 0.0;
   double max_slope_rad = 0.0, max_tilt_rad = 0.0;
-  double radius_m = 0.0;  ///< about the base, of all boxes in plan view
+  double radius_m = 0.0;  ///< radius about the base that contains all boxes in plan view
   double leg_length_m = 0.0;
 };
 
-/// From the robot's own shapes and feet in the standing posture, half a step of its feet, the sway of a body over two
-/// feet, and a margin. The boxes begin at the height of a step; lower obstacles are stepped over or onto.
-/// @throws InvalidArgument when an option is out of its range.
+/// Computed from the robot's shapes and feet in the standing posture, half a step of its feet, the sway of a biped's
+/// body, and a margin. The boxes begin at the height of a step, because the robot steps over or onto lower obstacles.
+/// @throws InvalidArgument for an option out of range.
 BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options);
 
 }  // namespace gaitwright

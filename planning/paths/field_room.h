@@ -8,20 +8,20 @@
 
 namespace gaitwright {
 
-/// Whether boxes reach into the ground of a height field, node by node: a box of a robot's room covers hundreds of
-/// cells, too many to hold each against it as a solid of its own.
+/// Checks node by node whether boxes reach into the ground of a height field. A box of a robot covers hundreds of
+/// cells, too many to check each one as a separate solid.
 class FieldRoom {
  public:
   /// @param field  must outlive this.
   explicit FieldRoom(const HeightField& field);
 
-  /// True when some node within the box's outline is higher than its lower side. The box stands nearly upright.
+  /// True if a node within the box's outline is higher than the lower side of the box. The box must be nearly upright.
   bool Touches(const Shape& box, const Pose& X_WS) const;
 
   const HeightField& field() const { return field_; }
 
  private:
-  /// Nodes that may lie within a box, last included.
+  /// Range of nodes that may lie within a box, both ends included.
   struct Window {
     int first_column, last_column, first_row, last_row;
   };
@@ -30,7 +30,7 @@ class FieldRoom {
 
   const HeightField& field_;
   int block_columns_;
-  std::vector<double> highest_m_;  ///< of blocks of nodes
+  std::vector<double> highest_m_;  ///< of each block of nodes
 };
 
 }  // namespace gaitwright

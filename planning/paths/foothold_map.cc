@@ -8,11 +8,11 @@ namespace gaitwright {
 namespace {
 
 constexpr double kCellOfLeg = 0.05;     // a cell's edge in leg lengths
-constexpr double kSmallestDisc = 0.04;  // radius of the ground that any foot needs, in leg lengths
-constexpr double kShareOfSole = 0.6;    // that must lie on one surface
-constexpr double kSameSurface = 0.03;   // how far apart two places of one surface are in height at most, in leg lengths
+constexpr double kSmallestDisc = 0.04;  // smallest radius of the ground that a foot needs, in leg lengths
+constexpr double kShareOfSole = 0.6;    // share of the sole that must lie on one surface
+constexpr double kSameSurface = 0.03;   // largest height difference between places of one surface, in leg lengths
 
-/// Index of the tile that holds a cell: rounded towards minus infinity.
+/// Index of the tile that contains a cell: rounded towards minus infinity.
 int TileIndex(int cell, int tile) { return cell >= 0 ? cell / tile : -((-cell + tile - 1) / tile); }
 
 Shape Ball(double radius) {

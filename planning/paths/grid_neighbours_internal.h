@@ -14,9 +14,9 @@
 
 namespace gaitwright {
 
-/// Nearest neighbours in cells of the plane, without random numbers, so that the same elements in the same order give
-/// the same answers. The distance of two elements must be no less than that of their places in plan view. Of elements
-/// equally far the one added first comes first.
+/// Nearest neighbours by cells of the plane. Uses no random numbers, so equal elements in equal order give equal
+/// answers. The distance of two elements must not be less than their distance in plan view. Of equally far elements,
+/// the one added first comes first.
 template <class T>
 class GridNeighbours : public ompl::NearestNeighbors<T> {
  public:
@@ -71,13 +71,14 @@ class GridNeighbours : public ompl::NearestNeighbors<T> {
            std::clamp(static_cast<int>(at.x()), 0, columns_ - 1);
   }
 
-  /// The nearest k within a radius go to found_, from rings of cells that grow until nothing nearer can be outside.
+  /// Puts the nearest k within a radius into found_. Searches growing rings of cells until no nearer element can be
+  /// outside.
   void Collect(const T& data, std::size_t k, double radius) const {
     found_.clear();
     const int cell = CellOf(data), column = cell % columns_, row = cell / columns_;
     const int last = std::max(std::max(column, columns_ - 1 - column), std::max(row, rows_ - 1 - row));
     for (int ring = 0; ring <= last; ++ring) {
-      const double beyond = (ring - 1) * cell_m_;  // all of this ring is at least as far
+      const double beyond = (ring - 1) * cell_m_;  // all elements of this ring are at least this far
       if (beyond > radius) break;
       if (found_.size() >= k) {
         std::nth_element(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(k - 1), found_.end());

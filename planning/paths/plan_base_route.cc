@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "kinematics/collision/shape_extent.h"
-#include "planning/paths/coarse_way.h"
-#include "planning/paths/direct_way.h"
+#include "planning/paths/coarse_route.h"
+#include "planning/paths/direct_route.h"
 #include "planning/paths/pose_check.h"
 #include "planning/paths/rrt_star.h"
-#include "planning/paths/smooth_way.h"
+#include "planning/paths/smooth_route.h"
 
 namespace gaitwright {
 namespace {
@@ -28,12 +28,12 @@ TravelWeights WeightsOf(const BaseRouteOptions& options, const BodySpace& space)
 void CheckPose(const char* name, const PlanarPose& pose) {
   for (const double value : {pose.x_m, pose.y_m, pose.yaw_rad}) {
     if (!std::isfinite(value))
-      throw InvalidArgument(fmt::format("PlanBaseRoute: the {} contains {}; finite numbers are needed", name, value));
+      throw InvalidArgument(fmt::format("PlanBaseRoute: the {} contains {}; all numbers must be finite", name, value));
   }
 }
 
-/// The part of the plane in which a way may lie: all that the terrain holds and some room around it, but not beyond its
-/// ground, nor where a detour would be many times as long as the direct way.
+/// The part of the plane in which a route may lie: everything on the terrain and some space around it, but not beyond
+/// its ground, and without detours many times as long as the direct path.
 PlaneExtent ExtentFor(const Terrain& terrain, const BodySpace& space, const PlanarPose& start, const PlanarPose& goal) {
   const Vector2 a(start.x_m, start.y_m), b(goal.x_m, goal.y_m);
   PlaneExtent ground, things;
@@ -70,20 +70,21 @@ PlaneExtent ExtentFor(const Terrain& terrain, const BodySpace& space, const Plan
   return endless ? extent : extent.intersection(grown(ground, 1e-3));
 }
 
-/// Keeps the cheapest of what a search finds, smoothed.
+/// Keeps the cheapest smoothed path of a search.
 class Best {
  public:
   Best(PoseCheck& check, const TravelWeights& weights, SampleFocus& focus)
       : check_(check), weights_(weights), focus_(focus) {}
 
-  /// Smoothing takes long, so only the first way and those by a share cheaper than the last one smoothed are.
+  /// Smoothing takes long, so only the first path is smoothed, and those that are clearly cheaper than the last
+  /// smoothed one.
   void Take(const std::vector<PlanarPose>& way, double cost) {
     constexpr double kNotably = 0.95;
     last_ = cost;
     if (first_ == 0.0) first_ = cost;
     if (smoothed_ > 0.0 && cost > kNotably * smoothed_) return;
     smoothed_ = cost;
-    std::vector<PlanarPose> smooth = SmoothWay(check_, way, weights_);
+    std::vector<PlanarPose> smooth = SmoothRoute(check_, way, weights_);
     const double smooth_cost = TravelCost(smooth, weights_);
     if (first_smooth_ == 0.0) first_smooth_ = smooth_cost;
     if (smooth_cost >= cost_) return;
@@ -110,9 +111,9 @@ class Best {
   double first_ = 0.0, first_smooth_ = 0.0, last_ = 0.0, smoothed_ = 0.0;
 };
 
-/// A direct way that is free and costs hardly more than the cheapest; empty when there is none.
-std::vector<PlanarPose> FreeDirectWay(PoseCheck& check, const PlanarPose& start, const PlanarPose& goal,
-                                      const BaseRouteOptions& options) {
+/// A free direct path that costs hardly more than the cheapest direct path; empty if none is free.
+std::vector<PlanarPose> FreeDirectRoute(PoseCheck& check, const PlanarPose& start, const PlanarPose& goal,
+                                        const BaseRouteOptions& options) {
   constexpr double kHardlyMore = 1.15;
   const auto ways = ByCost(start, goal, WeightsOf(options, check.space()));
   for (const auto& [cost, kind] : ways) {
@@ -139,7 +140,7 @@ BaseRoute RouteAlong(std::vector<PlanarPose> way, const BaseRouteOptions& option
   return route;
 }
 
-/// A guide of no more than about a third of the iterations: all its corners, and fewer poses between them.
+/// A guide with at most about a third of the iterations: all its corners, and fewer poses between them.
 std::vector<PlanarPose> Thinned(const std::vector<PlanarPose>& guide, int iterations) {
   const double most = std::max(1.0, iterations / 3.0);
   if (static_cast<double>(guide.size()) <= most) return guide;
@@ -154,7 +155,7 @@ std::vector<PlanarPose> Thinned(const std::vector<PlanarPose>& guide, int iterat
   return thin;
 }
 
-Failure NoWay(const CoarseWay& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
+Failure NoRoute(const CoarseRoute& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
   if (guide.complete) {
     return Blocked(FailureCode::kWayNotFound,
                    fmt::format("no route to the goal was found in {} iterations, although a coarse search finds one of "
@@ -162,8 +163,8 @@ Failure NoWay(const CoarseWay& guide, const BaseRouteOptions& options, const Rrt
                                report.iterations, LengthOf(guide.poses), report.states),
                    {fmt::format("raise footsteps.route.iterations (now {})", options.iterations)});
   }
-  const std::string what = guide.hindrance ? "at the least blocked place, " + guide.hindrance->text
-                                           : "the room between them is too narrow for a coarse search";
+  const std::string what = guide.hindrance ? "at its least blocked place, " + guide.hindrance->text
+                                           : "the space between the obstacles is too narrow for the coarse search";
   return Blocked(
       FailureCode::kWayBlocked,
       fmt::format("start and goal are free, but all routes between them are blocked: {}; {} poses were reached", what,
@@ -181,18 +182,18 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
   CheckPose("goal", goal);
   PoseCheck check(model, terrain, options.space);
   const TravelWeights weights = WeightsOf(options, check.space());
-  if (const auto why = check.WhyNot(start))
+  if (const auto why = check.ReasonRefused(start))
     return Blocked(FailureCode::kStartBlocked, "the robot cannot stand at the start: " + why->text,
-                   {"start elsewhere"});
-  if (const auto why = check.WhyNot(goal))
+                   {"start at another place"});
+  if (const auto why = check.ReasonRefused(goal))
     return Blocked(FailureCode::kGoalBlocked, "the robot cannot stand at the goal: " + why->text, {"move the goal"});
   BaseRoute route;
   RouteStatistics statistics;
-  std::vector<PlanarPose> way = FreeDirectWay(check, start, goal, options);
+  std::vector<PlanarPose> way = FreeDirectRoute(check, start, goal, options);
   statistics.direct = !way.empty();
   if (way.empty()) {
     const PlaneExtent extent = ExtentFor(terrain, check.space(), start, goal);
-    const CoarseWay guide = FindCoarseWay(check, {start, goal, extent, weights});
+    const CoarseRoute guide = FindCoarseRoute(check, {start, goal, extent, weights});
     SampleFocus focus;
     Best best(check, weights, focus);
     RrtStarProblem problem{start, goal, extent, weights, options.iterations, static_cast<std::uint32_t>(options.seed),
@@ -200,7 +201,7 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
     if (guide.complete) problem.guide = focus.route = Thinned(guide.poses, options.iterations);
     const RrtStarReport report =
         SearchRrtStar(check, problem, focus, [&](const auto& found, double cost) { best.Take(found, cost); });
-    if (!best.found()) return NoWay(guide, options, report);
+    if (!best.found()) return NoRoute(guide, options, report);
     way = best.way();
     best.Report(statistics);
     statistics.iterations = report.iterations;

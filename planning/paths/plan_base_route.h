@@ -14,9 +14,10 @@ namespace gaitwright {
 /// Options of the route search.
 ///
 /// Tuning
-///   `way_not_found` where there is a way    more iterations
-///   walks sideways or backward too much     more lateral, backward
-///   stops to turn, or cuts corners askew    less or more turn
+///   `way_not_found` although a route exists  more iterations
+///   walks sideways or backward too much      larger lateral, backward
+///   stops to turn                            larger turn
+///   walks askew around corners               smaller turn
 struct BaseRouteOptions {
   int iterations = 1000;
   int seed = 0;
@@ -44,16 +45,16 @@ struct BaseRouteOptions {
 
 /// How a route was found.
 struct RouteStatistics {
-  bool direct = false;  ///< without a search
-  int iterations = 0;   ///< of RRT*
-  int states = 0;       ///< in its tree
+  bool direct = false;  ///< a direct route, without a search
+  int iterations = 0;   ///< number of RRT* iterations
+  int states = 0;       ///< number of states in the tree
   long poses_checked = 0;
-  double first_cost_m = 0.0;         ///< of RRT*'s first solution before smoothing, and
-  double first_smooth_cost_m = 0.0;  ///< smoothed
-  double last_cost_m = 0.0;          ///< of its last solution before smoothing
+  double first_cost_m = 0.0;         ///< cost of the first RRT* solution before smoothing
+  double first_smooth_cost_m = 0.0;  ///< cost of the first RRT* solution after smoothing
+  double last_cost_m = 0.0;          ///< cost of the last RRT* solution before smoothing
 };
 
-/// A way of the base in plan view.
+/// A route of the base in plan view.
 struct BaseRoute {
   std::vector<PlanarPose> waypoints;  ///< start to goal, to be interpolated linearly; yaws without jumps, so that the
                                       ///< last may be the goal's plus whole turns
@@ -63,16 +64,16 @@ struct BaseRoute {
   std::string summary;  ///< one line
 };
 
-/// A route of the base from start to goal on a terrain, free according to PoseCheck, with the body mostly facing along
-/// the path. A free direct route is used if it costs hardly more than the cheapest; otherwise RRT*, each notable
-/// improvement of which is smoothed, and the cheapest result: with one seed, more iterations never cost more. A pure
-/// function of its arguments.
+/// A route of the base from start to goal on a terrain. It is free according to PoseCheck, and the body mostly faces
+/// along the path. A free direct route is used if it costs hardly more than the cheapest one. Otherwise RRT* is used:
+/// each notable improvement is smoothed, and the cheapest result is returned. For a given seed, more iterations never
+/// increase the cost. Deterministic: the result depends on the arguments only.
 ///
 /// Failures, kInfeasible, each naming the obstacle or surface and the place:
 ///   `start_blocked`, `goal_blocked`  the robot cannot stand there
-///   `way_blocked`                    nothing leads from one to the other; what is in the way where least is
-///   `way_not_found`                  a coarse search finds a way, but the iterations did not
-/// @throws InvalidArgument when an option or a pose is out of range or not finite.
+///   `way_blocked`                    no route exists; names the obstacle at the least blocked place
+///   `way_not_found`                  the coarse search finds a route, but RRT* did not within its iterations
+/// @throws InvalidArgument for an option or a pose that is out of range or not finite.
 Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain, const PlanarPose& start,
                                 const PlanarPose& goal, const BaseRouteOptions& options);
 

@@ -23,7 +23,7 @@ std::string SurfaceName(const Terrain& terrain, int surface) {
   return name.empty() ? fmt::format("surface {}", i) : name;
 }
 
-/// How far it is without ground through a point, along a heading.
+/// Text on the width of the gap through a point, along a heading.
 std::string GapAlong(const Terrain& terrain, const Vector2& p_W, double yaw) {
   constexpr double kStep = 0.005, kFar = 5.0;  // [m]
   const Vector2 ahead(std::cos(yaw), std::sin(yaw));
@@ -33,7 +33,7 @@ std::string GapAlong(const Terrain& terrain, const Vector2& p_W, double yaw) {
     return gone;
   };
   const double before = until_ground(-1.0), after = until_ground(1.0);
-  if (before >= kFar || after >= kFar) return "it ends there";
+  if (before >= kFar || after >= kFar) return "the ground ends there";
   const Vector2 edge = p_W - before * ahead;
   return fmt::format("the gap from ({:.2f}, {:.2f}) on is {:.2f} m wide", edge.x(), edge.y(), before + after);
 }
@@ -42,7 +42,7 @@ Terrain WithoutFields(const Terrain& terrain) { return {terrain.name, terrain.pa
 
 Terrain ObstaclesOf(const Terrain& terrain) { return {terrain.name, {}, {}, terrain.obstacles}; }
 
-/// A lattice of offsets within an ellipse, the nearest first.
+/// A lattice of offsets within an ellipse, sorted by distance.
 std::vector<Vector2> OffsetsWithin(double ahead, double aside, double spacing) {
   std::vector<Vector2> offsets;
   const int columns = static_cast<int>(ahead / spacing), rows = static_cast<int>(aside / spacing);
@@ -58,9 +58,9 @@ std::vector<Vector2> OffsetsWithin(double ahead, double aside, double spacing) {
   return offsets;
 }
 
-/// Slope of the plane that fits heights best, as a matrix on heights; zero in directions without enough spread.
+/// Matrix that maps heights to the slope of the best-fit plane; zero in directions without enough spread.
 MatrixX SlopeOfHeights(const std::vector<Vector2>& feet, const Vector2& middle) {
-  constexpr double kSpread = 0.05;  // of the largest
+  constexpr double kSpread = 0.05;  // share of the largest spread
   const auto n = static_cast<Eigen::Index>(feet.size());
   MatrixX places(n, 2);
   for (Eigen::Index f = 0; f < n; ++f) places.row(f) = (feet[static_cast<std::size_t>(f)] - middle).transpose();
@@ -93,7 +93,7 @@ PoseCheck::PoseCheck(const RobotModel& model, const Terrain& terrain, const Body
 bool PoseCheck::NearestFootholds(const PlanarPose& at, Footing& footing) {
   const Eigen::Rotation2Dd R(at.yaw_rad);
   for (std::size_t f = 0; f < space_.feet_G.size(); ++f) {
-    const double side = space_.feet_G[f].y() < 0.0 ? -1.0 : 1.0;  // so that left and right look alike
+    const double side = space_.feet_G[f].y() < 0.0 ? -1.0 : 1.0;  // so that left and right are treated alike
     bool found = false;
     for (const Vector2& offset : offsets_) {
       const Vector2 p_G = space_.feet_G[f] + Vector2(offset.x(), side * offset.y());
@@ -148,7 +148,7 @@ void PoseCheck::FitPlane(const PlanarPose& at, Footing& footing) const {
   }
   footing.rise_m = 0.0;
   if (!level) return;
-  // Two feet do not tell the slope of their ground; each foot's own ground does.
+  // The plane through two feet has no defined slope, so the local ground of each foot is used.
   Vector2 slope_W = Vector2::Zero();
   for (const Vector2& slope : local_slope_) slope_W += slope / static_cast<double>(local_slope_.size());
   const Vector2 slope_G = Eigen::Rotation2Dd(-at.yaw_rad) * slope_W;
@@ -215,7 +215,7 @@ bool PoseCheck::IsFreeBetween(const PlanarPose& a, const PlanarPose& b) {
   const int n = static_cast<int>(std::ceil(moved / step_m_));
   int stride = 1;
   while (2 * stride < n) stride *= 2;
-  // The middle first: what lies between is found sooner.
+  // The middle first: obstacles in between are found sooner.
   for (; stride >= 1; stride /= 2) {
     for (int k = stride; k < n; k += 2 * stride) {
       if (!IsFree(Between(a, b, static_cast<double>(k) / n))) return false;
@@ -227,7 +227,7 @@ bool PoseCheck::IsFreeBetween(const PlanarPose& a, const PlanarPose& b) {
 bool PoseCheck::IsFreeAlong(const std::vector<PlanarPose>& way) {
   std::size_t stride = 1;
   while (2 * stride < way.size()) stride *= 2;
-  // The middle first: what lies between is found sooner.
+  // The middle first: obstacles in between are found sooner.
   for (std::size_t s = stride; s > 1; s /= 2) {
     for (std::size_t i = s; i < way.size(); i += 2 * s) {
       if (!IsFree(way[i])) return false;
@@ -262,7 +262,7 @@ Hindrance PoseCheck::NoFoothold(const PlanarPose& at, const Footing& footing) {
   return hindrance;
 }
 
-std::optional<Hindrance> PoseCheck::WhyNot(const PlanarPose& at) {
+std::optional<Hindrance> PoseCheck::ReasonRefused(const PlanarPose& at) {
   const Footing footing = FootingAt(at);
   if (footing.lacking >= 0 || footing.too_high >= 0) return NoFoothold(at, footing);
   const std::string place = fmt::format("at ({:.2f}, {:.2f}), facing {:.2f} rad", at.x_m, at.y_m, at.yaw_rad);

@@ -26,7 +26,7 @@ namespace og = ompl::geometric;
 
 using State = ob::SE2StateSpace::StateType;
 
-constexpr double kRangeOfLeg = 3.0;  // longest motion that the tree grows by, in leg lengths
+constexpr double kRangeOfLeg = 3.0;  // longest edge of the tree, in leg lengths
 
 PlanarPose PoseOf(const ob::State* state) {
   const auto* s = state->as<State>();
@@ -39,13 +39,13 @@ void Put(const PlanarPose& pose, ob::State* state) {
   state->as<State>()->setYaw(yaw < std::numbers::pi ? yaw : -std::numbers::pi);  // OMPL takes [-pi, pi)
 }
 
-/// b with the yaw nearest to that of a.
+/// Pose b with its yaw unwrapped to the value nearest to that of a.
 PlanarPose Following(const PlanarPose& a, PlanarPose b) {
   b.yaw_rad = UnwrappedNear(b.yaw_rad, a.yaw_rad);
   return b;
 }
 
-/// Keeps OMPL silent while any of them is alive, in any thread.
+/// Keeps OMPL silent while any instance exists, in any thread.
 class Silence {
  public:
   Silence() {
@@ -117,7 +117,7 @@ class Objective : public ob::OptimizationObjective {
   TravelWeights weights_;
 };
 
-/// Draws poses: now and then the goal until there is a way, near to the focus, or anywhere that a better way may lead.
+/// Draws poses: sometimes the goal until a path is found; near the focus; or anywhere that can improve the path.
 class Sampler : public ob::StateSampler {
  public:
   Sampler(const ob::StateSpace* space, const RrtStarProblem& problem, const SampleFocus& focus, double spread_m)
@@ -145,9 +145,9 @@ class Sampler : public ob::StateSampler {
   }
 
  private:
-  double Share() { return static_cast<double>(random_() >> 11U) * 0x1.0p-53; }  // in [0, 1)
+  double Share() { return static_cast<double>(random_() >> 11U) * 0x1.0p-53; }  // uniform in [0, 1)
   double Signed() { return 2.0 * Share() - 1.0; }
-  double Bell() { return Signed() + Signed() + Signed(); }  // deviation 1
+  double Bell() { return Signed() + Signed() + Signed(); }  // standard deviation 1
 
   PlanarPose Anywhere() {
     const Vector2 low = problem_.extent.min(), size = problem_.extent.sizes();
@@ -173,7 +173,7 @@ class Sampler : public ob::StateSampler {
   std::mt19937_64 random_;
 };
 
-/// RRT* whose random numbers and neighbours are its own.
+/// RRT* with its own random numbers and neighbour search, so that results are repeatable.
 class RepeatableRrtStar : public og::RRTstar {
  public:
   RepeatableRrtStar(const ob::SpaceInformationPtr& si, const RrtStarProblem& problem, double range_m)
@@ -204,7 +204,7 @@ std::shared_ptr<ob::SE2StateSpace> SpaceOf(const RrtStarProblem& problem) {
   return space;
 }
 
-/// The way that OMPL hands out from the goal back, without its ends.
+/// The path from OMPL's states, which run from the goal to the start, without both ends.
 std::vector<PlanarPose> WayOf(const std::vector<const ob::State*>& states, const RrtStarProblem& problem) {
   std::vector<PlanarPose> way = {problem.start};
   const std::vector<const ob::State*> ahead(states.rbegin(), states.rend());

@@ -5,27 +5,26 @@
 #include <functional>
 #include <vector>
 
-#include "planning/paths/coarse_way.h"
+#include "planning/paths/coarse_route.h"
 #include "planning/paths/pose_check.h"
 #include "planning/paths/travel_cost.h"
 
 namespace gaitwright {
 
-/// A way to be found among free poses.
+/// Problem of the RRT* search.
 struct RrtStarProblem {
-  PlanarPose start, goal;  ///< both free
-  PlaneExtent extent;      ///< holds both
+  PlanarPose start, goal;  ///< both must be free
+  PlaneExtent extent;      ///< contains both
   TravelWeights weights;
   int iterations = 3000;
   std::uint32_t seed = 0;
   std::vector<PlanarPose> guide;  ///< the first samples, in this order; may be empty
 };
 
-/// Where samples are drawn. What finds a better route changes it while the search goes on.
+/// Where samples are drawn. The caller may change it during the search when a better route is found.
 struct SampleFocus {
-  std::vector<PlanarPose> route;  ///< half of the samples are near to it; empty for none
-  double cost =
-      0.0;  ///< of the best solution, which bounds the samples by their distances to start and goal; 0 for none
+  std::vector<PlanarPose> route;  ///< half of the samples are near this route; may be empty
+  double cost = 0.0;  ///< cost of the best solution; bounds the samples by their distances to start and goal; 0 if none
 };
 
 /// Statistics of a search.
@@ -33,12 +32,12 @@ struct RrtStarReport {
   int iterations = 0, states = 0;
 };
 
-/// Called with each better way, yaws unwrapped, and its cost; it may change the focus.
+/// Called with each better path (yaws unwrapped) and its cost; it may change the focus.
 using WayFound = std::function<void(const std::vector<PlanarPose>& way, double cost)>;
 
-/// RRT* of OMPL over SE(2) (Karaman and Frazzoli, IJRR 30(7), 2011) with TravelCost as its objective. A pure function
-/// of its arguments: samples come from a generator of its own and neighbours from cells of the plane; OMPL is kept
-/// silent meanwhile.
+/// RRT* of OMPL over SE(2) (Karaman and Frazzoli, IJRR 30(7), 2011) with TravelCost as its objective. Deterministic:
+/// samples come from a separate generator and neighbours from cells of the plane. OMPL's output is suppressed
+/// meanwhile.
 RrtStarReport SearchRrtStar(PoseCheck& check, const RrtStarProblem& problem, SampleFocus& focus,
                             const WayFound& on_way);
 

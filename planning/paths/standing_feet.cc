@@ -13,7 +13,7 @@ std::vector<Pose> StandingFeet(const RobotModel& model) {
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
     Pose X_BF = ContactFrame(model, scratch, f);
     X_BF.translation().z() = 0.0;
-    X_BF.linear() = YawRotation(YawOf(X_BF.linear()));  // upright without what is rounded
+    X_BF.linear() = YawRotation(YawOf(X_BF.linear()));  // exactly upright, without rounding errors
     feet.push_back(X_BF);
   }
   return feet;

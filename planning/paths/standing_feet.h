@@ -8,10 +8,11 @@
 
 namespace gaitwright {
 
-/// Contact frames of the standing posture on the ground, by foot, with the base's origin over the world's: X_BF.
+/// Contact frames of the standing posture on the ground, by foot, with the base's origin above the world's origin:
+/// X_BF.
 std::vector<Pose> StandingFeet(const RobotModel& model);
 
-/// A pose that was given for the base at the origin, where the base is at a planar pose.
+/// A pose given relative to the base, as a pose in W for a base at a planar pose.
 Pose Carried(const PlanarPose& base, const Pose& X_BF);
 
 }  // namespace gaitwright

@@ -13,11 +13,11 @@ namespace gaitwright {
 namespace {
 
 constexpr double kSampleStep = 0.01;      // [s]
-constexpr double kMostChange = 0.3;       // of the motion where two parts of a route meet, in full speeds
-constexpr double kSmoothing = 1.0 / 3.0;  // of the ramp: the time over which progress is averaged
+constexpr double kMostChange = 0.3;       // largest jump of the motion between two parts of a route, in full speeds
+constexpr double kSmoothing = 1.0 / 3.0;  // share of the ramp: time over which progress is averaged
 
-/// Motion of the body over a part of the route, each component in shares of its full speed, and how long it takes at
-/// full speed.
+/// Motion of the body over a part of the route, each component as a share of its full speed, and the duration at full
+/// speed.
 struct Part {
   Vector3 motion = Vector3::Zero();
   double time_s = 0.0;
@@ -26,7 +26,7 @@ struct Part {
 Part PartOf(const PlanarPose& a, const PlanarPose& b, const RouteTiming& timing) {
   const double yaw = 0.5 * (a.yaw_rad + b.yaw_rad), c = std::cos(yaw), s = std::sin(yaw);
   const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
-  // Within a part the heading turns, so its components are those of the worst.
+  // The heading turns within a part, so each component is its maximum over the part.
   const double half = 0.5 * std::abs(b.yaw_rad - a.yaw_rad), distance = std::hypot(dx, dy);
   const double ahead = c * dx + s * dy, aside = c * dy - s * dx, most = distance * std::sin(std::min(half, 1.5));
   Part part;
@@ -40,7 +40,7 @@ Part PartOf(const PlanarPose& a, const PlanarPose& b, const RouteTiming& timing)
 }
 
 void Check(const std::vector<PlanarPose>& waypoints, const RouteTiming& timing) {
-  if (waypoints.empty()) throw InvalidArgument("TimeRoute needs a waypoint");
+  if (waypoints.empty()) throw InvalidArgument("TimeRoute: there is no waypoint; one or more are needed");
   for (const double speed : {timing.speed_m_s, timing.lateral_speed_m_s, timing.yaw_rate_rad_s}) {
     if (!(speed > 0.0) || !std::isfinite(speed))
       throw InvalidArgument(fmt::format("TimeRoute: a speed is {}; it must be more than 0", speed));
@@ -49,15 +49,15 @@ void Check(const std::vector<PlanarPose>& waypoints, const RouteTiming& timing) 
     throw InvalidArgument(fmt::format("TimeRoute: the ramp is {} s; it must not be negative", timing.ramp_s));
 }
 
-/// Progress along a route, as the time at which full speed would be there, in short pieces.
+/// Progress along a route in short pieces. Progress is the time at which the place would be reached at full speed.
 struct Progress {
   std::vector<double> at_s;    ///< progress at the ends of the pieces, from 0
-  std::vector<double> speed;   ///< there, as a share of the full one
-  std::vector<double> time_s;  ///< when, from setting off
+  std::vector<double> speed;   ///< speed at these ends, as a share of the full speed
+  std::vector<double> time_s;  ///< time since departure
 };
 
-/// Speeds that corners allow and that change by no more than 1 / ramp, from rest to rest. Within a piece the square of
-/// the speed is linear in progress.
+/// Speed profile within the limits of corners, with changes of at most 1 / ramp, from rest to rest. Within a piece, the
+/// square of the speed is linear in progress.
 Progress Profile(const std::vector<Part>& parts, double ramp_s) {
   Progress progress{{0.0}, {0.0}, {0.0}};
   std::vector<double> square = {0.0};
@@ -87,7 +87,7 @@ Progress Profile(const std::vector<Part>& parts, double ramp_s) {
   return progress;
 }
 
-/// Progress at times on the grid of samples, averaged over the last `window` samples.
+/// Progress at the sample times, averaged over the last `window` samples.
 std::vector<double> Sampled(const Progress& progress, int window) {
   const double end = progress.time_s.back();
   const int samples = 1 + static_cast<int>(std::ceil(end / kSampleStep - 1e-9)) + window;
@@ -110,10 +110,10 @@ std::vector<double> Sampled(const Progress& progress, int window) {
   return averaged;
 }
 
-/// A route in parts that take time, and progress along it by sample.
+/// The timed parts of a route, and progress along it by sample.
 struct Followed {
   std::vector<PlanarPose> pose;  ///< ends of the parts
-  std::vector<double> at_s;      ///< progress there
+  std::vector<double> at_s;      ///< progress at these ends
   std::vector<double> progress_s;
 };
 

@@ -19,7 +19,7 @@ double Rate(const Vector2& step, double turn, double yaw, const TravelWeights& w
 }  // namespace
 
 double TravelCost(const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights) {
-  constexpr double kMostTurn = 0.5;  // [rad] of one interval
+  constexpr double kMostTurn = 0.5;  // [rad] largest turn in one interval
   const Vector2 step(b.x_m - a.x_m, b.y_m - a.y_m);
   const double turn = b.yaw_rad - a.yaw_rad;
   const int intervals = 1 + static_cast<int>(std::abs(turn) / kMostTurn);

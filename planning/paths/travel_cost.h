@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// Cost of a metre in each direction of the body; forward it is 1.
+/// Cost of a metre in each direction of the body; forward motion costs 1.
 struct TravelWeights {
   double lateral = 2.5;
   double backward = 1.5;
@@ -16,17 +16,17 @@ struct TravelWeights {
 
 /// Cost of a straight motion from a to b with constant yaw rate, in metres of forward motion:
 ///   integral of sqrt((w v_x)^2 + (lateral v_y)^2 + (turn_m_rad yaw')^2),
-/// v in the body's frame, w being 1 ahead and `backward` behind. Simpson's rule over at most half a radian. No less
-/// than the distance. Yaws are not wrapped.
+/// v is in the body's frame; w is 1 forward and `backward` backward. Simpson's rule over intervals of at most half a
+/// radian. Not less than the distance. Yaws are not wrapped.
 double TravelCost(const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
 /// Cost of a path, summed along waypoints.
 double TravelCost(const std::vector<PlanarPose>& way, const TravelWeights& weights);
 
-/// Length of a way in plan view [m].
+/// Length of a path in plan view [m].
 double LengthOf(const std::vector<PlanarPose>& way);
 
-/// The pose at a share u of the straight way from a to b, turning evenly; yaws without wrapping.
+/// The pose at a share u of the straight path from a to b with constant yaw rate; yaws are not wrapped.
 inline PlanarPose Between(const PlanarPose& a, const PlanarPose& b, double u) {
   return {a.x_m + u * (b.x_m - a.x_m), a.y_m + u * (b.y_m - a.y_m), a.yaw_rad + u * (b.yaw_rad - a.yaw_rad)};
 }

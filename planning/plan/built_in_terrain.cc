@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// A ground with its parameters as a text gives them.
+/// A ground, and the values of its parameters as text.
 struct Made {
   Terrain terrain;
   std::vector<TerrainParameter> parameters;
@@ -24,7 +24,7 @@ std::vector<TerrainParameter> ParametersOf(const OptionFields& fields) {
   return parameters;
 }
 
-/// @throws InvalidArgument for parameters that are wrong.
+/// @throws InvalidArgument for wrong parameters.
 template <class Ground>
 Made Make(const TerrainScale& scale, const OptionTexts& texts) {
   Ground ground(scale);
@@ -76,7 +76,7 @@ Result<Made> MakeFrom(const std::string& spec, const TerrainScale& scale) {
       return RefusedTerrain(FailureCode::kTerrainParameter, fmt::format("terrain '{}': {}", name, error.what()));
     }
   }
-  return RefusedTerrain(FailureCode::kUnknownTerrain, fmt::format("there is no terrain '{}'{}; there is {}", name,
+  return RefusedTerrain(FailureCode::kUnknownTerrain, fmt::format("there is no terrain '{}'{}; accepted: {}", name,
                                                                   NearestHint(name, names), QuotedList(names)));
 }
 

@@ -10,13 +10,13 @@
 
 namespace gaitwright {
 
-/// A kind of ground that comes with the program.
+/// A built-in kind of ground.
 struct BuiltInTerrain {
   std::string name;
   std::string description;
 };
 
-/// The one list of built-in grounds.
+/// List of all built-in grounds.
 const std::vector<BuiltInTerrain>& BuiltInTerrains();
 
 /// A parameter of a built-in ground and its value.
@@ -26,14 +26,14 @@ struct TerrainParameter {
   std::string meaning, value;
 };
 
-/// The parameters of a ground as MakeTerrain would take them; it fails as that does.
+/// The parameters of a ground, as MakeTerrain accepts them. Fails as MakeTerrain does.
 Result<std::vector<TerrainParameter>> TerrainParameters(const std::string& spec, const TerrainScale& scale);
 
-/// A built-in ground by its name, or by name and parameters: `stairs:rise_m=0.07,tread_m=0.25,count=3`. Other
-/// parameters have sizes that suit the robot; the feature begins one body length in front of the robot, which stands at
-/// the origin and faces x. The terrain's name is the whole text. Failure kBadInput: a ground that does not exist (the
-/// list is named), a parameter that it does not have (the nearest is named), that is a duplicate, not a number, out of
-/// its range, or inconsistent with the others.
+/// A built-in ground from its name, or from name and parameters: `stairs:rise_m=0.07,tread_m=0.25,count=3`. Parameters
+/// that are left out get sizes that suit the robot. The feature begins one body length in front of the robot, which
+/// stands at the origin and faces x. The terrain's name is the whole text. Failure kBadInput: an unknown ground (the
+/// message lists the known ones); an unknown parameter (with the nearest known one); a parameter that is a duplicate,
+/// not a number, out of range, or inconsistent with the others.
 Result<Terrain> MakeTerrain(const std::string& spec, const TerrainScale& scale);
 
 }  // namespace gaitwright

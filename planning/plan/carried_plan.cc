@@ -74,7 +74,7 @@ MotionPlan CarriedPlan(const Pose& X, double later_s, MotionPlan plan) {
   for (SwingTrajectory& swing : plan.swings) {
     swing.X_WF_start = X * swing.X_WF_start;
     swing.X_WF_end = X * swing.X_WF_end;
-    for (Vector3& point : swing.detour_W) point = X.linear() * point;  // an offset
+    for (Vector3& point : swing.detour_W) point = X.linear() * point;  // a vector, not a point
     swing.start_s += later_s;
     swing.end_s += later_s;
   }

@@ -5,18 +5,18 @@
 
 namespace gaitwright {
 
-/// The transform that turns about z and moves in the plane: a pose of plan view as one of space.
+/// A planar pose as a pose in space: translation in the plane and rotation about z.
 Pose PoseOf(const PlanarPose& pose);
 
-/// Where the base of a configuration is in plan view.
+/// Planar pose of the base of a configuration.
 PlanarPose BaseInPlan(const VectorX& q);
 
-/// A configuration, or the velocities or accelerations of one, of the whole robot moved rigidly by X.
+/// The configuration q of the whole robot, or a velocity or acceleration of q, moved rigidly by X.
 VectorX CarriedState(const Pose& X, VectorX q);
 VectorX CarriedRates(const Pose& X, VectorX v);
 
-/// A plan moved in space and time: the motion is transformed by X, and begins `later_s` later. The ground is not moved,
-/// so the motion fits it only if the ground is the same there.
+/// A plan moved in space and time: the motion is transformed by X and begins `later_s` later. The ground is not moved,
+/// so the motion is valid only if the ground is the same at the new place.
 /// @param X  rotates about z only.
 MotionPlan CarriedPlan(const Pose& X, double later_s, MotionPlan plan);
 

@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// As many rows as q has, each of `size`.
+/// Checks that the column has as many rows as q, each of `size`.
 template <class Row>
 void CheckColumn(const RobotModel& model, const WholeBodyTrajectory& motion, const char* name,
                  const std::vector<Row>& rows, int size) {

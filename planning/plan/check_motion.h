@@ -5,14 +5,14 @@
 
 namespace gaitwright {
 
-/// Columns of a whole-body trajectory that may be left out.
+/// Optional columns of a whole-body trajectory that a caller needs.
 struct MotionColumns {
   bool torques = false, wrenches = false;
 };
 
-/// Whether a trajectory is one of this robot: one row or more of q, v and a, as many of each, and of the model's sizes;
-/// torques and wrenches likewise, which may be absent altogether unless they are `needed`.
-/// @throws InvalidArgument naming the column, how many there are and how many it takes.
+/// Checks that a trajectory fits a robot: q, v and a have the same number of rows, at least one, each of the model's
+/// size. The same holds for torques and wrenches; these may be empty unless they are `needed`.
+/// @throws InvalidArgument that names the column, its size and the size needed.
 void CheckMotion(const RobotModel& model, const WholeBodyTrajectory& motion, const MotionColumns& needed = {});
 
 }  // namespace gaitwright

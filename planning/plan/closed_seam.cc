@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// From rest at zero to a value and its rate, where it has no acceleration, over a time.
+/// Quintic from zero at rest to a value and rate with zero acceleration, over a given time.
 class Quintic {
  public:
   Quintic(const VectorX& x, const VectorX& v, double time_s) {
@@ -26,7 +26,7 @@ class Quintic {
   VectorX c3_, c4_, c5_;
 };
 
-/// What takes one configuration to another, as rates have it: base, its rotation in W, joints.
+/// Difference of two configurations as a velocity vector: base position, rotation vector in W, joints.
 VectorX Between(const VectorX& from, const VectorX& to) {
   VectorX difference(from.size() - 1);
   difference.head<3>() = to.head<3>() - from.head<3>();

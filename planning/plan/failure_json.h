@@ -8,8 +8,8 @@
 namespace gaitwright {
 
 /// JSON text of the object that `--json` prints: {"code", "stage", "message", "hints", "suggestions"}, and "violation"
-/// if a violated law is the reason. Hints are the texts of all suggestions; "suggestions" has {"what", "value",
-/// "certainty"} of those that name an option.
+/// if a failed check is the reason. "hints" holds the texts of all suggestions. "suggestions" holds {"what", "value",
+/// "certainty"} of the suggestions that name an option.
 std::string FailureJson(const Failure& failure);
 
 }  // namespace gaitwright

@@ -43,7 +43,7 @@ bool Hangs(const Gait& gait) {
 }
 
 bool HasFlight(const Gait& gait) {
-  // The stance changes only at touch-downs and lift-offs: looking just after each lift-off is enough.
+  // The stance changes only at touch-downs and lift-offs, so it is enough to look just after each lift-off.
   for (std::size_t i = 0; i < gait.phase.size(); ++i) {
     const double after = gait.phase[i] + gait.duty_factor[i] + 1e-9;
     if (StanceAt(gait, after - std::floor(after)) == 0) return true;
@@ -82,7 +82,7 @@ std::vector<ContactInterval> IntervalsOf(const ContactSchedule& schedule, int fo
 
 ContactSchedule ScheduleFromIntervals(const std::vector<std::vector<ContactInterval>>& by_foot, double start_s,
                                       double end_s) {
-  std::vector<std::pair<double, FootSet>> changes = {{end_s, 0}};  // which feet land or leave when
+  std::vector<std::pair<double, FootSet>> changes = {{end_s, 0}};  // feet that land or lift off at a time
   FootSet stance = 0;
   for (std::size_t foot = 0; foot < by_foot.size(); ++foot) {
     const FootSet bit = FootBit(static_cast<int>(foot));
@@ -117,14 +117,16 @@ void CheckSchedule(const ContactSchedule& schedule, int num_feet) {
   for (std::size_t i = 0; i < schedule.phases.size(); ++i) {
     const ContactPhase& phase = schedule.phases[i];
     if (!(phase.end_s > phase.start_s)) {
-      throw InvalidArgument(fmt::format("contact phase {} lasts from {} s to {} s", i, phase.start_s, phase.end_s));
+      throw InvalidArgument(fmt::format("contact phase {} lasts from {} s to {} s; it must end after its start", i,
+                                        phase.start_s, phase.end_s));
     }
     if ((phase.stance & ~AllFeet(num_feet)) != 0) {
       throw InvalidArgument(fmt::format("contact phase {} names a foot beyond the robot's {} feet", i, num_feet));
     }
     if (i > 0 && schedule.phases[i - 1].end_s != phase.start_s) {
-      throw InvalidArgument(fmt::format("contact phase {} starts at {} s, but the one before ends at {} s", i,
-                                        phase.start_s, schedule.phases[i - 1].end_s));
+      throw InvalidArgument(
+          fmt::format("contact phase {} starts at {} s, but phase {} ends at {} s; the two times must be equal", i,
+                      phase.start_s, i - 1, schedule.phases[i - 1].end_s));
     }
   }
 }

@@ -7,39 +7,39 @@
 
 namespace gaitwright {
 
-/// Which feet are on the ground: bit i is foot i of RobotModel::feet.
+/// Set of feet: bit i is foot i of RobotModel::feet.
 using FootSet = std::uint64_t;
 
 /// The set of one foot, 0 <= foot < 64.
 inline constexpr FootSet FootBit(int foot) { return FootSet{1} << foot; }
 /// Whether a foot is in the set.
 inline constexpr bool Contains(FootSet set, int foot) { return (set >> foot & 1U) != 0; }
-/// The set of feet 0 to count - 1; of 64 feet and more, all 64.
+/// The set of feet 0 to count - 1; all 64 feet if count >= 64.
 inline constexpr FootSet AllFeet(int count) { return count >= 64 ? ~FootSet{0} : FootBit(count) - 1; }
 
-/// A periodic pattern of contact, as data. Foot i touches down at `phase[i]` of the cycle and stays for
-/// `duty_factor[i]` of it.
+/// A periodic pattern of contact. Foot i touches down at `phase[i]` of the cycle and stays on the ground for
+/// `duty_factor[i]` of the cycle.
 struct Gait {
   std::string name;
   std::string description;
   double cycle_s = 0.5;             ///< [s]
   std::vector<double> phase;        ///< by foot, in [0, 1)
-  std::vector<double> duty_factor;  ///< by foot, in (0, 1); all 1 in standing still, all 0 in hanging
+  std::vector<double> duty_factor;  ///< by foot, in (0, 1); all 1 for standing still, all 0 for hanging
 
   int num_feet() const { return static_cast<int>(phase.size()); }
   bool operator==(const Gait&) const = default;
 };
 
-/// The feet on the ground at a time of the cycle in [0, 1).
+/// The feet on the ground at a cycle phase in [0, 1).
 FootSet StanceAt(const Gait& gait, double cycle_fraction);
 
-/// Standing still on all feet, as a gait named "stand".
+/// The gait "stand": standing still on all feet.
 Gait StandingGait(int num_feet);
 
 /// True when no foot ever leaves the ground.
 bool StandsStill(const Gait& gait);
 
-/// Hanging with the base held in place from outside, as on a stand, and no foot on the ground: a gait named "hang".
+/// The gait "hang": the base is held in place from outside, as on a stand, and no foot is on the ground.
 Gait HangingGait(int num_feet);
 
 /// True when no foot is ever on the ground.
@@ -65,10 +65,10 @@ struct ContactSchedule {
   bool operator==(const ContactSchedule&) const = default;
 };
 
-/// Index of the phase that holds at `time_s`; a boundary belongs to the later phase. Clamped to the ends.
+/// Index of the phase at `time_s`; a boundary belongs to the later phase. Clamped to the ends.
 int PhaseAt(const ContactSchedule& schedule, double time_s);
 
-/// The longest time that no foot is on the ground [s]; 0 for none.
+/// The longest time without any foot on the ground [s]; 0 without flight.
 double LongestFlight(const ContactSchedule& schedule);
 
 /// An interval of contact of one foot.

@@ -16,21 +16,21 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kTime = 1e-6;  // to which times of plans agree [s]
+constexpr double kTime = 1e-6;  // tolerance of the times of plans [s]
 
-/// The number of the row that stands at a time.
+/// Index of the row at a time.
 std::size_t RowAt(const WholeBodyTrajectory& w, double time_s) {
   const double row = std::round((time_s - w.start_s) / w.step_s);
   if (!(row >= 0.0 && row < w.size()) || std::abs(w.start_s + row * w.step_s - time_s) > kTime) {
-    throw InvalidArgument(fmt::format("{} s is not a row of a plan from {} to {} s in steps of {} s", time_s, w.start_s,
-                                      w.end_s(), w.step_s));
+    throw InvalidArgument(fmt::format("the plan has no row at {} s; its rows are from {} to {} s in steps of {} s",
+                                      time_s, w.start_s, w.end_s(), w.step_s));
   }
   return static_cast<std::size_t>(row);
 }
 
 double TimeOf(const WholeBodyTrajectory& w, std::size_t row) { return w.start_s + static_cast<double>(row) * w.step_s; }
 
-/// The first rows up to that one of a column, and those after another one of a second column.
+/// Joins the rows of one column up to an index and the rows of another column after an index.
 template <class T>
 void JoinColumn(std::vector<T>& column, std::size_t last, const std::vector<T>& then, std::size_t after) {
   if (column.empty() || then.empty()) return column.clear();
@@ -73,7 +73,7 @@ void AddPhases(const ContactSchedule& schedule, double from_s, double to_s, Cont
   }
 }
 
-/// What is left of a part between two times: it lasts so long as it does.
+/// The part of `part` between two times; its extent becomes its duration.
 MotionPart Clipped(MotionPart part, double from_s, double to_s) {
   if (part.start_s >= from_s - kTime && part.end_s <= to_s + kTime) return part;
   part.start_s = std::max(part.start_s, from_s);
@@ -85,7 +85,7 @@ MotionPart Clipped(MotionPart part, double from_s, double to_s) {
   return part;
 }
 
-/// Whether two parts are one that was cut in two.
+/// Whether two parts are the halves of one part that was cut in two.
 bool GoesOn(const MotionPart& first, const MotionPart& second) {
   const WalkCommand &a = first.command, &b = second.command;
   const bool lasts = a.extent == WalkCommand::Extent::kDuration && b.extent == a.extent;
@@ -159,7 +159,7 @@ FootSet StanceAt(const MotionPlan& plan, double time_s) {
   return plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, time_s))].stance;
 }
 
-/// Of a pendulum that is as high as the two are on average over the time of each.
+/// Pendulum frequency for the mean height of the two, weighted by their durations.
 double MeanOmega(double one_rad_s, double one_s, double other_rad_s, double other_s) {
   if (one_rad_s == other_rad_s) return one_rad_s;
   const auto height = [](double omega_rad_s) { return 1.0 / (omega_rad_s * omega_rad_s); };
@@ -170,8 +170,8 @@ Failure Misfit(const std::string& why) {
   return {FailureKind::kBadInput, FailureCode::kMisfit, "JoinedPlans", why, {}};
 }
 
-std::optional<Failure> WhyNotJoined(const MotionPlan& before, double before_s, const MotionPlan& after,
-                                    double after_s) {
+std::optional<Failure> ReasonNotJoined(const MotionPlan& before, double before_s, const MotionPlan& after,
+                                       double after_s) {
   if (before.robot_hash != after.robot_hash) return Misfit("the motions are of different robots");
   if (std::abs(before.whole_body.step_s - after.whole_body.step_s) > 1e-9)
     return Misfit(fmt::format("the motions have different time steps, {} and {} s", before.whole_body.step_s,
@@ -232,7 +232,7 @@ MotionPlan PlanFrom(MotionPlan plan, double from_s) {
 }
 
 Result<MotionPlan> JoinedPlans(const MotionPlan& before, double before_s, const MotionPlan& after, double after_s) {
-  if (auto failure = WhyNotJoined(before, before_s, after, after_s)) return *failure;
+  if (auto failure = ReasonNotJoined(before, before_s, after, after_s)) return *failure;
   const std::size_t ka = RowAt(before.whole_body, before_s), kb = RowAt(after.whole_body, after_s);
   const double at_s = TimeOf(before.whole_body, ka), later_s = at_s - TimeOf(after.whole_body, kb);
   const Pose X = PoseOf(BaseInPlan(before.whole_body.q[ka])) * PoseOf(BaseInPlan(after.whole_body.q[kb])).inverse();

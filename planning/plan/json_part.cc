@@ -19,8 +19,8 @@ namespace {
 
 using Json = JsonPart::Json;
 
-/// What stands there, briefly.
-std::string Told(const Json& json) {
+/// Short description of a value.
+std::string Described(const Json& json) {
   if (json.is_object()) return "an object";
   if (json.is_array()) return fmt::format("a list of {}", json.size());
   if (json.is_null()) return "null";
@@ -31,7 +31,7 @@ std::string Told(const Json& json) {
   return "'" + (text.size() > kLongest ? FirstBytes(text, kLongest) + "..." : text) + "'";
 }
 
-/// Notes the last key before the text breaks, and where that is.
+/// Finds the last key before a syntax error, and the position of the error.
 struct BreakFinder : nlohmann::json_sax<Json> {
   bool null() override { return true; }
   bool boolean(bool /*value*/) override { return true; }
@@ -57,7 +57,7 @@ struct BreakFinder : nlohmann::json_sax<Json> {
   std::size_t byte = 0;  ///< counted from 1
 };
 
-/// Sees JSON as it is read. @throws InvalidArgument for a key that stands twice and for what is beyond the bounds.
+/// Checks JSON while it is parsed. @throws InvalidArgument for a duplicate key and for JSON beyond the limits.
 class BoundsWatch {
  public:
   void See(Json::parse_event_t event, const Json& parsed) {
@@ -66,7 +66,8 @@ class BoundsWatch {
       case Json::parse_event_t::array_start:
         Count();
         if (open_.size() >= kDeepestJson)
-          throw InvalidArgument(fmt::format("its lists and objects are nested more than {} levels deep", kDeepestJson));
+          throw InvalidArgument(
+              fmt::format("its lists and objects are nested more than {} levels deep, the maximum", kDeepestJson));
         open_.emplace_back();
         break;
       case Json::parse_event_t::object_end:
@@ -84,20 +85,20 @@ class BoundsWatch {
  private:
   void Count() {
     if (++values_ > kMostJsonValues)
-      throw InvalidArgument(fmt::format("it has more than {} values; at most that many are read", kMostJsonValues));
+      throw InvalidArgument(fmt::format("it has more than {} values, the maximum", kMostJsonValues));
   }
   void SeeKey(const std::string& key) {
     std::set<std::string>& keys = open_.back();
-    if (!keys.insert(key).second) throw InvalidArgument(fmt::format("the key '{}' is in one object twice", key));
+    if (!keys.insert(key).second) throw InvalidArgument(fmt::format("the key '{}' appears twice in one object", key));
     if (keys.size() > kMostJsonKeys)
-      throw InvalidArgument(fmt::format("an object has more than {} keys; at most that many are read", kMostJsonKeys));
+      throw InvalidArgument(fmt::format("an object has more than {} keys, the maximum", kMostJsonKeys));
   }
 
-  std::vector<std::set<std::string>> open_;  // the keys of the objects that are not yet closed; none of lists
+  std::vector<std::set<std::string>> open_;  // the keys of the open objects; empty sets for open lists
   std::size_t values_ = 0;
 };
 
-/// The run of letters, digits, signs and points that holds a place.
+/// The run of letters, digits, signs and points around a position.
 std::string WordAt(const std::string& text, std::size_t at) {
   const auto belongs = [&](std::size_t i) {
     return std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '-' || text[i] == '+' || text[i] == '.';
@@ -112,7 +113,7 @@ bool IsNoFiniteNumber(std::string word) {
   word = LowerCase(std::move(word));
   if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.erase(0, 1);
   if (word == "nan" || word == "inf" || word == "infinity") return true;
-  // A number too large to be held, such as 1e999.
+  // A number that overflows, such as 1e999.
   return !word.empty() &&
          std::all_of(word.begin(), word.end(),
                      [](char c) {
@@ -128,7 +129,7 @@ void JsonPart::Refuse(const std::string& what) const {
   throw InvalidArgument(way_.empty() ? "it " + what : fmt::format("'{}' {}", way_, what));
 }
 
-void JsonPart::NeedsA(const char* kind) const { Refuse(fmt::format("is {}; {} is needed", Told(*json_), kind)); }
+void JsonPart::NeedsA(const char* kind) const { Refuse(fmt::format("is {}; {} is needed", Described(*json_), kind)); }
 
 const JsonPart& JsonPart::Object(const std::vector<std::string>& required,
                                  const std::vector<std::string>& optional) const {
@@ -207,7 +208,7 @@ std::string JsonPart::Text() const {
 
 int JsonPart::Choice(const std::vector<std::string>& choices) const {
   const auto found = std::find(choices.begin(), choices.end(), Text());
-  if (found == choices.end()) Refuse(fmt::format("is {}; accepted: {}", Told(*json_), QuotedList(choices)));
+  if (found == choices.end()) Refuse(fmt::format("is {}; accepted: {}", Described(*json_), QuotedList(choices)));
   return static_cast<int>(found - choices.begin());
 }
 
@@ -261,7 +262,7 @@ std::string WhyNoJson(const std::string& text) {
   const std::string word = WordAt(text, finder.byte - 1);
   if (IsNoFiniteNumber(word))
     return fmt::format("'{}' contains {} (byte {}); every number must be finite", finder.last_key, word, finder.byte);
-  return fmt::format("its JSON is broken at byte {}{}", finder.byte, place);
+  return fmt::format("its JSON has a syntax error at byte {}{}", finder.byte, place);
 }
 
 }  // namespace gaitwright

@@ -19,18 +19,19 @@ inline nlohmann::ordered_json JsonOrNull(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
-/// A part of a JSON text and the way to it, such as `footholds[3].pose`, for reading strictly: whatever is not as it
-/// must be throws InvalidArgument with that way, what stands there and what is accepted.
+/// A part of a JSON text and its path, such as `footholds[3].pose`, for strict reading. Every error throws
+/// InvalidArgument with the path, the value found and what is accepted.
 class JsonPart {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// The whole of a text. `json` must outlive this and all parts of it.
+  /// The whole JSON text. `json` must outlive this part and all parts of it.
   explicit JsonPart(const Json& json) : json_(&json) {}
 
-  /// An object that has each of `required` and nothing else but `optional`; an unknown key is refused with the nearest.
+  /// An object with all of `required` and no other keys than `optional`. The error for an unknown key names the nearest
+  /// known key.
   const JsonPart& Object(const std::vector<std::string>& required, const std::vector<std::string>& optional = {}) const;
-  /// The same of an object's shape.
+  /// An object with the keys of a shape.
   const JsonPart& Object(const DataShape& shape) const { return Object(shape.NeededKeys(), shape.OtherKeys()); }
   JsonPart At(const std::string& key) const;
   bool Has(const std::string& key) const { return json_->contains(key); }
@@ -39,7 +40,7 @@ class JsonPart {
   /// The members of a list.
   std::vector<JsonPart> List() const;
 
-  /// At most kLargestNumber up or down.
+  /// A number with |x| <= kLargestNumber.
   double Number() const;
   double NumberFrom(double lowest) const;
   double NumberIn(double lowest, double highest) const;
@@ -47,16 +48,16 @@ class JsonPart {
   std::uint64_t Natural() const;
   std::string Text() const;
   bool Truth() const;
-  /// @return the index of the text among the choices.
+  /// @return index of the text in `choices`.
   int Choice(const std::vector<std::string>& choices) const;
 
   std::vector<double> Numbers() const;
   /// A list of exactly `count` numbers.
   VectorX Vector(std::size_t count) const;
-  /// [x, y, z, qx, qy, qz, qw], the quaternion of unit length to 1e-6.
+  /// [x, y, z, qx, qy, qz, qw]; the quaternion has unit length to 1e-6.
   Pose ToPose() const;
 
-  /// @throws InvalidArgument "'way' <what>".
+  /// @throws InvalidArgument with the text "'<path>' <what>".
   [[noreturn]] void Refuse(const std::string& what) const;
 
  private:
@@ -67,19 +68,19 @@ class JsonPart {
   std::string way_;
 };
 
-/// Bounds of what is read as JSON: of the text [byte], of values, of keys of one object, of lists and objects in one
-/// another.
+/// Limits of JSON input: size of the text [byte], number of values, keys of one object, nesting depth of lists and
+/// objects.
 inline constexpr std::size_t kLargestJson = std::size_t{512} << 20, kMostJsonValues = 20000000, kMostJsonKeys = 5000,
                              kDeepestJson = 64;
 
-/// Largest that a number of a plan or a log may be, in whatever unit it has.
+/// Largest absolute value of a number in a plan or a log, in any unit.
 inline constexpr double kLargestNumber = 1e12;
 
-/// The text as JSON. @throws Json::exception for what is none, InvalidArgument for a key that stands twice and for what
-/// is beyond the bounds.
+/// Parses JSON. @throws Json::exception for invalid JSON; InvalidArgument for a duplicate key and for JSON beyond the
+/// limits.
 JsonPart::Json ParseJsonOnce(const std::string& text);
 
-/// Why a text is no JSON: cut short, or broken where, or with a number that is none.
+/// Reason why a text is not JSON: it is cut short, has a syntax error, or contains a number that is not finite.
 std::string WhyNoJson(const std::string& text);
 
 }  // namespace gaitwright

@@ -6,9 +6,9 @@
 
 namespace gaitwright {
 
-/// A ground that is moved and rotated about z: the ground as seen by a robot at another pose.
-/// @param X  rotates about z only. Failure kInfeasible `turned_field` for a height field that would be turned, since
-/// its grid lies along x and y.
+/// The ground as seen by a robot at another pose: moved, and rotated about z.
+/// @param X  rotates about z only. Failure kInfeasible `turned_field` if the ground has a height field and X rotates:
+///           the grid of a height field is parallel to x and y.
 Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain);
 
 }  // namespace gaitwright

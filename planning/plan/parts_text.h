@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// When each part begins, as "trot from 0.00 s, stand from 3.40 s, bound from 4.20 s"; empty for a single part.
+/// Start of each part, such as "trot from 0.00 s, stand from 3.40 s, bound from 4.20 s"; empty for a single part.
 std::string PartsText(const std::vector<MotionPart>& parts);
 
 }  // namespace gaitwright

@@ -23,7 +23,7 @@ std::vector<Vector3> ToPoints(const JsonPart& list) {
 MeshHull ToMesh(const JsonPart& part) {
   part.Object(MeshShape());
   MeshHull mesh{part.At("file").Text(), ToPoints(part.At("vertices_m"))};
-  if (mesh.vertices.empty()) part.At("vertices_m").Refuse("is empty; a mesh needs vertices");
+  if (mesh.vertices.empty()) part.At("vertices_m").Refuse("is empty; one vertex or more is needed");
   if (mesh.vertices.size() > kMostHullPoints) {
     part.At("vertices_m")
         .Refuse(fmt::format("has {} points; at most {} are accepted", mesh.vertices.size(), kMostHullPoints));
@@ -57,7 +57,7 @@ void CheckOutline(const JsonPart& part, const std::vector<Vector2>& outline) {
   constexpr double kRounding = 1e-6;
   const double share = ShareOfHull(outline);
   if (std::abs(share - 1.0) <= kRounding) return;
-  if (std::abs(share + 1.0) <= kRounding) part.Refuse("runs clockwise; counter-clockwise is needed");
+  if (std::abs(share + 1.0) <= kRounding) part.Refuse("runs clockwise; it must run counter-clockwise");
   part.Refuse(fmt::format("covers {:.4g} of its convex hull; it must be convex", std::abs(share)));
 }
 
@@ -150,7 +150,7 @@ Gait ToGait(const JsonPart& part, int feet) {
   const auto lifted = std::find_if(shares.begin(), shares.end(), never);
   if (lifted != shares.end() && !std::all_of(shares.begin(), shares.end(), never))
     lifted->Refuse("is 0; a foot that never stands is accepted only if no foot ever stands");
-  // A gait is one of legs: what a robot lies on has no part in it.
+  // The feet of a gait are those of the legs; support links under the body are not part of it.
   const std::size_t legs = std::min(shares.size(), static_cast<std::size_t>(feet));
   const auto by_foot = [&](const char* key) {
     const VectorX numbers = part.At(key).Vector(legs);
@@ -172,7 +172,8 @@ PlanGate ToGate(const JsonPart& part, int feet) {
   part.Object(PlanGateShape());
   PlanGate gate{part.At("at_s").Number(), part.At("phase").Text(), part.At("joints_within").NumberIn(0.0, kWidestGate),
                 part.At("contact").Natural(), part.At("longest_s").NumberIn(0.0, kLongestWait)};
-  if ((gate.contact & ~AllFeet(feet)) != 0) part.At("contact").Refuse(fmt::format("names feet beyond {}", feet));
+  if ((gate.contact & ~AllFeet(feet)) != 0)
+    part.At("contact").Refuse(fmt::format("names a foot beyond the robot's {} feet", feet));
   return gate;
 }
 
@@ -189,7 +190,8 @@ ContactSchedule ToSchedule(const JsonPart& list, int feet) {
   ContactSchedule schedule;
   for (const JsonPart& phase : list.List()) {
     const std::vector<JsonPart> parts = phase.List();
-    if (parts.size() != 3) phase.Refuse(fmt::format("has {} parts; start, end and stance are needed", parts.size()));
+    if (parts.size() != 3)
+      phase.Refuse(fmt::format("has {} values; three are needed: start, end and stance", parts.size()));
     schedule.phases.push_back({parts[0].Number(), parts[1].Number(), parts[2].Natural()});
   }
   CheckSchedule(schedule, feet);
@@ -218,7 +220,7 @@ SwingTrajectory ToSwing(const JsonPart& part, int feet) {
   if (part.Has("detour_m")) swing.detour_W = ToPoints(part.At("detour_m"));
   if (part.Has("cruise")) swing.cruise = part.At("cruise").Number();
   if (swing.cruise < 0.0 || swing.cruise >= 1.0)
-    part.Refuse(fmt::format("cruises for a share of {} of its time; accepted: 0 to less than 1", swing.cruise));
+    part.Refuse(fmt::format("has 'cruise' {}; accepted: 0 to less than 1", swing.cruise));
   return swing;
 }
 
@@ -231,7 +233,7 @@ Provenance ToProvenance(const JsonPart& part) {
   return provenance;
 }
 
-/// Rows of equal length: `count` of them, or as many as there are when it is 0.
+/// Rows of equal length. Their number must be `count` unless it is 0.
 std::vector<VectorX> ToRows(const JsonPart& list, std::size_t count) {
   std::vector<VectorX> rows;
   for (const JsonPart& row : list.List()) {
@@ -266,7 +268,7 @@ void ReadWholeBody(const JsonPart& whole, WholeBodyTrajectory& w) {
   const Eigen::Index nq = w.q[0].size();
   if (nq < 8 || w.v[0].size() != nq - 1 || w.a[0].size() != nq - 1 || w.tau[0].size() != nq - 7) {
     whole.Refuse(
-        fmt::format("has rows of {}, {}, {} and {} numbers in 'q', 'v', 'a' and 'tau_nm'; with n joints 7 + n, "
+        fmt::format("has rows of {}, {}, {} and {} numbers in 'q', 'v', 'a' and 'tau_nm'; for n joints, 7 + n, "
                     "6 + n, 6 + n and n are needed",
                     nq, w.v[0].size(), w.a[0].size(), w.tau[0].size()));
   }

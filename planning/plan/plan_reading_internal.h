@@ -12,7 +12,7 @@ namespace gaitwright {
 /// Names of WalkCommand::Extent in files, in its order.
 const std::vector<std::string>& PlanExtents();
 
-/// The plan of a JSON text whose format and schema are known. @throws InvalidArgument naming the first part that is
+/// Reads a plan from JSON with known format and schema. @throws InvalidArgument that names the first entry that is
 /// missing, unknown, of the wrong kind or out of range.
 MotionPlan ReadPlan(const JsonPart& whole);
 

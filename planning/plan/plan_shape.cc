@@ -50,7 +50,7 @@ DataShape PlanPatchShape() {
 
 DataShape PlanHeightFieldShape() {
   return Object({{"name", Text()},
-                 {"origin_m", Numbers(2), "The first node."},
+                 {"origin_m", Numbers(2), "Position of the first node."},
                  {"resolution_m", Positive(kLargestNumber)},
                  {"columns", Whole(2, kMostNodesAlong), "Number of points along x."},
                  {"rows", Whole(2, kMostNodesAlong), "Number of points along y."},
@@ -130,7 +130,7 @@ DataShape AdjustmentsShape() {
                       {"given", Number()},
                       {"unit", Text()},
                       {"why", Text(FailureCodeNames()), "Failure code of the plan with the requested value."},
-                      {"part", Text(), "Number and gait of the part of a sequence; else empty."}}));
+                      {"part", Text(), "Number and gait of the part of a sequence; empty for a single part."}}));
 }
 
 DataShape ProvenanceShape() {
@@ -158,7 +158,7 @@ DataShape PlanShape() {
        {"robot_yaml", Text(), "Text of the robot's robot.yaml, or empty."},
        {"start_s", Number(-kLongestTime, kLongestTime)},
        {"step_s", Positive(kLongestStep), "Time step of all rows."},
-       {"omega_rad_s", Number(), "The pendulum's frequency."},
+       {"omega_rad_s", Number(), "Frequency of the pendulum model."},
        {"centroidal", List(Numbers(11), 1), "Centre of mass, its velocity and acceleration, ZMP (2)."},
        {"q", RowsShape(), "[p_WB, quaternion xyzw, joints]."},
        {"v", RowsShape(), "[v_WB, w_WB, joint rates]."},

@@ -7,7 +7,7 @@ namespace gaitwright {
 
 /// Structure of a plan file.
 DataShape PlanShape();
-/// The list of adjustments: where a plan differs from the request.
+/// Structure of the list of adjustments (differences between plan and request).
 DataShape AdjustmentsShape();
 
 }  // namespace gaitwright

@@ -18,7 +18,7 @@ Matrix3 PlacesOf(const std::vector<Vector3>& ground_W, const Three& points) {
   return places;
 }
 
-/// Three of the first four around the load.
+/// Three of the first four points that have the load between them.
 Three Around(const std::vector<Vector3>& ground_W, const Vector3& load) {
   constexpr double kTiny = 1e-9;
   const std::size_t corners = std::min<std::size_t>(4, ground_W.size());
@@ -32,7 +32,7 @@ Three Around(const std::vector<Vector3>& ground_W, const Vector3& load) {
     const Vector3 shares = places.inverse() * load;
     if (shares.minCoeff() >= -kTiny) return points;
   }
-  throw InvalidArgument("RestingPlane: the load is not between the first points");
+  throw InvalidArgument("RestingPlane: the load must be within the polygon of the first four ground points");
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ Vector3 RestingPlane(const std::vector<Vector3>& ground_W, const Vector2& load_W
       if (rise > above) above = rise, highest = k;
     }
     if (above == kOn) break;
-    // The point that sticks out takes the place of the one that is relieved first.
+    // The point that the new contact relieves first leaves the support (ratio test of the simplex method).
     const Vector3 shares = inverse * load;
     const Vector3 taken = inverse * Vector3(ground_W[highest].x(), ground_W[highest].y(), 1.0);
     int out = -1;

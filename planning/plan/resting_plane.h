@@ -7,13 +7,14 @@
 
 namespace gaitwright {
 
-/// The plane in which something flat comes to rest on points of the ground when it is loaded at one place: on top of
-/// all of them and as low there as can be, so that it touches three around it. By the simplex method on
+/// The plane in which a flat body comes to rest on points of the ground under a load at one place: no point is above
+/// the plane, and the plane is as low as possible at the load, so it touches three points around the load. Solved by
+/// the simplex method on
 ///   max sum w_i z_i  with  sum w_i (x_i, y_i, 1) = (load, 1),  w >= 0,
-/// whose dual it is.
-/// @param ground_W  [m]; three of the first four have the load between them, such as the corners of a sole.
+/// the dual of that problem.
+/// @param ground_W  [m]; the load must lie between three of the first four points, such as the corners of a sole.
 /// @return a, b, c of z = a x + b y + c.
-/// @throws InvalidArgument where no three of the first four have the load between them.
+/// @throws InvalidArgument if the load does not lie between three of the first four points.
 Vector3 RestingPlane(const std::vector<Vector3>& ground_W, const Vector2& load_W);
 
 }  // namespace gaitwright

@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// Makes a plan one of a robot: its name and hash, the texts it is read from and the hulls of its meshes.
+/// Sets the robot of a plan: name, hash, texts of its description and hulls of its meshes.
 inline void SetRobot(const RobotModel& model, MotionPlan& plan) {
   plan.robot = model.name;
   plan.robot_hash = model.hash;

@@ -9,8 +9,8 @@
 namespace gaitwright {
 namespace {
 
-/// Weights of (p0, v0 h, a0 h^2, p1, v1 h, a1 h^2) in the quintic Hermite polynomial at u in [0, 1] and its derivatives
-/// by u.
+/// Weights of (p0, v0 h, a0 h^2, p1, v1 h, a1 h^2) in the quintic Hermite polynomial at u in [0, 1], and in its
+/// derivatives with respect to u.
 struct HermiteWeights {
   double p[6], v[6], a[6];
 
@@ -31,27 +31,27 @@ struct HermiteWeights {
   }
 };
 
-/// A coordinate (or a vector of them) at a node, with its rate and acceleration.
+/// A coordinate (or a vector of coordinates) at a node, with its rate and acceleration.
 template <class Value>
 struct NodeState {
   const Value &p, &v, &a;
 };
 
-/// The polynomial of one coordinate (or a vector of them) over an interval of length h between two nodes.
+/// The polynomial of one coordinate (or a vector of coordinates) over an interval of length h between two nodes.
 template <class Value>
 Value Blend(const double (&w)[6], double h, const NodeState<Value>& left, const NodeState<Value>& right) {
   return w[0] * left.p + w[1] * h * left.v + w[2] * h * h * left.a + w[3] * right.p + w[4] * h * right.v +
          w[5] * h * h * right.a;
 }
 
-/// Two neighbouring nodes and the place between them in [0, 1]; outside of the grid the same node twice.
+/// Two neighbouring nodes and the position between them in [0, 1]; outside of the grid, both are the end node.
 struct Interval {
   std::size_t left = 0, right = 0;
   double u = 0.0;
 };
 
 Interval Locate(double start_s, double step_s, int size, double time_s) {
-  constexpr double kRounding = 1e-9;  // of a step
+  constexpr double kRounding = 1e-9;  // share of a step
   const auto last = static_cast<std::size_t>(size - 1);
   const double most = static_cast<double>(last), position = (time_s - start_s) / step_s;
   if (last == 0 || position < -kRounding) return {0, 0, 0.0};
@@ -67,7 +67,7 @@ void BlendBaseRotation(const WholeBodyTrajectory& t, const Interval& at, const H
   const Vector3 turn = RotationLog(BaseRotation(t.q[at.right]) * R0.transpose());
   const Vector3 w0 = t.v[at.left].segment<3>(3), w1 = t.v[at.right].segment<3>(3);
   const Vector3 d0 = t.a[at.left].segment<3>(3), d1 = t.a[at.right].segment<3>(3);
-  // Rates of the rotation vector: w = phi' + phi x phi' / 2 + ...; the turn of one step is small.
+  // Rates of the rotation vector: w = phi' + phi x phi' / 2 + ...; the rotation of one step is small.
   const Vector3 rate1 = w1 - 0.5 * turn.cross(w1);
   const Vector3 acceleration1 = d1 - 0.5 * turn.cross(d1);
   const Vector3 zero = Vector3::Zero();

@@ -14,9 +14,9 @@ struct WholeBodySample {
   std::vector<ContactWrench> wrenches;
 };
 
-/// The state at a time: joints and base position by the quintic that has q, v, a of both nodes, the base's rotation by
-/// the same quintic of the rotation vector from the left node, torques and wrenches linearly. Before the first node and
-/// after the last one: that node at rest. No allocation once `sample` has its sizes.
+/// The state at a time. Joints and base position follow the quintic with q, v, a of both nodes; the base's rotation
+/// follows the quintic of the rotation vector from the left node; torques and wrenches are linear. Before the first
+/// node and after the last one, it is that node at rest. Does not allocate once `sample` has its sizes.
 void SampleWholeBody(const WholeBodyTrajectory& trajectory, double time_s, WholeBodySample& sample);
 
 /// A centroidal trajectory between its nodes.
@@ -25,14 +25,14 @@ struct CentroidalSample {
   Vector2 p_WZ = Vector2::Zero();
 };
 
-/// The centroidal trajectory at a time: the quintic that has p, v, a of both nodes; the ZMP linearly. Before
-/// the first node and after the last one: that node at rest.
+/// The centroidal trajectory at a time: the quintic with p, v, a of both nodes; the ZMP is linear. Before the first
+/// node and after the last one, it is that node at rest.
 CentroidalSample SampleCentroidal(const CentroidalTrajectory& trajectory, double time_s);
 
-/// How far the centre of mass goes between two times [m].
+/// Displacement of the centre of mass between two times [m].
 Vector3 CentreWay(const CentroidalTrajectory& trajectory, double from_s, double to_s);
 
-/// A swing as a curve that can be evaluated.
+/// The curve of a swing, for evaluation.
 SwingCurve CurveOf(const SwingTrajectory& swing);
 
 }  // namespace gaitwright

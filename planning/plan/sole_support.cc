@@ -26,7 +26,7 @@ Polygon PartOnPatch(const std::vector<Vector2>& sole_F, const Pose& X_WF, const 
 
 namespace {
 
-/// From the ground up to a point of a sole; infinity where there is none.
+/// Height of a point of a sole above the ground; infinity without ground.
 double GapAt(const Vector2& p_F, const Pose& X_WF, const Terrain& terrain) {
   const Vector3 p_W = X_WF * Vector3(p_F.x(), p_F.y(), 0.0);
   const GroundPoint ground = GroundAt(terrain, p_W.head<2>());
@@ -49,7 +49,7 @@ Polygon TouchingCorners(const std::vector<Vector2>& sole_F, const Pose& X_WF, co
 }
 
 std::vector<Vector2> SoleSamples(const std::vector<Vector2>& sole_F, double spacing_m) {
-  constexpr double kMost = 24.0;   // along one side
+  constexpr double kMost = 24.0;   // samples along one side
   constexpr double kTiny = 1e-12;  // [m]
   std::vector<Vector2> samples = sole_F;
   const Eigen::AlignedBox2d box = [&] {

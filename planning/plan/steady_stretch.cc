@@ -11,14 +11,14 @@
 namespace gaitwright {
 namespace {
 
-/// How many times what repeats itself it is, summed over what is told.
+/// Sum of the components of a seam, each relative to its limit in kSteady.
 double Worth(const Seam& seam) {
   return seam.height_m / kSteady.height_m + seam.tilt_rad / kSteady.tilt_rad + seam.joints / kSteady.joints +
          seam.base_rates / kSteady.base_rates + seam.joint_rates / kSteady.joint_rates;
 }
 
-/// The same stretch from the middle of that phase in its first cycle in which the most feet stand, the longest of
-/// these: there the seam between two cycles cuts the fewest swings, and feet that stand do so on both sides of it.
+/// The same stretch, moved to start in the middle of the longest phase of its first cycle in which the most feet stand.
+/// There the seam between two cycles cuts the fewest swings, and the standing feet are the same on both sides.
 SteadyStretch AtItsStance(const MotionPlan& plan, const SteadyStretch& stretch, double last_s) {
   constexpr double kTime = 1e-6;
   const WholeBodyTrajectory& w = plan.whole_body;

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// Sums over points of a stance for the fit.
+/// Sums over the contact points of a stance, for the least-squares fit.
 struct Spread {
   int count = 0;
   Vector3 middle = Vector3::Zero();
@@ -43,7 +43,7 @@ GroundPlane Blend(const GroundPlane& from, const GroundPlane& to, double u) {
   return {(1.0 - u) * from.height_m + u * to.height_m, (1.0 - u) * from.slope + u * to.slope};
 }
 
-/// The feet that stand on both sides of a boundary, or where these are none all of the first stance.
+/// The feet that stand on both sides of a boundary; if no foot does, all feet of the first stance.
 FootSet Shared(FootSet here, FootSet there) { return (here & there) != 0 ? here & there : here; }
 
 }  // namespace
@@ -52,8 +52,8 @@ GroundPlane PlaneThrough(const ContactsByFoot& contacts, FootSet stance) {
   const Spread spread = SpreadOf(contacts, stance);
   GroundPlane plane;
   if (spread.count == 0) return plane;
-  // The direction in which points are not spread gets no slope.
-  constexpr double kLine = 1e-3;  // of the largest spread, squared
+  // The plane gets no slope in a direction in which the points are not spread.
+  constexpr double kLine = 1e-3;  // share of the largest spread, squared
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread.places);
   const double largest = axes.eigenvalues()[1];
   for (int i = 0; i < 2; ++i) {

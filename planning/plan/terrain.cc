@@ -12,7 +12,7 @@
 namespace gaitwright {
 
 GroundKind KindOfGround(const Terrain& terrain) {
-  constexpr double kLevel = 1.0 - 1e-12;  // cosine of the tilt, but for rounding
+  constexpr double kLevel = 1.0 - 1e-12;  // cosine of the tilt of level ground, less rounding
   if (terrain.patches.size() != 1 || !terrain.height_fields.empty() || !terrain.obstacles.empty())
     return GroundKind::kUneven;
   const TerrainPatch& patch = terrain.patches.front();
@@ -35,7 +35,7 @@ TerrainPatch PatchThrough(const std::string& name, const std::vector<Vector3>& c
   constexpr double kRounding = 1e-6;  // of the share of the hull
   const auto refuse = [&](const std::string& why) { throw InvalidArgument(fmt::format("patch '{}' {}", name, why)); };
   if (corners_W.size() < 3) refuse(fmt::format("has {} corners; three or more are needed", corners_W.size()));
-  Vector3 middle = Vector3::Zero(), normal = Vector3::Zero();  // the latter by Newell's sum over edges
+  Vector3 middle = Vector3::Zero(), normal = Vector3::Zero();  // normal by Newell's sum over edges
   for (std::size_t i = 0; i < corners_W.size(); ++i) {
     middle += corners_W[i] / static_cast<double>(corners_W.size());
     normal += (corners_W[i] - corners_W[0]).cross(corners_W[(i + 1) % corners_W.size()] - corners_W[0]);
@@ -61,7 +61,7 @@ TerrainPatch PatchThrough(const std::string& name, const std::vector<Vector3>& c
 
 namespace {
 
-/// The height and normal of a height field at a point; patch stays -1 outside of its grid.
+/// The height and normal of a height field at a point; patch is -1 outside of its grid.
 GroundPoint FieldAt(const HeightField& field, const Vector2& p_W) {
   const Vector2 at = (p_W - field.origin_W) / field.resolution_m;
   if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= field.columns - 1 && at.y() <= field.rows - 1)) return {};
@@ -71,13 +71,13 @@ GroundPoint FieldAt(const HeightField& field, const Vector2& p_W) {
     return field.height_m[static_cast<std::size_t>((row + dy) * field.columns + column + dx)];
   };
   const double u = at.x() - column, v = at.y() - row, low = height(0, 0), high = height(1, 1);
-  const double corner = u >= v ? height(1, 0) : height(0, 1);  // of the triangle that holds the point
+  const double corner = u >= v ? height(1, 0) : height(0, 1);  // of the triangle that contains the point
   const double by_x = u >= v ? corner - low : high - corner, by_y = u >= v ? high - corner : corner - low;
   const Vector3 normal(-by_x, -by_y, field.resolution_m);
   return {0, low + u * by_x + v * by_y, normal.normalized(), field.friction};
 }
 
-/// Whether a point is in a convex outline or on its edge, to rounding, so that no hole is left between neighbours.
+/// Whether a point is in a convex outline or on its edge, with a tolerance, so that no gap is left between neighbours.
 bool Holds(const std::vector<Vector2>& outline, const Vector2& p) {
   constexpr double kSeam = 1e-9;  // [m]
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -88,7 +88,7 @@ bool Holds(const std::vector<Vector2>& outline, const Vector2& p) {
   return true;
 }
 
-/// The height and normal of a patch at a point; patch stays -1 outside of its outline.
+/// The height and normal of a patch at a point; patch is -1 outside of its outline.
 GroundPoint PatchAt(const TerrainPatch& patch, const Vector2& p_W) {
   const Vector3 normal = patch.X_WT.linear().col(2);
   const Vector3 origin = patch.X_WT.translation();

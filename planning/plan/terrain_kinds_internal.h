@@ -10,10 +10,10 @@
 
 namespace gaitwright::terrain {
 
-// One struct for each built-in ground: its parameters, first as they suit a robot, then as somebody wants them.
-// Build() throws InvalidArgument where parameters that are each in range do not go together.
+// One struct for each built-in ground with its parameters. The constructor sets values that suit a robot; options may
+// change them. Build() throws InvalidArgument for parameters that are each in range but do not fit together.
 
-/// Level ground beside what has no bottom reaches this far [m].
+/// Extent of the level ground beside a pit [m].
 inline constexpr double kLevelReach = 20.0;
 
 struct FlatGround {
@@ -24,13 +24,13 @@ struct FlatGround {
   Terrain Build() const;
 };
 
-/// What a feature that one walks over or past has, whichever it is.
+/// Parameters of a feature that the robot walks over or past.
 struct Feature {
   double start_m, width_m;
   double friction = 0.8;
 
   explicit Feature(const TerrainScale& scale);
-  /// These with those of the kind itself in between.
+  /// These fields, with those of the kind of ground in between.
   OptionFields With(OptionFields own);
 };
 
@@ -119,7 +119,7 @@ struct RoughGround : Feature {
   Terrain Build() const;
 };
 
-/// What walls on level ground have.
+/// Parameters of walls on level ground.
 struct Walls {
   double start_m, passage_m, height_m, thickness_m;
   double friction = 0.8;
@@ -153,7 +153,7 @@ struct MazeGround : Walls {
   Terrain Build() const;
 };
 
-/// To two significant digits, so that sizes made from a robot are easy to read and to write down.
+/// Rounds to two significant digits, so that sizes derived from a robot are easy to read and to write down.
 double Readable(double value);
 
 OptionField StartField(double* start_m);
@@ -168,16 +168,16 @@ struct Rectangle {
   double x0, x1, y0, y1;
 };
 
-/// A rectangle across the x axis: as wide to the left as to the right.
+/// A rectangle across the x axis, symmetric to it.
 Rectangle Across(double x0, double x1, double width);
 
-/// A patch over a rectangle whose height goes from z0 at x0 to z1 at x1.
+/// A patch over a rectangle; its height is z0 at x0 and z1 at x1.
 TerrainPatch PatchOver(const std::string& name, const Rectangle& area, double z0, double z1, double friction);
 
-/// Level ground up to `start` and from `end` on, at z = 0, with nothing between.
+/// Level ground at z = 0 up to `start` and from `end` on, without ground between them.
 std::vector<TerrainPatch> LevelBanks(const std::string& what, double start, double end, double friction);
 
-/// A box whose edges lie along the axes of W, standing on z0.
+/// A box on height z0 with its edges along the axes of W.
 Obstacle BoxOver(const std::string& name, const Rectangle& area, double z0, double z1);
 
 }  // namespace gaitwright::terrain

@@ -11,8 +11,8 @@
 namespace gaitwright::terrain {
 namespace {
 
-/// Walls of a maze: a tree of passages that reaches every cell, so there is exactly one way between any two.
-/// Made by going on to a neighbour not yet visited, chosen by chance, and back where there is none.
+/// Walls of a maze. The passages are a tree that reaches every cell, so there is exactly one route between any two
+/// cells. They are made by a depth-first search with random neighbours.
 class Maze {
  public:
   Maze(int columns, int rows, std::uint64_t seed) : columns_(columns), rows_(rows), seed_(seed) {
@@ -22,9 +22,9 @@ class Maze {
     ahead_[Ahead(0, rows / 2)] = ahead_[Ahead(columns, rows / 2)] = 0;  // entrance and exit
   }
 
-  /// Whether a wall stands at the low-x side of a cell; column `columns` for the far end.
+  /// Whether there is a wall at the low-x side of a cell; column `columns` is the far end.
   bool WallAhead(int column, int row) const { return ahead_[Ahead(column, row)] != 0; }
-  /// Whether a wall stands at the low-y side of a cell; row `rows` for the left end.
+  /// Whether there is a wall at the low-y side of a cell; row `rows` is the left end.
   bool WallBeside(int column, int row) const { return beside_[Beside(column, row)] != 0; }
 
  private:
@@ -70,7 +70,7 @@ class Maze {
   std::vector<char> ahead_, beside_;
 };
 
-/// Calls add(first, last + 1) for each run of consecutive numbers below `count` for which `wall` holds.
+/// Calls add(first, last + 1) for each run of consecutive numbers below `count` for which `wall` is true.
 template <class Wall, class Add>
 void ForRuns(int count, Wall wall, Add add) {
   for (int i = 0; i < count; ++i) {

@@ -12,7 +12,7 @@ namespace gaitwright::terrain {
 namespace {
 
 constexpr double kMostNodes = 1e6;
-constexpr double kHeightUnit = 1e-5;  // heights are whole multiples of it, so that plans stay short [m]
+constexpr double kHeightUnit = 1e-5;  // heights are multiples of this, so that plans stay short [m]
 
 }  // namespace
 
@@ -51,7 +51,7 @@ Terrain RoughGround::Build() const {
   field.rows = static_cast<int>(cells_y) + 1;
   field.friction = friction;
   const double end = resolution_m * std::min(cells_x, cells_y);
-  const double rim = std::min(0.5 * wavelength_m, 0.5 * end);  // over which it rises from the level around it
+  const double rim = std::min(0.5 * wavelength_m, 0.5 * end);  // width of the transition to level ground
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const int inside = std::min({column, row, field.columns - 1 - column, field.rows - 1 - row});

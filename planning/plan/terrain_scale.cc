@@ -11,7 +11,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-/// The box along the axes of W around a foot: its sole, or its sphere.
+/// The axis-parallel box in W around a foot's sole or sphere.
 Box FootBox(const RobotModel& model, const DynamicsScratch& scratch, int foot) {
   Box box;
   for (const Vector3& p : ContactPoints(model, scratch, foot)) box.extend(p);

@@ -5,11 +5,12 @@
 
 namespace gaitwright {
 
-/// The lengths of a robot that the sizes of grounds follow. Standing, base over the origin of W, facing x. [m]
+/// Lengths of a robot [m] from which the sizes of grounds follow. The robot stands with its base over the origin of W
+/// and faces x.
 struct TerrainScale {
   double leg_length_m = 0.4;
-  double body_length_m = 0.6, body_width_m = 0.4, body_height_m = 0.45;  ///< of its feet and collision shapes
-  double front_m = 0.3;                                                  ///< their extent in front of the origin
+  double body_length_m = 0.6, body_width_m = 0.4, body_height_m = 0.45;  ///< extent of its feet and collision shapes
+  double front_m = 0.3;                                                  ///< extent in front of the origin
   double stance_width_m = 0.3;                                           ///< between the outer edges of its feet
   double foot_length_m = 0.04, foot_width_m = 0.04;                      ///< of the longest and the widest foot
 };

@@ -14,7 +14,8 @@ std::string NameOf(const std::string& name, const char* kind, std::size_t number
   return name.empty() ? fmt::format("{} {}", kind, number) : name;
 }
 
-/// A convex hull in W, about its own middle, so that rounding does not grow with the distance from the origin of W.
+/// A convex hull in W, stored relative to its centre, so that rounding does not grow with the distance from the origin
+/// of W.
 Shape HullShape(const std::vector<Vector3>& corners_W) {
   Shape shape;
   shape.type = ShapeType::kMesh;

@@ -7,15 +7,15 @@
 namespace gaitwright {
 
 /// All solids of a terrain for collision checks: the solids under bounded patches (SolidUnder), half spaces below
-/// infinite planes, the volume down to kSolidDepth below height fields, and the obstacles. Their names are those of the
+/// infinite planes, the volume below height fields down to kSolidDepth, and the obstacles. They have the names of the
 /// terrain; unnamed ones get their kind and number, such as "patch 2".
 /// @throws InvalidArgument for a height field without a height for each node.
 ShapeScene SolidsOf(const Terrain& terrain);
 
-/// The corners of a patch in plan view, in W; none of a plane without end.
+/// The corners of a patch in plan view, in W; empty for an infinite plane.
 std::vector<Vector2> PlanOutline(const TerrainPatch& patch);
 
-/// The corners of an obstacle in W; of a cylinder those of a prism inside it.
+/// The corners of an obstacle in W; for a cylinder, the corners of an inscribed prism.
 std::vector<Vector3> CornersOf(const Obstacle& obstacle);
 
 }  // namespace gaitwright

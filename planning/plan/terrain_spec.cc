@@ -16,9 +16,10 @@ OptionTexts ParseParameters(const std::string& text) {
     const std::string part = text.substr(at, comma - at);
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw InvalidArgument(fmt::format("parameter '{}' is not written as 'key=value'", part));
+      throw InvalidArgument(fmt::format("parameter '{}' is not of the form 'key=value'", part));
     const std::string key = part.substr(0, equals);
-    if (!seen.insert(key).second) throw InvalidArgument(fmt::format("parameter '{}' is given twice", key));
+    if (!seen.insert(key).second)
+      throw InvalidArgument(fmt::format("parameter '{}' is given twice; give it once", key));
     texts.emplace_back(key, part.substr(equals + 1));
     at = comma + 1;
   }

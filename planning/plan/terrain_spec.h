@@ -7,8 +7,8 @@
 
 namespace gaitwright {
 
-/// The parameters in a text `key=value,key=value`, in their order. @throws InvalidArgument where it is not written so,
-/// or has a key twice.
+/// The parameters in a text `key=value,key=value`, in their order. @throws InvalidArgument for a text of another form
+/// or with a duplicate key.
 OptionTexts ParseParameters(const std::string& text);
 
 }  // namespace gaitwright

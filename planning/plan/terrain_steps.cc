@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Room for the whole robot to stand on: over one body length, and for a stride.
+/// Length for the whole robot to stand on: more than one body length, and enough for a stride.
 double Landing(const TerrainScale& scale) {
   return Readable(std::max(1.2 * scale.body_length_m, 2.5 * scale.foot_length_m));
 }

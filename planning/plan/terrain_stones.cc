@@ -11,7 +11,7 @@
 namespace gaitwright::terrain {
 namespace {
 
-/// The least odd number of rows, `spacing` apart, that are wider together than the robot by a row on each side.
+/// Smallest odd number of rows with this spacing that is wider than the robot by one row on each side.
 int OddRows(double robot_width, double spacing) {
   const int beside = static_cast<int>(std::ceil(0.5 * robot_width / spacing));
   return 2 * std::clamp(beside, 1, 50) + 1;
@@ -54,7 +54,7 @@ Terrain StonesGround::Build() const {
   const double gap = spacing_m - size_m;
   if (2.0 * jitter_m > gap) {
     throw InvalidArgument(
-        fmt::format("stones of size_m {} spacing_m {} apart that move by jitter_m {} overlap; jitter_m may be {:.4g}",
+        fmt::format("stones of size_m {} at spacing_m {} can overlap with jitter_m {}; jitter_m may be {:.4g} at most",
                     size_m, spacing_m, jitter_m, std::max(0.0, std::floor(500.0 * gap) / 1000.0)));
   }
   const double first = start_m + gap, last = first + (count - 1) * spacing_m + size_m;

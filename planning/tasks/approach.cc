@@ -17,7 +17,7 @@
 #include "planning/audit/motor_effort.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/robot_of_plan.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
@@ -34,7 +34,7 @@ struct Move {
   double duration_s = 0.0;
 };
 
-/// q of the robot as it hangs, its joints left at zero: over the place where the plan begins, with the plan's heading.
+/// q with the joints at zero and the base hanging over the start of the plan, with the plan's heading.
 VectorX HangingBase(const RobotModel& model, const MotionPlan& plan, const StartPosture& start) {
   VectorX q = VectorX::Zero(model.nq());
   q.head<2>() = plan.whole_body.q.front().head<2>();
@@ -53,8 +53,9 @@ std::string PairText(const Overlap& pair) {
   return fmt::format("'{}' and '{}' collide, {:.1f} mm deep", pair.link_a, pair.link_b, 1e3 * pair.depth_m);
 }
 
-/// The postures to go by, the ends included, or why there is no free way.
-Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, const VectorX& from, const VectorX& to) {
+/// Postures of a collision-free motion, including both ends; a failure if none is found.
+Result<std::vector<VectorX>> FreeWay(const RobotModel& model, PathCheck& check, const VectorX& from,
+                                     const VectorX& to) {
   const auto blocked = [&](const char* posture, const Overlap& pair) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kSelfCollision,
@@ -88,7 +89,7 @@ struct Shares {
   double speed, acceleration, jerk, torque;
 };
 
-/// The time that the limits of speed, acceleration and jerk ask of a move.
+/// Duration of a move within the limits of speed, acceleration and jerk.
 double TimeOf(const RobotModel& model, const ApproachOptions& options, const Shares& shares, const VectorX& from,
               const VectorX& to) {
   constexpr double kSpeed = 1.875, kAcceleration = 5.7735026918962582, kJerk = 60.0;
@@ -121,7 +122,7 @@ void AddRow(const Move& move, double time_s, const VectorX& q_base, MotionPlan& 
   plan.whole_body.a.push_back(a);
 }
 
-/// The rows of joints, of torques and of the centre of mass of moves one after the other.
+/// Fills in the rows of joints, torques and centre of mass for consecutive moves.
 void FillRows(const RobotModel& model, const std::vector<Move>& moves, const VectorX& q_base, MotionPlan& plan) {
   WholeBodyTrajectory& w = plan.whole_body;
   CentroidalTrajectory& c = plan.centroidal;
@@ -148,7 +149,7 @@ void FillRows(const RobotModel& model, const std::vector<Move>& moves, const Vec
   c.omega_rad_s = std::sqrt(kGravity * static_cast<double>(w.q.size()) / height);
 }
 
-/// A motor that has to give more than its share, and whether it has to at rest too.
+/// A motor that needs more than its share of effort, and whether it needs that at rest too.
 struct Overload {
   int motor = 0;
   double effort = 0.0, limit = 0.0;
@@ -206,7 +207,7 @@ void Close(const RobotModel& model, const VectorX& q_base, MotionPlan& plan) {
   plan.schedule.phases = {{0.0, end_s, 0}};
 }
 
-/// Why an approach of that time is not planned, or nothing.
+/// Failure if an approach of this duration is too long.
 std::optional<Failure> TooLong(double time_s, double step_s) {
   const std::vector<Suggestion> suggestions = {
       "move the joints by hand closer to the plan's first posture and measure again",
@@ -232,7 +233,7 @@ double TimeOf(const std::vector<Move>& moves) {
   return time_s;
 }
 
-/// Slows the moves down until no motor is overloaded, or says which one is however slow they are.
+/// Slows the moves down until no motor is overloaded. Failure that names the motor if it is overloaded at any speed.
 std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, std::vector<Move>& moves,
                                 const VectorX& q_base, MotionPlan& plan) {
   constexpr int kMostTries = 20;
@@ -244,18 +245,19 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
     if (!over) return std::nullopt;
     if (over->at_rest || tries == kMostTries) {
       const Actuator motor = ActuatorOf(model, over->motor);
-      return Infeasible(FailureCode::kTorque,
-                        fmt::format("{} '{}' needs {:.4g} {} {} on the motion to the plan's first posture, with the "
-                                    "base held in the air; its share of the limit is {:.4g}",
-                                    motor.shared() ? "motor" : "joint", motor.name, over->effort, motor.effort_unit(),
-                                    over->at_rest ? "only to hold" : "even at low speed", over->limit));
+      return Infeasible(
+          FailureCode::kTorque,
+          fmt::format("{} '{}' needs {:.4g} {} {} on the motion to the plan's first posture, with the "
+                      "base held in the air; at most {:.4g} {} is accepted, its share of the limit",
+                      motor.shared() ? "motor" : "joint", motor.name, over->effort, motor.effort_unit(),
+                      over->at_rest ? "only to hold" : "even at low speed", over->limit, motor.effort_unit()));
     }
     for (Move& move : moves)
       move.duration_s = std::ceil(kSlower * move.duration_s / plan.whole_body.step_s) * plan.whole_body.step_s;
   }
 }
 
-/// Why the way is none for this robot, or nothing.
+/// Failure if the plan or the start posture does not fit the robot.
 std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, const StartPosture& from) {
   const auto bad = [](const std::string& message) {
     return Failure{FailureKind::kBadInput, FailureCode::kMisfit, kApproachStage, message, {}};
@@ -272,7 +274,7 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, c
   return std::nullopt;
 }
 
-/// The law that a way breaks, held against what the plan is held against, but for where it starts.
+/// Failure of the audit check that the motion violates. The start posture of the plan is not checked.
 std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& way, AuditOptions reserve) {
   reserve.start.reset();
   reserve.margins = false;
@@ -311,7 +313,7 @@ Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, c
   const double step = plan.whole_body.step_s;
   if (auto failure = TooLong(TimeOf(model, options, shares, from.joints, to), step)) return *failure;
   const VectorX q_base = HangingBase(model, plan, from);
-  WayCheck check(model, q_base);
+  PathCheck check(model, q_base);
   const Result<std::vector<VectorX>> way = FreeWay(model, check, from.joints, to);
   if (!way) return way.failure();
   Approach approach;

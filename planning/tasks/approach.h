@@ -10,11 +10,11 @@
 
 namespace gaitwright {
 
-/// Longest approach [s], and most rows of the plan's own time step that it is written in.
+/// Longest approach [s], and largest number of its rows at the plan's time step.
 inline constexpr double kLongestApproach = 600.0;
 inline constexpr double kMostApproachRows = 120000.0;
 
-/// How slowly a robot is brought to its first posture.
+/// Speeds and limits of the motion to the first posture.
 struct ApproachOptions {
   double speed_share = 0.1;
   double speed_rad_s = 0.5;
@@ -38,30 +38,33 @@ struct ApproachOptions {
 
 /// A motion to the first posture of a plan.
 struct Approach {
-  MotionPlan plan;            ///< one part, which hangs (HangingGait); passes its audit
-  bool via_standing = false;  ///< it goes via the standing posture, because the direct motion is not free
-  std::string farthest;       ///< the joint that goes farthest
-  double farthest_by = 0.0;   ///< and how far [rad] or [m]
+  MotionPlan plan;            ///< one part with a hanging base (HangingGait); passes its audit
+  bool via_standing = false;  ///< true if the direct motion is not collision-free
+  std::string farthest;       ///< the joint that moves farthest
+  double farthest_by = 0.0;   ///< distance that it moves [rad] or [m]
 };
 
-/// Whether a joint is farther from the plan's first posture than the audit accepts (`start_tolerance_rad`, `_m`), so
-/// that an approach is needed. True for a plan or posture of other joints, which PlanApproach refuses.
+/// Whether an approach is needed: a joint is farther from the plan's first posture than the audit accepts
+/// (`start_tolerance_rad`, `_m`). Also true if the plan or the posture has other joints than the robot; PlanApproach
+/// refuses these.
 bool HasWayToGo(const RobotModel& model, const MotionPlan& plan, const StartPosture& from, const AuditOptions& audit);
 
-/// A safe motion from the measured joints to the first posture of a plan: all joints at once from rest to rest by
+/// A safe motion from the measured joints to the first posture of a plan: all joints move together from rest to rest by
 ///   q(t) = q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5),  u = t / T,
-/// the motion of least jerk (Flash and Hogan, J. Neuroscience 5(7), 1985), whose speed, acceleration and jerk are at
-/// most 1.875 |q1 - q0| / T, 5.7735 |q1 - q0| / T^2 and 60 |q1 - q0| / T^3: so T follows from the limits.
+/// This is the motion of least jerk (Flash and Hogan, J. Neuroscience 5(7), 1985). Its speed, acceleration and jerk are
+/// at most 1.875 |q1 - q0| / T, 5.7735 |q1 - q0| / T^2 and 60 |q1 - q0| / T^3, so T follows from the limits.
 ///
-/// The robot hangs: its base is held in the air, as on a stand, tilted as measured (level where that is not known), so
-/// that feet may move freely; then it is set down and the plan starts. The straight line in joint space is checked for
-/// self-collision; if it is not free, the motion via the standing posture is tried, otherwise it is refused with the
-/// two links. The motion is slowed until torques are within limits, and audited like any plan, with the derating of
-/// `audit`: its shares apply to the approach if they are smaller than those of the options.
+/// The robot hangs: its base is held in the air, as on a stand, with the measured tilt (level if unknown), so that feet
+/// may move freely. Afterwards it is set down and the plan starts. The straight line in joint space is checked for
+/// self-collision. If it is not free, the motion via the standing posture is tried; if that is not free either, the
+/// failure names the two links. The motion is slowed down until torques are within limits. It is audited like any plan
+/// with the derating of `audit`; where the shares of `audit` are smaller than those of `options`, they apply to the
+/// approach.
 ///
-/// Failure kBadInput: sizes that disagree, positions that are not finite, a posture that is in itself at one of the
-/// ends. kInfeasible: no free way, one of more than kLongestApproach or kMostApproachRows (before any row is made), a
-/// motor too weak to hold what hangs from it (named with its torque and limit), a law that the motion breaks.
+/// Failure kBadInput: sizes that disagree, positions that are not finite, a self-collision at one of the two ends.
+/// kInfeasible: no collision-free motion; a motion of more than kLongestApproach or kMostApproachRows (checked before
+/// rows are made); a motor too weak to hold what hangs from it (named with its torque and limit); a failed check of the
+/// audit.
 /// @throws InvalidArgument for options out of range.
 Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
                               const ApproachOptions& options = {}, const AuditOptions& audit = {});

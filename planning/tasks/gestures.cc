@@ -8,14 +8,14 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/dof_units.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kOffStops = 0.05;  // of a joint's range
+constexpr double kOffStops = 0.05;  // margin to the joint limits, as a share of the range
 
-/// Where a limb's end is, by joints, with the base upright.
+/// Position of a limb's end as a function of the joints, with the base upright.
 class LimbEnd {
  public:
   LimbEnd(const RobotModel& model, const Limb& limb)
@@ -36,7 +36,7 @@ class LimbEnd {
   VectorX q_;
 };
 
-/// What a joint may be moved between: a full turn where it has no limits.
+/// Range of a joint; a full turn if it has no limits.
 struct Range {
   double low, high;
 
@@ -48,7 +48,7 @@ struct Range {
   double Clamp(double position) const { return std::clamp(position, low, high); }
 };
 
-/// One joint where it serves best, by samples over its range that get finer around the best.
+/// Moves one joint to its best value. Samples its range, then ever finer around the best sample.
 void MoveToBest(LimbEnd& end, const VectorX& from, double metre_rad, const Range& range, int dof, VectorX& joints) {
   constexpr int kSamples = 24, kRefinements = 3;
   const auto worth = [&](double position) {
@@ -71,13 +71,13 @@ void MoveToBest(LimbEnd& end, const VectorX& from, double metre_rad, const Range
   joints[dof] = best;
 }
 
-/// The share of a straight way that is free, and what ends it.
+/// The collision-free share of a straight line in joint space, and the pair of links that ends it.
 struct FreeShare {
   double share = 1.0;
   std::optional<Overlap> met;
 };
 
-FreeShare FreeShareOf(WayCheck& check, const VectorX& from, const VectorX& to) {
+FreeShare FreeShareOf(PathCheck& check, const VectorX& from, const VectorX& to) {
   constexpr int kHalvings = 7;
   FreeShare free{1.0, check.FirstMeeting(from, to)};
   if (!free.met) return free;
@@ -103,18 +103,19 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
       MoveToBest(end, from, 10.0 / model.leg_length_m(), Range::Of(model, dof), dof, raised);
     if ((raised - before).cwiseAbs().maxCoeff() < 1e-3) break;
   }
-  WayCheck check(model, StandingConfiguration(model));
+  PathCheck check(model, StandingConfiguration(model));
   const FreeShare free = FreeShareOf(check, from, raised);
   raised = from + free.share * (raised - from);
   const double gain = end.At(raised).z() - end.At(from).z();
   if (!free.met || gain >= kLeast * model.leg_length_m()) return raised;
-  return Failure{
-      FailureKind::kInfeasible,
-      FailureCode::kSelfCollision,
-      "RaisedArm",
-      fmt::format("the arm that ends in '{}' rises by only {:.3f} m before '{}' and '{}' collide",
-                  model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a, free.met->link_b),
-      {}};
+  return Failure{FailureKind::kInfeasible,
+                 FailureCode::kSelfCollision,
+                 "RaisedArm",
+                 fmt::format("the arm that ends in '{}' can be raised by only {:.3f} m before '{}' and '{}' collide; "
+                             "{:.3f} m or more is needed",
+                             model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a,
+                             free.met->link_b, kLeast * model.leg_length_m()),
+                 {}};
 }
 
 Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& raised) {
@@ -142,7 +143,7 @@ Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& rai
                                model.bodies[static_cast<std::size_t>(arm.end_body)].name),
                    {}};
   }
-  WayCheck check(model, StandingConfiguration(model));
+  PathCheck check(model, StandingConfiguration(model));
   const Range range = Range::Of(model, best);
   const auto swung = [&](double by) {
     VectorX to = raised;

@@ -10,12 +10,12 @@
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/ik/whole_body_ik.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
 
-/// The standing robot's feet as targets, and the body moved over them.
+/// Inverse kinematics with the feet at their standing positions and the body above them.
 class BodyOverFeet {
  public:
   explicit BodyOverFeet(const RobotModel& model)
@@ -32,7 +32,8 @@ class BodyOverFeet {
     }
   }
 
-  /// Brings the base's origin to a place; what the centre of mass has to be shifted by for it, and the joints.
+  /// Finds the shift of the centre of mass (in `key`) and q that bring the base's origin to p_WB. False if out of
+  /// reach.
   bool Reach(const Vector3& p_WB, const VectorX& joints, PostureKey& key, VectorX& q) {
     constexpr int kShortWays = 10;
     target_.posture.q = joints;
@@ -54,7 +55,7 @@ class BodyOverFeet {
   DynamicsScratch& scratch() { return scratch_; }
 
  private:
-  /// From a guess of the centre of mass's shift and of q.
+  /// Solves from an initial guess of the centre of mass's shift and of q.
   bool Bring(const Vector3& p_WB, Vector3& shift, VectorX& q) {
     constexpr int kPasses = 30;
     constexpr double kThere = 1e-9;  // [m]
@@ -76,7 +77,7 @@ class BodyOverFeet {
   BodyTarget target_;
 };
 
-/// How far the nearest joint is inside of its stops, as a share of its range; negative beyond.
+/// Smallest distance of a joint to its limits, as a share of its range; negative beyond a limit.
 double RoomOf(const RobotModel& model, const VectorX& q, int& nearest) {
   double room = std::numeric_limits<double>::infinity();
   for (int d = 0; d < model.num_dofs(); ++d) {
@@ -90,7 +91,7 @@ double RoomOf(const RobotModel& model, const VectorX& q, int& nearest) {
   return room;
 }
 
-/// What is said of a link other than a foot's that would be in the ground on which the feet stand, or nothing.
+/// Names a link other than a foot that would be below the ground on which the feet stand; empty if there is none.
 std::string LinkInGround(const RobotModel& model, DynamicsScratch& scratch, const VectorX& q) {
   constexpr double kPressed = 3e-3;  // [m]
   ForwardKinematics(model, q, scratch);
@@ -123,11 +124,11 @@ Failure CannotLie(const std::string& why) {
 }  // namespace
 
 Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
-  constexpr double kRoom = 0.03, kStep = 0.02, kFarthest = 0.6, kOver = 0.02;  // of a range; of the leg's length
+  constexpr double kRoom = 0.03, kStep = 0.02, kFarthest = 0.6, kOver = 0.02;  // shares of range, leg's length
   if (model.feet.size() == model.legs.size())
     return CannotLie(fmt::format("robot '{}' has no flat surface under its body to lie on", model.name));
   BodyOverFeet body(model);
-  WayCheck check(model, body.standing());
+  PathCheck check(model, body.standing());
   const Foot& rest = model.feet[model.legs.size()];
   const double leg = model.leg_length_m();
   Vector3 p_WB = body.standing().head<3>();
@@ -136,7 +137,7 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
   lying.lying.joints = lying.over.joints = joints;
   double best = -std::numeric_limits<double>::infinity();
   int tightest = -1;
-  std::string obstacle;  // the first that was met
+  std::string obstacle;  // the first one that was found
   const auto is_free = [&](const VectorX& q) {
     const auto pair = check.MeetingAt(q.tail(model.num_dofs()));
     const std::string met = pair ? fmt::format("'{}' and '{}' would collide", pair->link_a, pair->link_b)
@@ -144,7 +145,7 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
     if (obstacle.empty()) obstacle = met;
     return met.empty();
   };
-  // Above where the robot lies: standing at 1.
+  // Height of the body: 0 lying, 1 standing.
   const auto is_free_at = [&](double share, const Vector3& p_WL, PostureKey& key) {
     VectorX q;
     return body.Reach(p_WL + share * (body.standing().head<3>() - p_WL), joints, key, q) && is_free(q);
@@ -179,8 +180,8 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
 }
 
 PostureMotion LieDown(const RobotModel& model, const PostureKey& from, const Lying& lying) {
-  constexpr double kDown = 1.4, kTouch = 0.25, kStay = 0.5;  // [s], the first for a leg of 0.4 m
-  constexpr double kFirmly = 0.7;                            // of the touch at constant speed: no hovering
+  constexpr double kDown = 1.4, kTouch = 0.25, kStay = 0.5;  // [s]; kDown for a leg of 0.4 m
+  constexpr double kFirmly = 0.7;  // share of the touch at constant speed, so that the body does not hover
   PostureMotion motion{"lie_down", {from, lying.over, lying.lying, lying.lying}};
   motion.keys[0].after_s = 0.0;
   motion.keys[1].after_s = kDown * std::sqrt(model.leg_length_m() / 0.4);
@@ -192,8 +193,8 @@ PostureMotion LieDown(const RobotModel& model, const PostureKey& from, const Lyi
 }
 
 PostureMotion GetUp(const RobotModel& model, const PostureKey& standing, const Lying& lying, double tip_rad) {
-  constexpr double kInit = 0.5, kLift = 1.0, kBalance = 0.6, kCruise = 0.5;  // [s], kLift for a leg of 0.4 m
-  constexpr double kRise = 0.03;  // of the leg's length, so that hind legs need not fold further
+  constexpr double kInit = 0.5, kLift = 1.0, kBalance = 0.6, kCruise = 0.5;  // [s]; kLift for a leg of 0.4 m
+  constexpr double kRise = 0.03;  // share of the leg's length, so that hind legs need not fold further
   const double lift_s = kLift * std::sqrt(model.leg_length_m() / 0.4);
   PostureKey tipped = lying.over;
   tipped.turn_rad.y() = standing.turn_rad.y() - tip_rad;

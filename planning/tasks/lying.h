@@ -13,20 +13,20 @@ struct Lying {
   PostureKey over;   ///< the same posture slightly above the ground
 };
 
-/// Looks for the place of the body nearest to that of standing, ahead or behind, at which the rest is on the ground,
-/// the legs reach their feet, joints keep off their stops by 3 % of their range and no links meet, nor the ground,
-/// there or on the way.
-/// @param joints  all independent joints, size n; those of legs are found.
-/// Failure kInfeasible `lying` for a robot that has no rest, or whose legs do not fold so far: names what links meet,
-/// or the joint that comes nearest to do.
+/// Searches forward and backward of the standing body for the nearest place at which the support link is on the ground
+/// and the legs reach their feet. There and on the motion down, joints keep a margin of 3 % of their range to their
+/// limits, and links collide neither with each other nor with the ground.
+/// @param joints  all independent joints, size n; those of the legs are solved for.
+/// Failure kInfeasible `lying` for a robot without a support link, or whose legs do not fold far enough: names the
+/// links that collide, or the joint that limits the motion.
 Result<Lying> FindLying(const RobotModel& model, const VectorX& joints);
 
-/// From a key to lying.
+/// Motion from a key to lying.
 PostureMotion LieDown(const RobotModel& model, const PostureKey& from, const Lying& lying);
 
-/// From lying to standing, in phases that each end on a measured condition: `init` takes the load onto the feet, `lift
-/// front` tips the body up by an angle, `lift rear` straightens the hind legs, `balance` stands. Moves rise to their
-/// speed, hold it and lose it (a trapezoid with smooth corners).
+/// Motion from lying to standing, in phases that each end on a measured condition: `init` takes the load onto the feet,
+/// `lift front` pitches the body up by an angle, `lift rear` straightens the hind legs, `balance` stands. Moves have a
+/// trapezoidal speed profile with smooth corners.
 PostureMotion GetUp(const RobotModel& model, const PostureKey& standing, const Lying& lying, double tip_rad);
 
 }  // namespace gaitwright

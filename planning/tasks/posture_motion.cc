@@ -50,7 +50,7 @@ PostureMotion Stretched(PostureMotion motion, double factor, double grid_step_s)
 }
 
 PostureMotion Chained(const std::vector<PostureMotion>& motions) {
-  if (motions.empty()) throw InvalidArgument("there are no posture motions to join");
+  if (motions.empty()) throw InvalidArgument("no posture motions to join; give at least one");
   PostureMotion chain{motions.front().name, {motions.front().keys.front()}};
   for (const PostureMotion& motion : motions) {
     const std::size_t before = chain.keys.size() - 1;
@@ -101,11 +101,11 @@ void CheckPostureMotion(const RobotModel& model, const PostureMotion& motion) {
   for (const FootLift& lift : motion.lifts) {
     if (lift.foot < 0 || lift.foot >= legs || lift.from_key >= lift.to_key || lift.to_key >= motion.keys.size() ||
         !(lift.height_m > 0.0 && std::isfinite(lift.height_m)))
-      refuse("lifts a foot that does not exist, not between two of its keys, or to a height of 0 or less");
+      refuse("lifts a foot that is unknown, outside of its keys, or to a height of 0 or less");
   }
   for (const RestStay& stay : motion.rests) {
     if (stay.rest < legs || stay.rest >= feet || stay.from_key >= stay.to_key || stay.to_key >= motion.keys.size())
-      refuse("lies on a support link that does not exist, or not between two of its keys");
+      refuse("lies on an unknown support link, or outside of its keys");
   }
 }
 

@@ -13,45 +13,45 @@ namespace gaitwright {
 
 /// Posture of the body at one time, relative to standing, with the feet fixed.
 struct PostureKey {
-  double after_s = 0.0;                ///< time since the key before
-  Vector3 shift = Vector3::Zero();     ///< of the centre of mass: forward, to the left, up [m]
+  double after_s = 0.0;                ///< time since the previous key
+  Vector3 shift = Vector3::Zero();     ///< of the centre of mass: forward, left, up [m]
   Vector3 turn_rad = Vector3::Zero();  ///< of the base: roll, pitch and yaw, R = Rz Ry Rx
-  VectorX joints = VectorX();          ///< of all independent joints, size n; those that no foot needs go there
+  VectorX joints = VectorX();          ///< all independent joints, size n; used for the joints outside of the legs
   double cruise = 0.0;                 ///< share of the time at constant speed before this key (SmoothStep)
 };
 
-/// A foot that is lifted off its place and put down there again.
+/// A foot that is lifted and put down at the same place.
 struct FootLift {
   int foot = 0;
-  std::size_t from_key = 0, to_key = 0;  ///< it leaves the ground at the one and is down again at the other
+  std::size_t from_key = 0, to_key = 0;  ///< keys at which it leaves the ground and touches it again
   double height_m = 0.0;
 };
 
-/// A rest (a foot beyond the legs', see RobotModel::feet) that lies on the ground from one key to another.
+/// A support link (an entry of RobotModel::feet after those of the legs) that is on the ground from one key to another.
 struct RestStay {
   int rest = 0;
   std::size_t from_key = 0, to_key = 0;
 };
 
-/// A stretch of keys that is one thing done.
+/// A group of consecutive keys that is one action.
 struct PostureSection {
   std::string name;          ///< such as "squat"
-  std::size_t last_key = 0;  ///< at which it ends; it begins where the one before ends
-  bool waits = false;        ///< the plan waits at its end until it is measured to be done (PlanGate)
+  std::size_t last_key = 0;  ///< its end; it begins at the end of the previous section
+  bool waits = false;        ///< the plan waits at its end for a measured condition (PlanGate)
 };
 
-/// Something that is done without walking: the body goes from key to key, at rest at each, on feet that stay where they
-/// are. Between keys all goes by the minimum-jerk step (SmoothStep).
+/// A motion without walking: the body moves from key to key with the feet fixed and is at rest at each key. Between
+/// keys, everything follows the minimum-jerk step (SmoothStep).
 struct PostureMotion {
-  std::string name;                           ///< of what is done, such as "squat"
-  std::vector<PostureKey> keys;               ///< two or more, the first one at time 0
-  std::vector<FootLift> lifts = {};           ///< in order
-  std::vector<RestStay> rests = {};           ///< in order
-  std::vector<PostureSection> sections = {};  ///< in order; none for one of the motion's name
-  OptionTexts options = {};                   ///< what it was made of, for the plan's provenance
+  std::string name;                           ///< name of the motion, such as "squat"
+  std::vector<PostureKey> keys;               ///< two or more; the first one at time 0
+  std::vector<FootLift> lifts = {};           ///< in ascending order of keys
+  std::vector<RestStay> rests = {};           ///< in ascending order of keys
+  std::vector<PostureSection> sections = {};  ///< in order; empty for one section with the motion's name
+  OptionTexts options = {};                   ///< its parameters, for the plan's provenance
 
   double duration_s() const;
-  /// When a key is reached, from the start [s].
+  /// Time at which a key is reached, from the start [s].
   double TimeOf(std::size_t key) const;
 };
 
@@ -61,18 +61,19 @@ struct PostureSample {
   VectorX q, v, a;  ///< joints, size n
 };
 
-/// Where the motion is at a time; on its ends before and after.
+/// Samples the motion at a time; before and after the motion, its ends.
 void SampleAt(const PostureMotion& motion, double time_s, PostureSample& sample);
 
-/// The same motion, each of its moves so many times as long, in whole steps of a grid.
+/// The motion with each move `factor` times as long, rounded up to whole steps of a grid.
 PostureMotion Stretched(PostureMotion motion, double factor, double grid_step_s);
 
-/// Motions one after the other as one, each a section at the least. Each begins with the key that the one before ends
-/// with. @throws InvalidArgument for none.
+/// Joins motions into one; each becomes at least one section. Each must begin with the last key of the previous one.
+/// @throws InvalidArgument if `motions` is empty.
 PostureMotion Chained(const std::vector<PostureMotion>& motions);
 
-/// @throws InvalidArgument for fewer than two keys, joints of another size than the robot's, a time that is negative or
-/// not finite, numbers that are not finite, and a lift that is none.
+/// @throws InvalidArgument for fewer than two keys, another number of joints than the robot's, a time that is negative
+/// or not finite, other numbers that are not finite, and lifts or support contacts outside of the keys or of unknown
+/// feet.
 void CheckPostureMotion(const RobotModel& model, const PostureMotion& motion);
 
 }  // namespace gaitwright

@@ -15,11 +15,11 @@
 namespace gaitwright {
 namespace {
 
-/// The time of a move that looks natural: of the body by how far it goes and turns, of joints by their speeds.
+/// Natural-looking duration of a move, from the body's distance and angle and from the joints' speeds.
 double TimeOf(const RobotModel& model, const PostureKey& from, const PostureKey& to) {
-  constexpr double kPeakOfMean = 1.875;         // of a minimum-jerk move
-  constexpr double kPeakAcceleration = 5.7735;  // times way over time squared
-  constexpr double kGentle = 0.1;               // of gravity
+  constexpr double kPeakOfMean = 1.875;         // peak speed over mean speed of a minimum-jerk move
+  constexpr double kPeakAcceleration = 5.7735;  // peak acceleration times T^2 over distance
+  constexpr double kGentle = 0.1;               // share of gravity
   constexpr double kTurnRate = 0.8, kJointRate = 2.5, kSpeedShare = 0.4, kSlideRate = 0.3;  // [rad/s], [m/s]
   const double leg = model.leg_length_m();
   double time_s = 0.5 * std::sqrt(leg / 0.3);
@@ -35,7 +35,7 @@ double TimeOf(const RobotModel& model, const PostureKey& from, const PostureKey&
   return time_s;
 }
 
-/// Adds a move to a key, and a stay there.
+/// Appends a move to a key, and a stay there.
 void Go(const RobotModel& model, PostureMotion& motion, PostureKey to, double stay_s = 0.0) {
   to.after_s = TimeOf(model, motion.keys.back(), to);
   motion.keys.push_back(to);
@@ -63,7 +63,7 @@ Failure NoArm(const RobotModel& model, bool left) {
           {}};
 }
 
-/// Applies a change of joints by each of some arms.
+/// Applies a change of joints for each of the arms.
 template <class Change>
 Result<VectorX> ForArms(const RobotModel& model, VectorX joints, Sides sides, Change change) {
   const UpperBody upper = FindUpperBody(model);
@@ -205,15 +205,18 @@ Result<PostureMotion> WaveArms(const RobotModel& model, const PostureKey& from, 
 }
 
 Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from, int on, double inward, double hold_s) {
-  constexpr double kSettle = 0.5, kLift = 0.12, kLeast = 1.0;  // [s], of the leg's length, [s]
-  constexpr double kLower = 0.02;                              // of the leg's length
-  if (model.feet.size() != 2 || !model.feet[0].has_sole() || !model.feet[1].has_sole()) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kTwoFeet,
-                   "BalanceOn",
-                   fmt::format("balancing on one foot needs two feet with soles; robot '{}' has {} feet", model.name,
-                               model.feet.size()),
-                   {}};
+  constexpr double kSettle = 0.5, kLift = 0.12, kLeast = 1.0;  // [s], share of the leg's length, [s]
+  constexpr double kLower = 0.02;                              // share of the leg's length
+  const auto soles =
+      std::count_if(model.feet.begin(), model.feet.end(), [](const Foot& foot) { return foot.has_sole(); });
+  if (model.feet.size() != 2 || soles != 2) {
+    return Failure{
+        FailureKind::kBadInput,
+        FailureCode::kTwoFeet,
+        "BalanceOn",
+        fmt::format("balancing on one foot needs two feet with soles; robot '{}' has {} feet, {} of them with soles",
+                    model.name, model.feet.size(), soles),
+        {}};
   }
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
@@ -238,7 +241,7 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
 }
 
 PostureMotion Brace(const RobotModel& model, const PostureKey& from, double depth_m, double hold_s) {
-  constexpr double kQuick = 0.5;  // of the time that looks natural
+  constexpr double kQuick = 0.5;  // share of the natural-looking time
   PostureMotion motion = StartOf("brace", from, {{"depth_m", Text(depth_m)}, {"hold_s", Text(hold_s)}});
   PostureKey low = from;
   low.shift.z() -= depth_m;

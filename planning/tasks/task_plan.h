@@ -8,25 +8,25 @@
 
 namespace gaitwright {
 
-/// A place by the name that people call it: a marker, or one of several patches of a name.
+/// A named place: a marker, or one of several patches with the same name.
 struct PlaceName {
   std::string name;
-  int number = 0;  ///< which of several, from 1; -1 the last; 0 where there is one
+  int number = 0;  ///< number among several, from 1; -1 is the last; 0 if there is only one
 
   bool operator==(const PlaceName&) const = default;
 };
 
-/// A value of a task's parameter: a number in the unit that its key ends in, a count, one of a few words, a place.
+/// Value of a task's parameter: a number in the unit that its key ends in, a count, a word from a list, or a place.
 using TaskValue = std::variant<double, int, std::string, PlaceName>;
 
-/// Something to do, as kActions of task_rules.h has it.
+/// One task; its action is one of kActions in task_rules.h.
 struct Task {
   std::string action;
   std::map<std::string, TaskValue> parameters;
-  std::string words;         ///< of the instruction that it comes from; empty for none
-  std::vector<Task> during;  ///< gestures that are made meanwhile; "while" in files
+  std::string words;         ///< words of the instruction that it comes from; may be empty
+  std::vector<Task> during;  ///< gestures during the task; "while" in files
 
-  /// What is said of a parameter, or `otherwise`.
+  /// The number of a parameter, or `otherwise` if it is missing.
   double Number(const std::string& key, double otherwise) const;
   int Count(const std::string& key, int otherwise) const;
   std::string Word(const std::string& key, const std::string& otherwise = "") const;
@@ -35,18 +35,18 @@ struct Task {
   bool operator==(const Task&) const = default;
 };
 
-/// What an instruction asks for: one task after the other.
+/// A sequence of tasks, as read from an instruction.
 struct TaskPlan {
   static constexpr int kSchema = 1;
 
-  std::string text;      ///< the instruction; empty where there was none
-  std::string language;  ///< "en", "zh"; empty where there was none
+  std::string text;      ///< the instruction; empty if there was none
+  std::string language;  ///< "en" or "zh"; empty if there was no instruction
   std::vector<Task> tasks;
 
   bool operator==(const TaskPlan&) const = default;
 };
 
-/// A task as people read it: "walk forward, 2 m, while waving (right)".
+/// Description of a task for people: "walk forward, 2 m, while waving (right)".
 std::string TaskText(const Task& task);
 
 }  // namespace gaitwright

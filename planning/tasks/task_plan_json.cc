@@ -162,7 +162,7 @@ std::string TaskPlanSchema(const std::vector<std::string>& actions) {
   }
   const Json schema = {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
-      {"title", "What a robot is to do, one task after the other"},
+      {"title", "Sequence of tasks for a robot"},
       {"type", "object"},
       {"properties",
        {{"schema", {{"const", TaskPlan::kSchema}}},

@@ -143,18 +143,18 @@ const std::vector<std::string>& ExtentKeys() {
 const std::vector<ParameterRule>& ParameterRules() {
   static const std::vector<ParameterRule> rules = {
       {"direction", Kind::kWord, 0, 0, {"forward", "backward", "left", "right"}, "Direction, seen from the robot."},
-      {"distance_m", Kind::kNumber, 0.01, 50.0, {}, "How far [m]."},
-      {"steps", Kind::kCount, 1, 200, {}, "Footfalls."},
+      {"distance_m", Kind::kNumber, 0.01, 50.0, {}, "Distance to walk [m]."},
+      {"steps", Kind::kCount, 1, 200, {}, "Number of footfalls."},
       {"step_length_m", Kind::kNumber, 0.01, 1.0, {}, "Forward advance in each footfall [m]."},
-      {"duration_s", Kind::kNumber, 0.1, 600.0, {}, "How long [s]."},
+      {"duration_s", Kind::kNumber, 0.1, 600.0, {}, "Duration [s]."},
       {"to", Kind::kPlace, 0, 0, {}, "Destination, by name."},
-      {"speed_m_s", Kind::kNumber, 0.001, 3.0, {}, "How fast [m/s]."},
+      {"speed_m_s", Kind::kNumber, 0.001, 3.0, {}, "Speed [m/s]."},
       {"pace", Kind::kWord, 0, 0, {"slow", "fast"}, "Speed relative to the robot's default speed."},
-      {"gait", Kind::kWord, 0, 0, {"walk", "trot", "pace", "bound"}, "In which gait."},
+      {"gait", Kind::kWord, 0, 0, {"walk", "trot", "pace", "bound"}, "Gait."},
       {"height", Kind::kWord, 0, 0, {"low"}, "Posture of the body."},
       {"angle_deg", Kind::kNumber, 1.0, 720.0, {}, "Angle of the turn or bow [degree]."},
       {"depth_m", Kind::kNumber, 0.005, 0.5, {}, "Lowering distance [m]."},
-      {"times", Kind::kCount, 1, 20, {}, "How often."},
+      {"times", Kind::kCount, 1, 20, {}, "Number of repetitions."},
       {"side",
        Kind::kWord,
        0,
@@ -171,16 +171,16 @@ const std::vector<ActionRule>& ActionRules() {
        {"distance_m", "steps", "duration_s", "to", "speed_m_s", "pace", "gait", "height", "step_length_m"},
        Needs::kNothing,
        false,
-       "Walks; to the left or right means sideways.",
+       "Walks; left and right mean sideways.",
        "stand"},
       {"turn", {"direction"}, {"angle_deg"}, Needs::kTurningFeet, false, "Turns on the spot.", "walk"},
-      {"stand", {}, {"duration_s"}, Needs::kNothing, false, "Stands, or stays in its posture.", ""},
+      {"stand", {}, {"duration_s"}, Needs::kNothing, false, "Stands, or keeps the present posture.", ""},
       {"stand_up", {}, {}, Needs::kNothing, false, "Gets up from sitting, lying or crouching.", ""},
       {"lie_down", {}, {}, Needs::kManyFeet, false, "Lies down on its belly.", "squat"},
       {"sit", {}, {"duration_s"}, Needs::kFourFeet, false, "Sits as a dog does.", "squat"},
       {"squat", {}, {"depth_m", "times", "duration_s"}, Needs::kNothing, false, "Bends its legs and rises again.", ""},
       {"bow", {}, {"angle_deg", "times"}, Needs::kNothing, false, "Tilts its body forward and rises again.", "", 60.0},
-      {"nod", {}, {"times"}, Needs::kNothing, true, "Nods with its head, or with its body without one.", ""},
+      {"nod", {}, {"times"}, Needs::kNothing, true, "Nods with its head, or with its body if it has no head.", ""},
       {"raise_arm", {"side"}, {}, Needs::kArm, true, "Raises an arm and keeps it up.", "nod"},
       {"lower_arm", {"side"}, {}, Needs::kArm, true, "Lowers an arm.", "nod"},
       {"wave", {"side"}, {"times", "duration_s"}, Needs::kArm, true, "Waves.", "nod"},
@@ -269,7 +269,7 @@ std::optional<Failure> WhyNoTask(const Task& task) {
   return std::nullopt;
 }
 
-std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
+std::optional<Failure> ReasonNotDone(const Task& task, const TaskScope& scope) {
   const ActionRule& rule = *FindAction(task.action);
   const auto cannot = [&](const std::string& why) {
     std::vector<Suggestion> suggestions = {fmt::format("it can {}", fmt::join(scope.Actions(), ", "))};
@@ -288,14 +288,14 @@ std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
     if (auto failure = WhyNoPlace(std::get<PlaceName>(to->second), scope)) return failure;
   }
   for (const Task& gesture : task.during) {
-    if (auto failure = WhyNotDone(gesture, scope)) return failure;
+    if (auto failure = ReasonNotDone(gesture, scope)) return failure;
     if (gesture.action == "nod" && !scope.head)
-      return cannot("nods with its body, which is not possible during another task");
+      return cannot("nods with its body, because it has no head; this is not possible during another task");
   }
   return std::nullopt;
 }
 
-std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scope) {
+std::optional<Failure> ReasonNotPlanned(const TaskPlan& plan, const TaskScope& scope) {
   if (plan.tasks.empty()) return Bad(FailureCode::kEmpty, "the plan contains no task");
   if (plan.tasks.size() > kMostTasks)
     return Bad(FailureCode::kRange,
@@ -303,7 +303,7 @@ std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scop
   for (std::size_t k = 0; k < plan.tasks.size(); ++k) {
     const Task& task = plan.tasks[k];
     std::optional<Failure> failure = WhyNoTask(task);
-    if (!failure) failure = WhyNotDone(task, scope);
+    if (!failure) failure = ReasonNotDone(task, scope);
     if (!failure) continue;
     const std::string words = task.words.empty() ? "" : fmt::format(", '{}'", task.words);
     failure->message = fmt::format("task {}{}: {}", k + 1, words, failure->message);

@@ -17,8 +17,8 @@ struct ParameterRule {
 
   std::string key;
   Kind kind = Kind::kNumber;
-  double lowest = 0.0, highest = 0.0;  ///< of a number or a count
-  std::vector<std::string> words;      ///< of a word: those that there are
+  double lowest = 0.0, highest = 0.0;  ///< limits of a number or a count
+  std::vector<std::string> words;      ///< accepted words
   std::string meaning;
 };
 
@@ -30,56 +30,57 @@ struct ActionRule {
   std::string action;
   std::vector<std::string> required, optional;  ///< keys of parameters
   Needs needs = Needs::kNothing;
-  bool is_gesture = false;  ///< may be made while something else is done
+  bool is_gesture = false;  ///< true if it can run during another task
   std::string meaning;
-  std::string instead;    ///< an action that a robot may do which cannot do this one
-  double most_deg = 0.0;  ///< of its angle, where that is less than the parameter's
+  std::string instead;    ///< an action that a robot can do if it cannot do this one
+  double most_deg = 0.0;  ///< largest angle, if less than the parameter's limit
 };
 
-/// The range of a number or a count to an action.
+/// Limits of a number or a count of an action.
 struct ParameterRange {
   double lowest = 0.0, highest = 0.0;
 };
-/// That of the parameter, or the action's own.
+/// Limits of the parameter, or the action's own limits if it has any.
 ParameterRange RangeOf(const ActionRule& action, const ParameterRule& parameter);
 
 const std::vector<ParameterRule>& ParameterRules();
 const std::vector<ActionRule>& ActionRules();
 
-/// The rule of a name; null where there is none.
+/// The rule with this key; null if the key is unknown.
 const ParameterRule* FindParameter(const std::string& key);
 const ActionRule* FindAction(const std::string& action);
 
-/// Parameters of walking of which a task says at most one.
+/// Parameters of walking that set the distance. A task has at most one of them.
 const std::vector<std::string>& ExtentKeys();
 
-/// What a robot can do and where.
+/// Abilities of a robot, and the places of its ground.
 struct TaskScope {
   std::string robot;
   bool left_arm = false, right_arm = false, head = false, two_soles = false, four_feet = false;
   bool many_feet = false;         ///< four or more
-  bool turning_feet = false;      ///< nothing keeps its feet from turning as it walks
-  std::vector<PlaceName> places;  ///< `number` is how many there are of that name; 0 for a single one
+  bool turning_feet = false;      ///< no joint limit keeps its feet from turning while it walks
+  std::vector<PlaceName> places;  ///< `number` is how many places have that name; 0 for a single one
 
-  /// Whether it has what an action needs.
+  /// Whether the robot has what an action needs.
   bool Can(const ActionRule& rule) const;
-  /// The actions that it can do.
+  /// The actions that the robot can do.
   std::vector<std::string> Actions() const;
 };
 
-/// What that robot can do; places are left out.
+/// Abilities of a robot; places are left empty.
 TaskScope ScopeOf(const RobotModel& model);
 
-/// Why a task is no task at all, whatever the robot: an action or a parameter that there is not (the nearest is named),
-/// one that is missing or too many, a value of another kind or out of its range; codes `action`, `parameter`, `range`.
+/// Reason why a task is invalid for every robot: an unknown action or parameter (the message names the nearest one), a
+/// missing parameter, parameters that exclude each other, a value of the wrong kind or out of range; codes `action`,
+/// `parameter`, `range`.
 std::optional<Failure> WhyNoTask(const Task& task);
 
-/// Why this robot cannot do it there: codes `cannot`, `place`. The task is one (WhyNoTask).
-std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope);
+/// Reason why this robot cannot do a valid task here: codes `cannot`, `place`. Call WhyNoTask first.
+std::optional<Failure> ReasonNotDone(const Task& task, const TaskScope& scope);
 
-/// The first of a plan's tasks that is none, or that the robot cannot do, with its number and words; none in a plan of
-/// no task, or of more than kMostTasks.
+/// The first task of a plan that is invalid, or that the robot cannot do, with its number and words. Also fails for a
+/// plan without tasks, or with more than kMostTasks.
 inline constexpr std::size_t kMostTasks = 50;
-std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scope);
+std::optional<Failure> ReasonNotPlanned(const TaskPlan& plan, const TaskScope& scope);
 
 }  // namespace gaitwright

@@ -18,18 +18,18 @@ namespace {
 constexpr double kSamePoint = 1e-5;                          // [m]
 constexpr double kSamePlane = 1e-3;                          // [m]
 constexpr double kSameSlope = 0.5 * std::numbers::pi / 180;  // [rad]
-constexpr double kConvex = 1e-4;                             // share of the hull that a piece may lack
+constexpr double kConvex = 1e-4;                             // share of its convex hull that a piece may lack
 
 using Edge = std::pair<int, int>;
-using Loop = std::vector<int>;  // of points, counter-clockwise
+using Loop = std::vector<int>;  // indices of points, counter-clockwise
 
-/// The mesh with each place once, and its triangles that face up.
+/// The mesh with coinciding points merged, and its triangles that face up.
 struct Surface {
   std::vector<Vector3> points;
   std::vector<std::array<int, 3>> corners;  // by triangle
-  std::vector<Vector3> normals;             // by triangle; zero where it has no area
+  std::vector<Vector3> normals;             // by triangle; zero for a triangle without area
   std::vector<char> up;                     // by triangle
-  std::map<Edge, std::vector<int>> beside;  // triangles that face up, by edge, lower point first
+  std::map<Edge, std::vector<int>> beside;  // upward triangles by edge, lower point index first
 };
 
 Edge Undirected(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
@@ -60,7 +60,7 @@ Surface MakeSurface(const Mesh& mesh, double steepest_rad) {
   return surface;
 }
 
-/// The connected triangles in the plane of the first of them.
+/// The connected triangles in the plane of the first triangle.
 std::vector<int> GrowRegion(const Surface& surface, int first, std::vector<char>& taken) {
   const Vector3 normal = surface.normals[static_cast<std::size_t>(first)];
   const Vector3 origin = surface.points[static_cast<std::size_t>(surface.corners[static_cast<std::size_t>(first)][0])];
@@ -86,13 +86,13 @@ std::vector<int> GrowRegion(const Surface& surface, int first, std::vector<char>
   return region;
 }
 
-/// A loop of points with the triangles in it.
+/// A loop of points, and the triangles inside it.
 struct Piece {
   Loop loop;
   std::vector<int> triangles;
 };
 
-/// Convex pieces of one region, in the plane's own coordinates.
+/// Splits one region into convex pieces, in the plane's own coordinates.
 class Splitter {
  public:
   Splitter(const Surface& surface, const std::vector<int>& region) : surface_(surface) {
@@ -125,7 +125,7 @@ class Splitter {
     return outline;
   }
 
-  /// Whether the triangles fill the convex hull of them all.
+  /// Whether all triangles together fill their convex hull.
   bool AreAllConvex() const {
     double area = 0.0;
     std::vector<Vector2> points;
@@ -154,7 +154,7 @@ class Splitter {
     return made;
   }
 
-  /// Notes, or forgets, the edges of a piece.
+  /// Adds or removes the edges of a piece.
   void Register(std::size_t piece, bool is_there) {
     const Loop& loop = pieces_[piece].loop;
     for (std::size_t s = 0; s < loop.size(); ++s) {
@@ -167,7 +167,7 @@ class Splitter {
     }
   }
 
-  /// The pieces that have an edge of this one the other way round.
+  /// The pieces that share an edge with this one, in the opposite direction.
   std::set<std::size_t> Neighbours(std::size_t piece) const {
     std::set<std::size_t> neighbours;
     const Loop& loop = pieces_[piece].loop;
@@ -179,7 +179,7 @@ class Splitter {
     return neighbours;
   }
 
-  /// Joins neighbours as long as any two stay convex.
+  /// Joins neighbours as long as two of them form a convex piece.
   void Join() {
     for (std::size_t i = 0; i < pieces_.size(); ++i) Register(i, true);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -201,7 +201,7 @@ class Splitter {
     }
   }
 
-  /// The loop around two that share an edge; nothing when they share none or the result is not convex.
+  /// The loop around two pieces with a common edge; nothing if they share no edge or the result is not convex.
   std::optional<Loop> Joined(const Loop& a, const Loop& b) const {
     for (std::size_t i = 0; i < a.size(); ++i) {
       const int from = a[i], to = a[(i + 1) % a.size()];
@@ -219,7 +219,7 @@ class Splitter {
     return std::nullopt;
   }
 
-  /// Takes out ways there and back again, which loops have that shared more than one edge.
+  /// Removes edges that are passed forward and backward; they occur in loops that shared several edges.
   static void DropSpurs(Loop& loop) {
     for (std::size_t i = 0; loop.size() > 2 && i < loop.size();) {
       const std::size_t n = loop.size();
@@ -237,7 +237,7 @@ class Splitter {
   const Surface& surface_;
   std::map<int, Vector2> flat_;
   std::vector<Piece> pieces_;
-  std::map<Edge, std::set<std::size_t>> owners_;  // of an edge from its first point to its second
+  std::map<Edge, std::set<std::size_t>> owners_;  // by edge, from its first point to its second
 };
 
 }  // namespace

@@ -23,13 +23,13 @@ Failure RefusedHeights(const std::string& path, const std::string& why) {
   return {FailureKind::kBadInput, FailureCode::kTerrainFile, "ReadHeightMap", fmt::format("'{}' {}", path, why), {}};
 }
 
-/// Numbers by row from the top, and the line of each row in its file.
+/// Numbers by row from the top, and the file line of each row.
 struct Table {
   std::vector<std::vector<double>> rows;
   std::vector<int> lines;
 };
 
-/// The numbers of a line. @throws InvalidArgument naming the cell that is none.
+/// The numbers of a line. @throws InvalidArgument that names the cell without a valid number.
 std::vector<double> ParseRow(const std::string& line, int number) {
   std::vector<double> row;
   for (std::size_t at = 0; at <= line.size();) {
@@ -49,7 +49,7 @@ std::vector<double> ParseRow(const std::string& line, int number) {
   return row;
 }
 
-/// @throws InvalidArgument where the text is no table of numbers.
+/// @throws InvalidArgument if the text is not a table of numbers.
 Table ParseCsv(const std::string& text) {
   Table table;
   std::istringstream stream(text);
@@ -82,7 +82,7 @@ Table ToTable(const GreyImage& image) {
   return table;
 }
 
-/// @throws InvalidArgument naming the first cell whose height makes no sense.
+/// @throws InvalidArgument that names the first cell with an implausible height.
 void CheckHeights(const Table& table, double scale_m, const char* line) {
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const std::vector<double>& row = table.rows[r];
@@ -110,21 +110,21 @@ HeightField ToField(const Table& table, const HeightMapOptions& options) {
   field.friction = options.friction;
   field.origin_W =
       Vector2(options.x_m, options.y_m) - 0.5 * options.resolution_m * Vector2(field.columns - 1, field.rows - 1);
-  for (std::size_t row = table.rows.size(); row-- > 0;) {  // the first is the farthest to the left
+  for (std::size_t row = table.rows.size(); row-- > 0;) {  // the first row has the largest y
     for (const double value : table.rows[row]) field.height_m.push_back(options.z_m + options.scale_m * value);
   }
   return field;
 }
 
-/// @throws InvalidArgument naming what is missing.
+/// @throws InvalidArgument that names the missing option.
 void CheckGiven(const HeightMapOptions& options, const std::string& name) {
   if (options.resolution_m == 0.0) {
-    throw InvalidArgument(
-        fmt::format("needs resolution_m, the distance between its points; write '{}:resolution_m=0.02,...'", name));
+    throw InvalidArgument(fmt::format(
+        "needs resolution_m, the distance between neighbouring points; write '{}:resolution_m=0.02,...'", name));
   }
   if (options.scale_m == 0.0) {
     throw InvalidArgument(
-        fmt::format("needs scale_m, the height of full white; write '{}:resolution_m=...,scale_m=0.3'", name));
+        fmt::format("needs scale_m, the height of white; write '{}:resolution_m=...,scale_m=0.3'", name));
   }
 }
 
@@ -133,7 +133,7 @@ void CheckGiven(const HeightMapOptions& options, const std::string& name) {
 OptionFields HeightMapOptions::Fields() {
   return {{"resolution_m", &resolution_m, "m", 0.001, 1.0, "Distance between neighbouring points; required."},
           {"scale_m", &scale_m, "m", -kHighest, kHighest,
-           "Height of one unit of a CSV file (usually 1), or of full white in a PNG file."},
+           "Height of one unit of a CSV file (usually 1), or of white in a PNG file."},
           {"x_m", &x_m, "m", -kFarthest, kFarthest, "Position of the map's centre along x."},
           {"y_m", &y_m, "m", -kFarthest, kFarthest, "Position of the map's centre along y."},
           {"z_m", &z_m, "m", -kHighest, kHighest, "Offset added to all heights."},

@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// How the numbers or greys of a file become heights, and where they lie.
+/// Conversion of the numbers or grey values of a file to heights, and position of the map.
 struct HeightMapOptions {
   double resolution_m = 0.0;
   double scale_m = 0.0;
@@ -19,14 +19,13 @@ struct HeightMapOptions {
   OptionFields Fields();
 };
 
-/// Reads a height map as seen from above, x to the right and y up: the first row has the highest y.
+/// Reads a height map as seen from above, x to the right and y up: the first row has the largest y.
 ///
-/// CSV: numbers with commas between, a row a line; empty lines and lines that begin with # are passed over; heights are
-/// the numbers times scale_m (1 where it is not given). PNG (ReadGreyPng): black is 0, white is scale_m.
-/// Failure kBadInput, naming the file and the line or cell: a file that is not there or of another kind, rows of
-/// different lengths, fewer than 2 columns or rows, more than kMostNodes points, a cell that is no finite number, a
-/// height beyond kHighest or farther than kSteepestStep from its neighbour, and options that are missing or out of
-/// range.
+/// CSV: one row per line, numbers separated by commas; empty lines and lines that begin with # are skipped. The height
+/// is the number times scale_m (default 1). PNG (ReadGreyPng): black is height 0, white is scale_m. Failure kBadInput
+/// names the file and the line or cell: a missing file or one of another kind; rows of different lengths; fewer than 2
+/// columns or rows; more than kMostNodes points; a cell that is not a finite number; a height beyond kHighest; a height
+/// difference of more than kSteepestStep between neighbours; options that are missing or out of range.
 Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOptions& options);
 
 }  // namespace gaitwright

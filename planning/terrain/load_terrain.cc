@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kKinds = {".yaml", ".yml", ".csv", ".png", ".obj", ".stl", ".dae"};
 
-/// A file with the parameters after it.
+/// A file and its parameters.
 struct FileText {
   std::string path, kind, parameters;
   bool has_parameters = false;
@@ -33,7 +33,7 @@ std::string Lower(std::string text) {
   return text;
 }
 
-/// Parted after the ending of a kind that is read; the kind is "" where there is none.
+/// Splits a text after the ending of a supported file kind; the kind is "" for other texts.
 FileText Part(const std::string& text) {
   const std::string lower = Lower(text);
   for (const std::string& kind : kKinds) {
@@ -50,7 +50,7 @@ Failure Refused(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "LoadTerrain", message, {}};
 }
 
-/// A ground of a file whose options are those of a text. @throws InvalidArgument for a wrong parameter.
+/// The ground of a file with the parameters of the text. @throws InvalidArgument for a wrong parameter.
 Result<Terrain> LoadFile(const FileText& file, const TerrainScale& scale) {
   const OptionTexts texts = file.has_parameters ? ParseParameters(file.parameters) : OptionTexts{};
   const auto set = [&](OptionFields fields) {
@@ -103,7 +103,7 @@ Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale&
   }
   std::error_code error;
   if (!fs::is_regular_file(file.path, error))
-    return Refused(FailureCode::kNoFile, fmt::format("there is no terrain file '{}'", file.path));
+    return Refused(FailureCode::kNoFile, fmt::format("terrain file '{}' does not exist", file.path));
   try {
     Result<Terrain> terrain = LoadFile(file, scale);
     if (!terrain) return terrain;

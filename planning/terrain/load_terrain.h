@@ -10,18 +10,18 @@
 
 namespace gaitwright {
 
-/// A ground as `--terrain` names it, see docs/terrain-format.md: a built-in one with its parameters (MakeTerrain), or a
-/// file, with parameters too: YAML (.yaml, .yml), a height map (.csv, .png), a mesh (.obj, .stl, .dae). The terrain's
-/// name is the text without folders, so that plans hold no path.
-/// Failure kBadInput: of MakeTerrain, ReadTerrainYaml, ReadHeightMap, ReadMesh and TerrainFromMesh; a file of another
-/// kind; a parameter that is unknown or wrong.
+/// A ground as given to `--terrain`, see docs/terrain-format.md: a built-in ground (MakeTerrain), a YAML file (.yaml,
+/// .yml), a height map (.csv, .png) or a mesh (.obj, .stl, .dae); all but YAML files accept parameters. The terrain's
+/// name is the text without folders, so that plans contain no path.
+/// Failure kBadInput: those of MakeTerrain, ReadTerrainYaml, ReadHeightMap, ReadMesh and TerrainFromMesh; a file of
+/// another kind; an unknown or wrong parameter.
 Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale& scale);
 
 /// The path of the file that a text names, without parameters; "" for a built-in ground.
 std::string TerrainFileOf(const std::string& name_or_file);
 
-/// The paths of all files that a ground is read from: the one that the text names and, where that is YAML, those that
-/// it names itself; none for a built-in ground.
+/// The paths of all files of a ground: the file that the text names and, if that is YAML, the files that it names;
+/// empty for a built-in ground.
 std::vector<std::string> TerrainFilesOf(const std::string& name_or_file);
 
 }  // namespace gaitwright

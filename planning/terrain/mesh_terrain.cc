@@ -16,15 +16,15 @@
 namespace gaitwright {
 namespace {
 
-/// Faces steeper than this are walls, which stand between heights and are none [rad].
+/// Faces steeper than this are walls between two heights and not ground [rad].
 constexpr double kWall = 88.0 * std::numbers::pi / 180.0;
 
-/// Points of the height field that are looked at for all triangles together: what takes a few seconds.
+/// Largest number of height field points visited for all triangles together; takes a few seconds.
 constexpr long kMostLooks = 200000000;
 
 using Box = Eigen::AlignedBox2d;
 
-/// The corners of a triangle, counter-clockwise from above when it looks up.
+/// The corners of a triangle, counter-clockwise from above for an upward triangle.
 std::array<Vector3, 3> Corners(const Mesh& mesh, std::size_t triangle) {
   const Eigen::Vector3i& t = mesh.triangles[triangle];
   return {mesh.vertices[static_cast<std::size_t>(t[0])], mesh.vertices[static_cast<std::size_t>(t[1])],
@@ -36,7 +36,7 @@ bool LooksUp(const std::array<Vector3, 3>& c) {
   return normal.z() > std::cos(kWall) * normal.norm();
 }
 
-/// The mesh in metres, where it shall lie. @throws InvalidArgument for a corner that makes no sense.
+/// The mesh in metres at its place. @throws InvalidArgument for a corner that is too far away.
 Mesh Placed(const Mesh& mesh, const MeshTerrainOptions& options) {
   Mesh placed = mesh;
   for (std::size_t i = 0; i < placed.vertices.size(); ++i) {
@@ -51,8 +51,8 @@ Mesh Placed(const Mesh& mesh, const MeshTerrainOptions& options) {
   return placed;
 }
 
-/// Corners moved straight up or down into the plane that fits them, and those of their hull in plan view alone, so that
-/// rounding leaves neither a dent nor a bow.
+/// Moves corners vertically into their best-fit plane and keeps only those of their hull in plan view, so that rounding
+/// leaves the outline flat and convex.
 std::vector<Vector3> InOnePlane(const std::vector<Vector3>& corners) {
   Vector3 middle = Vector3::Zero(), normal = Vector3::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -69,16 +69,16 @@ std::vector<Vector3> InOnePlane(const std::vector<Vector3>& corners) {
   return flat;
 }
 
-/// Whether a circle as wide as a foot finds room.
+/// Whether a circle of the size of a foot fits in.
 bool HasRoom(const TerrainPatch& patch, double least_m) { return !Shrunk(patch.outline_T, 0.5 * least_m).empty(); }
 
-/// Raises the nodes under a triangle to it. @return how many nodes it looked at.
+/// Raises the height field to a triangle. @return number of visited points.
 long Raise(const std::array<Vector3, 3>& c, HeightField& field) {
   const Vector2 a = c[0].head<2>(), ab = c[1].head<2>() - a, ac = c[2].head<2>() - a;
   const double area = Cross(ab, ac);
   Box box;
   for (const Vector3& corner : c) box.extend((corner.head<2>() - field.origin_W) / field.resolution_m);
-  constexpr double kRim = 1e-9;  // of barycentric coordinates, so that no node between triangles is missed
+  constexpr double kRim = 1e-9;  // tolerance of barycentric coordinates, so that no point between triangles is missed
   const int row0 = std::max(0, static_cast<int>(std::floor(box.min().y())));
   const int row1 = std::min(field.rows - 1, static_cast<int>(std::ceil(box.max().y())));
   const int column0 = std::max(0, static_cast<int>(std::floor(box.min().x())));
@@ -95,7 +95,7 @@ long Raise(const std::array<Vector3, 3>& c, HeightField& field) {
   return row1 < row0 || column1 < column0 ? 0L : (row1 - row0 + 1L) * (column1 - column0 + 1L);
 }
 
-/// The highest points of the mesh over a box. @throws InvalidArgument when that needs too many.
+/// Heights of the mesh's highest points over a box. @throws InvalidArgument if too many visits are needed.
 HeightField FieldOver(const Mesh& mesh, const Box& box, double lowest, const MeshTerrainOptions& options) {
   const Vector2 cells = (box.sizes() / options.resolution_m).array().ceil().max(1.0);
   if ((cells.x() + 1.0) * (cells.y() + 1.0) > kMostNodes) {
@@ -116,10 +116,10 @@ HeightField FieldOver(const Mesh& mesh, const Box& box, double lowest, const Mes
     const std::array<Vector3, 3> corners = Corners(mesh, t);
     if (LooksUp(corners)) looked_at += Raise(corners, field);
     if (looked_at > kMostLooks) {
-      throw InvalidArgument(
-          fmt::format("has faces that overlap {} times and more at the {} points of its height field; remove hidden "
-                      "faces, or give a larger resolution_m",
-                      looked_at / static_cast<long>(field.height_m.size()), field.height_m.size()));
+      throw InvalidArgument(fmt::format(
+          "has faces that overlap {} times or more on average at the {} points of its height field; remove hidden "
+          "faces, or give a larger resolution_m",
+          looked_at / static_cast<long>(field.height_m.size()), field.height_m.size()));
     }
   }
   return field;

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// How a mesh becomes ground.
+/// Conversion of a mesh to ground.
 struct MeshTerrainOptions {
   double scale = 1.0;
   double least_m = 0.04;
@@ -20,11 +20,12 @@ struct MeshTerrainOptions {
   OptionFields Fields();
 };
 
-/// Ground from the faces of a mesh (z up) that look up: its flat convex pieces that a foot has room on are patches, and
-/// over the rest that looks up lies a height field of the mesh's highest points, which slopes over one cell where the
-/// mesh has a step. What hangs over the ground is lost.
-/// Failure kBadInput: no face that looks up, a corner beyond kFarthest or kHighest, a height field of more than
-/// kMostNodes, options out of range. @param name  of the file, for messages.
+/// Ground from the faces of a mesh (z up) that face up. Flat convex pieces that are large enough for a foot become
+/// patches. All other upward faces become a height field of the mesh's highest points; at a step of the mesh it slopes
+/// over one cell. Geometry below an overhang is lost.
+/// Failure kBadInput: no face that points up, a corner beyond kFarthest or kHighest, a height field of more than
+/// kMostNodes points, options out of range.
+/// @param name  name of the file, for messages.
 Result<Terrain> TerrainFromMesh(const Mesh& mesh, const MeshTerrainOptions& options, const std::string& name);
 
 }  // namespace gaitwright

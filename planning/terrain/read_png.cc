@@ -27,8 +27,8 @@ void KeepMessage(png_structp png, png_const_charp message) {
 
 void Ignore(png_structp, png_const_charp) {}
 
-/// libpng's structures, and what the reading of a file leaves behind. libpng leaves its functions by longjmp when a
-/// file is broken, so whatever has a destructor lives here, outside of them.
+/// libpng's structures and the results. libpng leaves its functions by longjmp if a file is broken, so every object
+/// with a destructor must live here, outside of these functions.
 struct Reading {
   explicit Reading(std::string bytes_of_file)
       : file(std::move(bytes_of_file)),
@@ -40,7 +40,7 @@ struct Reading {
 
   std::string error;
   std::string file;
-  std::size_t at = 0;  ///< of the file, that is read next
+  std::size_t at = 0;  ///< position of the next byte in the file
   png_structp png;
   png_infop info;
   std::vector<png_byte> bytes;
@@ -72,14 +72,14 @@ bool ReadRows(Reading& reading) {
   return true;
 }
 
-/// Why a picture of this kind is not read; "" when it is.
-std::string WhyNot(const Reading& reading) {
+/// Reason why this kind of picture is not supported; "" if it is.
+std::string ReasonRefused(const Reading& reading) {
   const int depth = png_get_bit_depth(reading.png, reading.info);
   const int colour = png_get_color_type(reading.png, reading.info);
   if (colour != PNG_COLOR_TYPE_GRAY)
-    return colour == PNG_COLOR_TYPE_GRAY_ALPHA ? "has transparency; plain grey is needed"
-                                               : "is in colour; a grey picture is needed";
-  if (depth != 8 && depth != 16) return fmt::format("has {} bits a point; 8 or 16 are needed", depth);
+    return colour == PNG_COLOR_TYPE_GRAY_ALPHA ? "has transparency; it must be grey without transparency"
+                                               : "is in colour; it must be grey";
+  if (depth != 8 && depth != 16) return fmt::format("has {} bits per point; accepted: 8 or 16", depth);
   const double columns = png_get_image_width(reading.png, reading.info);
   const double rows = png_get_image_height(reading.png, reading.info);
   if (columns * rows > kMostNodes)
@@ -94,7 +94,7 @@ Result<GreyImage> ReadGreyPng(const std::string& path) {
   if (!bytes) return RefusedPng(path, fmt::format("cannot be read: {}", bytes.failure().message));
   Reading reading(std::move(*bytes));
   if (!ReadHead(reading)) return RefusedPng(path, fmt::format("is not a readable PNG: {}", reading.error));
-  const std::string why = WhyNot(reading);
+  const std::string why = ReasonRefused(reading);
   if (!why.empty()) return RefusedPng(path, why);
   GreyImage image;
   image.columns = static_cast<int>(png_get_image_width(reading.png, reading.info));

@@ -9,15 +9,15 @@
 
 namespace gaitwright {
 
-/// A grey picture, rows from the top.
+/// A grey picture, with rows from the top.
 struct GreyImage {
   int columns = 0, rows = 0;
-  int full = 255;  ///< the value of white: 255 of 8 bits, 65535 of 16
+  int full = 255;  ///< value of white: 255 for 8 bits, 65535 for 16 bits
   std::vector<std::uint16_t> values;
 };
 
-/// Reads a grey PNG of 8 or 16 bits. Failure: no such file, no PNG or a broken one, one in colour, with transparency or
-/// of fewer bits, or of more than kMostNodes points.
+/// Reads a grey PNG of 8 or 16 bits. Failure: missing file, not a PNG or a broken one, a picture in colour, with
+/// transparency, with fewer bits, or with more than kMostNodes points.
 Result<GreyImage> ReadGreyPng(const std::string& path);
 
 }  // namespace gaitwright

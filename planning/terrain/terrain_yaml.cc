@@ -65,7 +65,7 @@ DataShape ObstacleShape() {
 
 DataShape MarkerShape() { return shapes::Object({{"name", shapes::Text()}, {"place_m", shapes::Numbers(2)}}); }
 
-/// `count` numbers, each of a coordinate: x and y, and z where there are three.
+/// `count` coordinates: x, y and, for three, z.
 VectorX Place(const YAML::Node& node, const std::string& what, int count) {
   const std::vector<YAML::Node> parts = ListOf(node, what);
   if (static_cast<int>(parts.size()) != count)
@@ -88,7 +88,7 @@ double FrictionOf(const YAML::Node& node) {
   return node["friction"] ? NumberOf(node["friction"], "friction", FrictionShape()) : 0.8;
 }
 
-/// Runs what throws without a line, and adds the one of `node`.
+/// Runs `make` and adds the line of `node` to its error.
 template <class Make>
 auto At(const YAML::Node& node, Make make) {
   try {
@@ -125,7 +125,7 @@ HeightField ParseHeights(const YAML::Node& node) {
   field.resolution_m = NumberOf(node["resolution_m"], "resolution_m", shape.At("resolution_m"));
   field.friction = FrictionOf(node);
   const std::vector<YAML::Node> rows = ListOf(node["heights_m"], "heights_m");
-  for (std::size_t r = rows.size(); r-- > 0;) {  // as seen from above: the first has the highest y
+  for (std::size_t r = rows.size(); r-- > 0;) {  // as seen from above: the first row has the largest y
     const YAML::Node& row = rows[r];
     const std::vector<YAML::Node> cells = ListOf(row, "a row of heights_m");
     if (field.rows++ == 0) field.columns = static_cast<int>(cells.size());
@@ -176,7 +176,7 @@ Obstacle ParseObstacle(const YAML::Node& node) {
   const char* needed = mesh ? "vertices_m" : "size_m";
   if (!node[needed] || node[mesh ? "size_m" : "vertices_m"])
     RefuseYaml(node,
-               fmt::format("obstacle '{}' is a {}, which needs '{}' and not the other", obstacle.name, type, needed));
+               fmt::format("obstacle '{}' is a {}; give '{}' and no other shape key", obstacle.name, type, needed));
   if (mesh) {
     obstacle.vertices_O = Places(node[needed], needed);
     if (obstacle.vertices_O.size() < 4 || obstacle.vertices_O.size() > kMostVertices)
@@ -195,13 +195,13 @@ Obstacle ParseObstacle(const YAML::Node& node) {
   return obstacle;
 }
 
-/// Refuses more points of height fields than one ground may have, however many files they come from.
+/// Refuses height fields with more points than allowed for one ground; the points of all files count.
 void CheckNodes(const YAML::Node& node, const Terrain& terrain) {
   std::size_t nodes = 0;
   for (const HeightField& field : terrain.height_fields) nodes += field.height_m.size();
   if (nodes > static_cast<std::size_t>(kMostNodes)) {
-    RefuseYaml(node,
-               fmt::format("the height fields so far have {} points; at most {} in all are read", nodes, kMostNodes));
+    RefuseYaml(node, fmt::format("the height fields so far have {} points; accepted: at most {} points in all", nodes,
+                                 kMostNodes));
   }
 }
 
@@ -213,16 +213,16 @@ void Append(const Terrain& from, Terrain& to) {
   to.markers.insert(to.markers.end(), from.markers.begin(), from.markers.end());
 }
 
-/// A file as it is named in another one, which lies in that folder.
+/// Path of a file that is named in another file of the given folder.
 std::string BesideIt(const std::string& folder, const std::string& text) {
   return (std::filesystem::path(folder) / text).string();
 }
 
-/// A ground named at a node. A file that names another of its own kind could go round and round, so it may not.
+/// A ground named at a node. A YAML file must not name another YAML file, because that could form a cycle.
 Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainScale& scale, bool file) {
   std::string text = TextOf(node, file ? "a file" : "builtin");
   if (file && (text.find(".yaml") != std::string::npos || text.find(".yml") != std::string::npos))
-    RefuseYaml(node, fmt::format("'{}' is also YAML; a height map or a mesh is needed", text));
+    RefuseYaml(node, fmt::format("'{}' is a YAML file; accepted: a height map or a mesh", text));
   if (file) text = BesideIt(folder, text);
   const Result<Terrain> terrain = file ? LoadTerrain(text, scale) : MakeTerrain(text, scale);
   if (!terrain) RefuseYaml(node, terrain.failure().message);
@@ -246,7 +246,7 @@ Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainSc
   each("obstacles", [&](const YAML::Node& node) { terrain.obstacles.push_back(ParseObstacle(node)); });
   each("markers", [&](const YAML::Node& node) { terrain.markers.push_back(ParseMarker(node)); });
   if (terrain.num_surfaces() == 0)
-    RefuseYaml(root, "there is no ground: 'builtin', 'files', 'patches' or 'height_fields' is needed");
+    RefuseYaml(root, "there is no ground; give 'builtin', 'files', 'patches' or 'height_fields'");
   return terrain;
 }
 
@@ -292,7 +292,7 @@ std::vector<std::string> FilesOfTerrainYaml(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     for (const YAML::Node& node : ListOf(root["files"], "files"))
       files.push_back(BesideIt(folder, TextOf(node, "a file")));
-  } catch (const YAML::Exception&) {  // what is wrong with it, who reads it as a ground says
+  } catch (const YAML::Exception&) {  // errors are reported when the file is read as a ground
     return {};
   } catch (const InvalidArgument&) {
     return {};

@@ -10,14 +10,14 @@
 
 namespace gaitwright {
 
-/// Reads a ground from YAML, see docs/terrain-format.md: a built-in one to begin with, patches, height fields and
-/// obstacles. Files that it names are looked for from its own folder.
-/// Failure kBadInput with file and line: text that is no YAML, keys that are unknown (the nearest is named), missing or
-/// there twice, values of the wrong kind, numbers out of range, shapes that cannot be, and no ground at all.
+/// Reads a ground from YAML, see docs/terrain-format.md: an optional built-in ground, patches, height fields and
+/// obstacles. Paths of files are relative to the YAML file's folder. Failure kBadInput with file and line: invalid
+/// YAML; keys that are unknown (the message names the nearest one), missing or duplicate; values of the wrong kind;
+/// numbers out of range; invalid shapes; no ground.
 Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& scale);
 
-/// The grounds that such a file names under `files`, with their parameters, from its own folder; none where it is
-/// not to be read.
+/// The grounds that such a file names under `files`, with parameters and paths that include its folder; empty if the
+/// file cannot be read.
 std::vector<std::string> FilesOfTerrainYaml(const std::string& path);
 
 }  // namespace gaitwright

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// What the YAML of a ground may hold.
+/// Structure of a terrain YAML file.
 DataShape TerrainFileShape();
 
 }  // namespace gaitwright

@@ -19,14 +19,14 @@ namespace {
 constexpr double kUsualSpacing = 0.02, kCoarsestSpacing = 1.0;  // of nodes [m]
 constexpr double kMostNodesASide = 4096.0;
 constexpr double kNoGround = -std::numeric_limits<double>::infinity();
-constexpr double kGridRounding = 1e-6;  // of a spacing
+constexpr double kGridRounding = 1e-6;  // share of the spacing
 
-/// The highest ground at the nodes of a grid, as a height field; kNoGround where there is none.
+/// The highest ground at the points of a grid, as a height field; kNoGround without ground.
 using SampledGround = HeightField;
 
 double NodesAlong(double length, double spacing) { return std::floor(length / spacing + kGridRounding) + 1.0; }
 
-/// The spacing of nodes over a rectangle: `finest` times the lowest whole number with which the nodes are few enough.
+/// Spacing of points over a rectangle: `finest` times the smallest whole number that makes the points few enough.
 double SpacingOver(const Vector2& size, double finest) {
   const double longest = size.maxCoeff();
   double factor = std::max(1.0, std::floor(longest / (kMostNodesASide * finest)));
@@ -49,8 +49,8 @@ SampledGround GridOver(const Terrain& terrain, const Eigen::AlignedBox2d& extent
   grid.resolution_m = SpacingOver(extent.sizes(), finest);
   if (grid.resolution_m > kCoarsestSpacing) {
     throw InvalidArgument(
-        fmt::format("is {:.4g} by {:.4g} m large; a picture of at most {} points, up to {} m apart, is "
-                    "written. Write a .xml or .obj file instead",
+        fmt::format("is {:.4g} by {:.4g} m large; a picture has at most {} points, at most {} m apart. Write a .xml or "
+                    ".obj file instead",
                     extent.sizes().x(), extent.sizes().y(), kMostNodes, kCoarsestSpacing));
   }
   const auto place = [&](int axis, int& nodes) {
@@ -70,11 +70,11 @@ SampledGround GridOver(const Terrain& terrain, const Eigen::AlignedBox2d& extent
   return grid;
 }
 
-/// Raises the nodes over one surface, which is all of `terrain`, to it.
+/// Raises the grid to one surface; `terrain` contains only that surface.
 void RaiseTo(const Terrain& terrain, const Eigen::AlignedBox2d& extent, SampledGround& grid) {
   Eigen::AlignedBox2d box = ExtentOf(terrain, false);
   if (!terrain.patches.empty() && terrain.patches.front().outline_T.empty()) box = extent;
-  // A node on the rim of a surface is on it, whatever the rounding.
+  // A point on the edge of a surface belongs to it, in spite of rounding.
   constexpr double kWithin = 1e-9;  // [m]
   const Vector2 low = box.min().array() + kWithin, high = box.max().array() - kWithin;
   const Vector2 from = (box.min() - grid.origin_W) / grid.resolution_m,
@@ -85,7 +85,7 @@ void RaiseTo(const Terrain& terrain, const Eigen::AlignedBox2d& extent, SampledG
     for (int column = std::max(0, static_cast<int>(std::floor(from.x()))); column <= column1; ++column) {
       const Vector2 node = grid.origin_W + grid.resolution_m * Vector2(column, row);
       const Vector2 p =
-          node.cwiseMax(extent.min()).cwiseMin(extent.max());  // ground narrower than a cell has two nodes
+          node.cwiseMax(extent.min()).cwiseMin(extent.max());  // ground narrower than a cell has two points
       if (box.exteriorDistance(p) > kGridRounding * grid.resolution_m) continue;
       const GroundPoint ground = GroundAt(terrain, p.cwiseMax(low).cwiseMin(high));
       double& height = grid.height_m[static_cast<std::size_t>(row * grid.columns + column)];
@@ -101,7 +101,7 @@ SampledGround Sampled(const Terrain& terrain, const Eigen::AlignedBox2d& extent)
   return grid;
 }
 
-/// The lowest height with ground, the highest, and whether some nodes have no ground.
+/// The lowest and the highest height with ground, and whether some points have no ground.
 struct SampledRange {
   double low = -kNoGround, high = kNoGround;
   bool has_holes = false;
@@ -120,7 +120,7 @@ SampledRange RangeOf(const SampledGround& grid) {
   return range;
 }
 
-/// @throws InvalidArgument for a step that ReadHeightMap refuses.
+/// @throws InvalidArgument for a height difference that ReadHeightMap refuses.
 void CheckSteps(const SampledGround& grid, double lowest) {
   const auto at = [&](int column, int row) {
     return std::max(lowest, grid.height_m[static_cast<std::size_t>(row * grid.columns + column)]);
@@ -133,14 +133,14 @@ void CheckSteps(const SampledGround& grid, double lowest) {
       if (step <= kSteepestStep) continue;
       const Vector2 p = grid.origin_W + grid.resolution_m * Vector2(column, row);
       throw InvalidArgument(
-          fmt::format("has a step of {:.4g} m at ({:.4g}, {:.4g}) m; a picture of steps up to {} m can be "
-                      "read back. Write a .xml or .obj file instead",
+          fmt::format("has a step of {:.4g} m at ({:.4g}, {:.4g}) m; a picture may have steps of at most {} m. Write a "
+                      ".xml or .obj file instead",
                       step, p.x(), p.y(), kSteepestStep));
     }
   }
 }
 
-/// As seen from above: the first row has the highest y.
+/// As seen from above: the first row has the largest y.
 GreyImage PictureOf(const SampledGround& grid, double lowest, double rise) {
   GreyImage image{grid.columns, grid.rows, 65535, {}};
   image.values.reserve(grid.height_m.size());
@@ -169,10 +169,10 @@ Result<WrittenGround> WriteGrid(const Terrain& terrain, const Eigen::AlignedBox2
   if (!(range.low <= range.high))
     throw InvalidArgument(fmt::format("has no surface at any point {} m apart", grid.resolution_m));
   const double lowest = range.has_holes ? std::max(range.low - kSolidDepth, -kHighest) : range.low;
-  const double rise = range.high > lowest ? range.high - lowest : 1.0;  // any: all is black
+  const double rise = range.high > lowest ? range.high - lowest : 1.0;  // any value: everything is black
   if (rise > kHighest)
     throw InvalidArgument(
-        fmt::format("rises by {:.4g} m; a picture of up to {} m can be read back. Write a .xml or .obj "
+        fmt::format("rises by {:.4g} m; a picture may rise by at most {} m. Write a .xml or .obj "
                     "file instead",
                     rise, kHighest));
   CheckSteps(grid, lowest);

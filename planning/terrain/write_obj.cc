@@ -19,7 +19,7 @@ struct ObjGroup {
   Mesh mesh;
 };
 
-/// One word that means nothing else in an OBJ file.
+/// A name without characters that have a meaning in an OBJ file.
 std::string ObjName(std::string name) {
   for (char& c : name) {
     const auto byte = static_cast<unsigned char>(c);
@@ -28,10 +28,10 @@ std::string ObjName(std::string name) {
   return name.empty() ? "ground" : name;
 }
 
-/// Top, sides and bottom of a patch, seen from outside counter-clockwise.
+/// Top, sides and bottom of a patch, counter-clockwise as seen from outside.
 Mesh SolidOfPatch(const TerrainPatch& patch) {
   Mesh mesh;
-  mesh.vertices = SolidUnder(patch);  // by corner of the outline: above, below
+  mesh.vertices = SolidUnder(patch);  // for each corner of the outline: above, below
   const int n = static_cast<int>(patch.outline_T.size());
   for (int i = 1; i + 1 < n; ++i) mesh.triangles.emplace_back(0, 2 * i, 2 * i + 2);
   for (int i = 0; i < n; ++i) {
@@ -43,7 +43,7 @@ Mesh SolidOfPatch(const TerrainPatch& patch) {
   return mesh;
 }
 
-/// The part of an infinite surface that is over a box.
+/// The part of an infinite surface over a box.
 TerrainPatch CutTo(const Eigen::AlignedBox2d& box, const TerrainPatch& plane) {
   const Vector3 origin = plane.X_WT.translation(), normal = plane.X_WT.linear().col(2);
   std::vector<Vector3> corners;
@@ -98,7 +98,7 @@ std::string ObjText(const std::string& name, const std::vector<ObjGroup>& groups
   return text;
 }
 
-/// The parameters with which the mesh is read as the same ground.
+/// Parameters with which the mesh is read as the same ground.
 std::string MeshParameters(const Terrain& terrain, std::vector<std::string>& notes) {
   std::string parameters = FrictionParameter(terrain, notes);
   double finest = 0.0;

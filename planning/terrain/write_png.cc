@@ -19,8 +19,8 @@ void KeepWriterMessage(png_structp png, png_const_charp message) {
 
 void PassOverWarning(png_structp, png_const_charp) {}
 
-/// libpng's structures, and what it has written. It leaves its functions by longjmp when it refuses, so whatever has a
-/// destructor lives here, outside of them.
+/// libpng's structures and the written bytes. libpng leaves its functions by longjmp on an error, so every object with
+/// a destructor must live here, outside of these functions.
 struct PngWriting {
   PngWriting()
       : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, KeepWriterMessage, PassOverWarning)),
@@ -42,7 +42,7 @@ void KeepBytes(png_structp png, png_bytep bytes, std::size_t count) {
 
 void FlushNothing(png_structp) {}
 
-/// The rows as PNG has them, high bytes first.
+/// The rows in PNG order: high byte first.
 void FillRows(const GreyImage& image, PngWriting& writing) {
   const bool wide = image.full == 65535;
   for (const std::uint16_t value : image.values) {
@@ -73,7 +73,7 @@ Result<std::string> WriteGreyPng(const GreyImage& image) {
     throw InvalidArgument(fmt::format("white is {}; it must be 255 or 65535", image.full));
   const auto points = static_cast<double>(image.columns) * image.rows;
   if (image.columns < 1 || image.rows < 1 || static_cast<double>(image.values.size()) != points) {
-    throw InvalidArgument(fmt::format("a picture of {} by {} points has {} values; one for each point is needed",
+    throw InvalidArgument(fmt::format("a picture of {} by {} points has {} values; one value per point is needed",
                                       image.columns, image.rows, image.values.size()));
   }
   PngWriting writing;

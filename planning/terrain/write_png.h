@@ -8,10 +8,10 @@
 
 namespace gaitwright {
 
-/// The bytes of a grey PNG: of 16 bits if white is 65535, of 8 bits if it is 255. The same picture gives the same
-/// bytes. ReadGreyPng reads them back.
-/// @throws InvalidArgument for another white, a picture without points, and a number of values that is not that of the
-/// points. Failure: libpng refuses.
+/// The bytes of a grey PNG: 16 bits if white is 65535, 8 bits if it is 255. Equal pictures give equal bytes.
+/// ReadGreyPng reads them.
+/// @throws InvalidArgument for another white, a picture without points, and a number of values that differs from the
+/// number of points. Failure if libpng fails.
 Result<std::string> WriteGreyPng(const GreyImage& image);
 
 }  // namespace gaitwright

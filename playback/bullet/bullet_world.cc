@@ -84,7 +84,7 @@ struct BulletWorld::Impl {
     btContactSolverInfo& info = world.getSolverInfo();
     info.m_numIterations = options.solver_iterations;
     info.m_globalCfm = options.contact_cfm * options.contact_softness;
-    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;  // and so the cone
+    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;  // friction is then a cone
   }
 
   void AddMotors() {
@@ -116,23 +116,23 @@ struct BulletWorld::Impl {
     for (auto& row : shared.back()->rows()) world.addMultiBodyConstraint(row.get());
   }
 
-  /// Our state and kinematics from Bullet's.
+  /// Copies Bullet's state into ours and updates the kinematics.
   void Refresh() {
     body.GetState(q, v);
     ForwardKinematics(model, q, after);
   }
 
-  /// What a motor shall add to the feed-forward; all of it when torques are explicit.
+  /// Target of a motor's row. With explicit torques the row does nothing and the feed-forward holds the whole torque.
   bullet::MotorRow::Target TargetOf(const JointCommand& command, int dof, const engine::EffortRange& limits) {
     const double kp = command.stiffness[dof], kd = command.damping[dof], torque = command.tau_ff[dof];
     const double wanted = torque + (kp * (command.q[dof] - q[7 + dof]) + kd * (command.v[dof] - v[6 + dof]));
-    const bool has_row = options.actuation != "torque" && (kp > 0.0 || kd > 0.0);  // which limits the sum
+    const bool has_row = options.actuation != "torque" && (kp > 0.0 || kd > 0.0);  // the row limits the sum
     const double inside = std::clamp(torque, limits.lowest, limits.highest);
     if (has_row) return {command.q[dof], command.v[dof], inside, kp, kd, torque - inside, wanted, limits};
     return {0.0, 0.0, std::clamp(wanted, limits.lowest, limits.highest), 0.0, 0.0, 0.0, wanted, limits};
   }
 
-  /// What the motor of an index may give at a speed.
+  /// Range of effort of a motor at a speed.
   engine::EffortRange RangeOf(int index, double speed) const {
     const auto d = static_cast<std::size_t>(index);
     const engine::EffortRange range = drives[d].At(speed);
@@ -163,7 +163,7 @@ struct BulletWorld::Impl {
     body.AddTorque(feed_forward);
   }
 
-  /// Takes note of what the motor of an index gave.
+  /// Records the torque that a motor gave.
   void ReadMotor(int index, double torque, double wanted, const engine::EffortRange& limits) {
     const auto i = static_cast<std::size_t>(index);
     motor_torque[index] = torque;
@@ -189,7 +189,7 @@ struct BulletWorld::Impl {
     }
   }
 
-  /// Deepest contact, along the ground's normal. The contacts are forgotten, so that the next step finds its own.
+  /// Deepest contact along the normal of the ground. Clears the contacts, so that the next step finds its own.
   Penetration Deepest() {
     world.performDiscreteCollisionDetection();
     Penetration deepest;
@@ -223,7 +223,7 @@ struct BulletWorld::Impl {
   std::unique_ptr<btMultiBodyConstraintSolver> solver;
   btMultiBodyDynamicsWorld world;
   std::vector<std::unique_ptr<bullet::MotorRow>> motors;      ///< by dof; null where locked
-  std::vector<std::unique_ptr<bullet::SharedMotors>> shared;  ///< of transmissions with a joint that is not locked
+  std::vector<std::unique_ptr<bullet::SharedMotors>> shared;  ///< of transmissions that have an unlocked joint
   std::vector<engine::Drive> drives;                          ///< by motor (ActuatorOf)
   std::vector<double> bounds;                                 ///< by motor; see BoundOf
   std::vector<std::unique_ptr<bullet::GearRow>> gears;

@@ -9,13 +9,13 @@
 
 namespace gaitwright {
 
-/// A robot on a terrain in Bullet, exact to rounding for the free multibody. Contact is hard.
+/// A robot on a terrain in Bullet. Free multibody motion is exact to rounding; contact is hard.
 class BulletWorld : public World {
  public:
-  /// @param q  first configuration, size nq; also where locked joints stay, and its x and y the start point of the
+  /// @param q  initial configuration, size nq; locked joints stay at it, and its x and y are the start point of the
   /// ground.
-  /// @param condenses  whether contacts are solved by our condensed solver; else by Bullet's own, which knows no
-  /// motors, for tests of the two against each other.
+  /// @param condenses  true: contacts are solved by our condensed solver. False: by Bullet's own solver, without
+  /// motors; for tests that compare the two.
   /// @throws InvalidArgument as CheckWorld
   BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options,
               bool condenses = true);
@@ -38,10 +38,10 @@ class BulletWorld : public World {
   VectorX mean_square_effort() const override;
   double total_mass_kg() const override;
 
-  /// Accelerations (size nv) by Bullet's articulated-body algorithm with no contact and no losses; the state is left at
+  /// Accelerations (size nv) by Bullet's articulated-body algorithm, without contacts and losses. Leaves the state at
   /// q, v.
   VectorX Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau);
-  /// Largest deviation of a mimic joint from what it should follow [rad] or [m].
+  /// Largest deviation of a mimic joint from its commanded position [rad] or [m].
   double gear_error() const;
 
  private:

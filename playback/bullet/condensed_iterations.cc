@@ -8,8 +8,9 @@
 namespace gaitwright::bullet {
 namespace {
 
-constexpr double kSettled = 1e-9;  // relative change of impulses at which iterating ends
-constexpr double kHeld = 1e-13;  // share of a row's own A that is rounding: others hold it, as friction does at a stop
+constexpr double kSettled = 1e-9;  // relative change of the impulses at which the iteration ends
+constexpr double kHeld = 1e-13;    // share of a row's own A below which A is rounding: other rows hold its velocity, as
+                                   // dry friction does at a stop
 
 }  // namespace
 
@@ -217,7 +218,7 @@ double CondensedSolver::SolveCone(Eigen::Index k) {
   const Vector2 now = p_small_.segment<2>(k);
   const Vector2 s(place.softness, places_[static_cast<std::size_t>(k + 1)].softness);
   const Vector2 residual = b_small_.segment<2>(k) - w_small_.segment<2>(k) - s.cwiseProduct(now);
-  // A step by the larger eigenvalue keeps the projection onto the disc a descent; the exact step is taken inside it.
+  // A step by the larger eigenvalue keeps the projection onto the disc a descent step; the exact step is taken inside.
   Vector2 wanted = now + place.inverse * residual;
   if (wanted.squaredNorm() > radius * radius) {
     wanted = now + residual / place.largest;
@@ -241,7 +242,7 @@ void CondensedSolver::Recover() {
     for (std::size_t k = 0; k < dense_.size(); ++k) impulse_[dense_[k]] = p_direct_[static_cast<Eigen::Index>(k)];
   }
   factor_.SolveLower(velocity_.data());
-  if (any_held_) velocity_ += held_velocity_;  // which is zero elsewhere, as velocity_ was where it is not
+  if (any_held_) velocity_ += held_velocity_;  // no entry is non-zero in both
   for (const Eigen::Index i : direct_) {
     const Line& line = lines_[static_cast<std::size_t>(i)];
     if (line.is_soft) impulse_[i] = (line.b - line.share * velocity_[line.coordinate]) / line.softness;

@@ -49,7 +49,7 @@ btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject** 
   WarmStart();
   bool taken_in = false;
   do {
-    if (!Condense()) {  // gears that contradict each other: let projected Gauss-Seidel find a compromise
+    if (!Condense()) {  // gears contradict each other: projected Gauss-Seidel finds a compromise
       NormaliseRows(inertia_, Rows());
       return btMultiBodyConstraintSolver::solveGroupCacheFriendlyIterations(
           bodies, num_bodies, manifolds, num_manifolds, constraints, num_constraints, info, debug);
@@ -175,7 +175,7 @@ bool CondensedSolver::TakeInStuck() {
 bool CondensedSolver::MoveTurned() {
   const auto turned = [&](Eigen::Index i) {
     const Line& line = lines_[static_cast<std::size_t>(i)];
-    const double left = line.b - Along(line, velocity_);  // of the velocity it is against; it pushes that way
+    const double left = line.b - Along(line, velocity_);  // the impulse pushes in the direction of its sign
     return left * impulse_[i] < 0.0;
   };
   const auto kept = std::stable_partition(sliding_.begin(), sliding_.end(), [&](Eigen::Index i) { return !turned(i); });
@@ -201,7 +201,7 @@ bool CondensedSolver::MoveSaturated() {
     line.kind = Kind::kBounded;
     line.is_soft = line.holds = false;
   }
-  // First, so that friction lines stay in pairs behind their normals.
+  // Kept rows go first, so that friction rows stay in pairs after their normals.
   iterated_.insert(iterated_.begin(), kept, direct_.end());
   direct_.erase(kept, direct_.end());
   return true;

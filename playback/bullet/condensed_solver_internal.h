@@ -13,28 +13,29 @@
 
 namespace gaitwright::bullet {
 
-/// Solves the rows of one multibody on static ground: motors and gears directly, contacts and stops by projected
-/// Gauss-Seidel on what is left.
+/// Solves the rows of one multibody on static ground. Motors and gears are solved directly; contacts and stops are then
+/// solved by projected Gauss-Seidel.
 ///
-/// With M the mass matrix, rows J, softness s and impulses p, the change x of the velocities is M x = J^T p, and each
-/// row asks J x + s p = b within the bounds of p. Motors and gears are linear unless saturated, so they are eliminated:
-///   a row on one joint's rate, J = c, s > 0   p = (b - c x) / s, so that M gets c^2 / s on its diagonal and the
-///                                             right-hand side c b / s: M keeps the zeros of the robot's tree
-///   a row on one joint's rate, s = 0          x = b / c is known, the joint is taken out of M, p is what holds it
-///   other rows (D), as gears and twins        (A_DD + s_D) p_D = b_D - A_DI p_I, with A = J M^-1 J^T of that M
-/// Motors of a transmission are in D, and have a softness in common beside their own: S_ij p_j in the row of motor i
-/// (SharedMotors), which counts as part of A between their two rows.
-/// Only contacts, stops and saturated motors (I) are iterated on, in the small dense
+/// With M the mass matrix, J the rows, s the softness and p the impulses, the change x of the velocities is
+/// M x = J^T p, and each row requires J x + s p = b within the bounds of p. Motors and gears are linear unless
+/// saturated, so they are eliminated:
+///   a row on one joint's rate, J = c, s > 0   p = (b - c x) / s: adds c^2 / s to the diagonal of M and c b / s to the
+///                                             right-hand side; M keeps the zeros of the robot's tree
+///   a row on one joint's rate, s = 0          x = b / c is known; the joint is removed from M, and p holds it
+///   other rows (D), such as gears and twins   (A_DD + s_D) p_D = b_D - A_DI p_I, with A = J M^-1 J^T of this M
+/// Motors of a transmission are in D. In addition to its own softness, the row of motor i has a shared softness
+/// S_ij p_j (SharedMotors), which counts as part of A between the two rows.
+/// Only contacts, stops and saturated motors (I) need iterations, in the small dense matrix
 ///   A'_II = A_II - A_ID (A_DD + s_D)^-1 A_DI.
-/// A motor that comes out beyond its limit moves to I, and the step is solved again. Dry friction of a joint is in D
-/// where it held in the last step; where it slid it is a known impulse, until the joint turns back: then it is in I,
-/// and taken into D once when it comes to hold. Stiff motors cost no iterations, which projected Gauss-Seidel on all
-/// rows needs hundreds of. Friction is a cone: the two rows of a contact are projected together. Iterations start from
-/// the contact's impulses of the last step and end at `solver_iterations` or a relative change of 1e-9. Points that
-/// cannot matter get no rows, see ContactThinning.
+/// A motor whose impulse exceeds its limit moves to I, and the step is solved again. Dry friction of a joint is in D if
+/// it held the joint in the last step. If the joint slid, friction is a known impulse until the joint reverses; then it
+/// is in I, and moves to D once when it holds the joint. Stiff motors need no iterations, whereas projected
+/// Gauss-Seidel on all rows needs hundreds. Friction is a cone: the two rows of a contact are projected together.
+/// Iterations start from the contact impulses of the last step and end after `solver_iterations` or at a relative
+/// change of 1e-9. Contact points that cannot matter get no rows (ContactThinning).
 class CondensedSolver : public btMultiBodyConstraintSolver {
  public:
-  /// @param inertia  of the one multibody, which must outlive this.
+  /// @param inertia  of the one multibody; must outlive this object.
   explicit CondensedSolver(JointSpaceInertia& inertia);
 
  protected:
@@ -52,22 +53,22 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   struct Line {
     btMultiBodySolverConstraint* row;
     Kind kind;
-    int normal;  ///< of friction: the line of its normal
+    int normal;  ///< of friction: row of its normal
     double b, softness;
-    double last = 0.0;         ///< of dry friction in a joint: impulse of the last step
-    bool rubs = false;         ///< it is one
-    int coordinate = -1;       ///< the only one in J, or -1
-    double share = 0.0;        ///< J there
-    int last_coordinate = -1;  ///< on whose path J is, or -1
+    double last = 0.0;         ///< of dry friction in a joint: its impulse in the last step
+    bool rubs = false;         ///< the row is dry friction
+    int coordinate = -1;       ///< the only coordinate in J, or -1
+    double share = 0.0;        ///< J at this coordinate
+    int last_coordinate = -1;  ///< last coordinate of the path that J is on, or -1
     bool is_soft = false;      ///< direct: in the diagonal of M
     bool holds = false;        ///< direct: its coordinate is taken out of M
     bool is_coupled = false;   ///< a line of shared_softness_
   };
-  /// A line on which iterations go.
+  /// A row that is iterated on.
   struct Place {
-    bool is_cone;     ///< the first of the two lines of a contact's friction
-    bool is_held;     ///< its velocity is others', as that of a joint at its stop is dry friction's
-    double softness;  ///< of the line
+    bool is_cone;     ///< first of the two rows of a contact's friction
+    bool is_held;     ///< other rows hold its velocity, as dry friction does for a joint at its stop
+    double softness;  ///< of the row
     double lowest, highest;
     double inverse_diagonal;  ///< of A' + softness
     double friction;
@@ -77,7 +78,7 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   };
 
   SolverRows Rows();
-  /// Softness that the drives of two motors of one transmission have in common, by their lines.
+  /// Softness that two motors of one transmission share, by their rows.
   struct SharedSoftness {
     Eigen::Index first, second;
     double softness;
@@ -87,13 +88,13 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   void GatherSharedSoftness();
   void AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at);
   void WarmStart();
-  /// @return whether the direct lines can be held, all of them.
+  /// @return whether all direct rows can be held.
   bool Condense();
-  /// Takes direct lines on one coordinate into M, and what sliding lines give into the right-hand side.
+  /// Adds direct rows on one coordinate to M, and the impulses of sliding rows to the right-hand side.
   void Fold();
   void TakeOutHeld();
   bool Eliminate();
-  /// Adds shared softness between two sets of lines, which may be the same. @param places  of lines in either, or -1.
+  /// Adds the shared softness between two sets of rows, which may be equal. @param places  of rows in each set, or -1.
   void AddSharedSoftness(const std::vector<Eigen::Index>& row_places, const std::vector<Eigen::Index>& column_places,
                          MatrixX& matrix) const;
   void FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b);
@@ -101,7 +102,7 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   void FillPositions();
   void FillPlaces();
   void Iterate(int most);
-  /// Velocities and the impulses of direct lines, from those of the others.
+  /// Computes the velocities and the impulses of the direct rows from those of the other rows.
   void Recover();
   void RecoverHolding();
   double SolveLine(Eigen::Index k);
@@ -116,17 +117,17 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   JointSpaceInertia& inertia_;
   ContactThinning thinning_;
   std::vector<Line> lines_;
-  std::vector<Eigen::Index> direct_, iterated_, sliding_;  ///< lines
-  std::vector<Eigen::Index> dense_;                        ///< those of direct_ that are in A_DD
-  std::vector<Eigen::Index> position_;                     ///< by line: place in iterated_, or -1
-  std::vector<Eigen::Index> dense_position_;               ///< by line: place in dense_, or -1
+  std::vector<Eigen::Index> direct_, iterated_, sliding_;  ///< rows
+  std::vector<Eigen::Index> dense_;                        ///< the rows of direct_ that are in A_DD
+  std::vector<Eigen::Index> position_;                     ///< by row: place in iterated_, or -1
+  std::vector<Eigen::Index> dense_position_;               ///< by row: place in dense_, or -1
   std::vector<SharedSoftness> shared_softness_;
   std::vector<Place> places_;
 
-  std::vector<double> M_;  ///< with soft lines and without held coordinates
-  TreeFactor factor_;      ///< of it
-  VectorX force_;          ///< of soft and sliding lines, without their part by velocity
-  VectorX free_;           ///< half of the change of velocity that it makes: L^-T force_
+  std::vector<double> M_;  ///< mass matrix with soft rows, without held coordinates
+  TreeFactor factor_;      ///< of M_
+  VectorX force_;          ///< of soft and sliding rows, without the part that depends on velocity
+  VectorX free_;           ///< half of the velocity change due to force_: L^-T force_
   std::vector<char> is_held_;
   bool any_held_ = false;
   VectorX held_velocity_, scratch_;

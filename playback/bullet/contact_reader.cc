@@ -35,7 +35,7 @@ void ContactReader::ReadManifold(const btPersistentManifold& manifold, double st
   const auto* robot = first != nullptr ? first : btMultiBodyLinkCollider::upcast(manifold.getBody1());
   if (robot == nullptr) return;
   const bool is_first = first != nullptr;
-  const double sign = is_first ? 1.0 : -1.0;  // impulses and normals are given for the first body
+  const double sign = is_first ? 1.0 : -1.0;  // Bullet gives impulses and normals for the first body
   const int body = robot->m_link + 1;
   const auto b = static_cast<std::size_t>(body);
   for (int i = 0; i < manifold.getNumContacts(); ++i) {

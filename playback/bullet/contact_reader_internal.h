@@ -13,7 +13,7 @@
 
 namespace gaitwright::bullet {
 
-/// Reads contact forces out of Bullet's manifolds after a step. Their points belong to the step's start.
+/// Reads contact forces from Bullet's manifolds after a step. The contact points are those at the start of the step.
 class ContactReader {
  public:
   ContactReader(const RobotModel& model, const RobotBody& robot, Terrain terrain)

@@ -11,15 +11,15 @@ namespace {
 
 constexpr double kUnlimitedPush = 1e10;  // impulse
 
-/// A contact as the robot sees it.
+/// A contact point, seen from the robot.
 struct TouchingPoint {
   btManifoldPoint& point;
   const btMultiBodyLinkCollider& collider;
-  double sign;  ///< of normals and impulses, which are given for the first body of a manifold
+  double sign;  ///< of normals and impulses; a manifold gives them for its first body
   Vector3 p_W;
 };
 
-/// A row that asks for no velocity along a direction.
+/// A row that requires zero velocity along a direction.
 btMultiBodySolverConstraint& AddRowAlong(const TouchingPoint& touching, const btVector3& direction,
                                          const JointSpaceInertia& inertia, btMultiBodyConstraintArray& rows,
                                          btMultiBodyJacobianData& data) {

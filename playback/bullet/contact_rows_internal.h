@@ -8,8 +8,8 @@
 
 namespace gaitwright::bullet {
 
-/// Bullet's arrays that rows go into. Rows are kept unscaled, J qd + m_cfm * impulse = J qd + m_rhs, with
-/// m_jacDiagABInv 1, and without M^-1 J^T: see NormaliseRows.
+/// Bullet's arrays for the rows. Rows are stored unscaled, J qd + m_cfm * impulse = J qd + m_rhs, with m_jacDiagABInv 1
+/// and without M^-1 J^T (NormaliseRows).
 struct SolverRows {
   btMultiBodyConstraintArray& joints;
   btMultiBodyConstraintArray& normals;
@@ -17,23 +17,23 @@ struct SolverRows {
   btMultiBodyJacobianData& data;
 };
 
-/// Rows of the contacts of a multibody with ground that never moves. They ask what btMultiBodyConstraintSolver asks for
-/// the same points, with two directions of friction and without restitution and over-relaxation, which nothing here
-/// has: with v the velocity along the normal after the step, h the step, d the distance and p >= 0 the impulse,
-///   v + cfm / h p = -d / h apart, -erp2 d / h in the ground.
-/// J is made along the path of the link only.
+/// Adds the contact rows of a multibody on static ground. The conditions are those of btMultiBodyConstraintSolver with
+/// two friction directions, and without restitution and over-relaxation. With v the normal velocity after the step, h
+/// the step, d the distance and p >= 0 the impulse:
+///   v + cfm / h p = -d / h if apart, -erp2 d / h in penetration.
+/// J has entries only along the path of the link.
 void AddContactRows(btPersistentManifold& manifold, const JointSpaceInertia& inertia, const btContactSolverInfo& info,
                     const SolverRows& rows);
 
-/// A row of a multibody, without values: at the end of `rows`, with the index of the body's change of velocity in the
-/// arrays of `data`, which is new to them with the first row of a step.
+/// Appends a row of a multibody without values to `rows`. The row has the index of the body's velocity change in the
+/// arrays of `data`; the first row of a step adds this entry.
 btMultiBodySolverConstraint& AddEmptyRow(btMultiBody& body, int link, btMultiBodyConstraintArray& rows,
                                          btMultiBodyJacobianData& data);
 
-/// Room for one more J in the arrays of `data`, all zero. @return where it begins.
+/// Reserves one more J, all zero, in the arrays of `data`. @return its start index.
 int AddJacobian(int size, btMultiBodyJacobianData& data);
 
-/// Scales rows by 1 / (J M^-1 J^T + m_cfm) and makes M^-1 J^T, as Bullet's own iterations need them.
+/// Scales rows by 1 / (J M^-1 J^T + m_cfm) and computes M^-1 J^T, as Bullet's own iterations require.
 void NormaliseRows(const JointSpaceInertia& inertia, const SolverRows& rows);
 
 }  // namespace gaitwright::bullet

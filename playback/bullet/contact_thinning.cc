@@ -27,7 +27,7 @@ bool OnHeightField(const btPersistentManifold& manifold, const btCollisionObject
   return ground->getCollisionShape()->getShapeType() == TERRAIN_SHAPE_PROXYTYPE;
 }
 
-/// The hull of the points that are kept, but for one and for those higher than a height.
+/// Hull of the kept points, without point `but` and without points higher than `highest_m`.
 Polygon HullOf(const std::vector<Gap>& points, const std::vector<bool>& kept, std::size_t but, double highest_m) {
   Polygon places;
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -38,7 +38,7 @@ Polygon HullOf(const std::vector<Gap>& points, const std::vector<bool>& kept, st
 }  // namespace
 
 std::vector<bool> HoldingPoints(const std::vector<Gap>& points) {
-  constexpr double kOn = 1e-6;      // of an edge [m]
+  constexpr double kOn = 1e-6;      // tolerance for a point on an edge [m]
   constexpr double kNearly = 1e-5;  // [m]
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -51,7 +51,7 @@ std::vector<bool> HoldingPoints(const std::vector<Gap>& points) {
     hull.push_back(points[k].place);
     hull = ConvexHull(std::move(hull));
   }
-  for (const std::size_t k : order) {  // corners that came before farther ones of about their height
+  for (const std::size_t k : order) {  // removes corners that farther corners of similar height made redundant
     if (!kept[k]) continue;
     const Polygon others = HullOf(points, kept, k, points[k].gap_m + kNearly);
     kept[k] = others.empty() || SignedDistance(others, points[k].place) < -kOn;
@@ -75,7 +75,7 @@ double ContactThinning::SpeedAt(const btCollisionObject& link, const btVector3& 
 bool ContactThinning::IsNear(const btCollisionObject& link, const btManifoldPoint& point, const btVector3& p_W,
                              double step_s) {
   constexpr double kNear = 1e-4;  // [m]
-  constexpr double kSteps = 2.0;  // ahead
+  constexpr double kSteps = 2.0;  // speed is extrapolated over so many steps
   return point.getDistance() < kNear || point.getDistance() < kNear + kSteps * step_s * SpeedAt(link, p_W);
 }
 
@@ -97,7 +97,8 @@ void ContactThinning::Thin(btPersistentManifold** manifolds, int num_manifolds, 
     if (link != link_) ThinLink();
     link_ = link;
     const bool first = manifold.getBody0() == link, field = OnHeightField(manifold, *link);
-    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {  // backwards: what is removed makes way for the last
+    // Backwards, because Bullet moves the last point to the place of a removed one.
+    for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
       const btManifoldPoint& point = manifold.getContactPoint(i);
       const int role = RoleOf(*link, first ? point.m_index0 : point.m_index1);
       if (role <= 0 || (role == kCorner && !field)) continue;

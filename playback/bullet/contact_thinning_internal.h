@@ -16,19 +16,19 @@ struct Gap {
   double gap_m = 0.0;  ///< negative in the ground
 };
 
-/// Which points keep a rigid sole out of the ground. The others are between points that are no higher over it, to a
-/// hundredth of a millimetre, so that those hold them too.
+/// Selects the points that keep a rigid sole out of the ground. The other points lie between selected points whose gap
+/// is not larger than theirs by more than 0.01 mm.
 /// @return by point.
 std::vector<bool> HoldingPoints(const std::vector<Gap>& points);
 
-/// Leaves, of the contact points of soles that have spheres all over, those that matter: of inner spheres those over
-/// height fields, and there only what can reach the ground within the step and carries. Without it a sole at rest on
+/// Removes contact points that cannot matter from soles with spheres all over. Inner spheres count only over height
+/// fields, and only if they can reach the ground within the step and carry load. Without thinning, a sole at rest on
 /// level ground has a hundred contacts.
 class ContactThinning {
  public:
   void Thin(btPersistentManifold** manifolds, int num_manifolds, double step_s);
 
-  /// User index of the shape of a sphere at a sole's corner or inside its outline; others have none.
+  /// User index of the shape of a sphere at a corner of a sole or inside its outline; other shapes have no such index.
   enum Role { kCorner = 1, kInner = 2 };
 
  private:
@@ -40,9 +40,9 @@ class ContactThinning {
   double SpeedAt(const btCollisionObject& link, const btVector3& p_W);
   void ThinLink();
 
-  const btMultiBody* body_ = nullptr;  // whose velocities are below
+  const btMultiBody* body_ = nullptr;  // body of the velocities below
   std::vector<btVector3> spin_, velocity_;
-  const btCollisionObject* link_ = nullptr;  // whose points are below
+  const btCollisionObject* link_ = nullptr;  // link of the points below
   std::vector<Point> points_;
   std::vector<Gap> gaps_;
 };

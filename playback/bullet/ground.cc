@@ -48,7 +48,7 @@ void Ground::AddPatch(const TerrainPatch& patch, double friction) {
   has_edges_ = true;
   auto hull = std::make_unique<btConvexHullShape>();
   hull->setMargin(kBlockMargin);
-  // The margin grows the hull on all sides, so it starts that much lower.
+  // The margin grows the hull on all sides, so the hull starts lower by the margin.
   const Pose X_TW = patch.X_WT.inverse();
   for (const Vector3& corner_W : SolidUnder(patch))
     hull->addPoint(ToBullet(Vector3(X_TW * corner_W - kBlockMargin * Vector3::UnitZ())), false);
@@ -58,15 +58,15 @@ void Ground::AddPatch(const TerrainPatch& patch, double friction) {
 
 void Ground::AddHeightField(HeightField field, double friction) {
   finest_m_ = finest_m_ > 0.0 ? std::min(finest_m_, field.resolution_m) : field.resolution_m;
-  heights_.push_back(std::move(field.height_m));  // Bullet keeps the address, not the numbers
+  heights_.push_back(std::move(field.height_m));  // Bullet keeps only the address of the numbers
   const std::vector<double>& heights = heights_.back();
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   const btScalar lowest = *low - 0.01, highest = *high + 0.01;
-  // The flipped diagonal is the one of HeightField.
+  // The flipped diagonal matches HeightField.
   auto shape =
       std::make_unique<btHeightfieldTerrainShape>(field.columns, field.rows, heights.data(), lowest, highest, 2, true);
   shape->setLocalScaling(btVector3(field.resolution_m, field.resolution_m, 1.0));
-  // Bullet puts the shape's origin at the middle of its box.
+  // Bullet's origin of the shape is the middle of its bounding box.
   Pose X_WS = Pose::Identity();
   X_WS.translation() << field.origin_W + 0.5 * field.resolution_m * Vector2(field.columns - 1, field.rows - 1),
       0.5 * (lowest + highest);

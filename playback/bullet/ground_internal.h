@@ -13,19 +13,19 @@
 
 namespace gaitwright::bullet {
 
-/// The terrain as static bodies: planes without end, convex blocks under bounded patches, height fields, obstacles; or
-/// obstacles and one height field of all ground when there are bumps.
+/// The terrain as static bodies: infinite planes, convex blocks under bounded patches, height fields and obstacles.
+/// With bumps: obstacles and one height field of the whole ground.
 class Ground {
  public:
-  /// @param bumps  begin where the slope turns.
+  /// @param bumps  their start is also the point about which the slope turns the ground.
   Ground(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps);
 
   void AddTo(btCollisionWorld& world);
-  /// Name of one of its bodies, see SolidNames; empty for others.
+  /// Name of a body of the ground, see SolidNames; empty for other bodies.
   std::string NameOf(const btCollisionObject* object) const;
-  /// True when contact happens on edges too, so that soles must be plates too.
+  /// True when edges can touch too, so that soles need plates as well as spheres.
   bool has_edges() const { return has_edges_; }
-  /// Between the points of the finest height field; zero where there is none [m].
+  /// Distance between points of the finest height field; zero without a height field [m].
   double finest_m() const { return finest_m_; }
 
  private:
@@ -37,7 +37,7 @@ class Ground {
   Pose X_tilt_;
   bool has_edges_ = false;
   double finest_m_ = 0.0;
-  std::deque<std::vector<double>> heights_;  ///< by field; they stay where they are
+  std::deque<std::vector<double>> heights_;  ///< by field; the addresses stay valid
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> objects_;
   std::vector<std::string> names_;  ///< by object

@@ -10,7 +10,7 @@ namespace gaitwright::bullet {
 namespace {
 
 constexpr double kUnlimited = 1e30;      // impulse
-constexpr double kGearCorrection = 0.5;  // share of a gear's error that a step takes back
+constexpr double kGearCorrection = 0.5;  // share of a gear's error that one step corrects
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
   driven_ = drive > 0.0;
   std::optional<Response> response;
   if (driven_ || traits_.drags() || traits_.friction > 0.0) response = Respond(data);
-  double gain = 0.0;  // what the motor may add to the velocity in the step
+  double gain = 0.0;  // velocity that the motor may add in the step
   if (driven_) {
     const double pull = target_.excess + target_.stiffness * (target_.q - q) + target_.damping * target_.v;
     const double target_velocity = traits_.torque_scale * h * pull / drive;
@@ -101,7 +101,7 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
   }
   if (target_.from_transmission > 0.0) gain = traits_.torque_scale * InverseInertia() * h * target_.from_transmission;
   if (response) AddLosses(h, *response, rows, data);
-  // A stop acts only when the coming step could pass it.
+  // A stop acts only if the coming step could pass it.
   const double carried = traits_.rotor_inertia > 0.0 ? std::abs(start_rate_) : 0.0;
   const double reach = 2.0 * h * (std::max(std::abs(velocity), carried) + gain);
   const double lowest_rate = (traits_.lower - q) / h, highest_rate = (traits_.upper - q) / h;

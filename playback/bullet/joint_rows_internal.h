@@ -13,12 +13,12 @@ namespace gaitwright::bullet {
 using engine::EffortRange;
 
 /// A constraint on the joint velocities of one multibody, made of rows J qd with constant J. The second body of
-/// Bullet's rows stays empty.
+/// Bullet's rows is unused.
 class JointSpaceConstraint : public btMultiBodyConstraint {
  public:
   JointSpaceConstraint(RobotBody& robot, int link, int rows);
 
-  /// What is not zero in J: `share` of the velocity with that number among Bullet's.
+  /// A non-zero entry of J: `share` of Bullet's velocity with that index.
   struct Term {
     int coordinate;
     double share;
@@ -38,12 +38,12 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
     double lowest, highest;  ///< impulse [N m s]
   };
   void AddTerm(int dof_row, double share);
-  /// What rows with the same J have in common.
+  /// Data shared by rows with the same J.
   struct Response {
-    int at;           ///< of J in Bullet's arrays
-    double velocity;  ///< J qd under all forces of the step but those of rows
+    int at;           ///< index of J in Bullet's arrays
+    double velocity;  ///< J qd under all forces of the step except those of rows
   };
-  /// J M^-1 J^T: the velocity J qd that a unit impulse gives.
+  /// J M^-1 J^T: the velocity J qd due to a unit impulse.
   double InverseInertia() const;
   Response Respond(btMultiBodyJacobianData& data);
   void AddRow(const Row& row, const Response& response, btMultiBodyConstraintArray& rows,
@@ -55,19 +55,20 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
   VectorX jacobian_;
 };
 
-/// The motor of one independent coordinate, with the mechanical stops at its position limits and what its joints lose.
+/// The motor of one independent coordinate, with the mechanical stops at its position limits and the losses of its
+/// joints.
 ///
-/// Implicit PD: with h the step, the impulse p = h (kp (q* - q - h qd') + kd (qd* - qd')) of the velocity qd' after the
-/// step is the row  qd' + gamma p = gamma h (kp (q* - q) + kd qd*),  gamma = 1 / (h^2 kp + h kd),
-/// stable for every gain. Limits are on the sum of feed-forward and PD. Of both a share arrives at the joint.
+/// Implicit PD: with h the step, the impulse p = h (kp (q* - q - h qd') + kd (qd* - qd')), with qd' the velocity after
+/// the step, is the row  qd' + gamma p = gamma h (kp (q* - q) + kd qd*),  gamma = 1 / (h^2 kp + h kd). It is stable for
+/// every gain. Limits apply to the sum of feed-forward and PD. A share of this sum reaches the joint.
 ///
-/// Losses are implicit too. Damping d and rotor inertia J, with qd the velocity at the start of the step (Bullet has
-/// added the step's forces to its own by the time rows are made):  p = -J (qd' - qd) - h d qd'  is the row
-/// qd' + p / (J + h d) = J qd / (J + h d). Dry friction f is the row qd' = 0 with an impulse within +-h f. None of them
-/// can add energy.
+/// Losses are implicit too. Damping d and rotor inertia J give  p = -J (qd' - qd) - h d qd', with qd the velocity at
+/// the start of the step (Bullet has added the step's forces to its own velocity before rows are made). The row is
+/// qd' + p / (J + h d) = J qd / (J + h d). Dry friction f is the row qd' = 0 with an impulse within +-h f. No loss can
+/// add energy.
 class MotorRow : public JointSpaceConstraint {
  public:
-  /// Which of its rows is which: JointSpaceConstraint's index.
+  /// Indices of the rows, see JointSpaceConstraint.
   static constexpr int kDrive = 0, kStop = 1, kLoss = 2, kDryFriction = 3;
 
   using Traits = engine::JointTraits;
@@ -77,22 +78,22 @@ class MotorRow : public JointSpaceConstraint {
     double q, v;
     double tau_ff;  ///< within the limits
     double stiffness, damping;
-    double excess = 0.0;  ///< feed-forward beyond the limits: the row has it, so that the sum is what is limited
-    double wanted = 0.0;  ///< by the state at the start of the step, without limits
+    double excess = 0.0;  ///< feed-forward beyond the limits; it is part of the row, so that the sum is limited
+    double wanted = 0.0;  ///< torque for the state at the start of the step, without limits
     EffortRange limits = {};
-    double from_transmission = 0.0;  ///< the most that rows of a transmission's motors push in the step, either way
+    double from_transmission = 0.0;  ///< largest impulse of a transmission's motors in the step, either direction
   };
-  /// For the coming step; to be called at its start, when the joints have their old velocities still.
+  /// Sets the target of the coming step. Call at its start, while the joints have their old velocities.
   void SetTarget(const Target& target);
 
   void createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
                             const btContactSolverInfo& info) override;
 
-  /// The motor's own torque of the last step, feed-forward plus PD, arriving or not.
+  /// Torque of the motor in the last step, feed-forward plus PD, before the share that is lost.
   double Torque(double step_s);
   const Target& target() const { return target_; }
 
-  /// The coordinate and its rate, as the mean of its joints.
+  /// The coordinate and its rate, as means over its joints.
   double Position() const;
   double Rate() const;
 

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kPointFootRadius = 0.005;   // of a point foot's sphere [m]
 constexpr double kSoleSphereRadius = 0.002;  // [m]
-constexpr double kPlateLift = 0.0002;        // of the plate over the corners: it touches where they do not [m]
+constexpr double kPlateLift = 0.0002;  // plate above corner level; it touches only where corner spheres do not [m]
 
 btQuaternion ToQuaternion(const Matrix3& R) {
   const Quaternion q(R);
   return {q.x(), q.y(), q.z(), q.w()};
 }
 
-/// The frame of principal axes, or the body's own axes where they are principal already.
+/// The principal frame, or the body's own frame if its axes are principal.
 Pose PrincipalFrame(const Body& body, Vector3& moments) {
   Pose X_BM = Pose::Identity();
   X_BM.translation() = body.p_BC;
@@ -37,7 +37,7 @@ Pose PrincipalFrame(const Body& body, Vector3& moments) {
   return X_BM;
 }
 
-/// X_JB of the child when its joint stands at a position.
+/// X_JB of the child body at a joint position.
 Pose JointMotion(const Joint& joint, double position) {
   Pose X = Pose::Identity();
   if (joint.type == JointType::kPrismatic) {
@@ -48,8 +48,8 @@ Pose JointMotion(const Joint& joint, double position) {
   return X;
 }
 
-/// Each independent coordinate's joints. A motor acts on the mean of what they say of the coordinate, so that a gear
-/// between twins carries no load of its own.
+/// Joints of each independent coordinate. A motor acts on the mean of their estimates of the coordinate, so that a gear
+/// between twins carries no load.
 std::vector<std::vector<RobotBody::Member>> MembersOf(const RobotModel& model) {
   std::vector<std::vector<RobotBody::Member>> members(model.dof_names.size());
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
@@ -175,7 +175,7 @@ int RobotBody::Row(int joint) const {
 }
 
 void RobotBody::AddTo(btMultiBodyDynamicsWorld& world) {
-  // Every link has a collider, even one without shape: constraints on a link without any are never solved.
+  // Every link needs a collider, even without a shape: constraints on a link without a collider are never solved.
   constexpr int kRobotGroup = btBroadphaseProxy::CharacterFilter;
   for (std::size_t i = 0; i < colliders_.size(); ++i) {
     world.addCollisionObject(colliders_[i].get(), kRobotGroup, parts_[i].empty() ? 0 : btBroadphaseProxy::StaticFilter);
@@ -268,7 +268,7 @@ VectorX RobotBody::Accelerations(const VectorX& q, const VectorX& v, const Vecto
   body_->computeAccelerationsArticulatedBodyAlgorithmMultiDof(0.0, scratch_r_, scratch_v_, scratch_m_, false, false,
                                                               false);
   body_->clearForcesAndTorques();
-  // Left in the scratch behind the joints' own: angular and linear acceleration of M, then the joints.
+  // In the scratch vector after the joints' own entries: angular and linear acceleration of M, then the joints.
   VectorX a = Eigen::Map<const VectorX>(&scratch_r_[body_->getNumDofs()], 6 + body_->getNumDofs());
   HoldGears(a);
 

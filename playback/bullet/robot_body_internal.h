@@ -19,45 +19,45 @@ inline btVector3 ToBullet(const Vector3& p) { return {p.x(), p.y(), p.z()}; }
 inline Vector3 FromBullet(const btVector3& p) { return {p.x(), p.y(), p.z()}; }
 btTransform ToBullet(const Pose& X);
 
-/// What one child of a link's compound shape is.
+/// Identity of a child of a link's compound shape.
 struct ColliderPart {
   int foot = -1;     ///< index into RobotModel::feet, or -1
   std::string link;  ///< URDF link
 };
 
-/// How the robot is built.
+/// Options for building the robot.
 struct BodyOptions {
   double mass_scale = 1.0, inertia_scale = 1.0;
   Vector3 base_com_shift_B = Vector3::Zero();  ///< [m]
-  bool sole_plates = false;                    ///< soles as convex plates too, beside the spheres at their corners
-  double sole_spacing_m = 0.0;                 ///< of spheres all over a sole; 0 for none but at the corners
-  std::vector<int> locked_dofs;                ///< held at their position in q0, without a motor
-  VectorX q0;                                  ///< size nq
+  bool sole_plates = false;                    ///< soles also have convex plates, besides the spheres at their corners
+  double sole_spacing_m = 0.0;   ///< distance of spheres all over a sole; 0 puts spheres at its corners only
+  std::vector<int> locked_dofs;  ///< held at their position in q0, without a motor
+  VectorX q0;                    ///< size nq
 };
 
 /// A RobotModel as a btMultiBody with one collider per body, and its state in our order.
 ///
 /// = Notation =
 ///   B  a body's frame     M  its frame for Bullet: centre of mass, principal axes
-/// Bullet's poses, inertias and colliders are in M, its base velocity is that of the centre of mass; X_BM goes between.
+/// Bullet's poses, inertias and colliders are in M; its base velocity is that of the centre of mass. X_BM converts.
 class RobotBody {
  public:
   RobotBody(const RobotModel& model, const BodyOptions& options);
 
-  /// Puts the links and their colliders into a world. The world must outlive neither.
+  /// Adds the links and their colliders to a world. The world must not outlive the robot or its shapes.
   void AddTo(btMultiBodyDynamicsWorld& world);
 
   void SetState(const VectorX& q, const VectorX& v);
   void GetState(VectorX& q, VectorX& v) const;
 
-  /// Accelerations of forward dynamics at a state without contact, in our order. Mimic joints are held exactly:
+  /// Accelerations of forward dynamics for a state without contact, in our order. Mimic joints are held exactly:
   /// a = a0 - M^-1 J^T (J M^-1 J^T)^-1 J a0 with J the rows of the gears.
   VectorX Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau);
 
-  /// Adds generalised forces of the independent joints for the coming step; a gear's torque is shared by its joints.
+  /// Adds generalised forces of the independent joints for the coming step; the joints of a gear share its torque.
   void AddTorque(const VectorX& tau);
 
-  /// Share of coordinate `dof` that joint i stands for: generalised force = sum of share * joint torque.
+  /// Share of coordinate `dof` that joint i represents: generalised force = sum of share * joint torque.
   struct Member {
     int joint;
     double multiplier, offset, share;
@@ -78,7 +78,7 @@ class RobotBody {
   void AddColliders(const RobotModel& model, const BodyOptions& options);
   void AddFoot(const RobotModel& model, int foot, const BodyOptions& options);
   void AddChild(int body, const Pose& X_BS, std::unique_ptr<btCollisionShape> shape, const ColliderPart& part);
-  /// Projects accelerations in Bullet's order onto those that the gears allow.
+  /// Projects accelerations in Bullet's order onto those that satisfy the gears.
   void HoldGears(VectorX& a);
 
   const RobotModel& model_;
@@ -98,7 +98,7 @@ class RobotBody {
   btAlignedObjectArray<btMatrix3x3> scratch_m_;
 };
 
-/// Bullet's shape for one of ours with the pose of its axes in S; null for a mesh without vertices.
+/// Bullet's shape for one of ours, and the pose of its axes in S; null for a mesh without vertices.
 std::unique_ptr<btCollisionShape> MakeShape(const Shape& shape);
 
 /// A sole as a convex plate above its polygon.

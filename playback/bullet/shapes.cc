@@ -40,7 +40,7 @@ std::unique_ptr<btCollisionShape> MakeSolePlate(const std::vector<Vector2>& sole
   for (const Vector2& corner : sole_F) middle += corner / static_cast<double>(sole_F.size());
   std::vector<Vector3> points;
   for (const Vector2& corner : sole_F) {
-    // The margin grows the hull on all sides, so it starts that much smaller.
+    // The margin grows the hull on all sides, so the hull starts smaller by the margin.
     const Vector2 inward = (corner - middle).cwiseSign() * kPlateMargin;
     const Vector2 c = corner - inward;
     points.emplace_back(c.x(), c.y(), kPlateMargin);

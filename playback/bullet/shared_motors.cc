@@ -85,7 +85,7 @@ VectorX SharedMotors::SetTarget(const Command& command, const std::vector<Effort
 }
 
 void SharedMotors::SetRows(const Command& command, const VectorX& asked, const VectorX& excess) {
-  constexpr double kLeast = 1e-6;  // of the stiffest joint's
+  constexpr double kLeast = 1e-6;  // share of the stiffest joint's gain
   const double h = traits_.step_s;
   VectorX drive = traits_.torque_scale * (h * h * command.stiffness + h * command.damping);
   drive = drive.cwiseMax(kLeast * drive.maxCoeff());
@@ -94,7 +94,7 @@ void SharedMotors::SetRows(const Command& command, const VectorX& asked, const V
   target_ = traits_.torque_scale * h * (yields * (asked + transmission_.ratios.transpose() * excess));
 }
 
-/// The stops of the joints look ahead by what motors may do in a step.
+/// Sets the distance that motors may move the joints in a step, for the stops of the joints.
 void SharedMotors::SetReach(const Command& command, const VectorX& asked) {
   for (Eigen::Index i = 0; i < transmission_.size(); ++i) {
     MotorRow* joint = joints_[static_cast<std::size_t>(i)];

@@ -12,11 +12,11 @@ namespace gaitwright::bullet {
 
 class SharedMotors;
 
-/// The row of one motor of a transmission in motor coordinates: J is its row of R, so that an impulse p of the motor
-/// acts on the joints as R^T p. Its rotor is a second row with the same J.
+/// The row of one motor of a transmission in motor coordinates. J is its row of R, so that a motor impulse p acts on
+/// the joints as R^T p. Its rotor is a second row with the same J.
 class SharedMotorRow : public JointSpaceConstraint {
  public:
-  /// Which of its rows is which; others than those of MotorRow.
+  /// Indices of its rows; they differ from those of MotorRow.
   static constexpr int kSharedDrive = 4, kSharedRotor = 5;
 
   SharedMotorRow(RobotBody& robot, const Transmission& transmission, Eigen::Index motor, const SharedMotors& motors);
@@ -37,15 +37,15 @@ class SharedMotorRow : public JointSpaceConstraint {
 /// = Notation =
 ///   R  the transmission's matrix; w' = R v' motor speeds after the step, p impulses of the motors
 ///   G  diag(1 / (h^2 kp + h kd)) of the joints, h the step
-/// The joints' PD asks for joint impulses P = h (kp (q* - q - h v') + kd (v* - v')), which is v' + G P = h G c with
-/// c = kp (q* - q) + kd v*. With P = R^T p it is, in motor coordinates,
+/// The joints' PD requires joint impulses P = h (kp (q* - q - h v') + kd (v* - v')), i.e. v' + G P = h G c with
+/// c = kp (q* - q) + kd v*. With P = R^T p this is, in motor coordinates,
 ///   w' + S p = h R G c,   S = R G R^T,
-/// with limits on each p. S couples the motors (SofteningOf), which CondensedSolver knows of. Where a motor is at its
-/// limit, the others give what brings the joints' impulses nearest to those asked for, each joint's deviation counting
-/// by G; where S is diagonal, as for a symmetric differential with equal gains, they give what they were asked for.
-/// A joint without gains beside one that has some counts as having a millionth of those.
+/// with limits on each p. S couples the motors (SofteningOf); CondensedSolver takes this coupling into account. If a
+/// motor is at its limit, the others bring the joint impulses nearest to the required ones, with each joint's deviation
+/// weighted by G. If S is diagonal, as for a symmetric differential with equal gains, the others give their required
+/// impulses. If some joints have gains and a joint has none, a millionth of the largest gain is used for it.
 ///
-/// Each motor's rotor J is implicit as that of MotorRow is: w' + p / J = w with w the speed at the step's start.
+/// The inertia J of each rotor is implicit, as in MotorRow: w' + p / J = w with w the speed at the start of the step.
 class SharedMotors {
  public:
   struct Traits {
@@ -54,25 +54,25 @@ class SharedMotors {
     double step_s = 1e-3;
     bool has_rows = true;  ///< false where torques are explicit
   };
-  /// @param joints  rows of the joints' own losses and stops, by joint of the transmission; null where locked.
+  /// @param joints  rows of the losses and stops of the joints, by joint of the transmission; null where locked.
   SharedMotors(RobotBody& robot, const Transmission& transmission, const std::vector<MotorRow*>& joints,
                const Traits& traits);
 
-  /// What joints are commanded, by joint of the transmission.
+  /// Command of the joints, by joint of the transmission.
   struct Command {
     VectorX q, v, tau_ff, stiffness, damping;
   };
-  /// For the coming step, at its start. @param limits  of each motor in it.
-  /// @return feed-forward torques of the joints that act beside the rows.
+  /// Sets the target of the coming step, at its start. @param limits  of each motor in it.
+  /// @return feed-forward torques of the joints that act in addition to the rows.
   VectorX SetTarget(const Command& command, const std::vector<EffortRange>& limits);
 
-  /// Torques of the motors in the last step, arriving or not, and what they were asked for at its start.
+  /// Torques of the motors in the last step before losses, and the torques required of them at its start.
   VectorX Torques() const;
   const VectorX& wanted() const { return wanted_; }
   const std::vector<EffortRange>& limits() const { return limits_; }
-  /// Torques of its joints for those of its motors; zero where locked.
+  /// Joint torques of the transmission for given motor torques; zero where locked.
   VectorX JointTorques(const VectorX& torques) const;
-  /// Speeds of the motors now.
+  /// Current speeds of the motors.
   VectorX Speeds() const;
 
   const Transmission& transmission() const { return transmission_; }
@@ -100,7 +100,7 @@ class SharedMotors {
   bool driven_ = false;
 };
 
-/// The motors of a transmission, with what their rotors take.
+/// The motors of a transmission, including rotor inertias.
 SharedMotors::Traits TraitsOf(const Transmission& transmission, const WorldOptions& options);
 
 }  // namespace gaitwright::bullet

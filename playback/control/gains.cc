@@ -27,11 +27,11 @@ Gain LegGain(const RobotModel& model, const Leg& leg, int dof, const GainOptions
   return FromInertia(inertia, options.stance_frequency * std::sqrt(kGravity / leg.length_m), options.stance_damping);
 }
 
-/// By how much gravity turns a joint further out of the standing posture, for what it carries [N m/rad]: the sum of
+/// Rate at which gravity turns a joint further out of the standing posture, per angle [N m/rad]: the sum of
 ///   m g z . r_across
-/// over the bodies beyond it, r_across being the part of r, from the joint to a body's centre, that is across its axis;
-/// since r'' = -r_across for a turn about the axis. Not positive for what hangs. @param scratch  of the standing
-/// posture.
+/// over the bodies beyond the joint. r_across is the part of r, from the joint to a body's centre, that is
+/// perpendicular to the joint's axis, since r'' = -r_across for a turn about the axis. Not positive for hanging bodies.
+/// @param scratch  of the standing posture.
 double GravityTurns(const RobotModel& model, const DynamicsScratch& scratch, int dof) {
   double turns = 0.0;
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
@@ -63,7 +63,7 @@ Gains DeriveGains(const RobotModel& model, const GainOptions& options) {
   Gains gains{VectorX::Zero(model.num_dofs()), VectorX::Zero(model.num_dofs())};
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
     const auto d = static_cast<std::size_t>(dof);
-    constexpr double kUpright = 4.0;  // times gravity's, for several joints in a row
+    constexpr double kUpright = 4.0;  // times gravity's rate, because several joints may follow each other
     const double upright = kUpright * GravityTurns(model, scratch, dof) / std::pow(options.free_frequency_rad_s, 2);
     const double inertia = std::max(1.0 / mobility(dof, dof), upright);
     Gain gain = FromInertia(inertia, options.free_frequency_rad_s, options.free_damping);

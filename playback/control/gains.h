@@ -10,7 +10,7 @@ namespace gaitwright {
 ///   sags, sways or drifts from the plan under load    raise stance_frequency
 ///   stamps; contact forces ring at touch-down         lower stance_frequency or raise stance_damping
 ///   swing legs or arms ring                           raise stance_damping, free_damping
-///   explicit torque control explodes at lift-off      give explicit_step_s
+///   explicit torque control is unstable at lift-off   set explicit_step_s
 ///   overshoots where joints turn back, buzzes at rest lower loss_feed_forward or raise friction_speed_rad_s
 struct GainOptions {
   double stance_frequency = 4.0;

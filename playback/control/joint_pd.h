@@ -8,14 +8,14 @@
 
 namespace gaitwright {
 
-/// Replays a plan: joint targets and feed-forward torques of the plan at the time, no feedback but the joints' own PD.
-/// To the feed-forward is added what the joints take for themselves (LossFeedForward). Targets are taken where the
-/// simulator's semi-implicit step fits them to second order (see JointCommand). After the plan's end it holds the last
+/// Replays a plan: joint targets and feed-forward torques of the plan at the current time. The only feedback is the PD
+/// of the joints. Feed-forward includes the losses of the joints (LossFeedForward). Targets are sampled so that they
+/// fit the simulator's semi-implicit step to second order (see JointCommand). After the plan's end it holds the last
 /// posture.
 class JointPd : public Controller {
  public:
-  /// @throws InvalidArgument when the plan has no whole-body trajectory of this robot's size, or none with torques, or
-  /// a gain option is out of its range. The plan must outlive this.
+  /// @throws InvalidArgument if the plan has no whole-body trajectory of this robot's size or no torques, or if a gain
+  /// option is out of its range. The plan must outlive this object.
   JointPd(const RobotModel& model, const MotionPlan& plan, const GainOptions& options = {});
 
   JointCommand Update(const ControlInput& input) override;

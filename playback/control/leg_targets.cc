@@ -39,10 +39,10 @@ void LegTargets::UpdateJacobian(int leg, const Vector3& p_BQ) {
   PointJacobian(model_, scratch_, foot.body, p_BQ, whole_);
   jacobian_.resize(6, static_cast<Eigen::Index>(dofs.size()));
   for (std::size_t c = 0; c < dofs.size(); ++c) jacobian_.col(static_cast<Eigen::Index>(c)) = whole_.col(6 + dofs[c]);
-  // Angles count as the way they move a point a tenth of a leg away; what cannot be had yields softly.
+  // Angles are weighted by the motion of a point at a tenth of the leg length. Unreachable targets give way softly.
   const double angular = foot.sole_F.empty() ? 0.0 : 0.1 * model_.leg_length_m();
   const double lacking = dofs.size() >= 6 ? angular : 0.01 * angular;
-  const bool line = foot.type == FootType::kLine;  // cannot roll; another leg without six joints cannot turn
+  const bool line = foot.type == FootType::kLine;  // cannot roll; another leg with fewer than six joints cannot yaw
   weight_ << 1.0, 1.0, 1.0, line ? lacking : angular, angular, line ? angular : lacking;
 }
 
@@ -78,7 +78,7 @@ void LegTargets::Solve(int leg, const FootMotion& wanted, const VectorX& q_plann
     }
   }
   SetRates(leg, wanted.v_WF, v);
-  for (const int dof : dofs) {  // nor on towards a limit
+  for (const int dof : dofs) {  // no speed beyond a limit either
     if (q[7 + dof] <= lowest(dof)) v[6 + dof] = std::max(v[6 + dof], 0.0);
     if (q[7 + dof] >= highest(dof)) v[6 + dof] = std::min(v[6 + dof], 0.0);
   }
@@ -95,7 +95,7 @@ void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {
   if (!model_.transmissions.empty()) KeepMotorSpeeds(dofs, v);
 }
 
-/// Holds motors that drive several joints of the leg to their speeds.
+/// Limits the joint speeds of transmissions to those that their motors can reach.
 void LegTargets::KeepMotorSpeeds(const std::vector<int>& dofs, VectorX& v) const {
   const Eigen::Index n = model_.num_dofs();
   const VectorX kept = ClampedSpeeds(model_, v.tail(n));

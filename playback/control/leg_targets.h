@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// Motion wanted of a foot's controlled frame (Foot::X_BF on Foot::body) in W.
+/// Desired motion of a foot's controlled frame (Foot::X_BF on Foot::body) in W.
 struct FootMotion {
   Pose X_WF = Pose::Identity();
   Vector6 v_WF = Vector6::Zero();        ///< linear, then angular
@@ -18,25 +18,26 @@ struct FootMotion {
 
 /// Joint targets of single legs in the world frame, for the measured base pose instead of the planned one.
 ///
-/// A leg is moved by the motors that it does not share. If there are fewer than the foot has rows, position has
+/// A leg is moved by the motors that it does not share. If they are fewer than the foot's conditions, position has
 /// priority, then roll and pitch of a sole; its yaw is dropped.
 class LegTargets {
  public:
   explicit LegTargets(const RobotModel& model);
 
-  /// The leg's own independent joints; empty for a leg with fewer than three.
+  /// The leg's own independent joints; empty if they are fewer than three.
   const std::vector<int>& dofs(int leg) const { return dofs_[static_cast<std::size_t>(leg)]; }
 
-  /// Moves the leg's entries of q (size nq; base pose and guess in it) and v (size nv; base velocity in it) onto the
-  /// wanted motion: a foot out of reach comes as near as the steps allow. The joints stay a little inside of their
-  /// limits, or as near to them as the plan goes.
+  /// Moves the leg's entries of q (size nq; holds base pose and initial guess) and v (size nv; holds base velocity) to
+  /// the desired motion. A foot that cannot reach its target comes as near as the iterations allow. The joints keep a
+  /// small distance from their limits, or the planned distance if that is smaller.
   void Solve(int leg, const FootMotion& wanted, const VectorX& q_planned, VectorX& q, VectorX& v);
 
-  /// The leg's entries of v with which its contact point moves on as it does, but not faster than creep_m_s (0: it
-  /// stands still), on ground of that normal, at the state q, v: what is measured of a foot at rest is mostly noise.
+  /// Sets the leg's entries of v so that its contact point keeps its measured velocity, but not faster than creep_m_s
+  /// (0: it stands still), on ground with the given normal, at the state q, v. The measured speed of a foot at rest is
+  /// mostly noise.
   void Hold(int leg, const Vector3& normal_W, double creep_m_s, const VectorX& q, VectorX& v);
 
-  /// Torques that the leg's joints need for the extra acceleration: M_ll J_l^+ a. Solve first.
+  /// Torques of the leg's joints for the extra acceleration: M_ll J_l^+ a. Call Solve first.
   /// @param M  mass matrix of the robot, nv x nv.
   VectorX ExtraTorque(int leg, const FootMotion& wanted, const MatrixX& M) const;
 
@@ -53,8 +54,9 @@ class LegTargets {
   const RobotModel& model_;
   DynamicsScratch scratch_;
   std::vector<std::vector<int>> dofs_;
-  std::vector<std::vector<int>> chains_;  ///< by foot: joints between it and the base
-  std::vector<double> fastest_;  ///< by dof [rad/s or m/s]; near a straight knee a slow foot asks for any speed
+  std::vector<std::vector<int>> chains_;  ///< by foot: joints between the foot and the base
+  std::vector<double>
+      fastest_;  ///< by dof [rad/s or m/s]; near a straight knee a slow foot may require any joint speed
   MatrixX whole_;
   Jacobian jacobian_;
   Vector6 weight_ = Vector6::Ones();

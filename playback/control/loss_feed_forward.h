@@ -8,11 +8,11 @@
 
 namespace gaitwright {
 
-/// Motor torque for joint losses, in addition to a plan's torques, which include rigid bodies only:  tau += share (J a
-/// + d v + f tanh(v / v_s)), with J the rotor's inertia (of a transmission R^T J R), d the damping and f the dry
-/// friction of robot.yaml or URDF, v and a of the plan, and v_s `friction_speed_rad_s` (times a leg's length for a
-/// slide), so that the sign of a tiny velocity does not shake a joint at rest. Without known losses it adds no torque
-/// and takes no time.
+/// Motor torque for joint losses, in addition to a plan's torques, which cover rigid bodies only:  tau += share (J a +
+/// d v + f tanh(v / v_s)), with J the rotor's inertia (of a transmission R^T J R), d the damping and f the dry friction
+/// of robot.yaml or URDF, v and a of the plan, and v_s `friction_speed_rad_s` (times the leg length for a prismatic
+/// joint). The tanh keeps the changing sign of a tiny velocity from shaking a joint at rest. Without known losses it
+/// adds no torque and takes no time.
 class LossFeedForward {
  public:
   /// @throws InvalidArgument for an option out of its range.
@@ -29,12 +29,12 @@ class LossFeedForward {
     JointLosses losses;     ///< times the share
     double friction_speed;  ///< [rad/s] or [m/s]
   };
-  /// Rotors that motors of a transmission turn: their inertia R^T J R at its joints, times the share.
+  /// Rotors of the motors of a transmission: their inertia R^T J R at its joints, times the share.
   struct SharedRotors {
     std::vector<int> dofs;
     MatrixX inertia;
   };
-  std::vector<Loss> losses_;  ///< of the joints that have any
+  std::vector<Loss> losses_;  ///< of the joints with losses
   std::vector<SharedRotors> shared_;
 };
 

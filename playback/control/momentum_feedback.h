@@ -9,8 +9,8 @@
 
 namespace gaitwright {
 
-/// Predictive part of `stabilised` for plans with flight: a stance is too short to settle, so each stance gives what
-/// its feet can, and the rest is left to later stances and their footholds.
+/// Predictive part of `stabilised` for plans with flight. A stance is too short to correct all errors: each stance
+/// gives the correction that its feet can, and later stances and their footholds correct the rest.
 class MomentumFeedback {
  public:
   MomentumFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options);
@@ -18,13 +18,13 @@ class MomentumFeedback {
   /// Whether the plan has flights.
   bool active() const { return !gains_.rows.empty(); }
 
-  /// Takes note of how far the robot is from its plan.
+  /// Updates the deviation of the robot from its plan.
   void Update(const Situation& now, const Footing& footing);
 
-  /// The wanted wrench of the stance feet about the measured centre of mass. Only if active; call Update first.
+  /// The wanted wrench of the stance feet about the measured centre of mass. Requires active() and a call of Update.
   PointWrench Wanted(const Situation& now) const;
 
-  /// Wanted shift of a foot's next foothold from its plan [m]. Only if active; call Update first.
+  /// Wanted shift of a foot's next foothold from its plan [m]. Requires active() and a call of Update.
   Vector2 Step(int foot) const;
 
  private:

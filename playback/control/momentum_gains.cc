@@ -17,16 +17,16 @@ namespace {
 
 constexpr Eigen::Index kFeet = MomentumGains::kFeet;
 
-/// A foot that stands, in the middle of an interval of the plan's grid.
+/// A standing foot, in the middle of an interval of the plan's grid.
 struct Standing {
   Eigen::Index foot = 0;
   Pose X_WF = Pose::Identity();
   Vector3 force_W = Vector3::Zero();
   double load_n = 0.0;
-  MatrixX choices;  ///< 6 x 3 points: wrench about the contact by what is chosen, per newton of load
+  MatrixX choices;  ///< 6 x (3 points): wrench about the contact per chosen variable and per newton of load
 };
 
-/// The robot there.
+/// The robot in the middle of the interval.
 struct Moment {
   Vector3 p_WC = Vector3::Zero(), w_WB = Vector3::Zero();
   Matrix3 inverse_W = Matrix3::Identity();  ///< of the locked inertia
@@ -35,7 +35,7 @@ struct Moment {
 
 double Squared(double x) { return x * x; }
 
-/// Goes backwards along a plan.
+/// The Riccati recursion, backwards along a plan.
 class Backwards {
  public:
   Backwards(const RobotModel& model, const MotionPlan& plan, const MomentumErrors& errors)
@@ -51,7 +51,7 @@ class Backwards {
         steps_(MatrixX::Zero(2 * num_feet_, size_)) {
     const double sizes[4] = {errors.position_m, errors.velocity_m_s, errors.turn_rad, errors.rate_rad_s};
     for (Eigen::Index i = 0; i < 4; ++i) cost_.diagonal().segment<3>(3 * i).setConstant(1.0 / Squared(sizes[i]));
-    value_ = cost_;  // for the time unit after the end
+    value_ = cost_;  // for the time unit after the plan's end
   }
 
   MomentumGains Run() {
@@ -115,7 +115,7 @@ class Backwards {
     return A;
   }
 
-  /// B of the same.
+  /// B of x' = A x + B u.
   MatrixX PushOf(const Moment& now) const {
     Eigen::Index columns = 0;
     for (const Standing& foot : now.feet) columns += foot.choices.cols();
@@ -159,7 +159,7 @@ class Backwards {
   void PassTouchdowns(FootSet down) {
     for (Eigen::Index f = 0; f < num_feet_; ++f) {
       if (!Contains(down, static_cast<int>(f))) continue;
-      MatrixX under = MatrixX::Zero(2, size_);  // where the body is
+      MatrixX under = MatrixX::Zero(2, size_);  // horizontal place of the body
       under.leftCols<2>().setIdentity();
       MatrixX landed = MatrixX::Identity(size_, size_);
       landed.middleRows<2>(kFeet + 2 * f) = under;
@@ -182,9 +182,9 @@ class Backwards {
   DynamicsScratch scratch_;
   WholeBodySample sample_;
   const Eigen::Index num_feet_, size_;
-  const double share_;        // of the time unit, in an interval
+  const double share_;        // duration of an interval in time units
   const double step_weight_;  // [1/m^2]
-  MatrixX cost_, value_;      // by x, of a time unit, and of all that follows
+  MatrixX cost_, value_;      // quadratic forms in x: cost of a time unit, and cost of all that follows
   MatrixX steps_;             // see MomentumGains::Row
 };
 

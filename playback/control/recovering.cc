@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-/// When each foot is first lifted in a plan, by foot; never for one that stays.
+/// First lift of each foot in a plan, by foot; infinite for a foot that is never lifted.
 std::vector<double> FirstLifts(const std::optional<MotionPlan>& plan, std::size_t feet) {
   std::vector<double> lifts(feet, HUGE_VAL);
   if (!plan) return lifts;
@@ -89,13 +89,13 @@ class Recovering final : public Controller {
     for (const Vector2& corner : corners_) middle_W_ += corner / static_cast<double>(corners_.size());
     out_m_ = -SignedDistance(ConvexHull(corners_), dcm_W_);
     const VectorX& q = plan_.whole_body.q.front();
-    const Vector3 up_planned = BaseRotation(q).transpose().col(2);  // of the world, in the base
+    const Vector3 up_planned = BaseRotation(q).transpose().col(2);  // world's up direction, in the base
     tilt_rad_ = std::acos(std::clamp((scratch_.R_WB[0] * up_planned).z(), -1.0, 1.0));
   }
 
   bool FallIsCertain() const { return out_m_ > options_.brace_margin * leg_m_ || tilt_rad_ > options_.brace_tilt_rad; }
 
-  /// Where the robot is now, on the ground: the base's place over its standing feet.
+  /// The robot's place on the ground: the place of the base relative to its standing feet.
   PlanarPose Here() const {
     const Vector2 middle_F = StandingMiddle();
     PlanarPose here;
@@ -120,13 +120,14 @@ class Recovering final : public Controller {
     return middle;
   }
 
-  /// Of two feet the one towards which the robot falls stays; of more the plan's own order serves.
+  /// Of two feet, the one towards which the robot falls stays on the ground. With more feet, the plan's own order is
+  /// used.
   double LiftTime() const {
     if (model_.legs.size() != 2) return *std::min_element(lifts_.begin(), lifts_.end());
     const Vector2 fall = dcm_W_ - middle_W_;
     const Vector2 p0 = ContactFrame(model_, scratch_, 0).translation().head<2>();
     const Vector2 p1 = ContactFrame(model_, scratch_, 1).translation().head<2>();
-    constexpr double kSame = 0.01;  // of the feet's distance: neither
+    constexpr double kSame = 0.01;  // of the feet's distance: below it the fall is towards neither foot
     const double towards_0 = fall.dot((p0 - p1).normalized()) / (p0 - p1).norm();
     if (std::abs(towards_0) < kSame) return std::min(lifts_[0], lifts_[1]);
     return towards_0 > 0.0 ? lifts_[1] : lifts_[0];
@@ -160,14 +161,14 @@ class Recovering final : public Controller {
   MatrixX J_;
   const std::vector<double> lifts_;
   const double leg_m_;
-  MotionPlan moved_;  // the steps, where the robot is
+  MotionPlan moved_;  // the plan of steps, moved to the robot's place
   std::unique_ptr<Controller> inner_;
   State state_ = State::kStanding;
-  double later_s_ = 0.0;  // of the inner plan's clock against the playback's
-  // Of the last Update.
+  double later_s_ = 0.0;  // inner plan's clock minus the playback's clock
+  // Results of the last Update.
   Vector2 dcm_W_ = Vector2::Zero(), middle_W_ = Vector2::Zero();
   std::vector<Vector2> corners_;
-  double out_m_ = 0.0;  // how far the DCM is out of the hull of all feet, wherever they are
+  double out_m_ = 0.0;  // distance of the DCM outside the hull of all feet, at their current places
   double tilt_rad_ = 0.0;
 };
 

@@ -14,10 +14,10 @@
 namespace gaitwright {
 
 /// Tuning
-///   steps though it would have stood            lower step_margin
-///   steps too late, and falls all the same      raise step_margin
-///   gets down though a step would have done     raise brace_margin
-///   strikes the ground before it is down        lower brace_margin or brace_tilt_rad
+///   steps although it would not have fallen       lower step_margin
+///   steps too late and falls                      raise step_margin
+///   braces although a step would have sufficed    raise brace_margin
+///   falls before it has crouched                  lower brace_margin or brace_tilt_rad
 struct RecoveringOptions {
   double step_margin = 0.02;
   double brace_margin = 0.25;
@@ -39,19 +39,20 @@ struct RecoveringOptions {
 
 /// Recovery motions of a standing robot.
 struct RecoveryPlans {
-  std::optional<MotionPlan> steps;  ///< on the spot, from standing to standing; nothing for a robot that cannot step
+  std::optional<MotionPlan> steps;  ///< on the spot, from standing to standing; empty for a robot that cannot step
   VectorX low;                      ///< joints of a protective crouch, size n
 };
 
-/// Stands by `stabilised`, and
-///   steps     when the DCM comes near to the edge of the support: the plan of steps, moved to where the robot is, from
-///             the lift of a foot on, by `stabilised`, which moves its footholds to where the fall can be caught (the
-///             foot towards which the robot falls stays); stands again by its end, and steps again where it has to;
-///   braces when a fall is certain: the joints go to the protective crouch, softly, and stay there.
-/// The DCM c + c' / w of the centre of mass c; Englsberger et al., T-RO 31(2), 2015. Steps of bipeds begin without the
-/// shift of weight that walks begin with: there is no time for it.
-/// @throws InvalidArgument for a plan that does not stand on all feet of legs from its start to its end, or steps of
-/// another robot; as of MakeStabilised. Model and plan must outlive it; the recovery plans are copied.
+/// Stands by `stabilised`, and in addition:
+///   steps     when the DCM comes near to the edge of the support. The plan of steps is moved to the robot's place and
+///             starts at the lift of a foot. `stabilised` follows it and moves its footholds so that they stop the
+///             fall. The foot towards which the robot falls stays on the ground. After the end of the plan the robot
+///             stands again, and steps again if needed;
+///   braces    when a fall is certain: the joints move to the protective crouch with low gains, and stay there.
+/// The DCM is c + c' / w of the centre of mass c; Englsberger et al., T-RO 31(2), 2015. Steps of bipeds begin without
+/// the weight shift of a planned walk, because there is no time for it.
+/// @throws InvalidArgument for a plan that does not stand on all feet from its start to its end, for steps of another
+/// robot, and as MakeStabilised. Model and plan must outlive the controller; the recovery plans are copied.
 std::unique_ptr<Controller> MakeRecovering(const RobotModel& model, const MotionPlan& plan, RecoveryPlans recovery,
                                            const RecoveringOptions& options = {},
                                            const StabilisedOptions& stabilised = {}, const GainOptions& gains = {});

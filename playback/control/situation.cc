@@ -25,9 +25,9 @@ void Situation::Observe(const RobotModel& model, const VectorX& q, const VectorX
 }
 
 void Situation::Update(const RobotModel& model, const ControlInput& input) {
-  constexpr double kBridge = 0.01;  // a contact lost for less is a bounce [s]
+  constexpr double kBridge = 0.01;  // a contact that is lost for a shorter time is a bounce [s]
   constexpr double kLanding = 0.5;  // share of a swing after which a contact is an early landing
-  constexpr double kLowest = 0.1;   // of the leg's length, of the height that the pendulum is reckoned with
+  constexpr double kLowest = 0.1;   // lowest height of the pendulum as a share of the leg length
   time_s = input.time_s;
   step_s = input.step_s;
   wrenches = input.wrenches;
@@ -50,7 +50,7 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
     double& touched = touched_s_[static_cast<std::size_t>(f)];
     const bool rests = f >= static_cast<int>(model.legs.size());
-    // What is to lie down settles: legs give way until it does.
+    // Where the plan lies on the trunk, the legs yield until it touches the ground.
     if (Contains(input.contact, f) || (rests && Contains(scheduled, f))) touched = time_s;
     const bool due = Contains(scheduled, f) || (!rests && swings.At(f, time_s).Progress(time_s) > kLanding);
     if (due && time_s - touched < kBridge) bearing |= FootBit(f);
@@ -87,7 +87,7 @@ Swings::Swings(const RobotModel& model, const MotionPlan& plan) : stays_(model.f
   }
 }
 
-/// Index of the stay that holds, the last before it, or before all the first.
+/// Index of the current stay, else of the last one before, else of the first.
 std::size_t Swings::StayAt(std::size_t foot, double time_s) const {
   constexpr double kTiny = 1e-9;  // [s]
   const std::vector<ContactInterval>& stays = stays_[foot];

@@ -28,37 +28,37 @@ struct BodyState {
   const Vector3& w_WB() const { return scratch.w_WB[0]; }
 };
 
-/// The swing that a foot is in, or the next.
+/// The swing of a foot, or its next one.
 struct SwingNow {
   double liftoff_s = 0.0;  ///< or the end of the foot's last stance
   double touchdown_s = 0.0;
-  double next_liftoff_s = 0.0;  ///< of the foothold that it goes to
-  double next_support_s = 0.0;  ///< the same, or where the robot flies after it the end of that flight
+  double next_liftoff_s = 0.0;  ///< of the next foothold
+  double next_support_s = 0.0;  ///< next_liftoff_s, or the end of the flight that follows it
   bool swings = false;
 
   /// Share of the swing that has passed, from 0 to 1.
   double Progress(double time_s) const;
 };
 
-/// The ground that a foot was put on.
+/// The ground under a foot.
 struct GroundUnder {
   Vector3 normal_W = Vector3::UnitZ();
   double friction = 0.0;
-  bool is_plane = true;  ///< not a height field, on which a sole rocks with its load
-  Polygon support_F;     ///< what of the foot is on it, see SupportsOf
+  bool is_plane = true;  ///< not a height field, where a sole rocks under load
+  Polygon support_F;     ///< part of the foot that is on it, see SupportsOf
 };
 
-/// The swings of a plan, kept by foot: at 1 kHz, a walk through all footholds for each question would take ever longer
-/// with the length of the plan.
+/// The swings of a plan, stored by foot. A search through all footholds at each 1 kHz step would take longer for longer
+/// plans.
 class Swings {
  public:
   Swings(const RobotModel& model, const MotionPlan& plan);
 
-  /// The swing of a foot at a time; `swings` is false while it stands, and in the air before the first or after the
-  /// last of its footholds.
+  /// The swing of a foot at a time. `swings` is false while the foot stands, and in the air before its first or after
+  /// its last foothold.
   SwingNow At(int foot, double time_s) const;
 
-  /// The ground that a foot stands on, or stood on last.
+  /// The ground under a foot that stands, or the ground on which it stood last.
   const GroundUnder& Under(int foot, double time_s) const;
 
  private:
@@ -66,7 +66,7 @@ class Swings {
 
   std::vector<std::vector<ContactInterval>> stays_;  // by foot, in the order of the plan
   std::vector<ContactPhase> flights_;                // in order
-  std::vector<std::vector<GroundUnder>> grounds_;    // by foot; level where a plan has no footholds for it
+  std::vector<std::vector<GroundUnder>> grounds_;    // by foot; level if a plan has no footholds for the foot
 };
 
 /// Measured and planned state at the same time, the input of the feedback.
@@ -86,10 +86,10 @@ struct Situation {
   BodyState measured, planned;
   const Swings swings;                  ///< of the plan
   std::vector<ContactWrench> wrenches;  ///< measured, by foot
-  FootSet scheduled = 0;                ///< feet that shall stand
+  FootSet scheduled = 0;                ///< feet that should stand
   FootSet bearing = 0;                  ///< feet that stand: scheduled or at the end of their swing, and in contact
-  GroundPlane support;                  ///< in which the planned ZMP is reckoned
-  double ground_m = 0.0;     ///< mean height of the planned contact of the feet that shall stand, or last did
+  GroundPlane support;                  ///< plane of the planned ZMP
+  double ground_m = 0.0;     ///< mean height of the planned contacts of the feet that should stand, or last did
   double omega_rad_s = 1.0;  ///< of the planned pendulum
 
  private:

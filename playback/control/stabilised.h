@@ -53,23 +53,24 @@ struct StabilisedOptions {
             {"dcm_gain", &dcm_gain, "1", 1.0, 10.0,
              "Gain from the DCM error to the shift of the ZMP, within the support; values above 1 converge."},
             {"step_gain", &step_gain, "1", 0.0, 2.0,
-             "Share of the foot placement that would reduce the DCM error to step_decay over the next step."},
+             "Gain of the foothold shift that reduces the DCM error to the share step_decay over the next step; 0 "
+             "shifts no foothold."},
             {"swing_stiffness", &swing_stiffness, "1", 1.0, 50.0,
              "Factor on the joint stiffness of a swing leg; its damping is multiplied by the square root."},
             {"step_decay", &step_decay, "1", 0.0, 1.0,
-             "Share of a DCM error that remains one step later; 1 keeps the gait displaced."},
+             "Share of a DCM error that remains one step later; 0 removes the error, 1 keeps it."},
             {"step_reach", &step_reach, "1", 0.0, 1.0,
              "Largest shift of a foothold relative to the base, as a share of the leg length."},
             {"swing_acceleration_m_s2", &swing_acceleration_m_s2, "m/s^2", 1.0, 1000.0,
              "Largest acceleration of a swing foot towards a shifted foothold."},
             {"stance_damping", &stance_damping, "1", 0.0, 1.0,
-             "Factor on the joint damping of a stance leg, which keeps its foot from sliding."},
+             "Factor on the joint damping of a stance leg; this damping keeps the foot from sliding."},
             {"sensed_damping", &sensed_damping, "1", 0.0, 1.0,
-             "Additional factor on stance-leg damping if the state comes from sensors, because their speeds are "
+             "Additional factor on stance-leg damping if the state comes from sensors, because measured speeds are "
              "noisy."},
             {"stance_creep", &stance_creep, "1", 0.0, 1.0,
-             "Speed of a stance foot, in units of sqrt(g x leg length), below which it is not damped, because it is "
-             "mostly noise."},
+             "Speed of a stance foot below which its motion counts as noise and is not damped, in units of sqrt(g x "
+             "leg length)."},
             {"torque_use", &torque_use, "1", 0.1, 1.0,
              "Share of an ankle's effort limit that shifting the ZMP may use."},
             {"settle_s", &settle_s, "s", 0.001, 0.2,
@@ -87,14 +88,14 @@ struct StabilisedOptions {
             {"lean_s", &lean_s, "s", 0.01, 100.0,
              "Time constant with which the base follows an unplanned slope that the soles measure."},
             {"ahead_error", &ahead_error, "1", 0.001, 100.0,
-             "In plans with flight: position error [leg lengths] or velocity error [sqrt(g x leg length)] that "
-             "justifies changing contact forces by their full load."},
+             "In plans with flight: position error [leg lengths] or velocity error [sqrt(g x leg length)] that costs "
+             "as much as changing contact forces by their full load; smaller values correct errors more."},
             {"ahead_turn_rad", &ahead_turn_rad, "rad", 0.001, 100.0,
-             "In plans with flight: attitude error, or rate error in units of sqrt(g / leg length), that justifies "
-             "changing contact forces by their full load."},
+             "In plans with flight: attitude error, or rate error in units of sqrt(g / leg length), that costs as much "
+             "as changing contact forces by their full load; smaller values correct errors more."},
             {"ahead_step", &ahead_step, "1", 0.001, 100.0,
-             "In plans with flight: foothold error [leg lengths] that justifies changing contact forces by their full "
-             "load."},
+             "In plans with flight: foothold shift [leg lengths] that costs as much as changing contact forces by "
+             "their full load; larger values shift footholds more."},
         });
   }
 };
@@ -104,20 +105,20 @@ struct StabilisedOptions {
 ///
 ///   attitude, height:  M = I (k^2 e_R + 2 k e_w),  F_z = m (k^2 e_z + 2 k e_vz)
 ///   DCM:               the ZMP is moved by dcm_gain times the error xi - xi_planned, as a horizontal force on C
-///   lean:              soles that stand tell the ground's tilt; the base leans with it, so that swings meet the ground
+///   lean:              the soles of standing feet measure the ground's tilt; the base leans with it, so
+///                      that swings meet the ground
 ///   split:             planned wrench plus feedback over the feet in stance, inside their cones;
 ///                      tau -= J^T (f - f_planned)
-///   standing legs:     tau += M J^+ a, what their inertia takes for the vertical acceleration asked for beyond the
-///                      plan's
-///   foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a foothold
-///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come with the flight after
+///   standing legs:     tau += M J^+ a, the torque for their inertia under the vertical acceleration beyond the plan's
+///   foot placement:    the DCM error predicted for touch-down, e^{w t} (dxi - dp) + dp, is corrected by a foothold
+///                      shift of (e^{w T} - lambda) / (e^{w T} - 1) times it, T the next stance plus the flight after
 ///                      it.
 ///   plans with flights: wrench and foot placement by the feedback of MomentumGains instead
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
 /// @param gains  of the joints, as for JointPd.
-/// @throws InvalidArgument for an option out of its range, or a plan without motion of this robot's size, without its
-/// torques and contact forces, or without contact schedule. Model and plan must outlive it.
+/// @throws InvalidArgument for an option out of its range, or a plan without motion of this robot's size, torques,
+/// contact forces or contact schedule. Model and plan must outlive the controller.
 std::unique_ptr<Controller> MakeStabilised(const RobotModel& model, const MotionPlan& plan,
                                            const StabilisedOptions& options, const GainOptions& gains = {});
 

@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kForce = 3;  // components of a force, and joints that it takes to push with all of them
+constexpr std::size_t kForce = 3;  // components of a force, and number of joints needed to push with all of them
 
 }  // namespace
 
@@ -33,8 +33,9 @@ StanceFeedback::StanceFeedback(const RobotModel& model, const StabilisedOptions&
 }
 
 void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* ahead) {
-  constexpr double kLeastPlanned = 0.1;  // of the weight: with less the plan is in the air
-  constexpr double kLeastShare = 0.03;   // of the weight: the legs' own motion takes more than plans have on some feet
+  constexpr double kLeastPlanned = 0.1;  // of the weight: below it the plan is in the air
+  // Share of the weight; some planned loads are smaller than the changes due to the motion of the legs.
+  constexpr double kLeastShare = 0.03;
   contacts_.clear();
   contact_foot_.clear();
   usable_.clear();
@@ -57,18 +58,19 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
   BearLegs(now, tau);
 }
 
-/// How far the base is to lean with ground that is tilted against the plan, at the height of the centre of mass [m].
+/// Lean of the base with ground that is tilted relative to the plan, at the height of the centre of mass [m].
 Vector2 StanceFeedback::Lean(const Situation& now, const Footing& footing) {
   return (now.planned.p_WC.z() - now.ground_m) * Vector2(footing.ground_tilt_W.y(), -footing.ground_tilt_W.x());
 }
 
-/// About the measured centre of mass. The attitude comes first: with the moment given, the force is the one that puts
-/// the ZMP where it is wanted.
+/// Wrench about the measured centre of mass. The attitude has priority: the moment is given, and the force puts the ZMP
+/// at its wanted place.
 PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& footing,
                                          const PointWrench& planned) const {
-  constexpr double kLeast = 0.3, kMost = 2.0;                // of the weight, of the normal force asked for,
-  constexpr double kLeastPlanned = 0.5, kMostPlanned = 1.5;  // or of the planned one where that is farther
-  constexpr double kLow = 0.3;                               // of the planned height: lower is a fall
+  constexpr double kLeast = 0.3, kMost = 2.0;  // bounds of the normal force as shares of the weight
+  // Shares of the planned normal force; the wider bounds apply.
+  constexpr double kLeastPlanned = 0.5, kMostPlanned = 1.5;
+  constexpr double kLow = 0.3;  // of the planned height: lower is a fall
   const double weight = model_.weight_n(), kz = options_.height_rad_s;
   const Vector3& p_WC = now.measured.p_WC;
   const Vector3 moment = WantedMoment(now, footing, planned.moment_W);
@@ -79,7 +81,7 @@ PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& fo
   const double normal =
       std::clamp(lift, std::min(kLeast * weight, kLeastPlanned * load), std::max(kMost * weight, kMostPlanned * load));
   const Vector2 zmp = ZmpFor(dcm_error_W_), arm = p_WC.head<2>() - zmp;
-  double ground = 0.0;  // under the ZMP: as the contacts tell, along the plan's plane
+  double ground = 0.0;  // height under the ZMP: mean of the contacts, along the plan's plane
   for (const ContactPoint& point : contacts_)
     ground +=
         (point.p_W.z() + now.support.slope.dot(zmp - point.p_W.head<2>())) / static_cast<double>(contacts_.size());
@@ -87,12 +89,12 @@ PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& fo
   return {p_WC, {(arm.x() * normal - moment.y()) / height, (arm.y() * normal + moment.x()) / height, normal}, moment};
 }
 
-/// Shares a wrench out over the contacts. Where several feet stand, each keeps a part of the load that the plan has on
-/// it, so that turning the base back does not take a foot off the ground; and where others can bear the rest that share
-/// of the weight, until it is about to leave.
+/// Distributes a wrench over the contacts. If several feet stand, each keeps a part of its planned load, so that
+/// correcting the base attitude does not lift a foot. If more than two stand, each also keeps up to `least_share` of
+/// the weight, until it is about to leave the ground.
 void StanceFeedback::Split(const Situation& now, PointWrench wanted, double least_share) {
   constexpr double kKept = 0.1;      // of the load
-  constexpr double kMost = 0.3;      // of all that is wanted
+  constexpr double kMost = 0.3;      // of the wanted normal force
   constexpr double kLeaving = 0.02;  // [s]
   const int feet = std::popcount(now.bearing);
   const double kept = feet > 1 ? kKept : 0.0;
@@ -151,7 +153,7 @@ Vector3 StanceFeedback::WantedMoment(const Situation& now, const Footing& footin
   return planned_W + R_WB * inertia_B_.cwiseProduct(R_WB.transpose() * (k * k * turn + 2.0 * k * spin));
 }
 
-/// Where the ZMP may be moved to.
+/// Finds the region in which the ZMP may be moved.
 void StanceFeedback::FindUsable(const Situation& now, const Footing& footing) {
   const Vector2 home = NearestPoint(support_, planned_zmp_W_ + footing.mean_offset_W.head<2>());
   usable_ = support_;
@@ -197,9 +199,9 @@ void StanceFeedback::AddTorques(const Situation& now, VectorX& tau) const {
   tau += all.tail(model_.num_dofs());
 }
 
-/// A leg that is not where the plan has it weighs otherwise, tau = g(q) - g(q_planned). Under a body that stands on it
-/// upright this brings the leg back, which steadies the robot, so that it is left to do so; what pushes a leg farther
-/// away, as it does heavy legs that sprawl near the ground, is borne.
+/// A leg that is not at its planned place needs other weight torques, tau = g(q) - g(q_planned). Below an upright body,
+/// the wrong weight torque brings the leg back and steadies the robot, so it is not corrected. It is corrected where it
+/// pushes a leg farther away, as for heavy legs that sprawl near the ground.
 void StanceFeedback::BearLegs(const Situation& now, VectorX& tau) {
   constexpr double kLeast = 1e-12;  // [rad^2]
   const Eigen::Index n = model_.num_dofs();

@@ -13,7 +13,7 @@ namespace gaitwright {
 
 class MomentumFeedback;
 
-/// The part of `stabilised` that works through the feet on the ground: base attitude, height and DCM.
+/// The part of `stabilised` that acts through the feet on the ground: base attitude, height and DCM.
 class StanceFeedback {
  public:
   StanceFeedback(const RobotModel& model, const StabilisedOptions& options);
@@ -30,8 +30,8 @@ class StanceFeedback {
   struct Drift {
     Vector2 dcm_W = Vector2::Zero(), com_W = Vector2::Zero();  ///< [m]
   };
-  /// The drift `ahead_s` >= 0 from now [s]; the present errors where no foot stands or the plan is in the air. Update
-  /// first.
+  /// The drift `ahead_s` >= 0 from now [s]; equals the current errors if no foot stands or the plan is in the air. Call
+  /// Update first.
   Drift DriftAhead(const Situation& now, double ahead_s) const;
 
  private:
@@ -49,14 +49,14 @@ class StanceFeedback {
   const RobotModel& model_;
   const StabilisedOptions& options_;
   const std::vector<int> leg_of_;  // by joint coordinate, or -1
-  VectorX moved_weight_;           // of BearLegs
-  bool planar_ = false;  ///< a leg of fewer than three joints cannot push aside, so that no wrench is asked of the legs
+  VectorX moved_weight_;           // result of BearLegs
+  bool planar_ = false;  ///< a leg has fewer than three joints: it cannot push laterally, so no wrench is requested
   Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
-  // Of the last Update.
+  // Results of the last Update.
   double lifted_m_s2_ = 0.0;
   Vector2 dcm_error_W_ = Vector2::Zero();
   Vector2 planned_zmp_W_ = Vector2::Zero();  // only where usable_ has points
-  Polygon usable_;                           // where the ZMP may be moved to; empty where no foot stands
+  Polygon usable_;                           // region in which the ZMP may be moved; empty if no foot stands
   std::vector<ContactPoint> contacts_;
   std::vector<int> contact_foot_;
   std::vector<Vector3> points_;  // of one foot

@@ -42,14 +42,14 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
     offset += footing_.offset_W[f];
     middle += now.planned.X_WF[f].translation();
     ++standing;
-    // Soles that bear load lie flat on a plane: their tilt against the plan is the ground's.
+    // Soles under load lie flat on a plane: their tilt relative to the plan is the tilt of the ground.
     if (model_.feet[f].sole_F.empty() || !now.swings.Under(foot, now.time_s).is_plane ||
         now.wrenches[f].force_W.z() < kBearing * model_.weight_n())
       continue;
     tilt += RotationLog(now.measured.X_WF[f].linear() * now.planned.X_WF[f].linear().transpose());
     ++flat;
   }
-  if (standing > 0) {  // in flight the ground is where it was
+  if (standing > 0) {  // in flight the ground estimate does not change
     footing_.mean_offset_W = offset / standing;
     footing_.middle_W = middle / standing;
   }
@@ -95,8 +95,8 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
   }
 }
 
-/// The DCM's error at touch-down is met by a foothold moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T being the
-/// stance to come and the flight after it, if any; within reach of where the base will be.
+/// The DCM error at touch-down is corrected by a foothold shift of (e^{w T} - lambda) / (e^{w T} - 1) times it, with T
+/// the next stance plus the flight after it, if any. The foothold stays within reach of the predicted base.
 Vector2 SwingFeedback::WantedStep(const Situation& now, const SwingNow& swing, const StanceFeedback& stance) const {
   constexpr double kLongest = 0.5;  // [s]
   const double left = std::clamp(swing.touchdown_s - now.time_s, 0.0, kLongest);
@@ -108,14 +108,14 @@ Vector2 SwingFeedback::WantedStep(const Situation& now, const SwingNow& swing, c
   return away.norm() > reach ? Vector2(drift.com_W + away * reach / away.norm()) : caught;
 }
 
-/// As high as the ground is where the others stand.
+/// Height of the ground under the standing feet.
 double SwingFeedback::WantedHeight(const Situation& now, int foot) const {
   const Vector3 arm = now.planned.X_WF[static_cast<std::size_t>(foot)].translation() - footing_.middle_W;
   return footing_.mean_offset_W.z() + footing_.ground_tilt_W.cross(arm).z();
 }
 
-/// On the minimum-jerk way from here to the wanted offset, at rest at touch-down; no faster than the leg can turn
-/// round.
+/// Moves along a minimum-jerk trajectory from the current to the wanted offset, at rest at touch-down. The move is
+/// shortened so that its acceleration does not exceed `swing_acceleration_m_s2`.
 void SwingFeedback::MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const {
   const double h = now.step_s, left = std::max(swing.touchdown_s - now.time_s, options_.settle_s);
   constexpr double kPeak = 5.7735;  // acceleration of a minimum-jerk move of 1 m in 1 s [m/s^2]
@@ -130,8 +130,8 @@ void SwingFeedback::MoveOffset(const Situation& now, const SwingNow& swing, Offs
   offset.acceleration += h * jerk;
 }
 
-/// Due on the ground and not there: on downwards until it is found, faster and faster, so that ground a hair's breadth
-/// below is not kicked. A foot that is about to lift off stays where it is.
+/// The foot should be on the ground but has no contact: moves it downward until it touches. The speed increases from
+/// zero, so that ground just below the foot is not hit hard. A foot that is about to lift off stays in place.
 void SwingFeedback::SearchGround(const Situation& now, const SwingNow& next, Offset& offset) const {
   if (next.liftoff_s - now.time_s < options_.settle_s) {
     offset.rate.setZero();
@@ -148,8 +148,8 @@ void SwingFeedback::SearchGround(const Situation& now, const SwingNow& next, Off
   offset.value += now.step_s * offset.rate;
 }
 
-/// How far above its plan a swing is to be: planned swings come to rest on the ground so gently that an error of half a
-/// millimetre has them touch it long before their time.
+/// Height of a swing above its plan. Planned swings come to rest on the ground so slowly that an error of 0.5 mm makes
+/// them touch much too early.
 Motion1 SwingFeedback::Hover(const Situation& now, const SwingNow& swing) const {
   const double t = now.time_s + now.step_s, half_s = 0.5 * (swing.touchdown_s - swing.liftoff_s);
   const double landing_s = std::min(options_.settle_s, 0.5 * half_s);
@@ -174,7 +174,7 @@ FootMotion SwingFeedback::WantedMotion(int foot, const Motion1& hover) const {
   return wanted;
 }
 
-/// Contact forces carry the balance; the motors only keep the foot from sliding.
+/// Contact forces keep the balance; the motors only keep the foot from sliding.
 void SwingFeedback::CommandStance(const Situation& now, int leg, const StanceFeedback& stance, JointCommand& command) {
   v_ = now.measured.v;
   const double creep_m_s = options_.stance_creep * std::sqrt(kGravity * model_.leg_length_m());

@@ -12,15 +12,15 @@
 
 namespace gaitwright {
 
-/// The part of `stabilised` that works through the feet in the air: each swing goes to where the DCM can be caught, in
-/// the world's frame, with its sole level with the ground, however the base is displaced and tilted.
+/// The part of `stabilised` that acts through the feet in the air. Each swing goes to the foothold that stops the DCM,
+/// in the world frame. Its sole stays parallel to the ground when the base is displaced or tilted.
 class SwingFeedback {
  public:
   SwingFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options);
-  /// Forgets where feet were moved to.
+  /// Resets the offsets of the feet.
   void Reset();
 
-  /// Offsets of the feet that stand, and the ground that they tell of.
+  /// Offsets of the standing feet, and the ground tilt that they measure.
   const Footing& UpdateFooting(const Situation& now);
 
   /// Sets the targets of swing legs, and the stance gains of stance legs.
@@ -29,7 +29,7 @@ class SwingFeedback {
               const MomentumFeedback* ahead = nullptr);
 
  private:
-  /// A foot's place against its plan, moving.
+  /// A foot's place relative to its plan, moving.
   struct Offset {
     Vector3 value = Vector3::Zero(), rate = Vector3::Zero(), acceleration = Vector3::Zero();
     Vector3 wanted = Vector3::Zero();

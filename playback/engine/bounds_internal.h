@@ -3,13 +3,13 @@
 
 namespace gaitwright::engine {
 
-inline constexpr double kMostOfState = 1e6;  // beyond it numbers are no physics any more [m], [rad], [m/s], [rad/s]
-inline constexpr double kMostForce = 1e12;   // likewise [N], [N m]
+inline constexpr double kMostOfState = 1e6;  // beyond this bound numbers are not physical [m], [rad], [m/s], [rad/s]
+inline constexpr double kMostForce = 1e12;   // beyond this bound forces and moments are not physical [N], [N m]
 
-/// Whether all numbers are finite and not beyond a bound.
+/// Whether all numbers are finite and within a bound.
 template <class Numbers>
 bool Within(const Numbers& numbers, double most) {
-  return (numbers.array().abs() <= most).all();  // which what is no number is not
+  return (numbers.array().abs() <= most).all();  // false for NaN
 }
 
 }  // namespace gaitwright::engine

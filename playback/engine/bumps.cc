@@ -14,11 +14,11 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kCell = 0.02;        // of bumpy ground [m]
-constexpr double kMostCells = 2.5e7;  // of bumpy ground: 0.2 GB
+constexpr double kCell = 0.02;        // of ground with bumps [m]
+constexpr double kMostCells = 2.5e7;  // of ground with bumps: 0.2 GB
 constexpr double kNoGround = -2.0;    // height where the terrain has none [m]
 
-/// A circle about the base that takes in all feet, with 2 cm to spare.
+/// Radius of a circle around the base that contains all feet, with a margin of 2 cm.
 double StanceRadius(const RobotModel& model, const VectorX& q) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, q, scratch);

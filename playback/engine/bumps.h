@@ -9,24 +9,24 @@
 
 namespace gaitwright {
 
-/// Bumps: ValueNoise about `start` within [-amplitude, amplitude], times a rise from zero at `free_radius` from there
-/// to one half a wavelength further.
+/// Bumps: ValueNoise around `start` within [-amplitude, amplitude], times a factor that is 0 up to the distance
+/// `free_radius` and rises to 1 half a wavelength further out.
 struct Bumps {
   Vector2 start = Vector2::Zero();
   double amplitude = 0.0, wavelength = 0.4, free_radius = 0.0;
   std::uint64_t seed = 1;
 
-  /// At a place of the ground before a slope turns it [m].
+  /// Height at a place of the ground before the slope is applied [m].
   double HeightAt(const Vector2& p_W) const;
 };
 
-/// The bumps of a playback that starts with the configuration q; with amplitude zero if there are none.
+/// The bumps of a playback that starts at the configuration q; amplitude zero without bumps.
 Bumps BumpsOf(const RobotModel& model, const VectorX& q, const WorldOptions& options);
 
-/// @throws InvalidArgument where there are bumps, over more ground than there may be.
+/// @throws InvalidArgument if bumps would cover more ground than is accepted.
 void CheckBumps(const WorldOptions& options);
 
-/// All ground of the terrain with bumps on it, as far as the options say.
+/// The whole ground of the terrain with bumps, within the bounds of the options.
 HeightField BumpyGround(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps);
 
 }  // namespace gaitwright

@@ -13,32 +13,32 @@ namespace gaitwright {
 
 /// Input of a controller at the start of a step: the measured state, exact in playbacks without sensor errors.
 struct ControlInput {
-  double time_s = 0.0;  ///< on the plan's clock; after the plan's end it runs on
+  double time_s = 0.0;  ///< on the plan's clock; runs on after the plan's end
   double step_s = 0.001;
   VectorX q, v;                         ///< in the orders of RobotModel
   std::vector<ContactWrench> wrenches;  ///< by foot, of the last step, about the contact frame's origin
   FootSet contact = 0;                  ///< feet that carried force in the last step
 };
 
-/// What the motors shall do until the next call, by independent joint:
+/// Command to the motors until the next call, by independent joint:
 ///   tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured),  within +-effort limit.
-/// A motor solves this with the step's outcome as measured state (implicit), so that no gain is too stiff. The step is
-/// semi-implicit, q' = q + h v', v' = v + h a(q): targets of a trajectory fit it to second order when sampled as
-/// q(t + h), v(t + h/2), tau_ff(t).
+/// A motor solves this implicitly, with the measured state at the end of the step, so that every gain is stable. The
+/// step is semi-implicit, q' = q + h v', v' = v + h a(q): targets fit a trajectory to second order when sampled as q(t
+/// + h), v(t + h/2), tau_ff(t).
 struct JointCommand {
   VectorX q, v;                ///< targets, size n [rad], [rad/s]
   VectorX tau_ff;              ///< feed-forward [N m]
   VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]; not negative
 };
 
-/// Whether all of it is numbers.
+/// Whether all numbers are finite.
 inline bool IsFinite(const JointCommand& command) {
   return command.q.allFinite() && command.v.allFinite() && command.tau_ff.allFinite() &&
          command.stiffness.allFinite() && command.damping.allFinite();
 }
 
-/// Interface of controllers: state in, command out. A controller must be deterministic and must not measure time
-/// itself: `time_s` may stand still while a robot settles.
+/// Interface of controllers: state in, command out. A controller must be deterministic and must not measure time with a
+/// clock of its own: `time_s` may stand still while a robot settles.
 class Controller {
  public:
   virtual ~Controller() = default;
@@ -46,13 +46,13 @@ class Controller {
   /// Called once per step. @return all vectors of size n = RobotModel::num_dofs(), finite.
   virtual JointCommand Update(const ControlInput& input) = 0;
 
-  /// Called before a playback: resets state of an earlier playback.
+  /// Called before a playback: resets the state left by an earlier playback.
   virtual void Reset() {}
 
-  /// Estimate of the base at the last update, for the log; nothing if the controller uses the true state.
+  /// Estimate of the base at the last update, for the log; null if the controller uses the true state.
   virtual const BaseEstimate* Estimate() const { return nullptr; }
 
-  /// For logs and reports, such as "joint-pd".
+  /// Name for logs and reports, such as "joint-pd".
   virtual std::string Name() const = 0;
 };
 

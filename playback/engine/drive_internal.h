@@ -5,27 +5,27 @@
 
 namespace gaitwright::engine {
 
-/// What a motor may give.
+/// Range of effort that a motor can give.
 struct EffortRange {
-  double lowest, highest;  ///< [N m]; not above and not below 0
+  double lowest, highest;  ///< [N m]; lowest <= 0 <= highest
 
   double largest() const { return highest > -lowest ? highest : -lowest; }
 };
 
-/// One motor with its power stage, from step to step: its peak effort, less what its torque-speed curve leaves of it
-/// along the motion, less what its warmth leaves of it, whichever is less.
+/// One motor with its power stage, over many steps. Its effort is limited to the smaller of its torque-speed curve
+/// along the motion and its thermal limit, both at most its peak effort.
 class Drive {
  public:
-  /// @param peak  largest effort, infinite for none.  @param motor  without what shall not act.
+  /// @param peak  largest effort, infinite if unlimited.  @param motor  without the limits that are switched off.
   Drive(const Motor& motor, double peak);
 
-  /// The range in a step that begins at a speed.
+  /// Range of effort in a step that begins at a speed.
   EffortRange At(double speed) const;
 
-  /// A step has passed under an effort.
+  /// Advances the motor's warmth by a step under an effort.
   void Warm(double effort, double step_s);
 
-  /// Of effort over thermal_s (see EffortWhenWarm), cold at first; 0 without a continuous effort [N^2 m^2].
+  /// Mean square of effort over thermal_s (see EffortWhenWarm), initially 0; 0 without a continuous effort [N^2 m^2].
   double mean_square() const { return mean_square_; }
 
  private:

@@ -16,9 +16,9 @@ namespace {
 
 void CheckSize(const VectorX& values, const char* what, int n) {
   if (values.size() != n) {
-    throw InvalidArgument(fmt::format("command has {} numbers for '{}'; {} are needed", values.size(), what, n));
+    throw InvalidArgument(fmt::format("the command has {} numbers for '{}'; {} are needed", values.size(), what, n));
   }
-  if (!values.allFinite()) throw InvalidArgument(fmt::format("command '{}' is not finite", what));
+  if (!values.allFinite()) throw InvalidArgument(fmt::format("'{}' of the command is not finite", what));
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void CheckCommand(const JointCommand& command, int num_dofs) {
   CheckSize(command.stiffness, "stiffness", num_dofs);
   CheckSize(command.damping, "damping", num_dofs);
   if (command.stiffness.size() > 0 && std::min(command.stiffness.minCoeff(), command.damping.minCoeff()) < 0.0) {
-    throw InvalidArgument("command has a negative stiffness or damping");
+    throw InvalidArgument("the command has a negative stiffness or damping; 0 or more is accepted");
   }
 }
 

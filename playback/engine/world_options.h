@@ -42,15 +42,15 @@ struct WorldOptions {
   double rotor_inertia_kg_m2 = 0.0;
   double torque_scale = 1.0;
 
-  /// Independent joints that are held at their first position without a motor, as if welded.
+  /// Independent joints that stay at their first position without a motor, as if welded.
   std::vector<int> locked_dofs = {};
-  /// Bumps reach this far in plan view [m]; there is no bumpy ground beyond. Play sets it from the plan.
+  /// Extent of the bumps in plan view [m]; outside there are no bumps. Play sets it from the plan.
   Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
 
-  /// All of them, by name.
+  /// All options, by name.
   OptionFields Fields() { return Joined({PhysicsFields(), ActuatorFields()}); }
 
-  /// Those of the time step, the contacts and the ground.
+  /// Options of the time step, the contacts and the ground.
   OptionFields PhysicsFields() {
     return WithBasics(
         {"engine", "step_s", "actuation", "friction", "mass_scale", "motor_strength", "ground_slope_deg",
@@ -66,7 +66,8 @@ struct WorldOptions {
          {"solver_iterations", &solver_iterations, "1", 1, 10000,
           "Iterations of the contact solver in each time step."},
          {"contact_softness", &contact_softness, "1", 0.01, 1000.0,
-          "Factor on the compliance of all contacts: at rest a foot sinks in by so many times the depth at 1."},
+          "Factor on the compliance of all contacts; the depth to which a foot at rest sinks in is proportional to "
+          "it."},
          {"contact_cfm", &contact_cfm, "m/(N s)", 0.0, 1.0,
           "Contact softness divided by the time step (CFM); a foot sinks in by CFM x force x step / 0.2."},
          {"actuation",
@@ -113,7 +114,7 @@ struct WorldOptions {
          {"seed", &seed, "1", 0, 2147483647, "Random seed of the ground bumps."}});
   }
 
-  /// Those of the motors and joints.
+  /// Options of the motors and joints.
   OptionFields ActuatorFields() {
     return WithBasics(
         {"joint_losses", "motor_curve", "thermal_limit"},

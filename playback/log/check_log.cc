@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMost = 1e12;         // of any number, in its unit
 constexpr double kUnit = 1e-3;         // how far from 1 a quaternion's length may be
-constexpr std::size_t kMostFeet = 64;  // those of a FootSet
+constexpr std::size_t kMostFeet = 64;  // size of a FootSet
 
 void CheckIn(const char* what, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return;

@@ -5,10 +5,10 @@
 
 namespace gaitwright {
 
-/// Checks that a log is plausible: every number is finite; step, rate and mass are positive, friction is not negative;
-/// samples are in the order of their times, with quaternions of unit length to 1e-3 and feet as many as there are
-/// wrenches; stances are of such feet and end after they begin.
-/// @throws InvalidArgument naming the error, its value and what is accepted.
+/// Checks that a log is plausible. Every number is finite; step, rate and mass are positive; friction is not negative.
+/// Samples are in order of time, with quaternions of unit length to 1e-3 and no feet beyond the number of wrenches.
+/// Stances are of such feet and end after they begin.
+/// @throws InvalidArgument naming the error, its value and the accepted values.
 void CheckLog(const PlaybackLog& log);
 
 }  // namespace gaitwright

@@ -88,7 +88,7 @@ Json HeadJson(const PlaybackLog& log) {
   return head;
 }
 
-/// One row a sample and a line; written by hand since most of a log is these.
+/// One row and one line per sample; written directly, because the samples are most of a log.
 template <class Row>
 void AppendRows(std::string& text, const char* key, const std::vector<LogSample>& samples, Row row) {
   fmt::format_to(std::back_inserter(text), ",\n\"{}\": [", key);
@@ -130,7 +130,7 @@ VectorX ToVector(const Json& j) {
   return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The list of a key. @throws InvalidArgument where it holds anything else.
+/// The list at a key. @throws InvalidArgument if it is not a list.
 const Json& ListAt(const Json& j, const char* key) {
   if (!j.at(key).is_array()) throw InvalidArgument(fmt::format("'{}' is not a list", key));
   return j.at(key);
@@ -145,7 +145,8 @@ StanceRecord ToStance(const Json& j) {
           j.at("friction_use_max").get<double>()};
 }
 
-/// The rows of a key into the samples. @throws InvalidArgument unless there is one a sample and all are of one length.
+/// Reads the rows of a key into the samples. @throws InvalidArgument unless there is one row per sample, all of one
+/// length.
 template <class Take>
 void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, Take take) {
   const Json& rows = ListAt(j, key);
@@ -165,7 +166,8 @@ void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, T
 }
 
 BaseEstimate ToEstimate(const VectorX& row) {
-  if (row.size() != kEstimateRow) throw InvalidArgument(fmt::format("'estimate' needs {} numbers a row", kEstimateRow));
+  if (row.size() != kEstimateRow)
+    throw InvalidArgument(fmt::format("'estimate' needs {} numbers per row", kEstimateRow));
   return {row.head<3>(), Quaternion(Eigen::Vector4d(row.segment<4>(3))), row.segment<3>(7), row.tail<3>()};
 }
 
@@ -173,7 +175,7 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
   std::vector<LogSample>& samples = log.samples;
   samples.resize(ListAt(j, "q").size());
   ReadRows(j, "time_s", samples, [](const VectorX& row, LogSample& s) {
-    if (row.size() != 1) throw InvalidArgument("'time_s' needs one number a row");
+    if (row.size() != 1) throw InvalidArgument("'time_s' needs one number per row");
     s.time_s = row[0];
   });
   ReadRows(j, "q", samples, [](const VectorX& row, LogSample& s) { s.q = row; });
@@ -182,7 +184,7 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
   ReadRows(j, "tau_peak_nm", samples, [](const VectorX& row, LogSample& s) { s.tau_peak = row; });
   ReadRows(j, "effort_use", samples, [](const VectorX& row, LogSample& s) { s.effort_use = row; });
   ReadRows(j, "contact_wrenches", samples, [](const VectorX& row, LogSample& s) {
-    if (row.size() % 6 != 0) throw InvalidArgument("'contact_wrenches' needs six numbers a foot");
+    if (row.size() % 6 != 0) throw InvalidArgument("'contact_wrenches' needs six numbers per foot");
     for (Eigen::Index f = 0; f < row.size(); f += 6) s.wrenches.push_back({row.segment<3>(f), row.segment<3>(f + 3)});
   });
   if (j.contains("estimate")) {
@@ -228,7 +230,7 @@ PlaybackLog ReadLog(const Json& j) {
   log.step_s = j.at("step_s").get<double>();
   log.total_mass_kg = j.at("total_mass_kg").get<double>();
   log.friction = j.at("friction").get<double>();
-  if (!j.at("options").is_object()) throw InvalidArgument("'options' is not an object of keys and texts");
+  if (!j.at("options").is_object()) throw InvalidArgument("'options' is not an object with text values");
   for (const auto& [key, value] : j.at("options").items()) log.options.emplace_back(key, value.get<std::string>());
   log.saturated_s = ToVector(j.at("saturated_s"));
   for (const Json& stance : ListAt(j, "stances")) log.stances.push_back(ToStance(stance));

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// The log as JSON text. Deterministic to the byte, and read back exactly.
+/// The log as JSON text. Deterministic to the byte; reading it back gives the same log.
 ///
 /// Keys: `format` ("gaitwright-playback-log"), `schema`, the header of PlaybackLog, `stances`, `body_contacts`, then
 /// one row per sample in each of `time_s`, `q`, `v`, `tau_nm`, `tau_peak_nm`, `effort_use`, `contact` (bit i: foot i)
@@ -16,14 +16,14 @@ namespace gaitwright {
 /// place, quaternion x y z w, velocity, angular velocity; `broke_off` if the playback ended early.
 std::string LogToJson(const PlaybackLog& log);
 
-/// A log from its JSON text. Refused with the reason: truncated text, text that is not a log, another schema, a missing
-/// key or one of the wrong kind, inconsistent sizes, and what CheckLog refuses. @param source names the text in
-/// messages.
+/// Reads a log from its JSON text. Refuses, with the reason: truncated text, text that is not a log, another schema, a
+/// missing key or one of the wrong kind, inconsistent sizes, and logs that CheckLog refuses. @param source names the
+/// text in messages.
 Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& source);
 
 /// Writes atomically. @return the path.
 Result<std::string> SaveLog(const PlaybackLog& log, const std::string& path);
-/// The log of a file; refused as by LogFromJson, or if there is no such file.
+/// Reads the log of a file. Refuses as LogFromJson does, or if there is no such file.
 Result<PlaybackLog> LoadLog(const std::string& path);
 
 }  // namespace gaitwright

@@ -7,7 +7,7 @@ namespace gaitwright {
 
 inline constexpr char kLogFormat[] = "gaitwright-playback-log";
 
-/// Ranges of what a log tells of the whole playback.
+/// Ranges of values in a log that apply to the whole playback.
 struct LogRange {
   double lowest, highest;
 };
@@ -17,7 +17,7 @@ inline constexpr LogRange kLogStep{1e-9, 1.0};   // [s]
 inline constexpr LogRange kLogMass{0.0, 1e6};    // [kg]
 inline constexpr LogRange kLogFriction{0.0, 100.0};
 
-// What the parts of a log's file may hold.
+// Shapes of the parts of a log file.
 DataShape StanceShape();
 DataShape BodyContactShape();
 DataShape PenetrationShape();

@@ -29,7 +29,7 @@ std::string ShapeText(const Shape& shape, const std::string& mesh, std::string& 
 }
 
 std::string MeshText(const std::vector<Vector3>& vertices, const std::string& mesh, std::string& assets) {
-  // With a scale, since the defaults of a file that includes this one may have another.
+  // The scale is explicit, because the defaults of a file that includes this one may differ.
   assets += fmt::format("<mesh name=\"{}\" scale=\"1 1 1\" vertex=\"", mesh);
   for (const Vector3& p : vertices) assets += Numbers(p) + " ";
   assets += "\"/>\n";

@@ -10,13 +10,13 @@
 #include "kinematics/spatial/pose.h"
 #include "playback/engine/world_options.h"
 
-// Pieces of MJCF that robot and ground have in common.
+// MJCF elements that robot and ground share.
 namespace gaitwright::mujoco {
 
-/// A number that reads back exactly.
+/// A number as text that reads back exactly.
 inline std::string Number(double value) { return fmt::format("{:.17g}", value); }
 
-/// Numbers with spaces between.
+/// Numbers separated by spaces.
 template <class Vector>
 std::string Numbers(const Vector& values) {
   std::string text;
@@ -24,18 +24,18 @@ std::string Numbers(const Vector& values) {
   return text;
 }
 
-/// The attributes of a pose.
+/// Attributes of a pose.
 std::string PlaceOf(const Pose& X);
 
-/// The attributes of a geom's shape. A mesh is given by its points, of which MuJoCo takes the convex hull.
-/// @param mesh  name of the asset that a mesh becomes, escaped as XML. @param assets  where that is added.
+/// Attributes of a geom's shape. A mesh is given by its points; MuJoCo uses their convex hull.
+/// @param mesh  name of the asset for a mesh, escaped as XML. @param assets  the text to which the asset is appended.
 std::string ShapeText(const Shape& shape, const std::string& mesh, std::string& assets);
 
-/// ShapeText of a mesh of these points. MuJoCo moves a mesh to its own centre and principal axes and makes up for that
+/// ShapeText of a mesh with these points. MuJoCo moves a mesh to its own centre and principal axes and compensates this
 /// in the geom's pose.
 std::string MeshText(const std::vector<Vector3>& vertices, const std::string& mesh, std::string& assets);
 
-/// The attributes that say how contacts of a geom are solved, but for friction.
+/// Attributes of a geom's contact solution, except friction.
 std::string ContactAttributes(const WorldOptions& options);
 
 }  // namespace gaitwright::mujoco

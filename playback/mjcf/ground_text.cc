@@ -14,7 +14,7 @@ namespace {
 constexpr double kObstacleFriction = 0.8;
 constexpr double kFieldBase = 1.0;  // depth of the solid under a height field [m]
 
-/// MuJoCo's rows and columns go along y and x as ours do, and it parts cells by the same diagonal.
+/// MuJoCo's rows and columns go along y and x as ours do, and it splits cells along the same diagonal.
 FieldHeights HeightsOf(const HeightField& field, double low, double rise) {
   FieldHeights heights{field.rows, field.columns, {}};
   for (const double height : field.height_m) heights.heights.push_back(static_cast<float>((height - low) / rise));
@@ -34,7 +34,7 @@ class GroundWriter {
   }
 
  private:
-  /// Of the part that is written now.
+  /// Name of the current part.
   std::string Name() const { return EscapedXml(style_.names.at(part_)); }
 
   void AddGeom(const std::string& shape, const Pose& X_WS, double friction) {

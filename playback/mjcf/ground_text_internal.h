@@ -14,25 +14,25 @@ struct FieldHeights {
   std::vector<float> heights;  ///< row by row, from 0 to 1 of the field's rise
 };
 
-/// How a ground is written.
+/// Settings for writing a ground.
 struct GroundStyle {
-  Pose X_tilt = Pose::Identity();         ///< turns all of it
-  double friction = 0.0;                  ///< of all of it; 0: each part has its own
-  std::vector<std::string> names;         ///< of obstacles, patches and height fields in this order, each different
-  std::string attributes;                 ///< of each geom, besides name, shape, pose and friction
+  Pose X_tilt = Pose::Identity();         ///< pose change of the whole ground
+  double friction = 0.0;                  ///< of the whole ground; 0: each part has its own
+  std::vector<std::string> names;         ///< of obstacles, patches and height fields in this order, all different
+  std::string attributes;                 ///< of each geom, in addition to name, shape, pose and friction
   std::vector<std::string> height_files;  ///< of each height field; empty where heights stay in memory
 };
 
-/// The ground of a file of MuJoCo: the elements of its asset and worldbody, and the heights that these do not hold. A
-/// geom and its mesh or height field have the same name.
+/// The ground of a MuJoCo file: its asset and worldbody elements, and the heights that are not in them. A geom and its
+/// mesh or height field have the same name.
 struct GroundText {
   std::string assets, geoms;
   std::vector<FieldHeights> fields;
-  bool has_edges = false;  ///< whether a patch is bounded
+  bool has_edges = false;  ///< whether any patch is bounded
   double finest_m = 0.0;   ///< resolution of the finest height field; 0 without one
 };
 
-/// Writes a ground without a robot. @throws std::out_of_range for fewer names or files than there are parts.
+/// Writes a ground without a robot. @throws std::out_of_range if there are fewer names or files than parts.
 GroundText WriteGround(const Terrain& terrain, const GroundStyle& style);
 
 }  // namespace gaitwright::mujoco

@@ -33,7 +33,7 @@ std::string HeightBytes(const mujoco::FieldHeights& field) {
   return bytes;
 }
 
-/// The names of the files of height fields, which stand beside the file `path`.
+/// File names of the height fields, which are in the same folder as the file `path`.
 std::vector<std::string> HeightFiles(const Terrain& terrain, const std::filesystem::path& path) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < terrain.height_fields.size(); ++i)
@@ -41,7 +41,7 @@ std::vector<std::string> HeightFiles(const Terrain& terrain, const std::filesyst
   return names;
 }
 
-/// A text with the files of its height fields.
+/// A text together with the files of its height fields.
 std::vector<OutputFile> WithHeights(const std::filesystem::path& path, const std::string& text,
                                     const std::vector<mujoco::FieldHeights>& fields,
                                     const std::vector<std::string>& names) {

@@ -11,24 +11,25 @@
 
 namespace gaitwright {
 
-/// A robot on a ground as files of MuJoCo 2.2.2 or later: the model that this program plays, for other programs.
+/// A robot on a ground as files of MuJoCo 2.2.2 or later: the model that this program plays, for use in other programs.
 ///
-/// Inertias, joints, contact shapes and contact settings are those of the world in MuJoCo. Besides, the file has the
+/// Inertias, joints, contact shapes and contact settings are those of the world in MuJoCo. The file also has the
 /// position limits of joints, their damping, dry friction and rotor inertia, position actuators with the gains and the
-/// effort limits, and the key frame "start". Not in it: torque-speed curves, continuous torques, and transmissions,
-/// whose joints get actuators of their own.
+/// effort limits, and the key frame "start". It does not contain torque-speed curves, continuous torques and
+/// transmissions; each joint of a transmission gets its own actuator.
 /// @param q  configuration of the key frame.
-/// @param stiffness, damping  by coordinate, as of DeriveGains (control/gains.h).
+/// @param stiffness, damping  by coordinate, as from DeriveGains (control/gains.h).
 /// @param path  of the model; each height field is a file beside it: STEM_field0.bin.
 /// @return the model, then the height fields.
 std::vector<OutputFile> MujocoFiles(const RobotModel& model, const Terrain& terrain, const VectorX& q,
                                     const VectorX& stiffness, const VectorX& damping, const std::string& path);
 
-/// A ground alone as files of MuJoCo 2.2.2 or later, to be loaded or included in a model: the ground of MujocoFiles.
+/// A ground without a robot as files of MuJoCo 2.2.2 or later, to load or to include in a model: the ground of
+/// MujocoFiles.
 ///
-/// Geoms have the names of the ground's parts, and a number where these would be the same. They collide with all geoms
-/// whose contype or conaffinity has bit 0, as by default, and their own friction counts. The file has no options and no
-/// defaults, and its geoms and meshes do not depend on those of a file that includes it.
+/// Geoms have the names of the ground's parts, plus a number where names would be equal. They collide with all geoms
+/// whose contype or conaffinity has bit 0, which is the default. Their own friction applies. The file sets no options
+/// and no defaults, and its geoms and meshes do not depend on those of an including file.
 /// @param path  of the file; each height field is a file beside it: STEM_field0.bin.
 /// @return the ground, then the height fields.
 std::vector<OutputFile> MujocoGroundFiles(const Terrain& terrain, const std::string& path);

@@ -20,11 +20,12 @@ namespace {
 constexpr double kPointFootRadius = 0.005;   // of a point foot's sphere [m]
 constexpr double kSoleSphereRadius = 0.002;  // [m]
 constexpr double kPlateThickness = 0.01;     // [m]
-constexpr double kPlateLift = 0.0002;        // of the plate over the corners: it touches where they do not [m]
-constexpr double kLeastMass = 1e-11;         // [kg] of bodies without mass, which MuJoCo does not have
-constexpr double kLeastInertia = 1e-14;      // [kg m^2]
+// plate above corner level; it touches only where corner spheres do not [m]
+constexpr double kPlateLift = 0.0002;
+constexpr double kLeastMass = 1e-11;     // [kg] of bodies without mass, which MuJoCo refuses
+constexpr double kLeastInertia = 1e-14;  // [kg m^2]
 
-/// X_JB of the child when its joint stands at a position.
+/// X_JB of the child body at a joint position.
 Pose JointMotion(const Joint& joint, double position) {
   Pose X = Pose::Identity();
   if (joint.is_prismatic()) {
@@ -69,7 +70,7 @@ class Writer {
 
  private:
   static constexpr int kIterations = 100, kMostContacts = 400, kMostRows = 3 * kMostContacts + 300;
-  static constexpr double kImpratio = 100.0;  // friction is harder than normals: feet creep less
+  static constexpr double kImpratio = 100.0;  // friction is stiffer than the normal direction, so that feet creep less
 
   bool Locked(const Joint& joint) const { return locked_[static_cast<std::size_t>(joint.dof)]; }
 
@@ -105,7 +106,7 @@ class Writer {
       return fmt::format("<inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"{} {} {}\"/>\n", Number(kLeastMass),
                          Number(kLeastInertia), Number(kLeastInertia), Number(kLeastInertia));
     }
-    // By principal axes: MuJoCo's own find them to fewer digits.
+    // Written by principal axes, because MuJoCo computes them with fewer digits.
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(I);
     Pose X_BM = Pose::Identity();
     X_BM.linear() = solver.eigenvectors();
@@ -115,7 +116,7 @@ class Writer {
                        Numbers(Moments(solver.eigenvalues())));
   }
 
-  /// Principal moments, ascending. MuJoCo refuses those of a plate or a rod that break the triangle inequality by
+  /// Principal moments, ascending. MuJoCo refuses moments of a plate or a rod that violate the triangle inequality by
   /// rounding.
   static Vector3 Moments(const Vector3& ascending) {
     constexpr double kRounding = 1e-9;
@@ -173,7 +174,7 @@ class Writer {
 
   std::string NextMesh() { return fmt::format("m{}", meshes_++); }
 
-  /// The ground as it is played: turned, and with bumps instead of its surfaces.
+  /// The ground as played: turned, and with bumps instead of its surfaces.
   void WriteGroundOfWorld() {
     const bool has_bumps = bumps_.amplitude > 0.0;
     text_.solids = SolidNames(terrain_, has_bumps);
@@ -192,7 +193,7 @@ class Writer {
     ground_ = WriteGround(bumpy, style);
   }
 
-  /// Mimicking joints follow by equality constraints, as stiff as the step allows.
+  /// Mimic joints follow by equality constraints, as stiff as the step allows.
   std::string Gears() const {
     std::string text;
     for (std::size_t i = 0; i < model_.joints.size(); ++i) {
@@ -209,7 +210,7 @@ class Writer {
 
   std::string LeaderOf(int dof) const { return EscapedXml(model_.dof_names[static_cast<std::size_t>(dof)]); }
 
-  /// Attributes of a joint in a file: its limits, and its share of what the joints of its coordinate lose.
+  /// Attributes of a joint in a file: its limits, and its share of the losses of its coordinate.
   std::string Losses(const Joint& joint) const {
     if (parts_ == nullptr) return "";
     std::string text =
@@ -220,7 +221,7 @@ class Writer {
     return text;
   }
 
-  /// Of each coordinate a motor with the gains of a PD: control is the target position.
+  /// For each coordinate, a motor with PD gains; its control is the target position.
   std::string Motors() const {
     std::string text;
     for (int dof = 0; dof < model_.num_dofs(); ++dof) {
@@ -236,7 +237,7 @@ class Writer {
     return text.empty() ? "" : "<actuator>\n" + text + "</actuator>\n";
   }
 
-  /// Positions of all joints in the order of the file, which is that of the bodies as they are written.
+  /// Positions of all joints in the order of the file, i.e. of the bodies as they are written.
   void AddPositions(int body, std::string& text) const {
     if (body > 0) {
       const Joint& joint = model_.joints[static_cast<std::size_t>(body) - 1];

@@ -12,17 +12,17 @@
 
 namespace gaitwright::mujoco {
 
-/// What a geom of the robot is, for what reads its contacts.
+/// Identity of a geom of the robot, for reading contacts.
 struct GeomPart {
-  int foot = -1;     ///< index of the foot that it is part of, -1 for none
+  int foot = -1;     ///< index of the foot that the geom belongs to, or -1
   std::string link;  ///< URDF link
 };
 
-/// A robot on a ground as a file of MuJoCo.
+/// A robot on a ground as the text of a MuJoCo file.
 ///
-/// Bodies, joints and frames are those of RobotModel, so that states need no change but of the base's quaternion and
-/// its angular velocity. Bodies and joints have the model's names, escaped as XML; geoms are `g<i>` by index into
-/// `parts`, ground is `t<i>`.
+/// Bodies, joints and frames are those of RobotModel, so that states differ only in the base's quaternion and angular
+/// velocity. Bodies and joints have the model's names, escaped as XML. Geoms of the robot are `g<i>` with i the index
+/// into `parts`; geoms of the ground are `t<i>`.
 struct ModelText {
   std::string mjcf;
   std::vector<GeomPart> parts;
@@ -30,15 +30,15 @@ struct ModelText {
   std::vector<FieldHeights> fields;
 };
 
-/// What a file has that a world of ours does itself.
+/// Parts of a file that our own world computes itself.
 struct FileParts {
   VectorX stiffness, damping;        ///< of the motors, by coordinate
   std::vector<std::string> heights;  ///< file of each height field
 };
 
-/// @param q  configuration at which locked joints are welded; its x and y are where slope and bumps begin.
-/// @param parts  null for a world, which has motors, losses of joints and their position limits of its own; else these
-/// are written too, with `q` as the first key frame.
+/// @param q  configuration at which locked joints are welded; its x and y are the start point of slope and bumps.
+/// @param parts  null for our own world, which computes motors, joint losses and position limits itself. Otherwise
+/// these are written too, with `q` as the first key frame.
 ModelText WriteModel(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options,
                      const FileParts* parts = nullptr);
 

@@ -18,8 +18,8 @@ namespace {
 ModelPtr Compile(const ModelText& text) {
   static std::mutex one_at_a_time;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
-  mju_user_error = [](const char* message) { ThrowMujocoError(message); };  // which would end the process otherwise
-  mju_user_warning = [](const char*) {};                                    // which would write a file
+  mju_user_error = [](const char* message) { ThrowMujocoError(message); };  // MuJoCo's default ends the process
+  mju_user_warning = [](const char*) {};                                    // MuJoCo's default writes a file
   constexpr const char* kName = "world.xml";
   auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());

@@ -20,11 +20,11 @@ struct DeleteData {
 using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
 using DataPtr = std::unique_ptr<mjData, DeleteData>;
 
-/// MuJoCo's model of a text. One at a time in the process, since MuJoCo's compiler has state of its own.
-/// @throws InvalidArgument with MuJoCo's message where it refuses the text.
+/// Compiles a text to MuJoCo's model. Only one thread compiles at a time, because MuJoCo's compiler has global state.
+/// @throws InvalidArgument with MuJoCo's message if it refuses the text.
 ModelPtr Compile(const ModelText& text);
 
-/// The number that MuJoCo gives an object by its name.
+/// MuJoCo's index of an object with a name.
 int IdOf(const mjModel& m, mjtObj type, const std::string& name);
 
 inline Eigen::Map<const Vector3> AsVector(const mjtNum* p) { return Eigen::Map<const Vector3>(p); }

@@ -65,7 +65,7 @@ void Contacts::Add(int index, const DynamicsScratch& before, const DynamicsScrat
       body_contacts_.push_back(of.link);
     return;
   }
-  // Force and normal are given from the first geom onto the second.
+  // Force and normal point from the first geom to the second.
   const double sign = first >= 0 ? -1.0 : 1.0;
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(contact.frame);
   const Vector3 normal = sign * frame.row(0).transpose();

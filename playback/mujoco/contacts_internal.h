@@ -10,10 +10,10 @@
 
 namespace gaitwright::mujoco {
 
-/// What the contacts of a step tell of feet and of other links.
+/// Reads the contacts of a step for feet and for other links.
 class Contacts {
  public:
-  /// All are kept by reference.
+  /// Keeps all arguments by reference.
   Contacts(const RobotModel& model, const Terrain& terrain, const ModelText& text, const mjModel& m, const mjData& d);
 
   /// @param before, after  kinematics at the start of the step, where contacts were found, and at its end
@@ -33,8 +33,8 @@ class Contacts {
   const ModelText& text_;
   const mjModel& m_;
   const mjData& d_;
-  std::vector<int> part_;   // by geom; -1 for the ground's
-  std::vector<int> solid_;  // by geom; -1 for the robot's
+  std::vector<int> part_;   // by geom; -1 for geoms of the ground
+  std::vector<int> solid_;  // by geom; -1 for geoms of the robot
   std::vector<FootContact> feet_;
   std::vector<std::string> body_contacts_;
 };

@@ -8,10 +8,10 @@
 namespace gaitwright::mujoco {
 namespace {
 
-constexpr double kSlight = 1e-9;  // of a torque: rounding
+constexpr double kSlight = 1e-9;  // share of a torque below which it is rounding
 constexpr double kNone = 1e-12;   // [rad], [m]: rounding
 
-/// How many joints a coordinate's torque is shared by.
+/// Number of joints that share a coordinate's torque.
 double CountOf(const std::vector<Member>& members) {
   return static_cast<double>(
       std::count_if(members.begin(), members.end(), [](const Member& m) { return m.multiplier != 0.0; }));
@@ -48,7 +48,7 @@ Motors::Motors(const RobotModel& model, const WorldOptions& options, mjModel& m,
   }
 }
 
-/// Dry friction of the joint that leads a coordinate.
+/// Sets the dry friction of the leading joint of a coordinate.
 void Motors::SetUpJoint(int dof) {
   const auto i = static_cast<std::size_t>(dof);
   if (members_[i].empty()) return;
@@ -64,8 +64,8 @@ double Motors::RateOf(int dof, const mjtNum* rates) const {
   return rate;
 }
 
-/// The inertia of a stop: the motor's greatest torque moves it by kMostYield in a step, and what turns with the joint
-/// turns it little.
+/// The inertia of a stop. It is so large that the motor's greatest torque moves the joint by kMostYield in a step, and
+/// that the other bodies that move with the joint hardly move it.
 double Motors::StopInertia(int dof) const {
   constexpr double kMostYield = 1e-6, kRatio = 1e3;  // [rad] or [m]; of the joint's own inertia
   constexpr double kMostEffort = 1e4;                // [N m], [N]: of motors without a limit
@@ -118,9 +118,9 @@ void Motors::Command(const JointCommand& command, const VectorX& q, const Vector
   }
 }
 
-/// The armature and the constant torques of the motors as they are held now. A stop is a damper: implicit in the step,
-/// it lets the joint end that at the rate it allows. The softness of a joint's dry friction is a share of its inverse
-/// inertia in `dof_invweight0`, which therefore knows the armature.
+/// Writes armatures and constant torques for the current state of the motors. A stop is a damper, implicit in the step,
+/// so that the joint ends the step at the rate that the stop allows. The softness of a joint's dry friction is a share
+/// of its inverse inertia in `dof_invweight0`, which must therefore include the armature.
 void Motors::Apply() {
   const double h = options_.step_s, scale = options_.torque_scale;
   for (int dof = 0; dof < model_.num_dofs(); ++dof) {
@@ -140,14 +140,15 @@ void Motors::Apply() {
   }
 }
 
-/// The torque that a joint's motor wants at the end of the step with the acceleration that was found.
+/// Torque of a joint's motor at the end of the step, without limits, for the computed acceleration.
 double Motors::WantedAtEnd(int dof) const {
   const Motor& motor = motors_[static_cast<std::size_t>(dof)];
   if (!IsImplicit(motor)) return motor.wanted;
   return motor.at_rest - motor.by_speed * (v_[6 + dof] + options_.step_s * RateOf(dof, d_.qacc));
 }
 
-/// Motors of a transmission within their limits: where one of them is not, all its joints have constant torques.
+/// Checks the motors of a transmission against their limits. If one exceeds its limit, all its joints get constant
+/// torques.
 bool Motors::HoldShared(const Transmission& transmission) {
   const Eigen::Index n = transmission.size();
   VectorX wanted(n);
@@ -176,7 +177,7 @@ bool Motors::HoldShared(const Transmission& transmission) {
   return good;
 }
 
-/// Whether all motors are within their limits with the acceleration that was found; changes those that are not.
+/// Whether all motors are within their limits for the computed acceleration; changes the motors that are not.
 bool Motors::Hold() {
   bool all = true;
   for (const Transmission& transmission : model_.transmissions) all = HoldShared(transmission) && all;
@@ -199,8 +200,8 @@ bool Motors::HoldOwn() {
   return good;
 }
 
-/// Rotors that several joints turn couple these: R^T diag(J) R in the mass matrix. MuJoCo keeps of it what joints of
-/// one chain have in common, as those of an ankle do.
+/// Rotors that several joints turn couple these joints: R^T diag(J) R in the mass matrix. MuJoCo stores only entries of
+/// joints of one chain, such as those of an ankle.
 void Motors::AddSharedRotors(const Transmission& transmission) {
   MatrixX rotors = MatrixX::Zero(transmission.size(), transmission.size());
   for (Eigen::Index k = 0; k < transmission.size(); ++k) {

@@ -94,7 +94,7 @@ struct MujocoWorld::Impl {
     mj_fwdConstraint(model_of, data);
   }
 
-  /// Deepest contact, along the ground's normal.
+  /// Deepest contact along the normal of the ground.
   Penetration Deepest() {
     mj_kinematics(m.get(), d.get());
     mj_comPos(m.get(), d.get());
@@ -223,7 +223,7 @@ MatrixX MujocoWorld::MassMatrix(const VectorX& q) {
   mj_crb(self.m.get(), self.d.get());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> M(self.m->nv, self.m->nv);
   mj_fullM(self.m.get(), M.data(), self.d->qM);
-  // From the base's own angular velocity to that in W.
+  // Converts the base's angular velocity from base to world axes.
   MatrixX T = MatrixX::Identity(self.m->nv, self.m->nv);
   T.block<3, 3>(3, 3) = BaseRotation(q).transpose();
   return T.transpose() * M * T;

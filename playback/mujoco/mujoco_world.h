@@ -9,11 +9,11 @@
 
 namespace gaitwright {
 
-/// A robot on a terrain in MuJoCo: the same robot, ground, options and state as BulletWorld, and no code in common with
-/// it but for what motors may give.
+/// A robot on a terrain in MuJoCo. Robot, ground, options and state are those of BulletWorld. The two share no code
+/// except the limits of the motors.
 class MujocoWorld : public World {
  public:
-  /// As BulletWorld. @throws InvalidArgument as CheckWorld, and where MuJoCo refuses the model, with its message.
+  /// As BulletWorld. @throws InvalidArgument as CheckWorld, and with MuJoCo's message if MuJoCo refuses the model.
   MujocoWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
   ~MujocoWorld() override;
 
@@ -34,10 +34,10 @@ class MujocoWorld : public World {
   VectorX mean_square_effort() const override;
   double total_mass_kg() const override;
 
-  /// The mass matrix without rotors, and the forces b of M a + b = tau, at a state; of robots without mimicking joints.
+  /// The mass matrix without rotors, and the forces b of M a + b = tau, at a state; for robots without mimic joints.
   MatrixX MassMatrix(const VectorX& q);
   VectorX BiasForces(const VectorX& q, const VectorX& v);
-  /// The world as a file of MuJoCo, but for what motors and joints do.
+  /// The world as a MuJoCo file, without motors and joint losses.
   const std::string& mjcf() const;
 
  private:

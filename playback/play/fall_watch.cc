@@ -23,7 +23,7 @@ FootSet StanceAt(const MotionPlan& plan, int feet, double time_s) {
   return plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, time_s))].stance;
 }
 
-/// Height of the base's HeightPoint over the standing feet by row; where none stands, over those that stood last.
+/// Height of the base's HeightPoint above the standing feet, by row; if no foot stands, above the last standing feet.
 std::vector<double> PlannedHeights(const RobotModel& model, const MotionPlan& plan) {
   DynamicsScratch scratch(model);
   const int feet = static_cast<int>(model.feet.size());

@@ -9,20 +9,21 @@
 
 namespace gaitwright::playing {
 
-/// Tells when going on is pointless: the robot is tilted, lies on a body that is no foot, or has sunk.
+/// Detects a fall: the robot is tilted, lies on a body that is not a foot, or has sunk.
 ///
-/// Heights of the base are those of its HeightPoint over the mean height of the feet that stand: those of the schedule
-/// in the plan, those that touch in the world, or the last that did. So ground that the plan does not know is no fall.
+/// Heights of the base are those of its HeightPoint above the mean height of the standing feet. In the plan these are
+/// the feet of the schedule; in the world the touching feet, or the last ones that touched. So unplanned ground heights
+/// are no fall.
 class FallWatch {
  public:
-  /// @param height_lowest  share of the plan's height below which the base has sunk; 0 never.
+  /// @param height_lowest  share of the plan's height below which the base has sunk; 0 disables the check.
   FallWatch(const RobotModel& model, const MotionPlan& plan, double height_lowest);
 
-  /// Contact of bodies counts from here on.
+  /// Contacts of bodies count from this time on.
   void Start(double time_s) { contact_since_s_ = time_s; }
-  /// The state at `time_s`, after a step.
+  /// Adds the state at `time_s`, after a step.
   void Add(double time_s, const World& world);
-  /// True some time after the fall, so that the log shows it.
+  /// True some time after the fall, so that the log contains the fall.
   bool Over(double time_s) const;
 
  private:

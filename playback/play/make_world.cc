@@ -25,7 +25,7 @@ std::unique_ptr<World> MakeWorld(const RobotModel& model, const Terrain& terrain
   if (options.engine == "mujoco") return std::make_unique<MujocoWorld>(model, terrain, q, options);
 #endif
   if (options.engine == "both")
-    throw InvalidArgument("a world has one engine, 'bullet' or 'mujoco'; 'both' is for playing a plan");
+    throw InvalidArgument("a world has one engine, 'bullet' or 'mujoco'; use 'both' only to play a plan");
   throw InvalidArgument("this program was built without the engine '" + options.engine +
                         "' (Debian: libmujoco-dev; then build again)");
 }

@@ -9,11 +9,11 @@
 
 namespace gaitwright {
 
-/// The engines that this program was built with: "bullet", and "mujoco" where it was found.
+/// The engines that this program was built with: "bullet", and "mujoco" if the library was found.
 const std::vector<std::string>& EngineNames();
 
-/// A world in the engine that the options name.
-/// @throws InvalidArgument as of the engine's world, and for an engine that this program was built without.
+/// Makes a world in the engine that the options name.
+/// @throws InvalidArgument as the engine's world does, and for an engine that this program was built without.
 std::unique_ptr<World> MakeWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q,
                                  const WorldOptions& options);
 

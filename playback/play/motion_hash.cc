@@ -10,8 +10,8 @@
 namespace gaitwright {
 namespace {
 
-/// What is hashed. Numbers count to the last bit, zero without its sign. Rotations count to 1e-6: a plan file holds
-/// them as quaternions, from which they come back rounded.
+/// The bytes to hash. Numbers enter exactly; zero enters without its sign. Rotations enter to 1e-6, because a plan file
+/// stores them as quaternions, which read back with rounding.
 class Bytes {
  public:
   void Add(double value) {

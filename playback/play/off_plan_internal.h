@@ -9,21 +9,21 @@
 
 namespace gaitwright::playing {
 
-/// All pushes of the options that are pushes at all.
+/// All pushes of the options that have a force and a duration.
 std::vector<TimedPush> PushesOf(const PlayOptions& options);
 
-/// What a push acts on: a body of the model, or kWholeRobot. @throws InvalidArgument naming the nearest link.
+/// The target of a push: a body of the model, or kWholeRobot. @throws InvalidArgument naming the nearest link.
 int PushedBody(const RobotModel& model, const std::string& on);
 inline constexpr int kWholeRobot = -1;
 
-/// The share of the step from `time_s` on in which a push acts, so that its impulse is what it says however short it
-/// is; a whole step but for rounding is one.
+/// Share of the step from `time_s` on during which a push acts, so that its impulse is exact for any duration. A share
+/// that differs from 1 by rounding is 1.
 double ShareOfStep(const TimedPush& push, double time_s, double step_s);
 
-/// Whether a robot starts off its plan.
+/// Whether the options displace the start from the plan.
 bool StartsOff(const PlayOptions& options);
 
-/// A first configuration moved off the plan's. @throws InvalidArgument when `start_joints` has a wrong size.
+/// The first configuration with the options' displacement. @throws InvalidArgument if `start_joints` has a wrong size.
 VectorX MovedOff(const RobotModel& model, const PlayOptions& options, VectorX q);
 
 }  // namespace gaitwright::playing

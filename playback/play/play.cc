@@ -20,7 +20,7 @@
 namespace gaitwright {
 namespace {
 
-// Why a playback broke off.
+// Reasons for ending a playback early.
 constexpr char kNoPhysics[] = "the physics gave a state that is not finite or far out of range";
 constexpr char kNoCommand[] = "the controller gave a command that is not finite";
 constexpr char kNoEstimate[] = "the controller's estimate of the base is not finite or far out of range";
@@ -59,7 +59,7 @@ class Interval {
     sample_.q = world.q();
     sample_.v = world.v();
     sample_.tau *= share;
-    constexpr double kDigits = 1e4;  // which no limit is reached by
+    constexpr double kDigits = 1e4;  // rounding down keeps values below a limit from reaching it
     sample_.effort_use = (kDigits * sample_.effort_use).array().floor() / kDigits;
     for (ContactWrench& wrench : sample_.wrenches) {
       wrench.force_W *= share;
@@ -74,7 +74,7 @@ class Interval {
   LogSample sample_;
 };
 
-/// A push, the body that it acts on, and whether it has begun to.
+/// A push, the body that it acts on, and whether it has begun.
 struct PushToCome {
   TimedPush push;
   int body = 0;
@@ -114,7 +114,7 @@ class Playback {
     controller_.Reset();
     StartLog(start_W);
     const Penetration deepest = world_->DeepestPenetration();
-    if (deepest.depth_m > PlaybackLog::kToldPenetration) log_.start_penetration = deepest;
+    if (deepest.depth_m > PlaybackLog::kReportedPenetration) log_.start_penetration = deepest;
     const double end_s = Settle() ? FollowPlan() : log_.start_s;
     FinishEstimates(end_s);
     log_.stances = stances_.Finish(end_s);
@@ -138,7 +138,7 @@ class Playback {
     log_.options = TextsOf(Prefixed("play", copy.Fields()));
   }
 
-  /// The clock stands at the plan's start. @return whether it can go on.
+  /// Lets the robot settle; the clock stays at the plan's start. @return whether the playback can continue.
   bool Settle() {
     const long steps = std::lround(options_.settle_s / step_s_);
     for (long k = 0; k < steps; ++k) {
@@ -147,7 +147,7 @@ class Playback {
     return true;
   }
 
-  /// Waits at the gates of the plan up to a time. @return whether it can go on.
+  /// Waits at the gates of the plan up to a time. @return whether the playback can continue.
   bool PassGates(double time_s) {
     constexpr double kTime = 1e-9;
     for (; next_gate_ < plan_.gates.size() && plan_.gates[next_gate_].at_s <= time_s + kTime; ++next_gate_) {
@@ -174,7 +174,7 @@ class Playback {
     return off <= gate.joints_within && (gate.contact & ~input_.contact) == 0;
   }
 
-  /// @return when it ended.
+  /// @return the end time.
   double FollowPlan() {
     const long steps = std::lround((plan_.duration_s() + options_.hold_s) / step_s_);
     fall_.Start(log_.start_s);
@@ -210,7 +210,7 @@ class Playback {
     return true;
   }
 
-  /// The log says why, and has one sample at the least: the last state that was one. @return false
+  /// Logs the reason, and at least one sample: the last valid state. @return false
   bool BreakOff(const char* why) {
     log_.broke_off = why;
     if (!log_.samples.empty()) return false;
@@ -231,9 +231,8 @@ class Playback {
     }
   }
 
-  /// What a controller makes of the state that was logged last, it tells when it is asked the next time. A sample after
-  /// which it makes nothing of it is dropped, unless there is no other. @return whether there is an estimate, or none
-  /// is made
+  /// Adds the controller's estimate to the last logged sample. The controller gives it only in its next update. A
+  /// sample with an invalid estimate is removed, unless it is the only one. @return false if the estimate is invalid
   bool LogEstimate() {
     const BaseEstimate* estimate = controller_.Estimate();
     if (estimate == nullptr) return true;
@@ -287,7 +286,7 @@ class Playback {
 
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options) {
-  if (auto failure = WhyNotPlayed(model, plan, options)) return *failure;
+  if (auto failure = ReasonNotPlayed(model, plan, options)) return *failure;
   return Playback(model, plan, controller, options).Run();
 }
 

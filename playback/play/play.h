@@ -12,7 +12,7 @@
 
 namespace gaitwright {
 
-/// How a plan is played.
+/// Options of a playback.
 struct PlayOptions {
   WorldOptions world;
   double log_rate_hz = 200.0;
@@ -27,11 +27,12 @@ struct PlayOptions {
   bool lock_unmoved = false;
   double fall_height_lowest = 0.4;
 
-  /// Pushes beside the one of the fields above.
+  /// Pushes in addition to the push of the fields above.
   std::vector<TimedPush> more_pushes = {};
   /// Called when a phase of the plan ends (MotionPlan::gates), before the clock goes on; may be empty.
   std::function<void(const GateRecord& phase)> on_phase = {};
-  /// Where the independent joints start off the plan, within their limits, size n [rad] or [m]; empty for nowhere.
+  /// Start positions of the independent joints if different from the plan, within their limits, size n [rad] or [m];
+  /// empty for the plan's.
   VectorX start_joints = VectorX();
 
   OptionFields Fields() {
@@ -76,34 +77,34 @@ struct PlayOptions {
   }
 };
 
-/// Plays a plan in physics: the robot starts in the plan's first state, settles, and the controller is asked once per
-/// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts rotated with the
-/// ground; `start_*` options displace its start, clear of the ground. It then settles without external support.
+/// Plays a plan in physics. The robot starts in the plan's first state and settles; then the controller is called once
+/// per step until the plan's end and a short hold. On an unplanned slope the robot starts rotated with the ground.
+/// `start_*` options displace its start, clear of the ground; it then settles without external support.
 ///
-/// At a gate of the plan the clock stands, nothing is logged, and the controller is asked as at that time, until every
-/// joint is near its place and the gate's feet carry force, or as long as the gate lets it wait.
+/// At a gate of the plan the clock stops, nothing is logged, and the controller is called with this time. The gate ends
+/// when every joint is near its target and the gate's feet carry force, or at its maximum waiting time.
 ///
-/// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, a body that is
-/// no foot stays on the ground for 0.2 s, or its base is below `fall_height_lowest` of the plan's height (each over the
-/// mean height of the feet that stand, the measured ones where they touch). It breaks off at once, while it settles
-/// too, when the state or the command is no longer finite, or the state beyond all bounds (1e6): then the log says so,
-/// and has one sample at the least, which may be before the first interval's end.
+/// Ends 0.3 s after a clear fall: the up axis of the base is tilted by over 1 rad, a body that is not a foot stays on
+/// the ground for 0.2 s, or the base is below `fall_height_lowest` of the plan's height (each above the mean height of
+/// the standing feet, measured where they touch). Breaks off at once, also while the robot settles, if the state or the
+/// command is not finite, or the state exceeds 1e6. Then the log holds the reason and at least one sample, which may be
+/// before the end of the first interval.
 ///
-/// The log has one sample per 1 / log_rate_hz from the plan's start, each at its interval's end. A foot's stance begins
-/// with the first step that carries force, and ends with the first that does not, unless force comes back within 15 ms
-/// (flicker): gaps that short are closed, short touches are kept. Stances at the start begin with the log.
-/// Deterministic: no clock, path or address enters the log.
+/// The log has one sample per 1 / log_rate_hz from the plan's start, each at the end of its interval. A foot's stance
+/// begins with the first step with force, and ends with the first step without force. Gaps of less than 15 ms do not
+/// end a stance; short touches are kept. Stances at the start begin with the log. Deterministic: no clock, path or
+/// address enters the log.
 ///
-/// @return the log; a failure when plan and robot do not belong together, the plan lasts over an hour, or a push would
-/// begin after the end.
+/// @return the log; a failure if plan and robot do not belong together, the plan lasts more than an hour, or a push
+/// would begin after the end.
 /// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, a push on an unknown
 /// link, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
 
-/// Reason for which Play would refuse these arguments, without a playback; nothing if it would accept them. @throws as
-/// Play does.
-std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
+/// Reason for which Play would refuse these arguments, without a playback; nothing if it would accept them.
+/// @throws as Play does.
+std::optional<Failure> ReasonNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
 
 /// Hash of all parts of a plan that affect a playback, which ties a log to its plan: the robot, the ground with its
 /// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. Data

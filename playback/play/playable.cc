@@ -14,13 +14,13 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLongestPlan = 3600.0;   // [s]
-constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
+constexpr double kBumpsBeyondPlan = 2.0;  // ground with bumps beyond the region of the plan [m]
 
 Failure Mismatch(FailureCode code, const std::string& message, const std::string& hint) {
   return {FailureKind::kBadInput, code, "Play", message, {hint}};
 }
 
-/// Why the plan cannot be played by this robot; nothing when it can.
+/// Reason for which this robot cannot play the plan; nothing if it can.
 std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   if (w.size() == 0 || w.step_s <= 0.0) {
@@ -41,7 +41,7 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
     return Mismatch(FailureCode::kPlanOfOtherRobot,
                     fmt::format("the plan was made for robot '{}' ({}), but the given robot is '{}' ({})", plan.robot,
                                 plan.robot_hash, model.name, model.hash),
-                    "play it with the robot in the plan itself, or plan again");
+                    "play it with the robot that the plan contains, or plan again for the given robot");
   }
   try {
     CheckMotion(model, w);
@@ -51,14 +51,14 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
   return std::nullopt;
 }
 
-/// Why a push of the options never comes; nothing when all do, or none is asked for.
+/// Failure for a push that begins after the end; nothing if there is none.
 std::optional<Failure> LatePush(const MotionPlan& plan, const PlayOptions& options) {
   const double end_s = plan.whole_body.end_s() + options.hold_s;
   for (const TimedPush& push : playing::PushesOf(options)) {
     if (push.at_s < end_s) continue;
     return Mismatch(FailureCode::kLatePush,
                     fmt::format("the push begins at {} s, but the playback ends at {:.3f} s", push.at_s, end_s),
-                    "push earlier");
+                    "begin the push earlier (push_at_s)");
   }
   return std::nullopt;
 }
@@ -88,7 +88,7 @@ WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
 
 }  // namespace playing
 
-std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options) {
+std::optional<Failure> ReasonNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options) {
   PlayOptions checked = options;
   CheckOptions(checked.Fields());
   if (auto failure = Misfit(model, plan)) return failure;

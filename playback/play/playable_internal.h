@@ -5,7 +5,7 @@
 
 namespace gaitwright::playing {
 
-/// The world's options with what the plan says: which joints never move, and where it goes.
+/// The world's options, completed from the plan: joints that never move, and the region of the plan.
 WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options);
 
 }  // namespace gaitwright::playing

@@ -8,7 +8,7 @@
 
 namespace gaitwright::playing {
 
-/// Makes stances out of contacts, one step at a time.
+/// Builds stances from contacts, one step at a time.
 class StanceRecorder {
  public:
   StanceRecorder(int num_feet, double weight_n, double step_s, double smoothing_s);
@@ -16,7 +16,7 @@ class StanceRecorder {
   /// @param time_s  at the step's start.
   void Add(double time_s, const std::vector<FootContact>& feet);
 
-  /// All stances, those that still stand ending at `end_s`; sorted by touch-down, then foot.
+  /// All stances, sorted by touch-down, then foot. Stances of feet that still stand end at `end_s`.
   std::vector<StanceRecord> Finish(double end_s);
 
  private:

@@ -23,7 +23,7 @@ SvgPlot TimePlot(const PlotData& data, const std::string& title, const std::stri
   return SvgPlot(options);
 }
 
-/// (time, figure) over the samples; a figure that is not finite leaves a gap.
+/// (time, value) over the samples; a value that is not finite leaves a gap.
 template <class Figure>
 std::vector<Vector2> Over(const std::vector<MotionSample>& samples, Figure figure) {
   std::vector<Vector2> line;
@@ -123,7 +123,7 @@ void DrawExtent(const std::vector<MotionSample>& samples, int axis, SvgPlot& plo
       least = std::fmin(least, corner[axis]);
       most = std::fmax(most, corner[axis]);
     }
-    if (!time.empty() && sample.stance != before) {  // a step, not a slope
+    if (!time.empty() && sample.stance != before) {  // as a step, not as a slope
       time.push_back(sample.time_s);
       lower.push_back(lower.back());
       upper.push_back(upper.back());

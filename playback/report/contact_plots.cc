@@ -31,7 +31,7 @@ Plot GaitDiagram(const PlotData& data) {
   return {"gait", "Scheduled (broad) and measured (narrow) contact of each foot.", plot.Svg()};
 }
 
-/// One small plot for each foot of a figure of its samples.
+/// One small plot per foot of a quantity of its samples.
 template <class Figure>
 std::string FootGrid(const PlotData& data, const std::string& title, const std::string& unit, Ink ink, Figure figure) {
   std::vector<SvgPlot> plots;

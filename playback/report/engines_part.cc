@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// The measured motion of both engines, with the names of these.
+/// The measured motions of both engines, with the engines' names.
 struct BothMotions {
   std::vector<MotionSample> a, b;
   std::string name_a, name_b;
@@ -44,7 +44,7 @@ SvgPlot::Options TimeAxis(const BothMotions& motions, const std::string& title, 
   return options;
 }
 
-/// The first engine's curve is broad and pale, the second's thin and dark on top.
+/// The first engine's curve is broad and pale; the second's is thin and dark, drawn on top.
 template <class Figure>
 void DrawBoth(const BothMotions& motions, Figure figure, Ink ink, SvgPlot& plot) {
   const auto line = [&](const std::vector<MotionSample>& samples) {
@@ -117,7 +117,7 @@ std::string DifferenceTable(const Agreement& agreement) {
   std::string html =
       "<details><summary>Differences by quantity</summary><table id=\"engine_differences\"><thead><tr><th>quantity</th>"
       "<th class=\"n\">rms</th><th class=\"n\">largest</th><th class=\"n\">at</th><th class=\"n\">tolerance</th><th "
-      "class=\"n\">parts at</th></tr></thead><tbody>\n";
+      "class=\"n\">first differs at</th></tr></thead><tbody>\n";
   for (const QuantityAgreement& one : agreement.quantities) {
     html += fmt::format(
         "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2f} s</td><td "

@@ -7,9 +7,9 @@
 
 namespace gaitwright {
 
-/// The part of a report page about two engines: the verdict of each, where they part first, the differences by
-/// quantity, and curves of both over each other.
-/// @throws InvalidArgument as of MakeMotionSeries.
+/// The part of a report page about two engines: the verdict of each, where they differ first, the differences by
+/// quantity, and curves of both engines in the same plots.
+/// @throws InvalidArgument as MakeMotionSeries does.
 std::string EnginesPart(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                         const StabilityReport& report, const SecondVerdict& second);
 

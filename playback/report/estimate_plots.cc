@@ -28,7 +28,7 @@ SvgPlot ErrorPlot(const PlotData& data, const std::string& title, const std::str
     const LogSample& sample = data.log.samples[k];
     if (sample.estimate) line.emplace_back(sample.time_s, value(ErrorOf(sample)));
   }
-  plot.Line(line, Ink::kCom, Stroke::kMeasured, "estimate less truth");
+  plot.Line(line, Ink::kCom, Stroke::kMeasured, "estimate minus truth");
   MarkTimes(data, plot, false);
   return plot;
 }

@@ -20,7 +20,7 @@ struct Window {
   double from_s = 0.0, to_s = 0.0, cycle_s = 1.0;
 };
 
-/// From the first step, or where it is asked for, so many cycles of the gait that is in force there.
+/// The time window of a number of cycles, from the first step or the requested time, of the gait at its start.
 Window WindowOf(const MotionPlan& plan, const GaitFigureOptions& options) {
   if (options.cycles < 1 || options.cycles > kMostCycles) {
     throw InvalidArgument(

@@ -9,15 +9,16 @@
 
 namespace gaitwright {
 
-/// What the figure shows of a motion.
+/// Contents of the figure.
 struct GaitFigureOptions {
-  int cycles = 10;       ///< of the gait at its start, 1 to 1000
-  double from_s = -1e9;  ///< on the plan's clock; earlier than the first step means from that
+  int cycles = 10;       ///< number of cycles of the gait at its start, 1 to 1000
+  double from_s = -1e9;  ///< on the plan's clock; a time before the first step means the first step
 };
 
-/// The gait of a motion as a figure for print, one `<svg>` with StandaloneSvg's head: from above the support polygons,
-/// ZMP and centre of mass, to scale; below it both over time, along x and y, with the extent of the support.
-/// @param log  of the plan; null draws the plan alone.
+/// The gait of a motion as a figure for print, one `<svg>` with StandaloneSvg's head. Top: plan view of support
+/// polygons, ZMP and centre of mass, to scale. Below: ZMP and centre of mass over time, along x and y, with the extent
+/// of the support.
+/// @param log  of the plan; null draws only the plan.
 /// @throws InvalidArgument as MakeMotionSeries does, for options out of range, and if no sample is in the window.
 std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const PlaybackLog* log,
                        const GaitFigureOptions& options = {});

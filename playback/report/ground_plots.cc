@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// What is worth showing of the ground: about the footholds, the way of the body and the goal.
+/// Window of the ground to show: footholds, path of the body and goal.
 Eigen::AlignedBox2d ShownWindow(const PlotData& data) {
   Eigen::AlignedBox2d window(Vector2(data.plan.goal.x_m, data.plan.goal.y_m));
   for (const Foothold& foothold : data.plan.footsteps.footholds)
@@ -35,7 +35,7 @@ std::vector<Vector2> AlongX(const std::vector<MotionSample>& samples, std::size_
   return line;
 }
 
-/// The ground below a path in plan view; NaN where there is none.
+/// Ground height below a path in plan view; NaN without ground.
 std::vector<Vector2> GroundBelow(const Terrain& terrain, const std::vector<Vector2>& path) {
   std::vector<Vector2> profile;
   for (const Vector2& p : path) {
@@ -45,7 +45,7 @@ std::vector<Vector2> GroundBelow(const Terrain& terrain, const std::vector<Vecto
   return profile;
 }
 
-/// A straight line ahead through the middle of the way, a centimetre a point.
+/// A straight line along x through the middle of the path, with one point per centimetre.
 std::vector<Vector2> LineAhead(const Eigen::AlignedBox2d& window) {
   constexpr double kStep = 0.01;
   std::vector<Vector2> line;

@@ -15,7 +15,7 @@ namespace gaitwright {
 namespace {
 
 constexpr int kColumns = 3;
-constexpr double kMoves = 1e-3;  // a joint outside of the legs that moves less than this is left out [rad] or [m]
+constexpr double kMoves = 1e-3;  // smaller motion of a joint outside the legs is not shown [rad] or [m]
 
 bool InALeg(const RobotModel& model, int dof) {
   const int joint = model.dof_joint[static_cast<std::size_t>(dof)];
@@ -24,7 +24,7 @@ bool InALeg(const RobotModel& model, int dof) {
   });
 }
 
-/// The joints that take part: those of legs, and others that the plan moves.
+/// The joints to show: those of legs, and others that the plan moves.
 std::vector<int> ShownDofs(const PlotData& data) {
   std::vector<int> shown;
   for (int i = 0; i < data.model.num_dofs(); ++i) {
@@ -52,7 +52,7 @@ SvgPlot::Options SmallPlot(const PlotData& data, int dof, bool last_row) {
   return options;
 }
 
-/// Largest torque of the motor of an index in the part that is shown, over its limit [%].
+/// Largest torque of a motor in the time shown, relative to its limit [%].
 struct Use {
   double planned = 0.0, measured = 0.0;
 };
@@ -69,14 +69,14 @@ Use UseOf(const PlotData& data, int index) {
   return {scale * use.planned, scale * use.measured};
 }
 
-/// The limit of a joint's torque that does not depend on other joints; nothing for one that a transmission drives.
+/// The torque limit of a joint that is independent of other joints; nothing for a joint that a transmission drives.
 std::optional<double> OwnTorqueLimit(const RobotModel& model, int dof) {
   const Actuator motor = ActuatorOf(model, dof);
   if (motor.shared() || !HasTorqueLimit(motor)) return std::nullopt;
   return motor.effort_limit;
 }
 
-/// All limits at a glance: one bar a motor, the robot's limit being 100 %.
+/// Overview of all torque limits: one bar per motor, relative to the robot's limit.
 std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& shown) {
   constexpr double kRowHeight = 21.0, kAround = 76.0;  // [px]
   std::vector<int> limited;
@@ -84,7 +84,7 @@ std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& sh
                [&](int dof) { return HasTorqueLimit(ActuatorOf(data.model, dof)); });
   if (limited.empty()) return {};
   SvgPlot::Options options;
-  options.title = "Largest torques against their limits";
+  options.title = "Largest torques relative to their limits";
   options.x_label = "largest torque, share of the robot's limit [%]";
   options.x_lowest = 0.0;
   options.x_highest = 105.0;
@@ -131,7 +131,7 @@ SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
 }
 
 SvgPlot PositionPlot(const PlotData& data, SvgPlot::Options options, int dof) {
-  options.y_label = Slides(data.model, dof) ? "way [m]" : "angle [rad]";
+  options.y_label = Slides(data.model, dof) ? "position [m]" : "angle [rad]";
   options.y_least_span = 0.02;
   SvgPlot plot(options);
   std::vector<Vector2> planned, measured;

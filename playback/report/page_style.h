@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// The style sheet of the report's page, without that of its plots.
+/// The style sheet of the report's page, without the style of its plots.
 std::string PageStyle();
 
 }  // namespace gaitwright

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// The beginning of a picture of that size.
+/// The first line of a picture of that size.
 std::string Head(double width_px, double height_px, const std::string& title) {
   return fmt::format(
       "<svg class=\"gw\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "

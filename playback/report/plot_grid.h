@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// Many small plots in a grid, as one `<svg>`; all have the size of the first, whose legend stands beside the title.
+/// Many small plots in a grid, as one `<svg>`; all have the size of the first, whose legend is beside the title.
 std::string GridOfPlots(const std::vector<SvgPlot>& plots, int columns, const std::string& title);
 
 /// Plots of one width below each other, each with its own height and legend, as one `<svg>`.

@@ -5,9 +5,9 @@
 
 namespace gaitwright {
 
-/// Meanings of colours, on light and on dark screens. Hues are after Okabe and Ito (https://jfly.uni-koeln.de/color/);
-/// their lightness is such that any two of them are at least 18 apart in CIELAB for people without red or green cones
-/// too (Machado, Oliveira and Fernandes 2009, doi:10.1109/TVCG.2009.113).
+/// Meanings of colours, on light and on dark screens. Hues are after Okabe and Ito (https://jfly.uni-koeln.de/color/).
+/// Lightness is chosen so that any two colours differ by at least 18 in CIELAB, also for people without red or green
+/// cones (Machado, Oliveira and Fernandes 2009, doi:10.1109/TVCG.2009.113).
 enum class Ink { kZmp, kCom, kDcm, kFoot, kJoint, kLimit, kSupport, kBad, kMuted };
 
 /// Line styles: planned values are broad and pale, measured values thin and dark on top.

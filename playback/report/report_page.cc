@@ -19,7 +19,7 @@
 namespace gaitwright {
 namespace {
 
-/// A headline figure: its key and what people call it.
+/// A headline metric: its key and its title.
 struct Headline {
   const char* key;
   const char* words;
@@ -35,7 +35,7 @@ constexpr Headline kHeadlines[] = {
     {"contact_timing_error_max_s", "largest contact timing error"},
 };
 
-/// Heading of a part of the table, by the first key of it.
+/// Heading of a group in the table, identified by its first key.
 struct Group {
   const char* first_key;
   const char* title;
@@ -44,7 +44,7 @@ struct Group {
 constexpr Group kGroups[] = {
     {"fell", "Progress"}, {"zmp_margin_min_m", "Balance"}, {"slip_total_m", "Contact"}, {"torque_use_max", "Joints"}};
 
-/// The limit with the signs of print.
+/// The limit with typographic signs.
 std::string PrintedLimit(const Metric& metric) {
   std::string text = LimitText(metric);
   if (text.rfind("<=", 0) == 0) text.replace(0, 2, "\u2264");
@@ -84,7 +84,7 @@ std::string Cards(const StabilityReport& report) {
   return html + "</div>\n";
 }
 
-/// What a page is about.
+/// Data of a page.
 struct Subject {
   const RobotModel& model;
   const MotionPlan& plan;
@@ -95,7 +95,7 @@ struct Subject {
   bool pass() const { return report.pass && (!words.second || words.second->report.pass) && words.objection.empty(); }
 };
 
-/// "in Bullet, REASON; in MuJoCo, REASON" where two engines have different ones.
+/// "in Bullet, REASON; in MuJoCo, REASON" if the reasons of two engines differ.
 std::string PhysicsReason(const Subject& about) {
   const auto& second = about.words.second;
   if (!second || second->report.reason == about.report.reason) return about.report.reason;
@@ -152,7 +152,7 @@ std::string TableRow(const MetricRule& rule, const Metric& metric, const Metric*
 }
 
 std::string MetricTable(const StabilityReport& report, const std::optional<SecondVerdict>& second) {
-  std::string html = "<h2>All figures</h2>\n<div class=\"scroll\"><table><thead><tr><th>metric</th><th class=\"n\">";
+  std::string html = "<h2>All metrics</h2>\n<div class=\"scroll\"><table><thead><tr><th>metric</th><th class=\"n\">";
   html += second ? fmt::format("{}</th><th class=\"n\">{}", EscapedXml(EngineTitle(second->agreement.name_a)),
                                EscapedXml(EngineTitle(second->agreement.name_b)))
                  : "measured";
@@ -167,11 +167,10 @@ std::string MetricTable(const StabilityReport& report, const std::optional<Secon
     html += TableRow(rule, report.At(rule.key), second ? &second->report.At(rule.key) : nullptr);
   }
   return html +
-         "</tbody></table></div>\n<p class=\"soft\">The score is 50 for keeping every gate and up to 50 for the "
-         "quality of "
-         "all figures; after a fall it is at most 25, by how long it stood. It never rises when a figure gets worse, "
-         "and "
-         "compares runs of the same robot, terrain and command only.</p>\n";
+         "</tbody></table></div>\n<p class=\"soft\">The score has 50 points for passing every gate and up to 50 points "
+         "for the quality of all metrics. After a fall it is at most 25, in proportion to the time before the fall. "
+         "It never increases when a metric gets worse. Compare scores only for the same robot, terrain and "
+         "command.</p>\n";
 }
 
 std::string Figures(const std::vector<Plot>& plots) {
@@ -201,9 +200,9 @@ std::string OptionTable(const std::string& title, const std::vector<std::pair<st
 }
 
 std::string ChangeTable(const std::vector<OptionChange>& changes) {
-  if (changes.empty()) return "<p>Every option was at its usual value.</p>\n";
+  if (changes.empty()) return "<p>Every option had its default value.</p>\n";
   std::string html =
-      "<div class=\"scroll\"><table id=\"changed_options\"><thead><tr><th>option</th><th>value</th><th>usual "
+      "<div class=\"scroll\"><table id=\"changed_options\"><thead><tr><th>option</th><th>value</th><th>default "
       "value</th></tr></thead><tbody>\n";
   for (const OptionChange& change : changes) {
     html +=
@@ -214,7 +213,7 @@ std::string ChangeTable(const std::vector<OptionChange>& changes) {
 }
 
 std::string Origin(const MotionPlan& plan, const PlaybackLog& log, const std::vector<OptionChange>& changes) {
-  std::string html = "<h2>What made it</h2>\n";
+  std::string html = "<h2>Provenance</h2>\n";
   html += fmt::format("<p class=\"soft\">Plan by {} {} with seed {}; played by {}; robot {}; plan {}.</p>\n",
                       EscapedXml(plan.provenance.made_by), EscapedXml(plan.provenance.program_version),
                       plan.provenance.seed, EscapedXml(log.program_version), EscapedXml(log.robot_hash),

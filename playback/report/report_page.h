@@ -21,20 +21,19 @@ struct SecondVerdict {
 
 /// Data of a report that is not in the log.
 struct ReportWords {
-  std::vector<std::string> audit_lines;       ///< plain sentences of the plan's audit; none hides the section
-  std::vector<OptionChange> changed_options;  ///< of plan and playback, beside their usual values
-  std::string objection;    ///< reason of a fail independent of physics, such as a failed audit; empty for none
-  std::string viewer = {};  ///< the motion in 3D, as ViewerPart has it; empty for none
-  std::optional<SecondVerdict> second = {};  ///< set beside the first: its verdict, metrics and curves
+  std::vector<std::string> audit_lines;  ///< plain sentences of the plan's audit; without any the section is hidden
+  std::vector<OptionChange> changed_options;  ///< of plan and playback, with their default values
+  std::string objection;    ///< reason of a fail independent of physics, such as a failed audit; else empty
+  std::string viewer = {};  ///< the motion in 3D, as returned by ViewerPart; else empty
+  std::optional<SecondVerdict> second = {};  ///< its verdict, metrics and curves are shown beside the first
 };
 
 /// Title of a page about a motion: "a1: trot on flat ground".
 std::string TitleOf(const RobotModel& model, const MotionPlan& plan);
 
-/// The report of a playback as a single HTML page: verdict, figures, plots, the audit's words, and what made it. The
-/// verdict is a pass if all playbacks pass.
-/// Self-contained: no network, and no script except the viewer's; light or dark by the reader's setting. Well-formed
-/// XML.
+/// The report of a playback as a single HTML page: verdict, metrics, plots, the audit's sentences, and provenance. The
+/// verdict is a pass if all playbacks pass. Self-contained: no network, and no script except the viewer's. Light or
+/// dark by the reader's setting. Well-formed XML.
 /// @throws InvalidArgument as Score does.
 std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                        const StabilityReport& report, const ReportWords& words = {});

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSwatch = 46.0;            // a sample and the gaps around it [px]
+constexpr double kSwatch = 46.0;            // a sample symbol and the gaps around it [px]
 constexpr double kLegendCharacter = 6.3;    // [px]
 constexpr double kLegendLineHeight = 17.0;  // [px]
 
@@ -33,7 +33,7 @@ int SvgPlot::LegendLines(double available_px) const {
   return static_cast<int>(std::ceil(LegendWidth() / available_px));
 }
 
-/// Draws a shape of the plot itself into a box of the legend.
+/// Draws a shape of the plot into a box of the legend.
 std::string SvgPlot::DrawEntry(const LegendEntry& entry, double x, double y) const {
   Frame box{0.0, 0.0, x, y - 5.0, x + 24.0, y + 5.0, Vector2::Zero(), Vector2::Ones(), 0};
   Shape sample = entry.shape;

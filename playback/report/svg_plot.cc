@@ -44,7 +44,7 @@ double WidestOf(const std::vector<std::string>& texts) {
   return kCharacter * static_cast<double>(widest);
 }
 
-/// Room around data that are all alike, but for rounding, and a little at the ends.
+/// Widens a range: by a fixed amount if all data are equal up to rounding, otherwise by a share of the range.
 void Widen(double& lowest, double& highest, double share) {
   if (!(lowest <= highest)) lowest = 0.0, highest = 1.0;
   const double span = highest - lowest;
@@ -54,7 +54,7 @@ void Widen(double& lowest, double& highest, double share) {
   highest += room;
 }
 
-/// Whether so many points that are finite follow each other.
+/// Whether `length` finite points follow each other.
 bool HasRun(const std::vector<Vector2>& points, int length) {
   int run = 0;
   return std::any_of(points.begin(), points.end(),
@@ -173,7 +173,7 @@ SvgPlot::Frame SvgPlot::MakeFrame() const {
   frame.lowest = {options_.x_lowest.value_or(frame.lowest.x()), options_.y_lowest.value_or(frame.lowest.y())};
   frame.highest = {options_.x_highest.value_or(frame.highest.x()), options_.y_highest.value_or(frame.highest.y())};
   if (!options_.rows.empty()) {
-    frame.lowest.y() = static_cast<double>(options_.rows.size()) - 0.4;  // downwards
+    frame.lowest.y() = static_cast<double>(options_.rows.size()) - 0.4;  // downward
     frame.highest.y() = -0.6;
   }
   const double title = options_.title.empty() ? 0.0 : kLineHeight + 3.0;
@@ -297,7 +297,7 @@ std::string SvgPlot::Draw(const Shape& shape, const Frame& f) const {
   return fmt::format("<path d=\"{}Z\" class=\"{} {}\"/>", PathOf(outline), ink, css);
 }
 
-/// Lines across end at the axes; a mark over an edge of them is whole where its middle is within.
+/// Whether a mark at the edge of the axes is drawn whole: if its middle is within. Lines across end at the axes.
 bool SvgPlot::IsUncut(const Shape& shape, const Frame& f) {
   using Kind = Shape::Kind;
   if (shape.kind == Kind::kAcrossX || shape.kind == Kind::kAcrossY) return true;
@@ -319,7 +319,7 @@ std::string SvgPlot::Svg(const Vector2& at) const {
       "role=\"img\">",
       frame.width, frame.height, at.x(), at.y());
   svg += fmt::format("<title>{}</title>{}", EscapedXml(options_.title), Axes(frame));
-  // A nested svg clips what leaves the axes; its viewBox keeps the same coordinates.
+  // A nested svg clips what is outside the axes; its viewBox keeps the same coordinates.
   svg += fmt::format(
       "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} {2:.1f} "
       "{3:.1f}\">{4}</svg>",

@@ -17,7 +17,7 @@ double DistanceToSegment(const Vector2& p, const Vector2& a, const Vector2& b) {
   return (p - (a + t * ab)).norm();
 }
 
-/// Which points Douglas and Peucker keep.
+/// The points that the Douglas-Peucker algorithm keeps.
 std::vector<bool> Kept(const std::vector<Vector2>& points, double tolerance) {
   std::vector<bool> kept(points.size(), false);
   kept.front() = kept.back() = true;
@@ -44,7 +44,7 @@ std::vector<bool> Kept(const std::vector<Vector2>& points, double tolerance) {
 std::vector<double> RoundTicks(double lowest, double highest, int count) {
   if (!std::isfinite(lowest) || !std::isfinite(highest) || !(lowest < highest)) return {};
   const double raw = (highest - lowest) / std::max(count, 1);
-  constexpr double kRounding = 1e-12;  // steps that are smaller cannot be counted
+  constexpr double kRounding = 1e-12;  // smaller steps are only rounding
   if (!(raw > kRounding * std::max({std::abs(lowest), std::abs(highest), 1e-200})) || !std::isfinite(raw)) return {};
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   const double lead = raw / power;

@@ -16,7 +16,8 @@ std::vector<Vector2> Outline(const Foot& foot, const Pose& X_WF) {
   return outline;
 }
 
-/// A phase in which more feet stand than in the one before or after only joins the two; its support would hide theirs.
+/// Whether a phase only connects the phases before and after, with more feet on the ground than in one of them. Its
+/// support would hide theirs.
 bool OnlyJoins(const ContactSchedule& schedule, std::size_t i) {
   if (i == 0 || i + 1 == schedule.phases.size()) return false;
   const FootSet now = schedule.phases[i].stance, before = schedule.phases[i - 1].stance;
@@ -38,7 +39,7 @@ void DrawFootholds(const PlotData& data, SvgPlot& plot) {
   }
 }
 
-/// Where the feet came down, as measured: their outline at the first sample in the stance.
+/// Places of the feet at touch-down, as measured: their outline at the first sample in the stance.
 void DrawLandings(const PlotData& data, SvgPlot& plot) {
   DynamicsScratch scratch(data.model);
   const auto& samples = data.series.measured;

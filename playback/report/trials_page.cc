@@ -70,10 +70,11 @@ std::string SensitivityTable(const RobustnessReport& report) {
                "<th>quantity</th><th>falls if</th><th class=\"n\">effect</th><th class=\"n\">p</th><th class=\"n\">log "
                "odds</th><th class=\"n\">median, fell</th><th class=\"n\">median, survived</th>",
                rows) +
-         (rows.empty() ? ""
-                       : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 where every fall has more (or "
-                         "less) of it than every survival; p is that of Mann and Whitney's test; log odds are those of "
-                         "a fall per standard deviation, all figures together.</p>\n");
+         (rows.empty()
+              ? ""
+              : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 where every fall has more (or "
+                "less) of it than every survival; p is that of Mann and Whitney's test; log odds are the change "
+                "per standard deviation, from a regression on all quantities together.</p>\n");
 }
 
 std::string WorstTable(const RobustnessReport& report) {
@@ -105,7 +106,7 @@ std::string MetricTable(const RobustnessReport& report) {
                rows);
 }
 
-/// What was tried, named as a preflight names it.
+/// The subject of the trials, in the words of a preflight.
 std::string SubjectLine(const TrialSubject& subject) {
   return fmt::format(
       "<p class=\"soft\">Robot {}, robot hash {}; plan hash {}, that of its logs {}; controller {}; seed {}.</p>\n",

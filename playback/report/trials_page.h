@@ -9,13 +9,13 @@
 
 namespace gaitwright {
 
-/// Plots of a run of trials: pushes (polar, where anything pushes), survival_by_cause (over what falls go with most,
-/// where any robot fell), gates (spread of what has a limit), scores (sorted).
+/// Plots of a run of trials: pushes (polar, if anything pushes), survival_by_cause (over the strongest correlate of
+/// falling, if any robot fell), gates (distribution of the metrics with limits), scores (sorted).
 std::vector<Plot> TrialPlots(const RobustnessReport& report);
 
-/// The report of a run of trials as a single HTML page, in the manner of ReportPage: survival with its interval, plots,
-/// causes, the ranking of disturbances, metrics, the worst trials and how to repeat each. Whole by itself; well-formed
-/// XML; the same report gives the same bytes.
+/// The report of a run of trials as a single HTML page, like ReportPage: survival with its interval, plots, causes, the
+/// ranking of disturbances, metrics, the worst trials and how to repeat each. Self-contained; well-formed XML;
+/// deterministic to the byte.
 std::string TrialsPage(const RobustnessReport& report);
 
 }  // namespace gaitwright

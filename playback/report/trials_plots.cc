@@ -14,15 +14,15 @@ namespace {
 
 using Fate = PushRecord::Outcome;
 
-constexpr std::size_t kLeastOfGroup = 10, kMostGroups = 8;  // of trials whose survival is drawn
+constexpr std::size_t kLeastOfGroup = 10, kMostGroups = 8;  // of trials whose survival rate is drawn
 
-/// Where a push is drawn: ahead is up, left is left.
+/// Place of a push in the plot: forward is up, left is left.
 Vector2 PlaceOf(double direction_deg, double size_n) {
   const double angle = direction_deg * std::numbers::pi / 180.0;
   return {-size_n * std::sin(angle), size_n * std::cos(angle)};
 }
 
-/// One straight up or down is in the middle.
+/// A vertical push is in the middle.
 Vector2 PlaceOf(const PushRecord& push) {
   const std::optional<double> direction = push.direction_deg();
   return direction ? PlaceOf(*direction, push.size_n()) : Vector2(0.0, 0.0);
@@ -34,7 +34,7 @@ std::vector<Vector2> Ring(double radius) {
   return points;
 }
 
-/// The bins' sizes as a closed way of arcs; gaps where a bin has none.
+/// The sizes of the bins as a closed path of arcs; with gaps at empty bins.
 std::vector<Vector2> Border(const std::vector<PushBin>& bins, std::optional<double> PushBin::*size) {
   std::vector<Vector2> points;
   const double half = 180.0 / static_cast<double>(bins.size());
@@ -75,7 +75,7 @@ Plot PolarPlot(const RobustnessReport& report) {
       plot.Svg()};
 }
 
-/// A figure of each trial with whether it survived, by the figure.
+/// Values of a quantity in all trials and whether the robot survived, sorted by value.
 using Outcomes = std::vector<std::pair<double, bool>>;
 
 Outcomes SortedBy(const RobustnessReport& report, const std::string& name) {
@@ -132,7 +132,7 @@ Plot SurvivalOver(const RobustnessReport& report, const Sensitivity& cause) {
           plot.Svg()};
 }
 
-/// Gates that a share of their limit means something for: limits over zero, and at most.
+/// Only gates whose values can be shown as a share of the limit: upper limits above zero.
 Plot GatesPlot(const RobustnessReport& report) {
   std::vector<const MetricSpread*> shown;
   SvgPlot::Options options;

@@ -18,9 +18,9 @@ constexpr double kForceShare = 0.15;  // of the weight
 constexpr double kMean_s = 0.05;
 constexpr double kZmpShare = 0.1, kPositionShare = 0.03, kSlipShare = 0.02, kDepthShare = 0.0006;  // of the leg length
 constexpr double kAngle_rad = 0.03;
-constexpr double kLoaded = 0.5;  // of the weight: where a ZMP counts
+constexpr double kLoaded = 0.5;  // of the weight: ZMPs count only above it
 
-/// A quantity of one playback at its samples; not a number where there is none.
+/// A quantity of one playback at its samples; NaN where it has no value.
 struct TimedValues {
   std::vector<double> time_s, value;
 };
@@ -36,7 +36,7 @@ TimedValues ValuesOf(const std::vector<MotionSample>& samples, const Figure& fig
   return values;
 }
 
-/// Means over a window about each sample; not a number where the window passes an end.
+/// Means over a window around each sample; NaN where the window extends beyond an end.
 TimedValues Smoothed(const TimedValues& rough, double window_s) {
   TimedValues smooth = rough;
   const double half_s = 0.5 * window_s;
@@ -52,7 +52,7 @@ TimedValues Smoothed(const TimedValues& rough, double window_s) {
   return smooth;
 }
 
-/// Sum over time, by the values at the ends of the intervals.
+/// Integral over time, from the values at the ends of the intervals.
 TimedValues Integrated(const TimedValues& rate) {
   TimedValues sum = rate;
   double total = 0.0;
@@ -63,14 +63,14 @@ TimedValues Integrated(const TimedValues& rate) {
   return sum;
 }
 
-/// Without jumps of 2 pi.
+/// Removes jumps of 2 pi.
 TimedValues Unwrapped(TimedValues angle) {
   for (std::size_t k = 1; k < angle.value.size(); ++k)
     angle.value[k] = angle.value[k - 1] + std::remainder(angle.value[k] - angle.value[k - 1], 2.0 * M_PI);
   return angle;
 }
 
-/// The value at a time within the samples, between the nearest two. @param from  a sample at or before it; moved on.
+/// Value at a time within the samples, interpolated. @param from  a sample at or before the time; moved forward.
 double At(const TimedValues& values, double time_s, std::size_t& from) {
   while (from + 1 < values.time_s.size() && values.time_s[from + 1] <= time_s) ++from;
   if (from + 1 == values.time_s.size() || values.time_s[from] >= time_s) return values.value[from];
@@ -123,7 +123,7 @@ std::vector<Quantity> QuantitiesOf(const RobotModel& model) {
   return list;
 }
 
-/// Nothing where there is no time at which both have a value.
+/// Nothing if there is no time at which both have a value.
 std::optional<QuantityAgreement> Compared(const Quantity& quantity, const TimedValues& a, const TimedValues& b,
                                           const Agreement& shared) {
   QuantityAgreement result;
@@ -160,7 +160,7 @@ std::string ValueText(double value, const std::string& unit) {
   return unit == "N" ? fmt::format("{:.0f} N", value) : fmt::format("{:.3f} {}", value, unit);
 }
 
-/// The largest difference of the quantities whose name begins so, without angles; null if there are none.
+/// The quantity with the largest difference among those whose name begins with `begins`, without angles; null if none.
 const QuantityAgreement* Largest(const Agreement& agreement, const std::string& begins) {
   const QuantityAgreement* most = nullptr;
   for (const QuantityAgreement& quantity : agreement.quantities) {
@@ -221,9 +221,9 @@ Agreement AgreementOf(const RobotModel& model, const MotionPlan& plan, const Pla
 
 std::string AgreementText(const Agreement& agreement) {
   const std::string a = EngineTitle(agreement.name_a), b = EngineTitle(agreement.name_b);
-  if (agreement.quantities.empty()) return fmt::format("{} and {} have no time in common", a, b);
+  if (agreement.quantities.empty()) return fmt::format("{} and {} have no common time range", a, b);
   if (const QuantityAgreement* first = agreement.first()) {
-    return fmt::format("{} and {} part first in the {} at {:.2f} s: {} and {}, tolerance {}", a, b, first->quantity,
+    return fmt::format("{} and {} first differ in the {} at {:.2f} s: {} and {}, tolerance {}", a, b, first->quantity,
                        *first->parts_s, ValueText(first->a, first->unit), ValueText(first->b, first->unit),
                        ValueText(first->tolerance, first->unit));
   }

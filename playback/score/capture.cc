@@ -17,14 +17,14 @@ double HipHeight(const RobotModel& model, const DynamicsScratch& scratch, const 
   return highest;
 }
 
-/// The last part of a plan that walks; null for none.
+/// The last part of a plan with a gait; null if there is none.
 const MotionPart* LastGait(const std::vector<MotionPart>& parts) {
   const auto walks = [](const MotionPart& part) { return !StandsStill(part.gait); };
   const auto last = std::find_if(parts.rbegin(), parts.rend(), walks);
   return last == parts.rend() ? nullptr : &*last;
 }
 
-/// Whether some foot comes down where phase i >= 1 begins.
+/// Whether any foot touches down at the start of phase i >= 1.
 bool BringsDown(const ContactSchedule& schedule, std::size_t i) {
   return (schedule.phases[i].stance & ~schedule.phases[i - 1].stance) != 0;
 }
@@ -91,7 +91,7 @@ std::optional<double> CaptureMargin(const RobotModel& model, const DynamicsScrat
   for (const CaptureStage& stage : stages) {
     const double after = still * std::exp(-sample.omega_rad_s * stage.duration_s);
     const Polygon support = SupportOf(model, scratch, terrain, stage.stance).polygon;
-    if (support.empty()) continue;  // in flight nothing pushes the DCM
+    if (support.empty()) continue;  // in flight the DCM cannot be controlled
     set = Plus(set, still - after, support);
     last = support;
     still = after;

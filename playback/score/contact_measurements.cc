@@ -13,7 +13,7 @@ const char* const kNoSwing = "no foot swings between two stances";
 
 int NumFeet(const ScoreInputs& in) { return static_cast<int>(in.model.feet.size()); }
 
-/// The largest of a figure over the stances before the fall.
+/// The largest of a quantity over the stances before the fall.
 template <class Figure>
 Measurement LargestStance(const ScoreInputs& in, const std::string& key, Figure figure) {
   Extreme largest(Extreme::Kind::kLargest);
@@ -30,7 +30,7 @@ Measurement TotalSlip(const ScoreInputs& in) {
   return {"slip_total_m", total, {}, {}, ""};
 }
 
-/// Lowest height of a sole over the ground in the middle half of the swings.
+/// Lowest height of a sole above the ground in the middle half of the swings.
 Extreme Clearance(const ScoreInputs& in, const std::vector<MotionSample>& samples) {
   Extreme lowest(Extreme::Kind::kSmallest);
   for (const ScheduledSwing& swing : SwingsOf(in.plan.schedule, NumFeet(in))) {
@@ -63,7 +63,7 @@ Measurement TimingRow(const ScoreInputs& in) {
                       "no foot touches down or lifts off");
 }
 
-/// Tangential over mu times normal force of the plan's own contact forces.
+/// Tangential force over mu times normal force, for the plan's own contact forces.
 Extreme PlannedFrictionUse(const ScoreInputs& in) {
   Extreme largest(Extreme::Kind::kLargest);
   const double least = in.options.min_normal_fraction * in.model.weight_n();

@@ -5,10 +5,10 @@
 
 namespace gaitwright {
 
-/// Smallest rise of the centre of mass on its way over an edge of the support [m]; negative when it is beyond an edge,
-/// and minus the rise over the line itself when the support has no area. With R the distance of C from the edge, psi
-/// the edge's inclination: rise = R cos(psi) - (height of C over the edge). Normalised energy stability margin: Messuri
-/// and Klein, IEEE J. Robotics and Automation 1(3) 1985; Hirose et al., 2001. @pre a support.
+/// Smallest rise of the centre of mass needed to tip over an edge of the support [m]. Negative if it is beyond an edge.
+/// For a support without area, minus the rise over the line. With R the distance of C from the edge and psi the edge's
+/// inclination: rise = R cos(psi) - (height of C above the edge). Normalised energy stability margin: Messuri and
+/// Klein, IEEE J. Robotics and Automation 1(3) 1985; Hirose et al., 2001. @pre a support.
 double EnergyMargin(const MotionSample& sample);
 
 }  // namespace gaitwright

@@ -11,7 +11,7 @@ namespace gaitwright {
 
 using Event = std::optional<FailureEvent>;
 
-inline constexpr double kPersistent = 0.05;  // a state that lasts this long is no transient [s]
+inline constexpr double kPersistent = 0.05;  // a state that lasts this long is not a transient [s]
 
 inline const std::string& FootName(const ScoreInputs& in, int foot) {
   return in.model.feet[static_cast<std::size_t>(foot)].name;
@@ -25,7 +25,7 @@ inline std::string NamesOf(const ScoreInputs& in, FootSet stance) {
   return names;
 }
 
-/// Index of the first sample from which `holds` is true for kPersistent, or to the end if that comes sooner.
+/// Index of the first sample from which `holds` is true for kPersistent, or to the end if the end comes first.
 template <class Holds>
 std::optional<std::size_t> FirstPersistent(const std::vector<MotionSample>& samples, Holds holds) {
   std::optional<std::size_t> start;
@@ -40,20 +40,21 @@ std::optional<std::size_t> FirstPersistent(const std::vector<MotionSample>& samp
   return start;
 }
 
-// What is wrong with the plan itself (plan_faults.cc); each tells when first, and how much at worst before the fall.
+// Faults of the plan itself (plan_faults.cc). Each event gives the time of the first fault and the worst value before
+// the fall.
 
-/// ZMP outside of its support: beyond 2 mm where that has area, 5 mm where it is a line, on which the low-passed ZMP
-/// comes late at each change of support.
+/// ZMP outside its support: beyond 2 mm if the support has area. On a line beyond 5 mm, because the low-passed ZMP lags
+/// at each change of support.
 Event PlanUnstable(const ScoreInputs& in);
 
-/// A joint past its limit of position or torque.
+/// A joint beyond a position or torque limit.
 Event PlanBeyondLimits(const ScoreInputs& in);
 
-/// Contact forces outside of the friction cone of the plan's own ground.
+/// Contact forces outside the friction cone of the plan's own ground.
 Event PlanBeyondFriction(const ScoreInputs& in);
 
-/// Torques or the sum of contact forces other than inverse dynamics has them: by 5 % of m g, or of m g over the leg.
-/// Nothing for a plan without forces.
+/// Torques or the sum of contact forces that differ from inverse dynamics by 5 % of m g, or of m g times the leg
+/// length. Nothing for a plan without forces.
 Event PlanForcesOff(const ScoreInputs& in);
 
 }  // namespace gaitwright

@@ -16,17 +16,17 @@ Vector3 UpInBase(const MotionSample& sample) { return sample.X_WB.linear().trans
 
 double Tilt(const MotionSample& sample) { return AngleBetween(UpInBase(sample), Vector3::UnitZ()); }
 
-/// The ground under the feet that are scheduled to stand, where they are: so ground that the plan does not know, too.
+/// Height of the ground under the feet that are scheduled to stand, at their actual places; includes unplanned ground.
 double GroundUnder(const MotionSample& sample) {
   return sample.p_WC.z() - kGravity / (sample.omega_rad_s * sample.omega_rad_s);
 }
 
-/// Out of which bounds bases are.
+/// Checks base tilt and height against their bounds.
 class Bounds {
  public:
   explicit Bounds(const ScoreOptions& options) : options_(options) {}
 
-  /// The fall that this sample shows, if any; call it for all samples in order.
+  /// The fall that this sample shows, if any; call for all samples in order.
   std::optional<Fall> Passed(const MotionSample& planned, const MotionSample& measured) {
     if (AngleBetween(UpInBase(planned), UpInBase(measured)) > options_.fall_tilt_rad) {
       return Fall{true, measured.time_s, FallKind::kTilted,
@@ -46,8 +46,8 @@ class Bounds {
 
  private:
   const ScoreOptions& options_;
-  /// Than the plan's, where it stood last. In flight the two are over the same ground: at an edge, hardly apart, they
-  /// may be over grounds far apart.
+  /// Height of the measured ground above the planned one at the last stance. In flight both bases are compared above
+  /// the same ground: near an edge, two close positions can have very different ground heights.
   double higher_ground_m_ = 0.0;
 };
 
@@ -55,7 +55,7 @@ void Earlier(const std::optional<Fall>& other, Fall& fall) {
   if (other && !(fall.fell && fall.time_s <= other->time_s)) fall = *other;
 }
 
-/// The log gives the reason as text only.
+/// The log contains the reason as text only.
 FallKind KindOfEnd(const std::string& broke_off) {
   return broke_off.starts_with("the controller") ? FallKind::kControllerStopped : FallKind::kPhysicsStopped;
 }

@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// By what a fall was recognised.
+/// Criterion by which a fall was detected.
 enum class FallKind {
   kNone,               ///< no fall
   kTilted,             ///< tilt of the base out of bounds
@@ -27,10 +27,11 @@ struct Fall {
   std::string what = {};  ///< "the base tilted to 0.71 rad, planned 0.02 rad"
 };
 
-/// The first of: a base tilt that differs from the plan by more than `fall_tilt_rad` (angle between the two up
-/// directions in the base frame, independent of yaw); a base height out of its bounds, measured above the stance feet
-/// or, in flight, above the ground of the take-off; a ground contact of a link that is not a foot; an early end of the
-/// playback, which takes precedence over its last sample; a state that is not finite; a log that ends before the plan.
+/// The first of these events. A base tilt that differs from the plan by more than `fall_tilt_rad` (angle between the
+/// two up directions in the base frame, independent of yaw). A base height out of its bounds, measured above the stance
+/// feet or, in flight, above the ground of the take-off. A ground contact of a link that is not a foot. An early end of
+/// the playback, which takes precedence over its last sample. A state that is not finite. A log that ends before the
+/// plan.
 Fall FindFall(const MotionPlan& plan, const PlaybackLog& log, const MotionSeries& series, const ScoreOptions& options);
 
 }  // namespace gaitwright

@@ -17,9 +17,9 @@ constexpr double kGoalLeast = 0.02;  // [m]
 constexpr auto kLower = Better::kLower;
 constexpr auto kHigher = Better::kHigher;
 
-/// A figure that is told and scored, but fails nothing.
-MetricRule Told(std::string key, std::string unit, Better better, double weight, double scale, bool scales,
-                std::string meaning) {
+/// A metric that is reported and scored, but has no gate.
+MetricRule Reported(std::string key, std::string unit, Better better, double weight, double scale, bool scales,
+                    std::string meaning) {
   MetricRule rule;
   rule.key = std::move(key);
   rule.unit = std::move(unit);
@@ -37,106 +37,113 @@ MetricRule Gated(MetricRule rule, Bound bound, double limit) {
   return rule;
 }
 
-// Columns: key, unit, better, weight in the score, value at quality one half, lengths scale with the leg, meaning.
+// Columns: key, unit, better, weight in the score, value at quality one half, whether lengths scale with the leg,
+// meaning.
 std::vector<MetricRule> ProgressRules() {
   return {
-      Gated(Told("fell", "1", kLower, 0.0, 1.0, false,
-                 "base tilt or height out of bounds relative to the plan, or a body link on the ground"),
+      Gated(Reported("fell", "1", kLower, 0.0, 1.0, false,
+                     "base tilt or height out of bounds relative to the plan, or a body link on the ground"),
             Bound::kAtMost, 0.0),
-      Told("time_to_fall_s", "s", kHigher, 0.0, 1.0, false, "time from the start of the playback to the fall"),
-      Told("distance_m", "m", Better::kNeither, 0.0, 1.0, false,
-           "distance from the base's start to its end, in plan view"),
-      Gated(Told("goal_error_m", "m", kLower, 3.0, 0.03, false, "distance from the base's end to the command's goal"),
-            Bound::kAtMost, kGoalLeast),
-      Gated(Told("heading_error_rad", "rad", kLower, 2.0, 0.05, false,
-                 "difference between the base's yaw at the end and the goal's yaw"),
+      Reported("time_to_fall_s", "s", kHigher, 0.0, 1.0, false, "time from the start of the playback to the fall"),
+      Reported("distance_m", "m", Better::kNeither, 0.0, 1.0, false,
+               "distance from the base's start to its end, in plan view"),
+      Gated(
+          Reported("goal_error_m", "m", kLower, 3.0, 0.03, false, "distance from the base's end to the command's goal"),
+          Bound::kAtMost, kGoalLeast),
+      Gated(Reported("heading_error_rad", "rad", kLower, 2.0, 0.05, false,
+                     "difference between the base's yaw at the end and the goal's yaw"),
             Bound::kAtMost, 0.1),
   };
 }
 
 std::vector<MetricRule> BalanceRules() {
   return {
-      Told("zmp_margin_min_m", "m", kHigher, 1.0, 0.02, true,
-           "smallest distance of the ZMP to the edge of the support"),
-      Gated(Told("zmp_margin_p05_m", "m", kHigher, 3.0, 0.02, true,
-                 "distance of the ZMP to the edge of the support, 5th percentile"),
+      Reported("zmp_margin_min_m", "m", kHigher, 1.0, 0.02, true,
+               "smallest distance of the ZMP to the edge of the support"),
+      Gated(Reported("zmp_margin_p05_m", "m", kHigher, 3.0, 0.02, true,
+                     "distance of the ZMP to the edge of the support, 5th percentile"),
             Bound::kAbove, 0.0),
-      Told("zmp_outside_fraction", "1", kLower, 1.0, 0.1, false, "share of time with the ZMP outside the support"),
-      Told("zmp_error_mean_m", "m", kLower, 2.0, 0.01, true,
-           "distance between measured and planned ZMP in the support's frame, mean"),
-      Told("zmp_error_rms_m", "m", kLower, 1.0, 0.01, true,
-           "distance between measured and planned ZMP in the support's frame, root mean square"),
-      Told("zmp_error_max_m", "m", kLower, 0.5, 0.03, true,
-           "distance between measured and planned ZMP in the support's frame, largest"),
-      Told("dcm_error_mean_m", "m", kLower, 2.0, 0.01, true,
-           "distance between measured and planned DCM in the support's frame, mean"),
-      Told("dcm_error_max_m", "m", kLower, 0.5, 0.03, true,
-           "distance between measured and planned DCM in the support's frame, largest"),
-      Gated(Told("dcm_capture_margin_min_m", "m", kHigher, 3.0, 0.03, true,
-                 "smallest distance of the DCM at touch-down to the edge of the one-step capturable region"),
+      Reported("zmp_outside_fraction", "1", kLower, 1.0, 0.1, false, "share of time with the ZMP outside the support"),
+      Reported("zmp_error_mean_m", "m", kLower, 2.0, 0.01, true,
+               "distance between measured and planned ZMP in the support's frame, mean"),
+      Reported("zmp_error_rms_m", "m", kLower, 1.0, 0.01, true,
+               "distance between measured and planned ZMP in the support's frame, root mean square"),
+      Reported("zmp_error_max_m", "m", kLower, 0.5, 0.03, true,
+               "distance between measured and planned ZMP in the support's frame, largest"),
+      Reported("dcm_error_mean_m", "m", kLower, 2.0, 0.01, true,
+               "distance between measured and planned DCM in the support's frame, mean"),
+      Reported("dcm_error_max_m", "m", kLower, 0.5, 0.03, true,
+               "distance between measured and planned DCM in the support's frame, largest"),
+      Gated(Reported("dcm_capture_margin_min_m", "m", kHigher, 3.0, 0.03, true,
+                     "smallest distance of the DCM at touch-down to the edge of the one-step capturable region"),
             Bound::kAbove, 0.0),
-      Told("static_margin_min_m", "m", kHigher, 0.5, 0.03, true,
-           "smallest distance of the centre of mass, in plan view, to the edge of the support"),
-      Told("energy_margin_min_m", "m", kHigher, 0.5, 0.01, true,
-           "smallest rise of the centre of mass needed to tip over an edge of the support"),
-      Told("tracking_joint_rms_rad", "rad", kLower, 1.0, 0.02, false,
-           "root mean square difference between measured and planned joint positions"),
-      Told("tracking_base_rms_m", "m", kLower, 1.0, 0.02, true,
-           "root mean square distance between measured and planned base position"),
-      Told("tracking_com_rms_m", "m", kLower, 1.0, 0.02, true,
-           "root mean square distance between measured and planned centre of mass"),
+      Reported("static_margin_min_m", "m", kHigher, 0.5, 0.03, true,
+               "smallest distance of the centre of mass, in plan view, to the edge of the support"),
+      Reported("energy_margin_min_m", "m", kHigher, 0.5, 0.01, true,
+               "smallest rise of the centre of mass needed to tip over an edge of the support"),
+      Reported("tracking_joint_rms_rad", "rad", kLower, 1.0, 0.02, false,
+               "root mean square difference between measured and planned joint positions"),
+      Reported("tracking_base_rms_m", "m", kLower, 1.0, 0.02, true,
+               "root mean square distance between measured and planned base position"),
+      Reported("tracking_com_rms_m", "m", kLower, 1.0, 0.02, true,
+               "root mean square distance between measured and planned centre of mass"),
   };
 }
 
 std::vector<MetricRule> ContactRules() {
   return {
-      Told("slip_total_m", "m", kLower, 1.0, 0.05, true, "total distance that all feet slid in contact"),
-      Gated(Told("slip_max_step_m", "m", kLower, 1.0, 0.01, true, "largest distance that one foot slid in one stance"),
+      Reported("slip_total_m", "m", kLower, 1.0, 0.05, true, "total distance that all feet slid in contact"),
+      Gated(Reported("slip_max_step_m", "m", kLower, 1.0, 0.01, true,
+                     "largest distance that one foot slid in one stance"),
             Bound::kAtMost, 0.010),
-      Gated(Told("penetration_max_m", "m", kLower, 0.5, 0.002, false, "largest penetration of a foot into the ground"),
+      Gated(Reported("penetration_max_m", "m", kLower, 0.5, 0.002, false,
+                     "largest penetration of a foot into the ground"),
             Bound::kAtMost, 0.002),
-      Told("clearance_min_m", "m", kHigher, 0.5, 0.02, true, "smallest height of a sole in the middle half of a swing"),
-      Gated(Told("scuffs", "1", kLower, 1.0, 1.0, false, "number of swings with contact during the swing"),
+      Reported("clearance_min_m", "m", kHigher, 0.5, 0.02, true,
+               "smallest height of a sole in the middle half of a swing"),
+      Gated(Reported("scuffs", "1", kLower, 1.0, 1.0, false, "number of swings with contact during the swing"),
             Bound::kAtMost, 0.0),
-      Told("impact_max_n_per_mg", "1", kLower, 1.0, 2.0, false, "peak normal force of a foot divided by the weight"),
-      Told("touchdown_speed_max_m_s", "m/s", kLower, 0.5, 0.3, false, "largest speed of a foot just before contact"),
-      Told("friction_use_max", "1", kLower, 1.0, 0.6, false,
-           "largest tangential force divided by friction times normal force"),
-      Gated(Told("contact_timing_error_max_s", "s", kLower, 1.0, 0.03, false,
-                 "largest time difference of touch-down and lift-off to the schedule"),
+      Reported("impact_max_n_per_mg", "1", kLower, 1.0, 2.0, false,
+               "peak normal force of a foot divided by the weight"),
+      Reported("touchdown_speed_max_m_s", "m/s", kLower, 0.5, 0.3, false,
+               "largest speed of a foot just before contact"),
+      Reported("friction_use_max", "1", kLower, 1.0, 0.6, false,
+               "largest tangential force divided by friction times normal force"),
+      Gated(Reported("contact_timing_error_max_s", "s", kLower, 1.0, 0.03, false,
+                     "largest time difference of touch-down and lift-off to the schedule"),
             Bound::kAtMost, 0.040),
   };
 }
 
 std::vector<MetricRule> JointRules() {
   return {
-      Told("torque_use_max", "1", kLower, 1.0, 0.6, false, "largest joint torque divided by its current limit"),
-      Gated(Told("torque_saturated_fraction", "1", kLower, 1.0, 0.01, false,
-                 "share of time at the torque limit, for the worst joint"),
+      Reported("torque_use_max", "1", kLower, 1.0, 0.6, false, "largest joint torque divided by its current limit"),
+      Gated(Reported("torque_saturated_fraction", "1", kLower, 1.0, 0.01, false,
+                     "share of time at the torque limit, for the worst joint"),
             Bound::kAtMost, 0.01),
-      Told("joint_speed_use_max", "1", kLower, 0.5, 0.6, false, "largest joint speed divided by its limit"),
-      Gated(Told("joint_limit_margin_min_rad", "rad", kHigher, 0.5, 0.1, false,
-                 "smallest distance of a moving joint to its position limit (in metres for prismatic joints)"),
+      Reported("joint_speed_use_max", "1", kLower, 0.5, 0.6, false, "largest joint speed divided by its limit"),
+      Gated(Reported("joint_limit_margin_min_rad", "rad", kHigher, 0.5, 0.1, false,
+                     "smallest distance of a moving joint to its position limit (in metres for prismatic joints)"),
             Bound::kAbove, 0.0),
-      Told("cost_of_transport", "1", kLower, 0.5, 1.0, false, "positive joint work divided by m g d"),
-      Told("smoothness_jerk_rms", "rad/s^3", kLower, 0.5, 1000.0, false, "root mean square jerk of the joints"),
-      Told("torque_step_use_max", "1", kLower, 0.5, 0.3, false,
-           "largest step of a joint's torque at a contact switch, divided by its limit"),
+      Reported("cost_of_transport", "1", kLower, 0.5, 1.0, false, "positive joint work divided by m g d"),
+      Reported("smoothness_jerk_rms", "rad/s^3", kLower, 0.5, 1000.0, false, "root mean square jerk of the joints"),
+      Reported("torque_step_use_max", "1", kLower, 0.5, 0.3, false,
+               "largest step of a joint's torque at a contact switch, divided by its limit"),
   };
 }
 
-/// Of the controller's estimate of the base against the truth; they score nothing.
+/// Errors of the controller's estimate of the base; they do not affect the score.
 std::vector<MetricRule> EstimateRules() {
   return {
-      Told("estimate_drift_m", "m", kLower, 0.0, 0.1, false,
-           "error of the estimated base position at the end, in plan view"),
-      Told("estimate_height_m", "m", kLower, 0.0, 0.02, false, "largest error of the estimated base height"),
-      Told("estimate_tilt_rad", "rad", kLower, 0.0, 0.03, false,
-           "largest error of the estimated up direction of the base"),
-      Told("estimate_heading_rad", "rad", kLower, 0.0, 0.05, false,
-           "largest error of the estimated heading of the base"),
-      Told("estimate_velocity_m_s", "m/s", kLower, 0.0, 0.03, false,
-           "root mean square error of the estimated velocity in base axes"),
+      Reported("estimate_drift_m", "m", kLower, 0.0, 0.1, false,
+               "error of the estimated base position at the end, in plan view"),
+      Reported("estimate_height_m", "m", kLower, 0.0, 0.02, false, "largest error of the estimated base height"),
+      Reported("estimate_tilt_rad", "rad", kLower, 0.0, 0.03, false,
+               "largest error of the estimated up direction of the base"),
+      Reported("estimate_heading_rad", "rad", kLower, 0.0, 0.05, false,
+               "largest error of the estimated heading of the base"),
+      Reported("estimate_velocity_m_s", "m/s", kLower, 0.0, 0.03, false,
+               "root mean square error of the estimated velocity in base axes"),
   };
 }
 
@@ -163,7 +170,7 @@ const MetricRule& RuleOf(const std::string& key) {
     keys.push_back(rule.key);
   }
   throw InvalidArgument(
-      fmt::format("there is no metric '{}'{}", key, NearestOrAll(key, keys, "docs/scores.md lists all metrics")));
+      fmt::format("unknown metric '{}'{}", key, NearestOrAll(key, keys, "docs/scores.md lists all metrics")));
 }
 
 GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {

@@ -18,7 +18,7 @@ const char* const kNoTorqueLimit = "no joint has a torque limit other than a pla
 
 bool HasSpeedLimit(const Actuator& motor) { return std::isfinite(motor.velocity_limit) && motor.velocity_limit > 0.0; }
 
-/// A joint that the plan holds still may be parked at its limit (a closed hand, a stretched arm).
+/// Joints that the plan holds still are excluded, since they may rest at a limit (a closed hand, a stretched arm).
 bool Moves(const ScoreInputs& in, int dof) {
   constexpr double kStill = 1e-3;  // [rad] or [m]
   double least = in.series.plan.front().q[7 + dof], most = least;
@@ -29,7 +29,7 @@ bool Moves(const ScoreInputs& in, int dof) {
   return most - least > kStill;
 }
 
-/// The extremes over time of some figures of joints and motors, of plan and log alike.
+/// Extremes over time of quantities of joints and motors, for plan and log.
 struct JointExtremes {
   Extreme speed{Extreme::Kind::kLargest}, margin{Extreme::Kind::kSmallest};
 
@@ -47,7 +47,7 @@ struct JointExtremes {
   }
 };
 
-/// Measured of the limits in force, planned of the robot's own.
+/// Measured torque relative to the current limit, planned torque relative to the robot's limit.
 Measurement TorqueUse(const ScoreInputs& in) {
   Extreme measured(Extreme::Kind::kLargest), planned(Extreme::Kind::kLargest);
   for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
@@ -98,7 +98,7 @@ Measurement CostOfTransport(const ScoreInputs& in) {
   return {"cost_of_transport", work / (weight * way(measured)), planned_work / (weight * way(planned)), {}, ""};
 }
 
-/// Second difference of joint rates, squared and summed over the joints, and when it was largest.
+/// Second difference of joint rates, squared and summed over the joints, and the time of its maximum.
 Measurement Jerk(const ScoreInputs& in) {
   const auto& samples = in.log.samples;
   const std::size_t count = in.series.measured.size();
@@ -120,7 +120,7 @@ Measurement Jerk(const ScoreInputs& in) {
   return {"smoothness_jerk_rms", std::sqrt(sum / terms), std::sqrt(planned / terms), largest.at_s, ""};
 }
 
-/// Largest change of a motor's torque from one log interval to the next, within two of a switch of the schedule.
+/// Largest change of a motor's torque between log intervals, within two intervals of a contact switch of the schedule.
 Measurement TorqueStep(const ScoreInputs& in) {
   const double near = 2.0 / in.log.log_rate_hz;
   Extreme measured(Extreme::Kind::kLargest), planned(Extreme::Kind::kLargest);

@@ -8,18 +8,18 @@
 
 namespace gaitwright {
 
-/// Options that a log was played with. The log must outlive this.
+/// Options that a log was played with. The log must outlive this object.
 class LogOptions {
  public:
   explicit LogOptions(const PlaybackLog& log) : log_(log) {}
 
-  /// One that is a number.
+  /// Value of a numeric option.
   double At(const std::string& key, double otherwise = 0.0) const {
     const std::string text = Text(key);
     return text.empty() ? otherwise : std::strtod(text.c_str(), nullptr);
   }
 
-  /// Empty where it is not there.
+  /// Text of an option; empty if it does not exist.
   std::string Text(const std::string& key) const {
     for (const auto& [name, text] : log_.options) {
       if (name == key) return text;

@@ -18,7 +18,7 @@ struct Measurement {
   std::string missing;  ///< reason of a missing value
 };
 
-/// All that measuring needs. `series` ends at the fall.
+/// All inputs of the measurements. `series` ends at the fall.
 struct ScoreInputs {
   const RobotModel& model;
   const MotionPlan& plan;
@@ -30,13 +30,13 @@ struct ScoreInputs {
   std::vector<Actuator> motors = ActuatorsOf(model);
 };
 
-/// The extreme of a sequence and when it came.
+/// The extreme of a sequence and its time.
 class Extreme {
  public:
   enum class Kind { kSmallest, kLargest };
   explicit Extreme(Kind kind) : kind_(kind) {}
 
-  /// Keeps the value when it is the first or beyond the one kept; of equal ones the first.
+  /// Keeps the value if it is the first or more extreme; of equal values, the first is kept.
   void See(double value, double time_s);
   std::optional<double> value, at_s;
 
@@ -44,11 +44,11 @@ class Extreme {
   Kind kind_;
 };
 
-/// A measurement from extremes of what was measured and planned.
+/// A measurement from the extremes of measured and planned values.
 Measurement FromExtremes(const std::string& key, const Extreme& measured, const Extreme& planned,
                          const std::string& missing);
 
-// Groups of rows of metrics.md; each returns its rows in any order.
+// Groups of metrics; each returns its rows in any order.
 std::vector<Measurement> ProgressMeasurements(const ScoreInputs& in);
 std::vector<Measurement> ZmpMeasurements(const ScoreInputs& in);
 std::vector<Measurement> BalanceMeasurements(const ScoreInputs& in);
@@ -56,28 +56,28 @@ std::vector<Measurement> ContactMeasurements(const ScoreInputs& in);
 std::vector<Measurement> JointMeasurements(const ScoreInputs& in);
 std::vector<Measurement> EstimateMeasurements(const ScoreInputs& in);
 
-/// What the motors gave in the first samples of a log: the integral of max(tau v, 0) over all joints [J].
+/// Positive joint work in the first samples of a log: the integral of max(tau v, 0) over all joints [J].
 double PositiveWork(const PlaybackLog& log, std::size_t samples);
 
-/// How far the base that a controller took for true is from the true one.
+/// Error of the controller's estimate of the base.
 struct EstimateError {
   double horizontal_m = 0.0;  ///< in plan view
-  double height_m = 0.0;      ///< estimate less truth
+  double height_m = 0.0;      ///< estimate minus truth
   double tilt_rad = 0.0;      ///< between the up directions, in the axes of the base
-  double heading_rad = 0.0;   ///< estimate less truth, of where the base's x points in plan view
-  double velocity_m_s = 0.0;  ///< of the velocities in the axes of the base: the heading does not count
+  double heading_rad = 0.0;   ///< estimate minus truth, of the base's x direction in plan view
+  double velocity_m_s = 0.0;  ///< of the velocities in base axes, so that the heading error does not count
 };
 
-/// Of a sample with an estimate.
+/// Errors of a sample with an estimate.
 EstimateError ErrorOf(const LogSample& sample);
 
 /// Whether the torque limit of a motor is known.
 bool HasTorqueLimit(const Actuator& motor);
-/// Whether anything may hold a motor back. Without a peak its continuous effort does, once it is warm, and its curve
-/// from the no-load speed on.
+/// Whether anything limits a motor. Without a peak effort, the continuous effort limits a warm motor, and the
+/// torque-speed curve limits it above the no-load speed.
 bool MayBeAtALimit(const Actuator& motor);
 
-/// Share of the planned time on the ground in which the support is a line or a point.
+/// Share of the planned time on the ground during which the support is a line or a point.
 double ShareWithoutArea(const MotionSeries& series);
 
 }  // namespace gaitwright

@@ -7,25 +7,25 @@
 
 namespace gaitwright {
 
-/// Which way a metric gets better.
+/// Direction in which a metric improves.
 enum class Better { kLower, kHigher, kNeither };
 
-/// How a value is compared with its limit.
+/// Comparison of a value with its limit.
 enum class Bound { kNone, kAtMost, kAtLeast, kAbove };
 
-/// A metric by which a playback is judged. Always true: `pass` is false only where a gate is applied, a value exists
-/// and it breaks the limit.
+/// A metric of a playback. Invariant: `pass` is false only if a gate is applied, a value exists and it violates the
+/// limit.
 struct Metric {
   std::string key;                ///< ends in its SI unit
   std::string unit;               ///< "1" for shares and counts
-  std::optional<double> value;    ///< nothing where the motion has no such thing
+  std::optional<double> value;    ///< nothing if the motion has no such value
   std::optional<double> planned;  ///< value of the plan, by the same code
   std::optional<double> limit;    ///< of the gate, if there is one
   Bound bound = Bound::kNone;
-  bool applied = false;  ///< the gate is
+  bool applied = false;  ///< whether the gate is applied
   bool pass = true;
-  std::string not_applied;     ///< why a value or a gate is missing
-  std::optional<double> at_s;  ///< when it was worst
+  std::string not_applied;     ///< reason for a missing value or gate
+  std::optional<double> at_s;  ///< time of the worst value
 
   bool operator==(const Metric&) const = default;
 };

@@ -30,7 +30,7 @@ class Sampler {
   Sampler(const RobotModel& model, const MotionPlan& plan, const ScoreOptions& options)
       : model_(model), plan_(plan), options_(options), height_point_B_(HeightPoint(model)), scratch_(model) {}
 
-  /// Everything that follows from the posture and its velocity.
+  /// All quantities that follow from posture and velocity.
   MotionSample Posture(double time_s, FootSet stance, const VectorX& q, const VectorX& v) {
     ForwardVelocities(model_, q, v, scratch_);
     MotionSample sample;
@@ -91,7 +91,7 @@ class Sampler {
     return sample;
   }
 
-  /// p_WZ = p_WS + n x M_S / (n . F): the point of the support plane where the moment has only a normal part.
+  /// p_WZ = p_WS + n x M_S / (n . F): the point of the support plane at which the moment has only a normal component.
   /// Sardain and Bessonnet, IEEE T-SMC A 34(5) 2004.
   void SetZmp(const TotalWrench& about_support, MotionSample& sample) const {
     const Vector3& n = sample.support.normal_W;
@@ -162,8 +162,7 @@ FootSet ScheduledAt(const ContactSchedule& schedule, double time_s) {
   return schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, time_s))].stance;
 }
 
-/// The plan's rows; where there are no torques or wrenches, each row has empty ones. Rows that are all there are not
-/// copied.
+/// The plan's rows. If torques or wrenches are missing, each row has empty ones. Complete rows are not copied.
 class AllRows {
  public:
   explicit AllRows(const WholeBodyTrajectory& motion) : rows_(&motion) {
@@ -189,7 +188,7 @@ WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
   return sample;
 }
 
-/// What is planned at the end of a log interval, with the forces of its middle.
+/// Adds the planned state at the end of a log interval, with the forces of its middle.
 void AddPlanned(const WholeBodyTrajectory& motion, double time_s, double middle_s, FootSet stance, Sampler& sampler,
                 MotionSeries& series) {
   series.plan.push_back(At(motion, time_s));
@@ -209,7 +208,7 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
   MotionSeries series;
   const double half_interval = 0.5 / log.log_rate_hz;
   for (const LogSample& row : log.samples) {
-    if (!row.q.allFinite() || !row.v.allFinite()) break;  // the physics blew up; Score says when
+    if (!row.q.allFinite() || !row.v.allFinite()) break;  // the simulation diverged; Score reports the time
     const double middle = row.time_s - half_interval;
     const FootSet stance = ScheduledAt(plan.schedule, middle);
     series.measured.push_back(sampler.Posture(row.time_s, stance, row.q, row.v));

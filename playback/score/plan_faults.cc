@@ -15,9 +15,9 @@ namespace {
 using Kind = FailureEvent::Kind;
 
 constexpr double kOutsideArea = 0.002, kOutsideLine = 0.005;  // [m]
-constexpr double kResidual = 0.05;                            // of m g, and of m g over the leg
+constexpr double kResidual = 0.05;                            // of m g, and of m g times the leg length
 
-/// Something of the plan that is over its limit, when first and how far at worst.
+/// A quantity of the plan that exceeds its limit: its first time and its worst value.
 struct Excess {
   double first_s = 0.0, worst = 0.0, limit = 0.0, over = 0.0;
 
@@ -43,7 +43,7 @@ double LargestForce(const WholeBodySample& row) {
   return largest;
 }
 
-/// What the motion needs of the joints and of all contacts together, against what the plan gives.
+/// Joint torques and total contact force, required by the motion and given by the plan.
 struct Forces {
   VectorX needed_tau;
   Vector3 needed_W = Vector3::Zero(), given_W = Vector3::Zero();

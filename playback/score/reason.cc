@@ -14,15 +14,15 @@
 namespace gaitwright {
 namespace {
 
-/// Where a push in W goes, in words.
+/// A push in W in words, with its main direction.
 std::string PushWords(const Vector3& force) {
-  const char* names[3][2] = {{"backward", "ahead"}, {"to the right", "to the left"}, {"down", "up"}};
+  const char* names[3][2] = {{"backward", "forward"}, {"to the right", "to the left"}, {"down", "up"}};
   Eigen::Index axis = 0;
   force.cwiseAbs().maxCoeff(&axis);
   return fmt::format("{:.4g} N {}", force.norm(), names[axis][force[axis] > 0.0]);
 }
 
-/// Something that the plan did not know, in words, and how large it is against what trials usually draw.
+/// A disturbance that the plan did not know, in words, and its size relative to the usual size in trials.
 struct Unforeseen {
   std::string words;
   double size = 0.0;
@@ -42,7 +42,7 @@ std::vector<Unforeseen> PushesBefore(const PlaybackLog& log, double before_s) {
   return told;
 }
 
-/// Whether all ground has this friction.
+/// Whether the whole ground has this friction.
 bool HasFriction(const Terrain& terrain, double friction) {
   for (int surface = 0; surface < terrain.num_surfaces(); ++surface) {
     if (FrictionOf(terrain, surface) != friction) return false;
@@ -61,7 +61,7 @@ std::vector<Unforeseen> OfTheGround(const LogOptions& options, const Terrain& pl
   return told;
 }
 
-/// Adds a factor that is not one.
+/// Adds a factor that differs from one.
 void AddFactor(const LogOptions& options, const char* key, const char* what, std::vector<Unforeseen>& told) {
   constexpr double kUsual = 0.1;
   const double scale = options.At(key, 1.0);
@@ -84,7 +84,7 @@ std::vector<Unforeseen> OfTheBody(const LogOptions& options) {
 std::vector<Unforeseen> OfTheDrives(const LogOptions& options) {
   std::vector<Unforeseen> told;
   const double step_s = options.At("play.step_s", 1e-3), friction = options.At("play.joint_friction_nm");
-  const double late_s = step_s * std::round(options.At("command_delay_s") / step_s);  // it is so in whole steps
+  const double late_s = step_s * std::round(options.At("command_delay_s") / step_s);  // in whole steps
   if (late_s != 0.0) told.push_back({fmt::format("a command delay of {:.3g} ms", 1e3 * late_s), late_s / 0.004});
   AddFactor(options, "play.motor_strength", "the motors' strength", told);
   AddFactor(options, "play.torque_scale", "the motors' torque", told);
@@ -116,7 +116,7 @@ std::vector<Unforeseen> AllUnforeseen(const MotionPlan& plan, const PlaybackLog&
   return all;
 }
 
-/// The largest of them in their order, and how many more there are.
+/// The largest disturbances in their order, and the number of the others.
 std::string MostOf(const std::vector<Unforeseen>& all) {
   constexpr std::size_t kMost = 5;
   std::vector<double> sizes;
@@ -168,10 +168,10 @@ std::string Tightest(const std::vector<Metric>& metrics) {
                      FigureText(*tightest, *tightest->value), FigureText(*tightest, *tightest->limit));
 }
 
-// How a fall ended, where no event of its last second says more.
-constexpr char kControllerBroke[] = "the controller came to no number",
-               kPhysicsBroke[] = "the physics came to no number", kTilted[] = "the base tilted",
-               kLeftHeight[] = "the base left its height", kEndedEarly[] = "it ended before its plan";
+// Causes of a fall if no event in its last second explains it.
+constexpr char kControllerBroke[] = "the controller's output was not finite",
+               kPhysicsBroke[] = "the simulation diverged", kTilted[] = "the base tilted",
+               kLeftHeight[] = "the base height was out of bounds", kEndedEarly[] = "the log ended before the plan";
 
 const char* WordsOf(FailureEvent::Kind kind) {
   using Kind = FailureEvent::Kind;
@@ -194,12 +194,12 @@ const char* WordsOf(FailureEvent::Kind kind) {
     case Kind::kDcmOut:
       return "the DCM was out of reach of the next step";
     case Kind::kBodyContact:
-      return "a body that is no foot touched the ground";
+      return "a body that is not a foot touched the ground";
   }
   return "";
 }
 
-/// When and how it fell; what is down within the first moment was so before the plan began to move.
+/// Time and cause of the fall; a fall in the first moment happened before the plan began to move.
 std::string FallText(const ScoreInputs& in) {
   constexpr double kMoment = 0.05;  // [s]
   if (in.fall.time_s - in.log.start_s < kMoment)

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kNothing = 1e-5;  // [rad]: told as zero, without a sign
+constexpr double kNothing = 1e-5;  // [rad]: shown as zero, without a sign
 
 using Json = nlohmann::ordered_json;
 
@@ -34,7 +34,7 @@ Json MetricJson(const Metric& metric) {
   return json;
 }
 
-/// Rows that are only there where a controller estimates: a table without them says as much.
+/// Rows of the estimate are omitted if the controller does not estimate.
 bool IsLeftOut(const Metric& metric) { return !metric.value && metric.key.starts_with("estimate_"); }
 
 bool IsShare(const std::string& key) {
@@ -47,7 +47,7 @@ std::string OrDash(const Metric& metric, const std::optional<double>& value) {
   return value ? FigureText(metric, *value) : "-";
 }
 
-/// The gates that do not apply, with the reasons, and the notes.
+/// The gates that do not apply, with reasons, and the notes.
 std::string AbsentGates(const StabilityReport& report) {
   std::string text;
   for (const Metric& metric : report.metrics) {

@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// Options of the measurements; gates.h has the limits.
+/// Options of the measurements; the limits are in gates.h.
 struct ScoreOptions {
   double zmp_filter_s = 0.010;
   double min_normal_fraction = 0.05;

@@ -15,9 +15,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLineShare = 0.05;  // of the time on a line or a point, from which on the ZMP's margin says nothing
+// if the support is a line or point for a larger share of the time, the ZMP margin is meaningless
+constexpr double kLineShare = 0.05;
 
-/// Why the gate of this key does not apply to the motion, or nothing.
+/// Reason for which the gate of this key does not apply to the motion; empty if it applies.
 std::string NotApplied(const std::string& key, double share_without_area) {
   if (key == "zmp_margin_p05_m" && share_without_area > kLineShare) {
     return fmt::format(
@@ -63,7 +64,7 @@ std::vector<Metric> GatedMetrics(const ScoreInputs& in, const GateScale& scale) 
   return metrics;
 }
 
-/// Drops what came after the fall; keeps at least one sample.
+/// Removes samples after the fall; keeps at least one sample.
 void CutAt(double time_s, MotionSeries& series) {
   std::size_t count = series.measured.size();
   while (count > 1 && series.measured[count - 1].time_s > time_s + 1e-9) --count;

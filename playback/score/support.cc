@@ -22,14 +22,14 @@ Vector3 NormalUnder(const RobotModel& model, const DynamicsScratch& scratch, con
   return GroundAt(terrain, FramePose(scratch, f.body, f.X_BF).translation().head<2>()).normal_W;
 }
 
-/// The point on a grid of a nanometre: toes in one line to rounding are then in one line exactly, which a hull with a
-/// tolerance for collinear corners needs.
+/// The point rounded to a grid of 1 nm. Points of one line with rounding errors then lie exactly on a line, as a hull
+/// with a tolerance for collinear corners requires.
 Vector2 OnGrid(const Vector3& p) {
   constexpr double kGrid = 1e-9;  // [m]
   return {kGrid * std::round(p.x() / kGrid), kGrid * std::round(p.y() / kGrid)};
 }
 
-/// The surfaces under a sole's corners, the middles of its edges and its own.
+/// The surfaces under a sole's corners, the middles of its edges and the middle of the sole.
 std::vector<int> SurfacesUnder(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain) {
   std::vector<int> surfaces;
   const auto look = [&](const Vector2& p_F) {
@@ -45,11 +45,11 @@ std::vector<int> SurfacesUnder(const std::vector<Vector2>& sole_F, const Pose& X
   return surfaces;
 }
 
-/// What of a foot can carry where it is: of a sole the parts that are on patches under it, but for those that lie lower
-/// than others; of another foot, and where there is no patch or a height field under it, all its points. The ground may
-/// be elsewhere than the patches say, so that only where they are against each other tells.
+/// Points of a foot that can carry load at its pose. Of a sole: its parts on the patches below, except parts that lie
+/// lower than others. All points of another foot, and of a sole without a patch or above a height field. Real ground
+/// may be offset from the patches, so that only relative heights are used.
 std::vector<Vector3> CarryingPoints(const Foot& foot, const Pose& X_WF, const Terrain& terrain) {
-  constexpr double kInside = 1e-4;  // [m] so that the ground below them is that patch's
+  constexpr double kInside = 1e-4;  // [m] keeps points on the patch itself
   constexpr double kLower = 0.004;  // [m]
   if (!foot.has_sole()) return ContactPoints(foot, X_WF);
   std::vector<std::pair<double, std::vector<Vector3>>> parts;  // least height over the patch, corners

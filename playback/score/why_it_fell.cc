@@ -19,14 +19,14 @@ namespace {
 
 using Kind = FailureEvent::Kind;
 
-constexpr double kFarOff = 0.03;  // from plan or foothold, for the reference leg [m]
+constexpr double kFarOff = 0.03;  // from the plan or the foothold, for the reference leg [m]
 
 double Scaled(const ScoreInputs& in, double length_m) { return length_m * in.leg_length_m / kReferenceLegLength; }
 
-/// "to the left": the main direction of a vector as the base sees it.
+/// "to the left": the main direction of a vector, seen from the base.
 std::string DirectionOf(const Vector2& d_W, double base_yaw_rad) {
   const Vector2 d = Eigen::Rotation2Dd(-base_yaw_rad) * d_W;
-  if (std::abs(d.x()) > std::abs(d.y())) return d.x() > 0.0 ? "ahead" : "behind";
+  if (std::abs(d.x()) > std::abs(d.y())) return d.x() > 0.0 ? "forward" : "backward";
   return d.y() > 0.0 ? "to the left" : "to the right";
 }
 
@@ -69,7 +69,7 @@ Event EarlyContact(const ScoreInputs& in) {
   return first;
 }
 
-/// Where a foot came down against its foothold, less the drift of the base when that explains it.
+/// Error of a foot's place at touch-down relative to its foothold, minus the drift of the base if that explains it.
 Vector2 FootholdError(const ScoreInputs& in, const StanceRecord& stance, const Foothold& foothold, std::size_t k) {
   const MotionSample &actual = in.series.measured[k], &wanted = in.series.planned[k];
   const Vector2 there = stance.p_touchdown_W.head<2>(), here = foothold.X_WF.translation().head<2>();
@@ -119,9 +119,9 @@ Event Slip(const ScoreInputs& in) {
   return first;
 }
 
-/// " of 33.50 N m (less for the motor's warmth)", where a motor could give less than the robot's limit.
+/// " of 33.50 N m (reduced by the motor's warmth)", if a motor's current limit is below the robot's limit.
 std::string WhatIsLeft(const ScoreInputs& in, int index, const LogSample& sample) {
-  constexpr double kNear = 0.98;  // of a limit, since speeds are those at the end of a sample
+  constexpr double kNear = 0.98;  // of a limit, because speeds are those at the end of a sample
   const Actuator& actuator = in.motors[static_cast<std::size_t>(index)];
   const double whole = actuator.effort_limit, limit = sample.tau_peak[index];
   if (limit > kNear * whole || !HasTorqueLimit(actuator)) return "";
@@ -158,8 +158,8 @@ Event TorqueLimit(const ScoreInputs& in) {
   return first;
 }
 
-/// Distance of the DCM to where the steps still to come, the last at `last_step_s`, can catch it; to the support itself
-/// when none comes.
+/// Distance of the DCM to the region from which the remaining steps, the last at `last_step_s`, can catch it; to the
+/// support if no step remains.
 double Catchable(const ScoreInputs& in, std::size_t k, double last_step_s, double reach_m, DynamicsScratch& scratch) {
   const MotionSample& sample = in.series.measured[k];
   const double now = SignedDistance(sample.support.polygon, sample.dcm_W);
@@ -205,7 +205,7 @@ Event BodyTouched(const ScoreInputs& in) {
 
 std::vector<FailureEvent> FailureEvents(const ScoreInputs& in) {
   const Event unstable = PlanUnstable(in), beyond_friction = PlanBeyondFriction(in);
-  // No forces are right for a ZMP that is outside, nor forces that the ground cannot give.
+  // With an unstable ZMP or forces beyond friction, no contact forces could be correct.
   const Event forces_off = unstable || beyond_friction ? Event() : PlanForcesOff(in);
   std::vector<FailureEvent> events;
   for (const Event& event :

@@ -12,20 +12,20 @@
 
 namespace gaitwright {
 
-/// What the feet tell of the ground.
+/// Readings of the feet's contact sensors.
 struct ContactReading {
   FootSet contact = 0;
   std::vector<double> load_n;  ///< by foot: vertical force [N]; not negative
 };
 
-/// A sensor of vertical force in each foot, as pads under a sole or the torques of a leg's motors give it, and contact
-/// from it by a threshold; with noise, rate, delay, and readings of contact that are wrong.
+/// A vertical force sensor in each foot, such as pads under a sole or the torques of a leg's motors, and contact from
+/// its force by a threshold. With noise, rate, delay and wrong contact readings.
 class ContactSensors {
  public:
-  /// @param weight_n  of the robot, to which threshold and noise are shares.
+  /// @param weight_n  of the robot; threshold and noise are shares of it.
   ContactSensors(std::size_t feet, double weight_n, const SensorOptions& options, double step_s);
 
-  /// Once a step. @param contact, wrenches  the truth, as ControlInput has it.
+  /// Call once per step. @param contact, wrenches  true values, as in ControlInput.
   const ContactReading& Read(FootSet contact, const std::vector<ContactWrench>& wrenches);
 
  private:

@@ -7,19 +7,19 @@
 
 namespace gaitwright {
 
-/// A delay in whole time steps, the nearest number of them.
+/// A delay, rounded to whole time steps.
 inline std::size_t DelaySteps(double delay_s, double step_s) {
   return static_cast<std::size_t>(std::lround(delay_s / step_s));
 }
 
-/// Values come out a fixed number of steps after they went in; until then the first one does. Once it is full nothing
-/// is allocated, where copies of values of equal size allocate nothing.
+/// Returns each value a fixed number of steps after its input; until then, the first value. Allocates nothing after it
+/// is full, if copies of values of equal size allocate nothing.
 template <class Value>
 class DelayLine {
  public:
   explicit DelayLine(std::size_t steps = 0) : ring_(steps + 1) {}
 
-  /// Puts one in, takes one out.
+  /// Adds a value and returns the delayed one.
   const Value& Push(const Value& value) {
     if (is_empty_) {
       for (Value& place : ring_) place = value;
@@ -30,7 +30,7 @@ class DelayLine {
     return ring_[next_];
   }
 
-  /// Forgets what went in: the next value fills it.
+  /// Clears the line; the next value fills it.
   void Reset() { is_empty_ = true; }
 
  private:

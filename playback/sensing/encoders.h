@@ -10,11 +10,11 @@
 
 namespace gaitwright {
 
-/// What encoders and the filter behind them tell of the independent joints.
+/// Readings of the encoders of the independent joints, raw and filtered.
 struct JointReading {
   VectorX q_raw;         ///< as read [rad] or [m]
   VectorX q, v;          ///< filtered, and speeds [rad/s]
-  bool is_fresh = true;  ///< read at this step, not held from before
+  bool is_fresh = true;  ///< read in this step, not held from an earlier one
 };
 
 /// Encoders of all independent joints with bias, noise, resolution, rate and delay; speeds by a critically damped
@@ -27,7 +27,7 @@ class Encoders {
  public:
   Encoders(Eigen::Index joints, const SensorOptions& options, double step_s);
 
-  /// Once a step. @param q  true positions of the independent joints.
+  /// Call once per step. @param q  true positions of the independent joints.
   const JointReading& Read(const Eigen::Ref<const VectorX>& q);
 
   /// Zero offset of each joint: constant error of the readings, in addition to noise.

@@ -32,7 +32,7 @@ const ImuReading& Imu::Read(const VectorX& q, const VectorX& v) {
 void Imu::Gather(const VectorX& q, const VectorX& v) {
   const Matrix3 R_WB = BaseRotation(q);
   const Vector3 v_WB = v.head<3>(), gravity_W(0.0, 0.0, -kGravity);
-  if (is_first_) {  // as if it had moved so for a step
+  if (is_first_) {  // the first reading assumes constant motion during the step before
     is_first_ = false;
     v_WB_ = v_WB;
     R_WB_ = RotationExp(-step_s_ * v.segment<3>(3)) * R_WB;

@@ -10,15 +10,16 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kBridge = 0.004;     // contact that is not told of for less is still there [s]
-constexpr double kStartYaw = 1e-3;    // the start says where W is: only so far off that the filter stays regular [rad]
+constexpr double kBridge = 0.004;  // a shorter loss of contact is ignored [s]
+// small, because the start defines W; not zero, so that the filter stays regular [rad]
+constexpr double kStartYaw = 1e-3;
 constexpr double kStartPlace = 1e-4;  // [m]
 constexpr double kStartSpeed = 0.01;  // [m/s]
-constexpr double kTurnError = 1e-3;   // of a sole against the base, beyond that of the encoders [rad]
-// What the best sensors have: with less the filter would believe in its own arithmetic.
+constexpr double kTurnError = 1e-3;   // of a sole relative to the base, in addition to encoder errors [rad]
+// Lower bounds on sensor noise: with less, rounding errors would matter in the filter.
 constexpr double kBestGyroscope = 1e-5, kBestRateBias = 1e-5;       // [rad/s/sqrt(Hz)], [rad/s]
 constexpr double kBestAccelerometer = 1e-4, kBestForceBias = 1e-4;  // [m/s^2/sqrt(Hz)], [m/s^2]
-constexpr double kBestWalk = 1e-7;                                  // of both biases, by their units
+constexpr double kBestWalk = 1e-7;                                  // of both biases, in their units
 constexpr double kBestEncoder = 1e-5;                               // [rad]
 const Vector3 kGravity_W(0.0, 0.0, -kGravity);
 
@@ -27,7 +28,7 @@ OdometryOptions Checked(OdometryOptions options) {
   return options;
 }
 
-/// A data sheet with no figure better than the best there are.
+/// The data sheet, with no value better than that of the best sensors.
 SensorOptions Honest(SensorOptions sheet) {
   CheckOptions(sheet.Fields());
   const double steps = sheet.encoder_resolution_rad / std::sqrt(12.0);
@@ -41,7 +42,7 @@ SensorOptions Honest(SensorOptions sheet) {
   return sheet;
 }
 
-/// Adds what stays of a first-order error: M times the rows `from` of P to its rows `to`, three of each.
+/// Adds the effect of a first-order error: M times the rows `from` of P to its rows `to`, three rows each.
 void AddRows(MatrixX& P, int to, const Matrix3& M, int from) {
   P.middleRows<3>(to).noalias() += M.lazyProduct(P.middleRows<3>(from));
 }
@@ -90,7 +91,7 @@ void LegOdometry::Start(const VectorX& q) {
   set(kRho, Vector3::Constant(kStartPlace));
   set(kRateBias, Vector3::Constant(sheet_.gyroscope_bias_rad_s / std::sqrt(3.0)));
   set(kForceBias, Vector3::Constant(sheet_.accelerometer_bias_m_s2 / std::sqrt(3.0)));
-  // Turned about the base, not about the origin of W.
+  // Rotation about the base, not about the origin of W.
   const Matrix3 arm = Skew(p_WB_);
   const Matrix3 turn = P_.block<3, 3>(kPhi, kPhi);
   P_.block<3, 3>(kRho, kPhi) = arm * turn;
@@ -117,7 +118,7 @@ void LegOdometry::Predict(const ImuReading& imu) {
   }
 }
 
-/// P <- F P F^T, F = I + h A; only four of A's columns hold anything.
+/// P <- F P F^T, F = I + h A; only four block columns of A are not zero.
 void LegOdometry::PredictCovariance(double h) {
   const Matrix3 R = h * R_WB_, vR = Skew(v_WB_) * R, pR = Skew(p_WB_) * R;
   const Matrix3 g = h * Skew(kGravity_W), whole = h * Matrix3::Identity();
@@ -170,14 +171,14 @@ void LegOdometry::Correct(const JointReading& joints, const ContactReading& cont
   }
 }
 
-/// From 0 to 1: how firmly a foot stands.
+/// Trust in a standing foot, from 0 to 1.
 double LegOdometry::TrustOf(const FootState& foot, double load_n) const {
   const double by_time = options_.trust_s > 0.0 ? foot.held_s / options_.trust_s : 1.0;
   const double by_load = options_.trust_load > 0.0 ? load_n / (options_.trust_load * model_.weight_n()) : 1.0;
   return std::clamp(std::min(by_time, by_load), 0.0, 1.0);
 }
 
-/// It may have moved in the step.
+/// Adds the uncertainty of a possible motion of the foot in the step.
 void LegOdometry::Creep(FootState& foot, double trust) {
   const auto between = [&](double landing, double standing) {
     return std::pow(landing, 1.0 - trust) * std::pow(standing, trust);
@@ -190,7 +191,7 @@ void LegOdometry::Creep(FootState& foot, double trust) {
   P_.diagonal().segment<3>(foot.at + 3).array() += turn * turn * step_s_;
 }
 
-/// Where the joints have the feet against the base, and how well they know.
+/// Foot poses relative to the base from the joint readings, and their uncertainty.
 void LegOdometry::ReadFeet(const JointReading& joints) {
   q_.head<3>() = p_WB_;
   q_.segment<4>(3) = Quaternion(R_WB_).coeffs();
@@ -208,7 +209,7 @@ void LegOdometry::ReadFeet(const JointReading& joints) {
   }
 }
 
-/// J Q J^T of the joints that carry a foot.
+/// J Q J^T of the joints between base and foot.
 LegOdometry::Square LegOdometry::NoiseOf(std::size_t foot) {
   const Foot& shape = model_.feet[foot];
   const int rows = feet_[foot].rows;
@@ -226,7 +227,7 @@ void LegOdometry::LiftOff(FootState& foot) {
   P_.middleCols(foot.at, foot.rows).setZero();
 }
 
-/// The foot is where the joints have it: its errors are those of the base, and theirs.
+/// Sets the foot to its pose from the joint readings: its errors are those of the base and of the readings.
 void LegOdometry::PutDown(std::size_t f) {
   FootState& foot = feet_[f];
   foot.is_held = true;
@@ -288,7 +289,7 @@ void LegOdometry::CorrectBy(std::size_t f) {
   Apply();
 }
 
-/// Takes the errors of `correction_` out of the estimate.
+/// Removes the errors in `correction_` from the estimate.
 void LegOdometry::Apply() {
   const Vector3 phi = correction_.segment<3>(kPhi);
   const Matrix3 turn = RotationExp(-phi), J = Matrix3::Identity() + 0.5 * Skew(phi);

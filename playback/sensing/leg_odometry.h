@@ -12,8 +12,9 @@
 
 namespace gaitwright {
 
-/// Estimate of the base's pose and velocity from IMU, encoders and contacts: an extended Kalman filter whose errors are
-/// right-invariant, so that what cannot be observed (place and heading) stays so in its covariance whatever the motion.
+/// Estimate of the base's pose and velocity from IMU, encoders and contacts: an extended Kalman filter with
+/// right-invariant errors, so that the unobservable states (place and heading) stay unobservable in its covariance for
+/// any motion.
 ///
 /// = Notation =
 ///   W world, B base (the IMU's axes), F frame of a foot; X^ is the estimate of X. State: R_WB, v_WB, p_WB, biases b_g,
@@ -27,9 +28,9 @@ namespace gaitwright {
 ///     delta' = -p_WF^ x R^ beta_g
 ///   Measurement    z_p = p^ + R^ p_BF(joints) - p_WF^ = rho - delta,  z_R = log(R^ R_BF(joints) R_WF^^T) = phi - psi
 ///     with noise J Q J^T from the encoders. These Jacobians hold at any state.
-/// A sphere rolls: its centre moves by w_WF x r n, n the normal of the terrain under it where it landed (up where there
-/// is none). A foot that has just landed, or bears little, may slide (see
-/// OdometryOptions); one that is farther from its place than the gate has slipped and is put down anew.
+/// A sphere rolls: its centre moves by w_WF x r n, n the normal of the terrain where it landed (up without terrain). A
+/// foot that has just landed, or carries little load, may slide (see OdometryOptions). A foot that is farther from its
+/// place than the gate has slipped, and its state is initialised again.
 ///
 /// Hartley, Ghaffari, Eustice and Grizzle, Contact-aided invariant extended Kalman filtering for robot state
 /// estimation, IJRR 39(4), 2020, doi:10.1177/0278364919894385; Bloesch et al., State estimation for legged robots, RSS
@@ -39,14 +40,14 @@ class LegOdometry {
   /// Known data of the sensors and of the ground.
   struct Setup {
     OdometryOptions options;
-    SensorOptions data_sheet;  ///< its noise and biases; delays are not made up for
+    SensorOptions data_sheet;  ///< its noise and biases; delays are not compensated
     double step_s = 0.001;
   };
 
   /// Model and terrain must outlive it. @throws InvalidArgument for an option out of its range.
   LegOdometry(const RobotModel& model, const Terrain& terrain, const Setup& setup);
 
-  /// At rest at the base pose of q, all feet in the air.
+  /// Starts at rest at the base pose of q, with all feet in the air.
   void Start(const VectorX& q);
 
   /// Call once per step: updates the state of the last step with the readings since.
@@ -63,17 +64,18 @@ class LegOdometry {
   const Vector3& gyroscope_bias() const { return gyroscope_bias_; }          ///< [rad/s]
   const Vector3& accelerometer_bias() const { return accelerometer_bias_; }  ///< [m/s^2]
 
-  /// Whether the foot holds the base, and where it stands (of a sphere its centre) [m].
+  /// Whether the foot is part of the state, and its place (of a sphere, its centre) [m].
   bool Holds(int foot) const { return feet_[static_cast<std::size_t>(foot)].is_held; }
   const Vector3& p_WF(int foot) const { return feet_[static_cast<std::size_t>(foot)].p_WF; }
 
-  /// Of phi, nu, rho, beta_g, beta_a (15), then by foot delta and of soles psi; zero where a foot is in the air.
+  /// Covariance of phi, nu, rho, beta_g, beta_a (15), then by foot of delta and, for soles, psi; zero for feet in the
+  /// air.
   const MatrixX& covariance() const { return P_; }
 
-  /// phi, nu, rho of the estimate against the truth: what the covariance is of.
+  /// phi, nu, rho of the estimate relative to the truth: the errors that the covariance describes.
   Eigen::Matrix<double, 9, 1> ErrorAgainst(const VectorX& q, const VectorX& v) const;
 
-  /// How often a foot was taken to have slipped.
+  /// Number of detected slips of feet.
   int slips() const { return slips_; }
 
  private:
@@ -88,8 +90,8 @@ class LegOdometry {
     Vector3 p_WF = Vector3::Zero();
     Matrix3 R_WF = Matrix3::Identity();
     Vector3 w_WF = Vector3::Zero();
-    Vector3 normal_W = Vector3::UnitZ();  // of the ground that it stands on
-    Vector3 p_BF = Vector3::Zero();       // as the joints tell
+    Vector3 normal_W = Vector3::UnitZ();  // of the ground under it
+    Vector3 p_BF = Vector3::Zero();       // from the joint readings
     Matrix3 R_BF = Matrix3::Identity();
   };
 
@@ -114,10 +116,10 @@ class LegOdometry {
   Matrix3 R_WB_ = Matrix3::Identity();
   Vector3 v_WB_ = Vector3::Zero(), p_WB_ = Vector3::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
-  Vector3 rate_B_ = Vector3::Zero();  // without the bias
+  Vector3 rate_B_ = Vector3::Zero();  // without bias
   MatrixX P_;
   int slips_ = 0;
-  // Work space.
+  // Scratch variables.
   DynamicsScratch scratch_;
   VectorX q_, v_;
   MatrixX jacobian_;

@@ -10,15 +10,15 @@
 
 namespace gaitwright {
 
-/// Random numbers of one sensor, so that streams of one seed do not touch each other and the n-th number of a stream is
-/// always the same.
+/// Random numbers of one sensor. Streams of one seed are independent, and the n-th number of a stream is always the
+/// same.
 class NoiseStream {
  public:
   /// @param stream  number of the sensor; each has its own sequence.
   NoiseStream(int seed, int stream)
       : numbers_(MixBits(MixBits(static_cast<std::uint64_t>(seed)) + static_cast<std::uint64_t>(stream))) {}
 
-  /// Evenly in [0, 1).
+  /// Uniform in [0, 1).
   double Uniform() { return numbers_.Uniform(); }
 
   /// Mean 0, standard deviation 1. Box and Muller, Annals of Mathematical Statistics 29(2), 1958.
@@ -34,13 +34,13 @@ class NoiseStream {
     return radius * std::cos(angle);
   }
 
-  /// Three of them, each for itself.
+  /// Three independent normal numbers.
   Vector3 Normal3() {
     const double x = Normal(), y = Normal(), z = Normal();
     return {x, y, z};
   }
 
-  /// Evenly over the unit sphere.
+  /// Uniform on the unit sphere.
   Vector3 Direction() {
     const Vector3 v = Normal3();
     return v.norm() > 0.0 ? Vector3(v.normalized()) : Vector3(Vector3::UnitX());

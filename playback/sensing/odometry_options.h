@@ -8,7 +8,7 @@ namespace gaitwright {
 /// Assumptions of LegOdometry, in addition to the sensors' data (SensorOptions).
 ///
 /// Tuning
-///   drifts or turns off slowly while it walks     lower stance_slip_m_s_sqrt_hz, where feet do not slip
+///   drifts slowly in place or heading             lower stance_slip_m_s_sqrt_hz if feet do not slip
 ///   jumps when feet land                          raise landing_slip_m_s_sqrt_hz or trust_s
 ///   follows a foot that slides                    lower gate
 ///   leans on sloping ground                       raise start_tilt_rad
@@ -36,9 +36,9 @@ struct OdometryOptions {
              "Rotation rate of a sole in firm stance, as a white-noise density."},
             {"landing_turn_rad_s_sqrt_hz", &landing_turn_rad_s_sqrt_hz, "rad/s/sqrt(Hz)", 1e-5, 100.0,
              "Rotation rate of a sole that has just landed or is about to lift off, as a white-noise density."},
-            {"trust_s", &trust_s, "s", 0.0, 1.0, "Time in contact after which a foot counts as firm."},
+            {"trust_s", &trust_s, "s", 0.0, 1.0, "Time in contact after which a foot counts as in firm stance."},
             {"trust_load", &trust_load, "1", 0.0, 1.0,
-             "Smallest load of a firm foot, as a share of the robot's weight."},
+             "Smallest load of a foot in firm stance, as a share of the robot's weight."},
             {"model_error_m", &model_error_m, "m", 1e-6, 0.1,
              "Standard deviation of a foot's position relative to the base, in addition to encoder errors."},
             {"gate", &gate, "1", 1.0, 100.0,

@@ -18,7 +18,7 @@ SensingOptions Checked(const MotionPlan& plan, SensingOptions options) {
 
 }  // namespace
 
-/// What is set up anew for each playback.
+/// State that is rebuilt for each playback.
 struct SensingController::Instruments {
   Instruments(const RobotModel& model, const MotionPlan& plan, const SensingOptions& o, double step_s)
       : encoders(model.num_dofs(), o.sensors, step_s),
@@ -36,8 +36,8 @@ struct SensingController::Instruments {
   ContactSensors contacts;
   LegOdometry odometry;
   DelayLine<JointCommand> commands;
-  double rate_share = 1.0;           // of the low-pass of the angular velocity
-  Vector3 rate_B = Vector3::Zero();  // low-passed
+  double rate_share = 1.0;           // coefficient of the low-pass filter of the angular velocity
+  Vector3 rate_B = Vector3::Zero();  // low-pass filtered
 };
 
 SensingController::SensingController(const RobotModel& model, const MotionPlan& plan, std::unique_ptr<Controller> inner,
@@ -69,7 +69,7 @@ JointCommand SensingController::Update(const ControlInput& input) {
   return instruments_->commands.Push(command);
 }
 
-/// In the drives, whose zeros may be off, or on what was sensed.
+/// Closes the joint loops: in the drives, whose zeros may have an offset, or on the sensed state.
 void SensingController::CloseLoop(JointCommand& command) const {
   if (loop_ == DriveLoop::kSensed) {
     const Eigen::Index n = model_.num_dofs();

@@ -11,19 +11,19 @@
 namespace gaitwright {
 
 /// A controller behind sensors: the inner controller gets measured or estimated states, and its commands are delayed.
-/// The motors' own loops are not delayed: stiffness and damping of a JointCommand are closed in the drive, on its own
-/// encoder. Of that only the zero may be off, by the bias that the controller sees too, so that what a drive holds is
-/// its target less that bias. With `drive_loop` "sensed" they are closed here instead, on the sensed state, and a
-/// torque is commanded:  tau_ff + stiffness (q - q_sensed) + damping (v - v_sensed).
+/// The motors' own loops are not delayed: the drive closes stiffness and damping of a JointCommand on its own encoder.
+/// Its only error is the zero offset, which the controller's readings have too, so that a drive holds its target minus
+/// that offset. With `drive_loop` "sensed", this controller closes the loops on the sensed state and commands a torque:
+///   tau_ff + stiffness (q - q_sensed) + damping (v - v_sensed).
 ///
-///   true       the state as it is
-///   measured   joints from encoders, contacts and vertical forces from the feet, the base as it is
-///   estimated  the same, and the base from LegOdometry, which starts at the plan's first pose
-/// With sensors, wrenches hold the vertical force alone.
+///   true       the true state
+///   measured   joints from encoders, contacts and vertical forces from the feet, the true base
+///   estimated  as measured, but the base from LegOdometry, which starts at the plan's first pose
+/// With sensors, wrenches contain only the vertical force.
 class SensingController : public Controller {
  public:
-  /// @param inner  what controls. Model and plan must outlive this. @throws InvalidArgument for an option out of its
-  /// range, or where state is "estimated" and the plan has no motion.
+  /// @param inner  the controller itself. Model and plan must outlive this object. @throws InvalidArgument for an
+  /// option out of its range, or if state is "estimated" and the plan has no motion.
   SensingController(const RobotModel& model, const MotionPlan& plan, std::unique_ptr<Controller> inner,
                     const SensingOptions& options);
   ~SensingController() override;
@@ -51,7 +51,7 @@ class SensingController : public Controller {
   BaseEstimate estimate_;
 };
 
-/// The controller behind sensors and delays; the controller itself if there are none.
+/// The controller with sensors and delays; the controller itself if there are none.
 std::unique_ptr<Controller> BehindSensors(const RobotModel& model, const MotionPlan& plan,
                                           std::unique_ptr<Controller> controller, const SensingOptions& options);
 

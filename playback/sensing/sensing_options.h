@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// What stands between the robot and its controller.
+/// Sensors and delays between the robot and its controller.
 struct SensingOptions {
   std::string state = "true";  ///< see StateSource
   double command_delay_s = 0.0;
@@ -17,7 +17,7 @@ struct SensingOptions {
   SensorOptions sensors;
   OdometryOptions odometry;
 
-  /// `sensors.` and `odometry.` before the keys of those.
+  /// Includes the options of sensors and odometry, with the prefixes `sensors.` and `odometry.`.
   OptionFields Fields() {
     return Joined(
         {WithBasics(
@@ -35,10 +35,10 @@ struct SensingOptions {
          Prefixed("sensors", sensors.Fields()), Prefixed("odometry", odometry.Fields())});
   }
 
-  /// Whether the controller has the true state at once, as if there were nothing between.
+  /// Whether the controller gets the true state without delay.
   bool is_transparent() const { return state == "true" && command_delay_s == 0.0 && drive_loop == "own"; }
 
-  /// How old the speeds that a sensed loop damps with are when its command acts, beyond the time step [s].
+  /// Age of the speeds in a sensed loop when its command takes effect, beyond the time step [s].
   double LoopDelay() const {
     if (state == "true") return command_delay_s;
     const double wait_s = sensors.encoder_rate_hz > 0.0 ? 1.0 / sensors.encoder_rate_hz : 0.0;

@@ -75,15 +75,15 @@ OptionFields ContactFields(SensorOptions& o) {
       });
 }
 
-/// The place of a name in a list. @throws InvalidArgument listing them.
+/// Index of a name in a list. @throws InvalidArgument listing the names.
 std::size_t PlaceOf(const std::string& name, const std::vector<std::string>& names, const char* what) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw InvalidArgument(fmt::format("there is no {} '{}'; there are {}", what, name, QuotedList(names)));
+    throw InvalidArgument(fmt::format("unknown {} '{}'; accepted: {}", what, name, QuotedList(names)));
   return static_cast<std::size_t>(found - names.begin());
 }
 
-/// An IMU and encoders as in robots for research.
+/// An IMU and encoders of research robots.
 SensorOptions GoodSensors() {
   SensorOptions o;
   o.encoder_noise_rad = 2e-4;
@@ -103,7 +103,7 @@ SensorOptions GoodSensors() {
   return o;
 }
 
-/// What a small budget buys.
+/// Sensors of low-cost robots.
 SensorOptions HobbySensors() {
   SensorOptions o;
   o.encoder_noise_rad = 1e-3;

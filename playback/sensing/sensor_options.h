@@ -8,16 +8,16 @@
 
 namespace gaitwright {
 
-/// Errors of sensors. All zero, the default, is a perfect sensor.
+/// Errors of sensors. All zero, the default, means perfect sensors.
 ///
-/// White noise of an IMU is given as its density, as data sheets do: a reading at f readings a second has the standard
+/// White noise of an IMU is given as a density, as in data sheets: at f readings per second a reading has the standard
 /// deviation density * sqrt(f), so that its integral over a time T has density * sqrt(T) at any rate. Biases are drawn
-/// once for each seed: of a joint evenly within +- the figure, of an IMU in a random direction with that magnitude.
-/// Figures of encoders are in radians, for joints that slide in metres.
+/// once per seed: of a joint uniformly within +- the value, of an IMU in a random direction with that magnitude. Values
+/// of encoders are in radians, for prismatic joints in metres.
 ///
 /// Tuning
-///   the robot rattles on its legs      lower speed_cutoff_hz, gyroscope_cutoff_hz
-///   pushes are answered late           raise them
+///   the robot shakes on its legs       lower speed_cutoff_hz, gyroscope_cutoff_hz
+///   the robot reacts late to pushes    raise speed_cutoff_hz, gyroscope_cutoff_hz
 struct SensorOptions {
   double encoder_noise_rad = 0.0;
   double encoder_bias_rad = 0.0;
@@ -57,17 +57,17 @@ const std::vector<std::string>& SensorKinds();
 /// @throws InvalidArgument listing the known names.
 SensorOptions SensorsOfKind(const std::string& name);
 
-/// Where a controller has the robot's state from.
+/// Source of the robot's state for a controller.
 enum class StateSource {
   kTrue,       ///< the simulator
-  kMeasured,   ///< joints and contacts from their sensors, the base from the simulator, as motion capture would
+  kMeasured,   ///< joints and contacts from their sensors, the base from the simulator, as with motion capture
   kEstimated,  ///< joints and contacts from their sensors, the base by LegOdometry
 };
 
-/// What the stiffness and damping of a command act on.
+/// State that the stiffness and damping of a command act on.
 enum class DriveLoop {
-  kOwn,     ///< the joint as the drive's own encoder has it: at once, but for a zero that is off
-  kSensed,  ///< what the controller has of it, when that is made a torque
+  kOwn,     ///< the joint as read by the drive's own encoder: without delay, except for a zero offset
+  kSensed,  ///< the controller's sensed state; the command becomes a torque
 };
 
 /// "own", "sensed": in the order of DriveLoop.

@@ -17,10 +17,10 @@ namespace {
 constexpr double kLeastOfBell = 0.01;
 constexpr std::uint64_t kSeeds = 1ULL << 31;
 
-/// Share of a standard bell below z.
+/// Share of the standard normal distribution below z.
 double BellBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
-/// One of a list, by a random number in [0, 1).
+/// An item of a list, by a random number in [0, 1).
 template <class List>
 const auto& Pick(const List& list, double share) {
   const auto place = static_cast<std::size_t>(share * static_cast<double>(list.size()));
@@ -109,7 +109,7 @@ const std::string& DrawWord(const Distribution& d, NamedRandom& random) {
 }
 
 std::uint64_t SeedOfTrial(std::uint64_t run_seed, int i) {
-  constexpr std::uint64_t kOddStride = 0x4F1BBCDDULL;  // odd, so that it visits all of them
+  constexpr std::uint64_t kOddStride = 0x4F1BBCDDULL;  // odd, so that it reaches all of them
   return (MixBits(run_seed + kSplitMixStep) + kOddStride * static_cast<std::uint64_t>(i)) % kSeeds;
 }
 

@@ -78,7 +78,7 @@ std::vector<DisturbanceRule> MotorsAndStart() {
   };
 }
 
-/// Distribution of a push's key, or what holds without one.
+/// Distribution of a push's key, or `usual` if the push does not have the key.
 Distribution OfPush(const DisturbedPush& push, const std::string& key, const Distribution& usual) {
   const auto at = std::find_if(push.begin(), push.end(), [&](const Disturbance& d) { return d.key == key; });
   return at == push.end() ? usual : at->distribution;
@@ -92,7 +92,7 @@ std::string UnitOfSensor(const std::string& key) {
   return "";
 }
 
-/// Draws one trial, or has everything at one end.
+/// Draws one trial, or sets all values to one end of their ranges.
 class Sampler {
  public:
   Sampler(const RobotModel& model, const MotionPlan& plan, std::uint64_t seed, std::optional<RangeEnd> end)
@@ -149,7 +149,7 @@ class Sampler {
     trial_.pushes.push_back({Eigen::AngleAxisd(HeadingAt(at_s), Vector3::UnitZ()) * force, at_s, for_s, place});
   }
 
-  /// After all figures: the parts of a slope's direction.
+  /// Components of a slope's direction; call after all quantities are drawn.
   void SlopeParts() {
     const std::optional<double> direction = Value("ground_slope_direction_deg"), slope = Value("ground_slope_deg");
     if (!direction) return;
@@ -163,8 +163,7 @@ class Sampler {
   SampledTrial Take() { return std::move(trial_); }
 
  private:
-  /// A part of something whole; none where it is what rounding leaves of a right angle, which would be ranked as a
-  /// cause.
+  /// A component of a vector; zero if it is only the rounding error of a right angle, which would be ranked as a cause.
   static double Part(double part, double whole) { return std::abs(part) > 1e-9 * std::abs(whole) ? part : 0.0; }
 
   double Drawn(const std::string& name, const Distribution& distribution) const {
@@ -184,7 +183,7 @@ class Sampler {
     trial_.values.push_back({name, unit, value, ""});
   }
 
-  /// A direction evenly over the sphere.
+  /// A uniformly distributed direction on the sphere.
   void ShiftAnyWay(const Disturbance& figure) {
     const double radius = Drawn(figure.key, figure.distribution);
     NamedRandom random(trial_.seed, "com_shift_direction");
@@ -227,9 +226,9 @@ class Sampler {
 };
 
 constexpr double kHardestPush = 1e5;    // [N]
-constexpr double kShortestPush = 1e-4;  // [s]; one that takes no time has no impulse, and everybody survives it
+constexpr double kShortestPush = 1e-4;  // [s]; a push without duration has no impulse, and every robot would survive it
 
-/// @throws InvalidArgument for a push on nothing, or too hard a one.
+/// @throws InvalidArgument for a push on an unknown link, or a push that is too strong.
 void CheckPushes(const Disturbances& disturbances, const RobotModel& model) {
   std::vector<std::string> places = {"base", "robot"};
   for (const Frame& frame : model.frames) places.push_back(frame.name);
@@ -292,7 +291,7 @@ const std::vector<DisturbanceRule>& PushRules() {
 
 namespace {
 
-/// Nothing for a figure of a sensor, whose key is its option's.
+/// Null for a sensor option, whose key is that of the option.
 const DisturbanceRule* RuleOfFigure(const Disturbance& figure) {
   const auto rule = std::find_if(DisturbanceRules().begin(), DisturbanceRules().end(),
                                  [&](const DisturbanceRule& r) { return r.key == figure.key; });

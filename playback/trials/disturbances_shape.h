@@ -6,7 +6,7 @@
 namespace gaitwright {
 
 /// Structure of a disturbance file, with each quantity as a value or a distribution.
-/// @param sensors  as of ReadDisturbances
+/// @param sensors  as in ReadDisturbances
 DataShape DisturbancesShape(const OptionFields& sensors);
 
 }  // namespace gaitwright

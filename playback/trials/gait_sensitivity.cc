@@ -18,9 +18,9 @@ using Steps = std::vector<GaitStep>;
 
 constexpr int kGroups = 10;  // of the jackknife
 constexpr int kLeastTrials = 2 * kGroups;
-constexpr std::size_t kMostTrialsShown = 2000;  // more say no more
-constexpr int kRowsPerUnknown = 4;              // steps that there must be for each figure of a response
-constexpr double kLeastSpread = 1e-6;           // of a disturbance that varies, scaled
+constexpr std::size_t kMostTrialsShown = 2000;  // more trials give no more information
+constexpr int kRowsPerUnknown = 4;              // number of steps needed per unknown of a response
+constexpr double kLeastSpread = 1e-6;           // smallest scaled range of a disturbance that counts as varying
 constexpr Eigen::Index kDisturbances = kStepDisturbances.size(), kIndicators = kStepIndicators.size();
 
 /// Scaled disturbances of a step.
@@ -29,14 +29,14 @@ Eigen::RowVector3d DisturbanceOf(const GaitStep& step, const GaitScale& scale) {
   return {step.ground_m / scale.leg_length_m, step.push_ahead_n_s / impulse, step.push_left_n_s / impulse};
 }
 
-/// Scaled indicators of one that landed.
+/// Scaled indicators of a step that landed.
 Eigen::RowVector3d IndicatorOf(const GaitStep& step, const GaitScale& scale) {
   return {step.late_s / scale.step_s, step.ahead_m / scale.leg_length_m, step.left_m / scale.leg_length_m};
 }
 
-/// Steps that landed, one a row.
+/// Steps that landed, one per row.
 struct Table {
-  Matrix causes;                   ///< the disturbances of the step itself, of the one before, and so on
+  Matrix causes;                   ///< the disturbances of the step, of the previous step, and so on
   Matrix effects;                  ///< its indicators
   std::vector<int> trial, number;  ///< of each row
 };
@@ -65,7 +65,7 @@ Table TableOf(const std::vector<const Steps*>& trials, const GaitScale& scale, i
   return table;
 }
 
-/// Takes off the mean of the rows of each group. @return the largest that was taken off.
+/// Subtracts the mean of the rows of each group. @return the largest subtracted value.
 double TakeOffMeans(const std::vector<int>& group, Matrix& values) {
   const int groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
   Matrix means = Matrix::Zero(groups, values.cols());
@@ -80,8 +80,8 @@ double TakeOffMeans(const std::vector<int>& group, Matrix& values) {
   return means.size() > 0 ? means.cwiseAbs().maxCoeff() : 0.0;
 }
 
-/// Takes off what is the same for a step in all trials, and for a trial in all steps. One after the other, and again,
-/// as steps that did not land are not there.
+/// Subtracts the mean of each step over the trials, and of each trial over the steps. Alternates until both are zero,
+/// because steps that did not land are missing in the table.
 void TakeOffBoth(const Table& table, Matrix& values) {
   constexpr int kRounds = 100;
   constexpr double kEnough = 1e-12;
@@ -91,7 +91,7 @@ void TakeOffBoth(const Table& table, Matrix& values) {
   }
 }
 
-/// What least squares make of a table.
+/// Least-squares solution for a table.
 struct Fit {
   std::string missing;
   int rows = 0;
@@ -105,7 +105,7 @@ struct Fit {
   }
 };
 
-/// The columns of causes that vary, of all steps or of none: a disturbance counts with all that it had.
+/// Columns of causes that vary. A disturbance enters with all its lags or with none.
 std::vector<Eigen::Index> Varied(const Matrix& causes, int lags, Fit& fit) {
   const double rows = std::max(static_cast<double>(causes.rows()), 1.0);
   std::vector<Eigen::Index> columns;
@@ -129,7 +129,7 @@ Fit FitResponse(const std::vector<const Steps*>& trials, const GaitScale& scale)
     fit.missing = "no sampled disturbance differs between steps; bumps and pushes do";
     return fit;
   }
-  const int means = static_cast<int>(trials.size() + trials.front()->size()) - 1;  // that were taken off
+  const int means = static_cast<int>(trials.size() + trials.front()->size()) - 1;  // number of subtracted means
   const int needed = kRowsPerUnknown * static_cast<int>(columns.size()) + means;
   if (fit.rows < needed) {
     fit.missing = fmt::format("there are {} steps; {} or more are needed", fit.rows, needed);
@@ -149,7 +149,7 @@ Fit FitResponse(const std::vector<const Steps*>& trials, const GaitScale& scale)
   return fit;
 }
 
-/// The fit without every tenth trial, ten times; fewer where one of them is none.
+/// Solutions without one tenth of the trials each; fewer if one of them does not exist.
 std::vector<Fit> LeaveOut(const std::vector<const Steps*>& trials, const GaitScale& scale) {
   std::vector<Fit> fits;
   for (int group = 0; group < kGroups; ++group) {
@@ -164,7 +164,8 @@ std::vector<Fit> LeaveOut(const std::vector<const Steps*>& trials, const GaitSca
   return fits;
 }
 
-/// The jackknife of the square of the norm, which noise makes too large by what it adds to all figures of the response.
+/// The jackknife of the squared norm. Noise adds to all entries of the response, so that the plain estimate is too
+/// large.
 void SetNorm(const Fit& all, const std::vector<Fit>& without, GaitSensitivity& result) {
   constexpr double kCount = kGroups, kSurely = 2.0;  // standard errors
   double mean = 0.0, spread = 0.0;

@@ -14,16 +14,16 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kTogether = 0.01;  // feet that land within this of each other make one step [s]
-constexpr double kNear = 0.1;       // a foot that lands further off its time than this has not landed in that step [s]
+constexpr double kTogether = 0.01;  // feet that land within this time of each other belong to one step [s]
+constexpr double kNear = 0.1;       // a foot that lands later or earlier than this has not landed in that step [s]
 
-/// Footholds that are landed on at one time.
+/// Footholds with the same time of landing.
 struct PlannedStep {
   double time_s = 0.0;
   std::vector<const Foothold*> footholds;
 };
 
-/// Whether a foot stands there when the plan begins.
+/// Whether a foot stands on this foothold when the plan begins.
 bool IsFirst(const MotionPlan& plan, const Foothold& foothold) {
   return foothold.touchdown_s <= plan.whole_body.start_s + kTogether;
 }
@@ -39,7 +39,7 @@ std::vector<PlannedStep> PlannedSteps(const MotionPlan& plan) {
   return steps;
 }
 
-/// Where the base is and heads, in plan view.
+/// Place and heading of the base in plan view.
 struct Heading {
   Vector2 p_WB = Vector2::Zero();
   double yaw_rad = 0.0;
@@ -55,7 +55,7 @@ Heading Planned(const MotionPlan& plan, double time_s) {
   return HeadingOf(sample.q);
 }
 
-/// Between the two samples about that time. @pre the log has samples
+/// Interpolates between the samples around a time. @pre the log has samples
 Heading Measured(const PlaybackLog& log, double time_s) {
   const auto later = [](const LogSample& sample, double t) { return sample.time_s < t; };
   const auto next = std::lower_bound(log.samples.begin(), log.samples.end(), time_s, later);
@@ -67,7 +67,7 @@ Heading Measured(const PlaybackLog& log, double time_s) {
   return {a.p_WB + share * (b.p_WB - a.p_WB), a.yaw_rad + share * WrapAngle(b.yaw_rad - a.yaw_rad)};
 }
 
-/// The measured landing nearest to the planned one; nothing where there is none near.
+/// The measured landing nearest to the planned one; null if none is near.
 const StanceRecord* LandingOn(const Foothold& foothold, const PlaybackLog& log) {
   const StanceRecord* nearest = nullptr;
   double off_s = kNear;
@@ -86,7 +86,7 @@ Vector3 ImpulseWithin(const TimedPush& push, double from_s, double to_s) {
   return std::max(time, 0.0) * push.force_W;
 }
 
-/// Goes through the steps of one playback.
+/// Evaluates the steps of one playback.
 class StepReader {
  public:
   StepReader(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options, const PlaybackLog& log)
@@ -140,7 +140,7 @@ class StepReader {
     step.left_m += share * off.y();
   }
 
-  /// @pre the feet that land are known to stand where they do.
+  /// @pre the places of the landing feet are known.
   void AddGround(const PlannedStep& planned, GaitStep& step) const {
     double landing = 0.0, others = 0.0;
     std::vector<char> lands(under_.size(), 0);
@@ -163,9 +163,9 @@ class StepReader {
   const PlaybackLog& log_;
   const std::vector<TimedPush> pushes_;
   const Bumps bumps_;
-  const Pose X_flat_;          ///< from the ground as it is to where no slope turns it
-  std::vector<double> under_;  ///< height of the bumps under each foot, where it stands or stood last [m]
-  double before_s_;            ///< time of the step before
+  const Pose X_flat_;          ///< from the actual ground to the ground without slope
+  std::vector<double> under_;  ///< height of the bumps under each foot, at its current or last stance [m]
+  double before_s_;            ///< time of the previous step
 };
 
 }  // namespace

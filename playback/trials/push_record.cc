@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kDirections = 8;
 
-/// All that were sampled, in the order of their beginning.
+/// All sampled pushes, in order of their beginning.
 std::vector<PushRecord> SampledPushes(const TrialOutcome& outcome) {
   std::vector<PushRecord> pushes;
   std::string name;
@@ -31,7 +31,7 @@ std::vector<PushRecord> SampledPushes(const TrialOutcome& outcome) {
   return pushes;
 }
 
-/// @param until_s  when the next push began, or the playback ended; `last` where no other push came in between.
+/// @param until_s  start of the next push, or end of the playback. @param last  no other push follows before that end.
 PushRecord::Outcome Judged(const PushRecord& push, double until_s, bool last, bool survived) {
   const double watched = until_s - (push.at_s + push.duration_s);
   if (last && !survived && watched <= kPushWindow) return PushRecord::Outcome::kFatal;
@@ -43,7 +43,7 @@ PushRecord::Outcome Judged(const PushRecord& push, double until_s, bool last, bo
 double PushRecord::size_n() const { return std::hypot(ahead_n, left_n, up_n); }
 
 std::optional<double> PushRecord::direction_deg() const {
-  constexpr double kLeastShare = 1e-6;  // of the force, that is more than rounding
+  constexpr double kLeastShare = 1e-6;  // share of the force above which it is not rounding
   if (std::hypot(ahead_n, left_n) <= kLeastShare * size_n()) return std::nullopt;
   return std::atan2(left_n, ahead_n) * 180.0 / std::numbers::pi;
 }

@@ -15,11 +15,11 @@ namespace gaitwright {
 namespace {
 
 constexpr std::size_t kMostPushes = 100;
-constexpr double kBellReach = 3.0;  // standard deviations, where a normal distribution has no limits of its own
+constexpr double kBellReach = 3.0;  // standard deviations to the default limits of a normal distribution
 constexpr char kPlace[] = "place";
 const std::vector<std::string> kKinds = {"uniform", "normal", "choice", "fixed"};
 
-/// Runs what throws without a line, and adds the one of `node`.
+/// Calls a function that throws without a line number, and adds the line of `node`.
 template <class Make>
 auto At(const YAML::Node& node, Make make) {
   try {
@@ -29,7 +29,7 @@ auto At(const YAML::Node& node, Make make) {
   }
 }
 
-/// A value that the figure may have.
+/// Reads a value and checks it against the rule.
 double ValueOf(const YAML::Node& node, const DisturbanceRule& rule) {
   const double value = NumberOf(node, rule.key, rule.lowest, rule.highest);
   if (rule.whole && value != std::round(value))
@@ -49,7 +49,7 @@ DataShape NormalShape(const DisturbanceRule& rule) {
                  Optional("highest", ValueShape(rule), "Upper limit; default: three std above the mean.")});
 }
 
-/// A value, or a distribution of it.
+/// Shape of a value or a distribution.
 ShapeMember DistributionShape(const DisturbanceRule& rule) {
   using namespace shapes;
   const bool words = rule.key == kPlace;
@@ -99,7 +99,7 @@ Distribution ReadChoice(const YAML::Node& node, const DisturbanceRule& rule, boo
   return At(node, [&] { return words ? Distribution::OneOf(texts) : Distribution::OneOf(numbers); });
 }
 
-/// A bare value is a fixed one.
+/// Reads a distribution; a plain value is a fixed one.
 Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rule) {
   const bool words = rule.key == kPlace;
   const auto fixed = [&](const YAML::Node& value) {
@@ -108,7 +108,7 @@ Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rul
   if (node.IsScalar()) return fixed(node);
   const YamlMap map(node, fmt::format("the distribution of '{}'", rule.key), kKinds);
   if (map.entries().size() != 1) {
-    RefuseYaml(node, fmt::format("the distribution of '{}' has {} keys; one is needed of {}", rule.key,
+    RefuseYaml(node, fmt::format("the distribution of '{}' has {} keys; give exactly one of {}", rule.key,
                                  map.entries().size(), QuotedList(kKinds)));
   }
   const auto& [kind, key_node, value] = map.entries().front();
@@ -120,7 +120,7 @@ Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rul
   return fixed(value);
 }
 
-/// Figures of a map, each by the rule of its key.
+/// Reads the quantities of a map, each by the rule of its key.
 std::vector<Disturbance> ReadFigures(const YAML::Node& node, const std::string& what, const std::string& before,
                                      const std::vector<DisturbanceRule>& rules) {
   std::vector<Disturbance> figures;
@@ -149,7 +149,7 @@ DisturbedPush ReadPush(const YAML::Node& node) {
   return push;
 }
 
-/// The rules of the file's own keys, and those whose keys begin with `group`, without it.
+/// The rules of keys without a group, or of keys that begin with `group`, without the group.
 std::vector<DisturbanceRule> RulesOf(const std::string& group) {
   std::vector<DisturbanceRule> rules;
   for (DisturbanceRule rule : DisturbanceRules()) {
@@ -195,13 +195,14 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
     }
   }
   if (disturbances.figures.empty() && disturbances.pushes.empty())
-    RefuseYaml(root, "the file contains no disturbances: its groups are empty; for none, write mass_scale: 1");
+    RefuseYaml(root,
+               "the file contains no disturbances: its groups are empty; to disturb nothing, write mass_scale: 1");
   for (const char* axis : {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"})
     NotBoth(root, disturbances.figures, "com_shift_m", axis);
   return disturbances;
 }
 
-/// A word as YAML, in quotes where it would be read as something else.
+/// A word as YAML, in quotes if it would otherwise be read as another type.
 std::string Quoted(const std::string& word) {
   const bool plain = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
                      std::all_of(word.begin(), word.end(),
@@ -257,7 +258,7 @@ Result<Disturbances> ReadDisturbances(const std::string& text, const OptionField
   try {
     const YAML::Node root = LoadYaml(text);
     if (!root.IsMap() || root.size() == 0)
-      return bad("line 1: contains no disturbances; a map of keys is needed; for none, write mass_scale: 1");
+      return bad("line 1: contains no disturbances; a map of keys is needed; to disturb nothing, write mass_scale: 1");
     return ReadRoot(root, sensors);
   } catch (const YAML::Exception& error) {
     return bad(fmt::format("line {}: not valid YAML from here on", error.mark.line + 1));

@@ -14,9 +14,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kWorstTold = 10;
+constexpr std::size_t kWorstShown = 10;
 
-/// Between the two nearest of sorted values, as share of the way from first to last.
+/// Interpolated quantile of sorted values; `share` from 0 (first) to 1 (last).
 double Quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const std::size_t low = static_cast<std::size_t>(place), high = std::min(low + 1, sorted.size() - 1);
@@ -70,7 +70,8 @@ void CountCauses(RobustnessReport& report) {
   report.broken_gates = Sorted(gates);
 }
 
-/// Values of every name that all trials have, in their order; a direction is left to its parts.
+/// Values of every name that all trials have, in their order; directions are omitted, because their components are
+/// listed.
 std::vector<SampledColumn> ColumnsOf(const std::vector<TrialOutcome>& outcomes) {
   std::vector<SampledColumn> columns;
   for (const SampledValue& first : outcomes.front().sampled) {
@@ -96,7 +97,7 @@ GaitSensitivity GaitSensitivityOf(const TrialSubject& subject, const std::vector
   return EstimateGaitSensitivity(steps, subject.gait_scale);
 }
 
-/// Falls, then failures, then passes, each by their score.
+/// Falls first, then failures, then passes; each group by score.
 std::vector<int> WorstOf(const std::vector<TrialOutcome>& outcomes) {
   std::vector<int> numbers;
   for (const TrialOutcome& outcome : outcomes) numbers.push_back(outcome.number);
@@ -105,7 +106,7 @@ std::vector<int> WorstOf(const std::vector<TrialOutcome>& outcomes) {
     return std::tuple(x.survived, x.passed, x.score) < std::tuple(y.survived, y.passed, y.score);
   };
   std::stable_sort(numbers.begin(), numbers.end(), worse);
-  if (numbers.size() > kWorstTold) numbers.resize(kWorstTold);
+  if (numbers.size() > kWorstShown) numbers.resize(kWorstShown);
   return numbers;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostTold = 8;  // of a ranking in words
+constexpr std::size_t kMostReported = 8;  // largest number of ranked quantities in the text
 
 Json MetricsJson(const RobustnessReport& report) {
   Json metrics = Json::object();
@@ -103,7 +103,7 @@ Json WorstJson(const RobustnessReport& report) {
   return list;
 }
 
-/// One row a trial: what is the same for all stands once.
+/// One row per trial; data that all trials share are written once.
 Json TrialsJson(const RobustnessReport& report) {
   Json columns = {"seed", "survived", "passed", "score", "ended_s", "cause", "log_hash"};
   if (report.n > 0) {
@@ -134,7 +134,7 @@ std::string SensitivityLines(const RobustnessReport& report) {
   if (report.survived == 0 && report.n > 1) return "\ncorrelates of falling: not available, because every trial fell\n";
   if (report.sensitivity.empty()) return "";
   std::string text = "\ncorrelates of falling (effect 0 to 1, p-value)\n";
-  for (std::size_t i = 0; i < std::min(kMostTold, report.sensitivity.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostReported, report.sensitivity.size()); ++i) {
     const Sensitivity& s = report.sensitivity[i];
     text += fmt::format("  {:<36} {:<10} effect {:.2f}  p {:.2g}", s.name, s.how, s.effect, s.p);
     if (!s.of_a_word) {
@@ -145,7 +145,7 @@ std::string SensitivityLines(const RobustnessReport& report) {
   return text;
 }
 
-/// "ground_height and push_left" of what varied.
+/// "ground_height and push_left": the disturbances that varied.
 std::string VariedWords(const GaitSensitivity& gait) {
   std::string words;
   for (std::size_t d = 0; d < gait.varied.size(); ++d) {

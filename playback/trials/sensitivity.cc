@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kMostExactWork = 2e7;  // additions that an exact p-value may take
+constexpr double kMostExactWork = 2e7;  // maximum number of additions for an exact p-value
 
 double Median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -24,7 +24,7 @@ double Median(std::vector<double> values) {
   return values.size() % 2 != 0 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-/// Ranks from 1, ties by their mean; and the sum of t^3 - t over groups of t ties.
+/// Ranks from 1, with mean ranks for ties; and the sum of t^3 - t over groups of t ties.
 struct Ranks {
   std::vector<double> rank;
   double ties = 0.0;
@@ -47,7 +47,7 @@ Ranks RanksOf(const std::vector<double>& values) {
   return ranks;
 }
 
-/// P(U <= u) without ties, by the number of subsets of n1 ranks with each sum; doubles do, as only ratios are needed.
+/// P(U <= u) without ties, by the number of subsets of n1 ranks with each sum; doubles suffice, as only ratios matter.
 double ExactBelow(std::size_t n1, std::size_t n2, std::size_t u) {
   std::vector<std::vector<double>> ways(n1 + 1, std::vector<double>(n1 * n2 + 1, 0.0));
   ways[0][0] = 1.0;  // ways[k][s]: k of the ranks seen so far, with U = s
@@ -71,7 +71,7 @@ double NormalP(double u, double n1, double n2, double ties) {
   return std::erfc(off / std::sqrt(2.0 * variance));
 }
 
-/// A figure in one way of looking at it, and what its two ends are called.
+/// A transform of a quantity, and the names of its two ends.
 struct Look {
   std::vector<double> values;
   std::string more, less;
@@ -111,9 +111,9 @@ Halves Split(const std::vector<double>& values, const std::vector<char>& fell) {
   return halves;
 }
 
-/// Log odds of a fall per standard deviation of each column: penalised likelihood by Newton's method, with a penalty of
-/// one half of each squared weight, so that it has an end even where a figure tells all.
-/// le Cessie and van Houwelingen, Applied Statistics 41(1), 1992, doi:10.2307/2347628.
+/// Log odds of a fall per standard deviation of each column: penalised likelihood by Newton's method. The penalty, one
+/// half of each squared weight, keeps the weights finite even if one quantity separates all falls. le Cessie and van
+/// Houwelingen, Applied Statistics 41(1), 1992, doi:10.2307/2347628.
 Eigen::VectorXd LogisticWeights(const Eigen::MatrixXd& standardised, const std::vector<char>& fell) {
   const Eigen::Index n = standardised.rows(), m = standardised.cols() + 1;
   Eigen::MatrixXd X(n, m);

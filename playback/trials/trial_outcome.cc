@@ -25,14 +25,14 @@ Json SampledJson(const std::vector<SampledValue>& sampled) {
   return list;
 }
 
-/// @throws InvalidArgument for a figure that no trial has.
+/// @throws InvalidArgument for a value that is impossible in a trial.
 double In(const char* what, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return value;
   throw InvalidArgument(fmt::format("a line is not an outcome of a trial: its {} is {}; accepted: {} to {}", what,
                                     value, lowest, highest));
 }
 
-constexpr double kMost = 1e30;   // of any figure, in its unit
+constexpr double kMost = 1e30;   // of any number, in its unit
 constexpr double kLatest = 1e7;  // on a plan's clock [s]
 constexpr int kMostTrials = 1000000000;
 
@@ -47,7 +47,7 @@ std::vector<SampledValue> SampledFrom(const Json& list) {
   return sampled;
 }
 
-/// A list a step: three numbers of what disturbed it, and three of how it landed where it did.
+/// One list per step: its three disturbances, and three values of its landing if it landed.
 Json StepsJson(const std::vector<GaitStep>& steps) {
   Json list = Json::array();
   for (const GaitStep& s : steps) {

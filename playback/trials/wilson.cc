@@ -11,7 +11,8 @@
 namespace gaitwright {
 
 ShareInterval WilsonInterval(int k, int n) {
-  if (k < 0 || k > n) throw InvalidArgument(fmt::format("{} of {} is not a share", k, n));
+  if (k < 0 || k > n)
+    throw InvalidArgument(fmt::format("{} of {} is not a share; the first number must be from 0 to the second", k, n));
   if (n == 0) return {};
   constexpr double z = 1.959963984540054;
   const double count = n, p = k / count, scale = 1.0 + z * z / count;

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-static_assert(std::endian::native == std::endian::little, "columns are packed as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "columns are packed in memory order");
 
 template <class Number>
 std::string Bytes(const std::vector<Number>& values) {

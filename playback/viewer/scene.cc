@@ -21,7 +21,7 @@ Json Mark(double at_s, const char* kind, const std::string& text) {
   return {{"at_s", at_s}, {"kind", kind}, {"text", text}};
 }
 
-/// What the log knows to have gone wrong: the fall, what touched, and where a gate was missed most.
+/// Adds the faults in a log: the fall, contacts of the body, and the worst times of failed gates.
 void AddFaults(const ShownMotion& shown, Json& marks) {
   for (const BodyContact& contact : shown.log->body_contacts)
     marks.push_back(Mark(contact.time_s, "contact", contact.link + " touches"));
@@ -78,7 +78,7 @@ Json MotionScene(const ShownMotion& shown) {
           {"marks", MarksScene(shown)}};
 }
 
-/// JSON that may stand in a page: what could end a script or begin a tag is written as \u003c and the like.
+/// JSON that is safe in a page: characters that could end a script or begin a tag are written as \u003c and the like.
 std::string ForPage(const std::string& json) {
   std::string text;
   text.reserve(json.size());

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 constexpr int kSwingPoints = 25, kCirclePoints = 16;
-constexpr double kPointFoot = 0.04;  // radius that a foot without a sole is drawn with, share of the leg's length
+constexpr double kPointFoot = 0.04;  // drawn radius of a foot without a sole, as a share of the leg length
 
 /// One side of a motion, planned or measured, as columns.
 class Columns {
@@ -55,13 +55,13 @@ class Columns {
   }
 
  private:
-  /// The numbers of a vector; as many gaps where it has not that many.
+  /// Appends the numbers of a vector; gaps if their number is not `columns`.
   static void Append(const Eigen::Ref<const VectorX>& values, int columns, std::vector<float>& to) {
     const bool whole = values.size() == columns;
     for (Eigen::Index i = 0; i < columns; ++i) to.push_back(whole ? static_cast<float>(values[i]) : kNothing);
   }
 
-  /// A point of plan view on the plane of the support, in flight on the ground.
+  /// Adds a point in plan view at the height of the support's plane, in flight at the height of the ground.
   void AddOnGround(const Vector2& p_W, const Support& support, bool there, std::vector<float>& to) const {
     if (!there || !p_W.allFinite()) {
       to.insert(to.end(), 3, kNothing);
@@ -84,7 +84,7 @@ class Columns {
   std::vector<std::uint32_t> support_first_ = {0};
 };
 
-/// The outline of a foothold: the sole's, or a circle.
+/// The outline of a foothold: the sole, or a circle.
 std::vector<Vector3> OutlineOf(const RobotModel& model, const Foothold& foothold) {
   const Foot& foot = model.feet[static_cast<std::size_t>(foothold.foot)];
   std::vector<Vector3> outline;

@@ -12,14 +12,14 @@
 
 namespace gaitwright {
 
-/// Tree, joints and shapes of a robot: what the URDF says it looks like, where that can be drawn, else what it
-/// touches with. A visual mesh is looked for from `mesh_folder`; where it is not to be had, the link's collision
-/// shapes stand in.
+/// Tree, joints and shapes of a robot: the visual shapes of the URDF if they can be drawn, otherwise its collision
+/// shapes. Visual meshes are searched for from `mesh_folder`; if a mesh is missing, the link's collision shapes are
+/// used.
 nlohmann::ordered_json RobotScene(const RobotModel& model, const std::optional<std::string>& mesh_folder);
 
 nlohmann::ordered_json TerrainScene(const Terrain& terrain);
 
-/// The times, and the planned and measured motion at every `stride`-th sample; a side without samples is null.
+/// The times, and the planned and measured motion at every `stride`-th sample; a motion without samples is null.
 struct TrackScenes {
   nlohmann::ordered_json time_s, planned, measured;
 };

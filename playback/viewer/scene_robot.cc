@@ -48,7 +48,7 @@ Json JointsJson(const RobotModel& model) {
 Json DofsJson(const RobotModel& model) {
   Json list = Json::array();
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
-    const bool shared = model.TransmissionOf(dof) != nullptr;  // no limit is the joint's own
+    const bool shared = model.TransmissionOf(dof) != nullptr;  // the joint has no limit of its own
     list.push_back({{"name", model.dof_names[static_cast<std::size_t>(dof)]},
                     {"unit", model.LeaderOf(dof).is_prismatic() ? "m" : "rad"},
                     {"lower", FiniteOrNull(model.dof_lower(dof))},
@@ -78,7 +78,7 @@ Json SizeJson(const Shape& shape) {
   return Json::array({shape.size.x(), shape.size.y(), shape.size.z()});
 }
 
-/// The shapes of a robot as they are found drawable, and the meshes that they need.
+/// Collects the drawable shapes of a robot, and the meshes that they need.
 class Shapes {
  public:
   Shapes(const RobotModel& model, const std::optional<std::string>& mesh_folder) : mesh_folder_(mesh_folder) {
@@ -110,7 +110,7 @@ class Shapes {
     return true;
   }
 
-  /// Which of `meshes` a file is; -1 where it is not to be had.
+  /// Index of a file in `meshes`; -1 if it is not available.
   int MeshNumber(const std::string& file) {
     const auto [known, is_new] = numbers_.try_emplace(file, -1);
     if (!is_new || !mesh_folder_) return known->second;

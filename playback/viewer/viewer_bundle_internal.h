@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// What playback/viewer/web is built to, embedded in the program: one script and one style sheet.
-/// Empty in a program that was built without it (GAITWRIGHT_VIEWER=OFF).
+/// The result of building playback/viewer/web, embedded in the program: one script and one style sheet. Empty in a
+/// program that was built without it (GAITWRIGHT_VIEWER=OFF).
 std::string_view ViewerScript();
 std::string_view ViewerStyle();
 

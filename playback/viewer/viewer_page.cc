@@ -10,13 +10,13 @@
 namespace gaitwright {
 namespace {
 
-/// Style and script around an element; sections of characters keep the page well-formed XML.
+/// Style and script around an element; CDATA sections keep the page well-formed XML.
 std::string Parts(const std::string& element) {
   return fmt::format("<style>/*<![CDATA[*/\n{}\n/*]]>*/</style>\n{}<script>//<![CDATA[\n{}\n//]]></script>\n",
                      ViewerStyle(), element, ViewerScript());
 }
 
-/// The viewer's element and what it shows.
+/// The viewer's element and its scene.
 std::string SceneElement(const std::string& classes, const std::string& scene) {
   return fmt::format(
       "<div class=\"{}\" data-scene=\"scene\"></div>\n<script type=\"application/json\" id=\"scene\">{}</script>\n",

@@ -11,10 +11,10 @@
 
 namespace gaitwright::python {
 
-/// A table as NumPy has it: a row after the other.
+/// A table in NumPy's order: row-major.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Which of some things are so, a row after the other.
+/// A table of truth values, row-major.
 using TruthMatrix = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Vectors of one size as the rows of a table.
@@ -25,24 +25,24 @@ RowMatrix Rows(const std::vector<Vector>& vectors) {
   return rows;
 }
 
-/// Tables of an object that never changes, each made when it is first asked for and then shared with Python, which may
-/// not write to it.
+/// Tables of an object that never changes. Each table is made on first use and then shared with Python as a read-only
+/// array.
 class Tables {
  public:
-  /// @param owner  what Python keeps alive for as long as it has the array.
+  /// @param owner  the object that Python keeps alive as long as it has the array.
   /// @param make   makes the table.
   template <class Make>
   pybind11::array Get(const pybind11::object& owner, const std::string& name, const Make& make) const {
     const RowMatrix& table = MadeIn(tables_, name, make);
     return Shared({table.rows(), table.cols()}, table.data(), owner);
   }
-  /// The same of truths.
+  /// As Of, for a table of truth values.
   template <class Make>
   pybind11::array GetTruths(const pybind11::object& owner, const std::string& name, const Make& make) const {
     const TruthMatrix& table = MadeIn(truths_, name, make);
     return Shared({table.rows(), table.cols()}, table.data(), owner);
   }
-  /// The same of one column, as an array of one dimension.
+  /// As Of, for one column, as an array of one dimension.
   template <class Make>
   pybind11::array GetColumn(const pybind11::object& owner, const std::string& name, const Make& make) const {
     const RowMatrix& table = MadeIn(tables_, name, make);
@@ -68,8 +68,8 @@ class Tables {
   mutable std::map<std::string, TruthMatrix> truths_;
 };
 
-/// Forces of the ground as an array of rows, feet and axes (W), shared as the other tables are.
-/// @param wrenches_at  of a row: those of its feet, of all rows as many.
+/// Ground forces as an array of rows x feet x axes (W), shared like the other tables.
+/// @param wrenches_at  the wrenches of the feet in a row; each row has the same number.
 template <class WrenchesAt>
 pybind11::array ForceTable(const Tables& tables, const pybind11::object& owner, std::size_t rows,
                            const WrenchesAt& wrenches_at) {

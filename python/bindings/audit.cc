@@ -38,7 +38,7 @@ void BindAudit(py::module_& module) {
       });
   py::class_<AuditMargin>(module, "AuditMargin", "Margin of a plan to the limit of a check at one place.")
       .def_property_readonly("law", [](const AuditMargin& m) { return LawName(m.law); })
-      .def_readonly("at_s", &AuditMargin::at_s, "When it is nearest.")
+      .def_readonly("at_s", &AuditMargin::at_s, "Time of the smallest margin [s].")
       .def_readonly("where", &AuditMargin::where)
       .def_readonly("value", &AuditMargin::value)
       .def_readonly("limit", &AuditMargin::limit)
@@ -62,11 +62,11 @@ void BindAudit(py::module_& module) {
   module.attr("AUDIT_LAWS") = LawNames();
   module.attr("FAILURE_CODES") = FailureCodeNames();
   module.def("audit", AuditOf, py::arg("plan").none(false), py::arg("margins") = false, py::arg("options") = py::dict(),
-             R"(Looks at a plan at 1 kHz, between its nodes too: dynamics, forces, limits, reach, clearance and more.
+             R"(Checks a plan at 1 kHz, also between its nodes: dynamics, forces, limits, reach, clearance and more.
 
 Args:
-    margins: tells how near each law comes to its limit too.
-    options: as of ``gaitwright audit --set``, such as ``{"derate_torque": 0.8}``.)");
+    margins: also report the smallest margin of each check.
+    options: as for ``gaitwright audit --set``, such as ``{"derate_torque": 0.8}``.)");
 }
 
 }  // namespace gaitwright::python

@@ -13,7 +13,7 @@ namespace py = pybind11;
 
 const Playback& In(const py::object& self) { return self.cast<const Playback&>(); }
 
-/// What `fill` writes into the row of each sample; rows without one, of states that are not finite, are NaN.
+/// A table in which `fill` writes the row of each sample. A row whose state is not finite is NaN.
 template <class Fill>
 RowMatrix SampleRows(const Playback& playback, Eigen::Index columns, const Fill& fill) {
   const std::vector<MotionSample>& samples = playback.series().measured;
@@ -22,7 +22,7 @@ RowMatrix SampleRows(const Playback& playback, Eigen::Index columns, const Fill&
   return table;
 }
 
-/// A vector of each sample, as a table that is shared with Python.
+/// A vector per sample, as a table that is shared with Python.
 template <auto Member>
 py::array Table(const py::object& self, const char* name) {
   const auto fill = [](const MotionSample& sample, auto row) { row = (sample.*Member).transpose(); };
@@ -107,7 +107,7 @@ void BindBalance(py::class_<Playback>& playback) {
   playback
       .def_property_readonly(
           "centre_of_mass_m", [](const py::object& self) { return Table<&MotionSample::p_WC>(self, "centre_of_mass"); },
-          "N x 3.")
+          "Measured positions in world axes, N x 3 [m].")
       .def_property_readonly(
           "centre_of_mass_velocity_m_s",
           [](const py::object& self) { return Table<&MotionSample::v_WC>(self, "centre_of_mass_velocity"); }, "N x 3.")
@@ -121,17 +121,16 @@ void BindBalance(py::class_<Playback>& playback) {
                              "Distance of the ZMP to the edge of the support, N: positive inside; NaN in flight or if "
                              "the support is not in one plane.")
       .def_property_readonly("feet_m", FeetOf, "Origins of the feet's contact frames, N x feet x 3.")
-      .def_property_readonly("contact", ContactOf, "Whether each foot touches, N x feet.")
-      .def(
-          "support", SupportAt, py::arg("row"),
-          "Corners of the support polygon of a row in plan view, K x 2, counter-clockwise: the feet that are scheduled "
-          "to stand, where they are.")
+      .def_property_readonly("contact", ContactOf, "Whether each foot touches the ground, N x feet.")
+      .def("support", SupportAt, py::arg("row"),
+           "Corners of the support polygon of a row in plan view, K x 2, counter-clockwise: of the feet that are "
+           "scheduled to stand, at their measured places.")
       .def_property_readonly("stances", StancesOf,
-                             "Each stay of a foot on the ground, by touch-down: foot, touchdown_s, liftoff_s, "
+                             "Stance phases in order of touch-down: foot, touchdown_s, liftoff_s, "
                              "touchdown_m (3), touchdown_speed_m_s, slip_m, peak_normal_n, penetration_m, "
                              "friction_use_max (1 at the cone's edge).")
       .def_property_readonly("body_contacts", BodyContactsOf,
-                             "(time_s, link) of the first contact of each link that is not a foot.");
+                             "(time_s, link) of the first ground contact of each link that is not a foot.");
 }
 
 }  // namespace gaitwright::python

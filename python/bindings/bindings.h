@@ -5,7 +5,7 @@
 
 namespace gaitwright::python {
 
-// What the module holds, a file each; those below use those above.
+// The parts of the module, one file each; later parts use earlier ones.
 
 /// Failures as exceptions of the package.
 void BindErrors(pybind11::module_& module);
@@ -17,15 +17,15 @@ void BindPlan(pybind11::module_& module);
 /// Planning of walks, and of motions over given footsteps.
 void BindPlanning(pybind11::module_& module);
 void BindAudit(pybind11::module_& module);
-/// The physics, step by step.
+/// Physics, step by step.
 void BindWorld(pybind11::module_& module);
 void BindControllers(pybind11::module_& module);
 /// Whole playbacks and their scores.
 void BindPlayback(pybind11::module_& module);
 void BindTrials(pybind11::module_& module);
-/// Instructions in words, and motions that do them.
+/// Instructions in words, and motions that carry them out.
 void BindTasks(pybind11::module_& module);
-/// Two motions side by side.
+/// Comparison of two motions.
 void BindCompare(pybind11::module_& module);
 
 }  // namespace gaitwright::python

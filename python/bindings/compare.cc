@@ -17,14 +17,14 @@ namespace {
 
 namespace py = pybind11;
 
-/// Two motions side by side, with what its page draws.
+/// A comparison of two motions, with the data that its page draws.
 struct Comparison {
   ComparedMotion a, b;
   MotionComparison motions;
   std::vector<MetricPair> metrics;
 };
 
-/// One side; the plan that was played is kept where there is one.
+/// Reads one side. Sets `played` to the plan that was played, if there is one.
 ComparedMotion SideOf(const py::object& side, const std::string& name, const MotionPlan*& played) {
   if (py::isinstance<Plan>(side)) {
     const auto& plan = side.cast<const Plan&>();
@@ -63,17 +63,16 @@ std::vector<py::dict> DifferencesOf(const Comparison& comparison) {
 }  // namespace
 
 void BindCompare(py::module_& module) {
-  py::class_<Comparison>(module, "Comparison", "Two motions side by side; differences are b - a.")
+  py::class_<Comparison>(module, "Comparison", "A comparison of two motions; differences are b - a.")
       .def_property_readonly(
           "same", [](const Comparison& c) { return c.motions.same(); }, "True if all differences are within tolerance.")
-      .def_property_readonly(
-          "differences", DifferencesOf,
-          "What differed first, and then; each quantity once: quantity, at_s, a, b, unit, tolerance.")
+      .def_property_readonly("differences", DifferencesOf,
+                             "Differences in order of time, each quantity once: quantity, at_s, a, b, unit, tolerance.")
       .def_property_readonly("notes", [](const Comparison& c) { return c.motions.notes; })
       .def("to_json", [](const Comparison& c) { return ComparisonJson(c.motions, c.metrics); })
       .def(
           "report_html", [](const Comparison& c) { return ComparisonPage(c.a, c.b, c.motions, c.metrics); },
-          "Both motions in shared plots, as one self-contained HTML page.")
+          "Self-contained HTML page with both motions in shared plots.")
       .def("__str__", [](const Comparison& c) { return ComparisonText(c.motions, c.metrics); })
       .def("__repr__", [](const Comparison& c) {
         return fmt::format("<gaitwright.Comparison: {}>",
@@ -81,11 +80,11 @@ void BindCompare(py::module_& module) {
       });
   module.def("compare", Compare, py::arg("a"), py::arg("b"), py::kw_only(), py::arg("align") = "auto",
              py::arg("tolerance") = 0.05,
-             R"(Sets two motions side by side: plans, playbacks, or one of each.
+             R"(Compares two motions: plans, playbacks, or one of each.
 
 Args:
-    align: how their clocks are set: "none", "start", "best", or "auto" (docs/compare.md).
-    tolerance: share of each figure's scale up to which it is the same.)");
+    align: time alignment: "none", "start", "best", or "auto" (docs/compare.md).
+    tolerance: share of the scale of each quantity; smaller differences are ignored.)");
 }
 
 }  // namespace gaitwright::python

@@ -17,7 +17,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A controller that is written in Python.
+/// A controller written in Python.
 class PythonController : public Controller {
  public:
   JointCommand Update(const ControlInput& input) override {
@@ -39,12 +39,12 @@ class PythonController : public Controller {
   }
 };
 
-/// Writes a vector where it is, since arrays of Python's may look at it: of the size that it has.
+/// Writes a vector in place, since Python arrays may view it. @throws InvalidArgument for another size.
 template <auto Vector, class Owner>
 void SetVector(Owner& owner, const VectorX& given) {
   VectorX& own = owner.*Vector;
   if (own.size() != 0 && given.size() != own.size())
-    throw InvalidArgument(fmt::format("there are {} numbers; {} are needed", given.size(), own.size()));
+    throw InvalidArgument(fmt::format("{} numbers are given; {} are needed", given.size(), own.size()));
   own = given;
 }
 
@@ -94,7 +94,7 @@ py::tuple GainsOf(const RobotModel& model, const py::dict& options) {
 ControlInput MakeInput(double time_s, double step_s, const VectorX& q, const VectorX& v, const RowMatrix& forces_n,
                        const std::vector<bool>& contact) {
   if (forces_n.cols() != 3 || forces_n.rows() != static_cast<Eigen::Index>(contact.size()))
-    throw InvalidArgument(fmt::format("forces_n is {} x {}; {} x 3 are needed, a row for each foot of contact",
+    throw InvalidArgument(fmt::format("forces_n is {} x {}; {} x 3 are needed: one row for each foot of contact",
                                       forces_n.rows(), forces_n.cols(), contact.size()));
   ControlInput input{time_s, step_s, q, v, {}, 0};
   for (std::size_t foot = 0; foot < contact.size(); ++foot) {
@@ -108,13 +108,14 @@ void BindInput(py::module_& module) {
   py::class_<ControlInput> input(module, "ControlInput", "Input of a controller at the start of a step.");
   input.def(py::init<>())
       .def(py::init(&MakeInput), py::arg("time_s"), py::arg("step_s"), py::arg("q"), py::arg("v"), py::arg("forces_n"),
-           py::arg("contact"), "One made up, for asking a controller without a playback.")
-      .def_readwrite("time_s", &ControlInput::time_s, "On the plan's clock; after the plan's end it runs on.")
+           py::arg("contact"), "Makes an input, to call a controller without a playback.")
+      .def_readwrite("time_s", &ControlInput::time_s,
+                     "Time on the plan's clock [s]; it continues after the end of the plan.")
       .def_readwrite("step_s", &ControlInput::step_s)
-      .def_property_readonly("forces_n", ForcesOf, "Of the ground on the feet in the last step, feet x 3.")
+      .def_property_readonly("forces_n", ForcesOf, "Ground forces on the feet in the last step, feet x 3 [N].")
       .def_property_readonly("contact", ContactOf, "Whether each foot carried force in the last step.");
-  BindVector<&ControlInput::q>(input, "q", "Of the robot, nq.");
-  BindVector<&ControlInput::v>(input, "v", "Of the robot, nv.");
+  BindVector<&ControlInput::q>(input, "q", "Measured state of the robot, nq.");
+  BindVector<&ControlInput::v>(input, "v", "Measured velocities of the robot, nv.");
 }
 
 }  // namespace
@@ -123,12 +124,12 @@ void CheckInput(const RobotModel& model, const ControlInput& input) {
   CheckState(model, input.q, input.v);
   if (input.wrenches.size() != model.feet.size())
     throw InvalidArgument(
-        fmt::format("forces_n is of {} feet; '{}' has {}", input.wrenches.size(), model.name, model.feet.size()));
+        fmt::format("forces_n has {} feet; '{}' has {}", input.wrenches.size(), model.name, model.feet.size()));
 }
 
 void BindControllers(py::module_& module) {
   BindInput(module);
-  py::class_<JointCommand> command(module, "JointCommand", R"(What the motors shall do until the next call, by joint::
+  py::class_<JointCommand> command(module, "JointCommand", R"(Command to the motors until the next call, by joint::
 
     tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured), within the effort limit)");
   command.def(py::init(&MakeCommand), py::arg("q"), py::arg("v") = py::none(), py::arg("tau_ff") = py::none(),
@@ -138,22 +139,24 @@ void BindControllers(py::module_& module) {
   BindVector<&JointCommand::tau_ff>(command, "tau_ff");
   BindVector<&JointCommand::stiffness>(command, "stiffness");
   BindVector<&JointCommand::damping>(command, "damping");
-  py::class_<Controller, PythonController, std::shared_ptr<Controller>>(module, "Controller",
-                                                                        R"(State in, command out, once a step.
+  py::class_<Controller, PythonController, std::shared_ptr<Controller>>(
+      module, "Controller",
+      R"(Computes a command from the state once per step.
 
-A class of your own has ``update(self, input)``, which gives a `JointCommand`. It may have ``reset(self)``, called before
-a playback, and ``name(self)`` for logs and reports; without one it is called as its class. It must not keep time by itself: ``input.time_s`` may stand still.)")
+Your own class must have ``update(self, input)``, which returns a `JointCommand`. It may have ``reset(self)``, which is
+called before a playback, and ``name(self)``, the name in logs and reports; the default is the name of the class. Take
+the time from ``input.time_s`` and do not count steps, because ``input.time_s`` may stand still.)")
       .def(py::init<>())
       .def("update", &Controller::Update, py::arg("input"))
       .def("reset", &Controller::Reset)
       .def("name", &Controller::Name);
   const py::class_<OwnController, Controller, std::shared_ptr<OwnController>> own(module, "OwnController",
-                                                                                  "A controller of the program's own.");
+                                                                                  "A built-in controller.");
   module.def("make_controller", MakeOwn, py::arg("plan").none(false), py::arg("name") = "stabilised",
              py::arg("options") = py::dict(),
-             "One of CONTROLLERS for a plan, to be called step by step or used in a playback.");
+             "Makes one of CONTROLLERS for a plan, to call step by step or to use in a playback.");
   module.def("derive_gains", GainsOf, py::arg("robot").none(false), py::arg("options") = py::dict(),
-             "Stiffness and damping by joint, from the inertia that each has to command.");
+             "Stiffness and damping by joint, derived from the inertia that each joint moves.");
   module.attr("CONTROLLERS") = ControllerNames();
 }
 

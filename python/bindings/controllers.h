@@ -10,17 +10,17 @@
 
 namespace gaitwright::python {
 
-/// @throws InvalidArgument for an input whose sizes are not those of the robot, or that is not finite.
+/// @throws InvalidArgument if the sizes of the input are not those of the robot, or a value is not finite.
 void CheckInput(const RobotModel& model, const ControlInput& input);
 
-/// One of the program's own controllers for a plan, which it keeps alive. One thread asks it at a time.
+/// A built-in controller for a plan, which it keeps alive. Only one thread at a time may use it.
 class OwnController : public Controller {
  public:
-  /// @throws as of MakeController.
+  /// @throws as MakeController does.
   OwnController(const std::shared_ptr<const Plan>& plan, const PlayRequest& request)
       : plan_(plan), controller_(MakeController(plan->model(), plan->motion(), request)) {}
 
-  /// @throws InvalidArgument for an input that is not of the plan's robot.
+  /// @throws InvalidArgument if the input does not fit the plan's robot.
   JointCommand Update(const ControlInput& input) override {
     CheckInput(plan_->model(), input);
     const InUse::Turn turn(asked_, "this controller");
@@ -32,7 +32,7 @@ class OwnController : public Controller {
   }
   const BaseEstimate* Estimate() const override { return controller_->Estimate(); }
   std::string Name() const override { return controller_->Name(); }
-  /// Of a whole playback.
+  /// Marks that a whole playback uses the controller.
   InUse& played() { return played_; }
 
  private:

@@ -42,7 +42,7 @@ py::object ViolationOf(const Failure& failure) {
   return violation;
 }
 
-/// Raises the package's own exception, which has all that the failure has.
+/// Raises the package's exception with all data of the failure.
 void Raise(const Failure& failure) {
   const py::module_ errors = py::module_::import("gaitwright.errors");
   const char* name = failure.kind == FailureKind::kInfeasible ? "InfeasibleError" : "BadInputError";
@@ -55,7 +55,7 @@ void Raise(const Failure& failure) {
 }  // namespace
 
 void BindErrors(py::module_&) {
-  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 takes a function of just this type
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 requires exactly this type of function
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -8,7 +8,7 @@
 
 namespace gaitwright::python {
 
-/// A failure on its way to Python, where it becomes a BadInputError or an InfeasibleError.
+/// Carries a failure to Python, where it becomes a BadInputError or an InfeasibleError.
 class FailureError : public std::exception {
  public:
   explicit FailureError(Failure failure) : failure_(std::move(failure)) {}
@@ -19,7 +19,7 @@ class FailureError : public std::exception {
   Failure failure_;
 };
 
-/// The value of a result. @throws FailureError where it has none.
+/// The value of a result. @throws FailureError if it is a failure.
 template <class T>
 T Value(Result<T> result) {
   if (!result) throw FailureError(result.failure());

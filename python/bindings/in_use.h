@@ -8,10 +8,10 @@
 
 namespace gaitwright::python {
 
-/// Marks what one thread works on while others may run, since the interpreter's lock is released.
+/// Marks an object that one thread uses. Other threads may run at that time, since the interpreter's lock is released.
 class InUse {
  public:
-  /// Held for as long as it is worked on. @throws InvalidArgument where another thread does.
+  /// Exists as long as the object is in use. @throws InvalidArgument if another thread uses the object.
   class Turn {
    public:
     Turn(InUse& what, const std::string& name) : what_(what) {

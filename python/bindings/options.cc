@@ -15,7 +15,7 @@ std::string TextOf(const std::string& key, const py::handle& value) {
     return py::bool_(py::reinterpret_borrow<py::object>(value)).cast<bool>() ? "true" : "false";
   if (PyNumber_Check(value.ptr()) != 0)
     return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
-  throw InvalidArgument(fmt::format("the option '{}' is {}; a number, a truth or a text is accepted", key,
+  throw InvalidArgument(fmt::format("option '{}' is {}; accepted: a number, a truth value or a text", key,
                                     py::repr(value).cast<std::string>()));
 }
 

@@ -8,15 +8,16 @@
 
 namespace gaitwright::python {
 
-/// Options as a Python function takes them: a dictionary with the keys of `--set`, and numbers, truths or texts.
-/// @throws InvalidArgument for a value of another kind.
+/// Reads the options of a Python function: a dictionary with the keys of `--set`, and numbers, truth values or texts.
+/// @throws InvalidArgument for a value of another type.
 OptionTexts TextsFrom(const pybind11::dict& options);
 
-/// Puts them where their keys belong. @throws InvalidArgument for a key that is not among the fields, the nearest being
-/// named, and for a value that is out of range.
+/// Sets the fields with the keys of `options`. @throws InvalidArgument for an unknown key (the message names the
+/// nearest one) and for a value out of range.
 void SetOptions(OptionFields fields, const pybind11::dict& options);
 
-/// A playback by its options: those of `play --set`, and "sensors", the name of a ready-made set of their figures.
+/// Makes the request of a playback from options: those of `play --set`, and "sensors", the name of a built-in set of
+/// sensor data.
 /// @throws InvalidArgument as SetOptions does.
 PlayRequest PlayRequestOf(const pybind11::dict& options);
 

@@ -32,7 +32,7 @@ RowMatrix Times(double start_s, double step_s, int count) {
   return times;
 }
 
-/// A table of the whole body's rows, shared with Python.
+/// A table of whole-body rows, shared with Python.
 template <std::vector<VectorX> WholeBodyTrajectory::*Column>
 py::array BodyTable(const py::object& self, const char* name) {
   const Plan& plan = PlanIn(self);
@@ -51,7 +51,7 @@ py::array ForcesOf(const py::object& self) {
       PlanIn(self).tables(), self, wrenches.size(), [&](std::size_t row) -> const auto& { return wrenches[row]; });
 }
 
-/// Tables of the centre of mass and the ZMP, on their own grid.
+/// Tables of the centre of mass and the ZMP, on the centroidal time grid.
 struct CentroidalTables {
   static py::array Time(const py::object& self) {
     const CentroidalTrajectory& c = PlanIn(self).motion().centroidal;
@@ -130,19 +130,20 @@ std::vector<std::string> Export(const Plan& plan, const fs::path& path, const st
 void BindArrays(py::class_<Plan, std::shared_ptr<Plan>>& plan) {
   using Body = WholeBodyTrajectory;
   using Centre = CentroidalTrajectory;
-  plan.def_property_readonly("time_s", TimeOf, "Of the rows, N.")
+  plan.def_property_readonly("time_s", TimeOf, "Times of the rows, N [s].")
       .def_property_readonly(
-          "q", [](const py::object& self) { return BodyTable<&Body::q>(self, "q"); }, "Positions, N x nq.")
+          "q", [](const py::object& self) { return BodyTable<&Body::q>(self, "q"); }, "Positions q, N x nq.")
       .def_property_readonly(
-          "v", [](const py::object& self) { return BodyTable<&Body::v>(self, "v"); }, "Velocities, N x nv.")
+          "v", [](const py::object& self) { return BodyTable<&Body::v>(self, "v"); }, "Velocities v, N x nv.")
       .def_property_readonly(
           "a", [](const py::object& self) { return BodyTable<&Body::a>(self, "a"); }, "Accelerations, N x nv.")
       .def_property_readonly(
           "tau", [](const py::object& self) { return BodyTable<&Body::tau>(self, "tau"); },
-          "Feed-forward torques of the joints, N x n [N m].")
-      .def_property_readonly("forces_n", ForcesOf, "Forces of the ground on the feet, N x feet x 3.")
+          "Feed-forward joint torques, N x n [N m], or forces [N] of prismatic joints.")
+      .def_property_readonly("forces_n", ForcesOf, "Ground forces on the feet, N x feet x 3 [N].")
       .def_property_readonly("contact", ContactOf, "Whether each foot is scheduled to stand, N x feet.")
-      .def_property_readonly("centroidal_time_s", CentroidalTables::Time, "Of the rows of the three below, M.")
+      .def_property_readonly("centroidal_time_s", CentroidalTables::Time,
+                             "Times of the rows of centre_of_mass_m and zmp_m, M [s].")
       .def_property_readonly(
           "centre_of_mass_m",
           [](const py::object& self) { return CentroidalTables::Of<Vector3, &Centre::p_WC>(self, "p_WC"); }, "M x 3")
@@ -151,7 +152,7 @@ void BindArrays(py::class_<Plan, std::shared_ptr<Plan>>& plan) {
           [](const py::object& self) { return CentroidalTables::Of<Vector3, &Centre::v_WC>(self, "v_WC"); }, "M x 3")
       .def_property_readonly(
           "zmp_m", [](const py::object& self) { return CentroidalTables::Of<Vector2, &Centre::p_WZ>(self, "p_WZ"); },
-          "Reference of the zero-moment point, M x 2.");
+          "Reference of the zero-moment point, M x 2 [m].");
 }
 
 }  // namespace
@@ -163,18 +164,20 @@ void BindPlan(py::module_& module) {
   py::class_<Plan, std::shared_ptr<Plan>> plan(
       module, "Plan", R"(A motion plan: footholds, contacts, centre of mass, joints and torques.
 
-It never changes. Arrays of it are shared, not copied, and cannot be written to: take a copy to change one.)");
+A plan never changes. Its arrays are shared and read-only: to change an array, copy it.)");
   BindArrays(plan);
   plan.def_property_readonly("robot", &Plan::robot)
       .def_property_readonly("terrain", [](const Plan& p) { return p.motion().terrain; })
       .def_property_readonly("duration_s", [](const Plan& p) { return p.motion().duration_s(); })
       .def_property_readonly(
-          "gait", [](const Plan& p) { return GaitNames(p.motion().parts); }, "Of its parts.")
+          "gait", [](const Plan& p) { return GaitNames(p.motion().parts); }, "Names of the gaits of its parts.")
       .def_property_readonly(
-          "warnings", [](const Plan& p) { return p.motion().warnings; }, "Limits that it knowingly does not keep.")
+          "warnings", [](const Plan& p) { return p.motion().warnings; },
+          "Limits that the plan exceeds, as far as the planner knows.")
       .def_property_readonly("adjustments", AdjustmentsOf,
                              "Differences from the request: dictionaries with what, asked, given, unit, why, part.")
-      .def_property_readonly("footholds", FootholdsOf, "Dictionaries of foot, pose (4 x 4), touchdown_s, liftoff_s.")
+      .def_property_readonly("footholds", FootholdsOf,
+                             "Footholds as dictionaries with foot, pose (4 x 4), touchdown_s, liftoff_s.")
       .def_property_readonly("hash", [](const Plan& p) { return PlanHash(p.motion()); })
       .def(
           "viewer_html",
@@ -182,17 +185,17 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
             const ShownMotion shown{TitleOf(p.model(), p.motion()), p.model(), p.motion(), nullptr, nullptr};
             return ViewerPage(shown.title, {shown});
           },
-          "The motion in 3D as one HTML page, whole by itself.")
+          "Self-contained HTML page that shows the motion in 3D.")
       .def(py::pickle([](const Plan& p) { return py::str(PlanToJson(p.motion())); },
                       [](const py::str& text) { return Plan(Value(PlanFromJson(text, "the pickle"))); }))
-      .def("at", SampleAt, py::arg("time_s"), "q, v, a and tau at a time, between the rows too.")
+      .def("at", SampleAt, py::arg("time_s"), "q, v, a and tau at any time; interpolates between the rows.")
       .def("to_json", [](const Plan& p) { return PlanToJson(p.motion()); })
       .def_static(
           "from_json", [](const std::string& text) { return Plan(Value(PlanFromJson(text, "the text"))); },
           py::arg("text"))
       .def(
           "save", [](const Plan& p, const fs::path& path) { return Value(SavePlan(p.motion(), path.string())); },
-          py::arg("path"), "Writes plan.json, for the program too; returns the path.")
+          py::arg("path"), "Writes the plan as JSON, as the program does; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
            "Writes csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns notes on the result.")
       .def("__repr__", [](const Plan& p) {
@@ -201,7 +204,7 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
       });
   module.def(
       "load_plan", [](const fs::path& path) { return Plan(Value(LoadPlan(path.string()))); }, py::arg("path"),
-      "The plan of a file, as the program and `Plan.save` write it.");
+      "Reads a plan from a file of the program or of `Plan.save`.");
 }
 
 }  // namespace gaitwright::python

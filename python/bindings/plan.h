@@ -10,12 +10,12 @@
 
 namespace gaitwright::python {
 
-/// A plan with the robot that it is for. Neither changes, so that arrays of it can be shared.
+/// A plan and its robot. Neither changes, so that their arrays can be shared.
 class Plan {
  public:
   Plan(SharedRobot robot, MotionPlan motion)
       : robot_(std::move(robot)), motion_(std::make_shared<const MotionPlan>(std::move(motion))) {}
-  /// With the robot that it carries in itself. @throws FailureError where that cannot be read.
+  /// Takes the robot that the plan contains. @throws FailureError if the robot cannot be read.
   explicit Plan(MotionPlan motion);
 
   const SharedRobot& robot() const { return robot_; }

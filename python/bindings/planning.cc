@@ -27,7 +27,7 @@ namespace py = pybind11;
 using PoseTuple = std::tuple<double, double, double>;
 using SharedPlan = std::shared_ptr<Plan>;
 
-/// What is asked of a walk beside robot and ground.
+/// The request for a walk, without robot and ground.
 struct Asked {
   double speed_m_s, lateral_speed_m_s, yaw_rate_rad_s;
   WalkExtent extent;
@@ -49,7 +49,7 @@ SharedPlan PlanAWalk(const SharedRobot& robot, const std::string& gait, const py
                      const std::string& sequence, std::uint64_t seed, const py::dict& options) {
   if (!sequence.empty() && (!gait.empty() || speed != 0.0 || lateral_speed != 0.0 || yaw_rate != 0.0 || distance ||
                             duration || goal || steps || step_length))
-    throw InvalidArgument("a sequence names its own gaits, speeds and ways: leave the other ones out");
+    throw InvalidArgument("a sequence sets gaits, speeds and distances: leave out the other arguments that set them");
   WalkRequest request;
   request.gait = gait;
   request.sequence = sequence;
@@ -95,36 +95,37 @@ void BindPlanning(py::module_& module) {
              py::arg("yaw_rate") = 0.0, py::arg("distance") = py::none(), py::arg("duration") = py::none(),
              py::arg("goal") = py::none(), py::arg("steps") = py::none(), py::arg("step_length") = py::none(),
              py::arg("sequence") = "", py::arg("seed") = 0, py::arg("options") = py::dict(),
-             R"(Plans a walk and audits it; what fails its audit is not handed out.
+             R"(Plans a walk and audits it; a plan that fails its audit is not returned.
 
 Args:
-    gait: by name, or a file of gaits; "" for the robot's best.
-    terrain: a `Terrain`, or a name or a file as of `load_terrain`.
-    speed, lateral_speed, yaw_rate: ahead and to the left [m/s], turning to the left [rad/s]; without any of these the
-        robot's own speed.
-    distance, duration, goal, steps: how far, one of them [m], [s], (x, y, yaw), footfalls; 1 m where none is given.
-    step_length: advance in a footfall [m], with steps and instead of speed.
-    sequence: parts one after the other instead of all these, as "trot: speed=0.5, distance=1; stand: duration=1".
-    options: as of ``gaitwright plan --set``, such as ``{"swing.height_m": 0.06}``.
+    gait: name of a gait, or a file of gaits; "" for the robot's best gait.
+    terrain: a `Terrain`, or a name or file as for `load_terrain`.
+    speed, lateral_speed, yaw_rate: speed forward and to the left [m/s], yaw rate to the left [rad/s]; if none is given,
+        the robot's default speed.
+    distance, duration, goal, steps: extent of the walk, at most one of them: [m], [s], (x, y, yaw), number of steps;
+        default: 1 m.
+    step_length: advance per footfall [m]; with steps, instead of speed.
+    sequence: parts in sequence, instead of all of the above, such as "trot: speed=0.5, distance=1; stand: duration=1".
+    options: as for ``gaitwright plan --set``, such as ``{"swing.height_m": 0.06}``.
 
 Raises:
     BadInputError: an argument is wrong.
-    InfeasibleError: no plan exists within the limits: what forbids it, and by how much.)");
+    InfeasibleError: no plan exists within the limits; the message names the constraint and the excess.)");
   module.def("plan_footsteps", PlanSteps, py::arg("robot").none(false), py::arg("steps"), py::kw_only(),
              py::arg("terrain") = "flat", py::arg("swing_s") = 0.5, py::arg("pause_s") = 0.1,
              py::arg("options") = py::dict(),
-             R"(Plans a motion over footsteps of your own planner.
+             R"(Plans a motion over given footsteps, such as those of your own planner.
 
 Args:
-    steps: (foot, x, y, yaw) each, one after the other; the robot stands at the origin first and faces x. The place is
-        that of the sole's middle, or of the contact point [m]; yaw is beyond that of standing [rad].
-    swing_s, pause_s: time of a step, and on all feet after it [s].
+    steps: (foot, x, y, yaw) each, in order; the robot first stands at the origin and faces x. x and y are the middle of
+        the sole, or the contact point [m]; yaw is relative to the standing posture [rad].
+    swing_s, pause_s: time of a step, and time on all feet after it [s].
 
-What it gives is not audited, so that a plan which breaks laws can be looked at: ask `audit`. Its ``warnings`` say which
-limits it goes beyond.)");
+The plan is not audited, so that you can also examine a plan that violates constraints: call `audit`. Its ``warnings``
+name the limits that it exceeds.)");
   module.def("import_motion", Import, py::arg("robot").none(false), py::arg("path"), py::kw_only(),
              py::arg("terrain") = "flat", py::arg("columns") = "", py::arg("options") = py::dict(),
-             "A plan of a motion that others made: CSV, joint trajectory of ROS, or footsteps (docs/import.md).");
+             "Makes a plan from a motion of other software: CSV, ROS joint trajectory or footsteps (docs/import.md).");
 }
 
 }  // namespace gaitwright::python

@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace py = pybind11;
 
-/// Hands everything on to a controller that somebody else keeps.
+/// Forwards all calls to a controller with another owner.
 class Borrowed : public Controller {
  public:
   explicit Borrowed(Controller& lender) : lender_(lender) {}
@@ -84,7 +84,7 @@ Playback Play(const std::shared_ptr<Plan>& plan, const py::object& controller, c
 
 const Playback& In(const py::object& self) { return self.cast<const Playback&>(); }
 
-/// A table of the log's samples, shared with Python.
+/// A table of log samples, shared with Python.
 template <VectorX LogSample::*Column>
 py::array LogTable(const py::object& self, const char* name) {
   const std::vector<LogSample>& samples = In(self).log().samples;
@@ -137,7 +137,7 @@ std::vector<std::string> Export(const Playback& playback, const fs::path& path, 
   return exported.notes;
 }
 
-/// One trial again, as `Trials` played it.
+/// Repeats one trial as `Trials` played it.
 Playback PlayOneTrial(const std::shared_ptr<Plan>& plan, std::uint64_t seed, const py::object& disturbances,
                       const std::string& controller, const py::dict& options) {
   PlayRequest request = PlayRequestOf(options);
@@ -147,7 +147,7 @@ Playback PlayOneTrial(const std::shared_ptr<Plan>& plan, std::uint64_t seed, con
   return {plan, Value(PlayTrial({plan->model(), plan->motion(), request, drawn}, 0, seed)).played};
 }
 
-/// A log with the plan that it is of. @throws FailureError where it is of another one.
+/// A log with its plan. @throws FailureError if the log is of another plan.
 Playback WithPlan(Result<PlaybackLog> log, const std::string& name, const std::shared_ptr<const Plan>& plan) {
   PlayedWalk played;
   played.log = Value(std::move(log));
@@ -163,7 +163,7 @@ Playback WithPlan(Result<PlaybackLog> log, const std::string& name, const std::s
   return {plan, std::move(played)};
 }
 
-/// None where there was one engine.
+/// None if only one engine has played.
 py::object SecondOf(const Playback& playback) {
   const SecondPlayback* second = playback.played().second.get();
   if (second == nullptr) return py::none();
@@ -186,16 +186,16 @@ Playback FromPickle(const py::tuple& parts) {
 }
 
 void BindMetric(py::module_& module) {
-  py::class_<Metric>(module, "Metric", "One figure on which a playback is judged.")
+  py::class_<Metric>(module, "Metric", "A metric of a playback, with its gate.")
       .def_readonly("key", &Metric::key)
       .def_readonly("unit", &Metric::unit)
-      .def_readonly("value", &Metric::value, "None where the motion has no such thing.")
-      .def_readonly("planned", &Metric::planned, "Value of the plan, computed by the same code.")
+      .def_readonly("value", &Metric::value, "Measured value; None if it does not exist for this motion.")
+      .def_readonly("planned", &Metric::planned, "Value of the plan, computed by the same code as the measured one.")
       .def_readonly("limit", &Metric::limit, "Limit of the gate, if there is one.")
       .def_readonly("applied", &Metric::applied, "Whether the gate counts.")
       .def_readonly("passed", &Metric::pass)
       .def_readonly("not_applied", &Metric::not_applied, "Why a value or a gate is missing.")
-      .def_readonly("at_s", &Metric::at_s, "When it was worst.")
+      .def_readonly("at_s", &Metric::at_s, "Time of the worst value [s].")
       .def("__repr__", [](const Metric& m) {
         const std::string value = m.value ? FigureText(m, *m.value) : "none";
         return fmt::format("<gaitwright.Metric {}: {}, limit {}>", m.key, value, LimitText(m));
@@ -214,51 +214,55 @@ const MotionSeries& Playback::series() const {
 void BindPlayback(py::module_& module) {
   BindMetric(module);
   py::class_<Playback> playback(module, "Playback",
-                                R"(What was measured when a plan was played, and what that is worth.
+                                R"(Measurements of a playback of a plan, and their score.
 
-It never changes. Arrays of it are shared, not copied, and cannot be written to.)");
+A playback never changes. Its arrays are shared and read-only.)");
   BindBalance(playback);
   playback
       .def_property_readonly("plan", [](const Playback& p) { return std::const_pointer_cast<Plan>(p.shared_plan()); })
-      .def_property_readonly("time_s", TimeOf, "Of the samples, N.")
+      .def_property_readonly("time_s", TimeOf, "Times of the samples, N [s].")
       .def_property_readonly(
-          "q", [](const py::object& self) { return LogTable<&LogSample::q>(self, "q"); }, "Positions, N x nq.")
+          "q", [](const py::object& self) { return LogTable<&LogSample::q>(self, "q"); },
+          "Measured positions q, N x nq.")
       .def_property_readonly(
-          "v", [](const py::object& self) { return LogTable<&LogSample::v>(self, "v"); }, "Velocities, N x nv.")
+          "v", [](const py::object& self) { return LogTable<&LogSample::v>(self, "v"); },
+          "Measured velocities v, N x nv.")
       .def_property_readonly(
           "tau", [](const py::object& self) { return LogTable<&LogSample::tau>(self, "tau"); },
-          "Torques of the joints, means over the interval before, N x n.")
-      .def_property_readonly("forces_n", ForcesOf, "Ground forces on the feet, N x feet x 3.")
+          "Joint torques, averaged over the interval before each sample, N x n [N m].")
+      .def_property_readonly("forces_n", ForcesOf, "Ground forces on the feet, N x feet x 3 [N].")
       .def_property_readonly(
-          "passed", [](const Playback& p) { return p.played().pass(); }, "In each engine in which it was played.")
+          "passed", [](const Playback& p) { return p.played().pass(); },
+          "True if it passed in every engine that played it.")
       .def_property_readonly(
           "engine", [](const Playback& p) { return EngineOf(p.log()); }, "Physics engine of these samples.")
-      .def_property_readonly("second", SecondOf, "The playback in the other engine of engine=\"both\"; else None.")
+      .def_property_readonly("second", SecondOf,
+                             "With engine=\"both\": the playback in the other engine; otherwise None.")
       .def_property_readonly(
           "agreement", AgreementOfBoth,
-          "How the engines of engine=\"both\" differ, as of ``walk --json``: first, quantities; else None.")
+          "With engine=\"both\": how the engines differ, as in ``walk --json``: first, quantities; otherwise None.")
       .def_property_readonly(
-          "score", [](const Playback& p) { return p.report().score; }, "Of 100.")
+          "score", [](const Playback& p) { return p.report().score; }, "Score, 0 to 100.")
       .def_property_readonly(
           "reason", [](const Playback& p) { return p.played().decisive().report.reason; },
-          "Why it fell or failed, or which gate is tightest; of two engines that of the worse.")
-      .def_property_readonly("metrics", MetricsOf, "By key.")
+          "Why it fell or failed, or which gate is nearest to its limit; with two engines, of the worse one.")
+      .def_property_readonly("metrics", MetricsOf, "Metrics by key.")
       .def_property_readonly("controller", [](const Playback& p) { return p.log().controller; })
       .def_property_readonly(
           "realtime_factor", [](const Playback& p) { return p.played().realtime_factor; },
-          "Simulated time over CPU time; 0 of a log that was read.")
+          "Simulated time divided by CPU time; 0 for a log that was read from a file.")
       .def(
-          "to_json", [](const Playback& p) { return LogToJson(p.log()); }, "The log.")
+          "to_json", [](const Playback& p) { return LogToJson(p.log()); }, "The log as JSON text.")
       .def(
           "save", [](const Playback& p, const fs::path& path) { return Value(SaveLog(p.log(), path.string())); },
-          py::arg("path"), "Writes log.json, for the program too; returns the path.")
+          py::arg("path"), "Writes the log as JSON, as the program does; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
            "Writes the measured motion as csv, joint-trajectory-yaml, joint-trajectory-json, npz, svg or mjcf; returns "
            "notes on the result.")
-      .def("report_html", ReportHtml, "The report as one HTML page, whole by itself.")
+      .def("report_html", ReportHtml, "The report as a self-contained HTML page.")
       .def(
           "viewer_html", [](const Playback& p) { return ViewerPage(Shown(p).title, {Shown(p)}); },
-          "The motion in 3D as one HTML page, whole by itself.")
+          "Self-contained HTML page that shows the motion in 3D.")
       .def(py::pickle(&Pickled, &FromPickle))
       .def("__str__",
            [](const Playback& p) {
@@ -278,10 +282,10 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
 Args:
     controller: one of CONTROLLERS, or a `Controller` of your own.
     push: (fx, fy, fz, at_s, for_s) on the base, in N and s.
-    on_phase: called as on_phase(phase, at_s, met) when a phase of the plan ends, of motions that have such.
-    options: as of ``gaitwright play --set``, such as ``{"play.friction": 0.6, "state": "estimated"}``, and
-        ``"sensors"``: "ideal", "good" or "hobby", as of ``--sensors``.
-    engine: "bullet", "mujoco" or "both", which passes if both pass; default: that of the options, else "bullet".)");
+    on_phase: called as on_phase(phase, at_s, met) at the end of each phase, for plans that have phases.
+    options: as for ``gaitwright play --set``, such as ``{"play.friction": 0.6, "state": "estimated"}``, and
+        ``"sensors"``: "ideal", "good" or "hobby", as for ``--sensors``.
+    engine: "bullet", "mujoco" or "both" (passes if both pass); default: that of the options, otherwise "bullet".)");
   module.def(
       "play_trial", PlayOneTrial, py::arg("plan").none(false), py::arg("seed"), py::kw_only(),
       py::arg("disturbances") = "standard", py::arg("controller") = "stabilised", py::arg("options") = py::dict(),
@@ -292,7 +296,7 @@ Args:
         return WithPlan(LoadLog(path.string()), path.string(), plan);
       },
       py::arg("path"), py::arg("plan").none(false),
-      "The log of a file, with the plan that it is of; refused with another one.");
+      "Reads a log from a file, with its plan; any other plan is refused.");
 }
 
 }  // namespace gaitwright::python

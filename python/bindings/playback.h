@@ -11,7 +11,7 @@
 
 namespace gaitwright::python {
 
-/// A playback: the plan, what was measured, and what that is worth. It never changes.
+/// A playback: the plan, the measurements and their score. It never changes.
 class Playback {
  public:
   Playback(std::shared_ptr<const Plan> plan, PlayedWalk played)
@@ -23,7 +23,7 @@ class Playback {
   const StabilityReport& report() const { return played_->report; }
   const PlayedWalk& played() const { return *played_; }
   const Tables& tables() const { return tables_; }
-  /// Made when it is first asked for, with the options of the score.
+  /// Made on first use, with the options of the score.
   const MotionSeries& series() const;
 
  private:
@@ -33,7 +33,8 @@ class Playback {
   mutable std::shared_ptr<const MotionSeries> series_;
 };
 
-/// "standard", the path of a YAML file, a text of one, or a dictionary of what it would hold (docs/trials.md).
+/// Reads disturbances: "standard", the path of a YAML file, the text of one, or a dictionary with its content
+/// (docs/trials.md).
 /// @throws FailureError as LoadDisturbances does, type_error for anything else.
 Disturbances DisturbancesOf(const pybind11::object& which, const RobotModel& model, PlayRequest& request);
 

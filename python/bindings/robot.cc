@@ -30,7 +30,7 @@ SharedRobot Load(const std::filesystem::path& named, const std::filesystem::path
                     : LoadNamedRobot(name_or_urdf)));
 }
 
-/// One figure of every independent joint.
+/// One value for every independent joint.
 template <double (RobotModel::*Figure)(int) const>
 VectorX ByDof(const RobotModel& model) {
   VectorX figures(model.num_dofs());
@@ -44,7 +44,7 @@ std::vector<std::string> MotorsOf(const RobotModel& model) {
   return names;
 }
 
-/// One figure of every motor.
+/// One value for every motor.
 template <double Actuator::*Figure>
 VectorX ByMotor(const RobotModel& model) {
   VectorX figures(model.num_dofs());
@@ -77,7 +77,7 @@ VectorX ClampTorques(const RobotModel& model, const VectorX& torques) {
   return ClampedEfforts(model, torques);
 }
 
-/// Names of joints and motors, and R.
+/// Names of joints and motors, and the ratios R.
 py::list TransmissionsOf(const RobotModel& model) {
   py::list all;
   for (const Transmission& transmission : model.transmissions) {
@@ -129,45 +129,50 @@ State vectors have one order everywhere::
     q = [position of the base (3), its quaternion x y z w (4), joints (n)]
     v = [velocity of the base (3), its angular velocity (3), joint rates (n)], both in world axes
 
-SI units; z of the world is up, x ahead.)")
+SI units; z of the world is up, x forward.)")
       .def_readonly("name", &RobotModel::name)
-      .def_readonly("hash", &RobotModel::hash, "Of all that it was made from.")
+      .def_readonly("hash", &RobotModel::hash, "Hash of all data that the robot was made from.")
       .def_readonly("mass_kg", &RobotModel::total_mass_kg)
       .def_property_readonly("weight_n", &RobotModel::weight_n)
-      .def_property_readonly("leg_length_m", &RobotModel::leg_length_m, "Of the longest leg, hip to contact, straight.")
+      .def_property_readonly("leg_length_m", &RobotModel::leg_length_m,
+                             "Length of the longest leg when straight, from hip to contact.")
       .def_readonly("nominal_speed_m_s", &RobotModel::nominal_speed_m_s)
       .def_property_readonly("nq", &RobotModel::nq, "Size of q: 7 + n.")
       .def_property_readonly("nv", &RobotModel::nv, "Size of v: 6 + n.")
       .def_property_readonly("num_joints", &RobotModel::num_dofs, "Independent joints: n.")
       .def_readonly("joints", &RobotModel::dof_names, "Names of the independent joints, in the order of q.")
       .def_property_readonly("legs", LegsOf, "Names of the legs: front before rear, left before right.")
-      .def_property_readonly("feet", FeetOf, "Names of the feet: those of the legs in their order, then rests.")
+      .def_property_readonly(
+          "feet", FeetOf,
+          "Names of the feet: those of the legs in their order, then support contacts of trunk or limbs.")
       .def_property_readonly("links", LinksOf, "Names of all URDF links.")
       .def_property_readonly("lower", ByDof<&RobotModel::dof_lower>, "Lowest positions of the joints [rad] or [m].")
       .def_property_readonly("upper", ByDof<&RobotModel::dof_upper>, "Highest positions of the joints [rad] or [m].")
+      .def_property_readonly("velocity_limit", ByDof<&RobotModel::dof_velocity_limit>,
+                             "Velocity limits of the joints [rad/s] or [m/s]; infinite if unknown. For a joint driven "
+                             "by a transmission: the\n"
+                             "largest velocity that its motors allow, see motor_velocity_limit.")
       .def_property_readonly(
-          "velocity_limit", ByDof<&RobotModel::dof_velocity_limit>,
-          "[rad/s] or [m/s]; infinite where unknown. Of a joint that a transmission drives it is the\n"
-          "largest that its motors give: see motor_velocity_limit.")
-      .def_property_readonly("effort_limit", ByDof<&RobotModel::dof_effort_limit>,
-                             "[N m] or [N]; infinite where unknown. Of a joint that a transmission drives it is the\n"
-                             "largest that its motors give: see motor_effort_limit.")
-      .def_property_readonly("motors", MotorsOf,
-                             "Names of the motors, as many as joints: those of the joints, but for motors of\n"
-                             "transmissions, which stand where the joints stand.")
+          "effort_limit", ByDof<&RobotModel::dof_effort_limit>,
+          "Effort limits of the joints [N m] or [N]; infinite if unknown. For a joint driven by a transmission: the\n"
+          "largest effort that its motors allow, see motor_effort_limit.")
+      .def_property_readonly(
+          "motors", MotorsOf,
+          "Names of the motors, as many as joints. A motor has the name of its joint, except for motors of\n"
+          "transmissions, which are at the positions of their joints.")
       .def_property_readonly("motor_velocity_limit", ByMotor<&Actuator::velocity_limit>,
-                             "By motor [rad/s] or [m/s]; infinite where unknown.")
+                             "Velocity limits of the motors [rad/s] or [m/s]; infinite if unknown.")
       .def_property_readonly("motor_effort_limit", ByMotor<&Actuator::effort_limit>,
-                             "By motor [N m] or [N]; infinite where unknown.")
+                             "Effort limits of the motors [N m] or [N]; infinite if unknown.")
       .def_property_readonly(
           "transmissions", TransmissionsOf,
-          "Motors that drive several joints together: a dictionary each with `name`, `joints`,\n"
+          "Transmissions that drive several joints together: dictionaries with `name`, `joints`,\n"
           "`motors` and `ratios`, R: speeds of the motors = R @ rates of the joints, torques of the\n"
           "joints = R.T @ torques of the motors.")
-      .def("motor_torques", MotorTorques, py::arg("torques"), "Torques of the motors for those of the joints.")
-      .def("motor_speeds", MotorSpeeds, py::arg("rates"), "Speeds of the motors for those of the joints.")
+      .def("motor_torques", MotorTorques, py::arg("torques"), "Motor torques for given joint torques.")
+      .def("motor_speeds", MotorSpeeds, py::arg("rates"), "Motor speeds for given joint rates.")
       .def("clamp_torques", ClampTorques, py::arg("torques"),
-           "Torques of the joints with each motor held to its own limit.")
+           "Joint torques after each motor torque is limited to its effort limit.")
       .def_readonly("notes", &RobotModel::notes, "Notes on derived data and their sources, and on irregularities.")
       .def_property_readonly("standing", StandingConfiguration, "q of the nominal posture above the world's origin.")
       .def("describe", DescribeRobot, "Description of the robot and of derived data, as text.")
@@ -177,17 +182,18 @@ SI units; z of the world is up, x ahead.)")
       });
 
   module.def("load_robot", Load, py::arg("name_or_urdf"), py::arg("yaml") = "", py::arg("strict") = false,
-             R"(A robot by its name (see `robot_names`), or from the path of a URDF, xacro or MJCF file.
+             R"(Loads a robot by its name (see `robot_names`), or from a URDF, xacro or MJCF file.
 
 Args:
-    name_or_urdf: a name; a text with a slash, or that ends in ``.urdf``, ``.xacro``, ``.xml`` or ``.mjcf``, is a path.
-    yaml: path of a robot.yaml with what cannot be derived; "" takes the one beside the URDF where there is one,
+    name_or_urdf: a name or a path; a text is a path if it has a slash or ends in ``.urdf``, ``.xacro``, ``.xml`` or
+        ``.mjcf``.
+    yaml: path of a robot.yaml with data that cannot be derived; "" uses the robot.yaml beside the URDF, if it exists;
         "none" uses the URDF alone.
-    strict: refuse a description in which anything would be mended.
+    strict: refuse a description that would need a repair.
 
 Raises:
-    BadInputError: no such robot or file, or one that is wrong: the message says where.)");
-  module.def("robot_names", RobotNames, "Names of the robots that come with the program.");
+    BadInputError: the robot or the file does not exist or is wrong; the message says where.)");
+  module.def("robot_names", RobotNames, "Names of the built-in robots.");
 }
 
 }  // namespace gaitwright::python

@@ -8,10 +8,10 @@
 
 namespace gaitwright::python {
 
-/// Robots are never changed: whatever needs one shares it.
+/// A robot never changes, so all users share it.
 using SharedRobot = std::shared_ptr<RobotModel>;
 
-/// Index of the foot of that name. @throws InvalidArgument naming the nearest.
+/// Index of the foot with this name. @throws InvalidArgument if there is none; the message names the nearest.
 int FootIndex(const RobotModel& model, const std::string& name);
 
 }  // namespace gaitwright::python

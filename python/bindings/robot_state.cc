@@ -27,7 +27,7 @@ void CheckSize(const char* name, const VectorX& vector, Eigen::Index size) {
   if (!vector.allFinite()) throw InvalidArgument(fmt::format("{} contains a value that is not finite", name));
 }
 
-/// A robot in a state, with all that follows from it.
+/// A robot in a state, with its kinematics and dynamics.
 class RobotState {
  public:
   RobotState(SharedRobot robot, const std::optional<VectorX>& q, const std::optional<VectorX>& v)
@@ -80,7 +80,7 @@ class RobotState {
     CentreOfMassJacobian(*robot_, scratch_, J);
     return J;
   }
-  /// These do the kinematics themselves, in a work space that the state does not share.
+  // The following functions compute the kinematics again, in a separate workspace.
   MatrixX Mass() const {
     DynamicsScratch work(*robot_);
     MatrixX M(robot_->nv(), robot_->nv());
@@ -145,52 +145,54 @@ void BindRobotState(py::module_& module) {
 Everything is in world axes. A point is given in the axes of its link [m]; spatial vectors are linear, then angular.)")
       .def(py::init<SharedRobot, const std::optional<VectorX>&, const std::optional<VectorX>&>(),
            py::arg("robot").none(false), py::arg("q") = py::none(), py::arg("v") = py::none(),
-           "Without q the nominal posture; without v at rest.")
-      .def("set", &RobotState::Set, py::arg("q"), py::arg("v") = py::none(), "Another state; without v at rest.")
+           "Default of q: the nominal posture; default of v: at rest.")
+      .def("set", &RobotState::Set, py::arg("q"), py::arg("v") = py::none(),
+           "Sets another state; default of v: at rest.")
       .def_property_readonly("robot", &RobotState::robot)
       .def_property_readonly("q", [](const RobotState& s) { return VectorX(s.q()); })
       .def_property_readonly("v", [](const RobotState& s) { return VectorX(s.v()); })
       .def("pose", &RobotState::PoseOf, py::arg("link"), "Pose of a link in the world, 4 x 4.")
       .def("jacobian", &RobotState::JacobianOf, py::arg("link"), no_point,
-           "Of a point fixed in a link, 6 x nv: [velocity; angular velocity] = J v.")
+           "Jacobian of a point fixed in a link, 6 x nv: [velocity; angular velocity] = J v.")
       .def("velocity", &RobotState::VelocityOf, py::arg("link"), no_point,
-           "[velocity; angular velocity] of a point fixed in a link.")
+           "Velocity and angular velocity of a point fixed in a link, 6.")
       .def("bias_acceleration", &RobotState::BiasOf, py::arg("link"), no_point,
-           "Its acceleration where all accelerations of the coordinates are zero: the rate of J times v.")
+           "Acceleration of a point fixed in a link if the generalised accelerations are zero: the rate of J times v.")
       .def("contact_frame", &RobotState::ContactOf, py::arg("foot"),
-           "Where a foot meets level ground, 4 x 4: the sole's frame, or the contact point below a sphere.")
+           "Contact frame of a foot on level ground, 4 x 4: the sole's frame, or the contact point below a sphere.")
       .def("contact_points", &RobotState::ContactPointsOf, py::arg("foot"),
-           "Points through which a foot can push, k x 3: the corners of its sole, or its one contact point.")
+           "Contact points of a foot, k x 3: the corners of its sole, or its single contact point.")
       .def_property_readonly("centre_of_mass", &RobotState::Centre, "[m]")
       .def("centre_of_mass_jacobian", &RobotState::CentreJacobian, "3 x nv")
       .def_property_readonly("momentum", &RobotState::Momentum, "[linear; angular about the centre of mass].")
-      .def_property_readonly("energy_j", &RobotState::Energy, "Kinetic plus potential, that of height 0 being zero.")
+      .def_property_readonly("energy_j", &RobotState::Energy,
+                             "Kinetic plus potential energy; the potential energy is zero at height 0.")
       .def("mass_matrix", &RobotState::Mass, "M of M a + h = tau, nv x nv.")
       .def("inverse_dynamics", &RobotState::Forces, py::arg("a") = py::none(),
-           R"(Generalised forces, size nv, without those of contacts: tau = M a + h(q, v), gravity included.
+           R"(Generalised forces, size nv, without contact forces: tau = M a + h(q, v), gravity included.
 
-The first six are the wrench on the base: force, then moment about its origin. Without a: h.)")
-      .def(
-          "inverse_dynamics_derivatives", &RobotState::Derivatives, py::arg("a") = py::none(),
-          R"(Derivatives of `inverse_dynamics` by q, by v and by a: three arrays, each nv x nv, the last the mass matrix.
+The first six are the wrench on the base: force, then moment about its origin. Without a, the result is h.)")
+      .def("inverse_dynamics_derivatives", &RobotState::Derivatives, py::arg("a") = py::none(),
+           R"(Derivatives of `inverse_dynamics` by q, by v and by a: three nv x nv arrays; the third is the mass matrix.
 
-Columns of the first are along the same directions as v: base origin [m], rotation of the base by a small vector in the
-world [rad], joints; v and a keep their numbers.)")
+Columns of the first are in the order of v: position of the base origin [m], small rotation of the base about world axes
+[rad], joints; the numbers of v and a are held constant.)")
       .def("forward_dynamics", &RobotState::Accelerations, py::arg("tau"), py::arg("rotor_inertia") = py::none(),
-           R"(Accelerations, size nv, that generalised forces `tau` give: the inverse of `inverse_dynamics`.
+           R"(Generalised accelerations, size nv, for generalised forces `tau`: the inverse of `inverse_dynamics`.
 
-`rotor_inertia` is by joint, seen at the joint [kg m^2]; without it rotors have none.)");
+`rotor_inertia` is the reflected rotor inertia by joint [kg m^2]; default: zero.)");
   module.def("leg_joints", LegJoints, py::arg("robot").none(false), py::arg("foot"),
-             "Names of the joints that move a foot, base first, in the order of `solve_leg`.");
+             "Names of the joints between base and foot, in the order of `solve_leg`: those near the base first.");
   module.def("solve_leg", SolveLeg, py::arg("robot").none(false), py::arg("foot"), py::arg("pose_in_base"),
              py::arg("guess") = py::none(),
-             R"(Joint positions that bring a foot to a pose in the base's frame, 4 x 4.
+             R"(Inverse kinematics: joint positions that bring a foot to a pose in the base's frame, 4 x 4.
 
-A sole is placed and turned, a point or the centre of a sphere is placed. Among several solutions that whose knee bends
-as the guess's does, then the nearest to it; without a guess, to the nominal posture.
+For a sole, position and orientation are matched; for a point or the centre of a sphere, only the position. Among
+several solutions, those whose knee bends as in the guess are preferred, then the one nearest to the guess. The default guess is
+the nominal posture.
 
 Raises:
-    InfeasibleError: it is out of reach, by how much, or a joint's limit is in the way, which one.)");
+    InfeasibleError: out of reach, or prevented by a joint limit; the message names the distance or the joint.)");
 }
 
 }  // namespace gaitwright::python

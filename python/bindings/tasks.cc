@@ -30,14 +30,14 @@ TaskScope ScopeOn(const RobotModel& model, const Terrain& terrain) {
   return scope;
 }
 
-/// Words, or a task plan as `understand` gives it.
+/// Reads words, or a task plan as `understand` returns it.
 TaskPlan TasksIn(const py::object& what, const TaskScope& scope) {
   if (py::isinstance<py::str>(what)) return Value(Interpret(what.cast<std::string>(), scope, std::nullopt)).plan;
   if (!py::isinstance<py::dict>(what))
     throw py::type_error(fmt::format("the task is {}; accepted: an instruction as text, or a task plan as a dictionary",
                                      py::repr(what).cast<std::string>()));
   TaskPlan plan = Value(TaskPlanFromJson(py::module_::import("json").attr("dumps")(what).cast<std::string>()));
-  if (auto failure = WhyNotPlanned(plan, scope)) throw FailureError(*failure);
+  if (auto failure = ReasonNotPlanned(plan, scope)) throw FailureError(*failure);
   return plan;
 }
 
@@ -66,21 +66,21 @@ void BindTasks(py::module_& module) {
   module.def(
       "understand", Understand, py::arg("robot").none(false), py::arg("words"), py::kw_only(),
       py::arg("terrain") = "flat",
-      R"(The task plan that an instruction in English or Chinese asks for, by the built-in grammar (docs/words.md).
+      R"(Translates an instruction in English or Chinese to a task plan, with the built-in grammar (docs/words.md).
 
 Raises:
-    BadInputError: it is not understood, or this robot cannot do it: what it says instead.)");
+    BadInputError: the instruction is not understood, or this robot cannot do it; the message names alternatives.)");
   module.def("plan_tasks", PlanWhat, py::arg("robot").none(false), py::arg("what"), py::kw_only(),
              py::arg("terrain") = "flat", py::arg("seed") = 0, py::arg("options") = py::dict(),
-             R"(Plans one motion that does several things one after the other, and audits it.
+             R"(Plans one motion that does several tasks in sequence, and audits it.
 
 Args:
-    what: words, such as "stand up, then walk two steps and wave", or a task plan as `understand` gives it.
-    terrain: a `Terrain`, or a name or a file as of `load_terrain`; places that have names can be walked to.
-    options: as of ``gaitwright do --set``, those of the playback left out.
+    what: words, such as "stand up, then walk two steps and wave", or a task plan as `understand` returns it.
+    terrain: a `Terrain`, or a name or file as for `load_terrain`; places with names can be destinations.
+    options: as for ``gaitwright do --set``, without those of the playback.
 
 Returns:
-    The plan, and what was added or chosen that no words say.)");
+    The plan, and notes on everything that was added or chosen beyond the words.)");
 }
 
 }  // namespace gaitwright::python

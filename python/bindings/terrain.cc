@@ -28,7 +28,7 @@ Terrain Load(const std::filesystem::path& name_or_file, const SharedRobot& robot
   return Value(LoadTerrain(name_or_file.string(), ScaleOf(*robot)));
 }
 
-constexpr double kFinest = 1e-4;  // between points of a height field [m]
+constexpr double kFinest = 1e-4;  // smallest distance between points of a height field [m]
 
 void CheckFriction(double friction) {
   if (!(friction >= kLeastFriction && friction <= kMostFriction))
@@ -45,7 +45,7 @@ Terrain Flat(double friction) {
   return FlatTerrain(friction);
 }
 
-/// Ground by heights: rows of the array go along y, its columns along x.
+/// Adds ground by heights: the first index of the array is along y, the second along x.
 Terrain WithHeights(Terrain terrain, const Eigen::Ref<const RowMatrix>& height_m, double resolution_m, double x_m,
                     double y_m, double friction, const std::string& name) {
   const auto nodes = height_m.size();
@@ -138,38 +138,39 @@ Terrain TerrainOf(const py::object& terrain, const RobotModel& model) {
 
 void BindTerrain(py::module_& module) {
   py::class_<Terrain>(module, "Terrain",
-                      R"(The ground and what stands on it: patches of planes, height fields, obstacles, markers.
+                      R"(The ground and everything on it: planar patches, height fields, obstacles, markers.
 
-A value: what adds to it gives another one. Where surfaces overlap the highest one holds.)")
+A terrain never changes: the methods ``with_...`` return a new one. Where surfaces overlap, the highest one counts.)")
       .def(py::init([](const std::string& name) {
              Terrain terrain;
              terrain.name = name;
              return terrain;
            }),
-           py::arg("name") = "own", "No ground at all yet.")
+           py::arg("name") = "own", "An empty terrain without any ground.")
       .def_readonly("name", &Terrain::name)
       .def_property_readonly(
-          "patches", [](const Terrain& t) { return NamesOf(t.patches); }, "Their names.")
+          "patches", [](const Terrain& t) { return NamesOf(t.patches); }, "Names of the patches.")
       .def("ground_at", Ground, py::arg("x_m"), py::arg("y_m"),
-           "Highest ground at a point: surface (None without ground), height_m, normal, friction.")
+           "Highest ground at a point: surface (None if there is no ground), height_m, normal, friction.")
       .def("heights", Heights, py::arg("x_m"), py::arg("y_m"),
            "Heights on a grid of points, len(y) x len(x); NaN without ground.")
       .def("with_patch", WithPatch, py::arg("corners_m"), py::arg("friction") = 0.8, py::arg("name") = "patch",
-           "And a convex patch through corners that lie in one plane, counter-clockwise from above.")
+           "Adds a convex patch; its corners lie in one plane and are counter-clockwise from above.")
       .def("with_heights", WithHeights, py::arg("height_m"), py::arg("resolution_m"), py::arg("x_m") = 0.0,
            py::arg("y_m") = 0.0, py::arg("friction") = 0.8, py::arg("name") = "heights",
-           "And ground by heights [m]: rows along y, columns along x; x_m and y_m are those of height_m[0, 0].")
-      .def("with_marker", WithMarker, py::arg("name"), py::arg("x_m"), py::arg("y_m"), "And a place that has a name.")
+           "Adds ground by heights [m]: the first index is along y, the second along x; x_m and y_m are the position "
+           "of height_m[0, 0].")
+      .def("with_marker", WithMarker, py::arg("name"), py::arg("x_m"), py::arg("y_m"), "Adds a named place.")
       .def("__repr__", [](const Terrain& t) {
         return fmt::format("<gaitwright.Terrain {}: {} surfaces, {} obstacles>", t.name, t.num_surfaces(),
                            t.obstacles.size());
       });
   module.def("load_terrain", Load, py::arg("name_or_file"), py::arg("robot").none(false),
-             R"(A ground as ``--terrain`` names it: ``"stairs:rise_m=0.05,count=2"``, or a file.
+             R"(Loads a ground by name as for ``--terrain``, such as ``"stairs:rise_m=0.05,count=2"``, or from a file.
 
-What is not said has the size that suits the robot.)");
+Parameters that are not given have default sizes for the robot.)");
   module.def("flat_terrain", Flat, py::arg("friction") = 0.8, "Infinite level ground at height 0.");
-  module.def("terrain_kinds", Kinds, "Names of the grounds that come with the program, and what each is.");
+  module.def("terrain_kinds", Kinds, "Names and descriptions of the built-in grounds.");
 }
 
 }  // namespace gaitwright::python

@@ -8,8 +8,8 @@
 
 namespace gaitwright::python {
 
-/// A ground made in Python, or one by its name or file, at the size of the robot.
-/// @throws FailureError where there is none of that name, type_error for anything else.
+/// A ground made in Python, or a ground by name or file with default sizes for the robot.
+/// @throws FailureError for an unknown name, type_error for a value of another type.
 Terrain TerrainOf(const pybind11::object& terrain, const RobotModel& model);
 
 }  // namespace gaitwright::python

@@ -53,14 +53,14 @@ RobustnessReport Trials(const std::shared_ptr<Plan>& plan, int n, const py::obje
   return Value(std::move(report));
 }
 
-/// What each trial has by name, measured or drawn.
+/// Values of a trial by name, measured or sampled.
 std::vector<std::pair<std::string, std::optional<double>>> FiguresOf(const TrialOutcome& outcome) {
   std::vector<std::pair<std::string, std::optional<double>>> figures(outcome.metrics.begin(), outcome.metrics.end());
   for (const SampledValue& value : outcome.sampled) figures.emplace_back(value.name, value.value);
   return figures;
 }
 
-/// In the order in which they are first there.
+/// Names of all values, in the order of their first appearance.
 std::vector<std::string> ColumnsOf(const RobustnessReport& report) {
   std::vector<std::string> names;
   for (const TrialOutcome& outcome : report.outcomes)
@@ -69,7 +69,7 @@ std::vector<std::string> ColumnsOf(const RobustnessReport& report) {
   return names;
 }
 
-/// One figure of every trial; NaN where it has none.
+/// One value per trial; NaN if the trial does not have it.
 VectorX Column(const RobustnessReport& report, const std::string& key) {
   VectorX column = VectorX::Constant(static_cast<Eigen::Index>(report.outcomes.size()), std::nan(""));
   bool known = false;
@@ -82,7 +82,7 @@ VectorX Column(const RobustnessReport& report, const std::string& key) {
   }
   if (!known)
     throw InvalidArgument(
-        fmt::format("the trials have no '{}', neither measured nor drawn{}", key, NearestHint(key, ColumnsOf(report))));
+        fmt::format("the trials have no value '{}', measured or sampled{}", key, NearestHint(key, ColumnsOf(report))));
   return column;
 }
 
@@ -125,30 +125,31 @@ Disturbances DisturbancesOf(const py::object& which, const RobotModel& model, Pl
   };
   if (py::isinstance<py::str>(which) && which.cast<std::string>() == "standard") return StandardBesides(model, request);
   Disturbances disturbances = Value(read());
-  if (const auto failure = WhyNotSampled(model, request, disturbances)) throw FailureError(*failure);
+  if (const auto failure = ReasonNotSampled(model, request, disturbances)) throw FailureError(*failure);
   return disturbances;
 }
 
 void BindTrials(py::module_& module) {
-  py::class_<RobustnessReport>(module, "TrialsReport", "What many playbacks under disturbances showed.")
+  py::class_<RobustnessReport>(module, "TrialsReport", "Result of many playbacks under disturbances.")
       .def_readonly("n", &RobustnessReport::n)
       .def_readonly("survived", &RobustnessReport::survived, "Trials that did not fall and reached the end.")
-      .def_readonly("passed", &RobustnessReport::passed, "Trials that kept all gates too.")
+      .def_readonly("passed", &RobustnessReport::passed, "Trials that also passed all gates.")
       .def_property_readonly("survival", [](const RobustnessReport& r) { return r.survival.share; })
       .def_property_readonly(
           "survival_interval",
           [](const RobustnessReport& r) { return py::make_tuple(r.survival.low, r.survival.high); },
-          "With 95 % certainty (Wilson).")
-      .def_property_readonly("causes", CausesOf, "Of falls, and how many each.")
+          "Confidence interval of the survival rate at 95 % (Wilson).")
+      .def_property_readonly("causes", CausesOf, "Causes of falls, and the number of falls of each.")
       .def_property_readonly("scores", Each<double, &TrialOutcome::score>, "Of each trial.")
       .def_property_readonly("seeds", Each<std::uint64_t, &TrialOutcome::seed>, "Of each trial.")
-      .def_property_readonly("worst_seeds", WorstOf, "The worst first; `play_trial` plays one again.")
-      .def_property_readonly("columns", ColumnsOf, "Names that `column` takes.")
+      .def_property_readonly("worst_seeds", WorstOf,
+                             "Seeds of the worst trials, worst first; `play_trial` repeats one.")
+      .def_property_readonly("columns", ColumnsOf, "Names that `column` accepts.")
       .def("column", Column, py::arg("key"),
            "Values of a metric or a sampled quantity for all trials, such as ``\"zmp_margin_min_m\"`` or "
            "``\"friction\"``.")
       .def("to_json", RobustnessJson)
-      .def("report_html", TrialsPage, "The report as one HTML page, whole by itself.")
+      .def("report_html", TrialsPage, "The report as a self-contained HTML page.")
       .def("__str__", RobustnessText)
       .def("__repr__", [](const RobustnessReport& r) {
         return fmt::format("<gaitwright.TrialsReport: {} of {} survived, {:.1f} to {:.1f} %>", r.survived, r.n,
@@ -157,15 +158,15 @@ void BindTrials(py::module_& module) {
   module.def("trials", Trials, py::arg("plan").none(false), py::arg("n") = 100, py::kw_only(),
              py::arg("disturbances") = "standard", py::arg("controller") = "stabilised", py::arg("seed") = 0,
              py::arg("threads") = 0, py::arg("progress") = nullptr, py::arg("options") = py::dict(),
-             R"(Plays a plan many times under sampled disturbances: does it survive?
+             R"(Plays a plan many times under sampled disturbances and measures the survival rate.
 
 Args:
-    n: how many trials.
-    disturbances: "standard", the path of a YAML file, its text, or a dictionary of the same (docs/trials.md), such as
-        ``{"friction": 0.5}``.
-    threads: 0 for one for each core; the result is the same for any.
+    n: number of trials.
+    disturbances: "standard", the path of a YAML file, its text, or a dictionary with its content (docs/trials.md),
+        such as ``{"friction": 0.5}``.
+    threads: number of threads, which does not change the result; 0: one per core.
     progress: called as progress(done, wanted) after each trial.
-    options: of the playback, as of `play`.)");
+    options: options of the playback, as for `play`.)");
 }
 
 }  // namespace gaitwright::python

@@ -19,7 +19,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A world with the robot that is in it. One thread works on it at a time.
+/// A world with a robot in it. Only one thread at a time may use it.
 class SteppedWorld {
  public:
   SteppedWorld(SharedRobot robot, const py::object& terrain, const std::optional<VectorX>& q, const py::dict& options,
@@ -35,7 +35,7 @@ class SteppedWorld {
     time_s_ += steps * options_.step_s;
   }
 
-  /// What `ask` has of the physics.
+  /// Returns the result of `ask`, called with the physics.
   template <class Ask>
   auto With(const Ask& ask) {
     const InUse::Turn turn(in_use_, kName);
@@ -44,7 +44,7 @@ class SteppedWorld {
   double time_s() const { return time_s_; }
   double step_s() const { return options_.step_s; }
 
-  /// What a controller is told.
+  /// The input of a controller.
   ControlInput Measured(const std::optional<double>& time_s) {
     const InUse::Turn turn(in_use_, kName);
     ControlInput input{time_s.value_or(time_s_), options_.step_s, world_->q(), world_->v(), {}, 0};
@@ -96,18 +96,19 @@ std::vector<bool> Touching(const gaitwright::World& world) {
 void BindWorld(py::module_& module) {
   py::class_<SteppedWorld>(module, "World", R"(A robot on a terrain in a physics engine, step by step.
 
-The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. Deterministic. One thread steps it
-at a time.)")
-      .def(
-          py::init<SharedRobot, const py::object&, const std::optional<VectorX>&, const py::dict&,
-                   const std::optional<std::string>&>(),
-          py::arg("robot").none(false), py::arg("terrain") = "flat", py::arg("q") = py::none(),
-          py::arg("options") = py::dict(), py::arg("engine") = py::none(),
-          "A terrain as of `plan_walk`. Options as those of ``play --set`` without their ``play.``, such as step_s and "
-          "friction. The engine is \"bullet\" or \"mujoco\"; default: that of the options, else \"bullet\".")
+The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. The result is
+deterministic. Only one thread at a time may use a world.)")
+      .def(py::init<SharedRobot, const py::object&, const std::optional<VectorX>&, const py::dict&,
+                    const std::optional<std::string>&>(),
+           py::arg("robot").none(false), py::arg("terrain") = "flat", py::arg("q") = py::none(),
+           py::arg("options") = py::dict(), py::arg("engine") = py::none(),
+           "The terrain is as for `plan_walk`. Options are those of ``play --set`` without the prefix ``play.``, such "
+           "as step_s and friction. The engine is \"bullet\" or \"mujoco\"; default: that of the options, otherwise "
+           "\"bullet\".")
       .def("step", &SteppedWorld::Step, py::arg("command"), py::arg("steps") = 1,
-           py::call_guard<py::gil_scoped_release>(), "So many steps with one command.")
-      .def("measured", &SteppedWorld::Measured, py::arg("time_s") = py::none(), "Input of a controller at this time.")
+           py::call_guard<py::gil_scoped_release>(), "Makes this number of steps with one command.")
+      .def("measured", &SteppedWorld::Measured, py::arg("time_s") = py::none(),
+           "Measured state, as the input of a controller at this time.")
       .def(
           "set_state",
           [](SteppedWorld& w, const VectorX& q, const VectorX& v) {
@@ -124,10 +125,10 @@ at a time.)")
           "v", [](SteppedWorld& w) { return w.With([](gaitwright::World& b) { return VectorX(b.v()); }); })
       .def_property_readonly(
           "tau", [](SteppedWorld& w) { return w.With([](gaitwright::World& b) { return VectorX(b.tau()); }); },
-          "Of the last step [N m].")
+          "Joint torques of the last step [N m].")
       .def_property_readonly(
           "forces_n", [](SteppedWorld& w) { return w.With(ForcesOn); },
-          "Of the ground on the feet in the last step, feet x 3.")
+          "Ground forces on the feet in the last step, feet x 3 [N].")
       .def_property_readonly(
           "contact", [](SteppedWorld& w) { return w.With(Touching); },
           "Whether each foot carried force in the last step.")

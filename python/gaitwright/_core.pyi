@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Types of the C++ core. What each does is told by its docstring: help(gaitwright.plan_walk)."""
+"""Types of the C++ core. For descriptions see the docstrings: help(gaitwright.plan_walk)."""
 
 import os
 from collections.abc import Callable, Mapping, Sequence

@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What goes wrong, in the same words as the program's."""
+"""Exceptions of the package, with the same messages as the program."""
 
 from __future__ import annotations
 
 
 class GaitwrightError(Exception):
-    """Why there is no result.
+    """A request that has no result, with the reason.
 
     Attributes:
         message: one plain sentence that names the offender, its value and what is accepted.
-        code: why, one of ``gaitwright.FAILURE_CODES``, such as ``urdf_loop``.
+        code: the reason, one of ``gaitwright.FAILURE_CODES``, such as ``urdf_loop``.
         stage: the stage that failed, such as ``LoadRobot``; may be empty.
-        hints: what would help, in words.
-        suggestions: those hints that name a flag or an option, each ``{"what", "value", "certainty"}``: the option without
-            dashes, the value or None, and ``planned`` (a plan with it was made), ``estimated`` or ``untried``.
-        violation: the law that forbids it, ``{"law", "at_s", "where", "value", "limit", "unit"}``, or None.
+        hints: remedies, as text.
+        suggestions: the hints that name a flag or an option, each ``{"what", "value", "certainty"}``: the option
+            without dashes, the value or None, and ``planned`` (a plan with it was made), ``estimated`` or ``untried``.
+        violation: the constraint that forbids the plan, ``{"law", "at_s", "where", "value", "limit", "unit"}``, or None.
     """
 
     def __init__(
@@ -43,4 +43,4 @@ class BadInputError(GaitwrightError, ValueError):
 
 
 class InfeasibleError(GaitwrightError):
-    """No plan exists within the limits; the message names what forbids it."""
+    """No plan exists within the limits; the message names the constraint that forbids it."""

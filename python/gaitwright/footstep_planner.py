@@ -14,15 +14,15 @@ Pose = tuple[float, float, float]
 
 
 class FootstepPlanner(Protocol):
-    """Whatever can be called like this says where the feet go."""
+    """Any callable with this signature is a footstep planner."""
 
     def __call__(self, robot: Robot, terrain: Terrain, goal: Pose, /) -> Iterable[Step]:
-        """Steps one after the other: (foot, x, y, yaw), as `plan_footsteps` takes them.
+        """Returns the steps in order: (foot, x, y, yaw) each, as for `plan_footsteps`.
 
         Args:
-            robot: it stands at the origin and faces x.
-            terrain: the ground, to be asked by `Terrain.ground_at`.
-            goal: of the base: x, y [m] and yaw [rad].
+            robot: the robot, which stands at the origin and faces x.
+            terrain: the ground; `Terrain.ground_at` gives its height and surface.
+            goal: goal pose of the base: x, y [m] and yaw [rad].
         """
 
 
@@ -35,11 +35,11 @@ def walk_with(
     pause_s: float = 0.1,
     options: dict[str, Any] | None = None,
 ) -> Plan:
-    """A plan over the steps of a planner of your own.
+    """Plans a motion over the steps of your own planner. The plan is not audited: call `audit`.
 
     Raises:
-        BadInputError: the planner gave no steps, or one that is none: a foot that there is not, a place without ground.
-        InfeasibleError: no motion serves these steps. As of `plan_footsteps` the plan is not audited: ask `audit`.
+        BadInputError: the planner gave no steps, or a step with an unknown foot or at a place without ground.
+        InfeasibleError: no motion over these steps is feasible.
     """
     ground = terrain if isinstance(terrain, Terrain) else load_terrain(terrain, robot)
     steps = [(str(foot), float(x), float(y), float(yaw)) for foot, x, y, yaw in planner(robot, ground, goal)]

@@ -10,7 +10,7 @@ from gaitwright._core import Comparison, Plan, Playback, TrialsReport
 
 
 class Page:
-    """An HTML page that is whole by itself: shown inline by a notebook, or saved."""
+    """A self-contained HTML page. A notebook shows it inline; `save` writes it to a file."""
 
     def __init__(self, text: str, height_px: int = 640) -> None:
         self.text = text
@@ -30,7 +30,7 @@ class Page:
 
 
 def show(what: Plan | Playback | TrialsReport | Comparison, viewer: bool = False, height_px: int = 640) -> Page:
-    """The report of a playback, of trials or of a comparison; of a plan, and with `viewer`, the motion in 3D alone."""
+    """The report of a playback, of trials or of a comparison. For a plan, and with `viewer`: the motion in 3D only."""
     if isinstance(what, Plan) or (viewer and isinstance(what, Playback)):
         return Page(what.viewer_html(), height_px)
     if viewer or not isinstance(what, (Playback, TrialsReport, Comparison)):

@@ -19,7 +19,7 @@ OF_PLAYBACK = [["above", "above"], ["margin", "contact"], ["height", "torque"]]
 
 
 def plot(what: Plan | Playback) -> Figure:
-    """From above, contacts, height of the base and torques; of a playback planned and measured, and how far the ZMP is inside.
+    """Plots the top view, contacts, base height and torques. For a playback: planned and measured, and the ZMP margin.
 
     Raises:
         ImportError: matplotlib is not installed.
@@ -39,7 +39,7 @@ def plot(what: Plan | Playback) -> Figure:
         _plot_margin(axes["margin"], played)
     figure.suptitle(repr(what)[1:-1].removeprefix("gaitwright."))
     if getattr(type(figure.canvas), "required_interactive_framework", None) is None:
-        pyplot.close(figure)  # without a window of its own: a notebook shows what it is given, and that once
+        pyplot.close(figure)  # without a window: a notebook shows a returned figure, and would show an open one again
     return figure
 
 
@@ -60,7 +60,7 @@ def _plot_above(axes: Axes, plan: Plan, played: Playback | None) -> None:
 
 
 def _supports(played: Playback) -> list[np.ndarray]:
-    """One support polygon for each set of feet that stands, as it is in the middle of that time."""
+    """One support polygon for each set of stance feet, taken in the middle of its interval."""
     changes = np.flatnonzero(np.any(np.diff(played.contact, axis=0), axis=1)) + 1
     spans = zip(np.r_[0, changes], np.r_[changes, len(played.contact)])
     return [corners for begin, end in spans if len(corners := played.support(int(begin + end) // 2))]

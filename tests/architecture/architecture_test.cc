@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree as it is keeps its own rules.
+// The source tree follows its own rules.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ TEST(Architecture, NamesOfFilesAreSnakeCase) {
   }
 }
 
-/// The name of the type that a line of a header begins to define at the left margin; empty for any other line.
+/// The name of the type whose definition begins at the left margin of a header's line; empty for any other line.
 std::string DefinedType(const std::string& line) {
   for (const std::string start : {"struct ", "class ", "enum class "}) {
     if (!line.starts_with(start) || line.find('{') == std::string::npos) continue;
@@ -112,7 +112,7 @@ std::string DefinedType(const std::string& line) {
   return "";
 }
 
-// Two types of one name are one to the linker, without a word, where both are in a program.
+// The linker silently merges two types of one name in one program.
 TEST(Architecture, NamesOfTypesStandForOneThing) {
   std::map<std::string, std::string> defined_in;
   for (const SourceFile& file : RoomFiles()) {
@@ -189,7 +189,7 @@ TEST(Architecture, LongSourcesHaveTheirOwnTest) {
   EXPECT_LE(untested.size(), static_cast<std::size_t>(kMostUntested)) << Joined(untested);
 }
 
-/// The headers of ours that a file's text includes, and what these include.
+/// Adds our headers that a file's text includes, directly or indirectly.
 void AddReached(const std::map<std::string, std::string>& text_of, const std::string& text,
                 std::set<std::string>& reached) {
   for (const Include& include : IncludesOf(text)) {
@@ -199,7 +199,7 @@ void AddReached(const std::map<std::string, std::string>& text_of, const std::st
   }
 }
 
-// Whoever reads an example or a page of the handbook may write the same against the installed library.
+// Users may write the code of every example and handbook page against the installed library.
 TEST(Architecture, PublicHeadersAreFewAndAllThatUsersAreShown) {
   std::map<std::string, std::string> text_of;
   for (const SourceFile& file : RoomFiles()) {
@@ -230,7 +230,7 @@ TEST(Architecture, PublicHeadersAreFewAndAllThatUsersAreShown) {
   }
 }
 
-/// What npm fetches comes from the registry that whoever builds has set.
+/// npm uses the registry that the user has configured.
 TEST(Architecture, TheLockFileOfTheViewerNamesNoHost) {
   std::ifstream stream(kRoot + "/playback/viewer/web/package-lock.json");
   std::vector<std::string> named;

@@ -10,14 +10,14 @@ namespace {
 
 struct Scope {
   enum class Kind { kNames, kClass, kInside } kind = Kind::kNames;
-  bool shown = true;       ///< what is declared here can be used from outside
+  bool shown = true;       ///< declarations in it are visible from outside
   bool ends = true;        ///< its closing brace ends the statement that opened it
   std::string class_name;  ///< of a class
-  int last_line = -2;      ///< where the last statement in it ended
+  int last_line = -2;      ///< last line of the last statement in it
   bool last_documented = false;
 };
 
-/// Reads a header character by character; knows comments, brackets, and where a statement begins.
+/// Reads a header character by character; tracks comments, brackets and the starts of statements.
 class Reader {
  public:
   explicit Reader(const std::string& text) {
@@ -43,7 +43,7 @@ class Reader {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
   }
 
-  /// A line without its comment and without what stands in quotes.
+  /// A line without its comment and without quoted text.
   static std::string CodeOf(const std::string& line) {
     static const std::regex quoted(R"("(\\.|[^"\\])*"|'(\\.|[^'\\])')");
     const std::string bare = std::regex_replace(line, quoted, "0");

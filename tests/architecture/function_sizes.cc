@@ -28,7 +28,7 @@ bool EndsAStatement(const std::string& line) {
   return std::regex_search(line, kBefore);
 }
 
-/// Whether the text of lines that end with an opening brace begins a function.
+/// Whether the text of lines that end with an opening brace starts a function.
 bool BeginsAFunction(const std::string& head) {
   static const std::regex kOther(
       R"(^(namespace|struct|class|enum|union|extern|if|else|for|while|switch|do|return|case|default|try|catch|\})\b)");
@@ -70,7 +70,7 @@ bool IsExempt(const std::vector<Exempt>& table, const std::string& file, const s
                      [&](const Exempt& exempt) { return exempt.file == file && exempt.name == name; });
 }
 
-/// Tables of options are data, a row for each.
+/// Tables of options are data, with one row per option.
 bool IsTable(const std::string& name) { return name.ends_with("Fields"); }
 
 }  // namespace

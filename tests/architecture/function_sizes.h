@@ -9,15 +9,15 @@ namespace gaitwright::architecture {
 /// A function that is defined over several lines.
 struct FunctionSize {
   std::string name;  ///< as written: `Result<T>::value`, `Fields`
-  int line = 0;      ///< of its first line, from 1
+  int line = 0;      ///< number of its first line, from 1
   int lines = 0;     ///< from its signature to its closing brace
   int parameters = 0;
 };
 
-/// The functions of a source text that is laid out by clang-format, in order. Lambdas are part of their function.
+/// The functions of a source text in clang-format's layout, in order. Lambdas are part of their function.
 std::vector<FunctionSize> FunctionsOf(const std::string& text);
 
-/// Every function of the file that has too many lines or parameters and is not in the table of those that may.
+/// Every function of the file that has too many lines or parameters and is not in the table of exemptions.
 /// @param file  path from the root of the tree, with '/'.
 std::vector<std::string> FunctionBreaches(const std::string& file, const std::string& text);
 

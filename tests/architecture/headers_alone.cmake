@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Each header compiles alone: one translation unit a header, which includes it twice and nothing else. Once is enough, so
-# sanitized and other builds leave it out.
+# Checks that each header compiles alone: one translation unit per header, which includes it twice and nothing else. One
+# build type is enough, so only Release does it.
 if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
   return()
 endif()

@@ -16,7 +16,7 @@ bool EndsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Whether `path` lies in `folder`; every path lies in "".
+/// Whether `path` is in `folder`; every path is in "".
 bool Inside(const std::string& path, std::string_view folder) {
   if (folder.empty()) return true;
   return path.size() > folder.size() && path.compare(0, folder.size(), folder) == 0 && path[folder.size()] == '/';
@@ -93,7 +93,7 @@ std::string ThirdPartyBreach(const std::string& file, const Include& include) {
   return "";
 }
 
-/// Prints to the terminal, which a library never does.
+/// Whether a line prints to the terminal, which is not allowed in a library.
 bool Prints(const std::string& line) {
   static const std::vector<std::string_view> ways = {"std::cout", "std::cerr", "fmt::print(", "std::printf(",
                                                      "std::puts("};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rules see what is wrong: each is fed a text that breaks it, and one beside it that does not.
+// The rules detect violations: each is tested with a text that violates it, and a similar one that does not.
 #include "tests/architecture/include_rules.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(IncludeBreaches, TheArrowInsideARoomPointsDown) {
   EXPECT_NE(Breach("playback/report/a.h", "\"playback/viewer/b.h\""), "");
 }
 
-/// Two folders of one room with the lower first, for every such pair in the table.
+/// Two folders of one room, the lower first, for every such pair in the table.
 TEST(IncludeBreaches, EveryPairOfFoldersInARoomHasOneWay) {
   int pairs = 0;
   for (const Layer& low : kLayers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast feet and bodies are held against a ground of steps and walls.
+// Speed of clearance checks of feet and bodies against a ground of steps and walls.
 #include <benchmark/benchmark.h>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -44,7 +44,7 @@ FootstepPlan StepUp() {
   return {{from, to}};
 }
 
-/// A foot's distance to everything, at 100 places along a swing in turn.
+/// Distance of a foot to all obstacles, at 100 places along a swing in turn.
 void FootAlongSwing(benchmark::State& state) {
   const RobotModel model = LoadNamedRobot("a1").value();
   const GroundWatch watch(model, Stairs());
@@ -59,7 +59,7 @@ void FootAlongSwing(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 
-/// All shapes of the robot against everything, as it is carried 0.5 mm between two looks (0.5 m/s at 1 kHz).
+/// All shapes of the robot against all obstacles; the robot moves 0.5 mm between checks (0.5 m/s at 1 kHz).
 void RobotOverStairs(benchmark::State& state) {
   const RobotModel model = LoadNamedRobot("a1").value();
   GroundWatch watch(model, Stairs());
@@ -79,7 +79,7 @@ void RobotOverStairs(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 
-/// One swing onto a tread, checks and detour included.
+/// One swing onto a tread, including checks and detour.
 void PlanSwingUp(benchmark::State& state) {
   const RobotModel model = LoadNamedRobot("a1").value();
   const Terrain terrain = Stairs();

@@ -30,7 +30,7 @@ struct StoneWalk {
   FootstepQuery query;
 };
 
-/// The whole of a search, workspaces of the legs from nothing included; each time over other stones.
+/// A complete search, including the computation of the legs' workspaces; each time over other stones.
 void FootstepsOverStones(benchmark::State& state) {
   const StoneWalk walk(state);
   std::uint64_t seed = 0;
@@ -50,7 +50,7 @@ void FootstepsOverStones(benchmark::State& state) {
   state.counters["expanded_to_first"] = expanded / found;
 }
 
-/// The same until the first way is found.
+/// The same search until its first solution.
 void FirstFootstepsOverStones(benchmark::State& state) {
   const StoneWalk walk(state);
   FootstepSearchOptions options;
@@ -60,7 +60,7 @@ void FirstFootstepsOverStones(benchmark::State& state) {
     benchmark::DoNotOptimize(SearchFootsteps(walk.model, walk.Ground(seed++ % 20), walk.query, {}, options).ok());
 }
 
-/// One question to a workspace that knows the answer.
+/// One query of a workspace with a cached answer.
 void WorkspaceQuery(benchmark::State& state) {
   const RobotModel model = LoadNamedRobot(state.range(0) == 0 ? "a1" : "nao").value();
   LegWorkspace workspace(model, 0, 0.03);

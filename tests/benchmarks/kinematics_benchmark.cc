@@ -15,7 +15,7 @@ namespace {
 
 const char* const kRobots[] = {"a1", "nao"};
 
-/// A robot that stands, with its scratch.
+/// A standing robot, with its scratch.
 struct Stand {
   explicit Stand(const benchmark::State& state)
       : model(LoadNamedRobot(kRobots[state.range(0)]).value()),
@@ -44,8 +44,7 @@ void FootJacobians(benchmark::State& state) {
   }
 }
 
-/// The columns of all Jacobians, once for each joint, from the configuration on: what other libraries call the joint
-/// Jacobians.
+/// The columns of all Jacobians, once per joint, from the configuration: the joint Jacobians of other libraries.
 void JointScrewsFromConfiguration(benchmark::State& state) {
   Stand s(state);
   MatrixX S(6, static_cast<Eigen::Index>(s.model.joints.size()));
@@ -66,7 +65,7 @@ void FootJacobianRates(benchmark::State& state) {
   }
 }
 
-/// Those of all bodies, from the configuration on.
+/// The Jacobians of all bodies, from the configuration.
 void AllJacobians(benchmark::State& state) {
   Stand s(state);
   MatrixX J(6, s.model.nv());
@@ -123,7 +122,7 @@ void ContactSplitCall(benchmark::State& state) {
   for (auto _ : state) splitter.Solve(contacts, wanted, split);
 }
 
-/// One leg from a guess a few degrees off, as in a sequence: A1's (three joints) or NAO's (six).
+/// One leg from a guess with an error of a few degrees, as in a sequence: A1's (three joints) or NAO's (six).
 void SolveLeg(benchmark::State& state, const LegIk& ik, const RobotModel& model) {
   VectorX standing(static_cast<Eigen::Index>(ik.dofs().size()));
   for (std::size_t i = 0; i < ik.dofs().size(); ++i) {
@@ -144,7 +143,7 @@ void LegIkDamped(benchmark::State& state) {
   SolveLeg(state, LegIk(model, 0, LegIk::Method::kDamped), model);
 }
 
-/// A target 0.5 m below the leg's reach.
+/// A target 0.5 m below the reach of the leg.
 void LegIkOutOfReach(benchmark::State& state) {
   const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
   const LegIk ik(model, 0, state.range(1) == 0 ? LegIk(model, 0).method() : LegIk::Method::kDamped);
@@ -153,7 +152,8 @@ void LegIkOutOfReach(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(ik.Solve(X_BF));
 }
 
-/// Positions and rates of all joints for a standing body whose centre of mass is 1 cm aside, from standing.
+/// Positions and rates of all joints for a standing body whose centre of mass is shifted laterally by 1 cm, from
+/// standing.
 void WholeBodyIkCall(benchmark::State& state) {
   Stand s(state);
   WholeBodyIk ik(s.model);

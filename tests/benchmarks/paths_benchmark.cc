@@ -11,7 +11,7 @@ namespace {
 
 const char* const kPathRobots[] = {"a1", "nao"};
 
-/// A route, with its length and what it costs: of RRT*'s first solution and of its last, and what is handed out.
+/// A route, with its length and its cost: of RRT*'s first solution, of its last solution, and of the result.
 void PlanRoute(benchmark::State& state, const Terrain& terrain, const PlanarPose& goal) {
   const RobotModel model = LoadNamedRobot(kPathRobots[state.range(0)]).value();
   BaseRouteOptions options;

@@ -10,14 +10,14 @@
 namespace gaitwright {
 namespace {
 
-/// What trials are put through and what stands between robot and controller.
+/// Controller, state source and disturbances of trials.
 struct Conditions {
   std::string controller, state;
   bool disturbed;
 };
 
 /// Trials of 5 m of A1's trot at 0.3 m/s, or of 20 steps of NAO, one after the other on one core. Their differences
-/// tell what disturbances, estimator, sensors and controller cost.
+/// give the cost of disturbances, estimator, sensors and controller.
 void TrialCall(benchmark::State& state, const Conditions& conditions) {
   const bool biped = state.range(0) != 0;
   const RobotModel model = LoadNamedRobot(biped ? "nao" : "a1").value();

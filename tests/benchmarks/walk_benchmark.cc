@@ -45,7 +45,7 @@ void AuditCall(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(Audit(walk.model, plan, {}));
 }
 
-/// At a step of 1 ms, with every joint; the counter is simulated time over CPU time.
+/// With a step of 1 ms and all joints; the counter is simulated time divided by CPU time.
 void PlayCall(benchmark::State& state, const char* controller, const char* engine) {
   const Walk walk(state);
   const MotionPlan plan = walk.Plan();
@@ -57,7 +57,7 @@ void PlayCall(benchmark::State& state, const char* controller, const char* engin
   state.counters["times_real_time"] = times_real_time;
 }
 
-/// The same with damping, dry friction and rotor inertia in every joint, and motors with curve and thermal limit.
+/// As PlayCall, with damping, dry friction and rotor inertia in every joint, and motors with curve and thermal limit.
 void PlayLossesCall(benchmark::State& state) {
   Walk walk(state);
   const MotionPlan plan = walk.Plan();

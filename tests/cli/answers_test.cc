@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goes well: exit status 0, and answers that a script can read.
+// Successful commands: exit status 0, and output that a script can read.
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {
@@ -24,7 +24,7 @@ void ExpectJudged(const Json& json) {
 
 class Answers : public Stranger {
  protected:
-  /// Whether the program has the engine, by what it says where it has not.
+  /// Whether the program has the engine, from the message if it does not.
   bool HasMujoco() {
     const Ran ran = Run({"walk", "--robot", "a1", "--distance", "0.2", "--engine", "mujoco", "--out-dir", "probe"});
     std::filesystem::remove_all(In("probe"));
@@ -115,7 +115,7 @@ TEST_F(Answers, WhatThereIsIsListed) {
 }
 
 TEST_F(Answers, EveryTerrainOfTheListIsShownAndWalked) {
-  const Json listed = Run({"terrains", "--json"}).json();  // the loop must not outlive what it goes through
+  const Json listed = Run({"terrains", "--json"}).json();  // keeps the temporary alive in the loop
   for (const Json& entry : listed.at("terrains")) {
     const std::string name = entry.at("name");
     SCOPED_TRACE(name);

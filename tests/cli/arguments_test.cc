@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that flags name are read into requests.
+// Files named by flags are read into requests.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// trials, sweep and tune under mpirun: the same bytes as in one process, and what signals do.
+// trials, sweep and tune under mpirun: the same bytes as in one process, and the effect of signals.
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -21,7 +21,7 @@ class Cluster : public Stranger {
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   }
 
-  /// Where a sanitizer looks for leaks it finds some of Open MPI's own at the end of a rank.
+  /// Disables the leak check of sanitizers, which reports leaks of Open MPI at the end of a rank.
   static Arguments UnderMpi(const Arguments& arguments) {
     Arguments words = {GAITWRIGHT_MPIRUN, "--oversubscribe", "-np", "2", "-x", "ASAN_OPTIONS=detect_leaks=0",
                        ProgramPath()};
@@ -29,7 +29,7 @@ class Cluster : public Stranger {
     return words;
   }
 
-  /// So many outcomes are in the journal.
+  /// Whether this number of outcomes is in the journal.
   bool Holds(const std::string& journal, std::ptrdiff_t outcomes) const {
     const std::string text = std::filesystem::exists(In(journal)) ? Read(journal) : "";
     return std::count(text.begin(), text.end(), '\n') > outcomes;
@@ -84,7 +84,7 @@ TEST_F(Cluster, WhatIsNotSharedIsRefusedPlainlyAndByOneRank) {
   }
 }
 
-/// A run of many trials, which a signal to mpirun ends after three, and what goes on with it.
+/// A run of many trials that a signal to mpirun ends after three, and its continuation.
 class Interrupted : public Cluster {
  protected:
   Interrupted() { MakePlan("plan.json"); }
@@ -109,7 +109,7 @@ class Interrupted : public Cluster {
     EXPECT_EQ(std::filesystem::exists(In("it.json.so-far")), more) << "it stays where more was done";
   }
 
-  /// A whole line has the outcome of a trial of that number or a later one.
+  /// Whether a complete line has the outcome of a trial with at least this number.
   bool HoldsFrom(const std::string& journal, int number) const {
     std::istringstream text(Read(journal));
     std::string line;

@@ -15,7 +15,7 @@ TEST_F(Exchange, ACsvIsComparedInTheOrderAndUnitsThatAreSaid) {
   const std::string ours = "base_qx,base_qy,base_qz,base_qw";
   const std::size_t at = head.find(ours);
   ASSERT_NE(at, std::string::npos);
-  // The columns that are named x, y, z, w hold w, x, y, z.
+  // The columns named x, y, z, w contain w, x, y, z.
   Write("w_first.csv", std::string(motion).replace(at, ours.size(), "base_qy,base_qz,base_qw,base_qx"));
   ExpectRefused(Run({"compare", "out/plan.json", "w_first.csv"}), 1,
                 {"w_first.csv", "probably has w first", "Use --quaternion-order wxyz"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one verb writes another reads.
+// Files of one verb are read by another.
 #include "tests/cli/exchanged.h"
 
 namespace gaitwright::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flags are read from words as the program reads them, without starting it.
+// Flags are parsed as in the program, without starting it.
 #include "cli/flags.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The help is a promise: every example in it works, and every flag says what it takes.
+// Every example in the help works, and every flag says which values it accepts.
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -13,7 +13,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// Every verb, in an order in which each finds the files that its examples read.
+/// All verbs, in an order in which the files for the examples of each verb exist.
 const std::vector<std::vector<std::string>> kVerbs = {{"plan"},           {"walk"},
                                                       {"audit"},          {"play"},
                                                       {"trials"},         {"sweep"},
@@ -95,7 +95,7 @@ TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
     std::string flag, text;
     const auto check = [&] {
       if (flag.empty() || std::find(bare.begin(), bare.end(), flag) != bare.end()) return;
-      const bool optional = flag == "--distance" || flag == "--goal" || flag == "--steps";  // one of them holds
+      const bool optional = flag == "--distance" || flag == "--goal" || flag == "--steps";  // only one of them
       EXPECT_TRUE(optional || text.find("default") != std::string::npos || text.find("Default") != std::string::npos)
           << verb << " " << flag << ": " << text;
     };

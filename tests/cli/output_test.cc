@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `walk` and `play` print of a playback that is made up, and the files that they write.
+// Output and files of `walk` and `play` for a synthetic playback.
 #include "cli/output.h"
 
 #include <gtest/gtest.h>

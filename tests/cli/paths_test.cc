@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Paths within a folder that goes with the test.
+/// Paths in a folder that is deleted after the test.
 class CliPaths : public testing::Test {
  protected:
   CliPaths() {
@@ -94,7 +94,7 @@ TEST_F(CliPaths, TwoOutputsAreNotOneFile) {
   EXPECT_EQ(Refusal(paths), "");
 }
 
-/// A name of another format misleads people and programs; other endings say nothing.
+/// The ending of another format misleads people and programs; unknown endings do not.
 TEST_F(CliPaths, AnEndingOfAnotherFormatIsRefused) {
   EXPECT_EQ(RefusalOfOutput(In("a.json"), {".csv", ".npz"}),
             "--out '" + In("a.json") + "' ends in '.json'; accepted: .csv or .npz");

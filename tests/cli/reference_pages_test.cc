@@ -11,7 +11,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// Two verbs that have an option in common, and one below the second.
+/// Two verbs that share an option, and a sub-verb of the second one.
 class ReferredProgram {
  public:
   ReferredProgram() {

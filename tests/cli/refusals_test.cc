@@ -18,7 +18,7 @@ class Refusals : public Stranger {
 
   void ExpectNothingWritten() const { EXPECT_EQ(Found(), std::vector<std::string>{}); }
 
-  /// A robot of the program's own in the folder `mine`, with `yaml` beside it.
+  /// A copy of a built-in robot in the folder `mine`, with `yaml` beside it.
   void CopyRobot(const std::string& yaml) const {
     std::filesystem::create_directories(In("mine"));
     std::filesystem::copy_file(SourceFolder() + "/robots/a1/robot.urdf", In("mine/robot.urdf"),
@@ -96,7 +96,7 @@ TEST_F(Refusals, Command) {
   }
   ExpectRefused(Run({"robots", "show", ""}), 1, {"ROBOT", "empty"});
   ExpectRefused(Walk({"--seed", "-1"}), 1, {"--seed", "-1", "0 or more"});
-  const std::string huge = "99999999999999999999";  // more than 64 bits hold
+  const std::string huge = "99999999999999999999";  // too large for 64 bits
   for (const std::string& seed : {std::string("2147483648"), std::string("99999999999"), huge})
     ExpectRefused(Walk({"--seed", seed}), 1, {"--seed: " + seed + " is too large; accepted: 0 to 2147483647"});
   ExpectRefused(Walk({"--seed", "-" + huge}), 1, {"--seed: -" + huge + " is too small; accepted: 0 or more"});
@@ -111,7 +111,7 @@ TEST_F(Refusals, Options) {
   ExpectRefused(Walk({"--set", "swing.height_m"}), 1, {"--set", "key=value"});
   ExpectRefused(Walk({"--set", "swing.height_m=0.1", "--set", "swing.height_m=0.1"}), 1,
                 {"--set: 'swing.height_m' is given twice"});
-  ExpectRefused(Walk({"--set", "com-method=preview"}), 1, {"'com-method'; --list-options=all prints all of them"});
+  ExpectRefused(Walk({"--set", "com-method=preview"}), 1, {"'com-method'; --list-options=all prints all option keys"});
   ExpectRefused(Run({"gaits", "--set", "a=1"}), 1, {"no options"});
   ExpectNothingWritten();
 }
@@ -248,7 +248,7 @@ TEST_F(Refusals, FoldersThatAreFiles) {
   EXPECT_EQ(Found(), std::vector<std::string>{"file"});
 }
 
-/// Before anything is read or done: the motion that each would begin with is not there.
+/// Outputs are checked before inputs are read: the input motion does not exist.
 TEST_F(Refusals, OutputsThatCannotBeWrittenAreSeenBeforeTheWork) {
   Write("file", "text");
   const std::vector<std::pair<std::string, std::string>> wrong = {{"file/x", "'file' is a file, not a folder"},

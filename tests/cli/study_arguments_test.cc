@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flags that sweep and tune share: what is varied may not be given too.
+// Flags that sweep and tune share: a varied option must not be set as well.
 #include "cli/study_arguments.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class StudyProgram {
     study.AddWorkTo(verb_);
     AddCommon(verb_, common, {"study"});
   }
-  /// What the words are refused with for an axis of these ends; "" where they are not.
+  /// The message of the refusal for an axis with these ends; "" if the words are accepted.
   std::string Refusal(const std::string& key, std::vector<std::string> words) {
     words.insert(words.begin(), {"gaitwright", "study", "--over", key + "=1:2"});
     std::vector<const char*> argv;
@@ -88,7 +88,7 @@ TEST(StudyArgumentsTest, StepLengthsNeedStepsAndSequencesHaveSpeedsOfTheirOwn) {
   EXPECT_NE(RefusedStudy("speed", {"--sequence", "trot"}).find("set their own speeds"), std::string::npos);
 }
 
-// The axis counts as given where the extent is worked out, but each point sets its own.
+// The axis counts as given when the extent is computed, but each point sets its own value.
 TEST(StudyArgumentsTest, AVariedSpeedIsLeftToThePoints) {
   StudyProgram program;
   EXPECT_EQ(program.Refusal("speed", {"--distance", "0.5", "--lateral-speed", "0.05"}), "");

@@ -65,7 +65,7 @@ TEST(TerrainPictures, TheRobotIsDrawnFromAboveAndFromTheSide) {
   EXPECT_EQ(TimesInPicture(svg, "<rect class=\"r\""), 1);
 }
 
-/// Where there is no ground the section has a gap, and the picture from above is hatched.
+/// Without ground, the section has a gap and the top view is hatched.
 TEST(TerrainPictures, AGapInTheGroundIsNoLine) {
   Terrain ground;
   ground.name = "gap";

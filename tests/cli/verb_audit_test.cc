@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `audit` says before a plan goes on a robot: margins, start posture, the way there, and the page to sign.
+// `audit` before a plan runs on a robot: margins, start posture, approach, and the page to sign.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class BeforeHardware : public Stranger {
  protected:
   BeforeHardware() { MakePlan("plan.json"); }
 
-  /// A start posture: the standing posture of the robot, with one joint elsewhere.
+  /// A start posture: the standing posture of the robot, with one joint at another position.
   void Measure(const std::string& name, const std::string& joint, double by) const {
     const Json standing = Run({"robots", "show", "a1", "--json"}).json().at("standing");
     std::string text;
@@ -29,7 +29,7 @@ class BeforeHardware : public Stranger {
     }
     return "";
   }
-  /// A result of a hundred trials: one that was played, with so many of its likes that stood and fell.
+  /// A result of a hundred trials: copies of one played trial, with given numbers of survivals and falls.
   Json Trials(int survived) const {
     const std::vector<std::string> one = {"trials", "plan.json", "-n", "1", "--out", "one.json"};
     EXPECT_EQ(Run(one).status, 0);
@@ -191,7 +191,7 @@ TEST_F(BeforeHardware, TrialsOfAPlanWhoseGroundWasChangedSinceAreRefused) {
   const Ran trials = Run({"trials", "plan.json", "-n", "2", "--friction", "0.7", "--out", "two.json", "--quiet"});
   EXPECT_EQ(trials.status, 0) << trials.err;
   const Ran same = Run({"audit", "plan.json", "--preflight", "--trials-result", "two.json"});
-  EXPECT_NE(same.out.find("play.friction 0.7 (usually 0)"), std::string::npos) << same.out << same.err;
+  EXPECT_NE(same.out.find("play.friction 0.7 (default 0)"), std::string::npos) << same.out << same.err;
   EXPECT_NE(same.out.find("mass_scale"), std::string::npos) << "disturbances";
   Json plan = Json::parse(Read("plan.json"));
   plan["terrain"]["patches"][0]["friction"] = 0.4;
@@ -202,7 +202,7 @@ TEST_F(BeforeHardware, TrialsOfAPlanWhoseGroundWasChangedSinceAreRefused) {
 
 using Verdicts = Stranger;
 
-/// Doubles what the first motor does.
+/// Doubles the torque of the first motor.
 void DoubleFirstTorque(Json& plan) {
   for (Json& row : plan.at("tau_nm")) row.at(0) = 2.0 * row.at(0).get<double>() + 1.0;
 }

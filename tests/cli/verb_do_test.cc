@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `gaitwright do` says and writes, and the draft of a robot.yaml.
+// Output and files of `gaitwright do`, and the draft of a robot.yaml.
 #include <cstdlib>
 
 #include "tests/cli/stranger.h"
@@ -19,7 +19,7 @@ TEST_F(Do, DoesWhatIsSaid) {
   EXPECT_EQ(json.at("tasks").at("tasks").size(), 2U);
   EXPECT_EQ(json.at("tasks").at("tasks")[1].at("action"), "bow");
   EXPECT_EQ(Found(), (std::vector<std::string>{"out"}));
-  EXPECT_NE(ran.err.find("1. squat"), std::string::npos);  // it is shown before it is done
+  EXPECT_NE(ran.err.find("1. squat"), std::string::npos);  // the tasks are shown before they are carried out
   const Ran again = Run({"play", "out/plan.json", "--quiet"});
   EXPECT_EQ(again.out, "pass\n");
 }
@@ -33,7 +33,7 @@ TEST_F(Do, WhatIsNotUnderstoodIsNamedAndNothingWritten) {
   EXPECT_TRUE(Found().empty());
 }
 
-/// What to say instead, in words, and what the robot can do only where that is the question.
+/// Refusals suggest other words, and list the robot's actions only if these are relevant.
 TEST_F(Do, RefusalsSayWhatToSayInstead) {
   Write("yard.yaml", "builtin: flat\nmarkers:\n  - {name: red marker, place_m: [1.5, 0.5]}\n");
   const auto refusal = [&](const std::string& text, const std::string& terrain = "flat") {
@@ -58,7 +58,7 @@ TEST_F(Do, RefusalsSayWhatToSayInstead) {
   EXPECT_NE(refusal("juggle").find("raise_arm"), std::string::npos);
 }
 
-/// What a language model understood is shown, and done only with --yes; its key comes from the environment.
+/// Tasks from a language model are shown, and carried out only with --yes; the key comes from the environment.
 TEST_F(Do, ALanguageModelIsAskedAndNothingDoneUnseen) {
   const FakeModel model({{FakeAnswer::Kind::kContent, R"({"schema": 1, "tasks": [{"action": "nod", "times": 2}]})"}});
   const std::vector<std::string> asked = {"do",        "say yes twice", "--robot", "nao",    "--interpreter",
@@ -78,7 +78,7 @@ TEST_F(Do, ALanguageModelIsAskedAndNothingDoneUnseen) {
   EXPECT_NE(done.err.find("1. nod"), std::string::npos) << done.err;
 }
 
-/// On a terminal the task plan is shown and asked about, though it is to be quiet.
+/// On a terminal the task plan is shown and must be confirmed, also with --quiet.
 TEST_F(Do, OnATerminalItIsShownAndAsked) {
   const auto answered = [&](const std::string& answer) {
     const std::string command = ProgramPath() + " do nod --robot nao --quiet";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `gaitwright grade` says and writes.
+// Output and files of `gaitwright grade`.
 #include <unistd.h>
 
 #include <csignal>
@@ -22,7 +22,7 @@ constexpr char kCode[] =
     "limits: {time_s: 2}}\n";
 constexpr char kRight[] = "def pendulum_zmp(c, a, h):\n    return c[:2] - a[:2] * h / 9.81\n";
 
-/// Whether the machine cannot confine code; then the verb must have refused, and written nothing.
+/// Whether the machine cannot confine code. If so, the verb must have refused without writing anything.
 bool Refused(const Ran& ran, const std::string& grades) {
   if (ran.err.find("cannot be run safely here") == std::string::npos) return false;
   EXPECT_EQ(ran.status, 1);
@@ -91,7 +91,7 @@ TEST_F(Grade, CodeIsRunWhereItCanBeConfined) {
   EXPECT_EQ(Read("grades/grades.csv"), "\"student\",\"zmp\",\"total\",\"of\"\n\"ada\",4,4,4\n\"eve\",0,0,4\n");
 }
 
-/// By a user who is not root, where this is root; a build that such a user may not read is passed over.
+/// If the test runs as root, it runs the program as another user; skipped if that user cannot read the build.
 TEST_F(Grade, ItNeedsNoRights) {
   if (geteuid() != 0) GTEST_SKIP() << "the other tests are without rights";
   Write("rubric.yaml", kCode);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verb `import`: what it prints and writes, and what it refuses.
+// The verb `import`: output, files and refusals.
 #include <algorithm>
 
 #include "tests/cli/stranger.h"
@@ -9,7 +9,7 @@ namespace {
 
 class Import : public Stranger {
  protected:
-  /// A plan of the program's own, written as a CSV: its first line and the others.
+  /// A plan of the program as a CSV: its header and its rows.
   std::string Motion() const {
     MakePlan("plan.json");
     const Ran ran = Run({"export", "plan.json", "--format", "csv", "--out", "motion.csv", "--quiet"});
@@ -49,7 +49,7 @@ TEST_F(Import, MakesAPlanThatAuditAndPlayTake) {
 
 TEST_F(Import, AMotionThatWasExportedAtAnyRatePassesAgain) {
   ASSERT_EQ(Run({"plan", "--robot", "a1", "--distance", "0.4", "--out", "plan.json", "--quiet"}).status, 0);
-  for (const char* rate_hz : {"300", "500", "1000"}) {  // of which the first two do not meet its end
+  for (const char* rate_hz : {"300", "500", "1000"}) {  // the first two end early
     SCOPED_TRACE(rate_hz);
     ASSERT_EQ(Run({"export", "plan.json", "--rate-hz", rate_hz, "--out", "motion.csv", "--quiet"}).status, 0);
     const Ran ran = Run({"import", "motion.csv", "--out", "again.json", "--json"});

@@ -13,7 +13,7 @@
 namespace gaitwright::cli {
 namespace {
 
-/// One that nobody has at present.
+/// A port that is free at present.
 int FreePort() {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address = {};
@@ -26,14 +26,14 @@ int FreePort() {
   return ntohs(address.sin_port);
 }
 
-/// What a browser is first told over the WebSocket, once it has had pictures after it; "" as long as nobody is there.
+/// The first message over the WebSocket, returned after some frames were received; "" while there is no server.
 std::string Greeting(int port) {
   const std::string host = "127.0.0.1:" + std::to_string(port);
   try {
     SocketClient client(port);
     if (client.Open("/live", "http://" + host, host) != 101) return "";
     const std::string greeting = client.Hear().value_or("");
-    for (int told = 0; told < 10; ++told) client.Hear();  // its number, and pictures of a world that goes on
+    for (int told = 0; told < 10; ++told) client.Hear();  // the page number, and frames of a running world
     return greeting;
   } catch (const std::runtime_error&) {
     return "";
@@ -42,7 +42,7 @@ std::string Greeting(int port) {
 
 class Live : public Stranger {
  protected:
-  /// Runs until a page was greeted, and then until Ctrl-C. @return also the greeting.
+  /// Runs the program until a page has received its greeting, then sends Ctrl-C. @return the results and the greeting.
   std::pair<Ran, Json> Served(std::vector<std::string> flags) const {
     const int port = FreePort();
     std::vector<std::string> words = {"live", "--port", std::to_string(port), "--no-open"};
@@ -59,7 +59,7 @@ TEST_F(Live, ServesUntilCtrlC) {
   EXPECT_EQ(ran.json()["url"].get<std::string>().substr(0, 17), "http://127.0.0.1:") << ran.out;
   EXPECT_EQ(greeting["scene"]["robot"]["name"], "a1");
   EXPECT_EQ(greeting["options"]["gains.stiffness_scale"]["value"], 1.25);
-  EXPECT_NE(ran.err.find("plans how a1 walks"), std::string::npos);
+  EXPECT_NE(ran.err.find("planning the first walk of a1"), std::string::npos);
   EXPECT_NE(ran.err.find("touching"), std::string::npos) << "--debug tells of contacts: " << ran.err;
 }
 

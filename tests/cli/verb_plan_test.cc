@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans alone: what is too much, gaits with flight, and where a plan goes.
+// The verb `plan`: infeasible requests, gaits with flight, and output paths.
 #include <sstream>
 
 #include "tests/cli/stranger.h"
@@ -9,7 +9,7 @@ namespace {
 
 using Verdicts = Stranger;
 
-/// The flags that a refusal's first hint tries.
+/// The flags in the first hint of a refusal.
 std::vector<std::string> HintOf(const Ran& ran) {
   const std::size_t at = ran.err.find("(try: ") + 6;
   std::istringstream stream(ran.err.substr(at, ran.err.find(';', at) - at));

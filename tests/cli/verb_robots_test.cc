@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The linter of robot descriptions, and robots that are shown.
+// The linter of robot descriptions, and `robots show`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 class RobotsCheck : public Stranger {
  protected:
-  /// The findings of a kind.
+  /// The findings of one kind.
   static std::vector<Json> Of(const Json& checked, const std::string& code) {
     std::vector<Json> found;
     for (const Json& finding : checked.at("findings")) {
@@ -65,7 +65,7 @@ TEST_F(RobotsCheck, WhatIsRefusedIsAnErrorWithStatusOne) {
 TEST_F(RobotsCheck, TheRepairedFileIsTakenStrictly) {
   std::string broken = Replaced(FourLegs(), "izz='0.01' ixy", "izz='0.03' ixy");
   const std::string limit =
-      " lower='-2' upper='1'";  // of one joint: with it gone from all, the verdict is long in coming
+      " lower='-2' upper='1'";  // only of one joint, since the check takes long without the limits of all joints
   broken.replace(broken.find(limit), limit.size(), "");
   Write("robot.urdf", broken);
   EXPECT_EQ(Run({"robots", "check", "robot.urdf", "--strict"}).status, 1);
@@ -116,7 +116,7 @@ TEST_F(RobotsCheck, FeetThatAreLongerBehindFaceBack) {
   Write("robot.yaml", yaml);
   Write("ahead.urdf", nao);
   EXPECT_TRUE(Of(Run({"robots", "check", "ahead.urdf", "--json"}).json(), "faces_back").empty());
-  // The box of its sole, which is 31 mm ahead of the ankle, as far behind it.
+  // The box of its sole is 31 mm in front of the ankle; here it is moved the same distance behind it.
   const std::string behind = Replaced(nao, "xyz=\"0.0315 ", "xyz=\"-0.0315 ");
   ASSERT_NE(behind, nao);
   Write("behind.urdf", behind);
@@ -140,8 +140,8 @@ TEST_F(RobotsCheck, WeakMotorsAreNamedWithTheirStance) {
   EXPECT_TRUE(Of(Run({"robots", "check", "a1", "--json"}).json(), "weak_motor").empty());
   const Result<RobotModel> four = LoadRobotFromText(FourLegs(), "");
   ASSERT_TRUE(four.ok());
-  // A knee under half the weight of a robot that stands on a diagonal: the force through the foot times how far the
-  // foot is from under the knee, less what the shank and the foot weigh themselves.
+  // A knee under half the weight of a robot that stands on a diagonal: the force on the foot times its horizontal
+  // distance from the knee, minus the moments of the weights of shank and foot.
   DynamicsScratch scratch(*four);
   ForwardKinematics(*four, StandingConfiguration(*four), scratch);
   const Foot& foot = four->feet[0];

@@ -40,7 +40,7 @@ TEST_F(Sweep, GivesItsObjectAndWritesItsFiles) {
   int lines = 0;
   for (std::string line; std::getline(csv, line);) ++lines;
   EXPECT_EQ(lines, 5);
-  // The best plan is that of its point: played alone it has the same score.
+  // The best plan is that of its point: its score is the same when it is played separately.
   const std::string gain = json.at("best").at("values").at("stabilised.dcm_gain").dump();
   EXPECT_EQ(json.at("best_play_flags"), "--set stabilised.dcm_gain=" + gain.substr(0, gain.find(".0")));
   const Json played = Run({"play", "best.json", "--json", "--set", "stabilised.dcm_gain=" + gain}).json();
@@ -72,7 +72,7 @@ TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
   const auto so_far = [&] { return std::filesystem::exists(In("sweep.csv.so-far")) ? Read("sweep.csv.so-far") : ""; };
   const Ran cut = RunUntil(with({"--threads", "1"}), SIGKILL, [&] {
     killed = so_far();
-    return std::count(killed.begin(), killed.end(), '\n') >= 3;  // the head, and points on the disk
+    return std::count(killed.begin(), killed.end(), '\n') >= 3;  // the first line, and points on the disk
   });
   EXPECT_EQ(cut.status, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(In("sweep.csv")));
@@ -86,7 +86,7 @@ TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
 
 TEST_F(Sweep, AMapThatCannotBeWrittenInTheEndIsNotLost) {
   const std::vector<std::string> start = Grid({"--threads", "1", "--quiet", "--report", "map.html"});
-  const Ran ran = RunUntil(start, SIGCONT, [&] {  // which does nothing to who runs
+  const Ran ran = RunUntil(start, SIGCONT, [&] {  // SIGCONT has no effect on a running process
     return std::filesystem::exists(In("sweep.csv.so-far")) && std::filesystem::create_directory(In("map.html"));
   });
   ExpectRefused(ran, 1,

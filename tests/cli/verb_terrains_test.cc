@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `gaitwright terrains` and --terrain say and write.
+// Output and files of `gaitwright terrains`, and messages of --terrain.
 #include <filesystem>
 
 #include "tests/cli/stranger.h"
@@ -33,7 +33,7 @@ TEST_F(Terrains, SizesAreThoseOfTheRobotUnlessGiven) {
 }
 
 TEST_F(Terrains, APictureOfEveryGroundIsWritten) {
-  const Json listed = Run({"terrains", "--json"}).json();  // the loop must not outlive what it goes through
+  const Json listed = Run({"terrains", "--json"}).json();  // keeps the temporary alive in the loop
   EXPECT_GE(listed.at("terrains").size(), 13U);
   for (const Json& entry : listed.at("terrains")) {
     const std::string name = entry.at("name");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `gaitwright trials` and `play --disturbances` say, write and end with.
+// Output, files and exit statuses of `gaitwright trials` and `play --disturbances`.
 #include <algorithm>
 #include <csignal>
 #include <fstream>
@@ -173,7 +173,7 @@ TEST_F(Trials, WhatIsSampledIsShownAndReadsBack) {
 TEST_F(Trials, ADiskThatIsFullIsSaidSoAndTheRunGoesOnLater) {
   const std::vector<std::string> run = {"trials",    "plan.json", "-n", "6",      "--disturbances",
                                         "calm.yaml", "--threads", "1",  "--quiet"};
-  std::string command = std::string("trap '' XFSZ; ulimit -f 16; exec ") + ProgramPath();  // 8 KiB a file
+  std::string command = std::string("trap '' XFSZ; ulimit -f 16; exec ") + ProgramPath();  // 8 KiB per file
   for (const std::string& word : run) command += " " + word;
   const Ran full = RunWords({"/bin/sh", "-c", command});
   ExpectRefused(full, 1, {"cannot keep intermediate results in 'trials.json.so-far'", "--resume"});
@@ -188,7 +188,7 @@ TEST_F(Trials, AResultThatCannotBeWrittenInTheEndIsNotLost) {
   const std::vector<std::string> start = {"trials",    "plan.json", "-n",     "4",       "--disturbances",
                                           "calm.yaml", "--threads", "1",      "--quiet", "--out",
                                           "it.json",   "--report",  "it.html"};
-  const Ran ran = RunUntil(start, SIGCONT, [&] {  // which does nothing to who runs
+  const Ran ran = RunUntil(start, SIGCONT, [&] {  // SIGCONT has no effect on a running process
     const std::string so_far = std::filesystem::exists(In("it.json.so-far")) ? Read("it.json.so-far") : "";
     return std::count(so_far.begin(), so_far.end(), '\n') >= 2 && std::filesystem::create_directory(In("it.html"));
   });
@@ -235,7 +235,7 @@ TEST_F(Trials, AKilledRunIsResumedToTheSameBytes) {
   const std::string whole = Read("it.json");
   std::filesystem::remove(In("it.json"));
   for (const int signal : {SIGKILL, SIGINT}) {
-    const Ran killed = RunUntil(start, signal, [&] {  // two outcomes are on the disk
+    const Ran killed = RunUntil(start, signal, [&] {  // after two outcomes are on the disk
       const std::string so_far = std::filesystem::exists(In("it.json.so-far")) ? Read("it.json.so-far") : "";
       return std::count(so_far.begin(), so_far.end(), '\n') >= 3;
     });

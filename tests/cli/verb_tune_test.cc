@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tune, and the file of options that it writes.
+// The verb `tune`, and the option file that it writes.
 #include <csignal>
 #include <filesystem>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exit status 2, no plan exists, and 3, the verdict is a fail.
+// Exit status 2: no plan exists; exit status 3: the verdict is a fail.
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {
@@ -31,7 +31,7 @@ TEST_F(Verdicts, AHardPushIsAFall) {
 }
 
 TEST_F(Verdicts, AWalkWhosePlanFailsItsAuditFailsThoughItStands) {
-  std::string urdf = MakePlan("plan.json").at("urdf");  // with motors too slow for it, which physics does not mind
+  std::string urdf = MakePlan("plan.json").at("urdf");  // its motors are too slow for the audit only
   const std::string fast = "velocity=\"21\"";
   for (std::size_t at = 0; (at = urdf.find(fast, at)) != std::string::npos;)
     urdf.replace(at, fast.size(), "velocity='3'");

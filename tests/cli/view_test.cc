@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions are looked at as pages.
+// HTML pages of motions.
 #include "tests/cli/viewed.h"
 
 namespace gaitwright::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flags of a walk and its playback are read into requests, without planning anything.
+// Flags of a walk and its playback are read into requests, without planning.
 #include "cli/walk_arguments.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ class WalkProgram {
     for (const std::string& word : words) argv.push_back(word.c_str());
     line_.Run(static_cast<int>(argv.size()), argv.data());
   }
-  /// What the words are refused with, as a usage or when they are put into the requests.
+  /// The message of the refusal, from parsing or from filling the requests.
   std::string Refusal(const std::vector<std::string>& words) {
     try {
       Read(words);

@@ -119,10 +119,10 @@ def test_what_starting_code_says_is_wanted_is_what_the_solution_gives(folder, tm
 
 
 def numbers_told(line):
-    """Pairs of numbers in 'WHAT: GOT, to be WANTED', as many as are wanted."""
-    if "to be" not in line or "more" in line:
+    """Pairs of numbers in 'WHAT: GOT, expected WANTED', as many as are expected."""
+    if "expected" not in line or "more" in line:
         return []
-    got, wanted = line.rsplit("to be", 1)
+    got, wanted = line.rsplit("expected", 1)
     wanted = numbers_in(wanted)
     return list(zip(numbers_in(got.split(":")[-1])[: len(wanted)], wanted))
 

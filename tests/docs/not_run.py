@@ -4,14 +4,14 @@
 NOT_RUN = {
     ("README.md", "./run      # sets everything up, walks a Unitree A1 for 3 m at a trot in physics, and writes report.html"):
         "sets the machine up and builds, as was done before any test runs; and ./test would run itself",
-    ("README.md", "build/release/standing_control --plot pushes.svg    # joints, ankles, DCM, hips, whole body, steps: which push each of them takes"):
+    ("README.md", "build/release/standing_control --plot pushes.svg    # the largest push that joints, ankles, DCM, hips, whole body and steps withstand"):
         "minutes of searching for the largest pushes, and a stream in real time, which a busy machine does not keep; tests/examples runs both",
     ("docs/first-walk.md", "./run"): "sets the machine up and builds, as was done before any test runs",
     ("docs/cluster.md", "mpirun -np 4 gaitwright trials plan.json -n 500 --disturbances examples/disturbances/a1_hobby.yaml"
                         " --state estimated --sensors hobby --out result.json"):
         "500 trials take minutes; tests/cli/cluster_test.cc runs fewer under mpirun",
     ("docs/cluster.md", "sbatch job.sh"): "there is no Slurm here",
-    ("docs/live.md", "gaitwright live --robot a1                # http://127.0.0.1:8017/, and opens it where there is a desktop"):
+    ("docs/live.md", "gaitwright live --robot a1                # http://127.0.0.1:8017/; opens the page if there is a desktop"):
         "serves until it is stopped; tests/cli/live_test.cc starts and stops it",
     ("docs/install.md", "./run --version"):
         "installs into the machine; tests/consumer and tests/python/test_installed.py install into a folder",

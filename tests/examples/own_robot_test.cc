@@ -33,7 +33,7 @@ TEST(OwnRobotExample, DerivesLegsFeetAndHeightAndPlansAWalk) {
   }
   ExpectText(WhatWasDerived(model), {"on 4 legs", "leg   a_foot: 3 joints", "on a sphere", "note  foot 'a_foot'"});
   const Result<PlannedWalk> walk = PlanOwnWalk(model);
-  ASSERT_TRUE(walk.ok()) << WhyNot(walk.failure());
+  ASSERT_TRUE(walk.ok()) << ReasonRefused(walk.failure());
   EXPECT_TRUE(walk->audit.pass()) << AuditText(walk->audit);
   EXPECT_NEAR(walk->motion.plan.goal.x_m, 2.0 * model.leg_length_m(), 1e-9);
 }
@@ -50,21 +50,21 @@ TEST(OwnRobotExample, TakesNothingButTheUrdf) {
 TEST(OwnRobotExample, SaysWhyARobotCannotWalk) {
   const Result<PlannedWalk> points = PlanOwnWalk(Read(unusual::PointBiped()).value());
   ASSERT_FALSE(points.ok());
-  ExpectText(WhyNot(points.failure()), {"cannot stand still", "two points", "\nhint  give the robot soles"});
+  ExpectText(ReasonRefused(points.failure()), {"cannot stand still", "two points", "\nhint  give the robot soles"});
   const Result<PlannedWalk> stiff = PlanOwnWalk(Read(unusual::Pantograph()).value());
   ASSERT_FALSE(stiff.ok());
-  ExpectText(WhyNot(stiff.failure()), {"leg 'a_foot' cannot walk", "ahead", "\nhint  "});
+  ExpectText(ReasonRefused(stiff.failure()), {"leg 'a_foot' cannot walk", "ahead", "\nhint  "});
 }
 
 TEST(OwnRobotExample, SaysWhatIsWrongInAFile) {
   const Result<RobotModel> missing = ReadOwnRobot("/none/robot.urdf");
   ASSERT_FALSE(missing.ok());
-  ExpectText(WhyNot(missing.failure()), {"/none/robot.urdf"});
+  ExpectText(ReasonRefused(missing.failure()), {"/none/robot.urdf"});
   std::string urdf = unusual::Plain();
   urdf.replace(urdf.find("mass value='"), 12, "mass value='-");
   const Result<RobotModel> broken = Read(urdf);
   ASSERT_FALSE(broken.ok());
-  ExpectText(WhyNot(broken.failure()), {"'body'", "mass"});
+  ExpectText(ReasonRefused(broken.failure()), {"'body'", "mass"});
 }
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace {
 Verdict ReadNumbers(const std::string& input) {
   const bool number = cli::NotANumber(input).empty(), whole = cli::NotAWholeNumber(input, 0).empty();
   if (number) Require(std::isfinite(std::strtod(input.c_str(), nullptr)), "a number is finite");
-  if (whole) Require(number && std::stoll(input) >= 0, "a whole number is a number, from the least up");
+  if (whole) Require(number && std::stoll(input) >= 0, "a whole number is not negative");
   try {
     const std::vector<double> numbers = cli::ParseNumbers("--push", input, 3);
-    Require(numbers.size() == 3, "there are as many as asked for");
+    Require(numbers.size() == 3, "the number of values is as requested");
     for (const double value : numbers) Require(std::isfinite(value), "numbers are finite");
     return Verdict::kAccepted;
   } catch (const InvalidArgument&) {

@@ -20,8 +20,8 @@
 namespace gaitwright::fuzz {
 namespace {
 
-constexpr double kMostOfAnything = 1e9;  // far beyond any motion, far from where sums lose themselves
-constexpr double kShort_s = 1.0;         // motions that are made a plan of: longer ones take too long for a million
+constexpr double kMostOfAnything = 1e9;  // far beyond any motion, and small enough to avoid overflow of sums
+constexpr double kShort_s = 1.0;         // longer motions are not planned: they take too long for a million inputs
 
 const RobotModel& Quadruped() {
   static const RobotModel model = *ChooseRobot("a1", "");
@@ -32,10 +32,10 @@ bool IsSensible(const VectorX& values) { return values.allFinite() && values.cwi
 
 template <class Column>
 void CheckLength(const MotionTable& table, const Column& column) {
-  Require(column.empty() || column.size() == table.time_s.size(), "a column has a value for each row, or none");
+  Require(column.empty() || column.size() == table.time_s.size(), "a column has a value for each row, or is empty");
 }
 
-/// What is true of each table that was accepted. Speeds and torques of joints that a file lacks are not numbers.
+/// Laws of each accepted table. Missing speeds and torques of joints are NaN.
 void CheckTableLaws(const MotionTable& table) {
   Require(table.rows() > 0, "a motion has rows");
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
@@ -51,19 +51,19 @@ void CheckTableLaws(const MotionTable& table) {
     Require(q.size() == Quadruped().num_dofs() && IsSensible(q), "positions of all joints are finite");
   for (const auto& columns : {table.v, table.a, table.tau}) {
     for (const VectorX& values : columns) {
-      Require(values.size() == Quadruped().num_dofs(), "there is one for each joint");
+      Require(values.size() == Quadruped().num_dofs(), "there is one value per joint");
       for (const double value : values)
         Require(std::isnan(value) || std::abs(value) <= kMostOfAnything, "rates and torques are finite");
     }
   }
   const FootSet all = AllFeet(static_cast<int>(Quadruped().feet.size()));
-  for (const FootSet feet : table.contact) Require((feet & ~all) == 0, "feet that touch are there");
+  for (const FootSet feet : table.contact) Require((feet & ~all) == 0, "feet in contact exist");
   for (const auto& forces : table.force_W) {
     for (const Vector3& force : forces) Require(IsSensible(force), "forces are finite");
   }
 }
 
-/// A short motion becomes a plan like any other, or is refused.
+/// A short motion gives a valid plan, or is refused.
 void CheckPlanOf(const MotionTable& table, const std::string& file) {
   if (table.time_s.back() - table.time_s.front() > kShort_s || table.rows() > 200) return;
   ImportRequest request;
@@ -91,29 +91,31 @@ Verdict ReadMotionCsv(const std::string& input) {
   const std::string file = InFile(input, ".csv");
   const Result<CsvTable> csv = ReadCsvTable(file);
   if (!csv) return Verdict::kRefused;
-  Require(csv->values.size() == static_cast<std::size_t>(csv->rows()) * csv->columns.size(), "a table is full");
+  Require(csv->values.size() == static_cast<std::size_t>(csv->rows()) * csv->columns.size(),
+          "a table has a value in each cell");
   for (const double value : csv->values) Require(std::isfinite(value), "a table holds finite numbers");
   CsvReading reading;
   return CheckMotion(MotionOfCsv(Quadruped(), *csv, reading), file);
 }
 
-/// What is true of each table that may be compared. What it does not say is not a number.
+/// Laws of each table that may be compared. Missing values are NaN.
 void CheckComparedLaws(const ComparedMotion& motion) {
   const MotionRows& rows = motion.rows;
   Require(rows.size() > 0 && rows.q.size() == rows.time_s.size() && rows.v.size() == rows.time_s.size(),
           "a motion has rows");
   Require(std::abs(motion.start_s()) <= kLatestStart && motion.end_s() - motion.start_s() <= kLongestMotion,
-          "it is of an hour at the most");
+          "it lasts at most an hour");
   for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
     Require(k == 0 || rows.time_s[k] > rows.time_s[k - 1], "times rise");
     for (int d = 0; d < Quadruped().num_dofs(); ++d) {
       const double q = rows.q[k][7 + d], v = rows.v[k][6 + d];
       Require(motion.HasJoint(d) ? std::abs(q) <= kMostOfAnything : std::isnan(q),
               "positions of the joints that it has are finite");
-      Require(std::isnan(v) || std::abs(v) <= kMostOfAnything, "speeds are finite, or not known beside missing rows");
+      Require(std::isnan(v) || std::abs(v) <= kMostOfAnything, "speeds are finite, or unknown next to missing rows");
     }
     const auto turn = rows.q[k].segment<4>(3);
-    Require(turn.array().isNaN().all() || std::abs(turn.norm() - 1.0) < 1e-9, "quaternions have length 1, or are none");
+    Require(turn.array().isNaN().all() || std::abs(turn.norm() - 1.0) < 1e-9,
+            "quaternions have length 1, or are missing");
   }
 }
 
@@ -153,9 +155,9 @@ Verdict ReadFootstepFile(const std::string& input) {
   const Result<FootstepSkeleton> steps = ReadFootsteps(Quadruped(), FlatTerrain(), input, "input", 0.005);
   if (!steps) return Verdict::kRefused;
   CheckSchedule(steps->schedule, static_cast<int>(Quadruped().feet.size()));
-  Require(steps->schedule.end_s() <= 3600.0, "it is over within an hour");
+  Require(steps->schedule.end_s() <= 3600.0, "it lasts at most an hour");
   for (const Foothold& foothold : steps->footsteps.footholds) {
-    Require(foothold.foot >= 0 && foothold.foot < static_cast<int>(Quadruped().feet.size()), "its feet are there");
+    Require(foothold.foot >= 0 && foothold.foot < static_cast<int>(Quadruped().feet.size()), "its feet exist");
     Require(IsSensible(foothold.X_WF.translation()), "its footholds are finite");
     Require(foothold.touchdown_s <= foothold.liftoff_s, "a foot lands before it lifts");
   }
@@ -175,7 +177,7 @@ Verdict ReadReportFile(const std::string& input) {
   return Verdict::kAccepted;
 }
 
-/// Rows of the A1 standing, as a CSV with all that it may have.
+/// Rows of the standing A1, as a CSV with all possible columns.
 std::string StandingCsv(const std::string& joint_prefix, const std::string& joint_suffix) {
   const RobotModel& model = Quadruped();
   std::string text = "time_s,base_x_m,base_y_m,base_z_m,base_qx,base_qy,base_qz,base_qw";

@@ -7,7 +7,7 @@
 
 namespace gaitwright::fuzz {
 
-/// The readers of motions that others made: tables, joint trajectories, footsteps, and reports to compare.
+/// The readers of motions from other programs: tables, joint trajectories, footsteps, and reports to compare.
 std::vector<Reader> ExchangeReaders();
 
 }  // namespace gaitwright::fuzz

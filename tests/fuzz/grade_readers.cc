@@ -25,12 +25,12 @@ void CheckPartLaws(const RubricPart& part) {
     sum += check.points;
     for (const double value : {check.full_at, check.none_at.value_or(-1e300), 0.0, 1.0, 1e300, -1e300}) {
       const double points = check.PointsOf(value);
-      Require(points >= 0.0 && points <= check.points, "a check gives no more than its points");
+      Require(points >= 0.0 && points <= check.points, "a check gives at most its points");
     }
-    Require(check.PointsOf(check.full_at) == check.points, "the value that gets all points gets them");
+    Require(check.PointsOf(check.full_at) == check.points, "the value for full points gets full points");
   }
   Require(part.points > 0.0 && std::abs(sum - part.points) < 1e-5, "the checks add up to the part");
-  Require(part.limits.time_s > 0.0 && part.limits.memory_mb > 0 && part.limits.file_mb > 0, "limits are over zero");
+  Require(part.limits.time_s > 0.0 && part.limits.memory_mb > 0 && part.limits.file_mb > 0, "limits are positive");
   Require(part.file.find('/') == std::string::npos && !part.file.starts_with("."), "a file is in the student's folder");
   Require(PlaysMotions(part.kind) || part.question.cases > 0, "there are cases");
 }
@@ -43,20 +43,20 @@ Verdict ReadARubric(const std::string& input) {
   return Verdict::kAccepted;
 }
 
-/// A mark has no more points than there are, and says why where it has fewer.
+/// A mark does not exceed the available points, and gives a reason if it is lower.
 Verdict MarkAnswersOf(const std::string& input) {
   static const Rubric rubric = ReadRubric(kAnswersPart, "rubric").value();
   const fs::path file = InFile(input, ".csv");
   RubricPart part = rubric.parts.front();
   part.file = file.filename().string();
   const PartMark mark = MarkPart(part, {"student", file.parent_path().string()}, {});
-  Require(mark.points >= 0.0 && mark.points <= mark.of, "a mark is no more than its part");
-  Require((mark.points == mark.of) == mark.reasons.empty(), "what was lost has a reason");
+  Require(mark.points >= 0.0 && mark.points <= mark.of, "a mark is at most the points of its part");
+  Require((mark.points == mark.of) == mark.reasons.empty(), "lost points have a reason");
   for (const std::string& reason : mark.reasons) Require(IsPlainText(reason), "reasons are plain text");
   return mark.checks.front().value ? Verdict::kAccepted : Verdict::kRefused;
 }
 
-/// Answers as numbers, as steps and as rows: whatever is taken is finite and has its shape.
+/// Answers as numbers, as steps and as rows: every accepted answer is finite and has the required shape.
 Verdict ReadCodeAnswer(const std::string& input) {
   Verdict verdict = Verdict::kRefused;
   try {
@@ -69,7 +69,7 @@ Verdict ReadCodeAnswer(const std::string& input) {
   try {
     for (const AnsweredStep& step : ParseSteps(input, 10)) {
       Require(std::isfinite(step.x_m) && std::isfinite(step.y_m) && std::isfinite(step.yaw_rad), "steps are finite");
-      Require(IsPlainText(step.foot), "feet are named in plain text");
+      Require(IsPlainText(step.foot), "names of feet are plain text");
     }
     verdict = Verdict::kAccepted;
   } catch (const InvalidArgument&) {

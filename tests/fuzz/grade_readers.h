@@ -7,7 +7,7 @@
 
 namespace gaitwright::fuzz {
 
-/// The readers of what a class hands in, and of what it is marked by.
+/// The readers of a class's submissions, and of the rubrics.
 std::vector<Reader> GradeReaders();
 
 }  // namespace gaitwright::fuzz

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of this process that goes with it; in memory where the system has such a place.
+/// A folder of this process, removed at its end; in memory if the system has such a folder.
 class OwnFolder {
  public:
   OwnFolder() { fs::create_directories(path_); }

@@ -22,12 +22,12 @@ Verdict ReadUrdf(const std::string& input) {
   if (!model) return Verdict::kRefused;
   const MendedUrdf mended = MendUrdf(input);
   Require(!CheckUrdf(mended.text), "a robot is not made of a URDF that the check refuses");
-  Require(MendUrdf(mended.text).text == mended.text, "what is mended needs no mending");
+  Require(MendUrdf(mended.text).text == mended.text, "a mended file needs no further mending");
   CheckRobotLaws(*model);
   return Verdict::kAccepted;
 }
 
-/// Beside it lie `part.xacro`, in the package `bot` too, `sizes.yaml` and, as `self.xacro`, the input again.
+/// In the same folder are `part.xacro`, also in the package `bot`, `sizes.yaml` and the input again as `self.xacro`.
 Result<std::string> ExpandInput(const std::string& input) {
   const auto missing = [](const std::string& what) {
     return Failure{
@@ -59,14 +59,15 @@ Verdict ReadXacro(const std::string& input) {
             "a refusal has a code and a reason");
     return Verdict::kRefused;
   }
-  if (expanded->find('$') != std::string::npos) return Verdict::kAccepted;  // an escape, which a second pass evaluates
+  // An escape, which a second pass would evaluate
+  if (expanded->find('$') != std::string::npos) return Verdict::kAccepted;
   const Result<std::string> again = ExpandInput(*expanded);
-  Require(again.ok(), "what is expanded is plain XML");
-  Require(ExpandInput(*again).value() == *again, "what is expanded stays as it is");
+  Require(again.ok(), "expanded text is plain XML");
+  Require(ExpandInput(*again).value() == *again, "expanding again changes nothing");
   return Verdict::kAccepted;
 }
 
-/// On a robot whose joints are A_hip, A_knee and so on for four legs, with feet A_foot and so on.
+/// For a robot with joints A_hip, A_knee and so on for four legs, and feet A_foot and so on.
 Verdict ReadRobotYaml(const std::string& input) {
   static const std::string urdf = SourceFile("tests/fuzz/corpus/urdf/four_legs.urdf");
   const Result<RobotModel> model = LoadRobotFromText(urdf, input);
@@ -75,7 +76,7 @@ Verdict ReadRobotYaml(const std::string& input) {
   return Verdict::kAccepted;
 }
 
-/// A model, whose meshes are all one tetrahedron and whose included files are all one leg.
+/// A model; its meshes are all one tetrahedron, and its included files are all one leg.
 Verdict ReadMjcf(const std::string& input) {
   static const std::string leg = SourceFile("tests/fuzz/corpus/mjcf/leg.xml");
   MjcfFiles files;
@@ -88,18 +89,18 @@ Verdict ReadMjcf(const std::string& input) {
   };
   const Result<ConvertedMjcf> converted = ConvertMjcfText(input, files);
   if (!converted) {
-    Require(IsPlainText(converted.failure().message), "the reason why a model is refused can be shown");
+    Require(IsPlainText(converted.failure().message), "the reason for a refusal is printable");
     return Verdict::kRefused;
   }
-  Require(IsMjcf(input), "what is converted is known as a model");
-  for (const std::string& note : converted->notes) Require(IsPlainText(note), "a note can be shown");
+  Require(IsMjcf(input), "a converted file is recognised as a model");
+  for (const std::string& note : converted->notes) Require(IsPlainText(note), "a note is printable");
   Result<RobotModel> model = LoadRobotFromText(converted->urdf, converted->yaml);
-  if (!model && model.failure().code == FailureCode::kRobotYaml)  // the keyframe is no stance
+  if (!model && model.failure().code == FailureCode::kRobotYaml)  // the keyframe is not a stance
     model = LoadRobotFromText(converted->urdf, converted->yaml_without_posture);
   if (!model) {
     Require(model.failure().code != FailureCode::kNotXml && model.failure().code != FailureCode::kRobotYaml &&
                 model.failure().code != FailureCode::kUnknownLink && model.failure().code != FailureCode::kUrdfMissing,
-            "the URDF and the robot.yaml of a model are whole: " + model.failure().message);
+            "the URDF and the robot.yaml of a model are valid: " + model.failure().message);
     return Verdict::kRefused;
   }
   CheckRobotLaws(*model);
@@ -116,7 +117,7 @@ Verdict ReadStl(const std::string& input) { return ReadMeshOf(input, ".stl"); }
 Verdict ReadObj(const std::string& input) { return ReadMeshOf(input, ".obj"); }
 Verdict ReadCollada(const std::string& input) { return ReadMeshOf(input, ".dae"); }
 
-/// Options of every kind, in no room but this one.
+/// Options of every kind, for this reader only.
 struct EveryKind {
   double length_m = 0.5;
   int count = 3;
@@ -132,7 +133,7 @@ struct EveryKind {
   }
 };
 
-/// A key and its text on a line each, as --set and YAML give them.
+/// A key and its value per line, as in --set and YAML.
 Verdict ReadOption(const std::string& input) {
   EveryKind options;
   OptionFields fields = options.Fields();

@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     const std::string_view argument = (*argv)[i];
     if (argument.starts_with(kFlag)) reader = &ReaderNamed(std::string(argument.substr(kFlag.size())));
   }
-  if (reader == nullptr) reader = &ReaderNamed("");  // says which there are
+  if (reader == nullptr) reader = &ReaderNamed("");  // throws with the list of readers
   return 0;
 }
 
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-/// Half of the changes are libFuzzer's, half those that know the format.
+/// Half of the mutations are libFuzzer's, half are those of Mutator, which knows the format.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   if (seed % 2 == 0) return LLVMFuzzerMutate(data, size, most);
   Mutator mutator(reader->words, seed);

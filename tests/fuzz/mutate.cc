@@ -36,7 +36,7 @@ constexpr std::array kNests = {"[", "{", "(", "<a>", "- ", "{\"a\":", "[[", "  "
 bool IsOfNumber(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == 'e'; }
 bool IsOfWord(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9'); }
 
-/// The run of characters of a kind around or after a place: first and length; no length where there is none.
+/// The run of characters of a kind around or after a place: first and length; length 0 if there is none.
 template <class Kind>
 std::pair<std::size_t, std::size_t> RunAt(const std::string& input, std::size_t at, Kind kind) {
   while (at < input.size() && !kind(input[at])) ++at;

@@ -31,8 +31,9 @@ bool IsFriction(double friction) { return friction >= 0.0 && friction <= 100.0; 
 void CheckField(const HeightField& field) {
   Require(field.columns >= 2 && field.rows >= 2, "a height field has two columns and rows");
   const std::size_t nodes = static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
-  Require(nodes <= kMostNodes && field.height_m.size() == nodes, "a height field is full, and not too large");
-  Require(field.resolution_m > 0.0 && IsSensible(field.resolution_m) && AreSensible(field.origin_W), "it has a place");
+  Require(nodes <= kMostNodes && field.height_m.size() == nodes, "a height field is complete, and not too large");
+  Require(field.resolution_m > 0.0 && IsSensible(field.resolution_m) && AreSensible(field.origin_W),
+          "it has a finite origin and resolution");
   for (const double height : field.height_m) Require(IsSensible(height), "heights are finite");
 }
 
@@ -43,7 +44,7 @@ void CheckObstacle(const Obstacle& obstacle) {
     for (const Vector3& v : obstacle.vertices_O) Require(AreSensible(v), "points are finite");
   } else {
     const bool box = obstacle.type == ShapeType::kBox;
-    Require(obstacle.size_m.head(box ? 3 : 2).minCoeff() > 0.0 && AreSensible(obstacle.size_m), "sizes are over zero");
+    Require(obstacle.size_m.head(box ? 3 : 2).minCoeff() > 0.0 && AreSensible(obstacle.size_m), "sizes are positive");
   }
 }
 
@@ -51,13 +52,14 @@ void CheckTrajectory(const WholeBodyTrajectory& w) {
   Require(w.step_s > 0.0 && w.step_s <= 10.0 && IsSensible(w.start_s), "rows have times");
   Require(!w.q.empty() && w.v.size() == w.q.size() && w.a.size() == w.q.size() && w.tau.size() == w.q.size() &&
               w.wrenches.size() == w.q.size(),
-          "columns have as many rows");
+          "columns have the same number of rows");
   for (std::size_t k = 0; k < w.q.size(); ++k) {
     Require(AreSensible(w.q[k]) && AreSensible(w.v[k]) && AreSensible(w.a[k]) && AreSensible(w.tau[k]),
             "states are finite");
     Require(std::abs(w.q[k].segment<4>(3).norm() - 1.0) < 1e-5, "quaternions are of unit length");
     Require(w.v[k].size() == w.q[k].size() - 1 && w.tau[k].size() == w.q[k].size() - 7, "sizes belong together");
-    Require(w.wrenches[k].size() == w.wrenches[0].size() && w.wrenches[k].size() <= 64, "feet are as many in each row");
+    Require(w.wrenches[k].size() == w.wrenches[0].size() && w.wrenches[k].size() <= 64,
+            "the number of feet is constant");
   }
 }
 
@@ -68,7 +70,7 @@ void CheckSteps(const MotionPlan& plan) {
   for (std::size_t i = 0; i < plan.footsteps.footholds.size(); ++i) {
     const Foothold& foothold = plan.footsteps.footholds[i];
     Require(IsIn(foothold.foot, feet) && IsIn(foothold.patch, static_cast<std::size_t>(plan.terrain.num_surfaces())),
-            "footholds name feet and surfaces that are there");
+            "feet and surfaces of footholds exist");
     Require(IsPose(foothold.X_WF) && foothold.touchdown_s <= foothold.liftoff_s, "footholds have a place and a time");
     Require(i == 0 || plan.footsteps.footholds[i - 1].touchdown_s <= foothold.touchdown_s, "footholds are sorted");
   }
@@ -76,7 +78,7 @@ void CheckSteps(const MotionPlan& plan) {
     Require(IsIn(swing.foot, feet) && swing.start_s < swing.end_s && IsPose(swing.X_WF_start), "swings take time");
   Require(!plan.parts.empty(), "a plan has parts");
   for (const MotionPart& part : plan.parts) {
-    Require(part.start_s < part.end_s && part.gait.phase.size() == feet, "parts take time, of all feet");
+    Require(part.start_s < part.end_s && part.gait.phase.size() == feet, "parts have a positive duration and all feet");
     CheckGaitLaws(part.gait);
   }
   CheckSchedule(plan.schedule, static_cast<int>(feet));
@@ -104,9 +106,10 @@ void CheckTerrainLaws(const Terrain& terrain) {
 void CheckGaitLaws(const Gait& gait) {
   Require(gait.cycle_s >= 0.0 && IsSensible(gait.cycle_s), "a cycle takes time");
   Require(gait.phase.size() == gait.duty_factor.size() && !gait.phase.empty() && gait.phase.size() <= 64,
-          "phases and shares are by foot, of a set of feet at most");
+          "phases and duty factors are by foot, for at most 64 feet");
   for (const double phase : gait.phase) Require(phase >= 0.0 && phase < 1.0, "phases are from 0 to less than 1");
-  for (const double share : gait.duty_factor) Require(share > 0.0 && share <= 1.0, "shares are over 0, to 1");
+  for (const double share : gait.duty_factor)
+    Require(share > 0.0 && share <= 1.0, "duty factors are above 0, at most 1");
 }
 
 void CheckPlanLaws(const MotionPlan& plan) {

@@ -6,17 +6,18 @@
 
 namespace gaitwright::fuzz {
 
-/// What is true of every ground that was accepted: surfaces that face up, convex outlines, grids that are full, sizes
-/// over zero, every number finite and of a sensible size. @throws BrokenLaw.
+/// Laws of every accepted ground: surfaces face up, outlines are convex, grids are complete, sizes are positive, every
+/// number is finite and plausible. @throws BrokenLaw.
 void CheckTerrainLaws(const Terrain& terrain);
 
-/// Likewise of a gait: times over zero, phases and shares of contact in their ranges.
+/// Laws of every accepted gait: positive times, phases and duty factors in their ranges.
 void CheckGaitLaws(const Gait& gait);
 
-/// Likewise of a plan: finite numbers, rotations, sorted times, indices in range; and it is read back as it was.
+/// Laws of every accepted plan: finite numbers, rotations, sorted times, indices in range; reading it back gives the
+/// same.
 void CheckPlanLaws(const MotionPlan& plan);
 
-/// A plan of a few rows for a robot of four legs, with a part, ground and trajectories of every kind.
+/// A plan of a few rows for a four-legged robot, with a part, ground and trajectories of every kind.
 MotionPlan SmallPlan();
 
 }  // namespace gaitwright::fuzz

@@ -27,11 +27,11 @@ Verdict Ground(const Result<Terrain>& terrain) {
 Verdict ReadGaits(const std::string& input) {
   const Result<std::vector<GaitEntry>> gaits = LoadGaits(InFile(input, ".yaml"));
   if (!gaits) return Verdict::kRefused;
-  Require(!gaits->empty(), "a file of gaits has one");
+  Require(!gaits->empty(), "a file of gaits is not empty");
   for (const GaitEntry& entry : *gaits) {
     CheckGaitLaws(entry.gait);
-    Require((entry.gait.cycle_s > 0.0) != (entry.cycle_per_leg_time > 0.0), "a cycle is said in one way");
-    Require(!HasFlight(entry.gait) || !StandsStill(entry.gait), "what flies does not stand still");
+    Require((entry.gait.cycle_s > 0.0) != (entry.cycle_per_leg_time > 0.0), "a cycle time is given in exactly one way");
+    Require(!HasFlight(entry.gait) || !StandsStill(entry.gait), "a gait with flight does not stand still");
   }
   return Verdict::kAccepted;
 }
@@ -47,7 +47,7 @@ Verdict Sequence(const std::string& text) {
         "speeds are in their range");
     Require(c.distance_m >= 0.0 && c.distance_m <= 1e4 && c.duration_s >= 0.0 && c.duration_s <= 600.0 &&
                 c.steps >= 0 && std::abs(c.step_length_m) <= 10.0,
-            "what is asked for is in its range");
+            "requested values are in their ranges");
   }
   return Verdict::kAccepted;
 }
@@ -69,7 +69,7 @@ Verdict HeightMap(const std::string& path) {
 Verdict ReadCsv(const std::string& input) { return HeightMap(InFile(input, ".csv")); }
 Verdict ReadPng(const std::string& input) { return HeightMap(InFile(input, ".png")); }
 
-/// A mesh as ground; what a mesh may be is tried by mesh_obj.
+/// A mesh as ground; the reader mesh_obj tests the mesh format.
 Verdict ReadMeshGround(const std::string& input) {
   const Result<Mesh> mesh = ReadMesh(InFile(input, ".obj"));
   if (!mesh) return Verdict::kRefused;
@@ -86,7 +86,8 @@ Verdict ReadStartPosture(const std::string& input) {
   Require(posture->joints.size() == model.num_dofs(), "every joint has a position");
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double q = posture->joints[d];
-    Require(q >= model.dof_lower(d) - kRounding && q <= model.dof_upper(d) + kRounding, "joints are in their limits");
+    Require(q >= model.dof_lower(d) - kRounding && q <= model.dof_upper(d) + kRounding,
+            "joints are within their limits");
   }
   if (posture->R_WB) Require(std::abs(posture->R_WB->norm() - 1.0) < 1e-9, "quaternions have length 1");
   return Verdict::kAccepted;

@@ -20,8 +20,8 @@ void CheckSamples(const PlaybackLog& log) {
             "sizes belong together");
     Require(k == 0 || sample.time_s > log.samples[k - 1].time_s, "times are sorted");
     Require(sample.wrenches.size() == log.samples[0].wrenches.size() && sample.wrenches.size() <= 64,
-            "feet are as many");
-    Require((sample.contact & ~AllFeet(static_cast<int>(sample.wrenches.size()))) == 0, "feet that touch are there");
+            "the number of feet is constant");
+    Require((sample.contact & ~AllFeet(static_cast<int>(sample.wrenches.size()))) == 0, "feet in contact exist");
   }
 }
 
@@ -82,13 +82,13 @@ OptionFields SensorFields() {
 
 void CheckDistributions(const std::vector<Disturbance>& figures) {
   for (const auto& [key, distribution] : figures) {
-    Require(!key.empty(), "figures have keys");
-    Require(std::isfinite(distribution.lowest) && std::isfinite(distribution.highest), "what is drawn is finite");
+    Require(!key.empty(), "quantities have keys");
+    Require(std::isfinite(distribution.lowest) && std::isfinite(distribution.highest), "ranges are finite");
     Require(distribution.lowest <= distribution.highest, "distributions do not run backward");
     NamedRandom random(1, key);
     if (distribution.kind == Distribution::Kind::kWords) continue;
     const double drawn = Draw(distribution, random);
-    Require(drawn >= distribution.lowest && drawn <= distribution.highest, "what is drawn is within the ends");
+    Require(drawn >= distribution.lowest && drawn <= distribution.highest, "drawn values are within the range");
   }
 }
 
@@ -118,7 +118,7 @@ Verdict ReadOutcome(const std::string& input) {
   } catch (const InvalidArgument&) {
     return Verdict::kRefused;
   }
-  Require(std::isfinite(outcome.score) && std::isfinite(outcome.ended_s), "figures of an outcome are finite");
+  Require(std::isfinite(outcome.score) && std::isfinite(outcome.ended_s), "numbers of an outcome are finite");
   const std::string line = OutcomeToLine(outcome);
   Require(OutcomeToLine(OutcomeFromLine(line)) == line, "an outcome is read back as it was");
   return Verdict::kAccepted;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// fuzz_ROOM NAME [INPUTS [SEED]]   a reader's corpus, then so many mutations of it; its share of ./test without these
-// fuzz_ROOM NAME --file FILE...    those inputs
-// fuzz_ROOM NAME --write FOLDER    writes the inputs that a reader begins with, for libFuzzer
+// fuzz_ROOM NAME [INPUTS [SEED]]   a reader's corpus, then INPUTS mutations of it; by default its share of ./test
+// fuzz_ROOM NAME --file FILE...    these inputs
+// fuzz_ROOM NAME --write FOLDER    writes the initial inputs of a reader, for libFuzzer
 // fuzz_ROOM --list                 the names of the readers
-// For builds without libFuzzer. What goes wrong is kept in the present folder as bad-NAME.
+// For builds without libFuzzer. An input that causes a defect is saved in the current folder as bad-NAME.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -26,12 +26,12 @@ namespace {
 
 constexpr int kSlowest = 20;  // seconds of CPU that one input may take; sanitizers make it slow
 constexpr std::size_t kMostMemory = std::size_t{4} << 30;  // bytes
-constexpr std::size_t kLeastRoom = 4096;                   // bytes that a mutation may have, however short its input is
+constexpr std::size_t kLeastRoom = 4096;                   // minimum size limit of a mutation, for short inputs [byte]
 
-const std::string* present = nullptr;  // the input that is being read, for the handler of signals
-std::string present_name;              // of its reader
+const std::string* present = nullptr;  // the current input, for the signal handler
+std::string present_name;              // name of its reader
 
-/// Writes the present input to a file. Called from a handler of signals too: the file is opened and written, no more.
+/// Writes the current input to a file. A signal handler calls it too, so it only opens and writes the file.
 void KeepPresent() {
   if (present == nullptr) return;
   std::FILE* file = std::fopen(("bad-" + present_name).c_str(), "wb");
@@ -47,7 +47,7 @@ void OnSignal(int signal) {
   std::_Exit(1);
 }
 
-/// Ends the program, with the input kept, upon a crash, a hang or memory without end.
+/// Saves the input and ends the program upon a crash, a hang or too much memory.
 void StandGuard() {
   static char stack[1 << 16];
   stack_t own{};
@@ -66,7 +66,7 @@ void StandGuard() {
 #endif
 }
 
-/// @return whether it was accepted; ends the program when it breaks a law.
+/// @return whether it was accepted; ends the program if it violates a law.
 bool Try(const Reader& reader, const std::string& input, const std::string& name) {
   const itimerval limit{{0, 0}, {kSlowest, 0}};
   setitimer(ITIMER_VIRTUAL, &limit, nullptr);
@@ -85,7 +85,7 @@ std::string FileBytes(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The corpus and mutations of it. A corpus from which nothing, or everything, is accepted tests little.
+/// The corpus and its mutations. A corpus of which nothing, or everything, is accepted tests little.
 int Run(const Reader& reader, int inputs, std::uint64_t seed) {
   const std::vector<Seed> seeds = SeedsOf(reader);
   int accepted = 0, of_seeds = 0;

@@ -41,11 +41,11 @@ void CheckJoints(const RobotModel& model) {
     Require(IsIn(joint.dof, model.dof_names.size()), "each joint has a coordinate");
     Require(std::isfinite(joint.multiplier) && joint.multiplier != 0.0 && std::isfinite(joint.offset),
             "joints move with their coordinates");
-    Require(!joint.name.empty() && IsPlainText(joint.name), "names can be shown");
+    Require(!joint.name.empty() && IsPlainText(joint.name), "names are printable");
   }
   for (const Frame& frame : model.frames) {
     Require(IsIn(frame.body, model.bodies.size()) && IsPose(frame.X_BF), "frames are in bodies");
-    Require(IsPlainText(frame.name), "names can be shown");
+    Require(IsPlainText(frame.name), "names are printable");
   }
   for (const Shape& shape : model.collision_shapes)
     Require(IsIn(shape.body, model.bodies.size()) && IsPose(shape.X_BS) && shape.size.allFinite(),
@@ -55,10 +55,10 @@ void CheckJoints(const RobotModel& model) {
 void CheckLegs(const RobotModel& model) {
   Require(!model.legs.empty() && model.legs.size() <= 64 && model.legs.size() <= model.feet.size() &&
               model.feet.size() <= 64,
-          "there are legs, with a foot each before what the robot may lie on, and a set of feet holds them");
+          "there are legs; their feet come before other support bodies, and a set of feet can contain all of them");
   for (const Leg& leg : model.legs) {
     Require(IsIn(leg.foot, model.legs.size()) && !leg.joints.empty(), "legs have feet and joints");
-    for (const int joint : leg.joints) Require(IsIn(joint, model.joints.size()), "the joints of legs are there");
+    for (const int joint : leg.joints) Require(IsIn(joint, model.joints.size()), "the joints of legs exist");
     Require(leg.mirror == -1 || IsIn(leg.mirror, model.legs.size()), "mirrors are legs");
     Require(std::isfinite(leg.length_m) && leg.length_m >= 0.0, "legs have a length");
   }
@@ -80,7 +80,7 @@ void CheckPosture(const RobotModel& model) {
     const Motor& motor = model.MotorOf(dof);
     Require(motor.corner_speed > 0.0 && motor.no_load_speed > 0.0 && motor.continuous_effort > 0.0 &&
                 motor.rotor_inertia >= 0.0,
-            "what a motor has is over zero");
+            "values of a motor are positive");
   }
   for (const Transmission& t : model.transmissions) {
     for (const int dof : t.dofs) Require(IsIn(dof, model.dof_names.size()), "transmissions drive coordinates");

@@ -6,11 +6,11 @@
 
 namespace gaitwright::fuzz {
 
-/// What is true of every robot that was accepted: masses and inertias are physical, indices in range, limits in order,
-/// names can be shown, it has a finite posture and stands in it. @throws BrokenLaw.
+/// Laws of every accepted robot: masses and inertias are physical, indices in range, limits in order, names are
+/// printable, it has a finite posture and stands in it. @throws BrokenLaw.
 void CheckRobotLaws(const RobotModel& model);
 
-/// Likewise of a mesh: indices in range, finite points, a hull of few of them.
+/// Laws of every accepted mesh: indices in range, finite points, a hull with few points.
 void CheckMeshLaws(const Mesh& mesh);
 
 }  // namespace gaitwright::fuzz

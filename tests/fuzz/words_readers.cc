@@ -11,7 +11,7 @@
 namespace gaitwright::fuzz {
 namespace {
 
-/// A robot that can do everything, somewhere with places.
+/// A robot with all abilities, on a ground with named places.
 TaskScope Scope() {
   TaskScope scope;
   scope.robot = "any";
@@ -24,7 +24,7 @@ TaskScope Scope() {
 void RequireWithinRules(const Task& task) {
   for (const auto& [key, value] : task.parameters) {
     const ParameterRule* rule = FindParameter(key);
-    Require(rule != nullptr, "a parameter is one that there is");
+    Require(rule != nullptr, "every parameter exists");
     if (const auto* number = std::get_if<double>(&value))
       Require(std::isfinite(*number) && *number >= rule->lowest && *number <= rule->highest,
               "a number is in its range");
@@ -50,7 +50,7 @@ Verdict ReadInstruction(const std::string& input) {
     Require(std::get<words::Refusal>(understood).code != FailureCode::kInternal, "a refusal has its reason");
     return Verdict::kRefused;
   }
-  Require(!WhyNotPlanned(*plan, Scope()), "what is understood can be done");
+  Require(!ReasonNotPlanned(*plan, Scope()), "an understood instruction can be planned");
   for (const Task& task : plan->tasks) RequireWithinRules(task);
   return Verdict::kAccepted;
 }

@@ -7,7 +7,7 @@
 
 namespace gaitwright::fuzz {
 
-/// What reads instructions and task plans.
+/// The readers of instructions and task plans.
 std::vector<Reader> WordsReaders();
 
 }  // namespace gaitwright::fuzz

@@ -31,15 +31,17 @@ bool IsShare(double value) { return value >= 0.0 && value <= 1.0; }
 Verdict ReadResultOfTrials(const std::string& input) {
   const Result<TrialsResult> read = TrialsResultFromJson(input, "input");
   if (!read) return Verdict::kRefused;
-  Require(read->n > 0 && read->survived >= 0 && read->survived <= read->n, "no more stand than were tried");
-  Require(IsShare(read->survival) && IsShare(read->survival_low) && IsShare(read->survival_high), "shares are shares");
-  Require(read->survival_low <= read->survival && read->survival <= read->survival_high, "an interval has its share");
+  Require(read->n > 0 && read->survived >= 0 && read->survived <= read->n, "at most all trials survive");
+  Require(IsShare(read->survival) && IsShare(read->survival_low) && IsShare(read->survival_high),
+          "shares are from 0 to 1");
+  Require(read->survival_low <= read->survival && read->survival <= read->survival_high,
+          "an interval contains its share");
   for (const TrialsResult::Cause& cause : read->causes)
     Require(cause.count > 0 && cause.count <= read->n - read->survived, "causes are counted among the falls");
-  Require(0 < read->different && read->different <= read->n, "no more differ than were tried");
+  Require(0 < read->different && read->different <= read->n, "at most all trials are different");
   Require(0 <= read->different_passed && read->different_passed <= read->different_survived &&
               read->different_survived <= read->different,
-          "of those that differ no more passed than stood");
+          "of the different trials, at most the survivors pass");
   return Verdict::kAccepted;
 }
 
@@ -61,16 +63,16 @@ Verdict ReadAxis(const std::string& input, StudyLayout layout) {
   WalkRequest walk;
   PlayRequest play;
   if (axis.is_range()) {
-    Require(std::isfinite(axis.low) && std::isfinite(axis.high) && axis.low < axis.high, "a range goes forward");
+    Require(std::isfinite(axis.low) && std::isfinite(axis.high) && axis.low < axis.high, "a range is increasing");
     for (const double share : {0.0, 0.37, 1.0})
-      ApplyPoint({axis}, {ValueAt(axis, share)}, walk, play);  // throws on a value that the option does not take
+      ApplyPoint({axis}, {ValueAt(axis, share)}, walk, play);  // throws for a value that the option does not accept
   }
-  Require(axis.values.size() <= kMostStudyPoints, "there are no more values than points");
+  Require(axis.values.size() <= kMostStudyPoints, "there are at most as many values as points");
   for (std::size_t k = 0; k < axis.values.size() && k < 100; ++k) ApplyPoint({axis}, {axis.values[k]}, walk, play);
   return Verdict::kAccepted;
 }
 
-/// The first byte says what the axis is of.
+/// The first byte selects the option of the axis.
 Verdict ReadAnyAxis(const std::string& input) {
   if (input.empty()) return Verdict::kRefused;
   const StudyLayout layouts[] = {StudyLayout::kGrid, StudyLayout::kSamples, StudyLayout::kTuning};
@@ -81,11 +83,11 @@ Verdict ReadPoint(const std::string& input) {
   const Result<PointOutcome> read = PointFromLine(input);
   if (!read) return Verdict::kRefused;
   Require(std::isfinite(read->score.value_or(0.0)) && std::isfinite(read->fell_at_s.value_or(0.0)),
-          "figures of a point are finite");
+          "numbers of a point are finite");
   if (read->survival) {
     const PointSurvival& s = *read->survival;
-    Require(s.trials > 0 && s.survived >= 0 && s.survived <= s.trials, "no more stand than were tried");
-    Require(IsShare(s.share) && IsShare(s.low) && IsShare(s.high), "shares are shares");
+    Require(s.trials > 0 && s.survived >= 0 && s.survived <= s.trials, "at most all trials survive");
+    Require(IsShare(s.share) && IsShare(s.low) && IsShare(s.high), "shares are from 0 to 1");
   }
   const std::string line = PointToLine(*read);
   Require(line.find('\n') == std::string::npos, "an outcome is one line");
@@ -96,8 +98,8 @@ Verdict ReadPoint(const std::string& input) {
 Verdict ReadCandidate(const std::string& input) {
   const Result<CandidateWorth> read = WorthFromLine(input);
   if (!read) return Verdict::kRefused;
-  Require(std::isfinite(MeanValue(*read, 100.0).value_or(0.0)), "a candidate's worth is finite");
-  Require(read->refusal.empty() || read->trials.empty(), "one that was refused has no trials");
+  Require(std::isfinite(MeanValue(*read, 100.0).value_or(0.0)), "a candidate's value is finite");
+  Require(read->refusal.empty() || read->trials.empty(), "a refused candidate has no trials");
   Require(WorthFromLine(WorthToLine(*read)).value() == *read, "a candidate is read back as it was");
   return Verdict::kAccepted;
 }
@@ -120,11 +122,11 @@ std::vector<std::string> MadePoints() {
   return {PointToLine(good), PointToLine(refused)};
 }
 
-/// Reading does nothing yet, so that no robot has to walk here.
+/// Only reads the request, so that no robot has to walk here.
 Verdict ReadLive(const std::string& input) {
   static const RobotModel model = LoadNamedRobot("a1").value();
   try {
-    Require(static_cast<bool>(ReadLiveRequest(model, input)), "what is accepted can be done");
+    Require(static_cast<bool>(ReadLiveRequest(model, input)), "an accepted request can be executed");
   } catch (const InvalidArgument&) {
     return Verdict::kRefused;
   }
@@ -143,7 +145,7 @@ std::vector<std::string> MadeRequests() {
           R"({"do":"stand_up"})"};
 }
 
-/// What was found is found again, with what is added.
+/// Results that were stored are found again, together with new ones.
 Verdict ReadJournal(const std::string& input) {
   const std::string path = InFile(input, ".so-far");
   std::size_t found = 0;
@@ -156,11 +158,11 @@ Verdict ReadJournal(const std::string& input) {
   }
   Result<JobJournal> again = JobJournal::Open(path, "work", true);
   Require(again.ok(), "a journal is opened again");
-  Require(again->found() == found + 1 && again->Find(123456) == "{}", "a journal keeps what it had");
+  Require(again->found() == found + 1 && again->Find(123456) == "{}", "a journal keeps its entries");
   return Verdict::kAccepted;
 }
 
-/// A journal as it is written, and what is left of it when it is cut.
+/// A journal as it is written, and the rest of it after a cut.
 std::vector<std::string> MadeJournals() {
   const std::string path = InFile("", ".so-far");
   std::filesystem::remove(path);
@@ -176,7 +178,7 @@ std::vector<std::string> MadeJournals() {
 Verdict ReadProblems(const std::string& input) {
   const Result<CentroidalProblemSet> set = LoadCentroidalProblems(InFile(input, ".json"));
   if (!set) return Verdict::kRefused;
-  Require(set->distance_m > 0.0 && set->duration_s > 0.0 && set->friction > 0.0, "what is asked for is over zero");
+  Require(set->distance_m > 0.0 && set->duration_s > 0.0 && set->friction > 0.0, "requested values are positive");
   for (const Terrain& ground : set->grounds) CheckTerrainLaws(ground);
   for (const auto& [name, robot] : set->robots) {
     Require(robot.mass_kg > 0.0 && std::isfinite(robot.mass_kg) && robot.inertia_B.allFinite(), "masses are physical");

@@ -11,7 +11,7 @@ std::atomic<long> allocations{0};
 }  // namespace
 
 #ifdef GAITWRIGHT_SANITIZED
-// The sanitizer has malloc for itself, and tells of each call (sanitizer/allocator_interface.h).
+// With the sanitizer, malloc cannot be replaced, but hooks report each call (sanitizer/allocator_interface.h).
 extern "C" int __sanitizer_install_malloc_and_free_hooks(  // NOLINT(bugprone-reserved-identifier): not ours to name
     void (*on_malloc)(const volatile void*, std::size_t), void (*on_free)(const volatile void*));
 
@@ -20,7 +20,7 @@ namespace {
     [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
 }  // namespace
 #else
-// The C library lets a program have its own malloc, and keeps its own under these names.
+// A program may replace the malloc of the C library; the original functions have these names.
 extern "C" {
 // NOLINTBEGIN(bugprone-reserved-identifier): not ours to name
 void* __libc_malloc(std::size_t size);

@@ -3,8 +3,8 @@
 
 namespace gaitwright {
 
-/// Calls of malloc, calloc, realloc and what else gives memory since the program began; operator new and Eigen end
-/// there.
+/// Number of calls of malloc, calloc, realloc and similar functions since the start of the program. operator new and
+/// Eigen use these functions.
 long Allocations();
 
 }  // namespace gaitwright

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a control loop calls allocates nothing once its scratch is made.
+// Functions for control loops allocate no memory after their scratch is created.
 #include "tests/kinematics/allocations.h"
 
 #include <functional>
@@ -19,7 +19,7 @@ class NoAllocations : public testing::TestWithParam<const char*> {
     ASSERT_GT(Allocations(), before) << "the counter does not count";
   }
 
-  /// Allocations of the second call: the first one may size what is handed in.
+  /// Allocations of the second call; the first call may resize its arguments.
   static long OfSecond(const std::function<void()>& call) {
     call();
     const long before = Allocations();

@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// A vector of fixed size whose components are drawn one after the other; arguments of a call are drawn in an order
-/// that each compiler chooses.
+/// A random vector of fixed size whose components are drawn in order. The evaluation order of function arguments would
+/// depend on the compiler.
 template <class Vector, class Distribution>
 Vector Drawn(Distribution& distribution, std::mt19937& engine) {
   Vector v;

@@ -9,11 +9,11 @@
 
 namespace gaitwright {
 
-/// Kinds of joints and links that the robots of the program do not have.
+/// Robots of the program, and made-up robots with kinds of joints and links that those do not have.
 inline const char* const kAnyRobots[] = {"a1", "nao", "sliding", "continuous", "hollow", "mimic", "line"};
 
-/// URDF of a made-up biped: a prismatic knee; a continuous hip; links without mass between the joints of the hip; a
-/// thigh of two joints that turn together, with a shin whose length follows the knee; ankles that cannot roll.
+/// URDF of a made-up biped, by kind: a prismatic knee; a continuous hip; links without mass between the joints of the
+/// hip; a thigh with two coupled joints and a shin whose length follows the knee; ankles without roll.
 inline std::string MadeUrdf(const std::string& kind) {
   std::vector<SyntheticJoint> joints = SixJoints();
   if (kind == "sliding") joints[3] = {"0.01 0.005 -0.3", "0 0 1", "lower='-0.1' upper='0.1'", "", "prismatic"};
@@ -34,7 +34,7 @@ inline std::string MadeUrdf(const std::string& kind) {
   return urdf;
 }
 
-/// One of kAnyRobots, each of which is loaded once.
+/// One of kAnyRobots. Each robot is loaded only once.
 inline RobotModel AnyRobot(const std::string& name) {
   static std::map<std::string, RobotModel> loaded;
   if (const auto known = loaded.find(name); known != loaded.end()) return known->second;

@@ -8,7 +8,7 @@
 
 namespace gaitwright::synthetic {
 
-/// Hops on the spot, after rest, on one group of feet after the other.
+/// Hops on the spot, after rest, with one group of feet after the other.
 struct Hops {
   std::vector<FootSet> groups = {0b1001, 0b0110};
   int count = 8;
@@ -16,8 +16,8 @@ struct Hops {
   double rest_s = 0.5;
 };
 
-/// A constant force in each stance, none in flight; all feet push off for the first hop and take up the last one. Feet
-/// in the air stay where they are. Groups of feet have the hips' middle as theirs.
+/// A constant force in each stance, none in flight. All feet push off for the first hop and land after the last one.
+/// Feet in the air stay in place. For groups of feet, the middle is that of the hips.
 MotionPlan HoppingPlan(const RobotModel& model, const Hops& hops = {});
 
 }  // namespace gaitwright::synthetic

@@ -5,7 +5,7 @@
 
 #include "kinematics/model/robot_model.h"
 
-/// Robots of one rigid body without joints, whose foot is the contact with the ground.
+/// Robots of one rigid body without joints; the foot is its contact with the ground.
 namespace gaitwright::one_body {
 
 inline constexpr double kMass = 2.0, kRadius = 0.1;
@@ -29,7 +29,7 @@ inline RobotModel Ball() {
   return OneBody(foot, 0.4 * kMass * kRadius * kRadius * Matrix3::Identity());
 }
 
-/// A homogeneous block that stands on its lower face.
+/// A homogeneous block on its lower face.
 inline RobotModel Block(double length, double width, double height) {
   Foot foot;
   foot.name = foot.link = "body";
@@ -42,7 +42,7 @@ inline RobotModel Block(double length, double width, double height) {
   return OneBody(foot, moments.asDiagonal());
 }
 
-/// A body over the origin at a distance from a slope that falls along x, turned along with it.
+/// A body above the origin at a distance from a slope that descends along x, turned along with it.
 inline VectorX OnSlope(double height, double slope_rad) {
   VectorX q = VectorX::Zero(7);
   const Eigen::AngleAxisd turn(slope_rad, Vector3::UnitY());

@@ -7,11 +7,12 @@
 
 namespace gaitwright::one_joint {
 
-/// Two bodies that float, with one joint between them through both centres of mass: under no other force the joint is
-/// as one body of the reduced mass or inertia, kInertia, and gravity does not matter to it.
+/// Two floating bodies, connected by one joint through both centres of mass. Without other forces the joint moves as
+/// one body of the reduced mass or inertia, kInertia, and gravity has no effect on it.
 inline constexpr double kInertia = 0.8, kEffort = 10.0;
 
-/// A slide along x between 4 kg and 1 kg, or a hinge about z between 4 kg m^2 and 1 kg m^2; no feet, no limits.
+/// A prismatic joint along x between 4 kg and 1 kg, or a hinge about z between 4 kg m^2 and 1 kg m^2; no feet, no
+/// limits.
 inline RobotModel Make(JointType type) {
   RobotModel model;
   model.name = "one_joint";

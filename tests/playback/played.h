@@ -8,7 +8,7 @@
 
 namespace gaitwright::synthetic {
 
-/// A made-up robot, a plan of it, and the log of a playback that follows the plan exactly: for tests to spoil.
+/// A synthetic robot, its plan, and the log of a playback that follows the plan exactly; tests then modify them.
 struct Played {
   explicit Played(RobotModel robot, MotionPlan motion)
       : model(std::move(robot)), plan(std::move(motion)), log(PerfectLog(model, plan)) {}
@@ -36,7 +36,7 @@ inline Played Walked(int legs = 2, const Steps& steps = {}) {
   return Played(model, SteppingPlan(model, steps));
 }
 
-/// Whether a text has a part.
+/// Whether a text contains a part.
 inline bool Says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace gaitwright::synthetic

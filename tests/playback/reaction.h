@@ -9,15 +9,15 @@
 
 namespace gaitwright {
 
-/// What joint torques ask of the ground: the forces of feet that they alone hold up.
+/// Reaction of the ground to joint torques: the foot forces that balance them.
 struct Reaction {
   std::vector<Vector3> foot_W;         ///< force by foot
   Vector3 force_W = Vector3::Zero();   ///< of all feet
   Vector3 moment_W = Vector3::Zero();  ///< of all feet, about the centre of mass
-  Vector2 zmp_W = Vector2::Zero();     ///< at the mean height of the feet that stand
+  Vector2 zmp_W = Vector2::Zero();     ///< at the mean height of the standing feet
 };
 
-/// A stance feedback and what it answers.
+/// A stance feedback and its output.
 class StanceCase {
  public:
   explicit StanceCase(const RobotModel& model, MotionPlan plan, const StabilisedOptions& options = {})
@@ -34,7 +34,7 @@ class StanceCase {
 
   /// Torques beyond the plan's.
   VectorX Torques(const ControlInput& input) {
-    constexpr double kBefore = 0.02;  // [s]: longer than a lost contact is bridged
+    constexpr double kBefore = 0.02;  // [s]: longer than the time for which a lost contact is bridged
     now.Reset();
     ControlInput before = input;
     before.time_s -= kBefore;
@@ -46,7 +46,7 @@ class StanceCase {
     return tau;
   }
 
-  /// By how much the joints must hold the robot up more, where it is, than where the plan has it, by inverse dynamics
+  /// Additional joint torque that holds the robot at its actual place instead of its planned place, by inverse dynamics
   /// at rest.
   VectorX MovedWeight() const {
     const VectorX still = VectorX::Zero(model_.nv());
@@ -57,7 +57,7 @@ class StanceCase {
     return (here - planned).tail(model_.num_dofs());
   }
 
-  /// The part of that which is borne: along each leg's displacement, where it would take the leg farther away.
+  /// The part of MovedWeight that is compensated: along each leg's displacement, if it would move the leg farther away.
   VectorX BorneWeight() const {
     const VectorX moved = MovedWeight(), off = (now.measured.q - now.planned.q).tail(model_.num_dofs());
     VectorX borne = VectorX::Zero(model_.num_dofs());
@@ -72,7 +72,7 @@ class StanceCase {
     return borne;
   }
 
-  /// Undoes tau = -J^T f on the joints. Feet may not be redundant: points, or one sole.
+  /// Inverts tau = -J^T f on the joints. Feet must not be redundant: points, or one sole.
   Reaction Ask(const ControlInput& input) {
     VectorX tau = VectorX::Zero(model_.nv());
     tau.tail(model_.num_dofs()) = Torques(input);

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// A real plan of some steps on flat ground.
+/// A plan of a few steps on flat ground, from the planner.
 inline MotionPlan ShortWalk(const RobotModel& model, const std::string& gait, int steps, double step_length_m) {
   WalkCommand command;
   command.extent = WalkCommand::Extent::kSteps;

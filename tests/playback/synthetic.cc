@@ -67,7 +67,7 @@ std::vector<double> SolvePendulum(const std::vector<double>& p) {
   return x;
 }
 
-/// Forces on the stance feet that put the ZMP at `zmp`: weights of least norm, what they cannot do as moments.
+/// Forces on the stance feet that put the ZMP at `zmp`: weights of least norm; moments give the rest.
 std::vector<ContactWrench> Split(const Vector3& force, const Vector2& zmp, const std::vector<Vector3>& foot,
                                  FootSet stance) {
   std::vector<ContactWrench> wrenches(foot.size());

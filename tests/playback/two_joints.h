@@ -9,8 +9,8 @@ namespace gaitwright::two_joints {
 
 inline constexpr double kEffort = 10.0;
 
-/// A heavy base that floats, with two hinges about z at its centre that carry 1 and 2 kg m^2: what moves one hinge
-/// hardly moves the other. No feet, no limits but those of effort.
+/// A heavy floating base, with two hinges about z at its centre that carry 1 and 2 kg m^2: a torque on one hinge hardly
+/// moves the other. No feet, no limits except effort limits.
 inline RobotModel Make() {
   RobotModel model;
   model.name = "two_joints";
@@ -34,7 +34,7 @@ inline RobotModel Make() {
   return model;
 }
 
-/// With both hinges driven together by motors of kEffort.
+/// With both hinges driven by shared motors of kEffort.
 inline RobotModel Driven(const MatrixX& ratios, double effort = kEffort, double rotor = 0.0) {
   RobotModel model = Make();
   Transmission t{"t", {0, 1}, {}, ratios, {}};

@@ -6,8 +6,8 @@
 
 namespace gaitwright {
 
-/// What is wrong with the nesting of the tags of an XML text, or nothing. Quotes of attributes are respected, and
-/// sections of characters are passed over.
+/// The nesting error of the tags of an XML text; empty if there is none. Quotes of attributes are respected, and CDATA
+/// sections are skipped.
 inline std::string XmlFault(const std::string& text) {
   std::vector<std::string> open;
   std::size_t at = 0;

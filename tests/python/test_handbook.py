@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the handbook says in Python is run: the blocks of a page one after the other, as a reader types them."""
+"""Runs the Python code in the handbook: the blocks of a page in order, as a reader types them."""
 
 import re
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package as others get it: a wheel, and what `cmake --install` puts down."""
+"""The package as users get it: a wheel, and the files that `cmake --install` installs."""
 
 import os
 import re
@@ -43,7 +43,7 @@ PIP = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
 @pytest.fixture(scope="module")
 def wheel(build, tmp_path_factory):
     folder = tmp_path_factory.mktemp("wheel")
-    source = folder / "source"  # a copy, since setuptools writes beside it
+    source = folder / "source"  # a copy, since setuptools writes files beside the sources
     shutil.copytree(ROOT / "python", source / "python")
     for name in ("robots", "planning", "CMakeLists.txt"):
         (source / name).symlink_to(ROOT / name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans and playbacks as values: copied, pickled, shown, played again trial by trial."""
+"""Plans and playbacks as values: copied, pickled and shown; single trials are repeated."""
 
 import copy
 import pickle

@@ -52,7 +52,7 @@ def test_dynamics_obey_their_laws(a1):
         M = state.mass_matrix()
         assert np.abs(M - M.T).max() < 1e-10
         assert np.linalg.eigvalsh(M).min() > 0.0
-        # tau = M a + h, and the power of h less gravity's is nothing more than what M's rate needs.
+        # tau = M a + h, and the power of h minus that of gravity is only that of the rate of M.
         assert state.inverse_dynamics(a) == pytest.approx(M @ a + state.inverse_dynamics(), abs=1e-8)
         at_rest = gw.RobotState(a1, q)
         assert at_rest.inverse_dynamics()[2] == pytest.approx(a1.weight_n, rel=1e-12)

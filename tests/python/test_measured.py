@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a playback measured, against the state, the forces and the score."""
+"""Measurements of a playback, compared with the state, the forces and the score."""
 
 import gaitwright as gw
 import numpy as np
@@ -9,7 +9,7 @@ GRAVITY_M_S2 = 9.81
 
 
 def test_balance_follows_from_state_and_forces(playback):
-    """The pendulum's own formulas, on flat ground."""
+    """The formulas of the linear inverted pendulum, on flat ground."""
     rows = len(playback.time_s)
     assert playback.feet_m.shape == (rows, 4, 3)
     for k in range(0, rows, 50):
@@ -24,7 +24,7 @@ def test_balance_follows_from_state_and_forces(playback):
 
 
 def test_the_zmp_is_the_centre_of_pressure_of_the_feet(trot):
-    """Point feet on flat ground, without the low-pass: the mean of the feet, weighed by their normal forces."""
+    """Point feet on flat ground, without the low-pass filter: the mean of the feet, weighted by their normal forces."""
     raw = gw.play(trot, options={"score.zmp_filter_s": 0.0})
     normal = raw.forces_n[:, :, 2]
     pressed = (normal[:, :, None] * raw.feet_m[:, :, :2]).sum(axis=1) / normal.sum(axis=1)[:, None]

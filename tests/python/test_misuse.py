@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is done wrong is refused, and ends nothing: threads, sizes, lifetimes, arguments that do not go together."""
+"""Misuse is refused without a crash: threads, sizes, lifetimes, arguments that contradict each other."""
 
 import threading
 
@@ -9,7 +9,7 @@ import pytest
 
 
 def in_threads(count, act):
-    """What each thread raised."""
+    """The exceptions that the threads raised."""
     raised = []
 
     def run():
@@ -89,7 +89,7 @@ def test_truths_are_shared_and_cannot_be_written_to(trot, playback):
 
 def test_a_sequence_goes_with_no_other_way(a1):
     for extra in ({"gait": "crawl"}, {"speed": 0.9}, {"distance": 5.0}, {"steps": 3}, {"goal": (1.0, 0.0, 0.0)}):
-        with pytest.raises(gw.BadInputError, match="leave the other ones out"):
+        with pytest.raises(gw.BadInputError, match="leave out the other arguments"):
             gw.plan_walk(a1, sequence="trot: distance=0.3", **extra)
 
 

@@ -1,5 +1,5 @@
-#SPDX - License - Identifier : BSD - 3 - Clause
-"""Controllers and footstep planners that are written in Python."""
+# SPDX-License-Identifier: BSD-3-Clause
+"""Controllers and footstep planners written in Python."""
 
 import gaitwright as gw
 import numpy as np
@@ -7,7 +7,7 @@ import pytest
 
 
 class FollowThePlan(gw.Controller):
-    """PD about the plan with its torques as feed-forward."""
+    """PD control around the plan, with the plan's torques as feed-forward."""
 
     def __init__(self, plan):
         super().__init__()
@@ -83,7 +83,7 @@ def test_a_controller_needs_an_update(trot):
 
 
 def test_a_controller_can_be_asked_step_by_step(trot):
-    """The same loop as a playback's, in Python: it walks as far."""
+    """The loop of a playback, written in Python: the robot walks as far."""
     robot = trot.robot
     world = gw.World(robot, trot.terrain, trot.q[0])
     controller = gw.make_controller(trot, "stabilised")
@@ -111,14 +111,14 @@ def test_an_input_of_another_robot_is_refused(nao, trot):
     with pytest.raises(gw.BadInputError, match="q has .* numbers; 'a1' needs 19"):
         controller.update(gw.World(nao, gw.flat_terrain()).measured())
     start = trot.at(0.0)
-    with pytest.raises(gw.BadInputError, match="forces_n is of 0 feet; 'a1' has 4"):
+    with pytest.raises(gw.BadInputError, match="forces_n has 0 feet; 'a1' has 4"):
         controller.update(gw.ControlInput(0.0, 0.001, start["q"], start["v"], np.zeros((0, 3)), []))
     with pytest.raises(gw.BadInputError, match="finite"):
         controller.update(gw.ControlInput(0.0, 0.001, start["q"] * np.nan, start["v"], np.zeros((4, 3)), [True] * 4))
 
 
 def steps_ahead(robot, terrain, goal):
-    """Left and right in turn, 4 cm ahead each, to the goal."""
+    """Left and right steps in turn, 4 cm forward each, to the goal."""
     left, right = robot.feet[:2]
     beside = {foot: gw.RobotState(robot).contact_frame(foot)[:2, 3] for foot in (left, right)}
     x, count = 0.0, 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Motions by words, and motions side by side."""
+"""Motions from words, and comparisons of motions."""
 
 import json
 

@@ -27,7 +27,7 @@ def test_what_was_drawn_and_measured_is_a_column_each(report):
     friction = report.column("friction")
     assert friction.shape == (4,) and np.all((friction >= 0.5) & (friction <= 1.0))
     assert report.column("goal_error_m").shape == (4,)
-    with pytest.raises(ValueError, match="no 'frictoin'"):
+    with pytest.raises(ValueError, match="no value 'frictoin'"):
         report.column("frictoin")
 
 

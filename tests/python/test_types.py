@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The type file tells of all that there is, no more, and by the same names."""
+"""The type file has exactly the names and parameters of the module."""
 
 import ast
 import inspect
@@ -31,7 +31,7 @@ def parameters_of(node):
 
 
 def parameters_at_runtime(function):
-    """As pybind11 writes them into the first line of a docstring."""
+    """Parameters as pybind11 writes them into the first line of a docstring."""
     first = function.__doc__.splitlines()[0]
     return [name for name in re.findall(r"(\w+): ", first) if name != "self"]
 

@@ -34,7 +34,7 @@ def test_arrays_outlive_their_plan(a1):
 
 
 def test_the_plan_obeys_its_own_equations(trot):
-    """Between rows the base moves as its velocity says; the forces carry weight and acceleration."""
+    """Between rows the base moves with its velocity; the forces balance weight and acceleration."""
     step_s = np.diff(trot.time_s)[:, None]
     moved = np.diff(trot.q[:, :3], axis=0)
     assert np.abs(moved - 0.5 * step_s * (trot.v[1:, :3] + trot.v[:-1, :3])).max() < 1e-5

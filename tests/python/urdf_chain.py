@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Kinematics straight from a URDF's text by products of matrices: a second road beside the package's own."""
+"""Kinematics directly from the text of a URDF, by matrix products: an independent check of the package."""
 
 import xml.etree.ElementTree as xml
 
@@ -37,7 +37,7 @@ def origin_of(element):
 
 
 def rotation_of(quaternion):
-    """Of a unit quaternion x y z w."""
+    """Rotation matrix of a unit quaternion x y z w."""
     x, y, z, w = quaternion / np.linalg.norm(quaternion)
     K = cross_matrix([x, y, z])
     return np.eye(3) + 2.0 * w * K + 2.0 * K @ K
@@ -52,14 +52,14 @@ class Urdf:
         self.root = next(name for name in self.links if name not in self.joint_above)
 
     def position(self, joint, by_name):
-        """Of a joint, a mimic's from that of its leader."""
+        """Position of a joint; for a mimic joint, from that of its leader."""
         mimic = joint.find("mimic")
         if mimic is None:
             return by_name[joint.get("name")]
         return float(mimic.get("multiplier", "1")) * by_name[mimic.get("joint")] + float(mimic.get("offset", "0"))
 
     def chain(self, link):
-        """Joints from the root to a link."""
+        """The joints from the root to a link."""
         joints = []
         while link in self.joint_above:
             joints.insert(0, self.joint_above[link])
@@ -67,7 +67,7 @@ class Urdf:
         return joints
 
     def forward(self, robot, q, link):
-        """Pose of a link, and its 6 x nv Jacobian by each joint's screw."""
+        """Pose of a link, and its 6 x nv Jacobian from the screws of the joints."""
         by_name = dict(zip(robot.joints, q[7:]))
         X = pose(rotation_of(q[3:7]), q[:3])
         screws = []

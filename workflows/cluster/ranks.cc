@@ -22,7 +22,7 @@ bool BuiltWithMpi() { return true; }
 
 namespace {
 
-/// Whether the launcher of Open MPI, MPICH, PMIx or Slurm left its number in the environment of this process.
+/// Whether the environment of this process has the rank number that Open MPI, MPICH, PMIx or Slurm sets.
 bool Launched() {
   constexpr const char* kNumbers[] = {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"};
   return std::any_of(std::begin(kNumbers), std::end(kNumbers),
@@ -34,7 +34,7 @@ bool Launched() {
 struct Ranks::Run {
   int rank = 0, count = 1;
   bool joined = false;
-  std::mutex calls;  // MPI is asked by one thread at a time
+  std::mutex calls;  // only one thread at a time calls MPI
 
   ~Run() {
     if (joined) MPI_Finalize();
@@ -50,7 +50,7 @@ Ranks Ranks::Join() {
   MPI_Comm_rank(MPI_COMM_WORLD, &run->rank);
   MPI_Comm_size(MPI_COMM_WORLD, &run->count);
   if (given < MPI_THREAD_SERIALIZED && run->count > 1) {
-    throw InvalidArgument("this MPI allows calls from one thread only; MPI_THREAD_SERIALIZED is needed");
+    throw InvalidArgument("this MPI library allows calls from one thread only; MPI_THREAD_SERIALIZED is needed");
   }
   return Ranks(run);
 }
@@ -119,7 +119,7 @@ Ranks Ranks::Join() {
   if (LaunchedWithOthers()) {
     throw InvalidArgument(
         "this is one of several processes of an MPI run, but the program was built without MPI; install MPI (Debian: "
-        "libopenmpi-dev) and configure again");
+        "libopenmpi-dev) and build again");
   }
   return Ranks(std::make_shared<Run>());
 }

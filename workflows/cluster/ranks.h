@@ -6,14 +6,14 @@
 
 namespace gaitwright {
 
-/// The processes of one MPI run, by number; a process started without MPI is alone, number 0 of 1.
+/// The processes of one MPI run, by number. A process started without MPI is number 0 of 1.
 ///
 /// Messages are texts between rank 0 and the others. All calls are thread-safe. A waiting rank sleeps between polls,
 /// so it uses almost no CPU time, even with more ranks than cores.
 class Ranks {
  public:
-  /// Joins the run in which the process was started, once per process; leaves it when the last copy ends. Alone if the
-  /// environment shows no run, or if the program was built without MPI.
+  /// Joins the run in which the process was started, once per process, and leaves it when the last copy ends. There is
+  /// one rank if the environment shows no run or the program was built without MPI.
   /// @throws InvalidArgument if the environment shows several processes but the program was built without MPI: each
   /// would do the whole work and write the same files.
   static Ranks Join();

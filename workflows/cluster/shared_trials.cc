@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How the answer of a trial that could not be played begins.
+/// First characters of the answer for a trial that could not be played.
 constexpr char kFailure[] = "{\"failure\":";
 
 }  // namespace

@@ -8,13 +8,13 @@
 namespace gaitwright {
 namespace {
 
-// The first letter of a message says what it is.
+// The first letter of a message is its type.
 constexpr char kReady = 'r', kProblem = 'x', kPiece = 'p', kOutcome = 'o', kDone = 'd', kRefused = 'f';
 
 std::string Message(char kind, const std::string& text) { return std::string(1, kind) + text; }
 
-/// Why the readiness of a rank, as it sent it, does not do; empty when it does.
-std::string Misgiving(int rank, const std::string& hello, const RankReadiness& own) {
+/// Why a rank cannot take part, from its readiness message; empty if it can.
+std::string ReasonUnready(int rank, const std::string& hello, const RankReadiness& own) {
   if (hello.empty() || hello[0] == kProblem)
     return fmt::format("rank {}: {}", rank, hello.substr(hello.empty() ? 0 : 1));
   if (hello.substr(1) == own.work) return "";
@@ -53,7 +53,7 @@ Result<std::vector<PieceRunner>> SharedWork::Runners(const RankReadiness& own) {
   std::string misgiving = own.problem;
   std::vector<PieceRunner> runners;
   for (int rank = 1; rank < ranks_.count(); ++rank) {
-    const std::string theirs = Misgiving(rank, ranks_.Receive(rank), own);
+    const std::string theirs = ReasonUnready(rank, ranks_.Receive(rank), own);
     if (misgiving.empty()) misgiving = theirs;
     runners.emplace_back([ranks = ranks_, rank](int piece) { return RunThere(ranks, rank, piece); });
   }

@@ -31,14 +31,15 @@ class SharedWork {
 
   const Ranks& ranks() const { return ranks_; }
 
-  /// For rank 0, once: waits until all other ranks are ready, and returns a runner for each, which sends pieces to this
+  /// For rank 0, once: waits until all other ranks are ready. Returns a runner for each rank, which sends pieces to the
   /// rank and waits for the outcomes. A runner is for one thread at a time, and throws InvalidArgument with the rank's
   /// message if a piece failed there. Runners must not outlive this object.
-  /// @return the runners, none when alone; a failure that names the rank that cannot take part, or whose work differs.
+  /// @return the runners, none if there is no other rank; a failure that names the rank that cannot take part or whose
+  /// work differs.
   Result<std::vector<PieceRunner>> Runners(const RankReadiness& own);
 
   /// For the other ranks, once: reports that it is ready, or why not, and runs pieces until rank 0 releases it.
-  /// @return whether it was released after the work and not because of some rank's problem; false at once if it has
+  /// @return true if the rank was released after the work, false if it was released because of a rank's problem or has
   /// served before.
   bool Serve(const RankReadiness& own, const PieceRunner& run);
 

@@ -12,7 +12,7 @@ double Overlap(const ContactInterval& a, const ContactInterval& b) {
   return std::min(a.end_s, b.end_s) - std::max(a.start_s, b.start_s);
 }
 
-/// Those that reach into the time that is shared, moved to A's clock.
+/// The intervals that overlap with the shared time range, moved to A's clock.
 std::vector<ContactInterval> Shared(const std::vector<ContactInterval>& stances, double offset_s,
                                     const SharedTime& shared) {
   std::vector<ContactInterval> within;
@@ -24,7 +24,7 @@ std::vector<ContactInterval> Shared(const std::vector<ContactInterval>& stances,
   return within;
 }
 
-/// The stance that overlaps most, or null.
+/// The stance with the largest overlap, or null.
 const ContactInterval* Partner(const ContactInterval& stance, const std::vector<ContactInterval>& others) {
   const ContactInterval* best = nullptr;
   for (const ContactInterval& other : others) {
@@ -33,7 +33,7 @@ const ContactInterval* Partner(const ContactInterval& stance, const std::vector<
   return best;
 }
 
-/// The times of contact of one foot.
+/// Compares the contact times of one foot.
 class FootTimes {
  public:
   FootTimes(const SharedTime& shared, double tolerance_s, FootDifference& foot, std::vector<FirstDifference>& beyond)
@@ -67,14 +67,15 @@ class FootTimes {
     return time_s > shared_.start_s + tolerance_s_ && time_s < shared_.end_s - tolerance_s_;
   }
 
-  /// Whether rows say that an event is at a time: not in a gap of either side, nor at its end, where it may be late.
+  /// Whether the rows determine the time of an event: false in a gap of either side and at the end of a gap, where it
+  /// may be late.
   bool Known(double time_s) const {
     return std::none_of(shared_.gaps.begin(), shared_.gaps.end(), [&](const TimeGap& gap) {
       return time_s > gap.start_s - kSameTime_s && time_s < gap.end_s + kSameTime_s;
     });
   }
 
-  /// How long a stance lasts where both sides have rows.
+  /// Duration of the part of a stance for which both sides have rows.
   double KnownPart(const ContactInterval& stance) const {
     double part_s = stance.end_s - stance.start_s;
     for (const TimeGap& gap : shared_.gaps) part_s -= std::max(0.0, Overlap(stance, {gap.start_s, gap.end_s}));
@@ -94,7 +95,7 @@ class FootTimes {
     if (std::abs(late_s) > tolerance_s_) Beyond(std::string(what) + " of " + foot_.foot, "s", a_s, b_s);
   }
 
-  /// A stance that the other does not have.
+  /// Adds a stance that the other side does not have.
   void Missing(const ContactInterval& stance, double a, double b) {
     if (KnownPart(stance) < std::max(TimingGate(), tolerance_s_)) return;
     ++foot_.unmatched;

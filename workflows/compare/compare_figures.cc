@@ -20,7 +20,7 @@ struct Figure {
 };
 using Figures = std::vector<Figure>;
 
-/// What one side tells in words: what it is, then the options that it was made with.
+/// The texts of one side: its type, then the options that it was made with.
 struct Words {
   OptionTexts facts, options;
 };
@@ -117,7 +117,7 @@ const std::string* Find(const OptionTexts& words, const std::string& key) {
 /// "swing." of "swing.height_m"; empty for a key without a dot.
 std::string GroupOf(const std::string& key) { return key.substr(0, key.rfind('.') + 1); }
 
-/// The groups of which a side has several options and the other none of these.
+/// The groups in which one side has several options and the other side has none of them.
 std::set<std::string> GroupsOfOne(const OptionTexts& side, const OptionTexts& other) {
   std::map<std::string, int> sizes;
   for (const auto& [key, value] : side) ++sizes[GroupOf(key)];
@@ -131,7 +131,7 @@ std::set<std::string> GroupsOfOne(const OptionTexts& side, const OptionTexts& ot
   return groups;
 }
 
-/// Appends what is not the same. @param alike  what only one side has, and is not empty, is a difference too.
+/// Appends the differences. @param alike true: a non-empty value that only one side has is a difference too.
 void AddDifferences(const OptionTexts& a, const OptionTexts& b, bool alike, std::vector<WordDifference>& words) {
   const std::set<std::string> only_a = GroupsOfOne(a, b), only_b = GroupsOfOne(b, a);
   for (const auto& [key, value] : a) {

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLittleAgreement = 0.5;  // below it an offset that was found is doubtful
+constexpr double kLittleAgreement = 0.5;  // an offset with less agreement is doubtful
 
 std::vector<std::string> FootNames(const RobotModel& model) {
   std::vector<std::string> names;
@@ -29,7 +29,7 @@ std::vector<std::string> OnlyIn(const std::vector<std::string>& names, const std
   return only;
 }
 
-/// The joints of which a motion says where they are.
+/// The joints whose positions a motion contains.
 std::vector<std::string> JointNames(const ComparedMotion& motion) {
   std::vector<std::string> names;
   for (int d = 0; d < motion.model.num_dofs(); ++d) {
@@ -44,7 +44,7 @@ std::vector<NamedPair> CommonJoints(const ComparedMotion& a, const ComparedMotio
   return joints;
 }
 
-/// Chooses the offset and says how.
+/// Chooses the clock offset and records how it was chosen.
 void Align(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options,
            const std::vector<NamedPair>& joints, MotionComparison& comparison) {
   comparison.best_offset = BestOffset(a, b, joints);
@@ -67,7 +67,7 @@ void Align(const ComparedMotion& a, const ComparedMotion& b, const CompareOption
                   comparison.best_offset->agreement));
 }
 
-/// Clocks are aligned on even times, of which a motion without end has too many.
+/// Refuses motions that are too long: clocks are aligned on a uniform time grid, which would need too many points.
 void CheckDuration(const ComparedMotion& motion) {
   const double duration_s = motion.end_s() - motion.start_s();
   if (duration_s <= kLongestMotion) return;
@@ -79,7 +79,7 @@ double StepOf(const ComparedMotion& motion) {
   return motion.rows.size() > 1 ? (motion.end_s() - motion.start_s()) / (motion.rows.size() - 1) : 1.0;
 }
 
-/// The gaps of both on A's clock; what they have in common is one.
+/// The gaps of both sides on A's clock; overlapping gaps are merged.
 std::vector<TimeGap> GapsOf(const ComparedMotion& a, const ComparedMotion& b, double offset_s) {
   std::vector<TimeGap> both = a.gaps, gaps;
   for (const TimeGap& gap : b.gaps) both.push_back({gap.start_s - offset_s, gap.end_s - offset_s});
@@ -94,8 +94,8 @@ std::vector<TimeGap> GapsOf(const ComparedMotion& a, const ComparedMotion& b, do
   return gaps;
 }
 
-/// The moments of the measured side's rows; of two plans a grid as fine as the finer one's. None where a side has no
-/// rows.
+/// The times of the measured side's rows; for two plans, a grid with the step of the finer one. Without the times at
+/// which a side has no rows.
 std::vector<double> MomentsOf(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared) {
   std::vector<double> times;
   if (a.plan && b.plan) {
@@ -124,11 +124,11 @@ SharedTime Share(const ComparedMotion& a, const ComparedMotion& b, double offset
   if (!shared.time_s.empty()) return shared;
   throw InvalidArgument(
       fmt::format("the motions do not overlap in time: '{}' is from {:.3f} to {:.3f} s, '{}' from {:.3f} to {:.3f} s, "
-                  "with its clock {:.3f} s ahead; align them by 'start' or 'best'",
+                  "and the second clock is {:.3f} s ahead; align them by 'start' or 'best'",
                   a.name, a.start_s(), a.end_s(), b.name, b.start_s(), b.end_s(), offset_s));
 }
 
-/// A motion that ends before the other does; a log goes on a while behind its plan, which is no difference.
+/// Adds a difference if one motion ends before the other. A log may continue after the end of its plan.
 void CompareEnds(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared, double tolerance,
                  std::vector<FirstDifference>& beyond) {
   const double end_a = a.end_s(), end_b = b.end_s() - shared.offset_s,
@@ -160,7 +160,8 @@ void Order(const std::vector<SeriesDifference>& differences, std::vector<FirstDi
   beyond = std::move(once);
 }
 
-/// Puts the differences, in the order of SeriesOf, where they belong; what neither has is left out.
+/// Sorts the differences, given in the order of SeriesOf, into joints, base and balance. Quantities without values on
+/// both sides are left out.
 void TakeApart(const std::vector<SeriesDifference>& differences, const SharedTime& shared,
                MotionComparison& comparison) {
   std::size_t next = 0;
@@ -175,7 +176,7 @@ void TakeApart(const std::vector<SeriesDifference>& differences, const SharedTim
   }
 }
 
-/// How speeds that are worked out are held against each other.
+/// Adds a note on how computed speeds are compared.
 void NoteDerivedSpeeds(const ComparedMotion& a, const ComparedMotion& b, MotionComparison& comparison) {
   const JointDifference* noisiest = nullptr;
   for (const JointDifference& joint : comparison.joints) {
@@ -195,7 +196,7 @@ void NoteDerivedSpeeds(const ComparedMotion& a, const ComparedMotion& b, MotionC
   comparison.notes.push_back(std::move(note));
 }
 
-/// What is to be said of one side, each once: both may be one file.
+/// Adds the notes of one side, each once, since both sides may be the same file.
 void AddNotes(const ComparedMotion& motion, std::vector<std::string>& notes) {
   for (const std::string& note : motion.notes) {
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
@@ -210,8 +211,8 @@ OptionFields CompareOptions::Fields() {
            "",
            0.0,
            0.0,
-           "Alignment of the clocks: none, by start, or by best match of the joint motions; auto uses best for tables, "
-           "else none.",
+           "Alignment of the clocks: none, by start time, or by best match of the joint motions; auto uses best for "
+           "tables, otherwise none.",
            {"auto", "none", "start", "best"}},
           {"tolerance", &tolerance, "1", 0.0, 10.0,
            "Largest difference that counts as equal, as a share of each quantity's scale."}};

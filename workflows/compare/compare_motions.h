@@ -41,8 +41,8 @@ struct JointDifference {
 struct FootDifference {
   std::string foot;
   int stances_a = 0, stances_b = 0;  ///< within the time that both share
-  int unmatched = 0;                 ///< stances without overlap with the other side's
-  SeriesDifference timing;           ///< of touch-downs and lift-offs, B - A [s]
+  int unmatched = 0;                 ///< stances that overlap with none of the other side
+  SeriesDifference timing;           ///< times of touch-down and lift-off, B - A [s]
 };
 
 /// The first difference: at equal times, measured quantities before computed ones, then the one farthest beyond its
@@ -78,7 +78,7 @@ struct MotionComparison {
   std::vector<JointDifference> joints;
   std::vector<std::string> joints_only_a, joints_only_b;
   std::vector<SeriesDifference> base;     ///< x, y, z, and the angle between the two attitudes
-  std::vector<SeriesDifference> balance;  ///< centre of mass; of two plans the zero-moment point too
+  std::vector<SeriesDifference> balance;  ///< centre of mass; for two plans also the zero-moment point
   std::vector<FootDifference> feet;
   std::vector<FigurePair> figures;
   std::vector<WordDifference> words;      ///< robots, gaits, options, provenance

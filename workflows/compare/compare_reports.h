@@ -26,7 +26,8 @@ struct ReadReport {
   std::vector<std::string> violations;  ///< failed checks of the audit, each once
 };
 
-/// A report from its JSON text. Failure kBadInput `report_file` naming the key that is missing or has the wrong type.
+/// Reads a report from its JSON text. Failure kBadInput `report_file` names the key that is missing or has the wrong
+/// type.
 Result<ReadReport> ReportFromJson(const std::string& text, const std::string& source);
 
 /// A metric of both reports; nothing if a report has none.
@@ -48,12 +49,12 @@ struct ReportComparison {
   bool same() const;
 };
 
-/// A metric differs if the difference exceeds `tolerance` times the largest magnitude of both values and the limit, or
-/// if one side has none.
+/// Compares two reports. A metric differs if the difference exceeds `tolerance` times the largest magnitude of both
+/// values and the limit, or if only one side has a value.
 ReportComparison CompareReports(const ReadReport& a, const ReadReport& b, double tolerance);
 
-/// The metrics of playbacks: for a plan and its log, planned and measured values; for two logs of `played`, or of its
-/// motion planned again, both measured. None if there is no plan to score them with, or if it belongs to another robot.
+/// The metrics of playbacks. For a plan and its log: planned and measured values. For two logs of `played`, or of its
+/// motion planned again: two measured values. Empty without a plan to score them with, and for a plan of another robot.
 std::vector<MetricPair> MetricsOf(const ComparedMotion& a, const ComparedMotion& b, const MotionPlan* played,
                                   double tolerance);
 

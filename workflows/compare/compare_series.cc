@@ -16,8 +16,8 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLeastDifference = 1e-9;  // no difference below this, in any unit
-constexpr double kLeastOfSpan = 0.1;       // of the largest span of a joint, so that one that stays still has a scale
+constexpr double kLeastDifference = 1e-9;  // smaller differences are ignored, in any unit
+constexpr double kLeastOfSpan = 0.1;       // share of the largest span of a joint, so that a joint at rest has a scale
 constexpr double kAttitudeScale = 1.0;     // [rad]
 
 double Weight(SeriesScale scale) {
@@ -29,12 +29,12 @@ bool IsOfAJoint(SeriesScale scale) {
   return scale == SeriesScale::kPosition || scale == SeriesScale::kSpeed || scale == SeriesScale::kTorque;
 }
 
-/// One side of a comparison at one moment after the other.
+/// One side of a comparison, evaluated at increasing times.
 class Side {
  public:
   explicit Side(const ComparedMotion& motion) : motion_(motion), scratch_(motion.model) {}
 
-  /// @param torque_before_s  how much earlier the torque is taken.
+  /// @param torque_before_s  how much earlier the torque is evaluated.
   void Go(double time_s, double torque_before_s) {
     SampleCompared(motion_, time_s, now_);
     if (torque_before_s > 0.0) {
@@ -48,7 +48,7 @@ class Side {
   double Position(int dof) const { return now_.q[7 + dof]; }
   double Speed(int dof) const { return now_.v[6 + dof]; }
   double Torque(int dof) const { return dof < now_.tau.size() ? now_.tau[dof] : kNaN; }
-  /// 0 of a speed that is given.
+  /// Noise gain of a computed speed; 0 for a speed from the file.
   double NoiseGainOf(int dof) const { return motion_.derives_speed(dof) ? noise_gain_ : 0.0; }
   const VectorX& q() const { return now_.q; }
 
@@ -94,7 +94,7 @@ double AngleBetween(const VectorX& q_a, const VectorX& q_b) {
   return RotationLog(BaseRotation(q_a).transpose() * BaseRotation(q_b)).norm();
 }
 
-/// Largest minus smallest of either side.
+/// The larger range (largest minus smallest value) of the two sides.
 double SpanOf(const ComparedSeries& series) {
   double span = 0.0;
   for (const std::vector<double>* values : {&series.a, &series.b}) {
@@ -119,8 +119,8 @@ double ScaleOf(const ComparedSeries& one, const std::vector<ComparedSeries>& all
   return Weight(one.scale) * std::max(SpanOf(one), kLeastOfSpan * largest);
 }
 
-/// The noise on B - A, as far as the two go together; at least that of rounding to the steps of an encoder, which a
-/// joint that mostly stands still does not show.
+/// The noise on B - A, as far as the two sides agree. At least the rounding error of an encoder, which a joint that
+/// mostly rests does not show.
 double NoiseBetween(const ComparedSeries& series) {
   std::vector<double> gaps;
   for (std::size_t k = 0; k < series.a.size(); ++k) {
@@ -130,7 +130,7 @@ double NoiseBetween(const ComparedSeries& series) {
   return std::max(NoiseOf(gaps), series.resolution / std::sqrt(12.0));
 }
 
-/// When a speed that is worked out from the next row too shows: there, unless that row is missing.
+/// Time at which a speed that is computed with the next row is known: that of the next row, unless it is missing.
 double ShownAt(const SharedTime& shared, std::size_t k) {
   const double now_s = shared.time_s[k];
   if (k + 1 == shared.time_s.size()) return now_s;
@@ -138,7 +138,7 @@ double ShownAt(const SharedTime& shared, std::size_t k) {
   return InGap(shared.gaps, 0.5 * (now_s + next_s)) ? now_s : next_s;
 }
 
-/// @param noise  standard deviation; of a speed that is worked out that of the positions.
+/// @param noise  standard deviation; for a computed speed, that of the positions.
 SeriesDifference DifferenceOf(const ComparedSeries& series, const SharedTime& shared, double tolerance, double noise) {
   const std::vector<double>& time_s = shared.time_s;
   const bool derived = !series.noise_gain.empty();
@@ -201,7 +201,7 @@ std::vector<ComparedSeries> SeriesOf(const ComparedMotion& a, const ComparedMoti
 std::vector<SeriesDifference> DifferencesOf(const std::vector<ComparedSeries>& series, const SharedTime& shared,
                                             double leg_length_m, double tolerance, bool noisy) {
   std::vector<SeriesDifference> differences;
-  double of_positions = 0.0;  // of the joint whose speeds come next
+  double of_positions = 0.0;  // noise of the positions of the joint whose speeds follow
   for (const ComparedSeries& one : series) {
     const double scale = IsOfAJoint(one.scale) || leg_length_m > 0.0 ? ScaleOf(one, series, leg_length_m) : 1.0;
     const double noise = noisy && tolerance > 0.0 ? NoiseBetween(one) : 0.0;

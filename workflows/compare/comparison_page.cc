@@ -77,7 +77,7 @@ std::string Metrics(const std::vector<MetricPair>& metrics) {
 std::string FiguresTable(const std::vector<FigurePair>& figures) {
   std::string rows;
   for (const FigurePair& f : figures) rows += Row({f.key, OrDash(f.a), OrDash(f.b), f.unit == "1" ? "" : f.unit});
-  return Table("FiguresTable of each", {"figure", "A", "B", "unit"}, rows);
+  return Table("Values of each file", {"quantity", "A", "B", "unit"}, rows);
 }
 
 std::string Words(const std::vector<WordDifference>& words) {
@@ -89,7 +89,7 @@ std::string Words(const std::vector<WordDifference>& words) {
   return Table("Differences in text values", {"key", "A", "B"}, rows);
 }
 
-/// Whether a motion has the figures that the plot of that name draws, see MotionPlots.
+/// Whether a motion has the data that the plot of this name draws, see MotionPlots.
 bool HasFor(const std::string& plot, const MotionRows& rows) {
   if (plot == "contacts") return !rows.contact.empty();
   if (plot == "joint_torques") return !rows.tau.empty();
@@ -97,7 +97,7 @@ bool HasFor(const std::string& plot, const MotionRows& rows) {
   return (plot != "top_view" && plot != "base_position") || rows.q.front().head<3>().allFinite();
 }
 
-/// What a plot shows, and whose motion it is alone where the other file has no such figures.
+/// The caption of a plot; it says so if only one file has such data.
 std::string CaptionOf(const Plot& plot, const MotionRows& a, const MotionRows& b) {
   const bool in_a = HasFor(plot.name, a), in_b = HasFor(plot.name, b);
   if (in_a == in_b) return plot.caption;
@@ -112,9 +112,10 @@ std::string ComparisonPage(const ComparedMotion& a, const ComparedMotion& b, con
   html += Paragraph("soft", fmt::format("A: {} of {}, {}; B: {} of {}, {}", c.kind_a, c.robot_a, c.name_a, c.kind_b,
                                         c.robot_b, c.name_b));
   html += Paragraph(c.same() ? "reason pass" : "reason", FirstDifferenceText(c));
-  html += Paragraph("soft", fmt::format("Compared from {:.3f} to {:.3f} s on A's clock; clocks aligned by {}: B's is "
-                                        "{:+.4f} s ahead. In the plots A is broad and pale, B thin and dark.",
-                                        c.start_s, c.end_s, c.aligned_by, c.offset_s));
+  html += Paragraph(
+      "soft", fmt::format("Compared from {:.3f} to {:.3f} s on A's clock; clocks aligned by {}; B's clock is {:+.4f} s "
+                          "ahead. In the plots, lines of A are broad and pale, lines of B thin and dark.",
+                          c.start_s, c.end_s, c.aligned_by, c.offset_s));
   for (const std::string& note : c.notes) html += Paragraph("soft", "Note: " + note + ".");
   const std::optional<double> mark = c.same() ? std::nullopt : std::optional(c.in_order.front().time_s);
   html += InOrder(c) + "<h2>Both motions</h2>\n";

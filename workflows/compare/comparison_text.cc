@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostInOrder = 8;  // told in words
+constexpr std::size_t kMostInOrder = 8;  // listed in the text
 
 std::string Number(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
 std::string NumberOrDash(const std::optional<double>& value) { return value ? Number(*value) : "-"; }
@@ -19,7 +19,7 @@ std::string NumberOrDash(const std::string& text) { return text.empty() ? "-" : 
 
 std::string UnitAfter(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + unit; }
 
-std::string Told(const FirstDifference& one) {
+std::string DifferenceText(const FirstDifference& one) {
   const std::string tolerance = one.tolerance > 0.0 ? fmt::format(" (tolerance {})", Number(one.tolerance)) : "";
   return fmt::format("{:.3f} s  {}: {} against {}{}{}", one.time_s, one.quantity, Number(one.a), Number(one.b),
                      UnitAfter(one.unit), tolerance);
@@ -112,8 +112,8 @@ std::string WordLines(const std::vector<WordDifference>& words) {
   const FoldedWords folded = Folded(words);
   for (const WordDifference& word : folded.each)
     text += fmt::format("  {}: {} against {}\n", word.key, NumberOrDash(word.a), NumberOrDash(word.b));
-  if (!folded.only_a.empty()) text += fmt::format("  options of A alone: {}\n", folded.only_a);
-  if (!folded.only_b.empty()) text += fmt::format("  options of B alone: {}\n", folded.only_b);
+  if (!folded.only_a.empty()) text += fmt::format("  options only in A: {}\n", folded.only_a);
+  if (!folded.only_b.empty()) text += fmt::format("  options only in B: {}\n", folded.only_b);
   return text;
 }
 
@@ -148,7 +148,7 @@ std::string ComparisonText(const MotionComparison& c, const std::vector<MetricPa
   if (c.in_order.size() > 1) {
     text += "in order of time:\n";
     for (std::size_t i = 0; i < std::min(kMostInOrder, c.in_order.size()); ++i)
-      text += "  " + Told(c.in_order[i]) + "\n";
+      text += "  " + DifferenceText(c.in_order[i]) + "\n";
     if (c.in_order.size() > kMostInOrder) text += fmt::format("  and {} more\n", c.in_order.size() - kMostInOrder);
   }
   text += JointsOf(c) + SeriesLines("base and balance: rms (largest at time in s)", c.base);

@@ -8,7 +8,8 @@
 
 namespace gaitwright {
 
-/// "position of FL_hip_joint differs first, at 0.42 s: 0.10 against 0.13 rad (tolerance 0.012)", or that none does.
+/// "position of FL_hip_joint differs first, at 0.42 s: 0.10 against 0.13 rad (tolerance 0.012)", or a text that says
+/// that nothing differs.
 std::string FirstDifferenceText(const MotionComparison& comparison);
 
 /// Differences in text values for readers, because two motions of different origin may share no option.

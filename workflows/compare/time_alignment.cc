@@ -9,13 +9,13 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kStep = 0.005;            // of the search [s]
-constexpr double kLeastShare = 1.0 / 3.0;  // of the energy of the motion that has less, to be compared of each
-constexpr double kRest = 1e-9;             // energy below which nothing moves
+constexpr double kStep = 0.005;            // step of the search [s]
+constexpr double kLeastShare = 1.0 / 3.0;  // least energy of each compared part, relative to the less energetic motion
+constexpr double kRest = 1e-9;             // smaller energy counts as no motion
 
-/// A motion's joints at even times, a row each.
+/// Joint speeds of a motion on a uniform time grid, one row per time.
 struct EvenSpeeds {
-  MatrixX v;      ///< a column by joint; zero where there are none
+  MatrixX v;      ///< one column per joint; zero where rows are missing
   MatrixX known;  ///< one column: 1, and 0 where rows are missing
 };
 
@@ -35,8 +35,8 @@ EvenSpeeds SpeedsOf(const ComparedMotion& motion, const std::vector<int>& joints
   return speeds;
 }
 
-/// How large speeds may count, by joint: where they are worked out as large as the other side's, since a jump of a
-/// position would outweigh the motion.
+/// Limits of the speeds by joint. A computed speed counts at most as the largest speed of the other side, since
+/// otherwise a jump of a position would outweigh the motion.
 VectorX LimitsOf(const ComparedMotion& motion, const std::vector<int>& joints, const MatrixX& of_other) {
   VectorX limits = of_other.cwiseAbs().colwise().maxCoeff().transpose();
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -75,8 +75,8 @@ std::vector<double> CrossCorrelation(const MatrixX& a, const MatrixX& b) {
   return correlation;
 }
 
-/// The shift in steps that agrees best; nothing where either is at rest. What counts of each side is what it does while
-/// the other has rows.
+/// The shift in steps with the best agreement; nothing if a side is at rest. Each side counts only while the other has
+/// rows.
 std::optional<Eigen::Index> BestShift(const EvenSpeeds& a, const EvenSpeeds& b) {
   const MatrixX energy_a = a.v.rowwise().squaredNorm(), energy_b = b.v.rowwise().squaredNorm();
   const double least = kLeastShare * std::min(energy_a.sum(), energy_b.sum());
@@ -97,7 +97,7 @@ std::optional<Eigen::Index> BestShift(const EvenSpeeds& a, const EvenSpeeds& b) 
   return best;
 }
 
-/// The agreement at an offset that is no multiple of the step.
+/// The agreement at an offset that is not a multiple of the step.
 class Agreement {
  public:
   Agreement(const ComparedMotion& a, const ComparedMotion& b, const std::vector<NamedPair>& joints,

@@ -15,23 +15,23 @@ struct NamedPair {
   int a = 0, b = 0;  ///< its index on each side
 };
 
-/// What both have, in the order of the first.
+/// The names that both lists have, in the order of the first.
 std::vector<NamedPair> CommonNames(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
-/// How far the clock of one motion is ahead of another's, and how well the two then agree.
+/// Offset between the clocks of two motions, and how well the motions agree at this offset.
 struct ClockOffset {
   double offset_s = 0.0;   ///< time of B minus time of A at the same moment
-  double agreement = 0.0;  ///< 1 where the joints' speeds are the same, 0 where they have nothing in common
+  double agreement = 0.0;  ///< 1: equal joint speeds; 0: no correlation
 };
 
-/// The offset at which the speeds of the joints agree best:
+/// The offset with the best agreement of the joint speeds:
 ///   agreement(s) = 2 sum a(t) b(t + s) / sum (a(t)^2 + b(t + s)^2)
-/// over the joints that both have and the times at which both have rows, that is a cross-correlation that a motion of
-/// another size lowers too. All offsets are tried that leave half of the shorter motion and, on either side, a third of
-/// what moves (sum of squared speeds) in the motion that moves less, so that a short piece of a motion is found in the
-/// whole of it; at 5 ms by Fourier transforms, then about the best to 0.1 ms. Speeds that are worked out count at most
-/// as large as the other side's largest of that joint: a position that jumps is no motion. Nothing where no joint that
-/// both have moves in both.
+/// over the shared joints and the times at which both have rows. This is a cross-correlation that also decreases if the
+/// amplitudes differ. It tries all offsets whose overlap has half of the shorter motion and, on each side, a third of
+/// the energy (sum of squared speeds) of the less energetic motion, so that a short piece is found in a whole motion.
+/// The search uses Fourier transforms at steps of 5 ms, then refines the best offset to 0.1 ms. A computed speed counts
+/// at most as the other side's largest speed of the joint, since a jump of a position is not motion. Nothing if no
+/// shared joint moves in both motions.
 std::optional<ClockOffset> BestOffset(const ComparedMotion& a, const ComparedMotion& b,
                                       const std::vector<NamedPair>& joints);
 

@@ -19,7 +19,7 @@
 namespace gaitwright {
 namespace {
 
-/// The unit in which rows so far apart are nearest to 5 ms.
+/// The time unit in which this step between rows is nearest to 5 ms.
 const char* LikelyTimeUnit(double step) {
   constexpr double kUsual = 0.005;  // [s]
   const std::array<std::pair<const char*, double>, 3> units = {{{"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
@@ -52,12 +52,12 @@ void CheckTimes(const MotionTable& table, const ImportOptions& options) {
   }
 }
 
-/// What no robot's motion has, in whatever unit: sums over it would lose the rest, or would not be finite.
+/// Refuses values that no robot has in any unit, because sums with them would lose the other values or overflow.
 void CheckSizes(const MotionTable& table) {
   constexpr double kMost = 1e8;
   const auto check = [&](const char* what, std::size_t row, const auto& values) {
     for (const double value : values) {
-      if (!(std::abs(value) > kMost)) continue;  // what a file lacks is not a number
+      if (!(std::abs(value) > kMost)) continue;  // missing values are NaN
       throw InvalidArgument(fmt::format("{} of row {} ({:.6g} s) is {:.6g}; at most +-{:.0e} is accepted", what,
                                         row + 1, table.time_s[row], value, kMost));
     }
@@ -87,7 +87,7 @@ void CheckAngles(const RobotModel& model, const MotionTable& table, const Import
 }
 
 void CheckLengths(const RobotModel& model, const MotionTable& table, const ImportOptions& options) {
-  constexpr double kTall = 10.0, kLow = 0.2, kHigh = 3.0;  // of the standing height
+  constexpr double kTall = 10.0, kLow = 0.2, kHigh = 3.0;  // multiples of the standing height
   if (table.base_m.empty() || options.length_unit != "detect") return;
   std::vector<double> heights;
   for (const Vector3& p : table.base_m) heights.push_back(p.z());
@@ -109,7 +109,7 @@ void CheckNorms(const MotionTable& table) {
   }
 }
 
-/// Which joints are past their limits in most rows, in words; nothing where none is.
+/// A text that names the joints beyond their limits in most rows; empty if there are none.
 std::string JointsPastLimits(const RobotModel& model, const MotionTable& table) {
   constexpr double kPast = 0.01;  // [rad], [m]
   std::vector<std::string> past;

@@ -10,11 +10,11 @@ namespace gaitwright {
 
 /// Checks that the values of a motion file are plausible.
 ///
-/// Refused: too few rows, more than an hour, a start beyond 1e10 s, quaternions whose length is not 1 to a hundredth,
-/// values over 1e8; and data that are probably in other units or another order than assumed, with the option that sets
-/// them: times in milli-, micro- or nanoseconds (rows half a second apart), angles in degrees (beyond the joints'
-/// limits, but within them as degrees), lengths in millimetres, a quaternion with w first (CheckQuaternionOrder). An
-/// option other than `detect` is used without this check.
+/// It refuses too few rows, more than an hour, a start beyond 1e10 s, quaternions whose length differs from 1 by more
+/// than 0.01, and values over 1e8. It also refuses data that are probably in other units or another order than assumed,
+/// and names the option that sets them: times in milli-, micro- or nanoseconds (rows half a second apart), angles in
+/// degrees (beyond the joints' limits, but within them as degrees), lengths in millimetres, a quaternion with w first
+/// (CheckQuaternionOrder). An option other than `detect` is used without this check.
 /// @throws InvalidArgument in these cases; the hint is in its text.
 void CheckMotionTable(const RobotModel& model, const Terrain& terrain, const ImportOptions& options,
                       const MotionTable& table);
@@ -23,8 +23,8 @@ void CheckMotionTable(const RobotModel& model, const Terrain& terrain, const Imp
 /// order of its quaternions.
 void CheckComparedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table);
 
-/// Runs a function on a table. Its InvalidArgument is prefixed by joints that are beyond their limits in most rows,
-/// because wrong signs, zero offsets and units cause many other errors.
+/// Runs a function on a table. If it throws InvalidArgument, names the joints beyond their limits in most rows before
+/// its message, because wrong signs, zero offsets and units cause many other errors.
 void BlameJoints(const RobotModel& model, const MotionTable& table, const std::function<void()>& work);
 
 }  // namespace gaitwright

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The file that says how the columns of another file are called.
+// Reads the file that maps the column names of another file.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLargestScale = 1e12;
 
-/// What the file says of order or units, which nothing else may contradict.
+/// Takes the order or a unit from the file; a different value elsewhere is refused.
 void TakeUnit(const std::string& key, const YAML::Node& value, ImportOptions& options) {
   ImportOptions usual, filed;
   OptionFields of_file = filed.UnitFields();

@@ -87,7 +87,7 @@ std::map<std::string, ColumnTarget> ColumnTargets(const RobotModel& model, const
   Names names(options);
   names.AddTime();
   names.AddBase();
-  // First of all joints: one's name with a unit may be another's name.
+  // Bare names of all joints first, because the name of one joint with a unit may be the name of another.
   for (std::size_t j = 0; j < model.joints.size(); ++j) names.AddBareName(model.joints[j], static_cast<int>(j));
   for (std::size_t j = 0; j < model.joints.size(); ++j) names.AddJoint(model.joints[j], static_cast<int>(j));
   for (std::size_t f = 0; f < model.feet.size(); ++f) names.AddFoot(model.feet[f], static_cast<int>(f));

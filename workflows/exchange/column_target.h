@@ -26,7 +26,7 @@ enum class ColumnKind {
   kForce,    ///< index: 3 foot + axis
 };
 
-/// A column with the factor that brings it into SI units.
+/// A column with the factor that converts it to SI units.
 struct ColumnTarget {
   ColumnKind kind = ColumnKind::kTime;
   int index = 0;
@@ -39,7 +39,7 @@ std::map<std::string, ColumnTarget> ColumnTargets(const RobotModel& model, const
 /// The name of the position column of a joint: "q_hip_rad" or "q_slide_m".
 std::string PositionColumn(const Joint& joint);
 
-/// Whether a name begins like one of this program's column names, so it was probably meant as one.
+/// Whether a name begins like a column name of this program, so that it was probably meant as one.
 bool LooksLikeOurs(const std::string& name);
 
 }  // namespace gaitwright

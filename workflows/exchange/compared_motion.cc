@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// Intervals in which rows have a foot on the ground; each changes half way between two rows.
+/// Intervals in which a foot is on the ground; contacts change half way between two rows.
 std::vector<ContactInterval> IntervalsOfRows(const MotionRows& rows, int foot) {
   std::vector<ContactInterval> intervals;
   const std::size_t n = rows.contact.size();
@@ -29,12 +29,12 @@ std::vector<ContactInterval> IntervalsOfRows(const MotionRows& rows, int foot) {
   return intervals;
 }
 
-/// What the steps before and after a row are multiplied with to be the rate there [1/s].
+/// Weights of the differences before and after a row, whose weighted sum is the rate there [1/s].
 struct RateWeights {
   double before = 0.0, after = 0.0;
 };
 
-/// Of the parabola through three rows, or the line through two at an end and beside a longer step than is usual.
+/// Weights of the parabola through three rows, or of the line through two rows at an end and beside missing rows.
 RateWeights WeightsAt(const std::vector<double>& t, double longest_step_s, std::size_t k) {
   const double before = k > 0 ? t[k] - t[k - 1] : INFINITY, after = k + 1 < t.size() ? t[k + 1] - t[k] : INFINITY;
   const bool has_before = std::isfinite(before) && before <= longest_step_s,
@@ -43,7 +43,7 @@ RateWeights WeightsAt(const std::vector<double>& t, double longest_step_s, std::
   return {has_before ? 1.0 / before : 0.0, has_after ? 1.0 / after : 0.0};
 }
 
-/// Not a number for a row that has no neighbour.
+/// Rate of q at a row; NaN for a row without a neighbour.
 VectorX RateAt(const std::vector<double>& t, double longest_step_s, const std::vector<VectorX>& q, std::size_t k) {
   const RateWeights weights = WeightsAt(t, longest_step_s, k);
   const bool alone = weights.before == 0.0 && weights.after == 0.0;
@@ -69,7 +69,7 @@ void CheckTable(const RobotModel& model, const MotionTable& table) {
     throw InvalidArgument(fmt::format("does not have a position of each joint of robot '{}'", model.name));
 }
 
-/// The joints' speeds in a row: those that are given, the others from the positions, as far as these are known.
+/// The joint speeds in a row: those in the file; missing ones from the positions, if these are known.
 VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, double longest_step_s, std::size_t k) {
   VectorX v = table.v.empty() ? VectorX::Constant(model.num_dofs(), kNaN) : table.v[k];
   if (v.allFinite()) return v;
@@ -86,7 +86,7 @@ VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, double longe
   return v;
 }
 
-/// Notes where rows are missing, of what is measured at steps that are meant to be alike.
+/// Notes missing rows of a motion that is measured at uniform steps.
 void WatchGaps(ComparedMotion& motion) {
   motion.longest_step_s = LongestStep(motion.rows.time_s);
   motion.gaps = GapsOf(motion.rows.time_s, motion.longest_step_s);
@@ -95,7 +95,7 @@ void WatchGaps(ComparedMotion& motion) {
         fmt::format("'{}', {}; nothing is compared in that gap", motion.name, MissingRowsText(motion.rows.time_s)));
 }
 
-/// What had to be worked out, and what is in the file and of no use, or not in it.
+/// Notes on computed data, unused columns and missing data.
 std::vector<std::string> NotesOf(const RobotModel& model, const MotionTable& table, const std::string& name) {
   std::vector<std::string> notes, lacking;
   for (int d = 0; d < model.num_dofs(); ++d) {
@@ -138,7 +138,7 @@ ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, 
   ComparedMotion motion{.name = name, .kind = kind, .model = model, .notes = NotesOf(model, table, name)};
   MotionRows& rows = motion.rows;
   rows.time_s = table.time_s;
-  // Points of a trajectory may be far apart: a curve through them is what they mean.
+  // Points of a joint trajectory may be far apart, because a controller interpolates between them.
   if (motion.kind == "csv") WatchGaps(motion);
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
     VectorX q = VectorX::Constant(model.nq(), kNaN), v = VectorX::Constant(model.nv(), kNaN);
@@ -167,7 +167,7 @@ ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, 
 
 double ResolutionOf(const std::vector<double>& positions) {
   constexpr std::size_t kFewest = 16;
-  constexpr double kAligned = 1e-3;  // of a step
+  constexpr double kAligned = 1e-3;  // share of a step
   std::vector<double> steps;
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t k = 1; k < positions.size(); ++k) {

@@ -18,13 +18,13 @@ struct ComparedMotion {
   std::string name;                                        ///< its name: the file as given
   std::string kind;                                        ///< "plan", "log", "csv" or "trajectory"
   RobotModel model;                                        ///< defines the order of its rows
-  std::optional<MotionPlan> plan = {};                     ///< of a plan
-  std::optional<PlaybackLog> log = {};                     ///< of a log
+  std::optional<MotionPlan> plan = {};                     ///< set for a plan
+  std::optional<PlaybackLog> log = {};                     ///< set for a log
   MotionRows rows = {};                                    ///< on its own clock; missing values are NaN
   std::vector<std::vector<ContactInterval>> stances = {};  ///< by foot; empty if contacts are unknown
-  double torque_age_s = 0.0;                               ///< time by which a row's torque is late, because means are
-  VectorX resolution = {};                                 ///< by dof: encoder steps by dof; 0 if none is detected
-  std::vector<bool> derived_speeds = {};                   ///< by dof: worked out from positions; empty for none
+  double torque_age_s = 0.0;                               ///< age of a row's torque, which is a mean over an interval
+  VectorX resolution = {};                                 ///< encoder step by dof; 0 if none is detected
+  std::vector<bool> derived_speeds = {};                   ///< by dof: computed from positions; empty if none is
   double longest_step_s = INFINITY;                        ///< longest step between measured rows without missing rows
   std::vector<TimeGap> gaps = {};                          ///< intervals with missing rows
   std::vector<std::string> notes = {};                     ///< notes on its interpretation
@@ -47,20 +47,20 @@ ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, cons
 /// span fewer steps, such as those of a joint that rests except for a jump.
 double ResolutionOf(const std::vector<double>& positions);
 
-/// Columns of numbers; the position of a missing joint is NaN. Missing speeds are derived from the parabola through
-/// each row and its neighbours, or from the line through two rows at an end and beside missing rows; a speed beyond
-/// kLargestDerived is refused.
+/// One side from columns of numbers; the position of a missing joint is NaN. Missing speeds are derived from the
+/// parabola through each row and its neighbours, or from the line through two rows at an end and beside missing rows; a
+/// speed beyond kLargestDerived is refused.
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name);
 
-/// As above for an external table, with checks. Failure kBadInput `motion`, naming the file, if CheckComparedTable or
-/// ComparedTable refuses it.
+/// As above for an external table, with checks. Failure kBadInput `motion`, which names the file, if CheckComparedTable
+/// or ComparedTable refuses it.
 Result<ComparedMotion> CheckedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table,
                                     const std::string& name);
 
 /// Standard deviation of a derived speed of ComparedTable at a time, divided by that of the positions [1/s]:
 ///   sqrt(1 / 2) / h  between rows h apart, twice as much at an end and beside rows farther apart than
 ///   `longest_step_s`;
-/// the larger one of the rows on either side.
+/// the larger value of the two neighbouring rows.
 double NoiseGain(const std::vector<double>& time_s, double at_s, double longest_step_s = INFINITY);
 
 /// The motion at a time of its own clock: a plan by SampleWholeBody, everything else by SampleRows, with NaN if rows

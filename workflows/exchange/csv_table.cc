@@ -15,12 +15,12 @@
 namespace gaitwright {
 namespace {
 
-/// How much of a cell a message shows.
+/// Number of characters of a cell that a message shows.
 constexpr std::size_t kShown = 40;
 
 std::string Shown(const std::string& cell) { return cell.size() <= kShown ? cell : FirstBytes(cell, kShown) + "..."; }
 
-/// The lines of a text one after the other, without their ends.
+/// Iterates over the lines of a text, without line ends.
 class Lines {
  public:
   explicit Lines(const std::string& text) : text_(text) {}
@@ -42,7 +42,7 @@ class Lines {
   int number_ = 0;
 };
 
-/// Comma, semicolon or tab, whichever stands most often outside of quotes.
+/// Comma, semicolon or tab: the most frequent one outside quotes.
 char DelimiterOf(const std::string& line) {
   int commas = 0, semicolons = 0, tabs = 0;
   bool quoted = false;
@@ -57,7 +57,7 @@ char DelimiterOf(const std::string& line) {
   return tabs > commas ? '\t' : ',';
 }
 
-/// The text of a quoted cell; `at` goes from the opening quote to behind the closing one.
+/// The text of a quoted cell; moves `at` from the opening quote to the character after the closing quote.
 std::string Unquoted(const std::string& line, std::size_t& at, int number) {
   std::string cell;
   for (++at; at < line.size(); ++at) {
@@ -73,7 +73,8 @@ std::string Unquoted(const std::string& line, std::size_t& at, int number) {
   throw InvalidArgument(fmt::format("line {}: a quote (\") is not closed; a cell must end on its line", number));
 }
 
-/// The cells of a line. @throws InvalidArgument for quotes that do not fit, and too many cells.
+/// Splits a line into cells. @throws InvalidArgument for an unclosed quote, text after a closing quote, and too many
+/// cells.
 void SplitCells(const std::string& line, char delimiter, int number, std::vector<std::string>& cells) {
   cells.clear();
   const auto blank = [&](std::size_t i) { return line[i] == ' ' || (line[i] == '\t' && delimiter != '\t'); };
@@ -117,7 +118,7 @@ bool AllNumbers(const std::vector<std::string>& cells) {
   });
 }
 
-/// What a table is read from, with the line that is to come.
+/// Reads a table line by line.
 class CsvReader {
  public:
   CsvReader(const std::string& text, CsvTable& table) : lines_(text), table_(table) {}
@@ -128,14 +129,14 @@ class CsvReader {
     do {
       ReadRow();
     } while (NextLine());
-    if (trailing_) {  // a delimiter at the end of every line
+    if (trailing_) {  // every line ends in a delimiter
       table_.columns.pop_back();
     }
     if (table_.lines.empty()) throw InvalidArgument("has no row of numbers below the column names");
   }
 
  private:
-  /// The next line that is neither empty nor a comment; the last comment before it is kept.
+  /// Goes to the next line that is neither empty nor a comment; keeps the last comment before it.
   bool NextLine() {
     comment_.clear();
     while (lines_.Next(line_)) {

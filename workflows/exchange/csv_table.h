@@ -14,9 +14,9 @@ inline constexpr int kMostCsvRows = 1'000'000, kMostCsvColumns = 1'000, kMostCsv
 /// A table of finite numbers with named columns.
 struct CsvTable {
   std::string source;                ///< the file, for messages
-  std::vector<std::string> columns;  ///< names, each once, none empty
-  std::vector<double> values;        ///< row after row
-  std::vector<int> lines;            ///< of each row in its file, from 1
+  std::vector<std::string> columns;  ///< unique names, none empty
+  std::vector<double> values;        ///< row-major
+  std::vector<int> lines;            ///< line number of each row in its file, from 1
 
   int rows() const { return static_cast<int>(lines.size()); }
   int num_columns() const { return static_cast<int>(columns.size()); }
@@ -25,27 +25,27 @@ struct CsvTable {
     return values[static_cast<std::size_t>(row) * columns.size() + static_cast<std::size_t>(column)];
   }
 
-  /// Index of the column of that name, or -1.
+  /// Index of the column with this name, or -1.
   int Find(const std::string& name) const;
   /// All values of a column.
   std::vector<double> Column(int column) const;
-  /// "line 12, column 3 'q_hip_rad'": the position of a cell, for messages.
+  /// The position of a cell for messages: "line 12, column 3 'q_hip_rad'".
   std::string Place(int row, int column) const;
 };
 
-/// A table from the text of a CSV file.
+/// Reads a table from the text of a CSV file.
 ///
 /// The first line that is not a comment names the columns; the other lines have one number per column. The delimiter
 /// is the most frequent one of the first line: comma, semicolon or tab. Cells may have spaces around them and may be in
 /// double quotes, with `""` for a quote; lines may end in CR LF; empty lines and lines that begin with # are ignored.
 /// If the first line that is not a comment has only numbers, the comment right before it names the columns, as written
 /// by NumPy. A delimiter at the end of every line is ignored. Numbers are decimal with a point, whatever the machine's
-/// language; `true` and `false` are 1 and 0. Failure kBadInput `csv` naming the source, line and column: no names, an
-/// empty or duplicate name, a row of another length, a cell that is not a finite number, an unclosed quote, no rows,
-/// and more than kMostCsvRows, kMostCsvColumns or kMostCsvCells.
+/// language; `true` and `false` are 1 and 0. Failure kBadInput `csv`, which names the source, line and column, for: no
+/// names, an empty or duplicate name, a row of another length, a cell that is not a finite number, an unclosed quote,
+/// no rows, and more than kMostCsvRows, kMostCsvColumns or kMostCsvCells.
 Result<CsvTable> ParseCsvTable(const std::string& text, const std::string& source);
 
-/// The same from a file in UTF-8, with or without a byte-order mark.
+/// Reads a table from a file in UTF-8, with or without a byte-order mark; failures as of ParseCsvTable.
 Result<CsvTable> ReadCsvTable(const std::string& path);
 
 }  // namespace gaitwright

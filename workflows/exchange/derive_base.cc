@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-/// Follows the base by the feet that stand.
+/// Computes the base pose row by row from the stance feet.
 class BaseFollower {
  public:
   BaseFollower(const RobotModel& model, const Terrain& terrain, const ImportOptions& options, bool turned)
@@ -29,8 +29,8 @@ class BaseFollower {
         places_W_(model.feet.size()),
         R_WF_(model.feet.size(), Matrix3::Identity()) {}
 
-  /// Sets the base of every row. @param contact by row, or empty. @param flies where no foot stands it does, else its
-  /// lowest feet stand there.
+  /// Sets the base of every row. @param contact by row, or empty. @param flies without a stance foot, true: the base is
+  /// in flight; false: its lowest feet stand.
   void Follow(const std::vector<FootSet>& contact, bool flies, EvenMotion& motion) {
     constexpr double kLate = 0.05;  // [s]
     up_B_ = BaseRotation(StandingConfiguration(model_)).transpose().col(2);
@@ -60,7 +60,7 @@ class BaseFollower {
   }
 
  private:
-  /// Where the feet are in the base's frame.
+  /// Computes the feet in the base's frame.
   void LookAtFeet(const VectorX& q) {
     VectorX at_origin = q;
     at_origin.head<7>() << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0;
@@ -69,7 +69,7 @@ class BaseFollower {
     for (const Foot& foot : model_.feet) X_BF_.push_back(FramePose(scratch_, foot.body, foot.X_BF));
   }
 
-  /// The points in W with which a foot touches.
+  /// The contact points of a foot in W.
   std::vector<Vector3> PointsOf(std::size_t f, const Matrix3& R_WB) const {
     const Foot& foot = model_.feet[f];
     Pose X_WF = Pose::Identity();
@@ -92,8 +92,9 @@ class BaseFollower {
     return least;
   }
 
-  /// Feet near the lowest, with the base as it was turned a little before: while feet swing up that were taken to
-  /// stand, the base turns after them, and the first that is noticed would leave the others on the ground.
+  /// The feet near the lowest one, with the base orientation of a short time before. With the current one, feet that
+  /// lift off but still count as stance would rotate the base with them, so that after the first detected lift-off the
+  /// others would seem to stay on the ground.
   FootSet LowFeet() const {
     const double lowest = LowestFoot(R_late_);
     FootSet low = 0;
@@ -110,7 +111,7 @@ class BaseFollower {
     for (Vector3& p : places_W_[f]) p.z() = GroundAt(terrain_, p.head<2>()).height_m;
   }
 
-  /// How far a sphere has rolled since the last row.
+  /// Distance that a sphere has rolled since the previous row.
   Vector3 RollOf(std::size_t f) const {
     const Foot& foot = model_.feet[f];
     if (foot.radius == 0.0) return Vector3::Zero();
@@ -118,19 +119,19 @@ class BaseFollower {
     return foot.radius * RotationLog(R_WB_ * X_BF_[f].linear() * R_WF_[f].transpose()).cross(normal_W);
   }
 
-  /// The velocity with which the base goes on where no foot tells of it: as it was of late, since feet that take over
-  /// from each other in one row never quite agree on where it is.
+  /// Filters the base velocity, which is used while no foot determines it. It is averaged over a short time, since feet
+  /// that change in one row do not agree exactly on the base position.
   void NoteVelocity(const Vector3& seen_W, FootSet held, double step_s) {
     constexpr double kTime = 0.02;  // [s]
     if (held != 0) velocity_W_ += (1.0 - std::exp(-step_s / kTime)) * (seen_W - velocity_W_);
   }
 
-  /// The base where feet that stood and stand are where they were, by Gauss-Newton steps.
+  /// Finds the base pose for which the feet in stance before and now keep their positions, by Gauss-Newton steps.
   void Move(FootSet stance, double step_s) {
     const FootSet held = stance & was_;
     if (held == 0) {
       p_WB_ += step_s * velocity_W_;
-      if (stance == 0) {  // not where others take over
+      if (stance == 0) {  // only in flight, not when other feet take over
         p_WB_ -= 0.5 * step_s * step_s * kGravity * Vector3::UnitZ();
         velocity_W_ -= step_s * kGravity * Vector3::UnitZ();
       }
@@ -174,7 +175,7 @@ class BaseFollower {
     R_WB_ = Quaternion(RotationExp(move.tail<3>()) * R_WB_).normalized().toRotationMatrix();
   }
 
-  /// Takes note of where feet are that came down, and draws those that stand onto the ground.
+  /// Stores the positions of feet that touched down, and moves stance feet towards the ground.
   void Settle(FootSet stance, double step_s) {
     constexpr double kTime = 0.03;  // [s]
     const double share = 1.0 - std::exp(-step_s / kTime);
@@ -208,11 +209,11 @@ class BaseFollower {
   FootSet was_ = 0;
 };
 
-/// Frequency above which the base is smoothed where nothing else is asked for [Hz]: feet that take over from each other
-/// never quite agree on where it is.
+/// Default cut-off frequency of the smoothing of the base [Hz]. It is needed because feet that take over from each
+/// other do not agree exactly on the base position.
 constexpr double kUsualSmoothing = 10.0;
 
-/// Rates of the base along splines through its rows.
+/// Adds the rates of the base, from splines through its rows.
 void AddRates(const ImportOptions& options, EvenMotion& motion) {
   std::vector<double> time_s;
   for (int k = 0; k < motion.size(); ++k) time_s.push_back(motion.TimeOf(k));
@@ -238,7 +239,7 @@ void AddRates(const ImportOptions& options, EvenMotion& motion) {
   }
 }
 
-/// The feet that stand by row of a schedule.
+/// The stance feet of a schedule by row.
 std::vector<FootSet> RowsOf(const ContactSchedule& schedule, const EvenMotion& motion) {
   std::vector<FootSet> rows;
   for (int k = 0; k < motion.size(); ++k)

@@ -11,14 +11,14 @@ namespace gaitwright {
 /// Derives the base pose from the joint positions and the stance feet.
 ///
 /// The base starts above the origin of W in its standing orientation, with its lowest feet on the ground. In each row,
-/// the base pose brings the stance feet closest to their touch-down positions (least squares; a sphere rolls), which
-/// determines it with three feet; what remains free, such as the rotation about the line through two point feet, is
-/// kept as upright as in the standing posture and close to the previous row. A foot that touches down is moved onto the
-/// ground within 0.1 s. If the contact column has no foot on the ground, the base moves ballistically; without that
-/// column it never does. The result is smoothed with smoothing_hz, or 10 Hz.
+/// the base pose brings the stance feet closest to their touch-down positions (least squares; a sphere rolls). Three
+/// feet determine the pose. Remaining freedom, such as the rotation about the line through two point feet, is resolved
+/// by staying as upright as in the standing posture and close to the previous row. A foot that touches down is moved
+/// onto the ground within 0.1 s. If the contact column has no foot on the ground, the base moves ballistically; without
+/// a contact column it never does. The result is smoothed with smoothing_hz, or 10 Hz.
 ///
-/// Feet stand that the column of contacts says, or else those that are no higher over the ground than `contact_height`
-/// says over the lowest of them; then, twice more, those that ScheduleOf finds.
+/// Stance feet are those of the contact column. Without it, they are first the feet within `contact_height` of the
+/// lowest one; then the base is derived twice more with the stance feet that ScheduleOf finds.
 /// @param turned  the motion has the base's rotation, which is kept; only its position is derived.
 void DeriveBase(const RobotModel& model, const Terrain& terrain, const ImportOptions& options, bool turned,
                 EvenMotion& motion, std::vector<DerivedPart>& derived);

@@ -16,9 +16,9 @@ namespace gaitwright {
 namespace {
 
 constexpr double kUsualStep = 0.005;  // [s]
-constexpr double kOnGrid = 1e-3;      // of a step: what is nearer to a row of the grid is there
+constexpr double kOnGrid = 1e-3;      // share of a step: times nearer to a row of the grid are on the grid
 
-/// The quintic over a unit of time with value, rate and acceleration at both ends, these by that unit.
+/// The quintic over unit time with given value, rate and acceleration at both ends, in that unit of time.
 Motion1 Quintic(const Motion1& a, const Motion1& b, double u) {
   const double rise = b.value - a.value - a.rate - 0.5 * a.acceleration;
   const double turn = b.rate - a.rate - a.acceleration, bend = b.acceleration - a.acceleration;
@@ -80,7 +80,7 @@ class Resampler {
     }
   }
 
-  /// Points of a joint trajectory may be far apart: a curve through them is what they mean.
+  /// Notes on times; points of a joint trajectory may be far apart, because a controller interpolates between them.
   void SayTimes() {
     if (table_.format == "joint-trajectory" || time_s_.size() < 3) return;
     std::vector<double> steps;
@@ -91,7 +91,7 @@ class Resampler {
     SayUneven(steps, usual);
   }
 
-  /// Rows that are few, or whose times are likely those of a message's arrival.
+  /// Warns of rows that are far apart, or whose times are probably times of arrival of messages.
   void SayUneven(const std::vector<double>& steps, double usual) {
     constexpr double kFew = 0.04, kUneven = 0.05;  // [s], of the usual step
     if (usual > kFew) {
@@ -108,7 +108,7 @@ class Resampler {
     }
   }
 
-  /// Whether the grid's rows are the file's, of which one may stand behind them.
+  /// Whether the rows of the grid are those of the file, which may have one more row at the end.
   bool on_grid() const {
     if (even_.size() != table_.rows() && even_.size() + 1 != table_.rows()) return false;
     for (int k = 0; k < even_.size(); ++k) {
@@ -129,7 +129,7 @@ class Resampler {
     return KnotSpline(time_s_, std::move(values));
   }
 
-  /// Notes what the noise of a column does to accelerations.
+  /// Warns if the noise of a column degrades accelerations.
   void Watch(const std::string& what, const std::vector<double>& values, double most, const std::string& unit) {
     if (options_.smoothing_hz > 0.0 || time_s_.size() < 9) return;
     const double step = time_s_.back() / static_cast<double>(time_s_.size() - 1);
@@ -163,8 +163,8 @@ class Resampler {
     even_.a[row][i_v] = at.acceleration;
   }
 
-  /// Of a quaternion Q that goes along splines, not quite unit: w = 2 (Q' Q^-1), alpha = 2 (Q'' Q^-1 - (Q' Q^-1)^2),
-  /// the vectors of them.
+  /// Angular velocity and acceleration of a quaternion Q interpolated by splines, whose length is not exactly 1: the
+  /// vector parts of w = 2 (Q' Q^-1) and alpha = 2 (Q'' Q^-1 - (Q' Q^-1)^2).
   void TurnBase() {
     std::vector<Eigen::Vector4d> turns = table_.quaternion;
     for (std::size_t i = 0; i < turns.size(); ++i) {
@@ -223,7 +223,7 @@ class Resampler {
     }
   }
 
-  /// The given velocities against those of the positions.
+  /// Warns if the velocities of the file differ from the derivatives of its positions.
   void NoteDisagreement(int dof, const std::vector<double>& values, const std::vector<double>& rates) {
     constexpr double kShare = 0.2, kSlight = 0.05;
     const KnotSpline spline(time_s_, values);
@@ -244,8 +244,8 @@ class Resampler {
         model_.dof_names[static_cast<std::size_t>(dof)], apart, table_.time_s[row], fastest, SpeedUnit(model_, dof));
   }
 
-  /// Rates of the base, and accelerations, where rows of the grid are the file's and the motion agrees with them:
-  /// curves through positions and speeds smooth over the jumps that accelerations have at touch-down and lift-off.
+  /// Takes base rates and accelerations from the file if its rows are on the grid and the motion agrees with them.
+  /// Curves through positions and speeds would smooth the jumps of accelerations at touch-down and lift-off.
   void TakeRates() {
     if (options_.velocities != "given" || options_.smoothing_hz > 0.0 || !on_grid()) return;
     const bool linear = TakeRate("velocity of the base", table_.base_rate, even_.v, {0, 1, 2}, 0);
@@ -260,11 +260,12 @@ class Resampler {
     }
   }
 
-  /// @param worked_out  what curves give, which the file's are put in place of.  @return whether they were.
+  /// @param worked_out  values computed from curves, which are replaced by the file's. @return whether they were
+  ///                    replaced.
   template <class Row>
   bool TakeRate(const std::string& what, const std::vector<Row>& given, std::vector<VectorX>& worked_out,
                 const std::vector<int>& columns, int behind) {
-    constexpr double kAgrees = 0.5, kSlight = 0.1;  // of the root mean square, in the unit of the rate
+    constexpr double kAgrees = 0.5, kSlight = 0.1;  // share of the root mean square; in the unit of the rate
     if (given.empty()) return false;
     double apart = 0.0, size = 0.0;
     for (std::size_t k = 0; k < worked_out.size(); ++k) {
@@ -317,7 +318,7 @@ class Resampler {
       while (i + 2 < time_s_.size() && time_s_[i + 1] <= t) ++i;
       const double u = (t - time_s_[i]) / (time_s_[i + 1] - time_s_[i]);
       if (!table_.tau.empty()) even_.tau.push_back((1.0 - u) * table_.tau[i] + u * table_.tau[i + 1]);
-      // A row of the grid belongs to the file's row at or before it.
+      // Contacts of a row of the grid are those of the file's row at or before it.
       if (!table_.contact.empty()) even_.contact.push_back(table_.contact[time_s_[i + 1] <= t + slack ? i + 1 : i]);
       if (table_.force_W.empty()) continue;
       std::vector<Vector3> forces;
@@ -333,14 +334,15 @@ class Resampler {
   std::vector<DerivedPart>& derived_;
   std::vector<std::string>& warnings_;
   std::vector<double> time_s_;
-  bool rates_of_base_ = false, accelerations_ = false;  ///< all taken from the file
+  bool rates_of_base_ = false, accelerations_ = false;  ///< true if all were taken from the file
   std::vector<std::string> not_of_motion_;
   double roughest_ = 0.0, farthest_ = 0.0;
   std::string roughest_text_, farthest_text_;
   EvenMotion even_;
 };
 
-/// Whether the last step is shorter than the one before, as where a writer of even rows added the motion's end.
+/// Whether the last step is shorter than the one before, for example because a writer of uniform rows added the end of
+/// the motion.
 bool EndsShort(const std::vector<double>& time_s) {
   const std::size_t n = time_s.size();
   return n > 3 && time_s[n - 1] - time_s[n - 2] < (1.0 - kOnGrid) * (time_s[n - 2] - time_s[n - 3]);
@@ -358,7 +360,7 @@ double GridStepOf(const std::vector<double>& time_s, const ImportOptions& option
   for (std::size_t i = 0; i <= last; ++i) {
     if (std::abs(time_s[i] - time_s.front() - static_cast<double>(i) * step) > kOnGrid * step) return kUsualStep;
   }
-  // A step that was meant to be round is so, whatever the times' last digits.
+  // A step that is round except for rounding of the times' last digits is made round.
   const double round = 1e-6 * std::round(1e6 * step);
   return std::min(kCoarsest, std::abs(round - step) * static_cast<double>(last + 1) < kOnGrid * step ? round : step);
 }

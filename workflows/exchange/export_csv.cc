@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// What a row may lack.
+/// Optional parts of a row.
 struct Has {
   bool accelerations = true, torques = true, contacts = true;
 };
@@ -45,7 +45,7 @@ std::vector<std::string> ColumnsOf(const RobotModel& model, const Has& has) {
   return names;
 }
 
-/// A cell as it is, or in quotes where it has what would end it.
+/// A cell; in quotes if it contains a character that would end it.
 std::string Cell(const std::string& name) {
   if (name.find_first_of(",;\t\"#\r\n ") == std::string::npos) return name;
   std::string quoted = "\"";
@@ -53,7 +53,7 @@ std::string Cell(const std::string& name) {
   return quoted + '"';
 }
 
-/// Writes one line; knows the names for what it refuses.
+/// Writes one line; keeps the column names for messages.
 class RowWriter {
  public:
   RowWriter(std::string& text, const std::vector<std::string>& names) : text_(text), names_(names) {}

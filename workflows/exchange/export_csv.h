@@ -15,7 +15,7 @@ std::vector<std::string> MotionCsvColumns(const RobotModel& model);
 
 /// The rows as CSV (docs/export.md): one header line, one line per row, separated by commas, with the shortest decimals
 /// that read back exactly. Torques and contacts are left out if the rows have none.
-/// @throws InvalidArgument naming the column and the time of a value that is not finite.
+/// @throws InvalidArgument that names the column and the time of a value that is not finite.
 std::string MotionCsv(const RobotModel& model, const MotionRows& rows);
 
 }  // namespace gaitwright

@@ -51,9 +51,10 @@ std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFo
   throw InvalidArgument("plots are written to a folder, not to a single file");
 }
 
-/// Whether `import` reads as much as this; other programs may read more.
+/// Whether the size is within the limits of `import`; other programs may read more.
 bool IsReadBack(const RobotModel& model, const MotionRows& rows, ExportFormat format, std::size_t bytes) {
-  constexpr std::size_t kOthersInYaml = 15, kOthersInJson = 8;  // keys, lists and times of a point, as readers count
+  constexpr std::size_t kOthersInYaml = 15,
+                        kOthersInJson = 8;  // keys, lists and times of a point
   const std::size_t n = rows.time_s.size(), lists = 2U + (rows.a.empty() ? 0U : 1U) + (rows.tau.empty() ? 0U : 1U);
   const std::size_t numbers = lists * model.dof_names.size();
   switch (format) {
@@ -86,7 +87,7 @@ void AddNotes(const MotionRows& rows, ExportFormat format, ExportedMotion& expor
     exported.notes.emplace_back("there are no torques: the plan does not contain them");
 }
 
-/// Where the last row is not the motion's end, since all steps are alike.
+/// Adds a note if the last row is not the end of the motion, because all steps are equal.
 void AddEndNote(double motion_end_s, ExportedMotion& exported) {
   const double beyond_s = exported.end_s - motion_end_s;
   if (std::abs(beyond_s) * exported.rate_hz < kSameStep) return;
@@ -122,7 +123,7 @@ ExportedMotion ExportModel(const RobotModel& model, const MotionPlan& plan, doub
   exported.files = MujocoFiles(model, plan.terrain, plan.whole_body.q.front(), gains.stiffness, gains.damping, out);
   if (!model.transmissions.empty())
     exported.notes.emplace_back(
-        "transmissions are left out: each joint has an actuator of its own, with the joint's effort limit");
+        "transmissions are left out: each joint has a separate actuator with the joint's effort limit");
   return exported;
 }
 
@@ -150,7 +151,7 @@ ExportFormat ExportFormatOf(const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     throw InvalidArgument(
-        fmt::format("there is no format '{}'{}; there are {}", name, NearestHint(name, names), QuotedList(names)));
+        fmt::format("format '{}' does not exist{}; accepted: {}", name, NearestHint(name, names), QuotedList(names)));
   }
   return static_cast<ExportFormat>(found - names.begin());
 }

@@ -17,26 +17,26 @@ enum class ExportFormat { kCsv, kTrajectoryYaml, kTrajectoryJson, kNpz, kSvg, kM
 /// "mjcf".
 const std::vector<std::string>& ExportFormatNames();
 
-/// The format of that name. @throws InvalidArgument listing the formats.
+/// The format with this name. @throws InvalidArgument that lists the formats.
 ExportFormat ExportFormatOf(const std::string& name);
 
 /// An exported motion: files and notes.
 struct ExportedMotion {
   std::vector<OutputFile> files;  ///< one file, or one for each plot
-  int rows = 0;                   ///< 0 for a model, which has no times either
+  int rows = 0;                   ///< 0 for a model, which also has no times
   double start_s = 0.0, end_s = 0.0, rate_hz = 0.0;
   std::vector<std::string> notes;  ///< plain sentences, for example on data that the format cannot contain
 };
 
-/// A plan in a format; as "mjcf" the robot on its ground with the first posture and the gains (MujocoFiles).
-/// @param rate_hz  of rows; 0 for UsualRate.  @param out  the file; of plots the folder.
+/// Exports a plan in a format; "mjcf" is the robot on its ground with the first posture and the gains (MujocoFiles).
+/// @param rate_hz  of rows; 0 for UsualRate.  @param out  the file, or the folder of plots.
 /// @throws InvalidArgument as RowsOfPlan does, and for a value that is not finite.
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
                           const std::string& out);
 
-/// A log in a format. @param rate_hz  of rows; 0 for the log's own.  @param plan  the played plan, if known; plots then
-/// show both, with all plots of a report. @throws InvalidArgument as RowsOfLog does, and if log and plan do not belong
-/// to the same robot and motion.
+/// Exports a log in a format. @param rate_hz of rows; 0 for the rate of the log. @param plan the played plan, if known;
+/// plots then show both, with all plots of a report. @throws InvalidArgument as RowsOfLog does, and if log and plan are
+/// not of the same robot and motion.
 ExportedMotion ExportLog(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan, ExportFormat format,
                          double rate_hz, const std::string& out);
 

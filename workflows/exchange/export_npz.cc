@@ -25,7 +25,7 @@ std::string ShapeText(const std::vector<std::size_t>& shape) {
   return fmt::format("({})", fmt::join(shape, ", "));
 }
 
-/// Magic, version, length, and the dictionary, filled up so that the data begin at a multiple of 64 bytes.
+/// Magic, version, length, and the dictionary, padded so that the data begin at a multiple of 64 bytes.
 std::string NpyHead(const std::string& kind, const std::vector<std::size_t>& shape) {
   std::string words = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", kind, ShapeText(shape));
   constexpr std::size_t kBefore = 10, kMultiple = 64;
@@ -59,12 +59,12 @@ void CheckFinite(const std::string& name, const std::vector<double>& values) {
       fmt::format("number {} of array '{}' is {}; only finite numbers are exported", bad - values.begin(), name, *bad));
 }
 
-/// The arrays of a motion, one by one.
+/// Collects the arrays of a motion.
 class Arrays {
  public:
   explicit Arrays(std::size_t rows) : rows_(rows) {}
 
-  /// `row(k)` gives a vector of `width` numbers.
+  /// Adds an array; `row(k)` returns a vector of `width` numbers.
   template <class Row>
   void Add(const std::string& name, std::size_t width, Row row, std::vector<std::size_t> shape = {}) {
     std::vector<double> values;

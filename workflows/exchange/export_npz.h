@@ -8,12 +8,12 @@
 
 namespace gaitwright {
 
-/// An array as NumPy's `.npy` of version 1.0: little-endian doubles (`<f8`), row after row.
-/// https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html  @throws InvalidArgument unless the number of
+/// An array as NumPy's `.npy` of version 1.0: little-endian doubles (`<f8`), row-major.
+/// https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html @throws InvalidArgument unless the number of
 /// values fits the shape.
 std::string NpyOfNumbers(const std::vector<double>& values, const std::vector<std::size_t>& shape);
 
-/// A list of texts as a `.npy`, as code points of one width (`<U12`). @throws InvalidArgument for invalid UTF-8.
+/// A list of texts as a `.npy`, in code points of one width (`<U12`). @throws InvalidArgument for invalid UTF-8.
 std::string NpyOfTexts(const std::vector<std::string>& texts);
 
 /// The rows as NumPy's `.npz`, which `numpy.load` opens (docs/export.md): time_s, q, v, a, tau, contact (0 or 1),

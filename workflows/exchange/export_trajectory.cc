@@ -13,18 +13,18 @@
 namespace gaitwright {
 namespace {
 
-/// What stands around the numbers of a point; keys are quoted in JSON alone.
+/// Texts around the numbers of a point; only JSON has quoted keys.
 struct Dialect {
-  const char* before_first;  // of a point's keys
-  const char* before;        // of the others
+  const char* before_first;  // before the first key of a point
+  const char* before;        // before the other keys
   const char* quote;
-  const char* after;  // each value but the last
+  const char* after;  // after each value except the last
 };
 
 constexpr Dialect kYaml = {"  - ", "    ", "", "\n"};
 constexpr Dialect kJson = {"    {", "     ", "\"", ",\n"};
 
-/// A text in double quotes, which YAML and JSON read alike.
+/// A text in double quotes, in the same form for YAML and JSON.
 std::string Quoted(const std::string& text) { return nlohmann::ordered_json(text).dump(); }
 
 std::string NamesList(const RobotModel& model) {

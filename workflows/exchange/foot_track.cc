@@ -20,13 +20,13 @@ namespace {
 
 std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
-/// Speed of a point of a body that is at p_WQ now.
+/// Current speed of the point of a body at p_WQ.
 double SpeedOf(const DynamicsScratch& scratch, int body, const Vector3& p_WQ) {
   const Vector3 p_BQ = scratch.R_WB[At(body)].transpose() * (p_WQ - scratch.p_WB[At(body)]);
   return PointVelocity(scratch, body, p_BQ).head<3>().norm();
 }
 
-/// Which rows of a foot are low and slow, without what is too brief.
+/// Whether a foot is low and slow, by row; contacts and gaps that are too short are removed.
 std::vector<bool> LowAndSlow(const FootTrack& foot, double height_m, double speed_m_s, int least_rows) {
   std::vector<bool> stands;
   for (std::size_t k = 0; k < foot.height_m.size(); ++k)
@@ -45,7 +45,7 @@ std::vector<bool> LowAndSlow(const FootTrack& foot, double height_m, double spee
   return stands;
 }
 
-/// The intervals of what stands; one that would begin with the last row is none.
+/// The intervals of stance; a stance that begins in the last row is left out.
 std::vector<ContactInterval> IntervalsOfRows(const std::vector<bool>& stands, const EvenMotion& motion) {
   std::vector<ContactInterval> intervals;
   const int last = motion.size() - 1;
@@ -58,7 +58,8 @@ std::vector<ContactInterval> IntervalsOfRows(const std::vector<bool>& stands, co
   return intervals;
 }
 
-/// By component the median of where a foot's contact frame is over some rows, less what it rolls from the first on.
+/// Component-wise median of the position of a foot's contact frame over some rows, minus its rolling since the first
+/// row.
 Vector3 MedianPlace(const FootTrack& foot, int first, int last) {
   Vector3 place;
   for (int i = 0; i < 3; ++i) {
@@ -70,7 +71,7 @@ Vector3 MedianPlace(const FootTrack& foot, int first, int last) {
   return place;
 }
 
-/// Leaves out the rows at both ends of a stance in which the foot is off its usual height: on its way up, or down.
+/// Leaves out rows at both ends of a stance in which the foot is not at its median height, because it moves up or down.
 void TrimStance(const FootTrack& foot, double most_m, int last_row, int& first, int& last) {
   std::vector<double> heights(foot.height_m.begin() + first, foot.height_m.begin() + last + 1);
   const double usual_m = MedianOf(std::move(heights));
@@ -121,7 +122,7 @@ std::vector<FootTrack> FeetOf(const RobotModel& model, const Terrain& terrain, c
 
 ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, const std::vector<FootTrack>& feet,
                            const ImportOptions& options, std::vector<DerivedPart>& derived) {
-  constexpr double kStill = 1e-3;  // of the leg
+  constexpr double kStill = 1e-3;  // share of the leg length
   const double height_m = options.contact_height * model.leg_length_m();
   const double speed_m_s = options.contact_speed * std::sqrt(kGravity * model.leg_length_m());
   const int least_rows = static_cast<int>(std::ceil(options.contact_least_s / motion.step_s));
@@ -172,7 +173,7 @@ FootstepPlan FootholdsOf(const RobotModel& model, const Terrain& terrain, const 
       foothold.foot = static_cast<int>(f);
       const Matrix3& R = feet[f].X_WF[At((first + last) / 2)].linear();
       foothold.X_WF.linear() = RotationBetween(R.col(2), ground.normal_W).toRotationMatrix() * R;
-      // Along the normal onto the surface.
+      // Project along the normal onto the surface.
       const double above = (place.z() - ground.height_m) * ground.normal_W.z();
       foothold.X_WF.translation() = place - above * ground.normal_W;
       foothold.roll_W = feet[f].rolled_W[At(last)] - rolled;
@@ -198,7 +199,7 @@ SwingTrajectory SwingOf(const Foothold& from, const Foothold& to, const EvenMoti
   swing.X_WF_end = to.X_WF;
   const int first = RowOf(motion, swing.start_s), last = RowOf(motion, swing.end_s), rows = last - first + 1;
   const int points = std::clamp(rows / 2, 1, kMostPoints);
-  // The path without what the foot rolls, less the straight move.
+  // The path without the rolling of the foot, minus the straight motion.
   SwingCurve straight = CurveOf(swing);
   straight.X_WF_end.translation() -= foot.rolled_W[At(last)] - foot.rolled_W[At(first)];
   MatrixX shape = MatrixX::Zero(rows, points), offset(rows, 3);

@@ -12,17 +12,17 @@ namespace gaitwright {
 
 /// Motion of one foot over the rows, from the joints and the base.
 struct FootTrack {
-  std::vector<Pose> X_WF;         ///< its contact frame, on the normal of the ground under it
-  std::vector<double> height_m;   ///< of its lowest point above the ground; infinite without ground
-  std::vector<double> speed_m_s;  ///< of the fastest contact point
-  std::vector<Vector3> rolled_W;  ///< distance that a sphere has rolled since the first row [m]; else zero
+  std::vector<Pose> X_WF;         ///< its contact frame, aligned with the normal of the ground under it
+  std::vector<double> height_m;   ///< height of its lowest point above the ground; infinite without ground
+  std::vector<double> speed_m_s;  ///< speed of the fastest contact point
+  std::vector<Vector3> rolled_W;  ///< for a sphere: distance rolled since the first row [m]; otherwise zero
 };
 
 /// The motion of every foot.
 std::vector<FootTrack> FeetOf(const RobotModel& model, const Terrain& terrain, const EvenMotion& motion);
 
 /// The schedule of a motion: from its contact column, or from low and slow feet (ImportOptions), without contacts and
-/// gaps shorter than `contact_least_s`. Every boundary is a row. The method is described in the notes.
+/// gaps shorter than `contact_least_s`. Every boundary is at a row. The notes describe the method.
 /// @throws InvalidArgument for a foot that is never in stance, with its smallest height and speed.
 ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, const std::vector<FootTrack>& feet,
                            const ImportOptions& options, std::vector<DerivedPart>& derived);

@@ -17,12 +17,12 @@ namespace gaitwright {
 namespace {
 
 constexpr double kFar = 1000.0;  // [m]
-constexpr double kStand = 0.8;   // [s] before the first step and after the last, where it is not said
+constexpr double kStand = 0.8;   // [s] default before the first step and after the last
 constexpr std::size_t kMostSteps = 10'000;
 
 DataShape SecondsShape() { return shapes::Number(0.0, kLongestMotion); }
 
-/// Where a foot is put.
+/// Structure of the position of a foot.
 DataShape PlaceShape() {
   using namespace shapes;
   return Object({{"foot", Text(), "Name of a foot of the robot."},
@@ -43,7 +43,7 @@ DataShape StepShape() {
   return shape;
 }
 
-/// A step as the file has it.
+/// A step as in the file.
 struct AskedStep {
   int foot = 0;
   Pose X_WF = Pose::Identity();
@@ -51,12 +51,12 @@ struct AskedStep {
   double liftoff_s = 0.0, touchdown_s = 0.0;
 };
 
-/// A foot that goes from step to step as time goes on.
+/// Gives the pose of a foot over time as it moves from step to step.
 class SteppingFoot {
  public:
   SteppingFoot(const Pose& start, const std::vector<AskedStep>& steps) : from_(start), steps_(steps) {}
 
-  /// Where it is at a time that is no earlier than that of the call before.
+  /// Its pose at a time, which must not be earlier than in the previous call.
   Pose At(double time_s) {
     while (next_ < steps_.size() && time_s >= steps_[next_].touchdown_s) from_ = steps_[next_++].X_WF;
     if (next_ == steps_.size() || time_s <= steps_[next_].liftoff_s) return from_;
@@ -124,7 +124,7 @@ class FootstepReader {
     return static_cast<int>(found - names.begin());
   }
 
-  /// A pose in plan view put on the ground, with the ground's number.
+  /// Puts a pose in plan view on the ground; `patch` gets the index of the ground patch.
   Pose OnGround(const Pose& level, int foot, int& patch, const YAML::Node& node) const {
     const GroundPoint ground = GroundAt(terrain_, level.translation().head<2>());
     if (ground.patch < 0) {
@@ -139,7 +139,7 @@ class FootstepReader {
     return X_WF;
   }
 
-  /// Where a foot is put, its heading beyond that of standing.
+  /// The pose of a foot; its heading is relative to the standing posture.
   Pose PlaceOf(const YamlMap& map, int foot, int& patch, const YAML::Node& node) const {
     constexpr double kOff = 0.01;  // [m]
     const DataShape shape = PlaceShape();
@@ -188,7 +188,7 @@ class FootstepReader {
     if (lift.has_value() != touch.has_value()) RefuseYaml(node, "lift_off_s and touch_down_s must be given together");
     const std::optional<double> swing = Seconds(map, "swing_s") ? Seconds(map, "swing_s") : swing_s_;
     if (!lift && !swing)
-      RefuseYaml(node, "a footstep needs lift_off_s and touch_down_s, or swing_s, for itself or for all footsteps");
+      RefuseYaml(node, "a footstep needs lift_off_s and touch_down_s, or a swing_s of its own or of all footsteps");
     step.liftoff_s = OnGrid(lift.value_or(now_s_));
     step.touchdown_s = OnGrid(touch.value_or(now_s_ + swing.value_or(0.0)));
     now_s_ = step.touchdown_s + Seconds(map, "pause_s").value_or(pause_s_.value_or(0.1));
@@ -208,7 +208,7 @@ class FootstepReader {
       RefuseYaml(
           node,
           fmt::format(
-              "foot '{}' touches down at {:.6g} s, {:.6g} s before the end; a motion of at most {:.0f} s is accepted",
+              "foot '{}' touches down at {:.6g} s and the motion ends {:.6g} s later; at most {:.0f} s are accepted",
               name, step.touchdown_s, final_stand_s_, kLongestMotion));
     }
     const std::vector<AskedStep>& before = steps_[static_cast<std::size_t>(step.foot)];
@@ -241,7 +241,7 @@ class FootstepReader {
     return skeleton;
   }
 
-  /// The base over its feet, those in the air on their way.
+  /// Adds the base path: the base stays above the mean position of its feet, including those in swing.
   void AddPath(double end_s, FootstepSkeleton& skeleton) const {
     const std::vector<Pose> standing = StandingFeet(model_);
     const int rows = 1 + static_cast<int>(std::lround(end_s / grid_s_));
@@ -252,7 +252,7 @@ class FootstepReader {
     for (int k = 0; k < rows; ++k) {
       const double time_s = std::min(k * grid_s_, end_s);
       for (std::size_t f = 0; f < feet.size(); ++f) feet[f] = stepping[f].At(time_s);
-      yaw_rad += WrapAngle(MeanHeading(standing, feet) - yaw_rad);  // on and on, where it turns round
+      yaw_rad += WrapAngle(MeanHeading(standing, feet) - yaw_rad);  // without jumps of 2 pi
       skeleton.path.time_s.push_back(time_s);
       skeleton.path.pose.push_back(FitBase(standing, feet, yaw_rad).plan);
     }
@@ -286,10 +286,10 @@ class FootstepReader {
   std::vector<int> patch_;
   std::optional<double> swing_s_, pause_s_;
   double now_s_ = 0.0, last_s_ = 0.0, final_stand_s_ = kStand;
-  std::vector<std::vector<AskedStep>> steps_;  // of each foot, in time
+  std::vector<std::vector<AskedStep>> steps_;  // by foot, in order of time
 };
 
-/// The time that the feet take for one step each, over which the body's tilt is evened out.
+/// Time in which each foot makes one step; the tilt of the body is averaged over it.
 double RoundOf(const FootstepSkeleton& skeleton, std::size_t feet) {
   constexpr double kShortest = 0.2;  // [s]
   const double steps = static_cast<double>(skeleton.footsteps.footholds.size() - feet);
@@ -327,8 +327,11 @@ Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& t
 std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& terrain, const std::string& text,
                                         const ImportRequest& request, ImportedMotion& imported) {
   if (request.goal)
-    return Failure{
-        FailureKind::kBadInput, FailureCode::kFootsteps, "ImportMotion", "footsteps already determine the goal", {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kFootsteps,
+                   "ImportMotion",
+                   "the footsteps determine the goal: leave out --goal",
+                   {}};
   const Result<FootstepSkeleton> skeleton =
       ReadFootsteps(model, terrain, text, request.file, request.motion.pipeline.grid_step_s);
   if (!skeleton) return skeleton.failure();

@@ -10,12 +10,12 @@
 
 namespace gaitwright {
 
-/// Footsteps from YAML, see docs/import.md: `footsteps`, each with foot, x_m, y_m, yaw_rad, an optional z_m to check,
-/// and lift_off_s with touch_down_s, or swing_s and pause_s; initial positions of the feet in `start`, default the
-/// standing posture; initial_stand_s and final_stand_s. Times are rounded to `grid_s`. Failure kBadInput `footsteps`
-/// naming the line: a foot that the robot does not have, a foot that lifts before it has stood for two steps of the
-/// grid, a foothold without ground or farther than 1 cm from it, more than 10000 steps, and a step beyond
-/// kLongestMotion.
+/// Reads footsteps from YAML, see docs/import.md: `footsteps`, each with foot, x_m, y_m, yaw_rad, an optional z_m to
+/// check, and lift_off_s with touch_down_s, or swing_s and pause_s; initial positions of the feet in `start`, default
+/// the standing posture; initial_stand_s and final_stand_s. Times are rounded to `grid_s`. Failure kBadInput
+/// `footsteps`, which names the line, for: a foot that the robot does not have, a foot that lifts off before it has
+/// stood for two steps of the grid, a foothold without ground or more than 1 cm from it, more than 10000 steps, and a
+/// step later than kLongestMotion.
 Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& terrain, const std::string& text,
                                        const std::string& source, double grid_s);
 

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// One row of the motion after the other.
+/// Computes the wrenches and torques row by row.
 class ForceTaker {
  public:
   ForceTaker(const RobotModel& model, const EvenMotion& motion, MotionPlan& plan)
@@ -47,7 +47,7 @@ class ForceTaker {
   }
 
  private:
-  /// A part of a wrench that is still open.
+  /// An unknown component of a wrench.
   struct Free {
     std::size_t foot;
     int axis;  // force, then moment
@@ -56,7 +56,8 @@ class ForceTaker {
 
   bool HasTorque(std::size_t k, int dof) const { return !motion_.tau.empty() && std::isfinite(motion_.tau[k][dof]); }
 
-  /// Takes what is known of a foot's wrench out of what is needed, and notes what is open.
+  /// Subtracts the known part of a foot's wrench from the required generalised forces, and stores its unknown
+  /// components.
   void TakeFoot(std::size_t k, std::size_t f, bool stands, double time_s) {
     const Foot& foot = model_.feet[f];
     const bool given = !motion_.force_W.empty();
@@ -74,9 +75,9 @@ class ForceTaker {
       columns_.push_back({f, axis, jacobian_.row(axis).transpose()});
   }
 
-  /// Leaves out feet that bear next to nothing, whose forces are what rounding makes of it; whether there were any.
+  /// Leaves out feet with nearly no load, whose forces are only rounding errors. @return whether there were any.
   bool DropUnloaded(std::vector<ContactWrench>& wrenches) {
-    constexpr double kNothing = 5e-3;  // of the weight
+    constexpr double kNothing = 5e-3;  // share of the weight
     if (!motion_.force_W.empty()) return false;
     const auto unloaded = [&](const Free& part) {
       return wrenches[part.foot].force_W.norm() < kNothing * model_.weight_n();
@@ -89,10 +90,10 @@ class ForceTaker {
     return true;
   }
 
-  /// Puts forces on their friction cones that are outside of them by no more than derived accelerations are off by, and
-  /// solves for the other feet's once more. What the base then lacks is within what an audit lets pass.
+  /// Moves forces onto their friction cones if they are outside by no more than the error of derived accelerations, and
+  /// solves for the forces of the other feet again. The remaining error of the base is within the audit's tolerance.
   void KeepInCones(std::size_t k, VectorX before, std::vector<ContactWrench>& wrenches) {
-    constexpr double kRounding = 0.015;  // of the weight
+    constexpr double kRounding = 0.015;  // share of the weight
     const double time_s = motion_.TimeOf(static_cast<int>(k));
     for (bool more = true; more;) {
       more = false;
@@ -109,7 +110,7 @@ class ForceTaker {
     }
   }
 
-  /// With no more pull along the ground than its normal force allows, and no pull off it.
+  /// The nearest force in the friction cone: no tension, and a tangential force within friction times normal force.
   Vector3 NearestInCone(std::size_t f, double time_s, const Vector3& force_W) const {
     const int foot = static_cast<int>(f);
     const Vector3 normal_W = NormalUnder(plan_.footsteps, foot, time_s);
@@ -120,7 +121,8 @@ class ForceTaker {
     return across_W.norm() <= cone ? force_W : Vector3(normal * normal_W + cone / across_W.norm() * across_W);
   }
 
-  /// Takes a foot's force out of what is open, and out of what is needed. @return whether it was open.
+  /// Fixes a foot's force: removes it from the unknowns and subtracts it from the required forces. @return whether it
+  /// was unknown.
   bool Settle(std::size_t f, const Vector3& force_W, VectorX& needed) {
     const auto settled = [&](const Free& part) { return part.foot == f && part.axis < 3; };
     for (const Free& part : columns_) {
@@ -129,8 +131,8 @@ class ForceTaker {
     return std::erase_if(columns_, settled) > 0;
   }
 
-  /// The open parts in the least squares over the rows that have no torque to make up for them; a little weight on the
-  /// wrenches themselves settles what the motion leaves open.
+  /// Solves for the unknown components by least squares over the equations without a free torque. A small weight on the
+  /// wrenches resolves components that the motion does not determine.
   void SolveFree(std::size_t k, std::vector<ContactWrench>& wrenches) {
     constexpr double kSlight = 1e-5;
     if (columns_.empty()) return;

@@ -30,7 +30,7 @@ Failure RefusedMotion(const std::string& file, const std::string& why) {
 
 std::string ExtensionOf(const std::string& file) { return LowerCase(std::filesystem::path(file).extension().string()); }
 
-/// The table of a CSV. `request` gets the units of the file of names.
+/// Reads the table of a CSV. `request` gets the units of the column-names file.
 Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& text, ImportRequest& request) {
   const Result<CsvTable> table = ParseCsvTable(text, request.file);
   if (!table) return table.failure();
@@ -45,12 +45,12 @@ Result<MotionTable> ReadTrajectory(const RobotModel& model, const std::string& t
                                               : ParseJointTrajectory(model, text, request.file, request.options);
 }
 
-/// Whether a text of YAML holds footsteps rather than a joint trajectory.
+/// Whether a YAML text contains footsteps and not a joint trajectory.
 bool HoldsFootsteps(const std::string& text) {
   return text.find("joint_names") == std::string::npos && text.find("footsteps") != std::string::npos;
 }
 
-/// What to do with a file of this program's own, which needs no import; empty for others.
+/// Advice for a file that this program wrote, which needs no import; empty for other files.
 std::string InsteadOfImport(MotionFileKind kind) {
   switch (kind) {
     case MotionFileKind::kPlan:
@@ -67,7 +67,7 @@ std::string InsteadOfImport(MotionFileKind kind) {
   }
 }
 
-/// The whole way from a table to a plan.
+/// Makes a plan from a table.
 void MakePlan(const RobotModel& model, const Terrain& terrain, const ImportRequest& request, MotionTable table,
               ImportedMotion& imported) {
   imported.format = table.format;
@@ -94,7 +94,7 @@ Provenance ProvenanceOf(ImportRequest request, const ImportedMotion& imported, c
   return provenance;
 }
 
-/// What was worked out and what is odd, among the plan's warnings.
+/// Adds the notes on derived data and oddities to the plan's warnings.
 void WarnInPlan(ImportedMotion& imported) {
   std::vector<std::string>& warnings = imported.plan.warnings;
   for (const DerivedPart& part : imported.notes.derived)
@@ -120,8 +120,7 @@ Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& te
         fmt::format("a file of type '{}' is not a known motion; accepted: .csv, .tsv, .txt, .yaml, .yml, .json",
                     extension));
   }
-  if (!csv && !request.columns_file.empty())
-    return RefusedMotion(request.file, "a file of column names is for a CSV only");
+  if (!csv && !request.columns_file.empty()) return RefusedMotion(request.file, "--columns is for a CSV file only");
   const Result<std::string> text = ReadFile(request.file);
   if (!text) return text.failure();
   const MotionFileKind kind = KindOfText(*text);

@@ -15,10 +15,10 @@ namespace gaitwright {
 
 /// Request for ImportMotion.
 struct ImportRequest {
-  std::string file;                ///< CSV (.csv, .tsv, .txt); YAML or JSON (.yaml, .yml, .json)
-  std::string columns_file;        ///< ReadColumnNames, of a CSV; or ""
+  std::string file;                ///< a CSV (.csv, .tsv, .txt), or YAML or JSON (.yaml, .yml, .json)
+  std::string columns_file;        ///< file of column names of a CSV (ReadColumnNames), or ""
   std::string terrain = "flat";    ///< LoadTerrain
-  std::optional<PlanarPose> goal;  ///< relative to the base's start; nothing uses the motion's end
+  std::optional<PlanarPose> goal;  ///< relative to the base's start; empty: the end of the motion
   ImportOptions options;
   MotionOptions motion;  ///< for footsteps, from which a motion is planned
 
@@ -30,7 +30,7 @@ struct ImportedMotion {
   MotionPlan plan;  ///< its warnings also list derived data
   AuditReport audit;
   std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "footsteps"
-  int rows = 0;        ///< of the file: rows, points or footsteps
+  int rows = 0;        ///< number of rows, points or footsteps of the file
   ImportNotes notes;
   std::vector<std::string> unused_columns;
 };

@@ -19,7 +19,7 @@
 namespace gaitwright {
 namespace {
 
-/// To a tenth of a millimetre, and never "-0".
+/// A length rounded to 0.1 mm, without "-0".
 std::string Metres(double length_m) { return fmt::format("{:.4f}", 1e-4 * std::round(1e4 * length_m) + 0.0); }
 
 class Builder {
@@ -47,9 +47,9 @@ class Builder {
   }
 
  private:
-  /// Feet that are off the ground for good are a matter of frames or units.
+  /// Checks that the feet reach the ground; a constant height error means wrong frames or units.
   void CheckGround() {
-    constexpr double kFar = 0.05, kSlight = 1e-3;  // of the leg, [m]
+    constexpr double kFar = 0.05, kSlight = 1e-3;  // share of the leg length, [m]
     std::vector<double> lowest;
     for (std::size_t k = 0; k < motion_.q.size(); ++k) {
       double least = feet_.front().height_m[k];
@@ -70,7 +70,8 @@ class Builder {
     }
   }
 
-  /// A foot whose middle stays where it is while it turns was a point to who made the motion; here it is a sphere.
+  /// Warns if a foot rotates about a fixed centre: the motion was made for point feet, but this robot's feet are
+  /// spheres.
   void NoteRolling() {
     constexpr double kSlides = 1e-3, kStays = 0.3;  // [m], of the slide
     double farthest = kSlides;
@@ -145,9 +146,9 @@ class Builder {
     TakeGivenForces(model_, motion_, plan_, notes_.derived);
   }
 
-  /// Rows at which the ground bears some of the weight.
+  /// Rows in which the ground carries some of the weight.
   std::vector<bool> Pressing() const {
-    constexpr double kPresses = 0.02;  // of the weight
+    constexpr double kPresses = 0.02;  // share of the weight
     std::vector<bool> presses;
     for (const std::vector<ContactWrench>& row : plan_.whole_body.wrenches) {
       double normal = 0.0;
@@ -175,8 +176,8 @@ class Builder {
     }
     height /= motion_.size();
     if (!(height > 0.0)) {
-      throw InvalidArgument(fmt::format(
-          "its centre of mass is on average {:.3g} m below its footholds, which no pendulum model allows", -height));
+      throw InvalidArgument(
+          fmt::format("its centre of mass is on average {:.3g} m below its footholds; it must be above them", -height));
     }
     c.omega_rad_s = std::sqrt(kGravity / height);
     notes_.derived.push_back({"centre of mass and zero-moment point", "from the model"});
@@ -207,7 +208,7 @@ class Builder {
     plan_.parts = {part};
   }
 
-  /// The mean pattern of contacts as a gait. What moves its base over feet that all stand is not standing still.
+  /// The mean contact pattern as a gait. A motion whose base moves over feet that all stand is not the gait `stand`.
   Gait GaitOf(double duration_s) const {
     constexpr double kNearlyAll = 1.0 - 1e-9;
     Gait gait;
@@ -229,9 +230,9 @@ class Builder {
     return gait;
   }
 
-  /// Playback starts from rest.
+  /// Notes that playback starts from rest if the motion does not.
   void NoteStart() {
-    constexpr double kSlow = 0.02;  // of sqrt(g leg)
+    constexpr double kSlow = 0.02;  // share of sqrt(g x leg length)
     const double speed = motion_.v.front().head<3>().norm();
     if (speed > kSlow * std::sqrt(kGravity * model_.leg_length_m())) {
       notes_.warnings.push_back(
@@ -247,7 +248,8 @@ class Builder {
   MotionPlan plan_;
 };
 
-/// One value that jumps, as a cut decimal point makes, derives to accelerations and torques that mean nothing.
+/// Refuses implausible accelerations and torques, which come from a value that jumps, such as one with a lost decimal
+/// point.
 void CheckDerived(const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   for (std::size_t k = 0; k < w.q.size(); ++k) {

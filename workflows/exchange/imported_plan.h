@@ -15,8 +15,8 @@ struct ImportNotes {
 };
 
 /// The plan of a motion on its grid: contacts, footholds and swings from the feet, the centre of mass and the ZMP from
-/// the model, forces and torques as given or by inverse dynamics. Provenance is left to the caller.
-/// @param goal  intended end of the base, relative to its start; nothing uses its actual end.
+/// the model, forces and torques from the file or by inverse dynamics. The caller sets the provenance.
+/// @param goal  intended end of the base, relative to its start; empty: its actual end.
 /// @throws InvalidArgument for feet that are far from the ground in most rows or never in stance, and for implausible
 /// accelerations or torques.
 MotionPlan PlanOfMotion(const RobotModel& model, const Terrain& terrain, EvenMotion motion,

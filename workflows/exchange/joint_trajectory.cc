@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// A part of a YAML text and the way to it, to be read as JsonPart is.
+/// A part of a YAML text and its path, with the interface of JsonPart.
 class YamlPart {
  public:
   explicit YamlPart(const YAML::Node& node, std::string way = "") : node_(node), way_(std::move(way)) {}
@@ -57,13 +57,13 @@ bool IsNull(const JsonPart& part) { return part.json().is_null(); }
 bool IsMap(const YamlPart& part) { return part.IsMap(); }
 bool IsMap(const JsonPart& part) { return part.json().is_object(); }
 
-/// Where a joint of the file goes.
+/// The place of a joint of the file in the model.
 struct Slot {
   int joint = 0;
   double scale = 1.0;
 };
 
-/// Reads the message. @tparam Part  YamlPart or JsonPart.
+/// Reads the message. @tparam Part YamlPart or JsonPart.
 template <class Part>
 class Parser {
  public:
@@ -133,9 +133,9 @@ class Parser {
     return value;
   }
 
-  /// Seconds and nanoseconds as ROS 2 or ROS 1 calls them, or a number in the unit of times.
+  /// Reads seconds and nanoseconds with the names of ROS 2 or ROS 1, or a number in the unit of times.
   double TimeOf(const Part& part) const {
-    constexpr double kMostSeconds = 2147483647.0, kMostNanoseconds = 999999999.0;  // as the message can hold
+    constexpr double kMostSeconds = 2147483647.0, kMostNanoseconds = 999999999.0;  // limits of the message type
     if (!IsMap(part)) {
       const double time = part.Number();
       if (time < 0.0) part.Refuse(fmt::format("is {:.12g}; 0 or more is needed", time));
@@ -168,7 +168,7 @@ class Parser {
 
   static bool Holds(const Part& point, const std::string& key) { return point.Has(key) && !IsNull(point.At(key)); }
 
-  /// A list of numbers for the joints; one that is not there, or empty, has to be so in all points.
+  /// Reads a list of numbers for the joints. A list that is missing or empty must be so in all points.
   void TakeRow(const Part& point, const std::string& key, const VectorX& otherwise, bool scaled,
                std::vector<VectorX>& rows) const {
     const std::vector<double> numbers = Holds(point, key) ? point.At(key).Numbers() : std::vector<double>{};
@@ -194,7 +194,7 @@ class Parser {
   MotionTable motion_;
 };
 
-/// Without the line `---` with which ROS ends each message that it prints.
+/// Removes the line `---` that ROS prints after each message.
 std::string WithoutLastSeparator(const std::string& text) {
   const std::size_t last = text.find_last_not_of(" \t\r\n"), separator = text.rfind("\n---");
   const bool ends = last != std::string::npos && separator != std::string::npos && separator + 3 == last;

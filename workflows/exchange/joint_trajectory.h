@@ -14,14 +14,14 @@ namespace gaitwright {
 /// because it contains only numbers. JSON has the limits of plans and logs.
 inline constexpr std::size_t kLargestTrajectoryYaml = std::size_t{48} << 20, kMostTrajectoryYamlValues = 3'000'000;
 
-/// A trajectory_msgs/JointTrajectory of ROS in YAML, as `rostopic echo`, `ros2 topic echo` or a file has it:
+/// Reads a trajectory_msgs/JointTrajectory of ROS in YAML, as printed by `rostopic echo` and `ros2 topic echo`:
 ///   joint_names: [...]
 ///   points: [{positions: [...], velocities: [...], effort: [...], time_from_start: {sec: 0, nanosec: 5000000}}, ...]
 /// also with secs and nsecs, with a number in the unit of times, and within `trajectory:`. Velocities and efforts may
-/// be left out or empty, in all points alike; accelerations are not used. Unknown joints are refused with the nearest
-/// name; missing joints are handled by `missing_joints`. There is no base and there are no contacts. Failure kBadInput
-/// `joint_trajectory` naming the line.
-/// @param source  name in messages.  @param some_joints  positions of missing joints are NaN, whatever the options say.
+/// be left out or empty in all points; accelerations are not used. Unknown joints are refused with the nearest name;
+/// missing joints are handled by `missing_joints`. The result has no base and no contacts. Failure kBadInput
+/// `joint_trajectory`, which names the line.
+/// @param source  name in messages. @param some_joints positions of missing joints are NaN, regardless of the options.
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                          const ImportOptions& options, bool some_joints = false);
 
@@ -30,8 +30,8 @@ Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std:
                                              const std::string& source, const ImportOptions& options,
                                              bool some_joints = false);
 
-/// YAML or JSON (by the first character), as one side of a comparison, with the joints that it has. Failures of the
-/// above and of CheckedTable.
+/// Reads YAML or JSON (decided by the first character) as one side of a comparison, with the joints that the file has.
+/// Failures: as of the functions above and of CheckedTable.
 Result<ComparedMotion> ComparedTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                           const ImportOptions& options);
 

@@ -29,7 +29,7 @@ KnotSpline::KnotSpline(std::vector<double> time_s, std::vector<double> values)
   Slopes();
 }
 
-/// The rates at the knots: a tridiagonal system, eliminated from above.
+/// Solves the tridiagonal system for the rates at the knots, by elimination from the first row.
 void KnotSpline::Slopes() {
   const std::size_t n = values_.size();
   const auto step = [&](std::size_t i) { return time_s_[i + 1] - time_s_[i]; };
@@ -112,7 +112,7 @@ std::vector<double> Smoothed(const std::vector<double>& time_s, const std::vecto
 
 double NoiseOf(const std::vector<double>& values) {
   constexpr double kMedianOfNormal = 0.6745;
-  const double spread = std::sqrt(70.0);  // 1, 4, 6, 4, 1 squared
+  const double spread = std::sqrt(70.0);  // root of the sum of squares of 1, 4, 6, 4, 1
   if (values.size() < 9) return 0.0;
   std::vector<double> differences;
   for (std::size_t i = 4; i < values.size(); ++i) {

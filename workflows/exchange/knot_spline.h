@@ -7,15 +7,15 @@
 
 namespace gaitwright {
 
-/// Interpolating cubic spline of a scalar through knots at any times, twice continuously differentiable; its ends are
-/// such that the first two pieces are one cubic, and the last two (not-a-knot). Through three knots a parabola, through
-/// two a line. de Boor, A Practical Guide to Splines, 1978, chapter IV.
+/// Interpolating cubic spline of a scalar through knots at any times, twice continuously differentiable. The first two
+/// pieces are one cubic, and so are the last two (not-a-knot). Through three knots it is a parabola, through two a
+/// line. de Boor, A Practical Guide to Splines, 1978, chapter IV.
 class KnotSpline {
  public:
   /// @throws InvalidArgument for fewer than two knots, times that do not increase, or lists of different lengths.
   KnotSpline(std::vector<double> time_s, std::vector<double> values);
 
-  /// Value and derivatives; outside the knots the end values at rest.
+  /// Value and derivatives. Outside the knots: the end value, at rest.
   Motion1 At(double time_s) const;
 
  private:

@@ -35,7 +35,7 @@ std::vector<TimeGap> GapsOf(const std::vector<double>& time_s, double longest_st
 }
 
 bool InGap(const std::vector<TimeGap>& gaps, double at_s) {
-  constexpr double kAtRow = 1e-6;  // [s]: a clock that counts from 1970 is no finer
+  constexpr double kAtRow = 1e-6;  // [s]: resolution of a double that counts seconds from 1970
   const auto after = std::upper_bound(gaps.begin(), gaps.end(), at_s - kAtRow,
                                       [](double time_s, const TimeGap& gap) { return time_s < gap.start_s; });
   return after != gaps.begin() && at_s < std::prev(after)->end_s - kAtRow;
@@ -47,7 +47,7 @@ std::string MissingRowsText(const std::vector<double>& time_s) {
   const auto shorter = [](const TimeGap& a, const TimeGap& b) { return a.end_s - a.start_s < b.end_s - b.start_s; };
   const TimeGap longest = *std::max_element(gaps.begin(), gaps.end(), shorter);
   return fmt::format(
-      "rows are missing{}: there is none for {:.3g} s from the file's {:.6g} s on; rows are usually {:.3g} ms apart",
+      "rows are missing{}: there are none for {:.3g} s from the file's {:.6g} s on; rows are usually {:.3g} ms apart",
       gaps.size() == 1 ? "" : fmt::format(" in {} places, and this is the longest gap", gaps.size()),
       longest.end_s - longest.start_s, longest.start_s, 1e3 * UsualStep(time_s));
 }

@@ -16,13 +16,13 @@
 namespace gaitwright {
 namespace {
 
-/// A column of the file and what it is.
+/// A column of the file and its meaning.
 struct Source {
   int column = -1;
   double scale = 1.0;
 };
 
-/// Brings the columns of a file in order.
+/// Maps the columns of a file to the quantities of a motion.
 class Mapper {
  public:
   Mapper(const RobotModel& model, const CsvTable& table, const ColumnNames& names, const ImportOptions& options)
@@ -56,7 +56,7 @@ class Mapper {
     return known;
   }
 
-  /// Every name in the file of names means something, and is one of the table's.
+  /// Checks that every name in the column-names file is a known name and a column of the table.
   void CheckNames() const {
     for (const auto& [theirs, ours] : names_.ours) {
       if (targets_.count(ours) == 0) {
@@ -137,9 +137,9 @@ class Mapper {
 
   double Value(int row, const Source& source) const { return source.scale * table_.At(row, source.column); }
 
-  /// The column that is likely meant for the times, or empty.
+  /// The column that probably contains the times, or empty.
   std::string LikelyTime() const {
-    constexpr std::size_t kLong = 8;  // letters of what may be a slip of "time_s"
+    constexpr std::size_t kLong = 8;  // longest name that may be a misspelt "time_s"
     for (const std::string& name : table_.columns) {
       const std::string lower = LowerCase(name);
       if (lower.find("time") != std::string::npos || lower.find("stamp") != std::string::npos) return name;
@@ -166,7 +166,7 @@ class Mapper {
     }
   }
 
-  /// Whether all of some columns are there; a part of them is refused.
+  /// Whether all columns of a group are present; an incomplete group is refused.
   bool AllOrNone(const std::vector<Source>& sources, const std::vector<std::string>& names) const {
     std::vector<std::string> there, missing;
     for (std::size_t i = 0; i < sources.size(); ++i) (sources[i].column < 0 ? missing : there).push_back(names[i]);
@@ -175,14 +175,14 @@ class Mapper {
                                       QuotedList({there.front()}), QuotedList(missing)));
   }
 
-  /// In the order x y z w, whichever order the four columns have.
+  /// The quaternion in the order x y z w, for any order of the four columns.
   Eigen::Vector4d QuaternionOf(int row) const {
     Eigen::Vector4d c;
     for (int i = 0; i < 4; ++i) c[i] = Value(row, quaternion_[static_cast<std::size_t>(i)]);
     return options_.quaternion_order == "wxyz" ? Eigen::Vector4d(c[1], c[2], c[3], c[0]) : c;
   }
 
-  /// All six of the base, or what is there of them is of no use.
+  /// The six rates of the base; an incomplete set is not used.
   std::vector<Vector6> SixOf(const std::vector<Source>& sources) {
     std::vector<Vector6> rows;
     const bool all = std::all_of(sources.begin(), sources.end(), [](const Source& s) { return s.column >= 0; });
@@ -224,12 +224,12 @@ class Mapper {
     }
   }
 
-  /// The joint that leads a dof.
+  /// The joint that defines a dof.
   std::size_t LeaderOf(int dof) const {
     return static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(dof)]);
   }
 
-  /// What may be meant for a column that is missing, of those that are not used.
+  /// A hint on unused columns that may be meant for a missing one.
   std::string LikelyFor(const std::string& missing) const {
     constexpr std::size_t kMostListed = 16;
     const std::vector<std::string>& unused = motion_.unused_columns;
@@ -273,7 +273,7 @@ class Mapper {
     return rows;
   }
 
-  /// Joints that follow another one may be there too, where they do.
+  /// Checks that mimic joints in the file follow their leaders.
   void CheckMimics() const {
     constexpr double kSame = 1e-3;  // [rad], [m]
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {

@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-/// Sees the keys of the outermost object and the text of `format`; stops reading when it knows.
+/// Collects the keys of the outermost object and the text of `format`; stops when the kind is known.
 class Keys : public nlohmann::json_sax<nlohmann::ordered_json> {
  public:
   std::string format;
@@ -65,7 +65,7 @@ class Keys : public nlohmann::json_sax<nlohmann::ordered_json> {
   std::string key_;
 };
 
-/// Whether some line of a YAML text begins with a key.
+/// Whether a line of a YAML text begins with this key.
 bool BeginsALine(const std::string& text, const std::string& key) {
   for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
     const std::size_t before = text.find_last_not_of(" \t", at == 0 ? std::string::npos : at - 1);

@@ -16,12 +16,12 @@ enum class MotionFileKind {
   kTrajectory,  ///< a JointTrajectory of ROS, as YAML or JSON
 };
 
-/// What a text is, by its content alone: JSON by its first character, a plan and a log by their `format`, a report by
-/// its `metrics` and `verdict`, a result of trials by `n`, `survived` and `survival`, a joint trajectory by its
-/// `joint_names`. The rest is not checked here; its reader reports errors.
+/// The kind of a text, by its content only: JSON by its first character, a plan and a log by their `format`, a report
+/// by its `metrics` and `verdict`, a result of trials by `n`, `survived` and `survival`, a joint trajectory by its
+/// `joint_names`. Nothing else is checked; the reader of the kind reports errors.
 MotionFileKind KindOfText(const std::string& text);
 
-/// In words, for messages: "a plan", "JSON of another kind".
+/// The kind in words, for messages: "a plan", "JSON of another kind".
 const char* NameOf(MotionFileKind kind);
 
 }  // namespace gaitwright

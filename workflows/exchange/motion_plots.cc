@@ -16,14 +16,14 @@ namespace gaitwright {
 namespace {
 
 constexpr int kColumns = 3;
-constexpr double kMoves = 1e-3;  // a joint that moves less than this in all is left out [rad] or [m]
+constexpr double kMoves = 1e-3;  // a joint that moves less than this in all motions is left out [rad] or [m]
 
 int IndexOf(const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-/// A figure of each row of a motion.
+/// A value of each row of a motion.
 using PlottedValue = double (*)(const MotionRows& rows, std::size_t row, int index);
 
 double Position(const MotionRows& rows, std::size_t k, int dof) { return rows.q[k][7 + dof]; }
@@ -41,7 +41,7 @@ double BaseAngle(const MotionRows& rows, std::size_t k, int axis) {
   return YawOf(R);
 }
 
-/// What all plots of one set of motions share.
+/// Parts that all plots of one set of motions share.
 class Drawing {
  public:
   Drawing(const std::vector<DrawnMotion>& motions, std::optional<double> mark_s, std::string words)
@@ -65,7 +65,7 @@ class Drawing {
     return motions_.size() > 1 && motion == 0 ? Stroke::kPlanned : Stroke::kMeasured;
   }
 
-  /// A figure of every motion over time; `index(motion)` is -1 where a motion has none.
+  /// Draws a value of every motion over time; `index(motion)` is -1 if a motion does not have it.
   template <class Index>
   void Lines(SvgPlot& plot, Ink ink, PlottedValue figure, Index index) const {
     for (std::size_t m = 0; m < motions_.size(); ++m) {
@@ -105,7 +105,7 @@ Plot TopViewOf(const Drawing& drawing) {
   return {"top_view", "Path of the base's origin in plan view; the dot is its end.", plot.Svg()};
 }
 
-/// Three small plots over time of the base.
+/// Three small plots of the base over time.
 Plot BasePlot(const Drawing& drawing, const std::string& title, const char* const (&names)[3], const char* unit,
               PlottedValue figure) {
   std::vector<SvgPlot> plots;
@@ -150,7 +150,7 @@ Plot ContactsOf(const Drawing& drawing) {
   return {"contacts", "When each foot stands on the ground.", plot.Svg()};
 }
 
-/// The joints of the first motion that move in any.
+/// The joints of the first motion that move in any motion.
 std::vector<int> MovingDofs(const Drawing& drawing) {
   std::vector<int> moving;
   for (int dof = 0; dof < drawing.model().num_dofs(); ++dof) {
@@ -169,7 +169,7 @@ std::vector<int> MovingDofs(const Drawing& drawing) {
   return moving;
 }
 
-/// What a figure of a joint is called.
+/// Names and labels of a plot of joint values.
 struct JointFigure {
   const char *name, *title, *turning, *sliding, *caption;
   Ink ink;
@@ -177,7 +177,7 @@ struct JointFigure {
 };
 
 constexpr JointFigure kJointFigures[] = {
-    {"joint_positions", "Positions of the joints", "angle [rad]", "way [m]", "Position of each joint that moves.",
+    {"joint_positions", "Positions of the joints", "angle [rad]", "position [m]", "Position of each joint that moves.",
      Ink::kDcm, Position},
     {"joint_speeds", "Speeds of the joints", "speed [rad/s]", "speed [m/s]", "Speed of each joint that moves.",
      Ink::kZmp, Speed},
@@ -220,7 +220,7 @@ std::vector<Plot> MotionPlots(const std::vector<DrawnMotion>& motions, const std
   std::vector<Plot> plots;
   if (any([](const DrawnMotion& m) { return m.rows->q.front().head<3>().allFinite(); })) {
     plots.push_back(TopViewOf(drawing));
-    plots.push_back(BasePlot(drawing, "Position of the base", {"x", "y", "z"}, "way [m]", BasePosition));
+    plots.push_back(BasePlot(drawing, "Position of the base", {"x", "y", "z"}, "position [m]", BasePosition));
     plots.back().name = "base_position";
     plots.back().caption = "Origin of the base over time.";
     plots.push_back(BasePlot(drawing, "Attitude of the base", {"roll", "pitch", "yaw"}, "angle [rad]", BaseAngle));

@@ -19,10 +19,10 @@ struct DrawnMotion {
 };
 
 /// Plots of one motion, or of two on top of each other (the first broad and pale, the second thin and dark): top_view,
-/// base_position, base_attitude, contacts, joint_positions, joint_speeds and joint_torques, as far as there are
-/// figures. Joints and feet are those of the first, found in the second by name; a joint that stays still in both is
-/// left out. `mark_s`, on the first one's clock, is drawn as a line across. @throws InvalidArgument for none or more
-/// than two motions, or for one without rows.
+/// base_position, base_attitude, contacts, joint_positions, joint_speeds and joint_torques, as far as the motions have
+/// data. Joints and feet are those of the first motion, found in the second by name; a joint that rests in both is left
+/// out. `mark_s`, on the clock of the first motion, is drawn as a line. @throws InvalidArgument for none or more than
+/// two motions, or for one without rows.
 std::vector<Plot> MotionPlots(const std::vector<DrawnMotion>& motions, const std::optional<double>& mark_s = {},
                               const std::string& mark_words = "");
 

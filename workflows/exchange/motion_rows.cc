@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kStepRounding = 1e-6;      // of a step
+constexpr double kStepRounding = 1e-6;      // share of a step
 constexpr double kUsualLowestRate = 200.0;  // [Hz]
 
 void CheckRate(double rate_hz) {
@@ -72,7 +72,7 @@ void BlendPosture(const VectorX& q0, const VectorX& q1, double u, VectorX& q) {
   q.segment<4>(3) = R0.slerp(u, R1).coeffs();
 }
 
-/// The row before a time and the share of the way to the next.
+/// The row before a time and the fraction of the step to the next row.
 struct Place {
   std::size_t row = 0;
   double share = 0.0;
@@ -164,7 +164,7 @@ void SampleRows(const MotionRows& rows, double time_s, RowSample& sample) {
     BlendPosture(rows.q[left], rows.q[right], at.share, sample.q);
     sample.v = linear(rows.v[left], rows.v[right]);
   }
-  if (at.beyond) sample.v *= 0.0;  // what is not a number stays so
+  if (at.beyond) sample.v *= 0.0;  // NaN stays NaN
   sample.tau.resize(0);
   if (!rows.tau.empty()) sample.tau = linear(rows.tau[left], rows.tau[right]);
   sample.contact = rows.contact.empty() ? 0 : rows.contact[left];

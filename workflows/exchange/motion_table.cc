@@ -70,19 +70,20 @@ OptionFields ImportOptions::Fields() {
        "Joints that the file lacks: an error (refuse), or held in the standing posture (standing).",
        {"refuse", "standing"}},
       {"grid_step_s", &grid_step_s, "s", 0.0, kCoarsestGrid,
-       "Time step of the plan's uniform grid, at least 0.0005; 0 uses the file's step if uniform and 1 to 10 ms, else "
-       "5 ms."},
+       "Time step of the plan's uniform grid, at least 0.0005; 0 uses the file's step if it is uniform and 1 to 10 ms, "
+       "otherwise 5 ms."},
       {"smoothing_hz", &smoothing_hz, "Hz", 0.0, 1000.0,
        "Cut-off frequency of the smoothing of positions before differentiation; 0 disables smoothing."},
       {"lift_m", &lift_m, "m", -10.0, 10.0, "Height added to the base."},
       {"contact_height", &contact_height, "1", 0.0, 0.5,
-       "Largest height of a stance foot above the ground, as a share of the leg length, without contact columns."},
+       "Largest height of a stance foot above the ground, as a share of the leg length; unused if the file has contact "
+       "columns."},
       {"contact_speed", &contact_speed, "1", 0.0, 10.0,
-       "Largest speed of a stance foot, as a share of sqrt(g x leg length), without contact columns."},
+       "Largest speed of a stance foot, as a share of sqrt(g x leg length); unused if the file has contact columns."},
       {"contact_least_s", &contact_least_s, "s", 0.0, 1.0,
        "Shortest contact, and shortest gap between contacts; shorter ones are ignored."},
       {"load_ramp_s", &load_ramp_s, "s", 0.0, 1.0,
-       "Longest time over which a foot takes up its load after touch-down or gives it up before lift-off."},
+       "Longest time over which the load of a foot rises after touch-down and falls before lift-off."},
       {"friction_use", &friction_use, "1", 0.05, 1.0,
        "Share of the friction coefficient that computed contact forces may use."}};
   fields = WithBasics({"velocities", "missing_joints", "smoothing_hz", "lift_m", "contact_height"}, std::move(fields));

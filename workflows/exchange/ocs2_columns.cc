@@ -22,7 +22,7 @@ constexpr std::array<const char*, 3> kJoints = {"HAA", "HFE", "KFE"};
 /// The legs of a model in OCS2's order.
 using LegIndices = std::array<int, 4>;
 
-/// By the names of the joints; -1 where none has it.
+/// Finds the legs by the names of their joints; -1 if there is none.
 LegIndices LegsByName(const RobotModel& model) {
   LegIndices legs = {-1, -1, -1, -1};
   for (std::size_t i = 0; i < kLegs.size(); ++i) {
@@ -37,7 +37,7 @@ LegIndices LegsByName(const RobotModel& model) {
   return legs;
 }
 
-/// By where the feet stand about their middle; -1 where there is none, or are two.
+/// Finds the legs by the position of their feet around their centre; -1 if there is none or more than one.
 LegIndices LegsByPlace(const RobotModel& model) {
   LegIndices legs = {-1, -1, -1, -1};
   if (model.legs.size() != kLegs.size()) return legs;
@@ -88,7 +88,7 @@ void AddLeg(const RobotModel& model, const Leg& leg, const std::string& theirs, 
   }
 }
 
-/// A column of a leg that OCS2 has not; nothing where there is none.
+/// A column of a leg that OCS2 does not have; nothing if there is none.
 std::optional<std::string> Misnamed(const CsvTable& table, const ColumnNames& names) {
   for (const std::string& column : table.columns) {
     for (const char* kind : {"jointAngle_", "jointVelocity_", "contactflag_", "contactForcesInWorld_"}) {

@@ -25,7 +25,7 @@ std::string FootstepsYaml(const RobotModel& model, const std::vector<PlacedStep>
 Result<MotionPlan> PlanOverSteps(const RobotModel& model, const Terrain& terrain, const std::vector<PlacedStep>& steps,
                                  const StepTimes& times, const MotionOptions& options) {
   ImportRequest request;
-  request.file = "the footsteps, one per line";  // what failures call them
+  request.file = "the footsteps, one per line";  // name in failures
   request.motion = options;
   ImportedMotion motion;
   if (const auto failure = PlanFootstepFile(model, terrain, FootstepsYaml(model, steps, times), request, motion))

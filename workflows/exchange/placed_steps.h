@@ -11,23 +11,23 @@
 
 namespace gaitwright {
 
-/// A foot and where it is put: a step of somebody's own planner.
+/// A foot and its position: a step of an external planner.
 struct PlacedStep {
   int foot = 0;      ///< index into RobotModel::feet
-  PlanarPose place;  ///< of the contact point or the sole's middle in W; yaw beyond that of standing
+  PlanarPose place;  ///< contact point or middle of the sole in W; yaw relative to the standing posture
 };
 
-/// How long steps take that are taken one after the other [s].
+/// Times of steps that are made in sequence [s].
 struct StepTimes {
   double swing_s = 0.5, pause_s = 0.1;
 };
 
-/// The steps as a file of footsteps has them (docs/import.md): step k in line k, so that failures name it.
+/// The steps as a footstep file (docs/import.md), with step k in line k, so that failures name the step.
 /// @throws InvalidArgument for a foot that the robot does not have.
 std::string FootstepsYaml(const RobotModel& model, const std::vector<PlacedStep>& steps, const StepTimes& times);
 
-/// Plans the motion of all the rest over steps, from standing at the origin on. Its audit is the caller's to make.
-/// Failure as of PlanFootstepFile. @throws as FootstepsYaml.
+/// Plans a whole-body motion over steps, from standing at the origin. The plan is not audited. Failure as of
+/// PlanFootstepFile. @throws as FootstepsYaml does.
 Result<MotionPlan> PlanOverSteps(const RobotModel& model, const Terrain& terrain, const std::vector<PlacedStep>& steps,
                                  const StepTimes& times = {}, const MotionOptions& options = {});
 

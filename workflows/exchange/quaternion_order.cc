@@ -14,12 +14,12 @@
 namespace gaitwright {
 namespace {
 
-/// How a motion looks with its quaternions in one order.
+/// Properties of a motion with its quaternions in one order.
 struct Look {
-  double tilt_rad = 0.0;   ///< of the robot's up axis, median
-  bool placed = false;     ///< where the base is is known, and with it what follows
-  double height_m = 0.0;   ///< of the lowest foot over the ground, median; 0 where there is no ground
-  double slide_m_s = 0.0;  ///< of the lowest foot, mean
+  double tilt_rad = 0.0;   ///< tilt of the robot's up axis, median
+  bool placed = false;     ///< the base position is known; otherwise the following are not set
+  double height_m = 0.0;   ///< height of the lowest foot above the ground, median; 0 without ground
+  double slide_m_s = 0.0;  ///< speed of the lowest foot, mean
 };
 
 class Looker {
@@ -60,7 +60,7 @@ class Looker {
     Vector3 p_WB = Vector3::Zero();
     if (!table_.base_m.empty()) p_WB = table_.base_m[k] + lift_m_ * Vector3::UnitZ();
     VectorX q(model_.nq());
-    // A joint of which a motion says nothing is taken to stand.
+    // A joint without data is in its standing position.
     q << p_WB, c, table_.q[k].array().isFinite().select(table_.q[k], model_.standing_joints);
     if (w_first) q.segment<4>(3) << c[1], c[2], c[3], c[0];
     R_WB_ = BaseRotation(q);
@@ -110,7 +110,7 @@ std::string Said(const Look& look, const Terrain* ground) {
 }  // namespace
 
 void CheckQuaternionOrder(const RobotModel& model, const Terrain* ground, double lift_m, const MotionTable& table) {
-  constexpr double kNear = 0.25, kClearly = 3.0, kSlightly = 1.2, kStill = 0.02;  // of the leg, [1], [1], [m/s]
+  constexpr double kNear = 0.25, kClearly = 3.0, kSlightly = 1.2, kStill = 0.02;  // share of the leg, [1], [1], [m/s]
   Looker looker(model, ground, lift_m, table);
   const Look named = looker.At(false), other = looker.At(true);
   const auto stands = [&](const Look& look) {
@@ -125,7 +125,7 @@ void CheckQuaternionOrder(const RobotModel& model, const Terrain* ground, double
                           ". Use --quaternion-order wxyz for w first, or --quaternion-order xyzw for the named order");
   }
   if (!plausible(named)) {
-    throw InvalidArgument("the robot is upright in no order of the base's quaternion: " + both +
+    throw InvalidArgument("the robot is not upright with either order of the base's quaternion: " + both +
                           ". Use --quaternion-order xyzw for the named order");
   }
   if (plausible(other) && named.slide_m_s > kSlightly * other.slide_m_s + kStill) {

@@ -6,16 +6,18 @@
 
 namespace gaitwright {
 
-/// Looks at a motion with its quaternions as they are and with w first: the robot is to be upright, and its lowest foot
-/// near the ground and not sliding. Heights count where one of the orders has the robot upright with its feet near the
-/// ground; where none has, they are wrong for another reason, and tilt and slide alone are judged.
+/// Checks the order of quaternions. It evaluates the motion with quaternions as named and with w first: the robot
+/// should be upright, with its lowest foot near the ground and not sliding. Heights count only if the robot is upright
+/// with its feet near the ground in one of the orders; otherwise they are wrong for another reason, and only tilt and
+/// sliding count.
 ///
-/// What stands on the spot looks alike in both orders where it is turned by no angle in the one and by pi in the other;
-/// it is taken as it is named.
-/// @param ground  what the feet are to be near; null where the motion's world is its own, so that heights say nothing.
+/// A robot that stands in place looks the same in both orders if its rotation is zero in one order and pi in the other;
+/// then the named order is used.
+/// @param ground  the ground that the feet should be near; null if the motion has another world frame, so that heights
+///                are unknown.
 /// @param lift_m  added to the height of the base.
-/// @throws InvalidArgument where the other order fits better, where both fit nearly alike and differ, and where the
-/// robot is upright in neither; the options that say the order are in its text.
+/// @throws InvalidArgument if the other order fits better, if both orders differ but fit nearly equally well, and if
+/// the robot is upright in neither; its text names the options that set the order.
 void CheckQuaternionOrder(const RobotModel& model, const Terrain* ground, double lift_m, const MotionTable& table);
 
 }  // namespace gaitwright

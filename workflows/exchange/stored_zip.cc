@@ -13,9 +13,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr uLong kFirstDay = (1UL << 21U) | (1UL << 16U);  // 1980-01-01 00:00 as MS-DOS has it
+constexpr uLong kFirstDay = (1UL << 21U) | (1UL << 16U);  // 1980-01-01 00:00 in MS-DOS format
 
-/// A file in memory, as minizip wants one.
+/// A file in memory for minizip.
 struct MemoryFile {
   std::string bytes;
   std::size_t at = 0;
@@ -64,7 +64,7 @@ void AddEntry(zipFile zip, const ZipEntry& entry) {
   Check(zipOpenNewFileInZip64(zip, entry.name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr, 0, 0,
                               entry.bytes.size() > 0xf0000000U ? 1 : 0),
         entry.name);
-  constexpr std::size_t kMost = 1U << 30U;  // bytes at once
+  constexpr std::size_t kMost = 1U << 30U;  // bytes per call
   for (std::size_t at = 0; at < entry.bytes.size(); at += kMost) {
     const std::size_t count = std::min(kMost, entry.bytes.size() - at);
     Check(zipWriteInFileInZip(zip, entry.bytes.data() + at, static_cast<unsigned>(count)), entry.name);

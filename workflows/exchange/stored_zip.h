@@ -11,8 +11,8 @@ struct ZipEntry {
   std::string name, bytes;
 };
 
-/// A ZIP archive of the files in their order, stored without compression, each dated 1980-01-01: the same files give
-/// the same bytes. @throws InvalidArgument for a name that is empty or stands there twice.
+/// A ZIP archive of the files in their order, without compression and dated 1980-01-01, so that the same files give the
+/// same bytes. @throws InvalidArgument for an empty or duplicate name.
 std::string StoredZip(const std::vector<ZipEntry>& entries);
 
 }  // namespace gaitwright

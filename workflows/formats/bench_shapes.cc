@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What bench centroidal prints.
+// Output of bench centroidal.
 #include "workflows/formats/result_shapes_internal.h"
 
 namespace gaitwright {

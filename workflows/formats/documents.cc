@@ -22,7 +22,7 @@ Document Made(const std::string& name, const std::string& title, const std::stri
   return {name, title, SchemaOf(shape, title, "Described in docs/" + page)};
 }
 
-/// Files of options may set whatever a walk and its playback have.
+/// Structure of an option file, which may set every option of a walk and its playback.
 DataShape OptionsShape() {
   WalkRequest walk;
   PlayRequest play;

@@ -6,9 +6,9 @@
 
 namespace gaitwright {
 
-/// A kind of file or of printed object, and its JSON schema (draft 2020-12).
+/// A kind of file or printed object, and its JSON schema (draft 2020-12).
 struct Document {
-  std::string name;   ///< such as "motion-plan", which is the schema's file too
+  std::string name;   ///< such as "motion-plan", also the name of the schema's file
   std::string title;  ///< short title
   std::string schema;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What compare, export and import print.
+// Output of compare, export and import.
 #include "workflows/formats/result_shapes_internal.h"
 
 namespace gaitwright {
@@ -83,7 +83,7 @@ DataShape MotionComparisonShape() {
                  {"metrics", MetricPairsShape()},
                  {"words", WordsShape(), "Differences in text values."},
                  {"notes", TextsShape()},
-                 Optional("agreement", AgreementShape(), "Of two logs of the plan of --plan."),
+                 Optional("agreement", AgreementShape(), "How two logs of the plan of --plan differ."),
                  {"files", FilesShape({"report"})}});
 }
 

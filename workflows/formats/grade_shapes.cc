@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What grade prints.
+// Output of grade.
 #include "workflows/formats/result_shapes_internal.h"
 
 namespace gaitwright {

@@ -5,15 +5,15 @@
 
 namespace gaitwright {
 
-// Parts that several objects have.
+// Parts that several objects share.
 DataShape VerdictShape();     ///< "pass" or "fail"
 DataShape TextsShape();       ///< a list of sentences
-DataShape SurvivalMembers();  ///< an object of survival with its interval, to take members from
-DataShape FilesShape(const std::vector<std::string>& kinds);  ///< paths by kind, as far as written
-DataShape AuditShape();                                       ///< what every verb has under `audit`
+DataShape SurvivalMembers();  ///< an object whose members are the survival rate and its interval
+DataShape FilesShape(const std::vector<std::string>& kinds);  ///< paths of the written files by kind
+DataShape AuditShape();                                       ///< the member `audit` of every verb
 DataShape MarginShape();                                      ///< a margin of the audit
 
-// What a verb prints with --json.
+// Output of a verb with --json.
 DataShape WalkResultShape();
 DataShape DoResultShape();
 DataShape AuditResultShape();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the verbs print that show something or list it.
+// Output of the verbs that show or list something.
 #include "kinematics/model/robot_model.h"
 #include "workflows/formats/result_shapes_internal.h"
 
@@ -13,7 +13,7 @@ DataShape LegShape() {
   const DataShape foot =
       Object({{"link", Text()},
               {"type", Text(FootTypeNames())},
-              {"radius_m", Number(), "Radius of a spherical foot, else 0."},
+              {"radius_m", Number(), "Radius of a spherical foot; 0 for other feet."},
               {"sole_m", List(Numbers(2)), "Corners of the sole in the foot's frame; empty for a point foot."},
               {"derived_from", Text()}});
   return Object({{"joints", List(Text()), "Joints from the base to the foot."},
@@ -24,7 +24,7 @@ DataShape LegShape() {
                  {"foot", foot}});
 }
 
-/// An object of a joint that turns, or of one that slides; null for what is not limited or not given.
+/// An object for a revolute or a prismatic joint; null for values without a limit or not given.
 DataShape PerJoint(const std::vector<std::string>& turns, const std::vector<std::string>& slides) {
   const auto keys = [](const std::vector<std::string>& names) {
     DataShape object = Object({});
@@ -148,8 +148,8 @@ DataShape TerrainShape() {
                  {"obstacles", List(ObstacleShape())},
                  {"markers", List(Object({{"name", Text()}, {"position_m", Numbers(2)}}))},
                  {"files", FilesShape({"picture", "ground"})},
-                 Optional("terrain", Text(), "Text for --terrain that reads the file of --out back; .obj and .png."),
-                 Optional("notes", List(Text()), "In which respects the file of --out differs from the terrain.")});
+                 Optional("terrain", Text(), "Text for --terrain that reads the file of --out; for .obj and .png."),
+                 Optional("notes", List(Text()), "How the file of --out differs from the terrain.")});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What trials, sweep, tune and the preflight print.
+// Output of trials, sweep, tune and the preflight.
 #include "workflows/formats/result_shapes_internal.h"
 #include "workflows/study/point_outcome.h"
 
@@ -9,7 +9,7 @@ using namespace shapes;
 
 namespace {
 
-/// A value of an option: a number, a word or a switch.
+/// A value of an option: a number, a word or a truth value.
 DataShape ValueShape() { return Either(Either(Number(), Text()), Truth()); }
 
 DataShape SensitivityShape() {
@@ -73,7 +73,7 @@ DataShape TrialsTableShape() {
   return Object({{"columns", TextsShape()}, {"rows", List(List(cell)), "One list per trial."}});
 }
 
-/// How many survived and passed.
+/// The numbers of trials that survived and passed.
 std::vector<ShapeMember> CountMembers() {
   const DataShape share = Number(0.0, 1.0);
   std::vector<ShapeMember> members = {{"n", Whole(), "Number of trials."}, {"survived", Whole()}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What walk, play, do, plan and audit print, and errors.
+// Output of walk, play, do, plan and audit, and errors.
 #include "planning/audit/audit_report.h"
 #include "planning/plan/plan_shape.h"
 #include "playback/score/gates.h"
@@ -87,7 +87,7 @@ DataShape MetricsShape() {
   return metrics;
 }
 
-/// What --explain lists.
+/// The list of --explain.
 DataShape TriedShape() {
   return List(Object({{"extent", Text({"start-look", "first-look", "start", "whole"})},
                       {"pace", Text(), "Flag that sets the speed, without dashes."},
@@ -140,8 +140,8 @@ DataShape WalkResultShape() {
                  {"adjustments", AdjustmentsShape(), "Adjustments that the planner made."},
                  Optional("tried", TriedShape(), "Plans that were tried; with --explain."),
                  Optional("drawn", MapOf(Text()), "Sampled values of a trial, by name."),
-                 {"engine", Text(), "Engine of score, reason, metrics and log; of two the first."},
-                 Optional("engines", EnginesShape(), "What each engine says, where two have played."),
+                 {"engine", Text(), "Engine of score, reason, metrics and log; with two engines, the first."},
+                 Optional("engines", EnginesShape(), "Result of each engine, if two have played."),
                  Optional("agreement", AgreementShape(), "How the two engines differ."),
                  {"log_hash", Text(), "Hash of all samples of the log."},
                  {"planning_cpu_s", Number(), "CPU time of planning; 0 for play."},

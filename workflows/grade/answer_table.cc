@@ -19,7 +19,7 @@ int ColumnOf(const CsvTable& inputs, const std::string& name) {
       fmt::format("{} has no column '{}'{}", inputs.source, name, NearestOrAll(name, inputs.columns)));
 }
 
-/// How many columns name_0, name_1, ... there are.
+/// Number of the columns name_0, name_1, ...
 int SizeOfInput(const CsvTable& inputs, const std::string& name) {
   int count = 0;
   while (inputs.Find(fmt::format("{}_{}", name, count)) >= 0) ++count;
@@ -37,7 +37,7 @@ std::string Row(double number, const std::vector<double>& answer, std::size_t wi
 double AnswerCase::Number(const std::string& name) const { return inputs_.At(row_, ColumnOf(inputs_, name)); }
 
 VectorX AnswerCase::Vector(const std::string& name) const {
-  VectorX vector(std::max(1, SizeOfInput(inputs_, name)));  // one that is not there is refused below
+  VectorX vector(std::max(1, SizeOfInput(inputs_, name)));  // Number() refuses a missing one
   for (int i = 0; i < vector.size(); ++i) vector[i] = Number(fmt::format("{}_{}", name, i));
   return vector;
 }

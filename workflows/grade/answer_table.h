@@ -37,15 +37,15 @@ using AnswerFunction = std::function<std::vector<double>(const AnswerCase&)>;
 /// not marked. @throws InvalidArgument without a column `case`.
 std::string AnswersCsv(const CsvTable& inputs, const AnswerFunction& answer);
 
-/// A part of a rubric, by name, and the function that answers it.
+/// The name of a part of a rubric, and the function that answers it.
 struct AnsweredPart {
   std::string name;
   AnswerFunction answer;
 };
 
-/// Answers parts: NAME_inputs.csv of one folder to NAME.csv of another, all of them or none.
-/// @return the paths written. Failure: a file that cannot be read or written, a missing input, and an answer that is
-/// not finite, naming the part and the case.
+/// Answers parts: reads NAME_inputs.csv in one folder and writes NAME.csv in another, for all parts or none.
+/// @return the paths written. Failure for a file that cannot be read or written, a missing input, and an answer that is
+/// not finite; it names the part and the case.
 Result<std::vector<std::string>> WriteAnswers(const std::string& inputs_folder, const std::string& answers_folder,
                                               const std::vector<AnsweredPart>& parts);
 

@@ -24,8 +24,8 @@ bool RunsCode(const Rubric& rubric) {
                      [](const RubricPart& part) { return RunsCode(part.kind); });
 }
 
-/// What the rubric asks for is there: its grounds, options and commands.
-std::optional<Failure> WhyNotAsked(const GradeRequest& request) {
+/// Failure if a ground, an option or a command of the rubric does not exist.
+std::optional<Failure> ReasonInvalidRequest(const GradeRequest& request) {
   for (const RubricPart& part : request.rubric.parts) {
     if (!PlaysMotions(part.kind)) continue;
     const Result<RobotModel> model = LoadNamedRobot(part.motion.robot);
@@ -51,8 +51,8 @@ bool LiesIn(const fs::path& path, const fs::path& folder) {
   return end == outer.end() || (std::next(end) == outer.end() && end->empty());
 }
 
-/// Grades in the folder of the submissions would be a student's.
-std::optional<Failure> WhyNotThere(const GradeRequest& request) {
+/// Failure if the folder of grades is inside the folder of submissions, where it would count as a student.
+std::optional<Failure> ReasonMissing(const GradeRequest& request) {
   std::error_code error;
   if (!LiesIn(fs::absolute(request.out_folder, error), fs::absolute(request.folder, error))) return std::nullopt;
   return CannotGrade(
@@ -63,7 +63,7 @@ std::optional<Failure> WhyNotThere(const GradeRequest& request) {
       {"give another folder with --out-dir"});
 }
 
-/// What a submission's code could read that it must not.
+/// Failure if the code of a submission could read a file that it must not read.
 std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProgram& python) {
   std::vector<std::string> readable = python.readable;
   if (!python.package.empty()) readable.push_back((fs::path(python.package) / "gaitwright").string());
@@ -102,9 +102,9 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
   return WhyReadable(request, python);
 }
 
-/// Runs code of the program's own as submissions are run, so that what keeps all of them from running is told first.
-std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLimits& limits, bool package,
-                                      bool confined) {
+/// Runs test code as a submission, so that a problem that affects all submissions is reported first.
+std::optional<Failure> ReasonNotRunnable(const PythonProgram& python, const ChildLimits& limits, bool package,
+                                         bool confined) {
   const std::string text =
       fmt::format("import numpy\n{}def ready():\n    return 0\n", package ? "import gaitwright\n" : "");
   Result<StudentPython> code = StudentPython::Start(python, {{{"ready.py", text}}, "ready", package}, limits, confined);
@@ -115,23 +115,23 @@ std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLi
                      {"give another Python, readable by all users, with --python PROGRAM", "raise limits.memory_mb"});
 }
 
-std::optional<Failure> WhyNotTriedOut(const GradeRequest& request, const MarkingSetup& setup) {
+std::optional<Failure> ReasonNotRunnable(const GradeRequest& request, const MarkingSetup& setup) {
   for (const bool package : {false, true}) {
     for (const RubricPart& part : request.rubric.parts) {
       if (!RunsCode(part.kind) || part.package != package) continue;
-      if (auto failure = WhyNotTriedOut(setup.python, part.limits, package, setup.confined)) return failure;
+      if (auto failure = ReasonNotRunnable(setup.python, part.limits, package, setup.confined)) return failure;
       break;
     }
   }
   return std::nullopt;
 }
 
-/// What marks are made with; where no part runs code nothing of that is looked for.
+/// Sets up the tools for marking; looks for Python only if a part runs code.
 Result<MarkingSetup> SetUp(const GradeRequest& request) {
   MarkingSetup setup;
   setup.seed = request.seed;
   if (!RunsCode(request.rubric)) return setup;
-  const std::string why = WhyNotConfined();
+  const std::string why = ReasonNotConfined();
   setup.confined = why.empty();
   if (!setup.confined && !request.unconfined)
     return CannotGrade(FailureCode::kUnconfinedOnly, fmt::format("submissions cannot be run safely here: {}", why),
@@ -140,7 +140,7 @@ Result<MarkingSetup> SetUp(const GradeRequest& request) {
   if (!python) return python.failure();
   if (auto failure = WhyNoCode(request, *python)) return *failure;
   setup.python = std::move(*python);
-  if (auto failure = WhyNotTriedOut(request, setup)) return *failure;
+  if (auto failure = ReasonNotRunnable(request, setup)) return *failure;
   return setup;
 }
 
@@ -150,8 +150,8 @@ Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hoo
                               const std::function<Result<std::string>(const std::vector<OutputFile>&)>& written) {
   const Result<std::vector<Student>> students = FindStudents(request.folder);
   if (!students) return students.failure();
-  if (auto failure = WhyNotThere(request)) return *failure;
-  if (auto failure = WhyNotAsked(request)) return *failure;
+  if (auto failure = ReasonMissing(request)) return *failure;
+  if (auto failure = ReasonInvalidRequest(request)) return *failure;
   const Result<MarkingSetup> setup = SetUp(request);
   if (!setup) return setup.failure();
   ClassMarks marks{request.rubric.title, request.seed, setup->confined, {}, request.rubric.points(), {}};

@@ -15,12 +15,12 @@ struct GradeRequest {
   Rubric rubric;
   std::string rubric_file, folder;  ///< path of the rubric; folder of the students' folders
   std::string out_folder;
-  std::string python;  ///< LookOver
+  std::string python;  ///< Python interpreter, see LookOver
   std::uint64_t seed = 0;
-  bool unconfined = false;  ///< runs code even if it cannot be confined
+  bool unconfined = false;  ///< true: run code even if it cannot be confined
 };
 
-/// Progress, and a request to stop.
+/// Callbacks for progress and for a request to stop.
 struct GradeHooks {
   std::function<void(int done, int all, const std::string& student)> progress = {};
   std::function<bool()> stop = {};
@@ -44,11 +44,11 @@ struct ClassMarks {
 Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hooks,
                               const std::function<Result<std::string>(const std::vector<OutputFile>&)>& written);
 
-/// The table: student, a column for each part, total, of. Texts that a spreadsheet would read as a formula begin with
-/// an apostrophe; all texts are quoted.
+/// The table of grades as CSV: student, a column for each part, total, of. All texts are quoted; a text that a
+/// spreadsheet would read as a formula begins with an apostrophe.
 std::string GradesCsv(const ClassMarks& marks);
 
-/// As JSON (docs/json-output.md), without "files".
+/// The grades as JSON (docs/json-output.md), without "files".
 std::string GradesJson(const ClassMarks& marks);
 
 /// The name of a student's page: plain characters, unique. `number` is the student's number.

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestShownName = 60;
 
-/// A cell in quotes, which no spreadsheet takes for a formula.
+/// A cell in quotes; a text that a spreadsheet would read as a formula begins with an apostrophe.
 std::string Cell(const std::string& text) {
   std::string cell;
   for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
@@ -35,8 +35,8 @@ std::string Points(double points, double of) { return fmt::format("{} of {}", Po
 
 std::string Warning(const ClassMarks& marks) {
   if (marks.confined) return "";
-  return "<p class=\"reason fail\">Submissions were run unconfined: this machine could not keep them from other files, "
-         "and marks of code are to be trusted as far as the students are.</p>\n";
+  return "<p class=\"reason fail\">Submissions were run unconfined, so they had access to other files on this machine. "
+         "Trust the marks of code only as far as you trust the students.</p>\n";
 }
 
 std::string MotionName(const std::string& page, std::size_t part, std::size_t motion) {

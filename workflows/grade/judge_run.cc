@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostReasons = 6, kMostFallsTold = 2;
+constexpr std::size_t kMostReasons = 6, kMostFallsReported = 2;
 
 PlayedWalk PlayOnce(const JudgeSetup& setup, const MotionPlan& plan, const PlayRequest& request) {
   Result<PlayedWalk> played =
@@ -26,18 +26,18 @@ PlayedWalk PlayOnce(const JudgeSetup& setup, const MotionPlan& plan, const PlayR
 
 std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Counts a trial, and keeps why it fell.
+/// Counts a trial, and stores the reason of a fall.
 void Count(const TrialOutcome& trial, RunOutcome& outcome) {
   if (trial.survived) {
     ++outcome.survived;
-  } else if (outcome.falls.size() < kMostFallsTold) {
+  } else if (outcome.falls.size() < kMostFallsReported) {
     outcome.falls.push_back(fmt::format("trial {}: {}", trial.number + 1, ShownWords(FirstLine(trial.reason))));
   }
 }
 
-/// The trials of an own controller, one after the other; those of the program's go on all cores.
+/// Plays the trials of a submitted controller in sequence; trials of built-in controllers use all cores.
 void PlayOwn(const JudgeSetup& setup, const TrialStudy& study, std::uint64_t seed, RunOutcome& outcome) {
-  if (const auto failure = WhyNotTried(study)) throw InvalidArgument(failure->message);
+  if (const auto failure = ReasonNotTried(study)) throw InvalidArgument(failure->message);
   for (int number = 0; number < setup.part.motion.trials; ++number) {
     const SampledTrial trial = SampleTrial(study.disturbances, study.model, study.plan, SeedOfTrial(seed, number));
     const PlayedWalk played = PlayOnce(setup, study.plan, DisturbedRequest(study.request, trial));

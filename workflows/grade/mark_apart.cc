@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr mode_t kFolderMayPass = 0711;  // so that a submission's code, which may be nobody's, gets to its own folder
+constexpr mode_t kFolderMayPass = 0711;  // a submission's code may run as user nobody and must reach its folder
 
 Json JsonOf(const PartMark& mark) {
   Json checks = Json::array(), pages = Json::array();
@@ -64,12 +64,12 @@ std::string ReadAll(int from) {
   }
 }
 
-/// What the copy does; it never comes back.
+/// Marks in the forked copy; does not return.
 [[noreturn]] void MarkAndEnd(const RubricPart& part, const std::function<PartMark()>& mark, const std::string& folder,
                              int to) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (!folder.empty()) setenv("TMPDIR", folder.c_str(), 1);
-  // The soft limit alone: a submission's own process may be given more.
+  // Only the soft limit, because the process of a submission may have a higher one.
   rlimit time{}, core{};
   getrlimit(RLIMIT_CPU, &time);
   getrlimit(RLIMIT_CORE, &core);
@@ -81,13 +81,13 @@ std::string ReadAll(int from) {
   try {
     text = JsonOf(mark()).dump(-1, ' ', false, Json::error_handler_t::replace);
   } catch (const std::exception&) {
-    // Nothing is written: that is told by whoever waits.
+    // Nothing is written; the waiting process reports it.
   }
   WriteAll(to, text);
   std::_Exit(0);
 }
 
-std::string WhyNot(int status, const RubricPart& part) {
+std::string ReasonRefused(int status, const RubricPart& part) {
   const bool late = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
   if (late) return fmt::format("marking took more than {:g} s", part.judge_s);
   return WIFSIGNALED(status) ? "the marking process crashed" : "the marking process ran out of memory";
@@ -98,7 +98,7 @@ std::string WhyNot(int status, const RubricPart& part) {
 PartMark MarkApart(const RubricPart& part, const std::function<PartMark()>& mark) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return mark();
-  const TemporaryFolder folder;  // of all that the copy makes, so that it goes however that ends
+  const TemporaryFolder folder;  // for all files of the copy, so that they are removed even if it crashes
   if (folder.there()) chmod(folder.path().c_str(), kFolderMayPass);
   const pid_t copy = fork();
   if (copy == 0) MarkAndEnd(part, mark, folder.path(), ends[1]);
@@ -111,7 +111,7 @@ PartMark MarkApart(const RubricPart& part, const std::function<PartMark()>& mark
   }
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_object()) return MarkFrom(json, part);
-  return NothingFor(part, "the submission could not be marked: " + WhyNot(status, part));
+  return NothingFor(part, "the submission could not be marked: " + ReasonRefused(status, part));
 }
 
 }  // namespace gaitwright

@@ -22,7 +22,8 @@ int FootOf(const RobotModel& model, const std::string& name) {
     if (model.feet[foot].name == name) return static_cast<int>(foot);
     names.push_back(model.feet[foot].name);
   }
-  throw InvalidArgument(fmt::format("the planner moves a foot '{}'{}", name, NearestOrAll(name, names)));
+  throw InvalidArgument(
+      fmt::format("the planner's answer names the unknown foot '{}'{}", name, NearestOrAll(name, names)));
 }
 
 std::vector<PlacedStep> StepsOf(const RubricPart& part, const RobotModel& model, const std::string& line) {
@@ -45,7 +46,7 @@ std::string StepsRequest(const RobotModel& model, const MotionRun& run, const Pl
       .dump();
 }
 
-/// One ground of a planner. @throws BrokenCode
+/// Runs a planner on one ground. @throws BrokenCode
 RunOutcome WalkOver(const HandedIn& in, const RobotModel& model, const MotionRun& run, StudentPython& code,
                     std::vector<MotionPage>& pages) {
   RunOutcome outcome;
@@ -71,8 +72,8 @@ RunOutcome WalkOver(const HandedIn& in, const RobotModel& model, const MotionRun
   }
 }
 
-/// A controller that is a submission's code, asked over its pipes. Once it fails it asks no more, and the motors do
-/// nothing.
+/// A controller whose commands come from a submission's code, over pipes. After a failure it sends no more requests,
+/// and the motors are passive.
 class AskedController final : public Controller {
  public:
   AskedController(StudentPython& code, int dofs, std::string& broken) : code_(code), dofs_(dofs), broken_(broken) {}
@@ -107,7 +108,7 @@ class AskedController final : public Controller {
     if (!line) throw InvalidArgument(ReasonOf(line.failure()));
     const std::vector<VectorX> rows = ParseRows(*line, 5, dofs_);
     if (rows[3].minCoeff() < 0.0 || rows[4].minCoeff() < 0.0)
-      throw InvalidArgument("it gave a negative stiffness or damping");
+      throw InvalidArgument("it gave a negative stiffness or damping; 0 or more is accepted");
     return {rows[0], rows[1], rows[2], rows[3], rows[4]};
   }
 
@@ -116,7 +117,7 @@ class AskedController final : public Controller {
   std::string& broken_;
 };
 
-/// Lends the plan to the code, and has it make a controller for each playback.
+/// Writes the plan for the code, which makes a controller for each playback.
 ControllerMaker MakerOf(StudentPython& code, const RobotModel& model, const std::string& plan_path,
                         std::string& broken) {
   return [&code, &model, plan_path, &broken](const MotionPlan&) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kCommandApart = 1e-6, kSlower = 1.25, kStandsFor = 4.0;
 
-/// The same ground, whatever it is called.
+/// Whether two grounds are equal except for their names.
 bool SameGround(const Terrain& a, const Terrain& b) {
   MotionPlan on_a, on_b;
   on_a.terrain = a;
@@ -29,7 +29,7 @@ bool SameGround(const Terrain& a, const Terrain& b) {
   return MotionHash(on_a) == MotionHash(on_b);
 }
 
-/// What differs between a plan's command and the rubric's; "" for nothing.
+/// The difference between a plan's command and the rubric's; "" if they are equal.
 std::string OtherCommand(const WalkCommand& given, const WalkCommand& asked) {
   if (given.extent != asked.extent) return "it sets the distance in another way";
   const auto differs = [](double a, double b) { return !(std::abs(a - b) <= kCommandApart); };
@@ -48,7 +48,7 @@ std::string OtherCommand(const WalkCommand& given, const WalkCommand& asked) {
   return "";
 }
 
-/// How long a walk at the commanded speed may take with its standing; infinite where none is commanded.
+/// Longest accepted duration of a walk at the commanded speed, with standing; infinite without a commanded speed.
 double LongestWalk(const RobotModel& model, const WalkCommand& command) {
   const double speed = std::hypot(command.speed_m_s, command.lateral_speed_m_s);
   if (speed == 0.0) return std::numeric_limits<double>::infinity();
@@ -57,7 +57,8 @@ double LongestWalk(const RobotModel& model, const WalkCommand& command) {
   return kSlower * way_m / speed + kStandsFor;
 }
 
-/// Holds a plan that was handed in against what was asked for. @throws InvalidArgument naming what is another.
+/// Checks that a submitted plan is for the given robot, ground and command. @throws InvalidArgument that names the
+/// difference.
 void CheckPlan(const RobotModel& model, const MotionRun& run, const MotionPlan& plan) {
   if (plan.robot != model.name || plan.robot_hash != model.hash)
     throw InvalidArgument(fmt::format("the plan is for robot '{}' ({}), but this part needs '{}' ({})", plan.robot,
@@ -74,10 +75,10 @@ void CheckPlan(const RobotModel& model, const MotionRun& run, const MotionPlan& 
                                       plan.duration_s(), LongestWalk(model, run.walk.command)));
 }
 
-/// A motion over made ground begins where the robot is put, at the origin: else it would go past what is to be walked
-/// over. @throws InvalidArgument saying where it begins.
+/// Checks that a motion begins at the origin, because elsewhere it could avoid the obstacles of the ground. @throws
+/// InvalidArgument that says where it begins.
 void CheckStart(const MotionPlan& plan) {
-  if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() < 7) return;  // SetGoal says so
+  if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() < 7) return;  // SetGoal refuses it
   constexpr double kNear = 0.1;                                                   // [m], [rad]
   const PlanarPose start = BaseInPlan(plan.whole_body.q.front());
   if (std::hypot(start.x_m, start.y_m) <= kNear && std::abs(start.yaw_rad) <= kNear) return;
@@ -87,8 +88,8 @@ void CheckStart(const MotionPlan& plan) {
                   start.x_m, start.y_m, start.yaw_rad, kNear));
 }
 
-/// The text of a file of the submission in a file of the same name, for readers that read files. They name it in what
-/// they refuse; the student is told its name alone.
+/// Copies a file of the submission to a temporary file of the same name, for functions that read files. Their messages
+/// have its path; the student sees only its name.
 class Copied {
  public:
   explicit Copied(const HandedIn& in) : name_(in.part.file), path_(folder_.In(in.part.file)) {
@@ -106,7 +107,7 @@ class Copied {
   std::string name_, path_;
 };
 
-/// Options that were handed in, each of which may be set. @throws InvalidArgument for another.
+/// The submitted options. @throws InvalidArgument for an option that must not be set.
 OptionTexts OptionsOf(const HandedIn& in) {
   const Copied file(in);
   WalkRequest walk;

@@ -12,7 +12,7 @@ struct HandedIn {
   const RubricPart& part;
   const Student& student;
   const MarkingSetup& setup;
-  std::string text;  ///< of the part's file
+  std::string text;  ///< text of the part's file
 };
 
 PartMark MarkFunction(const HandedIn& in);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostQuestionReasons = 3;
 
-/// A part's question with what it is about.
+/// Judges the answers to a part's question.
 class Examiner {
  public:
   Examiner(const RubricPart& part, std::uint64_t seed)
@@ -38,7 +38,7 @@ class Examiner {
 
   std::vector<int> ShapeOf(const std::vector<QuestionValue>& inputs) const { return question_.shape(context_, inputs); }
 
-  /// Takes an answer to a case.
+  /// Judges the answer to a case.
   void Judge(int number, const std::vector<QuestionValue>& inputs, const QuestionValue& answer) {
     try {
       const double error = question_.error(context_, inputs, answer);
@@ -55,7 +55,7 @@ class Examiner {
     }
   }
 
-  /// A case without an answer.
+  /// Counts a case without a valid answer.
   void Wrong(int number, const std::string& why) {
     largest_ = std::numeric_limits<double>::infinity();
     Tell(number, why);
@@ -106,7 +106,7 @@ std::string RequestOf(const std::vector<QuestionValue>& inputs) {
   return nlohmann::ordered_json{{"call", call}}.dump();
 }
 
-/// Asks for one case. @return the reason where the code was ended by it.
+/// Sends one case to the code. @return the reason if the process ended.
 std::optional<std::string> AskCase(StudentPython& code, int number, Examiner& examiner) {
   const std::vector<QuestionValue> inputs = examiner.Case(number);
   const Result<std::string> line = code.Ask(RequestOf(inputs), kLongestAnswer);
@@ -131,8 +131,7 @@ std::string ColumnOf(const QuestionValue& value, std::size_t number) {
   return fmt::format("{}_{}_{}", value.name, number / width, number % width);
 }
 
-/// The rows of a table by their case. @throws InvalidArgument for a column that is missing, a case that there is not
-/// or that stands there twice.
+/// The rows of a table by case. @throws InvalidArgument for a missing column, an unknown case and a duplicate case.
 std::map<int, int> RowsByCase(const CsvTable& table, int cases) {
   const int column = table.Find("case");
   if (column < 0) throw InvalidArgument(fmt::format("'{}' has no column 'case'", table.source));
@@ -148,7 +147,7 @@ std::map<int, int> RowsByCase(const CsvTable& table, int cases) {
   return rows;
 }
 
-/// The answer of a row, as many numbers as the shape has. @throws InvalidArgument where columns are missing.
+/// The answer in a row, with as many numbers as the shape has. @throws InvalidArgument for missing columns.
 QuestionValue AnswerOf(const CsvTable& table, int row, const std::vector<int>& shape) {
   QuestionValue answer{"answer", shape, {}};
   for (int i = 0; i < CountOf(shape); ++i) {

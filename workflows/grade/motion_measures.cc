@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// Shares of runs or trials; the score is of each run.
+/// Measures that are shares of runs or trials.
 const std::vector<std::string> kShares = {"pass", "stands", "audit", "survival"};
 
 bool Fell(const StabilityReport& report) { return report.At("fell").value.value_or(1.0) != 0.0; }
@@ -29,7 +29,7 @@ std::optional<double> Survival(const std::vector<RunOutcome>& runs) {
   return trials == 0 ? std::nullopt : std::optional<double>(static_cast<double>(survived) / trials);
 }
 
-/// A value of one run; of one that fell only the fall and the score are worth something.
+/// A value of one run; for a run that fell, only the measures of falls and the score count.
 std::optional<double> ValueIn(const std::string& measure, const RunOutcome& run) {
   if (!run.report) return std::nullopt;
   if (measure == "score") return run.report->score;

@@ -31,11 +31,11 @@ struct RunOutcome {
   std::string audit_words;  ///< why it fails, in one line
   int trials = 0, survived = 0;
   std::vector<std::string> falls = {};      ///< the first trials that fell: disturbances and reason of each fall
-  std::vector<EngineVerdict> engines = {};  ///< of the playback without disturbances, if two engines played it
+  std::vector<EngineVerdict> engines = {};  ///< verdicts on the playback without disturbances, if two engines played it
 };
 
-/// A measure over all runs: a share of the runs or of all their trials; else the worst value of all runs, nothing if a
-/// run has none or fell (except for the measure of falls).
+/// A measure over all runs: for shares, the share of the runs or of all their trials; otherwise the worst value of all
+/// runs, and nothing if a run has no value or fell (except for measures of falls).
 std::optional<double> MeasureOf(const std::string& measure, bool higher_is_better, const std::vector<RunOutcome>& runs);
 
 }  // namespace gaitwright

@@ -15,16 +15,16 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::uint64_t kSeedMask = 0x7fffffff;  // of seeds that options take
+constexpr std::uint64_t kSeedMask = 0x7fffffff;  // range of seeds in options
 
-/// Draws the numbers of a run, and keeps in words what was drawn.
+/// Draws the numbers of a run, and stores them as text.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : random_(seed) {}
 
   double Draw(const std::string& name, const NumberRange& range) {
     if (range.low == range.high) return range.low;
-    // On a grid, so that what is told is what was drawn.
+    // Rounded, so that the printed value equals the value used.
     const double value = std::round((range.low + random_.Uniform() * (range.high - range.low)) * 1e4) / 1e4;
     words_.push_back(fmt::format("{}={:g}", name, value));
     return std::clamp(value, range.low, range.high);
@@ -46,7 +46,7 @@ std::string TerrainText(const MotionSetup& setup, Draws& draws) {
                      fmt::join(parameters, ","));
 }
 
-/// What is said of the command, by key.
+/// The command of a rubric, by key.
 class SaidCommand {
  public:
   SaidCommand(const NamedRanges& ranges, Draws& draws) {
@@ -130,11 +130,11 @@ MotionPlan GivenPlan(const RubricPart& part, const RobotModel& model, const Moti
 PlanarPose GoalOf(const RobotModel& model, const WalkCommand& command) {
   if (command.extent == WalkCommand::Extent::kGoal) return {command.goal_x_m, command.goal_y_m, command.goal_yaw_rad};
   if (command.extent != WalkCommand::Extent::kDistance)
-    throw InvalidArgument("a command of steps or of a duration does not set a goal");
+    throw InvalidArgument("a command of steps or of a duration does not set a goal; give a goal or a distance");
   const bool own = command.speed_m_s == 0.0 && command.lateral_speed_m_s == 0.0;
   const double ahead = own ? model.nominal_speed_m_s : command.speed_m_s, left = command.lateral_speed_m_s;
   const double turn = command.yaw_rate_rad_s * command.distance_m / std::hypot(ahead, left);
-  // Along an arc: the chord of the way, at half of the turn.
+  // Along an arc: the chord of the path, at half of the turning angle.
   const double chord =
       std::abs(turn) < 1e-9 ? command.distance_m : command.distance_m * std::sin(turn / 2.0) / (turn / 2.0);
   const double heading = std::atan2(left, ahead) + turn / 2.0;

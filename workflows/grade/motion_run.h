@@ -28,11 +28,11 @@ struct MotionRun {
   Terrain terrain;
   WalkRequest walk;
   PlayRequest play;
-  std::uint64_t seed = 0;  ///< of its trials
+  std::uint64_t seed = 0;  ///< seed of its trials
 };
 
-/// The runs of a part: pure in rubric and seed. @throws InvalidArgument if the rubric is wrong, for example with
-/// terrain parameters out of range; this is reported before marking.
+/// The runs of a part: a pure function of rubric and seed. @throws InvalidArgument if the rubric is wrong, for example
+/// with terrain parameters out of range; this is reported before marking.
 std::vector<MotionRun> DrawRuns(const RubricPart& part, const RobotModel& model, std::uint64_t seed);
 
 /// Goal of a command, relative to the robot's start. @throws InvalidArgument for a command of steps or of a duration.

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells of itself on its standard error; the last argument is a folder that the package may be in, or "".
+/// Python program that prints data about its interpreter on standard error; its argument is a folder that may contain
+/// the package, or "".
 constexpr char kTell[] = R"(
 import json, os, sys, sysconfig
 def package(folders):
@@ -41,7 +42,7 @@ Failure NoPython(const std::string& why) {
   return {FailureKind::kBadInput, FailureCode::kPython, "LookOver", why, {"give one with --python PROGRAM"}};
 }
 
-/// The package beside the running program, in a build tree or under its prefix; "" where there is none.
+/// The package beside the running program, in a build tree or under its prefix; "" if there is none.
 std::string PackageBesideProgram() {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -58,7 +59,7 @@ std::string PackageBesideProgram() {
   return "";
 }
 
-/// The shared libraries that an archive brings for the package; "" where it needs those of the system alone.
+/// The shared libraries of the package in a release archive; "" if it needs only those of the system.
 std::string LibrariesOf(const std::string& package) {
   std::error_code error;
   const fs::path folder = (fs::path(package) / "../../gaitwright").lexically_normal();
@@ -73,7 +74,7 @@ std::string ChosenProgram(const std::string& program) {
   return name.find('/') == std::string::npos ? FindProgram({name}) : name;
 }
 
-/// What dynamic libraries, and Python without a file of its own, need.
+/// Files that dynamic libraries and every Python need.
 const std::vector<std::string> kSystem = {"/usr/lib",       "/usr/lib64",       "/lib",
                                           "/lib64",         "/usr/local/lib",   "/dev/urandom",
                                           "/etc/localtime", "/etc/ld.so.cache", "/usr/share/zoneinfo"};

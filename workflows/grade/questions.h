@@ -15,7 +15,7 @@ namespace gaitwright {
 /// Gravity used in questions [m/s^2].
 inline constexpr double kQuestionGravity = 9.81;
 
-/// A value of a question or an answer: a number (no shape), a vector, or a matrix row by row.
+/// A value of a question or an answer: a number (no shape), a vector, or a row-major matrix.
 struct QuestionValue {
   std::string name;
   std::vector<int> shape;
@@ -35,7 +35,7 @@ inline constexpr int kSize = -1, kLegJoints = -2;
 struct QuestionContext {
   int size = 0;
   const RobotModel* model = nullptr;  ///< for questions that need a robot
-  int leg_joints = 0;                 ///< of its first leg
+  int leg_joints = 0;                 ///< joints of its first leg
 };
 
 /// An input of a question: its shape, in which kSize is the question's size, and its default range.
@@ -48,7 +48,7 @@ struct QuestionInput {
 /// A quantity that a student's function computes, and the reference: the program's own code, which is never accessible
 /// to the student's code.
 struct Question {
-  std::string name, asks;  ///< a short description
+  std::string name, asks;  ///< `asks`: a short description
   std::vector<QuestionInput> inputs;
   std::string answer;  ///< shape in words
   bool needs_robot = false;
@@ -56,7 +56,7 @@ struct Question {
   std::function<void(const QuestionContext&, SplitMix&, std::vector<QuestionValue>&)> settle = {};
   /// The shape of an answer in a table; with a variable number of corners, the largest possible number.
   std::function<std::vector<int>(const QuestionContext&, const std::vector<QuestionValue>&)> shape = {};
-  /// Error of an answer. @throws InvalidArgument for a wrong shape, naming the needed one.
+  /// Error of an answer. @throws InvalidArgument for a wrong shape; it names the required shape.
   std::function<double(const QuestionContext&, const std::vector<QuestionValue>&, const QuestionValue& answer)> error =
       {};
   std::string off_by = {};  ///< meaning of the error, if it is more than a difference
@@ -69,10 +69,10 @@ int CountOf(const std::vector<int>& shape);
 const std::vector<Question>& Questions();
 /// Names of all questions.
 std::vector<std::string> QuestionNames();
-/// The question of that name. @throws InvalidArgument naming the nearest.
+/// The question with this name. @throws InvalidArgument for an unknown name; it names the nearest.
 const Question& QuestionOf(const std::string& name);
 
-/// The inputs of a case: a pure function of all these. Ranges of `setup` replace the default ones.
+/// The inputs of a case: a pure function of the arguments. Ranges of `setup` replace the default ones.
 std::vector<QuestionValue> DrawCase(const Question& question, const QuestionSetup& setup,
                                     const QuestionContext& context, std::uint64_t seed, int number);
 

@@ -8,17 +8,17 @@
 
 namespace gaitwright {
 
-/// Questions about the ZMP and supports, the DCM, preview control, swings, legs.
+/// Questions about the ZMP and support polygons, the DCM, preview control, swings and legs.
 std::vector<Question> BalanceQuestions();
 std::vector<Question> DivergentQuestions();
 std::vector<Question> PreviewQuestions();
 std::vector<Question> SwingQuestions();
 std::vector<Question> LegQuestions();
 
-/// Of two lists that are as long as each other.
+/// Largest difference of two lists of equal length.
 double LargestDifference(const std::vector<double>& a, const std::vector<double>& b);
 
-/// A question with one answer, of a shape that may have kSize in it; the error is the largest difference.
+/// A question with a single correct answer, whose shape may contain kSize; the error is the largest difference.
 Question Compared(
     Question question, const std::vector<int>& shape,
     const std::function<std::vector<double>(const QuestionContext&, const std::vector<QuestionValue>&)>& answer);

@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::vector<QuestionValue>;
 
-constexpr double kCornersApart = 1e-9;  // [m], of corners that are one
+constexpr double kCornersApart = 1e-9;  // [m], nearer corners are equal
 
 Polygon PointsOf(const QuestionValue& value) {
   Polygon points;
@@ -39,7 +39,7 @@ std::vector<double> ContactsAnswer(const QuestionContext& context, const Values&
   return Numbers(ZeroMomentPoint(Vector3::Zero(), force, moment, in[2].number()));
 }
 
-/// The corners of an answer, without those that repeat the one before.
+/// The corners of an answer, without repetitions of the previous corner.
 Polygon CornersOf(const QuestionValue& answer) {
   if (answer.shape.size() != 2 || answer.shape[1] != 2)
     throw InvalidArgument("the answer is " + ShapeWords(answer.shape) + "; corners x 2 numbers are needed");
@@ -51,7 +51,7 @@ Polygon CornersOf(const QuestionValue& answer) {
   return corners;
 }
 
-/// Largest distance of corners, for the first corner that fits best.
+/// Largest distance between corresponding corners, for the best choice of the first corner.
 double CornersApart(const Polygon& right, const Polygon& given) {
   if (right.size() != given.size()) return std::numeric_limits<double>::infinity();
   double best = std::numeric_limits<double>::infinity();
@@ -68,9 +68,8 @@ double PolygonError(const QuestionContext&, const Values& in, const QuestionValu
   return CornersApart(ConvexHull(PointsOf(in[0])), CornersOf(answer));
 }
 
-/// On a grid of 1/64 m, where what a hull reckons with is exact, and the last point in the middle of an edge of the
-/// others: only then does it matter that none of a hull's corners lies on an edge, and which of two with one x is
-/// first.
+/// Rounds points to a grid of 1/64 m, on which the arithmetic of a hull is exact, and puts the last point in the middle
+/// of an edge of the others. This tests that a hull has no corner on an edge, and how points with equal x are sorted.
 void PutOneOnAnEdge(const QuestionContext& context, SplitMix&, Values& in) {
   if (context.size < 4) return;
   for (double& number : in[0].numbers) number = std::round(32.0 * number) / 32.0;
@@ -84,7 +83,7 @@ void PutOneOnAnEdge(const QuestionContext& context, SplitMix&, Values& in) {
   in[0].numbers[last + 1] = middle.y();
 }
 
-/// Points around their middle by angle, at one distance each: a convex polygon without corners on an edge.
+/// Puts points on a circle, in order of angle: a convex polygon without corners on an edge.
 void MakeConvex(const QuestionContext& context, SplitMix&, Values& in) {
   Polygon points = PointsOf(in[0]);
   const double radius = std::max(0.05, points.front().norm());
@@ -93,7 +92,7 @@ void MakeConvex(const QuestionContext& context, SplitMix&, Values& in) {
   std::sort(angles.begin(), angles.end());
   for (int i = 0; i < context.size; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
-    // Half of an even turn each, half of what was drawn: no two are close.
+    // The mean of uniform and drawn angles, so that no two points are close.
     const double angle = 0.5 * angles[at] + 0.5 * 2.0 * M_PI * i / context.size;
     in[0].numbers[2 * at] = radius * std::cos(angle);
     in[0].numbers[2 * at + 1] = radius * std::sin(angle);
@@ -112,7 +111,7 @@ std::vector<Question> BalanceQuestions() {
   polygon.shape = [](const QuestionContext& context, const Values&) { return std::vector<int>{context.size, 2}; };
   polygon.settle = PutOneOnAnEdge;
   polygon.error = PolygonError;
-  polygon.off_by = "largest distance of a corner; infinite with a wrong number of corners, or one on an edge";
+  polygon.off_by = "largest distance of a corner; infinite for a wrong number of corners, or a corner on an edge";
   Question margin{"support_margin",
                   "the signed distance of a point to the edge",
                   {{"corners_m", {kSize, 2}, {-0.3, 0.3}}, {"point_m", {2}, {-0.3, 0.3}}},

@@ -14,7 +14,7 @@ using Values = std::vector<QuestionValue>;
 
 double OmegaOf(const QuestionValue& com_height) { return std::sqrt(kQuestionGravity / com_height.number()); }
 
-/// The DCM at the start of each step, backward from where it rests on the last ZMP.
+/// The DCM at the start of each step, computed backward from its rest on the last ZMP.
 std::vector<Vector2> StartsOf(const QuestionValue& zmp, double step_s, double omega) {
   const int steps = zmp.shape.front();
   std::vector<Vector2> starts(static_cast<std::size_t>(steps));
@@ -52,13 +52,13 @@ std::vector<double> TimesAnswer(const QuestionContext&, const Values& in) {
   return Rows(at);
 }
 
-/// Times, drawn as shares of the whole, in order.
+/// Sorts times, which were drawn as shares of the total time.
 void ShareTimes(const QuestionContext& context, SplitMix&, Values& in) {
   std::sort(in[3].numbers.begin(), in[3].numbers.end());
   for (double& time_s : in[3].numbers) time_s *= context.size * in[1].number();
 }
 
-/// c(t) = p + (xi0 - p) e^{wt} / 2 + (2 c0 - xi0 - p) e^{-wt} / 2, of c' = w (xi - c) with xi as above.
+/// c(t) = p + (xi0 - p) e^{wt} / 2 + (2 c0 - xi0 - p) e^{-wt} / 2, the solution of c' = w (xi - c) with xi as above.
 std::vector<double> BodyAnswer(const QuestionContext&, const Values& in) {
   const double wt = OmegaOf(in[3]) * in[4].number();
   const Vector2 c = in[0].Vec2(), xi = in[1].Vec2(), p = in[2].Vec2();

@@ -12,14 +12,14 @@ namespace {
 
 using Values = std::vector<QuestionValue>;
 
-constexpr double kFromLimits = 0.05;  // share of its range that a drawn joint keeps from its limits
-constexpr int kFree = 6;              // joints of a leg that places and turns its foot
+constexpr double kFromLimits = 0.05;  // least distance of a drawn joint from its limits, as a share of its range
+constexpr int kFree = 6;              // number of joints with which a leg can set position and orientation of its foot
 
 LegChain ChainOf(const QuestionContext& context, const Values& in) {
   return {*context.model, static_cast<int>(in[0].number())};
 }
 
-/// A leg, by number and name.
+/// Draws a leg; the input gets its number and name.
 LegChain DrawLeg(const QuestionContext& context, SplitMix& random, Values& in) {
   const int legs = static_cast<int>(context.model->legs.size());
   in[0].numbers = {std::min(std::floor(random.Uniform() * legs), legs - 1.0)};
@@ -28,7 +28,7 @@ LegChain DrawLeg(const QuestionContext& context, SplitMix& random, Values& in) {
   return chain;
 }
 
-/// Joints within their limits.
+/// Draws joint positions within their limits.
 VectorX DrawJoints(const LegChain& chain, SplitMix& random) {
   VectorX joints(chain.num_coordinates());
   for (int i = 0; i < joints.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<double> ForwardAnswer(const QuestionContext& context, const Values& 
   return {p.x(), p.y(), p.z()};
 }
 
-/// A pose of the foot that the leg reaches; its rotation is left out of legs that cannot turn it any way.
+/// Sets a foot pose within reach; without rotation for legs that cannot set every orientation.
 void AskInverse(const QuestionContext& context, SplitMix& random, Values& in) {
   const LegChain chain = DrawLeg(context, random, in);
   const Pose pose = chain.FootPose(DrawJoints(chain, random));
@@ -77,7 +77,7 @@ double LimitExcess(const LegChain& chain, const VectorX& joints) {
   return excess;
 }
 
-/// Where the joints bring the foot against where it was to be; any of the leg's solutions serves.
+/// Error of the foot pose for the answered joints; every solution of the leg is accepted.
 double InverseError(const QuestionContext& context, const Values& in, const QuestionValue& answer) {
   const LegChain chain = ChainOf(context, in);
   RequireShape(answer, {chain.num_coordinates()});

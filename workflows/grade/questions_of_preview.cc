@@ -11,7 +11,7 @@ namespace {
 
 using Values = std::vector<QuestionValue>;
 
-constexpr int kSamplesEach = 10;  // of the reference, by unit of the question's size
+constexpr int kSamplesEach = 10;  // samples of the reference per unit of the question's size
 constexpr std::size_t kFirstGains = 4;
 
 const std::vector<QuestionInput> kSetup = {{"com_height_m", {}, {0.3, 1.0}},
@@ -25,7 +25,7 @@ PreviewSetup SetupOf(const Values& in, std::size_t first) {
           in[first + 4].number()};
 }
 
-/// The step in whole milliseconds and the preview in whole steps, so that nobody has to round.
+/// Rounds the step to whole milliseconds and the preview to whole steps, so that students need not round.
 void RoundTimes(Values& in, std::size_t first) {
   double& step_s = in[first + 1].numbers.front();
   double& preview_s = in[first + 2].numbers.front();
@@ -40,7 +40,7 @@ std::vector<double> GainsOf(const Values& in) {
   return numbers;
 }
 
-/// Gains are of very different size: each is held against itself, those of the preview against the largest of them.
+/// Largest relative error of the gains, because they differ in magnitude; preview gains relative to the largest one.
 double GainsError(const QuestionContext&, const Values& in, const QuestionValue& answer) {
   const std::vector<double> right = GainsOf(in);
   RequireShape(answer, {static_cast<int>(right.size())});
@@ -54,7 +54,7 @@ double GainsError(const QuestionContext&, const Values& in, const QuestionValue&
   return error;
 }
 
-/// A ZMP reference that stands at first and then jumps from step to step, from numbers drawn for each sample.
+/// A ZMP reference that is constant at first and then jumps from step to step, from numbers drawn for each sample.
 void MakeReference(const QuestionContext& context, Values& in) {
   RoundTimes(in, 2);
   std::vector<double>& reference = in[0].numbers;

@@ -10,9 +10,10 @@ namespace {
 
 using Values = std::vector<QuestionValue>;
 
-constexpr int kSamples = 101;  // of a swing over a step
-// What a swing over a step must do [m]: how near to its ends it may be lower, how high it may go over its clearance,
-// and by shares of its length how far it may go in the first and last interval, and in any.
+constexpr int kSamples = 101;  // samples of a swing over a step
+// Rules for a swing over a step: distance from its ends within which it may be lower [m], height that it may have above
+// its clearance [m], and, as shares of its length, the longest motion in the first and last interval and in any
+// interval.
 constexpr double kNearEnds = 0.05, kNoHigher = 0.1, kAtRest = 1e-3, kNoJump = 0.05, kTouches = 1e-6;
 
 std::vector<double> JerkAnswer(const QuestionContext&, const Values& in) {
@@ -33,10 +34,10 @@ std::vector<double> SwingAnswer(const QuestionContext&, const Values& in) {
   return numbers;
 }
 
-/// A time within the swing.
+/// Scales the drawn time to the duration of the swing.
 void WithinDuration(const QuestionContext&, SplitMix&, Values& in) { in[4].numbers[0] *= in[3].number(); }
 
-/// An edge between the ends, which are at different heights, and even times.
+/// Puts an edge between the ends, which have different heights, and makes times uniform.
 void MakeStep(const QuestionContext&, SplitMix& random, Values& in) {
   const Vector3 start = in[0].Vec3();
   const double length_m = 0.25 + 0.15 * random.Uniform();
@@ -46,7 +47,7 @@ void MakeStep(const QuestionContext&, SplitMix& random, Values& in) {
   for (int i = 0; i < kSamples; ++i) in[5].numbers[static_cast<std::size_t>(i)] = in[4].number() * i / (kSamples - 1.0);
 }
 
-/// How much one place of a swing over a step is too low or too high.
+/// Distance by which a point of a swing over a step is too low or too high.
 double PlaceError(const Values& in, const Vector3& p) {
   const Vector3 start = in[0].Vec3(), end = in[1].Vec3();
   const double ground_m = p.x() < in[2].number() ? start.z() : end.z(), clearance_m = in[3].number();

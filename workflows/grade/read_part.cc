@@ -115,7 +115,7 @@ void ReadOptions(const YAML::Node& node, MotionSetup& motion) {
   }
 }
 
-/// Whoever plans needs to know how far, and a planner of steps a goal.
+/// Checks that the command has the extent or the goal that the kind of part needs.
 void CheckCommandOf(const YamlMap& map, const YAML::Node& node, const RubricPart& part) {
   const NamedRanges& command = part.motion.command;
   const auto has = [&](const std::string& key) {
@@ -186,7 +186,7 @@ void ReadGait(const YamlMap& map, MotionSetup& motion) {
   motion.gait = map.Text("gait");
   if (motion.gait.empty() || motion.robot.empty()) return;
   const Result<RobotModel> model = LoadNamedRobot(motion.robot);
-  if (!model) return;  // that is refused by itself
+  if (!model) return;  // refused elsewhere
   const Result<Gait> gait = FindGait(*model, motion.gait, model->nominal_speed_m_s, GaitOptions{});
   if (!gait) RefuseYaml(*map.Find("gait"), gait.failure().message);
 }

@@ -11,15 +11,16 @@
 
 namespace gaitwright {
 
-/// The rule of a measure that parts of that kind have. Refuses another, naming the nearest.
+/// The rule of a measure for parts of this kind. Refuses an unknown measure and names the nearest.
 MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, PartKind kind);
 
-/// Each reads what parts of its kind have. They refuse, naming the line, what there is not or is out of range.
+/// Each function reads the keys of one kind of part. It refuses unknown names and values out of range, and names the
+/// line.
 void ReadQuestionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& part);
 void ReadMotionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& part);
 void ReadCodeSetup(const YamlMap& map, RubricPart& part);
 
-/// A number, or a list of two that it is drawn between.
+/// A number, or a list of the lowest and the highest number to draw.
 NumberRange RangeAt(const YAML::Node& node, const std::string& what);
 
 }  // namespace gaitwright

@@ -23,7 +23,7 @@ bool IsWord(const std::string& text) {
          std::isalpha(static_cast<unsigned char>(text.front())) != 0;
 }
 
-/// A plain name of a file: no folder, nothing hidden.
+/// Whether a text is a plain file name: without folders and not hidden.
 bool IsFileName(const std::string& text) {
   return !text.empty() && text.front() != '.' && text.find('/') == std::string::npos && text.size() <= 255;
 }

@@ -53,9 +53,9 @@ struct QuestionSetup {
   int cases = 20;
   double tolerance = 1e-6;            ///< largest error, as defined by the reference
   int size = 6;                       ///< number of points or steps, if the reference needs it
-  std::string robot;                  ///< if the reference needs one
+  std::string robot;                  ///< robot name, if the reference needs one
   NamedRanges inputs;                 ///< ranges that replace the default ones
-  std::optional<std::uint64_t> seed;  ///< of inputs that are always the same
+  std::optional<std::uint64_t> seed;  ///< seed of inputs that are always the same
 };
 
 /// Motions: ground, command and playback.
@@ -70,7 +70,7 @@ struct MotionSetup {
   std::string controller = "stabilised";
   int trials = 0;
   std::optional<Disturbances> disturbances;  ///< nothing for the standard set
-  double swing_s = 0.5, pause_s = 0.1;       ///< of a planner's steps
+  double swing_s = 0.5, pause_s = 0.1;       ///< times of a planner's steps
   std::vector<std::string> options;          ///< keys that a parameter file may set; a * at the end matches any rest
   double longest_motion_s = 60.0;
 };
@@ -105,12 +105,12 @@ struct Rubric {
   double points() const;
 };
 
-/// Reads a rubric, see docs/grading.md. Refused with the line: invalid YAML, unknown keys (with the nearest), values
-/// out of range, unknown names, checks whose points do not add up to their part's.
-/// @param source name of the text in messages.
+/// Reads a rubric, see docs/grading.md. It refuses, with the line: invalid YAML, unknown keys (with the nearest),
+/// values out of range, unknown names, and checks whose points do not add up to those of their part.
+/// @param source  name of the text in messages.
 Result<Rubric> ReadRubric(const std::string& text, const std::string& source);
 
-/// The same from a file.
+/// Reads a rubric from a file.
 Result<Rubric> LoadRubric(const std::string& path);
 
 }  // namespace gaitwright

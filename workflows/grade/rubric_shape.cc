@@ -17,7 +17,7 @@ using Members = std::vector<ShapeMember>;
 
 void Add(const Members& more, Members& members) { members.insert(members.end(), more.begin(), more.end()); }
 
-/// A number, or from where to where it is drawn.
+/// A number, or the range from which it is drawn.
 DataShape RangeShape() { return shapes::Either(shapes::Number(), shapes::Numbers(2)); }
 
 Members QuestionMembers() {
@@ -42,10 +42,11 @@ Members MotionMembers() {
           Optional("runs", Whole(1, kMostRuns), "Number of random runs; all are played."),
           Optional("play", MapOf(value), "Options of the playback."),
           Optional("trials", Whole(0, kMostTrials), "Playbacks of each run under disturbances."),
-          Optional("disturbances", Either(Text({"standard"}), MapOf(Anything())), "The schema of disturbances.")};
+          Optional("disturbances", Either(Text({"standard"}), MapOf(Anything())),
+                   "Disturbances of the trials, see their schema.")};
 }
 
-/// What parts of one kind have and others not.
+/// Keys that only parts of one kind have.
 Members OwnMembers(PartKind kind) {
   using namespace shapes;
   Members own;
@@ -60,7 +61,7 @@ Members OwnMembers(PartKind kind) {
   if (kind == PartKind::kParameters || kind == PartKind::kController)
     own.push_back(Optional("gait", Text(), "Gait that the program plans with."));
   if (kind == PartKind::kParameters)
-    own.push_back(Optional("options", List(Text(), 1), "Keys that the file may set, gait.cycle_s or swing.*."));
+    own.push_back(Optional("options", List(Text(), 1), "Keys that the file may set, such as gait.cycle_s or swing.*."));
   if (kind == PartKind::kPlanner) {
     own.push_back(Optional("swing_s", Number(0.05, 10.0), "Duration of a swing."));
     own.push_back(Optional("pause_s", Number(0.0, 10.0), "Time on the ground after a swing."));

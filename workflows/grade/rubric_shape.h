@@ -13,13 +13,13 @@ DataShape RubricShape();
 /// Structure of a part of this kind.
 DataShape PartShape(PartKind kind);
 
-/// Structure of its limits.
+/// Structure of the limits of a part of this kind.
 DataShape LimitsShape(PartKind kind);
 
-/// Structure of its checks.
+/// Structure of the checks of a part of this kind.
 DataShape CheckShape(PartKind kind);
 
-/// What such checks measure.
+/// Names of the measures for parts of this kind.
 std::vector<std::string> MeasuresOf(PartKind kind);
 
 }  // namespace gaitwright

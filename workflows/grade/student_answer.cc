@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDeepest = 6;
 
-/// The value of an answer; nothing deep is ever built.
+/// The value of an answer; refuses deep nesting before it is built.
 Json AnswerOf(const std::string& line) {
   Json json;
   try {
@@ -24,13 +24,13 @@ Json AnswerOf(const std::string& line) {
       return true;
     });
   } catch (const Json::exception&) {
-    throw InvalidArgument("the answer cannot be read");
+    throw InvalidArgument("the answer is not JSON");
   }
-  if (!json.is_object() || !json.contains("answer")) throw InvalidArgument("the answer cannot be read");
+  if (!json.is_object() || !json.contains("answer")) throw InvalidArgument("the answer lacks the key 'answer'");
   return json["answer"];
 }
 
-/// A finite number; `where()` is asked for its place only where it is none, as answers come each control step.
+/// A finite number. `where()` is called only for messages, because answers come in each control step.
 template <typename Where>
 double NumberIn(const Json& json, const Where& where) {
   if (json.is_string())

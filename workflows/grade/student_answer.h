@@ -8,10 +8,10 @@
 
 namespace gaitwright {
 
-/// The longest line that a submission's code may answer a question with [byte].
+/// The longest line of an answer from a submission's code [byte].
 inline constexpr std::size_t kLongestAnswer = std::size_t{1} << 20;
 
-/// The numbers of an answer `{"answer": ...}`: a number, a list, or a list of lists that are as long as each other.
+/// The numbers of an answer `{"answer": ...}`: a number, a list, or a list of lists of equal length.
 /// @throws InvalidArgument, with a message for the student, for anything else: words, NaN, deeper lists, rows of
 /// different lengths.
 QuestionValue ParseAnswer(const std::string& line);
@@ -22,10 +22,11 @@ struct AnsweredStep {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
 };
 
-/// The steps of an answer. @throws InvalidArgument likewise, and for more than `most`.
+/// The steps of an answer. @throws InvalidArgument as ParseAnswer does, and for more than `most` steps.
 std::vector<AnsweredStep> ParseSteps(const std::string& line, std::size_t most);
 
-/// The rows of an answer that is a list of `count` lists of `size` numbers each. @throws InvalidArgument likewise.
+/// The rows of an answer that is a list of `count` lists of `size` numbers each. @throws InvalidArgument as ParseAnswer
+/// does.
 std::vector<VectorX> ParseRows(const std::string& line, int count, int size);
 
 }  // namespace gaitwright

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a submission's Python: reads requests, a JSON a line, from file 3, and writes an answer to each to file 4.
+"""Runs a submission's Python: reads requests from file 3, one JSON text per line, and writes the answers to file 4.
 
-It stands in the same process as the submission and is trusted as little: it holds inputs only, and what it answers is
-checked by who asked.
+It runs in the same process as the submission, so it is not trusted either: it has only inputs, and the program checks
+its answers.
 """
 
 import importlib.util
@@ -14,7 +14,7 @@ import traceback
 
 
 def told(error):
-    """An exception in a line: what, where in the submission, and its words."""
+    """An exception in one line: its type, its message and its place in the submission."""
     places = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(state["code"])]
     name = type(error).__name__
     where = f" ({os.path.basename(places[-1].filename)} line {places[-1].lineno})" if places else ""
@@ -25,7 +25,7 @@ def told(error):
 
 
 def plain(value, depth=0):
-    """Numbers in lists, from whatever holds numbers; what is none is told by its word."""
+    """Converts arrays and numbers to lists of numbers; a value that is not a finite number becomes a text."""
     if depth > 3:
         raise ValueError("the answer has more than three lists inside each other")
     if hasattr(value, "tolist"):
@@ -44,7 +44,7 @@ def plain(value, depth=0):
 
 
 def argument(value):
-    """A list of numbers is an array; numbers and words stay."""
+    """Converts a list of numbers to an array; numbers and words stay as they are."""
     if isinstance(value, list):
         import numpy
 
@@ -53,7 +53,7 @@ def argument(value):
 
 
 class Package:
-    """Finds the package in its own folder, as the one around it cannot be listed."""
+    """Finds the package in its own folder, because the folder above cannot be listed."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -66,7 +66,7 @@ class Package:
 
 
 def load(request):
-    """Imports the submission's file and finds what is asked of it."""
+    """Imports the submission's file and finds the required function."""
     state["code"] = request["code"]
     sys.path[:] = [request["code"]] + sys.path[1:]
     if request["package"]:
@@ -100,14 +100,14 @@ def make_controller(request):
 
     state["controller"] = state["function"](gaitwright.load_plan(request["plan"]))
     if not hasattr(state["controller"], "update"):
-        raise TypeError(f"'{state['function'].__name__}' gave no controller: it has no 'update'")
+        raise TypeError(f"'{state['function'].__name__}' did not return a controller: the object has no 'update'")
     if hasattr(state["controller"], "reset"):
         state["controller"].reset()
     return []
 
 
 def update(values):
-    """One step of it: targets, feed-forward and gains of the joints."""
+    """One step of the controller: targets, feed-forward and gains of the joints."""
     import gaitwright
 
     command = state["controller"].update(gaitwright.ControlInput(*values))

@@ -28,7 +28,7 @@ Failure CannotRun(const std::string& why) {
 
 }  // namespace
 
-/// The folders of a submission: one that it reads, one that it may write to. Outlive the process.
+/// The folders of a submission: one to read, and one to write to. They outlive the process.
 struct StudentPython::Parts {
   TemporaryFolder base;
   std::unique_ptr<ChildProcess> child;
@@ -36,9 +36,9 @@ struct StudentPython::Parts {
   std::string Code() const { return base.In("code"); }
   std::string Work() const { return base.In("work"); }
 
-  /// Failure where they cannot be made.
+  /// Makes the folders. Failure if they cannot be made.
   std::optional<Failure> Make(const std::vector<OutputFile>& files) const {
-    if (!base.there()) return CannotRun("no temporary folder exists");
+    if (!base.there()) return CannotRun("a temporary folder cannot be made");
     const bool made = chmod(base.path().c_str(), kMayPass) == 0 && mkdir(Code().c_str(), kMayRead) == 0 &&
                       mkdir(Work().c_str(), kOwn) == 0 && chmod(Code().c_str(), kMayRead) == 0 &&
                       (geteuid() != 0 || chown(Work().c_str(), kNobody, kNobody) == 0);
@@ -122,7 +122,7 @@ Failure Said(const std::string& words) {
   return {FailureKind::kBadInput, FailureCode::kSubmission, "StudentPython", words, {}};
 }
 
-/// The text without each `part`: the folder's name is another in each run.
+/// The text without any `part`: the folder has a different name in each run.
 std::string Without(const std::string& part, std::string text) {
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos;) text.erase(at, part.size());
   return text;
@@ -130,7 +130,7 @@ std::string Without(const std::string& part, std::string text) {
 
 }  // namespace
 
-/// The process ends before its folders go.
+/// Ends the process before its folders are removed.
 StudentPython::~StudentPython() {
   if (parts_) parts_->child.reset();
 }

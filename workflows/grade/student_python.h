@@ -15,15 +15,15 @@ namespace gaitwright {
 /// Python interpreter for submissions.
 struct PythonProgram {
   std::string path, version;
-  std::vector<std::string> readable;  ///< its files and folders, and those of its packages
-  std::string package;                ///< folder of the package gaitwright; "" for none
+  std::vector<std::string> readable;  ///< files and folders of the interpreter and its packages
+  std::string package;                ///< folder of the package gaitwright, or ""
   bool has_numpy = false;
 };
 
 /// Inspects a Python by running it (it is trusted): `program` is a path or a name on PATH; "" for /usr/bin/python3, or
 /// the python3 on PATH. The package gaitwright is the one beside the running program (in a build tree, or under the
-/// same prefix), else the one that this Python has itself. Failure `python`: there is none, it cannot be run, or is
-/// older than 3.9.
+/// same prefix), otherwise the one of this Python. Failure `python`: it does not exist, cannot be run, or is older than
+/// 3.9.
 Result<PythonProgram> LookOver(const std::string& program);
 
 /// Path of a file of the package gaitwright or of the robots that submissions need but cannot read as user nobody, if
@@ -49,8 +49,8 @@ class StudentPython {
   StudentPython& operator=(StudentPython&&) = delete;
   ~StudentPython();
 
-  /// Sends a request, a JSON text in a line, and gives the text of the answer, no longer than that [byte]: an object
-  /// with the key `answer`. Failure `submission`: an exception, in one line; `child_answer`: another answer; or as of
+  /// Sends a request, a JSON text in one line. @return the text of the answer, an object with the key `answer`, of at
+  /// most `longest` bytes. Failure `submission`: an exception, in one line; `child_answer`: another answer; or as of
   /// ChildProcess.
   Result<std::string> Ask(const std::string& request, std::size_t longest);
 

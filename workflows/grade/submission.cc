@@ -32,7 +32,7 @@ Failure NotHandedIn(const std::string& message) {
   return {FailureKind::kBadInput, FailureCode::kSubmission, "ReadSubmission", message, {}};
 }
 
-/// A name whose bytes that are no printable ASCII are written as \xHH.
+/// A name in which bytes that are not printable ASCII are written as \xHH.
 std::string Visible(const std::string& name) {
   std::string text;
   for (const unsigned char c : name)
@@ -40,7 +40,7 @@ std::string Visible(const std::string& name) {
   return text;
 }
 
-/// A file that is open as long as this is.
+/// Closes an open file at its end.
 class Handle {
  public:
   explicit Handle(int number) : number_(number) {}
@@ -61,15 +61,15 @@ const char* WhatItIs(mode_t mode) {
   return S_ISLNK(mode) ? "a link" : "a device or a socket";
 }
 
-/// Spreadsheets begin what they write with a byte order mark.
+/// Removes the byte-order mark with which spreadsheets begin their files.
 std::string WithoutMark(std::string bytes) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   if (bytes.starts_with(kMark)) bytes.erase(0, kMark.size());
   return bytes;
 }
 
-/// Why an open file is not taken; nothing where it is.
-std::optional<Failure> WhyNot(int handle, const std::string& file, std::size_t most_bytes) {
+/// Failure if an open file is not accepted.
+std::optional<Failure> ReasonRefused(int handle, const std::string& file, std::size_t most_bytes) {
   struct stat what {};
   if (fstat(handle, &what) != 0) return NotHandedIn(fmt::format("'{}' cannot be read", file));
   if (!S_ISREG(what.st_mode))
@@ -110,7 +110,7 @@ Result<std::string> ReadSubmission(const Student& student, const std::string& fi
     if (errno == ENOENT) return NotHandedIn(fmt::format("'{}' was not handed in", file));
     return NotHandedIn(fmt::format("'{}' is not a readable file", file));
   }
-  if (auto failure = WhyNot(handle.number(), file, most_bytes)) return *failure;
+  if (auto failure = ReasonRefused(handle.number(), file, most_bytes)) return *failure;
   std::string bytes;
   std::array<char, 65536> piece{};
   while (true) {
@@ -119,7 +119,7 @@ Result<std::string> ReadSubmission(const Student& student, const std::string& fi
     if (n < 0) return NotHandedIn(fmt::format("'{}' cannot be read", file));
     if (n == 0) return WithoutMark(std::move(bytes));
     bytes.append(piece.data(), static_cast<std::size_t>(n));
-    if (bytes.size() > most_bytes)  // it grew
+    if (bytes.size() > most_bytes)  // the file grew while it was read
       return NotHandedIn(fmt::format("'{}' has more than {} bytes; at most that many are accepted", file, most_bytes));
   }
 }

@@ -19,7 +19,7 @@ struct Student {
 /// ignored. Failure: the folder does not exist, contains no folder or more than 10,000, or a name is not plain text.
 Result<std::vector<Student>> FindStudents(const std::string& folder);
 
-/// The bytes of a submitted file. Links are not followed, and reading never blocks. Failure `submission`, with a
+/// Reads the bytes of a submitted file. Links are not followed, and reading never blocks. Failure `submission`, with a
 /// message for the student: the file does not exist; it is a link, a folder, a pipe or a device; it is too large.
 Result<std::string> ReadSubmission(const Student& student, const std::string& file, std::size_t most_bytes);
 

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// A spring's force, cut to the most that it has.
+/// The force of a spring, limited to its largest force.
 Vector3 ForceOf(const PullSpring& spring, const Vector3& way_W) {
   const Vector3 force = spring.n_per_m * way_W;
   return force.norm() > spring.most_n ? Vector3(spring.most_n / force.norm() * force) : force;
@@ -29,7 +29,8 @@ PullSpring PullSpringFor(const RobotModel& model) {
 
 void HandsOn::Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& by_W, bool along) {
   if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !by_W.allFinite())
-    throw InvalidArgument(fmt::format("body {} cannot be pulled", body));
+    throw InvalidArgument(fmt::format("body {} cannot be pulled; accepted: bodies 0 to {}, at finite points", body,
+                                      model_.bodies.size() - 1));
   auto grip = std::find_if(grips_.begin(), grips_.end(), [hand](const Grip& g) { return g.hand == hand; });
   if (grip == grips_.end()) {
     if (grips_.size() >= kMostGrips)
@@ -56,17 +57,20 @@ void HandsOn::GoAlong(const Vector3& way_W) {
 void HandsOn::Push(const Vector3& force_W, double until_s) {
   constexpr double kMost = 10.0;  // weights
   if (!(force_W.norm() <= kMost * model_.weight_n()))
-    throw InvalidArgument(fmt::format("a push may be at most {} times the robot's weight", kMost));
+    throw InvalidArgument(
+        fmt::format("the push is {:.4g} N; at most {:.4g} N, {} times the robot's weight, is accepted", force_W.norm(),
+                    kMost * model_.weight_n(), kMost));
   pushed_ = Pushed{force_W, until_s};
 }
 
 void HandsOn::Nudge(int dof, double by, double until_s) {
   constexpr double kMostTurn = 1.0, kMostShift = 0.3;
-  if (dof < 0 || dof >= model_.num_dofs()) throw InvalidArgument(fmt::format("there is no joint {}", dof));
+  if (dof < 0 || dof >= model_.num_dofs())
+    throw InvalidArgument(fmt::format("joint {} does not exist; accepted: 0 to {}", dof, model_.num_dofs() - 1));
   const std::string unit = PositionUnit(model_, dof);
   const double most = unit == "m" ? kMostShift : kMostTurn;
   if (!(std::abs(by) <= most))
-    throw InvalidArgument(fmt::format("this joint can be moved by at most {} {}", most, unit));
+    throw InvalidArgument(fmt::format("joint {} is moved by {:.4g} {}; at most {} is accepted", dof, by, unit, most));
   nudged_ = Nudged{dof, by, until_s, {}};
 }
 
@@ -76,7 +80,7 @@ void HandsOn::Off() {
   nudged_.reset();
 }
 
-/// Legs that stand are moved by torques alone: the joint is held by its own gains for so long.
+/// Offsets a joint command. Stance legs follow torques only, so the joint is held by its own gains during this time.
 void HandsOn::Apply(Nudged& nudged, const World& world, const Gains& gains, JointCommand& command) {
   const int d = nudged.dof;
   if (!nudged.from) nudged.from = world.q()[7 + d];

@@ -27,30 +27,30 @@ struct Grip {
   HandId hand = 0;
   int body = 0;
   Vector3 p_Body = Vector3::Zero();    ///< held point
-  Vector3 by_W = Vector3::Zero();      ///< displacement of the hand from the point where it took hold
-  bool along = false;                  ///< the point where it took hold moves along with the commanded walk
-  std::optional<Vector3> from_W = {};  ///< the point where it took hold, once it has
-  Vector3 force_W = Vector3::Zero();   ///< in the last step [N]
+  Vector3 by_W = Vector3::Zero();      ///< displacement of the hand from its grip point
+  bool along = false;                  ///< the grip point moves along with the commanded walk
+  std::optional<Vector3> from_W = {};  ///< grip point, once it is known
+  Vector3 force_W = Vector3::Zero();   ///< force in the last step [N]
 };
 
-/// Manual actions on a running robot: pulling, pushing, and offsets of joint commands.
+/// Manual actions on a running robot: pulls, pushes, and offsets of joint commands.
 class HandsOn {
  public:
   static constexpr std::size_t kMostGrips = 8;
 
-  /// The model must outlive it.
+  /// The model must outlive this object.
   explicit HandsOn(const RobotModel& model) : model_(model), spring_(PullSpringFor(model)) {}
 
-  /// A spring from a point on a body to a hand, displaced from the point where it took hold, until it lets go. A hand
-  /// pulls at one point at a time; pulling at another point takes hold again.
-  /// @param along  the hand walks beside the robot, see `GoAlong`.
+  /// Pulls a point of a body with a spring to a hand that is displaced from its grip point, until the hand lets go. A
+  /// hand pulls at one point at a time; a pull at another point begins a new grip.
+  /// @param along  the hand moves along with the robot, see `GoAlong`.
   /// @throws InvalidArgument for an unknown body, values that are not finite, and more hands than kMostGrips.
   void Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& by_W, bool along = false);
   void LetGo(HandId hand);
-  /// Distance that the robot was commanded to walk.
+  /// Moves the hands with `along` by the distance that the robot was commanded to walk.
   void GoAlong(const Vector3& way_W);
   const std::vector<Grip>& grips() const { return grips_; }
-  /// A force [N] on the base up to a time. @throws InvalidArgument for more than ten weights.
+  /// Applies a force [N] to the base up to a time. @throws InvalidArgument for more than ten weights.
   void Push(const Vector3& force_W, double until_s);
   /// Offsets a joint command by an amount [rad] or [m] up to a time, held by its gains, to show its response.
   /// @throws InvalidArgument for an unknown joint, and for more than 1 rad or 0.3 m.

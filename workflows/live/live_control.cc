@@ -40,7 +40,7 @@ std::optional<std::string> LiveControl::Follow(const MotionPlan& plan, const Pla
   }
   controller->Reset();
   for (const ControlInput& input : lately) controller->Update(input);
-  controller_ = std::move(controller);  // before the plan that the one before it follows
+  controller_ = std::move(controller);  // first, because the previous controller uses the previous plan
   followed_ = std::move(followed);
   const bool is_news = !std::exchange(stood_in_for_, why.has_value());
   return is_news ? why : std::nullopt;

@@ -11,16 +11,16 @@
 namespace gaitwright {
 
 /// The controller of a running robot whose plan changes. If the selected controller refuses a plan ('recovering'
-/// accepts only plans that stand from start to end), 'stabilised' follows it.
+/// accepts only plans that stand from start to end), 'stabilised' executes it.
 class LiveControl {
  public:
-  /// The model must outlive it. @throws InvalidArgument listing the controllers. Failure: as of PlanRecovery, if it is
-  /// needed.
+  /// The model must outlive this object. @throws InvalidArgument that lists the controllers. Failure: as of
+  /// PlanRecovery, if it is needed.
   static Result<LiveControl> Make(const RobotModel& model, const PlayRequest& request);
 
   /// Switches to another plan.
   /// @param lately  recent states of the robot, which initialise the new controller.
-  /// @return why the selected controller does not follow this plan, if it followed the previous one.
+  /// @return why the selected controller does not execute this plan, if it executed the previous one.
   /// @throws InvalidArgument for inputs that no controller accepts; the present plan then stays active.
   std::optional<std::string> Follow(const MotionPlan& plan, const PlayRequest& request,
                                     const std::deque<ControlInput>& lately);

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Seven digits tell more than can be seen, and take half the room.
+/// Rounds to single precision, which is enough for display and needs half the space.
 double Short(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 template <class Numbers>
@@ -37,7 +37,7 @@ Json PaceJson(const WalkPace& pace) {
           {"yaw_rate_rad_s", pace.yaw_rate_rad_s}};
 }
 
-/// Plan and measurement at this moment, as the viewer has them.
+/// Plan and measurement at this time, in the viewer's form.
 MotionSeries Now(const LiveWorld& live, const LogSample& sample) {
   PlaybackLog log;
   log.log_rate_hz = 1.0 / live.step_s();
@@ -46,7 +46,7 @@ MotionSeries Now(const LiveWorld& live, const LogSample& sample) {
   return MakeMotionSeries(live.model(), live.plan(), log, {});
 }
 
-/// Where feet are, those that touch with where they do and the forces that they carry.
+/// Positions of the feet; for feet in contact, their contact points and forces.
 Json FeetJson(const LiveWorld& live, const LogSample& sample) {
   const RobotModel& model = live.model();
   DynamicsScratch scratch(model);
@@ -62,7 +62,7 @@ Json FeetJson(const LiveWorld& live, const LogSample& sample) {
   return feet;
 }
 
-/// Where a point of plan view lies on what carries the robot, in flight on the ground.
+/// Projects a point in plan view onto the support of the robot, or onto the ground in flight.
 Vector3 OnGround(const Vector2& p_W, const MotionSample& sample, const Terrain& terrain) {
   const bool flies = sample.support.empty();
   return {p_W.x(), p_W.y(), flies ? GroundAt(terrain, p_W).height_m : PlaneHeight(sample.support, p_W)};
@@ -104,7 +104,7 @@ Json PullsJson(const HandsOn& hands) {
   return pulls;
 }
 
-/// Tells one start of the program from another.
+/// A name that identifies one start of the program.
 std::string RunName() {
   std::random_device device;
   return fmt::format("{:08x}{:08x}", device(), device());

@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-/// Data of a frame in addition to the world.
+/// Data of a frame besides those of the world.
 struct LiveStatus {
   LiveClock clock;
   double behind_s = 0.0;                                ///< lag of the simulated clock behind real time

@@ -18,10 +18,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLongest_s = 10.0;  // of a push, or a nudge
-constexpr int kMostSteps = 10000;    // at once, of a clock that is paused
+constexpr double kLongest_s = 10.0;  // duration of a push or a nudge
+constexpr int kMostSteps = 10000;    // per request, while the clock is paused
 
-/// A gait by its own name. Files are not for pages to name.
+/// A gait by name. Pages must not name files.
 std::string GaitOf(const JsonPart& part, const RobotModel& model) {
   std::string name = part.Text();
   if (name == kStanding) return name;
@@ -54,8 +54,11 @@ LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   m.Object({"do", "body", "at_m", "by_m"}, {"along"});
   const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
   const Vector3 at = m.At("at_m").Vector(3), by = m.At("by_m").Vector(3);
-  if (at.norm() > kFarthest) m.Refuse("has a hold point too far away");
-  if (by.norm() > kFarthest) m.Refuse("has a pull distance that is too large");
+  if (at.norm() > kFarthest)
+    m.Refuse(fmt::format("has a hold point too far from the body's origin, {:.4g} m; at most {} m is accepted",
+                         at.norm(), kFarthest));
+  if (by.norm() > kFarthest)
+    m.Refuse(fmt::format("has a pull distance of {:.4g} m; at most {} m is accepted", by.norm(), kFarthest));
   const bool along = m.Has("along") && m.At("along").Truth();
   return [=](LiveWorld& live, LiveClock&, HandId hand) { live.hands().Pull(hand, body, at, by, along); };
 }
@@ -85,7 +88,7 @@ LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
   if (!options.json().is_object()) options.Refuse("is not an object of options");
   OptionTexts texts;
   PlayRequest tried;
-  tried.controller = "recovering";  // whose options are all that there are
+  tried.controller = "recovering";  // it has the options of all controllers
   OptionFields fields = LiveOptions(tried);
   for (const auto& [key, value] : options.json().items()) {
     texts.emplace_back(key, fmt::format("{}", options.At(key).Number()));
@@ -100,8 +103,8 @@ LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
 }
 
 LiveRequest ReadPose(const JsonPart& m, const RobotModel& model) {
-  constexpr double kShortest = 0.1, kLongest = 10.0;  // of a quaternion
-  constexpr double kRounding = 1e-4;                  // of what pages send
+  constexpr double kShortest = 0.1, kLongest = 10.0;  // length of a quaternion
+  constexpr double kRounding = 1e-4;                  // rounding of numbers from pages
   m.Object({"do", "q"});
   VectorX q = m.At("q").Vector(static_cast<std::size_t>(model.nq()));
   const double length = q.segment<4>(3).norm();
@@ -145,7 +148,7 @@ LiveRequest ReadReset(const JsonPart& m, const RobotModel&) {
   return [engine](LiveWorld& live, LiveClock&, HandId) { live.Reset(engine); };
 }
 
-/// What acts on the robot and says no more.
+/// Requests without further data that act on the robot.
 template <void (LiveWorld::*Act)()>
 LiveRequest ReadPlain(const JsonPart& m, const RobotModel&) {
   m.Object({"do"});
@@ -190,7 +193,9 @@ OptionFields LiveOptions(PlayRequest& play) {
 
 LiveRequest ReadLiveRequest(const RobotModel& model, const std::string& message) {
   using Json = JsonPart::Json;
-  if (message.size() > kLongestLiveMessage) throw InvalidArgument("the message is too long");
+  if (message.size() > kLongestLiveMessage)
+    throw InvalidArgument(
+        fmt::format("the message has {} bytes; at most {} are read", message.size(), kLongestLiveMessage));
   try {
     const Json json = ParseJsonOnce(message);
     const JsonPart part(json);

@@ -32,14 +32,14 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using tcp = asio::ip::tcp;
 
-constexpr std::chrono::seconds kPatience{10};  // for a request
+constexpr std::chrono::seconds kPatience{10};  // to wait for a request
 constexpr std::size_t kLongestRequest = 16384, kMostWaiting = 32;
 constexpr int kMostVisits = 256;
-constexpr std::chrono::milliseconds kPause{100};  // where no connection can be taken
+constexpr std::chrono::milliseconds kPause{100};  // after a connection could not be accepted
 
 using Text = std::shared_ptr<const std::string>;
 
-/// What pages have said, on its way from one thread to the other.
+/// Queue of messages from pages, between two threads.
 class Inbox {
  public:
   void Put(LiveSaying message) {
@@ -61,7 +61,7 @@ class Inbox {
   }
 
  private:
-  /// The oldest of the page that said most.
+  /// Drops the oldest message of the page with the most messages.
   void DropOne() {
     const auto most = std::max_element(said_.begin(), said_.end(),
                                        [](const auto& one, const auto& other) { return one.second < other.second; });
@@ -78,13 +78,13 @@ class Inbox {
 
   std::mutex mutex_;
   std::deque<LiveSaying> messages_;
-  std::map<std::uint64_t, std::size_t> said_;  ///< how many of these each page said, who has left or not
+  std::map<std::uint64_t, std::size_t> said_;  ///< number of queued messages by page, including closed pages
   std::size_t all_said_ = 0;
 };
 
 class Page;
 
-/// What the pages of a server share. Only its thread touches it, but for the inbox and the count.
+/// Data shared by the pages of a server. Only its thread may use them, except the inbox and the count.
 struct Shared {
   Text html;
   Text greeting;
@@ -94,7 +94,7 @@ struct Shared {
   Inbox inbox;
   std::map<std::uint64_t, Page*> pages;  ///< by number
   std::uint64_t opened = 0;
-  int visits = 0;  ///< connections that are no pages
+  int visits = 0;  ///< connections that are not pages
   std::atomic<int> count{0};
 };
 
@@ -130,15 +130,15 @@ class Page : public std::enable_shared_from_this<Page> {
     });
   }
 
-  /// What the page is told first, where there is something to tell yet.
+  /// Sends the first message, if it is already set.
   void Greet() {
     if (!shared_.greeting) return;
     Send(shared_.greeting);
     Send(std::make_shared<const std::string>(LivePageNumber(number_)));
   }
 
-  /// The latest picture takes the place of one that waits; other texts do not, and a page that reads none of them is
-  /// not told more.
+  /// Sends a text. A new frame replaces a waiting one. Other texts are queued; if a page does not read them, further
+  /// ones are dropped.
   void Send(const Text& text, bool replaceable = false) {
     if (!accepted_ || !socket_.is_open()) return;
     if (replaceable && !waiting_.empty() && waiting_.back().second) waiting_.pop_back();
@@ -150,14 +150,14 @@ class Page : public std::enable_shared_from_this<Page> {
  private:
   void Read() {
     socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-      if (error) return;  // closed, lost, silent, too long, or no frame of the protocol
+      if (error) return;  // closed, lost, silent, message too long, or invalid frame
       self->Hear();
       self->buffer_.consume(self->buffer_.size());
       self->Read();
     });
   }
 
-  /// What is no text is as a text of nothing: refused.
+  /// Receives a message. A binary message counts as an empty text, which is refused.
   void Hear() {
     shared_.inbox.Put({number_, socket_.got_text() ? beast::buffers_to_string(buffer_.data()) : std::string()});
   }
@@ -181,7 +181,7 @@ class Page : public std::enable_shared_from_this<Page> {
   bool accepted_ = false, writing_ = false;
 };
 
-/// One connection until it is answered or becomes a page.
+/// One connection, until it is answered or becomes a page.
 class Visit : public std::enable_shared_from_this<Visit> {
  public:
   Visit(tcp::socket&& socket, Shared& shared) : stream_(std::move(socket)), shared_(shared) { ++shared_.visits; }
@@ -205,22 +205,23 @@ class Visit : public std::enable_shared_from_this<Visit> {
       return Say(request, http::status::forbidden, "text/plain", Plain("request not from this page\n"));
     const auto target = request.target();
     if (websocket::is_upgrade(request)) {
-      if (target != kLivePath) return Say(request, http::status::not_found, "text/plain", Plain("no such place\n"));
+      if (target != kLivePath)
+        return Say(request, http::status::not_found, "text/plain", Plain("this address does not exist\n"));
       if (shared_.count >= LiveServer::kMostPages)
         return Say(request, http::status::service_unavailable, "text/plain", Plain("too many pages are open\n"));
       return std::make_shared<Page>(std::move(stream_), shared_)->Open(request);
     }
     if (request.method() != http::verb::get && request.method() != http::verb::head)
-      return Say(request, http::status::method_not_allowed, "text/plain", Plain("GET alone\n"));
+      return Say(request, http::status::method_not_allowed, "text/plain", Plain("only GET is accepted\n"));
     if (target == "/") return Say(request, http::status::ok, "text/html; charset=utf-8", shared_.html);
     if (target == "/favicon.ico") return Say(request, http::status::no_content, "image/x-icon", Plain(""));
-    Say(request, http::status::not_found, "text/plain", Plain("no such place\n"));
+    Say(request, http::status::not_found, "text/plain", Plain("this address does not exist\n"));
   }
 
   static Text Plain(const std::string& text) { return std::make_shared<const std::string>(text); }
 
-  /// A browser says which page a WebSocket is of; a page of elsewhere is not ours. The name that it is asked for must
-  /// be this machine's too, since other names may be made to lead here.
+  /// Whether a request is for this server. A browser sends the origin of a WebSocket's page, which must be this server.
+  /// The requested host name must be that of this machine, since other names can be made to resolve to its address.
   bool IsForUs(const http::request<http::empty_body>& request) const {
     const std::string host(request[http::field::host]);
     if (!IsOurs(host)) return false;
@@ -229,7 +230,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   }
 
   bool IsOurs(const std::string& host) const {
-    constexpr int kUsualPort = 80;  // which browsers leave out
+    constexpr int kUsualPort = 80;  // browsers leave it out
     const std::string port = fmt::format(":{}", shared_.port);
     const bool told = host.size() > port.size() && host.ends_with(port);
     if (!told && shared_.port != kUsualPort) return false;
@@ -274,7 +275,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
 }  // namespace
 
 struct LiveServer::Impl {
-  Shared shared;  ///< outlives what waits in the context
+  Shared shared;  ///< must outlive the pending operations of the context
   asio::io_context context{1};
   tcp::acceptor acceptor{context};
   asio::steady_timer pause{context};

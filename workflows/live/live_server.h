@@ -23,8 +23,8 @@ struct LiveSaying {
   bool left = false;  ///< the page was closed or lost
 };
 
-/// Serves a page over HTTP and its WebSocket, in its own thread: pages receive frames of the present state and send
-/// user actions.
+/// Serves a page over HTTP and a WebSocket, in its own thread: pages receive frames of the present state and send user
+/// actions.
 ///
 /// It accepts at most kMostPages pages at a time and messages up to kLongestLiveMessage. A slow page misses frames but
 /// delays no other; a page that is silent and answers no ping for 30 s is disconnected. Requests with a host other than

@@ -46,7 +46,7 @@ LiveSession::LiveSession(LiveWorld& live, LiveServer& server, LiveListener liste
 }
 
 void LiveSession::Turn(double wall_s) {
-  constexpr double kToHear = 0.5;  // of the time between two pictures
+  constexpr double kToHear = 0.5;  // share of the time between two frames
   const double begun_s = spent_s_(), until_s = begun_s + kOnePicture;
   Hear(begun_s + kToHear * kOnePicture);
   const double step_s = live_.step_s();
@@ -102,7 +102,7 @@ void LiveSession::Hear(double until_s) {
   }
 }
 
-/// What a controller or a plan refuses on the way does not end the session for all who look.
+/// Makes one step. If a controller or a plan refuses it, the simulation restarts, so that the session continues.
 void LiveSession::StepOnce() {
   try {
     live_.Step();

@@ -25,7 +25,7 @@ class LiveSession {
   static constexpr double kMostBehind = 0.5;  ///< [s]
   static constexpr double kPictures_hz = 60.0;
 
-  /// World and server must outlive it.
+  /// World and server must outlive this object.
   /// @param spent_s  a clock that measures the time of work [s]; default: the machine's.
   LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener, std::function<double()> spent_s = {});
 

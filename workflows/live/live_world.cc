@@ -18,15 +18,15 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLead = 0.45;          // from being asked to the earliest change, longer than a seam bends [s]
-constexpr double kAhead = 1.0;          // so long before a stop it is settled whether it comes [s]
+constexpr double kLead = 0.45;          // from a request to the earliest change, longer than the blending at a seam [s]
+constexpr double kAhead = 1.0;          // a stop is decided this long before it begins [s]
 constexpr double kSameHeading = 0.01;   // [rad]
 constexpr double kSameHeight = 1e-3;    // [m]
 constexpr double kFallenTilt = 1.0;     // [rad]
 constexpr double kFallenContact = 0.2;  // a body on the ground for this long is a fall [s]
-constexpr double kFallenHeight = 0.4;   // of the standing height
+constexpr double kFallenHeight = 0.4;   // share of the standing height
 
-/// How long a new controller is shown what the robot did: until each foot has stood and swung.
+/// Length of the past motion that a new controller receives: until each foot was in stance and in swing.
 double Shown(const MotionPlan& plan) {
   constexpr double kLeast = 0.5, kCycles = 1.5;
   double shown = kLeast;
@@ -36,7 +36,7 @@ double Shown(const MotionPlan& plan) {
   return shown;
 }
 
-/// How high a motion carries the centre of mass over its feet.
+/// Height of the centre of mass above the feet.
 double CentreOverFeet(const MotionPlan& plan) {
   if (plan.centroidal.p_WC.empty() || plan.footsteps.footholds.empty()) return 0.0;
   return plan.centroidal.p_WC.back().z() - plan.footsteps.footholds.back().X_WF.translation().z();
@@ -96,7 +96,7 @@ void LiveWorld::Reset(const std::string& engine) {
   Stand(Pose::Identity(), 0.0);
 }
 
-/// Stands as the first plan begins, moved by X in plan view, at a time.
+/// Sets the robot to the first posture of the first plan, moved by X in plan view, at a time.
 void LiveWorld::Stand(const Pose& X, double time_s) {
   const MotionPlan& stands = first_.plan;
   PutOnGround(CarriedState(X, stands.whole_body.q.front()), VectorX::Zero(model_.nv()));
@@ -154,7 +154,7 @@ std::optional<double> LiveWorld::wanted_heading_rad() const {
 }
 
 void LiveWorld::Ask(const WalkPace& pace) {
-  if (!may_walk()) return notes_.emplace_back("will walk when it stands"), void();
+  if (!may_walk()) return notes_.emplace_back("the robot will walk when it stands"), void();
   if (!pace.stands()) {
     const bool keeps_heading = wanted_ && pace.yaw_rate_rad_s == 0.0;
     wanted_ = {pace, keeps_heading ? wanted_->heading_rad : std::nullopt};
@@ -168,11 +168,11 @@ void LiveWorld::Ask(const WalkPace& pace) {
 
 void LiveWorld::AskHeading(double heading_rad) {
   if (mode_ != LiveMode::kWalks || stream_.stops())
-    return notes_.emplace_back("can turn to a heading only while it walks"), void();
+    return notes_.emplace_back("the robot can turn to a heading only while it walks"), void();
   WalkPace straight = wanted_ ? wanted_->pace : stream_.pace();
   straight.yaw_rate_rad_s = 0.0;
   if (straight.stands()) {
-    notes_.emplace_back("can turn to a heading only while it walks forward or sideways, not on the spot");
+    notes_.emplace_back("the robot can turn to a heading only while it walks forward or sideways, not on the spot");
     return;
   }
   wanted_ = {straight, heading_rad};
@@ -183,10 +183,10 @@ void LiveWorld::StartPlanning() {
   if (planning_.valid() || !wanted_) return;
   planned_wish_ = *wanted_;
   planned_ = {.from = stream_.pace(), .to = wanted_->pace};
-  // While it turns its heading is not that of the end of the turn: it goes straight first.
+  // During a turn the final heading is not known, so the robot walks straight first.
   if (wanted_->heading_rad && planned_.from.yaw_rate_rad_s == 0.0)
     planned_.turn_rad = std::remainder(*wanted_->heading_rad - stream_.heading_rad(), 2.0 * std::numbers::pi);
-  // Once a pace has needed it lower it stays so: each change of height is one of posture while it walks.
+  // The body stays low after a speed that needed it, because each change of height changes the posture in walking.
   const double lower = CentreOverFeet(first_.plan) - CentreOverFeet(stream_.plan());
   if (lower > kSameHeight) planned_.com_height_m = first_.plan.centroidal.p_WC.back().z() - lower;
   if (std::abs(planned_.turn_rad) < kSameHeading) planned_.turn_rad = 0.0;
@@ -216,7 +216,7 @@ void LiveWorld::TakeUpPlan() {
     notes_.push_back(failure->message);
     return wanted_.reset();
   }
-  notes_.push_back("goes over to " + TextOf(planned_));
+  notes_.push_back("changes to " + TextOf(planned_));
   mode_ = LiveMode::kWalks;
   TakeControl();
   const bool straight_first = wanted_->heading_rad && planned_.from.yaw_rate_rad_s != 0.0;
@@ -236,7 +236,7 @@ void LiveWorld::GoOn() {
   TakeControl();
 }
 
-/// A walk has come to rest. A controller that is for standing robots takes over, with a plan of that alone.
+/// Called after a walk has come to rest. A controller for standing robots takes over, with a plan that only stands.
 void LiveWorld::ComeToStand() {
   notes_.emplace_back("stands");
   if (control_.stood_in_for()) {
@@ -247,7 +247,7 @@ void LiveWorld::ComeToStand() {
   mode_ = LiveMode::kStands;
 }
 
-/// Whether a robot that may have stepped to catch itself is at rest and upright. Then its plan stands where it does.
+/// Whether a robot that may have made recovery steps is at rest and upright. If so, the plan is moved to its position.
 bool LiveWorld::StandsToWalk() {
   constexpr double kStill = 0.05, kUpright = 0.8;  // [m/s], [rad or m]
   const auto n = static_cast<Eigen::Index>(model_.num_dofs());
@@ -257,7 +257,7 @@ bool LiveWorld::StandsToWalk() {
   const VectorX& q = world_->q();
   const VectorX& stands = stream_.plan().whole_body.q.front();
   if ((q - stands).tail(n).lpNorm<Eigen::Infinity>() > kUpright) {
-    notes_.emplace_back("will walk when it stands");
+    notes_.emplace_back("the robot will walk when it stands");
     return wanted_.reset(), false;
   }
   const Pose X = PoseOf(BaseInPlan(q)) * PoseOf(BaseInPlan(stands)).inverse();
@@ -265,7 +265,7 @@ bool LiveWorld::StandsToWalk() {
   return true;
 }
 
-/// A controller of the present plan that knows what the robot did lately. The plan is moved to where the robot went.
+/// Makes a controller for the present plan and gives it the recent motion. The plan is moved to the robot's position.
 void LiveWorld::TakeControl() {
   if (mode_ == LiveMode::kWalks && !history_.empty())
     stream_.Shift(FootOffset(model_, stream_.plan(), history_.back()));
@@ -294,9 +294,9 @@ void LiveWorld::Watch() {
   if (std::acos(up) > kFallenTilt || sunk || time_s_ - down_since_s_ > kFallenContact) Fall(false);
 }
 
-/// @param broken  the physics, or the controller, gave what is no number: it begins anew.
+/// @param broken  the physics or the controller gave a value that is not finite: the simulation restarts.
 void LiveWorld::Fall(bool broken) {
-  notes_.push_back(fmt::format("{} at {:.2f} s", broken ? "the physics broke" : "fell", time_s_));
+  notes_.push_back(fmt::format("{} at {:.2f} s", broken ? "the simulation diverged" : "the robot fell", time_s_));
   if (broken) return Reset();
   mode_ = LiveMode::kFallen;
   GiveUpWishes();
@@ -346,7 +346,7 @@ void LiveWorld::PutInPose(const VectorX& q) {
   VectorX level = q;
   level.head<2>() = ground_from_;
   std::unique_ptr<World> posed = MakeWorld(model_, first_.plan.terrain, level, play_.play.world);
-  posed->SetState(q, VectorX::Zero(model_.nv()));  // which may be of the world as it was
+  posed->SetState(q, VectorX::Zero(model_.nv()));  // `q` may refer to the previous world
   world_ = std::move(posed);
   GiveUpWishes();
   hands_.Off();
@@ -374,7 +374,7 @@ void LiveWorld::SetGround(double friction, double slope_deg, double slope_direct
   if (may_walk()) TakeControl();
 }
 
-/// In a world of its own, on the ground as it is now: a slope turns it along, about where it is.
+/// Puts the robot into a new world with the present ground. A slope rotates the robot about its position.
 void LiveWorld::PutOnGround(const VectorX& level_q, const VectorX& level_v) {
   ground_from_ = level_q.head<2>();
   world_ = MakeWorld(model_, first_.plan.terrain, level_q, play_.play.world);

@@ -29,8 +29,8 @@ AskedPart PartOf(const WalkPace& pace, double duration_s) {
   return part;
 }
 
-/// A turn in whole cycles, no quicker than that.
-/// @param asked_rad  what is asked for so that it turns by `turn_rad`.
+/// A turn in whole cycles, with a yaw rate of at most `quickest_rad_s`.
+/// @param asked_rad  commanded angle for which the plan turns by `turn_rad`.
 AskedPart TurnOf(WalkPace pace, double turn_rad, double asked_rad, double quickest_rad_s, double cycle_s) {
   const double cycles = std::ceil(std::abs(turn_rad) / (quickest_rad_s * cycle_s));
   pace.yaw_rate_rad_s = asked_rad / (cycles * cycle_s);
@@ -45,12 +45,12 @@ std::optional<PacePlan> Steady(MotionPlan plan, bool from_stand) {
   return PacePlan{std::move(plan), before, *stretch};
 }
 
-/// Parts of the walk: the pace that it comes from, the turn, and its own.
-/// @param asked_rad  of the turn.
+/// Parts of the walk: the previous speed, the turn, and the new speed.
+/// @param asked_rad  commanded angle of the turn.
 Result<std::vector<AskedPart>> PartsOf(const RobotModel& model, const PaceChange& change, double asked_rad,
                                        double scale, const GaitOptions& options) {
   constexpr double kBefore = 8.0, kCycles = 10.0;
-  constexpr double kQuickTurn = 0.7;  // of the robot's own speed at a leg's length
+  constexpr double kQuickTurn = 0.7;  // share of the robot's default speed divided by its leg length
   const double quickest = kQuickTurn * model.nominal_speed_m_s / model.leg_length_m();
   std::vector<AskedPart> parts;
   for (const bool first : {true, false}) {
@@ -72,7 +72,7 @@ double HeadingAt(const MotionPlan& plan, double time_s) {
   return YawOf(BaseRotation(sample.q));
 }
 
-/// By how much a plan turns less than it was to.
+/// Angle by which a plan turns less than required.
 double MissingTurn(const PacePlan& pace, double turn_rad) {
   const double from_s = pace.before ? pace.before->start_s : pace.plan.whole_body.start_s;
   const double turned = HeadingAt(pace.plan, pace.stretch.start_s) - HeadingAt(pace.plan, from_s);
@@ -98,7 +98,7 @@ Result<PacePlan> PlanAtHeight(const RobotModel& model, const PaceChange& change,
       scale *= kMore;
       continue;
     }
-    // Turning begins and ends gently, so that a part turns less than its rate times its time.
+    // Turning starts and ends smoothly, so a part turns by less than its rate times its time.
     const double missing = change.turn_rad == 0.0 ? 0.0 : MissingTurn(*steady, change.turn_rad);
     if (std::abs(missing) < kTurned) return std::move(*steady);
     asked_rad += missing;
@@ -107,7 +107,7 @@ Result<PacePlan> PlanAtHeight(const RobotModel& model, const PaceChange& change,
                  FailureCode::kNotSteady,
                  "PlanPace",
                  fmt::format("{} at {:.4g} m/s does not reach a periodic motion", change.to.gait, change.to.speed_m_s),
-                 {"a slower pace"}};
+                 {"use a lower speed"}};
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTime = 1e-6;
 
-/// Rows at rest after a motion's last one, up to a time.
+/// Appends rows at rest after the last row of a motion, up to a time.
 void Rest(MotionPlan& plan, double until_s) {
   WholeBodyTrajectory& w = plan.whole_body;
   CentroidalTrajectory& c = plan.centroidal;
@@ -44,7 +44,7 @@ void Rest(MotionPlan& plan, double until_s) {
   plan.parts.back().end_s = end_s;
 }
 
-/// What a seam bends away at most: in 0.4 s, as another height of the body does it.
+/// Largest posture difference that is blended at a seam, in 0.4 s; a change of body height causes such differences.
 constexpr Seam kMostAtOnce = {
     .height_m = 0.03, .tilt_rad = 0.05, .joints = 0.6, .base_rates = 0.15, .joint_rates = 1.5};
 
@@ -52,8 +52,8 @@ Failure TooFarApart(const Seam& seam) {
   return {FailureKind::kInfeasible,
           FailureCode::kMisfit,
           "WalkStream",
-          fmt::format("this speed needs a posture ({:.3g} m higher or lower, joints different by up to {:.3g}) that "
-                      "cannot be reached while walking",
+          fmt::format("this speed needs another posture (base {:.3g} m higher or lower, joints moved by up to {:.3g} "
+                      "rad or m), which cannot be reached while walking",
                       seam.height_m, seam.joints),
           {"stop first"}};
 }
@@ -104,7 +104,7 @@ double WalkStream::heading_rad() const {
   return YawOf(BaseRotation(sample.q));
 }
 
-/// A robot that has stood for long is as one that has just come to rest.
+/// Continues standing up to a time. Only the last part of a long stand is kept, since its duration does not matter.
 void WalkStream::Stand(double until_s) {
   constexpr double kLong = 1.0;
   const double step_s = plan_.whole_body.step_s, end_s = plan_.whole_body.end_s();

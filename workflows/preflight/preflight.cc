@@ -46,7 +46,7 @@ std::string GroundText(const Terrain& terrain) {
       low == high ? fmt::format("{:.3g}", low) : fmt::format("{:.3g} to {:.3g}, depending on the foothold", low, high));
 }
 
-/// Shares of limits that are held in reserve.
+/// The shares of the limits that may be used.
 std::string ReserveText(const AuditOptions& options) {
   std::string text;
   const auto add = [&](const char* what, double share) {
@@ -61,7 +61,7 @@ std::string ReserveText(const AuditOptions& options) {
                       : "these shares of the limits are used: " + text;
 }
 
-/// What of its own the torques have in them.
+/// The losses of joints and motors that the torques include.
 std::string OwnTorqueText(const RobotModel& model) {
   bool damping = false, friction = false, rotor = false;
   for (const Joint& joint : model.joints) {
@@ -85,7 +85,7 @@ std::string ViolationText(const Violation& v) {
                      AuditFigure(v.value, v.unit), AuditFigure(v.limit, v.unit));
 }
 
-/// `k` and `different_k` of all trials and of those that differ.
+/// A share as text; `k` counts all trials, `different_k` counts trials with identical logs once.
 std::string ShareText(const TrialsResult& trials, int k, int different_k, const char* what) {
   const ShareInterval share = WilsonInterval(different_k, trials.different);
   std::string text = fmt::format("{} of {} trials {}", k, trials.n, what);
@@ -97,7 +97,7 @@ std::string ShareText(const TrialsResult& trials, int k, int different_k, const 
                             100.0 * share.high);
 }
 
-/// What whoever measured the start posture has to do about it.
+/// Adds the reasons and remarks about the measured start posture.
 void JudgeStart(const PreflightInput& input, Preflight& preflight) {
   bool moves = false, jumps = false;
   for (const Violation& v : preflight.audit.violations) {

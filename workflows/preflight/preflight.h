@@ -22,13 +22,14 @@ struct PreflightOptions {
     return {{"fewest_trials", &fewest_trials, "1", 0.0, 1e6,
              "Smallest number of trials for a go decision; 0 requires none."},
             {"least_survival", &least_survival, "1", 0.0, 1.0,
-             "Smallest survival rate for a go decision with trials: the lower end of the 95 % interval."}};
+             "Smallest survival rate for a go decision with trials; the lower end of its 95 % interval must reach this "
+             "value."}};
   }
 };
 
 /// Inputs of a preflight, in addition to robot and plan.
 struct PreflightInput {
-  AuditOptions audit;  ///< margins are always computed, whatever this says
+  AuditOptions audit;  ///< margins are always computed, regardless of these options
   PreflightOptions options;
   std::optional<TrialsResult> trials;
   std::string approach;  ///< a sentence on the approach to the first posture, or why there is none; "" if not requested

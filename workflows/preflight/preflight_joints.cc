@@ -9,9 +9,9 @@
 namespace gaitwright {
 namespace {
 
-/// Laws with a limit of each joint, in the order of their columns, and how these are headed.
+/// Checks with a limit for each joint, in the order of their columns, and the column headings.
 const std::vector<std::pair<Law, std::string>>& JointLaws() {
-  static const std::vector<std::pair<Law, std::string>> laws = {{Law::kJointPosition, "to its stop"},
+  static const std::vector<std::pair<Law, std::string>> laws = {{Law::kJointPosition, "position"},
                                                                 {Law::kJointVelocity, "speed"},
                                                                 {Law::kJointAcceleration, "acceleration"},
                                                                 {Law::kJointJerk, "jerk"},

@@ -16,11 +16,11 @@ struct JointMargins {
     std::vector<std::string> cells;  ///< by heading: "12 %", a value with its unit, or a dash if there is no limit
     std::vector<bool> broken;        ///< by heading
   };
-  std::vector<std::string> headings;  ///< checks for which some joint has a limit
-  std::vector<Row> rows;              ///< by joints' names
+  std::vector<std::string> headings;  ///< checks for which at least one joint has a limit
+  std::vector<Row> rows;              ///< by joint name
 };
 
-/// @param margins  of an audit.
+/// @param margins  margins from an audit.
 JointMargins JointMarginsOf(const std::vector<AuditMargin>& margins);
 
 }  // namespace gaitwright

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The preflight as a page to be printed and signed.
+// The preflight as a page to print and sign.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostWorst = 6;
 
-/// On paper everything is dark on white, at the size of A4.
+/// Style for A4 paper: dark on white.
 std::string PaperStyle() {
   return R"(
 .sign{display:grid;grid-template-columns:2fr 2fr 1fr;gap:34px 24px;margin:36px 0 0}
@@ -58,13 +58,13 @@ std::string Head(const Preflight& p) {
   row("robot hash", p.robot_hash, " class=\"hash\"");
   row("plan", fmt::format("{:.2f} s, made by {}", p.duration_s, p.made_by));
   row("plan hash", p.whole_plan_hash, " class=\"hash\"");
-  row("that of its logs", p.plan_hash, " class=\"hash\"");
+  row("hash in its logs", p.plan_hash, " class=\"hash\"");
   row("checked by",
       fmt::format("gaitwright {}, {} samples at {:.0f} Hz", p.program_version, p.audit.samples, p.audit.rate_hz));
   return html + "</tbody></table>\n";
 }
 
-/// A bar of what is used of a limit, where that is a share.
+/// A bar that shows the used share of a limit, if the margin is a share.
 std::string Bar(const AuditMargin& m) {
   if (!m.share) return "";
   const double used = std::clamp(1.0 - *m.share, 0.0, 1.0);
@@ -83,7 +83,7 @@ std::string LimitRow(const AuditMargin& m, bool broken) {
 
 std::string Limits(const Preflight& p) {
   std::string html =
-      "<h2>Limits and their margins</h2>\n<div class=\"scroll\"><table id=\"limits\"><thead><tr><th>law</th><th "
+      "<h2>Limits and their margins</h2>\n<div class=\"scroll\"><table id=\"limits\"><thead><tr><th>check</th><th "
       "class=\"n\">worst at</th><th>where</th><th class=\"n\">value</th><th class=\"n\">limit</th><th "
       "class=\"n\">margin</th><th>used</th></tr></thead><tbody>\n";
   for (const AuditMargin& m : TightestOfEachLaw(p.audit.margins)) {
@@ -94,7 +94,7 @@ std::string Limits(const Preflight& p) {
   return html + "</tbody></table></div>\n";
 }
 
-/// What each joint has left, a row a joint.
+/// The margins of each joint, one row per joint.
 std::string Joints(const Preflight& p) {
   const JointMargins table = JointMarginsOf(p.audit.margins);
   std::string html =
@@ -110,7 +110,7 @@ std::string Joints(const Preflight& p) {
   return html + "</tbody></table></div>\n<p class=\"soft\">Smallest margin of each joint to each limit.</p>\n";
 }
 
-/// What the trials were played under, disturbances included.
+/// The conditions of the trials, including disturbances.
 std::string Conditions(const Preflight& p) {
   std::string html = "<p>Played under:</p>\n<ul id=\"conditions\">\n";
   for (const OptionChange& condition : p.trial_conditions)
@@ -122,7 +122,7 @@ std::string Conditions(const Preflight& p) {
 std::string Trials(const Preflight& p) {
   if (!p.trials) {
     return fmt::format(
-        "<h2>Trials</h2>\n<p><b>None.</b> How often this plan survives disturbances is not known; of trials {}.</p>\n",
+        "<h2>Trials</h2>\n<p><b>None.</b> How often this plan survives disturbances is unknown; {}.</p>\n",
         ThresholdText(p));
   }
   const std::string& controller = p.trials->controller;
@@ -157,7 +157,7 @@ std::string PreflightPage(const Preflight& p) {
       "content=\"width=device-width,initial-scale=1\"/><title>Preflight of {} \u2013 {}</title>\n<style>{}{}</style>"
       "</head>\n<body><main>\n",
       EscapedXml(p.robot), p.go() ? "go" : "no-go", PageStyle(), PaperStyle());
-  html += Head(p) + ListOf("Reasons for no-go", p.reasons) + ListOf("To mind", p.remarks) + Trials(p) + Limits(p);
+  html += Head(p) + ListOf("Reasons for no-go", p.reasons) + ListOf("Remarks", p.remarks) + Trials(p) + Limits(p);
   html += Joints(p) + ListOf("Assumptions", p.assumptions) + ListOf("Not checked", p.not_checked);
   html += "<div class=\"signing\"><h2>Signed</h2>\n<div class=\"sign\">";
   for (int line = 0; line < 2; ++line) html += "<div>name</div><div>signature</div><div>date</div>";

@@ -30,7 +30,7 @@ std::string LimitsText(const Preflight& preflight) {
   return text;
 }
 
-/// The lines of a text, each set in.
+/// The lines of a text, indented.
 std::string SetIn(const std::string& text) {
   std::string lines;
   std::istringstream stream(text);
@@ -110,11 +110,11 @@ Json TrialsJson(const TrialsResult& trials, const std::vector<OptionChange>& con
 std::string PreflightText(const Preflight& p) {
   std::string text = fmt::format("PREFLIGHT: {}\n", p.go() ? "GO" : "NO-GO");
   text += fmt::format(
-      "  robot    {}, {:.4g} kg, hash {}\n  plan     {}, {:.2f} s, made by {}, hash {}, that of its logs {}\n"
+      "  robot    {}, {:.4g} kg, hash {}\n  plan     {}, {:.2f} s, made by {}, hash {}, hash in its logs {}\n"
       "  checked  by gaitwright {}, {} samples at {:.0f} Hz\n",
       p.robot, p.mass_kg, p.robot_hash, p.motion, p.duration_s, p.made_by, p.whole_plan_hash, p.plan_hash,
       p.program_version, p.audit.samples, p.audit.rate_hz);
-  text += Section("Reasons for no-go", p.reasons) + Section("To mind", p.remarks) + TrialsText(p) + LimitsText(p) +
+  text += Section("Reasons for no-go", p.reasons) + Section("Remarks", p.remarks) + TrialsText(p) + LimitsText(p) +
           JointsText(p);
   text += Section("Assumptions", p.assumptions) + Section("Not checked", p.not_checked);
   return text +

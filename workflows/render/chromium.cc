@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 constexpr char kChromiumStage[] = "Chromium";
 
-/// The program to start; "" where there is none.
+/// The program to start; "" if there is none.
 std::string ProgramOf(const ChromiumOptions& options) {
   if (!options.program.empty()) return options.program;
   if (const char* named = std::getenv("GAITWRIGHT_CHROMIUM"); named != nullptr && *named != '\0') return named;
@@ -78,12 +78,12 @@ Failure Refused(const std::string& what) {
 
 }  // namespace
 
-/// The pipe with one page at its other end.
+/// The pipe to one page.
 class Chromium::Pipe {
  public:
   Pipe(DevtoolsPipe pipe, std::unique_ptr<TemporaryFolder> profile, double timeout_s)
       : profile_(std::move(profile)), pipe_(std::move(pipe)), timeout_s_(timeout_s) {}
-  /// Asks the browser to end, so that none of its processes writes to the profile any more; else it is killed.
+  /// Asks the browser to end, so that its processes stop writing to the profile; kills it if it does not answer.
   ~Pipe() {
     constexpr double kLongest = 5.0;  // [s]
     if (!pipe_.Send({{"id", ++last_id_}, {"method", "Browser.close"}})) return;
@@ -93,7 +93,7 @@ class Chromium::Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  /// Calls a method and waits for its answer; events that come before it are looked at.
+  /// Calls a method and waits for its answer; processes events that arrive before it.
   Result<Json> Call(const std::string& method, const Json& parameters = Json::object()) {
     const int id = ++last_id_;
     Json message = {{"id", id}, {"method", method}, {"params", parameters}};
@@ -121,7 +121,7 @@ class Chromium::Pipe {
     }
   }
 
-  /// Opens a page of that size, and listens to it.
+  /// Opens a page of the given size and subscribes to its events.
   Result<Json> Attach(const ChromiumOptions& options) {
     const Result<Json> target = Call("Target.createTarget", {{"url", "about:blank"}});
     if (!target) return target.failure();

@@ -11,12 +11,11 @@ namespace gaitwright {
 
 /// The browser and the size of its page.
 struct ChromiumOptions {
-  std::string program =
-      {};  ///< its path; "" uses GAITWRIGHT_CHROMIUM, else the first of Chromium's usual names on PATH
+  std::string program = {};  ///< its path; "": GAITWRIGHT_CHROMIUM, otherwise a Chromium on PATH
   int width_px = 1280, height_px = 720;
   double pixel_ratio = 1.0;  ///< drawn pixels per page pixel; a smaller ratio draws faster
   bool dark = false;         ///< colour scheme of the page (prefers-color-scheme): dark or light
-  double timeout_s = 60.0;   ///< for each answer
+  double timeout_s = 60.0;   ///< time limit for each answer
 };
 
 /// One page in its own headless Chromium, driven over its debugging pipe (Chrome DevTools Protocol). It opens no port,
@@ -29,10 +28,10 @@ class Chromium {
   Chromium(const Chromium&) = delete;
   Chromium& operator=(const Chromium&) = delete;
 
-  /// Opens a URL, as file:///..., in place of the page before, and waits until it has loaded. @return the URL.
+  /// Opens a URL, such as file:///..., in place of the previous page, and waits until it has loaded. @return the URL.
   Result<std::string> Open(const std::string& url);
 
-  /// The value of an expression of JavaScript, as JSON; promises are awaited. Failure: its exception.
+  /// Evaluates a JavaScript expression. @return its value as JSON; promises are awaited. Failure: its exception.
   Result<std::string> Evaluate(const std::string& expression);
 
   /// A picture of the page, as the bytes of a PNG.
@@ -45,7 +44,7 @@ class Chromium {
   enum class Mouse { kMove, kDrag, kPress, kRelease };
   Result<std::string> Point(Mouse does, double x_px, double y_px);
 
-  /// Errors that the page opened last wrote to its console, and uncaught exceptions, so far.
+  /// Console errors and uncaught exceptions of the page that was opened last, so far.
   const std::vector<std::string>& complaints() const;
 
  private:

@@ -28,8 +28,8 @@ Failure Broken(const std::string& what) {
   return {FailureKind::kBadInput, FailureCode::kBrowserGone, "DevtoolsPipe", "the browser " + what, {}};
 }
 
-/// Two ends that stand clear of the numbers that the program is to have, and that no other process inherits. They are
-/// sockets, which tell of a reader that is gone without a signal.
+/// Two connected ends whose numbers do not clash with those for the program, and that no other process inherits. They
+/// are sockets, so that writing without a reader gives an error and no signal.
 bool MakePair(std::array<int, 2>& ends) {
   std::array<int, 2> low{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, low.data()) != 0) return false;
@@ -40,7 +40,7 @@ bool MakePair(std::array<int, 2>& ends) {
   return ends[0] >= 0 && ends[1] >= 0;
 }
 
-/// Starts it in a group of its own, so that all of its processes can be ended. @return 0 or the error's number.
+/// Starts the program in a new process group, so that all its processes can be ended. @return 0 or the error number.
 int Spawn(const std::string& program, const std::vector<std::string>& arguments, int reads, int writes,
           pid_t& process) {
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
@@ -62,7 +62,7 @@ int Spawn(const std::string& program, const std::vector<std::string>& arguments,
   return error;
 }
 
-/// Gives it some time to end by itself, as it does once its pipes are closed. It is not yet reaped then.
+/// Waits some time for the process to end after its pipes were closed. Does not reap it.
 void WaitForEnd(pid_t process) {
   constexpr int kLooks = 200;
   for (int look = 0; look < kLooks; ++look) {
@@ -102,7 +102,7 @@ DevtoolsPipe::~DevtoolsPipe() {
     if (end >= 0) close(end);
   if (process_ <= 0) return;
   WaitForEnd(process_);
-  kill(-process_, SIGKILL);  // and what it left of its own processes
+  kill(-process_, SIGKILL);  // also ends its remaining child processes
   while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }

@@ -13,11 +13,11 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLine = 17.0;         // of a table [px]
-constexpr double kIndent = 14.0;       // of the second line of a foot [px]
+constexpr double kLine = 17.0;         // height of a line of a table [px]
+constexpr double kIndent = 14.0;       // indent of the second line of a foot [px]
 constexpr double kHeadingHigh = 24.0;  // [px]
 
-/// Width of a letter of the tables' text, on the safe side [px].
+/// Upper estimate of the width of a letter in the tables [px].
 double WidthOf(char c) {
   if ((c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9')) return 8.0;
   return c == 'm' || c == 'w' ? 11.0 : 6.2;
@@ -27,13 +27,14 @@ double WidthOf(const std::string& text) {
   return std::accumulate(text.begin(), text.end(), 0.0, [](double sum, char c) { return sum + WidthOf(c); });
 }
 
-/// A text that is cut where it is wider than its place.
+/// A text, cut if it is wider than its place.
 std::string Fitted(const std::string& text, double width_px) {
   if (WidthOf(text) <= width_px) return text;
   std::size_t end = 0;
   for (double wide = WidthOf("..."); end < text.size() && wide + WidthOf(text[end]) <= width_px; ++end)
     wide += WidthOf(text[end]);
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a letter of UTF-8
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    --end;  // do not cut inside a UTF-8 character
   return text.substr(0, end) + "...";
 }
 
@@ -71,7 +72,7 @@ void AddFeet(const RobotModel& model, const Vector2& at_px, double width_px, Dra
   }
 }
 
-/// Signs, each with what it means.
+/// Adds the signs with their meanings.
 void AddSigns(const Vector2& at_px, double width_px, DrawnTable& table) {
   struct Sign {
     const char *picture, *words;

@@ -14,7 +14,7 @@ struct DrawnTable {
   double height_px = 0.0;
 };
 
-/// The signs of the drawing, the feet with their sizes, and the joints by number with name and axis, in as many columns
+/// The signs of the drawing, the feet with their sizes, and the joints with number, name and axis, in as many columns
 /// as fit. Needs ForwardKinematics.
 DrawnTable DrawnTables(const RobotModel& model, const DynamicsScratch& scratch, const Vector2& at_px, double width_px);
 

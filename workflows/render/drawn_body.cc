@@ -17,9 +17,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kRoundCorners = 24;  // of a circle that is drawn as a polygon
+constexpr int kRoundCorners = 24;  // corners of a polygon that approximates a circle
 
-/// Points whose hull, blown up by the radius that is returned, is a shape; in S. A mesh without points has none.
+/// Points in S whose hull, enlarged by the returned radius, is the shape. Empty for a mesh without points.
 double SpanningPoints(const Shape& shape, std::vector<Vector3>& points_S) {
   const Vector3 half = 0.5 * shape.size;
   switch (shape.type) {
@@ -49,12 +49,12 @@ double SpanningPoints(const Shape& shape, std::vector<Vector3>& points_S) {
   return 0.0;
 }
 
-/// Points that span the hull of mesh files, each file read once.
+/// Points that span the hulls of mesh files; reads each file once.
 class DrawnMeshes {
  public:
   explicit DrawnMeshes(const std::string& folder) : folder_(folder) {}
 
-  /// None where the file is not to be had.
+  /// The points of a file; empty if the file cannot be read.
   const std::vector<Vector3>& PointsOf(const std::string& file) {
     const auto [at, is_new] = points_.try_emplace(file);
     if (!is_new || folder_.empty()) return at->second;

@@ -30,7 +30,7 @@ std::string SupportOf(const DrawnView& view, const RobotModel& model, const Dyna
   return "<polygon class=\"support\" points=\"" + PointsOf(view, corners) + "\"/>";
 }
 
-/// A foot's ball, if it rolls, its sole, and each point through which it pushes.
+/// The sphere or the sole of a foot, and its contact points.
 std::string FootOf(const DrawnView& view, const RobotModel& model, const DynamicsScratch& scratch, int index) {
   const Foot& foot = model.feet[static_cast<std::size_t>(index)];
   const bool is_rest = index >= static_cast<int>(model.legs.size());
@@ -50,7 +50,7 @@ std::string FootOf(const DrawnView& view, const RobotModel& model, const Dynamic
   return svg + "</g>";
 }
 
-/// The quartered disc that drawings have at a centre of mass.
+/// The quartered disc that marks a centre of mass in drawings.
 std::string CentreOfMassMark(const Vector2& at) {
   constexpr double kRadius = 8.0;
   return fmt::format(

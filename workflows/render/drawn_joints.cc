@@ -13,16 +13,16 @@ namespace {
 
 constexpr double kArrow = 30.0;       // length of an axis that lies in the plane [px]
 constexpr double kShortest = 9.0;     // a shorter arrow is drawn as one that points at the reader or away [px]
-constexpr double kNumberHigh = 12.0;  // of a number and its room [px]
+constexpr double kNumberHigh = 12.0;  // height of a number with its margin [px]
 
-/// A joint as a view has it.
+/// A joint in a view.
 struct DrawnJoint {
   std::size_t index;  // into the model's joints
   Vector2 at_px, tip_px;
   double depth;  // toward the reader [m]
 };
 
-/// Finds room for numbers: each beside its arrow's tip, where no other and no joint is.
+/// Places numbers beside the tips of their arrows, without overlap with other numbers and joints.
 class NumberPlacer {
  public:
   explicit NumberPlacer(const Eigen::AlignedBox2d& frame_px) : frame_px_(frame_px) {}
@@ -31,13 +31,13 @@ class NumberPlacer {
     taken_.emplace_back(at_px - Vector2::Constant(half_px), at_px + Vector2::Constant(half_px));
   }
 
-  /// Middle of the number's place. @param ahead  unit: where it is looked for first.
+  /// Centre of the number's place. @param ahead unit vector: direction that is tried first.
   Vector2 Place(const Vector2& tip_px, const Vector2& ahead, double width_px) {
     constexpr int kTurns = 16;
     const Vector2 half(0.5 * width_px, 0.5 * kNumberHigh);
     for (double away = 9.0; away < 90.0; away += 6.0) {
       for (int i = 0; i < kTurns; ++i) {
-        // 0, +1, -1, +2, -2, ...: the nearest to straight ahead come first
+        // 0, +1, -1, +2, -2, ...: directions near `ahead` first
         const double turn = (i % 2 == 0 ? -1 : 1) * ((i + 1) / 2) * 2.0 * std::numbers::pi / kTurns;
         const Vector2 middle = tip_px + away * (Eigen::Rotation2Dd(turn) * ahead);
         if (Take({middle - half, middle + half})) return middle;
@@ -59,7 +59,7 @@ class NumberPlacer {
   std::vector<Eigen::AlignedBox2d> taken_;
 };
 
-/// Joints in front first; without those that lie behind a parallel one.
+/// Joints of a view, those in front first, without joints behind a parallel one.
 std::vector<DrawnJoint> JointsInView(const DrawnView& view, const RobotModel& model, const DynamicsScratch& scratch) {
   constexpr double kSamePlace = 16.0;  // [px]
   constexpr double kBehind = 0.01;     // [m]

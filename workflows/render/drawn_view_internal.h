@@ -21,7 +21,7 @@ struct DrawnView {
   Eigen::AlignedBox2d extent_D = {};  ///< extent of its content [m]
   double px_per_m = 1.0;
   Vector2 zero_px = Vector2::Zero();  ///< position of the origin of W
-  Eigen::AlignedBox2d frame_px = {};  ///< its part of the picture
+  Eigen::AlignedBox2d frame_px = {};  ///< part of the picture for this view
 
   Vector2 InPlane(const Vector3& p_W) const { return {right_W.dot(p_W), up_W.dot(p_W)}; }
   Vector2 PlaneToPx(const Vector2& p_D) const { return zero_px + px_per_m * Vector2(p_D.x(), -p_D.y()); }
@@ -52,10 +52,10 @@ std::string DrawnJoints(const DrawnView& view, const RobotModel& model, const Dy
 
 /// The style sheet's class of a joint by its axis in W: "jx", "jy", "jz" or "jo" for any other direction.
 const char* AxisClass(const Vector3& axis_W);
-/// "+y", or its three components if it lies along no axis of W.
+/// "+y", or the three components of an axis that is not along an axis of W.
 std::string AxisText(const Vector3& axis_W);
 
-/// Soles and points of contact of the feet, the support that they span, the centre of mass and its projection.
+/// Soles and contact points of the feet, their support polygon, the centre of mass and its projection.
 std::string DrawnFeet(const DrawnView& view, const RobotModel& model, const DynamicsScratch& scratch);
 
 }  // namespace gaitwright

@@ -22,7 +22,7 @@ Failure Failed(FailureCode code, const std::string& what, const std::vector<Sugg
   return {FailureKind::kBadInput, code, kStage, what, suggestions};
 }
 
-/// Refuses what is out of range.
+/// Refuses options out of range.
 void CheckOptions(const PictureOptions& options) {
   const auto within = [](const char* what, double value, double least, double most) {
     if (value >= least && value <= most) return;
@@ -34,7 +34,7 @@ void CheckOptions(const PictureOptions& options) {
   within("the speed", options.speed, 0.01, 100);
   const auto known = [](const char* what, const std::string& name, const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
-    throw InvalidArgument(fmt::format("there is no {} '{}'; there are {}", what, name, QuotedList(names)));
+    throw InvalidArgument(fmt::format("there is no {} '{}'; accepted: {}", what, name, QuotedList(names)));
   };
   known("view", options.view, ViewNames());
   for (const std::string& name : options.hidden) known("overlay", name, OverlayNames());
@@ -42,7 +42,7 @@ void CheckOptions(const PictureOptions& options) {
     throw InvalidArgument(fmt::format("the time range from {} to {} s is empty", options.from_s, options.to_s));
 }
 
-/// The page in a browser, laid out as a picture.
+/// A page in a browser, in the layout for pictures.
 class Studio {
  public:
   static Result<Studio> Open(const std::string& page, const PictureOptions& options) {
@@ -104,7 +104,7 @@ std::vector<std::string> FfmpegArguments(FilmFormat format, const TemporaryFolde
   if (format == FilmFormat::kGif) {
     arguments.insert(arguments.end(), {"-vf", "split[a][b];[a]palettegen[p];[b][p]paletteuse"});
   } else {
-    // Most players take no other pixels, and these need even edges.
+    // Most players accept only this pixel format, which needs an even width and height.
     arguments.insert(arguments.end(), {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
                                        "-movflags", "+faststart"});
   }

@@ -16,7 +16,7 @@ struct PictureOptions {
   std::string view = "corner";  ///< corner, side, front or top
   bool dark = false;
   std::vector<std::string> hidden = {};  ///< hidden overlays, by OverlayNames
-  double frames_per_s = 30.0;            ///< of a film
+  double frames_per_s = 30.0;            ///< frame rate of a film
   double speed = 1.0;                    ///< playback speed, as a multiple of real time
   double from_s = -1e9, to_s = 1e9;      ///< shown time range of the motion
 
@@ -29,16 +29,15 @@ const std::vector<std::string>& OverlayNames();
 /// Names of camera views.
 const std::vector<std::string>& ViewNames();
 
-/// A picture of a page's motion (ViewerPage) at a time, as the bytes of a PNG. The page is opened in a headless
-/// Chromium. Failure: there is no Chromium, or it has no WebGL. @throws InvalidArgument if an option is out of its
-/// range.
+/// Makes a picture of a page's motion (ViewerPage) at a time, as the bytes of a PNG, with a headless Chromium. Failure:
+/// Chromium is not installed, or has no WebGL. @throws InvalidArgument if an option is out of range.
 Result<std::string> RenderPng(const std::string& page, double at_s, const PictureOptions& options);
 
 /// Format of a film.
 enum class FilmFormat { kGif, kMp4 };
 
-/// The motion as a film (the bytes of its file), made by ffmpeg. Failure: as RenderPng; ffmpeg is not installed, or
-/// fails.
+/// Makes a film of the motion (the bytes of its file) with ffmpeg. Failure: as of RenderPng; ffmpeg is not installed,
+/// or fails.
 Result<std::string> RenderFilm(const std::string& page, FilmFormat format, const PictureOptions& options);
 
 }  // namespace gaitwright

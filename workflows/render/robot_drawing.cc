@@ -17,11 +17,12 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSheetWide = 1280.0;                    // [px]
-constexpr double kEdge = 20.0, kTitleHigh = 62.0;        // around all; above the views [px]
-constexpr double kAround = 52.0, kViewTitle = 24.0;      // around the robot for arrows and numbers; above a view [px]
-constexpr double kAxisRoom = 40.0;                       // left of and below a view, for its axes [px]
-constexpr double kHighest = 560.0, kHighestLow = 400.0;  // of a view in one row, in one of two rows [px]
+constexpr double kSheetWide = 1280.0;              // [px]
+constexpr double kEdge = 20.0, kTitleHigh = 62.0;  // margin around the sheet; space above the views [px]
+constexpr double kAround = 52.0,
+                 kViewTitle = 24.0;                      // margin for arrows and numbers; space above a view [px]
+constexpr double kAxisRoom = 40.0;                       // space left of and below a view for its axes [px]
+constexpr double kHighest = 560.0, kHighestLow = 400.0;  // height of a view in one row, and in one of two rows [px]
 
 constexpr char kDrawingStyle[] =
     "text{font:12px 'DejaVu Sans',Verdana,sans-serif;fill:#222}.t{font-size:18px;font-weight:bold}.h{font-weight:bold}"
@@ -41,7 +42,7 @@ constexpr char kDrawingStyle[] =
     "line.jz,circle.jz.ring,path.jz{stroke:#1f55c4}.jz.full,text.jz{fill:#1f55c4}"
     "line.jo,circle.jo.ring,path.jo{stroke:#8a2fa8}.jo.full,text.jo{fill:#8a2fa8}";
 
-/// What all views draw.
+/// Data that all views draw.
 struct DrawnRobot {
   const RobotModel& model;
   const DynamicsScratch& scratch;
@@ -52,7 +53,8 @@ struct DrawnRobot {
 enum ViewIndex { kSide, kFront, kCorner, kAbove };
 
 std::array<DrawnView, 4> ViewsOf(const DrawnRobot& robot) {
-  constexpr double kTurned = -0.6, kRaised = 0.35;  // of the view from a corner, about z and over the ground [rad]
+  constexpr double kTurned = -0.6,
+                   kRaised = 0.35;  // corner view: angle about z, elevation [rad]
   std::array<DrawnView, 4> views;
   views[kSide] = {"from its right side", Vector3::UnitX(), Vector3::UnitZ(), -Vector3::UnitY(), "x [m]", "z [m]"};
   views[kFront] = {"from its front", Vector3::UnitY(), Vector3::UnitZ(), Vector3::UnitX(), "y [m]", "z [m]"};
@@ -119,7 +121,7 @@ double PlaceRow(const std::vector<DrawnView*>& row, double left_px, double width
   return high;
 }
 
-/// Lines and numbers of a view's axes; of a view along no axis a bar to scale.
+/// Lines and numbers of a view's axes; for a view that is not along an axis, a scale bar.
 std::string AxesOf(const DrawnView& view) {
   constexpr double kTickEvery = 60.0;  // [px]
   const Vector2 low = view.frame_px.min(), high = view.frame_px.max(), size = view.frame_px.sizes();
@@ -142,7 +144,7 @@ std::string AxesOf(const DrawnView& view) {
   for (const double tick : RoundTicks(-most.y(), -least.y(), static_cast<int>(size.y() / kTickEvery))) {
     const double y = view.zero_px.y() - view.px_per_m * tick;
     svg += SvgSegment({low.x(), y}, {high.x(), y}, "grid") + SvgSegment({low.x() - 4.0, y}, {low.x(), y}, "tick");
-    if (y < low.y() + 14.0) continue;  // there is the axis's name
+    if (y < low.y() + 14.0) continue;  // space for the name of the axis
     svg += SvgText(low.x() - 6.0, y + 4.0, "e small", fmt::format("{:.4g}", tick + 0.0));
   }
   svg += SvgText(low.x() - 6.0, low.y() + 10.0, "e small", view.up_label);
@@ -169,10 +171,10 @@ std::string ViewSvg(const DrawnView& view, const DrawnRobot& robot, bool with_bo
   return svg;
 }
 
-/// Without the sign of a zero. [m]
+/// A length rounded to 1 mm, without "-0" [m].
 double RoundedToMm(double metres) { return std::round(1e3 * metres) / 1e3 + 0.0; }
 
-/// What the robot is, and how its centre of mass stands over its feet.
+/// Data of the robot, and the position of its centre of mass relative to its feet.
 std::string StandsText(const DrawnRobot& robot) {
   std::vector<Vector2> points;
   for (std::size_t i = 0; i < robot.model.legs.size(); ++i) {

@@ -25,15 +25,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kLookEach = 50;     // [ms] between looks at what the child has written
-constexpr int kMostFiles = 1000;  // in its folder
+constexpr int kLookEach = 50;     // [ms] between checks of the files that the child has written
+constexpr int kMostFiles = 1000;  // number of files in its folder
 constexpr double kMegabyte = 1 << 20;
 
 double SecondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Time that a process's first thread had a processor, or could have run on one which others had [s]; of what Linux
-/// tells in /proc/PID/schedstat, which is open, in nanoseconds. 0 where it tells nothing: then all time is taken for
-/// sleep.
+/// Time [s] for which the first thread of a process has run or waited for a processor, from /proc/PID/schedstat, which
+/// is open and counts nanoseconds. 0 if it is not available; then all time counts as sleep.
 double ActiveSeconds(int schedstat) {
   std::array<char, 128> text{};
   if (schedstat < 0 || pread(schedstat, text.data(), text.size() - 1, 0) <= 0) return 0.0;
@@ -52,7 +51,7 @@ void CloseAll(std::initializer_list<int> handles) {
   }
 }
 
-/// What a signal tells of its end.
+/// Whether the signal that ended the process means that its CPU time is used up.
 bool IsOutOfTime(int signal, const ChildLimits& limits, double used_s) {
   return signal == SIGXCPU || (signal == SIGKILL && used_s >= limits.time_s);
 }
@@ -66,11 +65,10 @@ std::string EndedBy(int signal, const ChildLimits& limits, double used_s) {
                      name == nullptr ? std::to_string(signal) : fmt::format("SIG{}", name));
 }
 
-/// A pipe of which this process keeps one end. Writing to one whose reader is gone is told by an error, as SIGPIPE is
-/// held back in Send.
+/// Makes a pipe; this process keeps one end. Writing without a reader gives an error, since Send blocks SIGPIPE.
 bool MakePipe(std::array<int, 2>& ends) { return pipe2(ends.data(), O_CLOEXEC) == 0; }
 
-/// Holds SIGPIPE back in this thread while it lives, and takes away one that came meanwhile.
+/// Blocks SIGPIPE in this thread while this object exists, and discards a SIGPIPE that arrived meanwhile.
 class NoPipeSignal {
  public:
   NoPipeSignal() {
@@ -92,7 +90,7 @@ class NoPipeSignal {
 
 }  // namespace
 
-std::string WhyNotConfined() {
+std::string ReasonNotConfined() {
   const std::string files = WhyNoLandlock();
   return files.empty() ? WhyNoCallFilter() : files;
 }
@@ -151,7 +149,7 @@ Failure ChildProcess::End(FailureCode code, const std::string& message) {
   return *failure_;
 }
 
-/// It has closed its end: how it came to that.
+/// The child has closed its end of the pipe: returns the reason.
 Failure ChildProcess::Ended() {
   int status = 0;
   rusage used{};
@@ -204,7 +202,7 @@ std::optional<Failure> ChildProcess::WaitFor(int handle, short what) {
     if (found > 0) return std::nullopt;
     if (slept_s_ > setup_.limits.longest_sleep_s())
       return End(FailureCode::kChildTime,
-                 fmt::format("the code slept for {} s in all", setup_.limits.longest_sleep_s()));
+                 fmt::format("the code slept for more than {} s in total", setup_.limits.longest_sleep_s()));
   }
 }
 

@@ -16,7 +16,7 @@ namespace gaitwright {
 /// Resource limits of a child process.
 struct ChildLimits {
   double time_s = 30.0;  ///< CPU time; it may also sleep for this time plus 10 s
-  int memory_mb = 1024;  ///< of address space
+  int memory_mb = 1024;  ///< address space
   int file_mb = 64;      ///< each file of the submission, and all files in the working folder
 
   OptionFields Fields() {
@@ -31,8 +31,8 @@ struct ChildLimits {
 /// The program to start, and its rights.
 struct ChildSetup {
   std::string program;                   ///< its path
-  std::vector<std::string> arguments;    ///< after the program's own
-  std::vector<std::string> environment;  ///< NAME=value; it has no other variables
+  std::vector<std::string> arguments;    ///< arguments after the program's name
+  std::vector<std::string> environment;  ///< all its variables, NAME=value
   std::string work_folder;               ///< working folder, and the only writable place
   std::vector<std::string> readable;     ///< see FileRights
   ChildLimits limits;
@@ -40,7 +40,7 @@ struct ChildSetup {
 };
 
 /// Why no child can be confined on this machine; "" if they can.
-std::string WhyNotConfined();
+std::string ReasonNotConfined();
 
 /// User and group of children if the program runs as root: those of nobody.
 inline constexpr unsigned kNobody = 65534;
@@ -49,8 +49,8 @@ inline constexpr unsigned kNobody = 65534;
 /// closed off. It has its own session and no other open files, cannot start processes (if confined), and ends with this
 /// object or with this process.
 ///
-/// Whatever it does, no call here takes longer than the limits allow, or more memory than the longest answer. Time
-/// that it waits for a busy processor does not count, so marks do not depend on the machine's load.
+/// No call of this class takes longer than the limits allow, or more memory than the longest answer. Time for which the
+/// process waits for a busy processor does not count, so marks do not depend on the machine's load.
 class ChildProcess {
  public:
   /// Failure `child`: it cannot be confined or started.
@@ -63,8 +63,9 @@ class ChildProcess {
   ~ChildProcess();
 
   /// Sends a line and waits for one. After a failure the process is ended, and all further calls fail with the same
-  /// message. Failure kBadInput with one of these codes: `child_ended` (by itself or by a signal, which is named),
-  /// `child_time`, `child_files` (it wrote too much), `child_answer` (too long). Out of memory it fails by itself.
+  /// message. Failure kBadInput with one of these codes: `child_ended` (it exited, or a signal ended it, which is
+  /// named), `child_time`, `child_files` (it wrote too much), `child_answer` (too long). If it runs out of memory, its
+  /// own error ends it.
   Result<std::string> Ask(const std::string& line, std::size_t longest_answer);
 
  private:
@@ -80,9 +81,9 @@ class ChildProcess {
 
   int process_ = -1;
   int requests_ = -1, answers_ = -1;
-  int schedstat_ = -1;  ///< /proc/PID/schedstat; -1 where there is none
+  int schedstat_ = -1;  ///< /proc/PID/schedstat; -1 if not available
   ChildSetup setup_;
-  double slept_s_ = 0.0;  ///< while waiting for it
+  double slept_s_ = 0.0;  ///< time that it slept while this process waited for it
   std::chrono::steady_clock::time_point looked_;
   std::string rest_;  ///< text after an answer's end
   std::optional<Failure> failure_;

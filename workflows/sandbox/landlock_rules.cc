@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// Rights that the headers may be too old for: of version 3 and 5.
+/// Rights of versions 3 and 5, which old headers do not define.
 constexpr std::uint64_t kTruncate = 1ULL << 14, kIoctlDevice = 1ULL << 15;
 constexpr std::uint64_t kReadFile = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_EXECUTE;
 constexpr std::uint64_t kRead = kReadFile | LANDLOCK_ACCESS_FS_READ_DIR;
@@ -28,7 +28,7 @@ int Version() {
   return static_cast<int>(version);
 }
 
-/// All rights that the kernel can take away.
+/// All rights that the kernel can restrict.
 std::uint64_t Handled(int version) {
   std::uint64_t rights = (1ULL << 13) - 1;
   if (version >= 2) rights |= LANDLOCK_ACCESS_FS_REFER;
@@ -37,7 +37,7 @@ std::uint64_t Handled(int version) {
   return rights;
 }
 
-/// Grants rights below a path. @return 0 or the error; a path that is not there is none.
+/// Grants rights below a path. @return 0 or the error; a missing path is not an error.
 int Grant(int rules, const std::string& path, std::uint64_t rights) {
   const int at = open(path.c_str(), O_PATH | O_CLOEXEC);
   if (at < 0) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;

@@ -22,7 +22,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kReads = 3, kWrites = 4, kTells = 5, kFilter = 6;  // the child's own numbers of its files
+constexpr int kReads = 3, kWrites = 4, kTells = 5, kFilter = 6;  // file descriptors in the child
 constexpr int kMostHandles = 64;
 
 /// The steps between fork and the program's start, for messages.
@@ -36,7 +36,7 @@ constexpr const char* kStepWords[] = {"cannot set up its files",
                                       "cannot filter its system calls (seccomp)",
                                       "cannot run its program"};
 
-/// What the child tells of a step that failed; nothing when it has become its program.
+/// Report of the child about a failed step; empty if the program has started.
 struct Report {
   int step = 0, error = 0;
 };
@@ -49,7 +49,7 @@ Failure NotStarted(const std::string& why) {
           {}};
 }
 
-/// Texts as exec wants them; made before fork, since nothing may be allocated after it.
+/// Pointers to texts for exec; made before fork, since nothing may be allocated after it.
 std::vector<char*> Pointers(const std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
@@ -70,7 +70,7 @@ bool SetLimits(const ChildLimits& limits) {
          Limit(RLIMIT_CORE, 0, 0) && Limit(RLIMIT_MEMLOCK, 0, 0) && Limit(RLIMIT_MSGQUEUE, 0, 0);
 }
 
-/// What the child needs, ready before fork.
+/// Data that the child needs, prepared before fork.
 struct Prepared {
   const ChildSetup& setup;
   const LandlockRules* rules;  ///< nullptr: the child is not confined
@@ -80,10 +80,11 @@ struct Prepared {
   pid_t parent;
 };
 
-/// Files 0 to 2 are nothing, 3 and 4 the pipes; 5 tells and 6 holds the filter, both until exec. No others are open.
+/// Sets the child's files: 0 to 2 are /dev/null, 3 and 4 the pipes, 5 the pipe for reports and 6 the filter (5 and 6
+/// until exec). No other files are open.
 bool SetFiles(Prepared& p) {
   const int nothing = open("/dev/null", O_RDWR);
-  // Clear of the numbers that they are to have, first.
+  // First move the files away from their final numbers.
   const int r = fcntl(p.reads, F_DUPFD, 16), w = fcntl(p.writes, F_DUPFD, 16), t = fcntl(p.tells, F_DUPFD, 16);
   if (nothing < 0 || r < 0 || w < 0 || t < 0) return false;
   p.tells = t;
@@ -108,7 +109,7 @@ bool BecomeNobody() {
          setresuid(kNobody, kNobody, kNobody) == 0;
 }
 
-/// Signals as a program expects them.
+/// Resets signals to their defaults.
 void ResetSignals() {
   for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
   sigset_t none;
@@ -116,13 +117,13 @@ void ResetSignals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Runs in the child, up to its program. @return the step that failed.
+/// Runs in the child until its program starts. @return the step that failed.
 Report Become(Prepared& p) {
   ResetSignals();
   setsid();
   if (chdir(p.setup.work_folder.c_str()) != 0) return {kFolder, errno};
   if (!BecomeNobody()) return {kUser, errno};
-  // After the change of user, which undoes it.
+  // After the change of user, which would undo it.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return {kPrivileges, errno};
   if (getppid() != p.parent) return {kPrivileges, ESRCH};
   if (p.rules != nullptr) {
@@ -137,8 +138,8 @@ Report Become(Prepared& p) {
   return {kProgram, errno};
 }
 
-/// Waits until the child is its program, or has told why not.
-std::optional<Failure> WhyNotBecome(int told, pid_t process, const ChildSetup& setup) {
+/// Waits until the child's program has started, or the child has reported a failure.
+std::optional<Failure> ReasonNotStarted(int told, pid_t process, const ChildSetup& setup) {
   Report report;
   ssize_t n = 0;
   while ((n = read(told, &report, sizeof report)) < 0 && errno == EINTR) {
@@ -150,7 +151,7 @@ std::optional<Failure> WhyNotBecome(int told, pid_t process, const ChildSetup& s
                                 report.step == kFolder ? setup.work_folder : setup.program));
 }
 
-/// A pipe that closes its ends when it goes.
+/// A pipe that closes its ends when it is destroyed.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
 
@@ -167,9 +168,10 @@ struct Pipe {
   }
 };
 
-/// @param tells   the child reports a failed step.
-/// @param filter  the child gets its filter, which depends on its number, so that it is made after fork: in this
-///                process, since nothing may be allocated in the child. A child without a filter reports that.
+/// @param tells   pipe on which the child reports a failed step.
+/// @param filter  pipe on which the child gets its filter. The filter depends on the process number, so it is made
+///                after fork; in this process, since nothing may be allocated in the child. A child without a filter
+///                reports a failure.
 Result<pid_t> Fork(Prepared& prepared, Pipe& tells, Pipe& filter) {
   const pid_t process = fork();
   if (process == 0) {
@@ -182,7 +184,7 @@ Result<pid_t> Fork(Prepared& prepared, Pipe& tells, Pipe& filter) {
   if (process < 0) return NotStarted(std::strerror(error));
   if (prepared.filter >= 0) WriteCallFilter(process, filter.ends[1]);
   filter.Close(1);
-  if (auto failure = WhyNotBecome(tells.ends[0], process, prepared.setup)) return *failure;
+  if (auto failure = ReasonNotStarted(tells.ends[0], process, prepared.setup)) return *failure;
   return process;
 }
 
@@ -191,7 +193,7 @@ Result<pid_t> Fork(Prepared& prepared, Pipe& tells, Pipe& filter) {
 Result<pid_t> StartChild(const ChildSetup& setup, int reads, int writes) {
   std::optional<LandlockRules> rules;
   if (setup.confined) {
-    if (const std::string why = WhyNotConfined(); !why.empty()) return NotStarted(why);
+    if (const std::string why = ReasonNotConfined(); !why.empty()) return NotStarted(why);
     Result<LandlockRules> made = LandlockRules::Make({setup.readable, setup.work_folder});
     if (!made) return made.failure();
     rules.emplace(std::move(*made));

@@ -8,8 +8,8 @@
 
 namespace gaitwright {
 
-/// Starts the process of a setup, with `reads` as its file 3 and `writes` as its file 4. Failure `child`: which step
-/// failed, and the system's reason.
+/// Starts the process of a setup, with `reads` as its file 3 and `writes` as its file 4. Failure `child`, which names
+/// the failed step and the system's reason.
 Result<pid_t> StartChild(const ChildSetup& setup, int reads, int writes);
 
 }  // namespace gaitwright

@@ -19,7 +19,8 @@
 namespace gaitwright {
 namespace {
 
-/// Allowed whatever the arguments are. Names that an architecture does not have are skipped: AArch64 has no `open`.
+/// Calls that are allowed with any arguments. Calls that an architecture does not have are skipped: AArch64 has no
+/// `open`.
 constexpr const char* kAllowedCalls[] = {
     // The program's start and end. Landlock decides what may be executed.
     "execve", "arch_prctl", "set_tid_address", "set_robust_list", "rseq", "exit", "exit_group",
@@ -29,10 +30,10 @@ constexpr const char* kAllowedCalls[] = {
     "read", "write", "readv", "writev", "pread64", "pwrite64", "preadv", "pwritev", "preadv2", "pwritev2", "lseek",
     "close", "close_range", "dup", "dup2", "dup3", "fstat", "fstatfs", "ftruncate", "fsync", "fdatasync", "fadvise64",
     "sendfile", "copy_file_range", "getdents", "getdents64",
-    // Paths. Landlock decides which may be opened, removed and renamed.
+    // Paths. Landlock decides which paths may be opened, removed and renamed.
     "stat", "lstat", "newfstatat", "statx", "statfs", "access", "faccessat", "faccessat2", "readlink", "readlinkat",
     "getcwd", "chdir", "fchdir", "unlink", "unlinkat", "rename", "renameat", "renameat2", "umask",
-    // Waiting. A futex is what locks are made of, also where there is one thread.
+    // Waiting. Locks use futex, also in a process with one thread.
     "futex", "poll", "ppoll", "select", "pselect6", "epoll_create", "epoll_create1", "epoll_ctl", "epoll_wait",
     "epoll_pwait", "pipe", "pipe2", "eventfd2", "sched_yield", "nanosleep", "clock_nanosleep", "restart_syscall",
     // Clocks and random numbers.
@@ -40,25 +41,25 @@ constexpr const char* kAllowedCalls[] = {
     // The process's own signals and timers.
     "rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "rt_sigpending", "rt_sigsuspend", "rt_sigtimedwait",
     "sigaltstack", "alarm", "setitimer", "getitimer", "pause",
-    // What the process and the machine are.
+    // Data of the process and the machine.
     "getpid", "getppid", "gettid", "getuid", "geteuid", "getgid", "getegid", "getresuid", "getresgid", "getgroups",
     "getpgid", "getpgrp", "getsid", "uname", "sysinfo", "getrusage", "getrlimit", "setrlimit", "sched_getaffinity",
     "getcpu"};
 
-/// Do not exist for the process: the C library then calls clone and openat.
+/// Calls that the process sees as missing, so that the C library uses clone and openat.
 constexpr const char* kMissingCalls[] = {"clone3", "openat2"};
 
-/// Of fcntl: no locks, leases, owners and signals.
+/// Allowed commands of fcntl: without locks, leases, owners and signals.
 constexpr int kFileCommands[] = {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL};
-/// Of ioctl: whether a file is a terminal, closing on exec, not blocking, what is there to be read.
+/// Allowed commands of ioctl: whether a file is a terminal, closing on exec, non-blocking mode, number of readable
+/// bytes.
 constexpr unsigned kDeviceCommands[] = {TCGETS, TIOCGWINSZ, FIOCLEX, FIONCLEX, FIONBIO, FIONREAD};
-/// What openat may do with a file's former contents: keep them; empty the file if it is opened for writing. Older
-/// kernels' Landlock does not see that O_TRUNC empties a file that is opened for reading, or with both bits of the
-/// mode.
+/// Allowed modes of openat: keep the contents of a file, or empty a file that is opened for writing. Landlock in older
+/// kernels does not check that O_TRUNC empties a file that is opened for reading or with both bits of the mode.
 constexpr int kOpenModes[][2] = {
     {O_TRUNC, 0}, {O_TRUNC | O_ACCMODE, O_TRUNC | O_WRONLY}, {O_TRUNC | O_ACCMODE, O_TRUNC | O_RDWR}};
 
-/// The argument's lower half, which is all of an `int`, has these bits under the mask.
+/// Compares the lower half of an argument (a whole `int`) with bits under a mask.
 scmp_arg_cmp HasBits(unsigned argument, std::uint32_t mask, std::uint32_t bits) {
   return {argument, SCMP_CMP_MASKED_EQ, mask, bits};
 }
@@ -72,7 +73,7 @@ class CallRules {
     Note(seccomp_attr_set(rules_.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS));
   }
 
-  /// Several rules for a call allow what any of them allows.
+  /// Adds a rule; a call is allowed if any of its rules allows it.
   void Add(std::uint32_t action, const char* name, std::initializer_list<scmp_arg_cmp> arguments = {}) {
     const int call = seccomp_syscall_resolve_name(name);
     if (call < 0) return;
@@ -95,7 +96,7 @@ class CallRules {
   }
 
   std::unique_ptr<void, void (*)(scmp_filter_ctx)> rules_;
-  int error_ = 0;  ///< as libseccomp gives it: negative
+  int error_ = 0;  ///< negative, as returned by libseccomp
 };
 
 }  // namespace
@@ -116,7 +117,7 @@ int WriteCallFilter(int process, int file) {
   for (const int command : kFileCommands) rules.Allow("fcntl", {IsValue(1, static_cast<std::uint32_t>(command))});
   for (const unsigned command : kDeviceCommands) rules.Allow("ioctl", {IsValue(1, command)});
   for (const char* call : {"kill", "tgkill"}) rules.Allow(call, {IsValue(0, static_cast<std::uint32_t>(process))});
-  rules.Allow("prlimit64", {IsValue(0, 0)});  // of the process itself
+  rules.Allow("prlimit64", {IsValue(0, 0)});  // only for the process itself
   return rules.Write(file);
 }
 

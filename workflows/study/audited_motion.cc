@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// How far the slide that is farthest past a limit is so [m].
+/// Largest excess of a prismatic joint over its limit [m].
 double StrayOf(const AuditReport& report) {
   double stray_m = 0.0;
   for (const Violation& v : report.violations) {
@@ -24,7 +24,7 @@ double StrayOf(const AuditReport& report) {
   return stray_m;
 }
 
-/// Whether all options are in their ranges, which refinement may leave.
+/// Whether all options are in their ranges; refinement may leave the ranges.
 bool InRange(RigidBodyOptions options) {
   try {
     CheckOptions(options.Fields());
@@ -34,13 +34,13 @@ bool InRange(RigidBodyOptions options) {
   return true;
 }
 
-/// One round after another.
+/// Repeats audit and planning in rounds.
 class Refiner {
  public:
   Refiner(const Terrain& ground, const PlanOverPatches& plan, RigidBodyOptions options, AuditedMotion& motion)
       : ground_(ground), options_(std::move(options)), motion_(motion), at_(plan) {}
 
-  /// Has the attempt audited where it keeps its laws. @return why that cannot be.
+  /// Audits the attempt if it satisfies its constraints. @return the failure if it cannot be audited.
   std::optional<Failure> Judge() {
     const RigidBodyProblem& problem = at_.choice.problem;
     if (!keeps_laws_) {
@@ -62,12 +62,12 @@ class Refiner {
 
   bool Passes() const { return keeps_laws_ && motion_.report.pass(); }
 
-  /// @return false where there is nothing else to try.
+  /// Plans again. @return false if nothing is left to try.
   bool PlanAnew() {
-    // Nodes that are too far apart are mended first, since that costs least. Swings are then planned along, beyond
-    // planes between where they were and the ground; an attempt that does not keep its laws is gone on from as long as
-    // it comes nearer, with planes where its swings are. All swings are where one is, for what brings that one back
-    // takes others out.
+    // First halve the node spacing, since that costs least. Then plan swings together with the body, separated from the
+    // ground by planes. If an attempt violates constraints, continue from it while the violation decreases, with planes
+    // at its swings. All swings are planned together, because a correction of one can move others out of their
+    // workspaces.
     const double stray_m = keeps_laws_ ? StrayOf(motion_.report) : 0.0;
     if (!keeps_laws_ && at_.choice.problem.swings.empty() && motion_.changes == 0 && Halve()) return true;
     if (IsStuck()) return BeginElsewhere();
@@ -93,7 +93,7 @@ class Refiner {
     return true;
   }
 
-  /// Whether attempts in a row do not keep their laws, nor come nearer to it.
+  /// Whether several attempts in sequence violate constraints and the violation does not decrease.
   bool IsStuck() {
     constexpr int kMostUnmet = 5;
     constexpr double kProgress = 0.7;
@@ -103,8 +103,8 @@ class Refiner {
            (unmet_ > 1 && missed_ > kProgress * before);
   }
 
-  /// First the same footholds and swings as if there were no motion yet, then other patches from where laws are missed
-  /// least, at first without swings.
+  /// Tries the same footholds and swings from a new initial guess, then other patches, starting at the smallest
+  /// constraint violation, at first without swings.
   bool BeginElsewhere() {
     constexpr double kBetter = 0.95, kNear = 0.6;  // [1], [m]
     const bool first = !stuck_, has_swings = !at_.choice.problem.swings.empty();
@@ -139,7 +139,8 @@ class Refiner {
     return false;
   }
 
-  /// Swings that stray by little do so between the shares at which they are looked at: they are kept farther inside.
+  /// Plans swings together with the body. A small excess occurs between the points at which swings are checked, so
+  /// their margin is increased by it.
   void PlanSwingsAlong(double stray_m, bool from_numbers) {
     constexpr double kLittle = 5e-3, kLeastMargin = 2e-3;  // [m]
     const double more_m = stray_m < kLittle ? stray_m : 0.0;
@@ -149,12 +150,12 @@ class Refiner {
     Solve(from_numbers);
   }
 
-  /// From the numbers of the attempt, or as if there were none. What is far from its laws at first takes its time.
+  /// Solves from the numbers of the attempt, or from a new initial guess, which needs more iterations.
   void Solve(bool from_numbers) {
     RigidBodyOptions options = options_;
     options.max_iterations *= 3;
     if (!InRange(options)) options = options_;
-    options.hopeless = 1e3;
+    options.infeasible = 1e3;
     RigidBodyPlan last;
     const Result<RigidBodyPlan> plan = from_numbers
                                            ? PlanRigidBodyFrom(at_.choice.problem, options, at_.plan.numbers, &last)
@@ -164,20 +165,20 @@ class Refiner {
     at_.plan = std::move(last);
   }
 
-  static constexpr double kEdgeMargin = 0.01;  // [m] of footholds on other patches
+  static constexpr double kEdgeMargin = 0.01;  // [m] distance of footholds on other patches from edges
 
   const Terrain& ground_;
   RigidBodyOptions options_;
   AuditedMotion& motion_;
-  PlanOverPatches at_;  // the attempt
+  PlanOverPatches at_;  // present attempt
   bool keeps_laws_ = true;
-  std::vector<RigidSwing> swings_;        // of the attempt
-  int unmet_ = 0;                         // attempts in a row that do not keep their laws
-  double missed_ = 0.0;                   // what the last one missed them by, in all
-  std::optional<PlanOverPatches> stuck_;  // the best attempt that came no nearer,
-  std::string why_;                       // why it was refused,
-  std::vector<PatchChange> changes_;      // and what else there is to try from there
-  std::size_t next_ = 0;                  // of these
+  std::vector<RigidSwing> swings_;        // swings of the attempt
+  int unmet_ = 0;                         // number of successive attempts that violate constraints
+  double missed_ = 0.0;                   // total constraint violation of the last one
+  std::optional<PlanOverPatches> stuck_;  // best attempt without further progress
+  std::string why_;                       // reason for its refusal
+  std::vector<PatchChange> changes_;      // changes of patches left to try from it
+  std::size_t next_ = 0;                  // index of the next change
   std::set<std::vector<int>> tried_;      // patches, by stance
 };
 

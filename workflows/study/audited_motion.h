@@ -12,10 +12,10 @@ namespace gaitwright {
 
 /// A motion with the result of its audit.
 struct AuditedMotion {
-  ChosenFootholds choice;  ///< including swings that were planned together with it
+  ChosenFootholds choice;  ///< including swings that were planned together with the body
   RigidBodyPlan plan;
-  AuditReport first = {};    ///< of the given motion
-  AuditReport report = {};   ///< of this one
+  AuditReport first = {};    ///< audit of the given motion
+  AuditReport report = {};   ///< audit of this motion
   std::string refusal = {};  ///< why no further repair was possible although the audit fails; empty if it passes
   int swings_planned = 0;    ///< rounds in which swings were planned together with the body
   int halvings = 0;          ///< rounds in which the node spacing was halved

@@ -28,12 +28,13 @@ void CheckPairs(const char* of, const std::vector<double>& before, const std::ve
                                     before.size(), after.size()));
 }
 
-/// How many pairs are so in both, before alone, after alone and in neither.
+/// Numbers of pairs that are true in both, only before, only after, and in neither.
 struct PairCounts {
   double both = 0.0, before = 0.0, after = 0.0, neither = 0.0;
 };
 
-/// Correlation of the two with Newcombe's correction for continuity; 0 where all are alike before, or after.
+/// Correlation of both proportions with Newcombe's continuity correction; 0 if all values before, or all after, are
+/// equal.
 double Correlation(const PairCounts& n) {
   const double half = 0.5 * (n.both + n.before + n.after + n.neither);
   const double product = (n.both + n.before) * (n.after + n.neither) * (n.both + n.after) * (n.before + n.neither);
@@ -83,9 +84,9 @@ Result<CandidateWorth> WorthFromLine(const std::string& line) {
     const bool scored = std::all_of(worth.trials.begin(), worth.trials.end(),
                                     [](const TrialWorth& trial) { return trial.score >= 0.0 && trial.score <= 100.0; });
     if (!scored || (!worth.refusal.empty() && !worth.trials.empty()))
-      throw InvalidArgument("its trials do not belong to a candidate");
+      throw InvalidArgument("a score is outside 0 to 100, or a refused candidate has trials");
     return worth;
-  } catch (const std::exception& error) {  // of the reader of JSON
+  } catch (const std::exception& error) {  // thrown by the JSON reader
     return Failure{FailureKind::kBadInput,
                    FailureCode::kJournalLine,
                    "WorthFromLine",
@@ -102,7 +103,7 @@ PairedDifference DifferenceOf(const std::vector<double>& before, const std::vect
     d.before += before[i];
     d.after += after[i];
   }
-  d.before /= n;  // once, so that the mean of ones is one
+  d.before /= n;  // divide once, so that the mean of ones is exactly one
   d.after /= n;
   d.mean = d.after - d.before;
   double squares = 0.0;

@@ -32,7 +32,7 @@ Result<CandidateWorth> WorthFromLine(const std::string& line);
 /// Difference of two candidates over the same trials.
 struct PairedDifference {
   double before = 0.0, after = 0.0;          ///< means
-  double mean = 0.0, low = 0.0, high = 0.0;  ///< of after minus before, with its 95 % interval
+  double mean = 0.0, low = 0.0, high = 0.0;  ///< after minus before: mean and 95 % interval
 
   bool better() const { return low > 0.0; }
   bool operator==(const PairedDifference&) const = default;

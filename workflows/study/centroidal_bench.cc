@@ -27,13 +27,13 @@ std::string NameOf(const CentroidalProblemSet& set, const CentroidalCase& one) {
   return fmt::format("{}-{}-{}", set.robots[one.robot].first, one.schedule, set.grounds[one.ground].name);
 }
 
-/// The median, 0 of none.
+/// The median; 0 for an empty list.
 double Median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
-/// Times that suit a motion better.
+/// Optimises the contact times of a motion.
 TimingOutcome Timed(const PlanOverPatches& plan, bool solved, const RigidBodyOptions& options,
                     const TimingOptions& timing) {
   const double start = CpuMs();
@@ -56,7 +56,7 @@ TimingOutcome Timed(const PlanOverPatches& plan, bool solved, const RigidBodyOpt
   return outcome;
 }
 
-/// What the audit says of a motion over a ground.
+/// Audits a motion over a ground.
 AuditOutcome Audited(const Terrain& ground, const PlanOverPatches& plan, const RigidBodyOptions& options) {
   constexpr int kMostRounds = 40;
   const double start = CpuMs();
@@ -76,7 +76,7 @@ AuditOutcome Audited(const Terrain& ground, const PlanOverPatches& plan, const R
   return outcome;
 }
 
-/// One attempt at a case. @return where it ended.
+/// Makes one attempt at a case. @return its last state.
 PlanOverPatches Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
                         const RigidBodyOptions& options, CentroidalOutcome& outcome) {
   const CentroidalRobot& robot = set.robots[one.robot].second;
@@ -99,7 +99,7 @@ PlanOverPatches Attempt(const CentroidalProblemSet& set, const CentroidalCase& o
   return last;
 }
 
-/// What feet find at the goal of a task.
+/// The ground under the feet at the goal of a task.
 GoalGround GoalOf(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task) {
   const CentroidalRobot& robot = set.robots[one.robot].second;
   const Terrain ground = WithFriction(set.grounds[one.ground], task.friction);
@@ -108,8 +108,9 @@ GoalGround GoalOf(const CentroidalProblemSet& set, const CentroidalCase& one, co
                     choosing.edge_margin_m, choosing.misfit_m);
 }
 
-/// The goals to ease a task to, the nearest first: itself where all feet reach ground there, else higher or lower; then
-/// one less far away where the ground holds a body at rest, a step before the first such.
+/// Goals for easing a task, the smallest change first: the original goal if all feet reach ground there, otherwise a
+/// higher or lower one; then a closer goal, where the ground can hold a body at rest, one step before the first such
+/// place.
 std::vector<CentroidalTask> Goals(const CentroidalProblemSet& set, const CentroidalCase& one,
                                   const CentroidalTask& task) {
   std::vector<CentroidalTask> goals;
@@ -131,14 +132,14 @@ std::vector<CentroidalTask> Goals(const CentroidalProblemSet& set, const Centroi
   return goals;
 }
 
-/// What a case is eased to, the least first.
+/// Easier versions of a case, the smallest change first.
 std::vector<CentroidalTask> Eased(const CentroidalProblemSet& set, const CentroidalCase& one,
                                   const CentroidalTask& task) {
   std::vector<CentroidalTask> eased;
   for (const CentroidalTask& goal : Goals(set, one, task)) {
     const double needed = GoalOf(set, one, goal).needed_friction;
     std::vector<double> frictions = {task.friction, 0.8, 1.0};
-    // What just holds a body at rest leaves nothing to stop it with.
+    // Friction that just holds a body at rest leaves no margin for braking.
     if (needed > task.friction) frictions.insert(frictions.end(), {1.2 * needed, 2.0 * needed});
     for (const double friction : frictions) {
       if (friction < std::max(task.friction, needed)) continue;
@@ -153,14 +154,14 @@ std::vector<CentroidalTask> Eased(const CentroidalProblemSet& set, const Centroi
 double ForceFaults(const RigidBodyFaults& faults) { return std::max({0.0, faults.friction, faults.unilateral}); }
 double FootFaults(const RigidBodyFaults& faults) { return std::max({0.0, faults.reach_m, faults.foothold_m}); }
 
-/// What a case was eased to, for people.
+/// The easier version of a case, as text.
 std::string HowEased(const CentroidalTask& task) {
   return fmt::format("{:.1f} m{} in {:.1f} s, mu {:.1f}", task.distance_m,
                      task.higher_m == 0.0 ? "" : fmt::format(" {:+.2f}", task.higher_m), task.duration_s,
                      task.friction);
 }
 
-/// "pass", or the law that is broken first.
+/// "pass", or the first violated check.
 std::string FirstOf(const AuditReport& report) {
   if (report.samples == 0) return "no plan";
   if (report.pass()) return "pass";
@@ -168,8 +169,8 @@ std::string FirstOf(const AuditReport& report) {
   return fmt::format("{} {:.3f} s", LawName(first.law), first.at_s);
 }
 
-/// What the audit says of cases: of motions as planned, and after they were planned anew until they pass; nothing where
-/// it was not asked.
+/// Table of audit results: of motions as first planned, and after repeated planning until they pass. Empty without an
+/// audit.
 std::string AuditTable(const std::vector<CentroidalOutcome>& outcomes) {
   std::string table;
   std::vector<double> cpu_ms;
@@ -191,7 +192,7 @@ std::string AuditTable(const std::vector<CentroidalOutcome>& outcomes) {
   }
   if (cpu_ms.empty()) return "";
   return fmt::format("\n{:<8} {:<18} {:<10} {:<24} {:>6} {:>6} {:>7}\n", "robot", "schedule", "ground",
-                     "audit as planned", "swings", "breaks", "CPU ms") +
+                     "audit as planned", "swings", "halved", "CPU ms") +
          table +
          fmt::format(
              "{} of {} original motions pass their audit in the end, {} of {} eased ones, {} more if eased for it; {} "
@@ -199,7 +200,7 @@ std::string AuditTable(const std::vector<CentroidalOutcome>& outcomes) {
              asked_pass, asked, eased_pass, eased, mended, first_pass, Median(cpu_ms));
 }
 
-/// What became of the costs of cases where times were variables; nothing where they were not.
+/// Table of costs with optimised contact times; empty if they were not optimised.
 std::string TimingTable(const std::vector<CentroidalOutcome>& outcomes) {
   constexpr double kMuch = 0.05;
   std::string table =
@@ -238,7 +239,7 @@ std::string TimingTable(const std::vector<CentroidalOutcome>& outcomes) {
                      kept, tried, 100.0 * Median(falls), 100.0 * kMuch, much, Median(cpu_ms));
 }
 
-/// What the audit says of a motion of a task.
+/// Audits a motion of a task.
 AuditOutcome AuditOf(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
                      const PlanOverPatches& plan, const RigidBodyOptions& options) {
   AuditOutcome outcome = Audited(WithFriction(set.grounds[one.ground], task.friction), plan, options);
@@ -246,7 +247,7 @@ AuditOutcome AuditOf(const CentroidalProblemSet& set, const CentroidalCase& one,
   return outcome;
 }
 
-/// Eases a task of which no motion passes its audit on, until one does.
+/// Eases a task further until one of its motions passes its audit.
 void EaseForAudit(const CentroidalProblemSet& set, const CentroidalCase& one, const RigidBodyOptions& options,
                   AuditOutcome& failed) {
   constexpr int kMostTasks = 6;

@@ -15,7 +15,8 @@ namespace gaitwright {
 namespace {
 
 constexpr int kMostFeet = 64;
-// Bounds of the numbers of a problem set, in the unit of each; what must be positive has the first.
+// Bounds of the numbers of a problem set, each in its unit; the first is the lower bound of numbers that must be
+// positive.
 constexpr double kSmallestPositive = 1e-6, kLargestNumber = 1e6;
 
 Matrix3 ToInertia(const JsonPart& part) {

@@ -46,9 +46,8 @@ Result<CentroidalProblemSet> LoadCentroidalProblems(const std::string& path);
 /// Path of the built-in set.
 std::string CentroidalProblemsPath();
 
-/// A robot that starts at rest above its feet and must end at rest `distance_m` ahead, at its initial height above the
-/// ground plus higher_m; its schedule is stretched to the duration. Footholds are fixed at the start and free
-/// afterwards.
+/// A robot starts at rest above its feet and must end at rest `distance_m` forward, at its initial height above the
+/// ground plus higher_m. Its schedule is scaled to the duration. Footholds are fixed at the start and free afterwards.
 RigidBodyProblem CentroidalProblem(const CentroidalRobot& robot, const CentroidalSchedule& schedule,
                                    const Terrain& ground, const CentroidalTask& task);
 

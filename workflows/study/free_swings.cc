@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// The stances of a foot of the problem between which it is in the air at a time.
+/// The swing of a foot of the problem at a time, from the stances before and after it; nothing in stance.
 std::optional<RigidSwing> SwingAt(const RigidBodyProblem& problem, int foot, double time_s) {
   std::optional<std::size_t> from;
   for (std::size_t i = 0; i < problem.stances.size(); ++i) {
@@ -25,7 +25,8 @@ std::optional<RigidSwing> SwingAt(const RigidBodyProblem& problem, int foot, dou
   return std::nullopt;
 }
 
-/// Even shares of a swing, and one more at each end, where the foot is slow and the body goes on.
+/// Uniform fractions of a swing at which it is checked, and one more at each end, where the foot is slow and the body
+/// moves on.
 std::vector<double> SharesLookedAt() {
   constexpr int kEven = 32;
   std::vector<double> shares = {0.0, 0.5 / kEven};
@@ -34,7 +35,7 @@ std::vector<double> SharesLookedAt() {
   return shares;
 }
 
-/// Control points of the detour that a swing is, or that is nearest to its bump.
+/// Control points of a swing that is a detour, or of the detour nearest to its bump.
 std::vector<Vector3> DetourOf(const SwingTrajectory& swing) {
   constexpr int kPoints = 8, kFixed = 3, kSamples = 40;
   if (!swing.detour_W.empty() && swing.detour_W.size() % 2 == 0) return swing.detour_W;
@@ -58,7 +59,7 @@ std::vector<Vector3> DetourOf(const SwingTrajectory& swing) {
   return points;
 }
 
-/// Planes between a swing and all that is solid near it, each from one share to the next.
+/// Planes that separate a swing from nearby solids, each valid from one fraction to the next.
 std::vector<SwingPlane> PlanesBeside(const Terrain& ground, const SwingCurve& curve,
                                      const std::vector<double>& shares) {
   constexpr int kPieces = 4;

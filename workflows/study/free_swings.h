@@ -8,19 +8,18 @@
 
 namespace gaitwright {
 
-/// Swings of a plan as unknowns of its rigid body's problem, to be planned along with its motion: their control points
-/// are the first guess, and planes part them from all that is solid under patches near them, from each share at which
-/// they are looked at to the next.
-/// @param problem_foot  of the problem, by the robot's foot.
+/// Swings of a plan as unknowns of its rigid-body problem, so that they are planned together with the body. Their
+/// control points are the initial guess. Planes separate them from the solids under nearby patches, one plane between
+/// each pair of checked fractions.
+/// @param problem_foot  index of the problem's foot, by the robot's foot.
 std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProblem& problem, const MotionPlan& plan,
                                      const std::vector<int>& problem_foot);
 
-/// The free swings of a problem as they are in a motion, with planes beside them there.
+/// The free swings of a problem as in a motion, with planes at their present positions.
 std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProblem& problem,
                                      const RigidBodyMotion& motion);
 
-/// Takes swings into a problem instead of its own, and their control points into the numbers of a motion of it, which
-/// end with those of swings.
+/// Replaces the swings of a problem, and their control points at the end of the numbers of its motion.
 void TakeSwings(const std::vector<RigidSwing>& swings, RigidBodyProblem& problem, VectorX& numbers);
 
 }  // namespace gaitwright

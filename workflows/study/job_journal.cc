@@ -30,7 +30,7 @@ Failure Refused(const std::string& path, const std::string& why, const std::vect
 
 std::string Anew(const std::string& path) { return fmt::format("delete '{}' to start again", path); }
 
-/// @return 0, or the error.
+/// Writes a whole text. @return 0, or the error number.
 int WriteAll(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -41,7 +41,7 @@ int WriteAll(int file, std::string_view text) {
   return ::fsync(file) != 0 && errno != EINVAL ? errno : 0;
 }
 
-/// Sees to it that a folder knows of a new file in it after a power cut too, where the disk can do that.
+/// Syncs a folder, so that a new file in it survives a power cut, if the file system supports it.
 void SyncFolder(const std::filesystem::path& folder) {
   const int handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (handle < 0) return;
@@ -49,14 +49,14 @@ void SyncFolder(const std::filesystem::path& folder) {
   ::close(handle);
 }
 
-/// Whether a file that is open is still the one of that path: who held it may have deleted it in between.
+/// Whether an open file is still the one at the path, since its previous owner may have deleted it.
 bool IsAt(int file, const std::string& path) {
   struct stat open = {}, there = {};
   return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &there) == 0 && open.st_ino == there.st_ino &&
          open.st_dev == there.st_dev;
 }
 
-/// The number with which a line begins; nothing where it has none and a blank after it.
+/// The number at the start of a line; nothing unless the line begins with a number and a space.
 std::optional<std::size_t> JobOf(std::string_view line) {
   std::size_t job = 0;
   const char* end = line.data() + line.size();
@@ -67,13 +67,14 @@ std::optional<std::size_t> JobOf(std::string_view line) {
 
 }  // namespace
 
-/// Goes through a file line by line, with only one of them in memory.
+/// Reads a file line by line, with only one line in memory.
 class JobJournal::Reader {
  public:
   explicit Reader(const std::string& path)
       : stream_(path, std::ios::binary), room_(std::make_unique_for_overwrite<char[]>(kRoom)) {}
 
-  /// The next whole line, without its end; nothing at the file's end, and before what was cut short or is too long.
+  /// The next complete line, without its end; nothing at the end of the file, and at a line that is truncated or too
+  /// long.
   std::optional<std::string_view> Next() {
     at_ += length_;
     length_ = 0;
@@ -87,9 +88,9 @@ class JobJournal::Reader {
   }
 
   bool too_long() const { return too_long_; }
-  /// What follows the last whole line.
+  /// The text after the last complete line.
   std::string_view rest() const { return rest_; }
-  /// Where the present line begins; after the last one, where what is whole ends.
+  /// Position of the present line; after the last one, the end of the complete lines.
   std::int64_t at() const { return at_; }
 
  private:
@@ -199,7 +200,7 @@ void JobJournal::Add(std::size_t job, const std::string& line) {
   if (const int error = WriteAll(file_, text); error != 0) {
     spoilt_ = true;
     std::string why = std::strerror(error);
-    // What stays of the line has no end, and is dropped when it is read.
+    // The rest of the line has no line end, so that a reader drops it.
     if (::ftruncate(file_, length_) != 0) why += ", and its last line is truncated";
     throw CannotKeep(fmt::format("cannot keep intermediate results in '{}': {}", path_, why));
   }

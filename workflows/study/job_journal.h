@@ -21,7 +21,7 @@ class CannotKeep : public std::runtime_error {
 
 /// Results of numbered jobs in a file, one per line, flushed to disk at once, so that interrupted work (even by
 /// SIGKILL) can continue. The first line identifies the work. Only one process at a time can hold it. A journal without
-/// results is treated as absent: whoever opens it starts it again, and it is deleted on close.
+/// results counts as absent: it is started again when opened, and deleted when closed.
 class JobJournal {
  public:
   /// A journal that stores nothing.
@@ -31,11 +31,11 @@ class JobJournal {
   JobJournal(JobJournal&& other) noexcept;
   JobJournal& operator=(JobJournal&&) = delete;
 
-  /// Begins a journal, or with `resume` continues an existing one, if any. A truncated last line is dropped. A journal
-  /// may have any size, because only the positions of its lines are kept in memory.
-  /// @param identity  a one-line text that is equal only for equal work Failure kBadInput if it cannot be read or
-  /// written, contains results without `resume`, is not a journal or one of other work, is damaged before its last
-  /// line, has a line of over 16 MiB, or is held by another process.
+  /// Begins a journal, or continues an existing one with `resume`. A truncated last line is dropped. A journal may have
+  /// any size, because only the positions of its lines are kept in memory.
+  /// @param identity  a one-line text that is equal only for equal work.
+  /// Failure kBadInput if the journal cannot be read or written, contains results without `resume`, is not a journal or
+  /// one of other work, is damaged before its last line, has a line of over 16 MiB, or is held by another process.
   static Result<JobJournal> Open(const std::string& path, const std::string& identity, bool resume);
 
   /// The result of a job that was present on opening. @throws std::runtime_error if it cannot be read.
@@ -64,7 +64,7 @@ class JobJournal {
   int file_ = -1;
   std::mutex mutex_;
   std::map<std::size_t, Place> lines_;
-  std::int64_t length_ = 0;  ///< of the valid part
+  std::int64_t length_ = 0;  ///< length of the valid part
   bool empty_ = false;       ///< begun, but without a result
   bool spoilt_ = false;      ///< a line could not be written
 };

@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMost = 1e30;  // of any figure, in its unit
+constexpr double kMost = 1e30;  // largest magnitude of any value, in its unit
 
-/// @throws InvalidArgument for a figure that no point has.
+/// Reads a number or null. @throws InvalidArgument for a number out of range.
 std::optional<double> OrNothing(const Json& json, double lowest = -kMost, double highest = kMost) {
   if (json.is_null()) return std::nullopt;
   const double value = json.get<double>();
@@ -114,7 +114,7 @@ std::string PointToLine(const PointOutcome& o) {
 Result<PointOutcome> PointFromLine(const std::string& line) {
   try {
     return FromJson(Json::parse(line));
-  } catch (const std::exception& error) {  // of the reader of JSON, or of a status
+  } catch (const std::exception& error) {  // thrown by the JSON reader, or for an unknown status
     return Failure{FailureKind::kBadInput,
                    FailureCode::kJournalLine,
                    "PointFromLine",

@@ -44,13 +44,13 @@ PointSurvival SurvivalOf(int trials, int survived, double score_mean);
 struct PointOutcome {
   std::size_t point = 0;  ///< its number, from 0
   PointStatus status = PointStatus::kRefused;
-  std::string code;    ///< of the refusal; the violated check; the failed gates; `fell`; empty for a pass
+  std::string code;    ///< code of the refusal, the violated check, the failed gates, or `fell`; empty for a pass
   std::string reason;  ///< one sentence
   std::optional<double> score;
   std::optional<double> fell_at_s;
   std::vector<std::optional<double>> metrics;  ///< in the study's order
   std::optional<PointSurvival> survival;
-  std::vector<EngineVerdict> engines = {};  ///< if two engines played it; the values above are of the one that decides
+  std::vector<EngineVerdict> engines = {};  ///< if two engines have played; the values above are of the decisive one
 
   bool audit_pass() const { return status != PointStatus::kRefused && status != PointStatus::kAuditFailed; }
   bool operator==(const PointOutcome&) const = default;
@@ -62,8 +62,8 @@ std::string PointToLine(const PointOutcome& outcome);
 /// Failure kBadInput `journal_line` describes the error in the line.
 Result<PointOutcome> PointFromLine(const std::string& line);
 
-/// Whether `a` is preferred. Order: a plan that passes its audit before one that does not, then the higher survival
-/// rate, then a pass before a fail, then the higher score, then the lower number.
+/// Whether `a` is better than `b`. In order of importance: the plan passes its audit; higher survival rate; pass;
+/// higher score; lower number.
 bool IsBetter(const PointOutcome& a, const PointOutcome& b);
 
 }  // namespace gaitwright

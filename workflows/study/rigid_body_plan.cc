@@ -25,7 +25,7 @@
 namespace gaitwright {
 namespace {
 
-/// The patch in whose plane a contact frame is, the nearest of those.
+/// The nearest patch whose plane contains a contact frame.
 int PatchUnder(const Terrain& ground, const Pose& X_WF) {
   double nearest = std::numeric_limits<double>::infinity();
   int patch = -1;
@@ -48,7 +48,7 @@ class Converter {
   Converter(const RobotModel& robot, const Terrain& ground, const RigidBodyProblem& problem,
             const RigidBodyMotion& motion, double step_s)
       : robot_(robot), ground_(ground), problem_(problem), motion_(motion), scratch_(robot) {
-    if (!problem.inner_momentum_W.empty())
+    if (!problem.leg_momentum_W.empty())
       throw InvalidArgument("rigid body's plan: the problem has leg angular momentum, but its robot has massless legs");
     problem_foot_ = ProblemFeetOf(robot, problem);
     foot_of_.resize(problem_foot_.size());
@@ -92,7 +92,7 @@ class Converter {
     plan_.parts = {{{}, command, plan_.goal, 0.0, problem_.duration_s}};
   }
 
-  /// The schedule as one cycle of a gait, and where feet stand in it.
+  /// Sets the schedule, as one cycle of a gait, and its footholds.
   void SetFootholds() {
     std::vector<std::vector<ContactInterval>> intervals(robot_.feet.size());
     Gait& gait = plan_.parts.front().gait;
@@ -116,7 +116,7 @@ class Converter {
     SortFootholds(plan_.footsteps);
   }
 
-  /// From the frame of the problem's foot to that of the robot's, which is in the middle of its sole.
+  /// Transform from the frame of the problem's foot to that of the robot's foot, in the middle of its sole.
   Eigen::Translation3d MiddleOf(const RigidStance& stance) const {
     return Eigen::Translation3d(FootOf(stance).X_BF.translation());
   }
@@ -138,7 +138,7 @@ class Converter {
     return PlanSwings(robot_, ground_, plan_.footsteps, options, former);
   }
 
-  /// The swings that were planned along with the motion.
+  /// The swings that were planned together with the motion.
   std::vector<SwingTrajectory> PlannedSwings() const {
     std::vector<SwingTrajectory> swings;
     for (std::size_t i = 0; i < motion_.detours_W.size(); ++i) {
@@ -159,8 +159,7 @@ class Converter {
     return swings;
   }
 
-  /// How far a foot in the air keeps from the ends of its workspace: at its footholds, which may be near to them,
-  /// little.
+  /// Margin of a swing foot to the ends of its workspace; small near its footholds, which may be close to these ends.
   double SpareAt(int foot, double time_s) const {
     constexpr double kLeast = 5e-4, kMost = 3e-3, kWithin = 0.04;  // [m], [m], [s]
     double away_s = kWithin;
@@ -171,7 +170,7 @@ class Converter {
     return kLeast + away_s / kWithin * (kMost - kLeast);
   }
 
-  /// The workspace of a robot's foot at the nearest row, a little less of it.
+  /// The workspace of a robot's foot at the nearest row, reduced by a margin.
   std::vector<ReachSide> ReachAt(int foot, double time_s) const {
     const auto row = static_cast<std::size_t>(std::lround(time_s / step_s_));
     const RigidBodySample& sample = samples_[std::min(row, samples_.size() - 1)];
@@ -180,7 +179,7 @@ class Converter {
                         -SpareAt(foot, time_s));
   }
 
-  /// A foot's motion at a time, and the index of the foothold that it stands on, or stood on last.
+  /// The motion of a foot at a time, and the index of its present or last foothold.
   FrameMotion FootMotion(int foot, double time_s) const {
     for (const SwingTrajectory& swing : plan_.swings) {
       if (swing.foot == foot && time_s > swing.start_s && time_s < swing.end_s) return Evaluate(CurveOf(swing), time_s);
@@ -216,7 +215,7 @@ class Converter {
     AddForces(k, feet, q, v, a);
   }
 
-  /// Slides in closed form, and turns of a sole: R_BF = Rz Ry Rx.
+  /// Positions of the prismatic joints and rotations of a sole, in closed form: R_BF = Rz Ry Rx.
   void PlaceLeg(int foot, const Vector3& p_WC, const Matrix3& R_WB, const FrameMotion& motion, VectorX& q) const {
     const Leg& leg = robot_.legs[static_cast<std::size_t>(foot)];
     const Foot& of_foot = robot_.feet[static_cast<std::size_t>(foot)];
@@ -224,7 +223,7 @@ class Converter {
       return robot_.joints[static_cast<std::size_t>(leg.joints[i])];
     };
     const auto value = [&](std::size_t i) -> double& { return q[7 + joint(i).dof]; };
-    Vector3 link_W = motion.X_WF.translation();  // of the frame of the foot's link
+    Vector3 link_W = motion.X_WF.translation();  // origin of the foot's link
     if (leg.joints.size() > 3) {
       const Matrix3 R = R_WB.transpose() * motion.X_WF.linear();
       link_W -= motion.X_WF.linear() * of_foot.X_BF.translation();
@@ -237,7 +236,7 @@ class Converter {
     for (std::size_t i = 0; i < 3; ++i) value(i) = slides[static_cast<Eigen::Index>(i)];
   }
 
-  /// Rates of the legs' joints: those with which the feet move as they are to.
+  /// Joint rates of the legs for the given motion of the feet.
   void MoveLegs(const std::vector<FrameMotion>& feet, const VectorX& q, VectorX& v, VectorX& a) {
     ForwardKinematics(robot_, q, scratch_);
     std::vector<MatrixX> J(feet.size(), MatrixX(6, robot_.nv()));
@@ -275,7 +274,7 @@ class Converter {
     });
   }
 
-  /// The motion's forces, the torques beside them, and the centroidal row.
+  /// Adds the motion's contact forces, the joint torques and the centroidal row.
   void AddForces(std::size_t k, const std::vector<FrameMotion>& feet, const VectorX& q, const VectorX& v,
                  const VectorX& a) {
     const RigidBodySample& sample = samples_[k];
@@ -303,7 +302,7 @@ class Converter {
     plan_.centroidal.p_WZ.push_back(ZmpOf(k, needed, points));
   }
 
-  /// Where little presses there is none that means anything, and the last one stays.
+  /// The ZMP; with almost no contact force it is undefined, and the last value is kept.
   Vector2 ZmpOf(std::size_t k, const PointWrench& needed, const ContactsByFoot& points) const {
     const GroundPlane plane = SupportPlaneAt(plan_.schedule, TimeOf(k), points);
     const double least = kPresses * robot_.weight_n(), upright = needed.force_W.z();
@@ -312,8 +311,8 @@ class Converter {
     return ZeroMomentPoint(needed.p_W, needed.force_W, needed.moment_W, plane).head<2>();
   }
 
-  /// The pendulum as high over the plane through all footholds as the motion is in the mean; feet in the air count
-  /// where they are on the straight way.
+  /// Sets the pendulum height to the mean height of the motion above the plane through all footholds; a swing foot
+  /// counts at its position on the straight line between its footholds.
   void SetPendulum() {
     double height = 0.0;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
@@ -336,15 +335,15 @@ class Converter {
     return plan_.footsteps.footholds[static_cast<std::size_t>(at)].X_WF.translation();
   }
 
-  static constexpr double kLift = 0.25, kClearance = 0.05;  // of a workspace's height
-  static constexpr double kPresses = 0.01;                  // of the weight
+  static constexpr double kLift = 0.25, kClearance = 0.05;  // shares of the height of a workspace
+  static constexpr double kPresses = 0.01;                  // share of the weight
 
   const RobotModel& robot_;
   const Terrain& ground_;
   const RigidBodyProblem& problem_;
   const RigidBodyMotion& motion_;
   DynamicsScratch scratch_;
-  std::vector<int> problem_foot_, foot_of_;  // the problem's by the robot's, and the other way round
+  std::vector<int> problem_foot_, foot_of_;  // the problem's foot by the robot's foot, and the inverse
   std::vector<RigidBodySample> samples_;
   double step_s_ = 0.0;
   MotionPlan plan_;

@@ -8,9 +8,9 @@
 
 namespace gaitwright {
 
-/// The motion of a single rigid body as a plan of its robot (rigid_body_robot.h): rows `step_s` apart, feet on their
-/// footholds or on swings planned above the ground (plan_swings.h) within their workspaces, joint positions in closed
-/// form, the motion's contact forces, and torques by inverse dynamics. Failures as of PlanSwings. @throws
+/// Converts the motion of a single rigid body to a plan of its robot (rigid_body_robot.h): rows `step_s` apart, feet on
+/// their footholds or on swings planned above the ground (plan_swings.h) within their workspaces, joint positions in
+/// closed form, the motion's contact forces, and torques by inverse dynamics. Failures as of PlanSwings. @throws
 /// InvalidArgument if the robot does not belong to the problem, or for a problem with leg angular momentum or moving
 /// contacts.
 Result<MotionPlan> RigidBodyMotionPlan(const RobotModel& robot, const Terrain& ground, const RigidBodyProblem& problem,

@@ -34,12 +34,12 @@ class Chain {
     Add("prismatic", fmt::format("{}_{}", foot_, kAxes[axis]), axis, origin, lower, upper);
   }
   void Turn(int axis) {
-    constexpr double kAnywhere = 6.3;  // [rad] more than a turn
+    constexpr double kAnywhere = 6.3;  // [rad], more than a full turn
     Add("revolute", fmt::format("{}_turn_{}", foot_, kAxes[axis]), axis, Vector3::Zero(), -kAnywhere, kAnywhere);
   }
-  /// The chain's links and joints, the last link being the foot.
+  /// URDF text of the chain's links and joints; the last link is the foot.
   std::string Text() const {
-    // What moves a link as light as this is of no account; the inertia is that of a ball of it of 0.1 m.
+    // Effects of such a light link are negligible; its inertia is that of a ball with a radius of 0.1 m.
     std::string text;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const bool last = i + 1 == joints_.size();
@@ -58,7 +58,7 @@ class Chain {
     std::string type, name, origin, axis;
     double lower, upper;
 
-    /// Efforts that count are in the yaml; speeds have no limit.
+    /// The effective effort limits are in the yaml; speeds have no limit.
     std::string Text(const std::string& parent, const std::string& child) const {
       return fmt::format(
           "  <joint name=\"{}\" type=\"{}\"><parent link=\"{}\"/><child link=\"{}\"/><origin xyz=\"{}\"/>"
@@ -106,10 +106,10 @@ std::string FootYaml(const RigidFoot& foot, const std::string& name) {
   return fmt::format("  - {{link: {}, type: sole, sole_m: [{}]}}\n", name, corners);
 }
 
-/// The link of a problem's foot.
+/// Name of the link of a problem's foot.
 std::string FootLink(std::size_t foot) { return fmt::format("foot_{}", foot); }
 
-/// The greatest friction of any stance of a foot.
+/// The largest friction coefficient of all stances of a foot.
 double FrictionOf(const RigidBodyProblem& problem, int foot) {
   double friction = 0.0;
   for (const RigidStance& stance : problem.stances) {

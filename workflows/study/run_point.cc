@@ -20,7 +20,7 @@ PointOutcome Refused(std::size_t point, const Failure& failure) {
   return outcome;
 }
 
-/// The gates that are missed, as "goal_error_m, scuffs".
+/// The failed gates, such as "goal_error_m, scuffs".
 std::string GatesMissed(const StabilityReport& report) {
   std::string keys;
   for (const Metric& metric : report.metrics) {

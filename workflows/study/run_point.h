@@ -36,7 +36,7 @@ struct Study {
   std::vector<StudyAxis> axes;
   std::vector<StudyPoint> points;
   std::vector<std::string> metrics;  ///< keys of MetricRules() to report for each point
-  int trials = 0;                    ///< for each point whose plan passes its audit
+  int trials = 0;                    ///< number of trials for each point whose plan passes its audit
   TrialPlayer play_trial = {};
 };
 
@@ -69,7 +69,7 @@ class StudyPlans {
 /// The values of a point that shape its plan, as one text: points with the same text share their plan.
 std::string PlanKey(const std::vector<StudyAxis>& axes, const StudyPoint& point);
 
-/// Only plans a point. A wrong option is reported as failure `invalid_argument` here.
+/// Plans a point without playing it. A wrong option gives the failure `invalid_argument`.
 Result<PlannedWalk> PlanPoint(const Study& study, const StudyPoint& point);
 
 /// Playback request of a point.

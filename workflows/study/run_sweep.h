@@ -15,7 +15,7 @@ namespace gaitwright {
 /// contents of the gait, sequence and ground files, and `trials`, a text that identifies the trials.
 std::string StudyIdentity(const Study& study, const std::string& trials);
 
-/// Computes the point of a number elsewhere and waits for it: the outcome as written by PointToLine. May throw.
+/// Computes a point in another process and waits for it. @return the outcome as written by PointToLine. May throw.
 using PointRunner = std::function<std::string(std::size_t point)>;
 
 /// Runs every point that the journal does not contain and returns all outcomes in order of their numbers: the same for

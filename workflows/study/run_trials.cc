@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// What one thread does: trials, until there are no more.
+/// The work of one thread: plays trials until none are left.
 class TrialCrew {
  public:
   explicit TrialCrew(TrialBook& book) : book_(book) {}

@@ -8,11 +8,11 @@
 
 namespace gaitwright {
 
-/// Plays the trial of a number elsewhere and waits for it. One thread at a time; may throw.
+/// Plays a trial in another process and waits for it. For one thread at a time; may throw.
 using TrialRunner = std::function<Result<TrialOutcome>(int number)>;
 
 /// Plays a plan many times under disturbances and collects the outcomes. The report depends only on the study and the
-/// options except `threads`: not on threads, interruptions or resumed runs.
+/// options, not on the number of threads, interruptions or resumed runs.
 ///
 ///     const Result<RobustnessReport> report = RunTrials({model, plan, request, disturbances}, {.trials = 100});
 ///
@@ -21,8 +21,8 @@ using TrialRunner = std::function<Result<TrialOutcome>(int number)>;
 /// @throws InvalidArgument for options out of range, and as PlayTrial does.
 Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks = {});
 
-/// As above with a book that the caller opened, on this process's threads and on all of `elsewhere`; the caller closes
-/// the book after saving the report. RunTrials closes its own book at once.
+/// As above with a book that the caller opened, on the threads of this process and on all runners in `elsewhere`. The
+/// caller closes the book after saving the report. The overload above closes its book at once.
 Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, TrialBook& book,
                                    const std::vector<TrialRunner>& elsewhere = {});
 

@@ -24,10 +24,10 @@ std::string TitleOf(const StudyAxis& axis) {
 /// One set of axes: the values of all further axes are fixed.
 struct Panel {
   StudyPoint further;
-  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;  ///< of the cells' area [px]
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;  ///< area of the cells [px]
 };
 
-/// Where along an axis a value lies, as a share of its length, and the share that a cell takes.
+/// Position of a value on an axis, and the size of a cell, both as shares of the axis length.
 struct Place {
   double middle = 0.5, width = 1.0;
 };
@@ -56,7 +56,7 @@ class MapDrawing {
  private:
   bool has_y() const { return study_.axes.size() > 1; }
 
-  /// Values of the axes beyond the second, one panel each.
+  /// Combinations of values of the axes beyond the second, one panel each.
   std::vector<StudyPoint> Further() {
     if (sampled_) return {{}};
     std::vector<StudyAxis> further(study_.axes.begin() + std::min<std::ptrdiff_t>(2, std::ssize(study_.axes)),
@@ -126,10 +126,10 @@ class MapDrawing {
       const MapCell cell = CellOf(panel, outcome);
       (cell.framed ? best : svg) += DrawCell(cell, outcome.status, ShareOf(outcome, quantity_));
     }
-    return svg + best + Labels(panel);  // the frame on top of its neighbours
+    return svg + best + Labels(panel);  // the frame of the best cell is on top of its neighbours
   }
 
-  /// Values that an axis has words for, with their places.
+  /// Labels of an axis, with their positions.
   std::vector<std::pair<std::string, double>> Ticks(const StudyAxis& axis, double length_px, double room_px) const {
     std::vector<std::pair<std::string, double>> ticks;
     if (sampled_ && axis.numbers && axis.low < axis.high) {

@@ -19,9 +19,10 @@ struct StudyPicture {
 /// Largest number of panels of one map.
 inline constexpr std::size_t kMostMapPanels = 36;
 
-/// The quantity over the first two axes as a heat map, a panel for each combination of values of further axes (beyond
-/// the third axis, only the best point's values if there would be more than kMostMapPanels). Samples are drawn as discs
-/// at their points, in one panel. Failed cells have a pattern and a letter, the best cell has a frame.
+/// Draws the quantity over the first two axes as a heat map, with a panel for each combination of values of further
+/// axes. If there would be more than kMostMapPanels, axes beyond the third are shown only at the best point's values.
+/// Samples are drawn as discs at their points, in one panel. Failed cells have a pattern and a letter, the best cell
+/// has a frame.
 StudyPicture DrawStabilityMap(const Study& study, const std::vector<PointOutcome>& outcomes, MapQuantity quantity);
 
 }  // namespace gaitwright

@@ -46,10 +46,11 @@ OptionField& FindField(OptionFields& fields, const std::string& text, const std:
   std::vector<std::string> keys;
   for (const OptionField& f : fields) keys.push_back(f.key);
   throw InvalidArgument(fmt::format("'{}': there is no option '{}'{}", text, key,
-                                    NearestOrAll(key, keys, "--list-options=all prints all of them")));
+                                    NearestOrAll(key, keys, "--list-options=all prints all option keys")));
 }
 
-/// The value as the option itself writes it. @throws InvalidArgument naming the axis when it does not take it.
+/// The value as the option writes it. @throws InvalidArgument that names the axis if the option does not accept the
+/// value.
 std::string Accepted(OptionField& field, const std::string& text, const std::string& value) {
   OptionFields one = {field};
   try {
@@ -60,7 +61,7 @@ std::string Accepted(OptionField& field, const std::string& text, const std::str
   return OptionText(field);
 }
 
-/// FROM:TO or FROM:TO:COUNT.
+/// Reads FROM:TO or FROM:TO:COUNT.
 void ReadRange(StudyAxis& axis, OptionField& field, const std::string& text, const std::vector<std::string>& words) {
   if (!axis.numbers) {
     throw InvalidArgument(

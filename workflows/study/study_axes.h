@@ -14,7 +14,7 @@ namespace gaitwright {
 /// options of the plan and options of the playback. Keys are those of `walk`.
 OptionFields StudyFields(WalkRequest& walk, PlayRequest& play);
 
-/// The command's keys among them.
+/// The fields of StudyFields that belong to the command.
 OptionFields CommandFields(WalkRequest& walk);
 
 /// Whether a key belongs to the command.
@@ -44,11 +44,11 @@ enum class StudyLayout {
 };
 
 /// Reads an axis such as `gait.cycle_s=0.3:0.8:10`, `speed=0.1:1.2` or `stabilised.dcm_gain=1,1.3,2`.
-/// @throws InvalidArgument naming the axis if it is malformed, its key is unknown (with the nearest), the option does
-/// not accept a value, a range is empty or reversed, or its form does not fit the layout.
+/// @throws InvalidArgument that names the axis if it is malformed, its key is unknown (with the nearest), the option
+/// does not accept a value, a range is empty or reversed, or its form does not fit the layout.
 StudyAxis ParseAxis(const std::string& text, StudyLayout layout);
 
-/// The axes of a study. @throws InvalidArgument as ParseAxis, if there is no axis, or if a key is given twice.
+/// The axes of a study. @throws InvalidArgument as ParseAxis does, and if there is no axis or a key is given twice.
 std::vector<StudyAxis> ParseAxes(const std::vector<std::string>& texts, StudyLayout layout);
 
 /// Keys that the axes vary.
@@ -63,7 +63,7 @@ inline constexpr std::size_t kMostStudyPoints = 1000000;
 /// Every combination; the last axis varies fastest. @throws InvalidArgument for more than kMostStudyPoints.
 std::vector<StudyPoint> GridPoints(const std::vector<StudyAxis>& axes);
 
-/// The first `count` points of the Halton sequence of that seed between the ends of each axis; each value of a list
+/// The first `count` points of the Halton sequence for this seed, between the ends of each axis; each value of a list
 /// gets an equal share. @throws InvalidArgument for more axes than HaltonPoint accepts.
 std::vector<StudyPoint> SampledPoints(const std::vector<StudyAxis>& axes, std::size_t count, std::uint64_t seed);
 
@@ -73,7 +73,7 @@ std::string ValueAt(const StudyAxis& axis, double share);
 /// A value of an axis of numbers, as a number. @throws InvalidArgument for text that is not a number.
 double NumberOfValue(const std::string& value);
 
-/// Puts a point into the requests. @throws InvalidArgument as SetOption.
+/// Puts a point into the requests. @throws InvalidArgument as SetOption does.
 void ApplyPoint(const std::vector<StudyAxis>& axes, const StudyPoint& point, WalkRequest& walk, PlayRequest& play);
 
 /// "speed=0.5, gait.cycle_s=0.4"

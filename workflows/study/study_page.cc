@@ -53,7 +53,7 @@ std::string Best(const Study& study, const std::vector<PointOutcome>& outcomes) 
 }
 
 std::string Failures(const Study& study, const std::vector<PointOutcome>& outcomes) {
-  std::vector<std::vector<std::string>> rows = {{"points", "what", "where", "reason, at the first of them"}};
+  std::vector<std::vector<std::string>> rows = {{"points", "status", "range", "reason at the first point"}};
   for (const FailureGroup& group : FailureGroups(study, outcomes)) {
     rows.push_back({std::to_string(group.points.size()),
                     WordsOf(group.status) + (group.code.empty() ? "" : " (" + group.code + ")"), group.where,
@@ -86,7 +86,7 @@ std::string EveryPoint(const Study& study, const std::vector<PointOutcome>& outc
 
 Ink InkOf(PointStatus status) { return status == PointStatus::kPass ? Ink::kZmp : Ink::kBad; }
 
-/// The score of every point over one axis of numbers.
+/// Plots the score of every point over one axis of numbers.
 std::string ScoreOver(const Study& study, const std::vector<PointOutcome>& outcomes, std::size_t axis) {
   const StudyAxis& a = study.axes[axis];
   SvgPlot::Options options;

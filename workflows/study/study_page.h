@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// The frame of a page about a study: title, one style sheet, `body` of HTML. Self-contained: no network, no scripts.
+/// A page about a study: title, one style sheet and the HTML `body`. Self-contained: no network, no scripts.
 std::string StudyPage(const std::string& title, const std::string& body);
 
 /// A figure with its caption.

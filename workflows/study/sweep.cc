@@ -13,7 +13,7 @@ namespace {
 
 std::string UnitAfter(const StudyAxis& axis) { return axis.unit.empty() || axis.unit == "1" ? "" : " " + axis.unit; }
 
-/// "speed 0.9 to 1.2 m/s" of the values that the points have on an axis.
+/// The values of some points on an axis, such as "speed 0.9 to 1.2 m/s".
 std::string Covered(const Study& study, std::size_t axis, const std::vector<std::size_t>& points) {
   const StudyAxis& a = study.axes[axis];
   std::vector<std::string> values;
@@ -30,7 +30,7 @@ std::string Covered(const Study& study, std::size_t axis, const std::vector<std:
   return fmt::format("{} {}", a.key, fmt::join(each, " or "));
 }
 
-/// Points as numbers by axis, of words their place in the alphabet.
+/// Points as numbers by axis; for words, their position in alphabetical order.
 std::vector<std::vector<double>> PlacesOf(const Study& study) {
   std::vector<std::vector<double>> places(study.points.size(), std::vector<double>(study.axes.size()));
   for (std::size_t k = 0; k < study.axes.size(); ++k) {
@@ -65,12 +65,12 @@ struct Box {
   }
 };
 
-/// Parts the points that failed in one way into such as lie in a box with no others in it: one range over all of them
-/// would tell of points that pass. After a few boxes the last part has whatever is left.
+/// Splits points with the same failure into groups whose boxes contain no other points, because one range over all of
+/// them would include points that pass. After a few boxes, the last group has the remaining points.
 std::vector<std::vector<std::size_t>> PartsOf(const std::vector<std::size_t>& members,
                                               const std::vector<std::vector<double>>& places) {
   constexpr std::size_t kMostParts = 4, kMostPoints = 10000;
-  if (places.size() > kMostPoints) return {members};  // the time goes with the square
+  if (places.size() > kMostPoints) return {members};  // the time grows with the square of the number of points
   const std::set<std::size_t> all(members.begin(), members.end());
   std::vector<const std::vector<double>*> others;
   for (std::size_t i = 0; i < places.size(); ++i) {

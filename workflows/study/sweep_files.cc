@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 std::string OrEmpty(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; }
 
-/// Quoted where a comma, a quote or an end of line would break the row (RFC 4180).
+/// A cell; quoted if it contains a comma, a quote or a line end (RFC 4180).
 std::string Cell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -36,7 +36,7 @@ std::string Row(const std::vector<std::string>& cells) {
 
 bool PlaysInTwo(const Study& study) { return study.play.play.world.engine == "both"; }
 
-/// Verdict and score of each engine; empty where only one has played.
+/// Verdict and score of each engine; empty if only one has played.
 std::vector<std::string> EngineCells(const PointOutcome& o) {
   std::vector<std::string> cells;
   for (const std::string& name : EngineNames()) {
@@ -86,7 +86,7 @@ std::vector<std::string> Cells(const Study& study, const PointOutcome& o) {
   return cells;
 }
 
-/// A value as JSON: a number where the axis has numbers.
+/// A value as JSON; a number if the axis has numbers.
 Json ValueJson(const StudyAxis& axis, const std::string& value) {
   if (axis.numbers) return Json::parse(value);
   return value == "true" || value == "false" ? Json(value == "true") : Json(value);
@@ -196,7 +196,7 @@ std::string PlayFlags(const Study& study, std::size_t point) {
 std::string EnginesText(const std::vector<PointOutcome>& outcomes) {
   const EngineCounts counts = CountEngines(outcomes);
   if (counts.points() == 0) return "";
-  return fmt::format("{} points pass in both, {} in {} alone, {} in {} alone, {} in neither", counts.both_pass,
+  return fmt::format("{} points pass in both, {} only in {}, {} only in {}, {} in neither", counts.both_pass,
                      counts.first_alone, EngineTitle(counts.first), counts.second_alone, EngineTitle(counts.second),
                      counts.none_pass);
 }

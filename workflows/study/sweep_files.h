@@ -24,7 +24,7 @@ std::string SweepJson(const Study& study, const std::vector<PointOutcome>& outco
 /// Playback options of a point, which its plan does not contain: "--set KEY=VALUE ..." for `play`, or "".
 std::string PlayFlags(const Study& study, std::size_t point);
 
-/// "10 points pass in both, 1 in Bullet alone, 0 in MuJoCo alone, 2 in neither"; empty for one engine.
+/// "10 points pass in both, 1 only in Bullet, 0 only in MuJoCo, 2 in neither"; empty for one engine.
 std::string EnginesText(const std::vector<PointOutcome>& outcomes);
 
 /// The sweep as text: counts, the best point, and the failures with their reasons.

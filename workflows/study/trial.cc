@@ -34,18 +34,18 @@ bool HasField(const OptionFields& fields, const std::string& key) {
 
 double NumberOf(const OptionFields& fields, const std::string& key) {
   const auto field = std::find_if(fields.begin(), fields.end(), [&](const OptionField& f) { return f.key == key; });
-  if (field == fields.end()) return 0.0;  // which SetNumber refuses
+  if (field == fields.end()) return 0.0;  // SetNumber refuses the key
   const auto* whole = std::get_if<int*>(&field->target);
   return whole != nullptr ? static_cast<double>(**whole) : *std::get<double*>(field->target);
 }
 
-/// A drawn value together with the one that its option has.
+/// Combines a drawn value with the present value of its option.
 double Together(double own, const DrawnOption& drawn) {
   if (drawn.effect == DisturbanceEffect::kFactor) return own * drawn.value;
   return drawn.effect == DisturbanceEffect::kOffset ? own + drawn.value : drawn.value;
 }
 
-/// A delay in whole time steps, the nearest that may be; one that is too long stays so.
+/// A delay rounded to whole time steps; a delay that is too long stays too long.
 double InSteps(double delay_s, double step_s) {
   constexpr double kRounding = 1e-9;
   if (delay_s > kLongestDelay * (1.0 + kRounding)) return delay_s;
@@ -53,19 +53,19 @@ double InSteps(double delay_s, double step_s) {
   return step_s * std::min(std::round(delay_s / step_s), most);
 }
 
-/// A rate with a period in whole time steps, the nearest; 0 stays 0.
+/// The nearest rate whose period is a whole number of time steps; 0 stays 0.
 double WithPeriodInSteps(double rate_hz, double step_s) {
   if (!(rate_hz > 0.0)) return rate_hz;
   return 1.0 / (step_s * std::max(1.0, std::round(1.0 / (rate_hz * step_s))));
 }
 
-/// A drawn value as a playback can have it.
+/// A drawn value, rounded so that a playback accepts it.
 double OnTheClock(const std::string& key, double value, double step_s) {
   if (key == "command_delay_s") return InSteps(value, step_s);
   return key.starts_with(kSensorPrefix) && key.ends_with("_rate_hz") ? WithPeriodInSteps(value, step_s) : value;
 }
 
-/// The options of a playback that are not at their usual values.
+/// The options of a playback that differ from their defaults.
 std::vector<std::string> ChangedKeys(PlayRequest request) {
   PlayRequest usual;
   std::vector<std::string> keys;
@@ -73,8 +73,8 @@ std::vector<std::string> ChangedKeys(PlayRequest request) {
   return keys;
 }
 
-/// What is both drawn and set; nothing where all is said once. Of sensors single figures of a set may be drawn, and
-/// each trial has its own seed.
+/// Failure if an option is both sampled and set. Exceptions: single values of a set of sensors may be sampled, and each
+/// trial has its own seed.
 std::optional<Failure> SaidTwice(const PlayRequest& request, const Disturbances& disturbances) {
   std::vector<std::string> keys = ChangedKeys(request);
   std::erase_if(keys, [](const std::string& key) { return key.starts_with(kSensorPrefix) || key == "play.seed"; });
@@ -93,7 +93,7 @@ Failure CannotBePlayed(FailureCode code, const std::string& why, std::vector<Sug
           fmt::format("some trials of these disturbances cannot be played: {}", why), std::move(suggestions)};
 }
 
-/// What `check` has to say of the request at either end of the disturbances; options out of range are a failure too.
+/// The failure of `check` for the request at either end of the disturbances; also a failure for options out of range.
 template <class Check>
 std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                                   const Disturbances& disturbances, Check check) {
@@ -119,7 +119,7 @@ std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& pla
 
 void AddPushes(const std::vector<TimedPush>& pushes, PlayOptions& play) {
   auto next = pushes.begin();
-  if (next != pushes.end() && play.push_force_W.isZero(0.0)) {  // the one that words of the log speak of
+  if (next != pushes.end() && play.push_force_W.isZero(0.0)) {  // the push that the texts of the log describe
     play.push_force_W = next->force_W;
     play.push_at_s = next->at_s;
     play.push_for_s = next->for_s;
@@ -165,7 +165,7 @@ Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request
   std::vector<std::string> said = ChangedKeys(request);
   said.insert(said.end(), varied.begin(), varied.end());
   if (std::find(said.begin(), said.end(), "play.ground_slope_deg") != said.end())
-    said.emplace_back("play.ground_slope_direction_deg");  // which would turn the slope that is said
+    said.emplace_back("play.ground_slope_direction_deg");  // otherwise sampling would turn the given slope
   Disturbances standard = StandardDisturbances(model);
   const std::vector<std::string> twice = DrawnInPlaceOf(standard, said);
   std::erase_if(standard.figures, [&](const Disturbance& figure) {
@@ -174,24 +174,24 @@ Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request
   return standard;
 }
 
-std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
-                                     const Disturbances& disturbances) {
+std::optional<Failure> ReasonNotSampled(const RobotModel& model, const PlayRequest& request,
+                                        const Disturbances& disturbances) {
   PlayRequest undisturbed = request;
   CheckOptions(undisturbed.Fields());
   return AtBothEnds(model, MotionPlan(), request, disturbances,
                     [](const PlayRequest&) -> std::optional<Failure> { return std::nullopt; });
 }
 
-std::optional<Failure> WhyNotTried(const TrialStudy& study) {
+std::optional<Failure> ReasonNotTried(const TrialStudy& study) {
   PlayRequest undisturbed = study.request;
   CheckOptions(undisturbed.Fields());
-  if (auto failure = WhyNotPlayed(study.model, study.plan, study.request.play)) return failure;
+  if (auto failure = ReasonNotPlayed(study.model, study.plan, study.request.play)) return failure;
   return AtBothEnds(study.model, study.plan, study.request, study.disturbances,
-                    [&](const PlayRequest& at_end) { return WhyNotPlayed(study.model, study.plan, at_end.play); });
+                    [&](const PlayRequest& at_end) { return ReasonNotPlayed(study.model, study.plan, at_end.play); });
 }
 
 Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t seed) {
-  if (auto failure = WhyNotTried(study)) return *failure;
+  if (auto failure = ReasonNotTried(study)) return *failure;
   const SampledTrial trial = SampleTrial(study.disturbances, study.model, study.plan, seed);
   const PlayRequest disturbed = DisturbedRequest(study.request, trial);
   Result<PlayedWalk> played = PlayWalk(study.model, study.plan, disturbed);

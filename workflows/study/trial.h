@@ -36,17 +36,17 @@ Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request
 /// Why some sampled trial could not be played with any plan; nothing if all can. Reasons: a value that is both sampled
 /// and set (code `said_twice`); an option that sampling puts out of its range, alone or together with the request
 /// (sensor noise times `sensor_noise_scale`), or a push on a link that does not exist: code `disturbances`. @throws
-/// InvalidArgument where the request itself has an option out of its range.
-std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
-                                     const Disturbances& disturbances);
+/// InvalidArgument if the request itself has an option out of range.
+std::optional<Failure> ReasonNotSampled(const RobotModel& model, const PlayRequest& request,
+                                        const Disturbances& disturbances);
 
-/// As above for a given plan: also a push that may come after its end (code `late_push`), and everything else that Play
-/// refuses.
-std::optional<Failure> WhyNotTried(const TrialStudy& study);
+/// As above for a given plan. Further reasons: a push that may come after its end (code `late_push`), and everything
+/// that Play refuses.
+std::optional<Failure> ReasonNotTried(const TrialStudy& study);
 
 /// Plays and scores one trial: a pure function of the study and the seed, so logs are equal to the byte on all machines
 /// and threads. The log's `options` contain the sampled values as "trial.NAME". `number` is for the record only.
-/// @return the failure of WhyNotTried: either every trial of a study is played, or none. @throws InvalidArgument for
+/// @return the failure of ReasonNotTried: either every trial of a study is played, or none. @throws InvalidArgument for
 /// wrong inputs that no disturbance changes, as MakeController and Play do.
 Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t seed);
 

@@ -23,7 +23,7 @@ TrialBook::TrialBook(const TrialStudy& study, const TrialOptions& options, Trial
 Result<TrialBook> TrialBook::Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks) {
   TrialOptions checked = options;
   CheckOptions(checked.Fields());
-  if (auto failure = WhyNotTried(study)) return *failure;
+  if (auto failure = ReasonNotTried(study)) return *failure;
   Result<JobJournal> journal = JournalOf(study, options, hooks);
   if (!journal) return journal.failure();
   TrialBook book(study, options, hooks, std::move(*journal));

@@ -37,13 +37,13 @@ struct TrialOptions {
 /// Progress of a run.
 struct TrialProgress {
   int done = 0, restored = 0;  ///< finished trials, and how many of them come from an earlier part of the run
-  int wanted = 0;              ///< trials in all, minus those saved by stopping early
+  int wanted = 0;              ///< number of all trials, minus those saved by stopping early
   int survived = 0;
 };
 
 /// Callbacks and journal of a run.
 struct TrialHooks {
-  std::string journal;                                      ///< file of the outcomes so far; "" for none
+  std::string journal;                                      ///< file of the outcomes so far, or ""
   bool resume = false;                                      ///< continue with this file
   std::function<void(const TrialProgress&)> progress = {};  ///< after each trial, by one thread at a time
   std::function<bool()> stop = {};  ///< whether to hand out no more trials; called before each trial, by any thread
@@ -58,13 +58,13 @@ struct TrialHooks {
 /// matter. Trials of an earlier part beyond the end stay in the journal.
 class TrialBook {
  public:
-  /// @return a failure as WhyNotTried (before a journal is created), as JobJournal::Open, or for a damaged outcome in
-  /// the journal. @throws InvalidArgument for an option out of range.
+  /// @return a failure as of ReasonNotTried (before a journal is created), as of JobJournal::Open, or for a damaged
+  /// outcome in the journal. @throws InvalidArgument for an option out of range.
   static Result<TrialBook> Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks);
 
-  /// The next trial that is not handed out; nothing if all are.
+  /// The next trial that is not handed out yet; nothing if all are.
   std::optional<int> Next();
-  /// Its seed.
+  /// The seed of a trial.
   std::uint64_t SeedOf(int number) const { return SeedOfTrial(static_cast<std::uint64_t>(options_.seed), number); }
   /// Accepts the outcome of a trial. @throws CannotKeep if the journal cannot be written.
   void Add(TrialOutcome outcome);
@@ -80,8 +80,8 @@ class TrialBook {
   Result<RobustnessReport> Report();
   /// Trials of an earlier part of the run that are beyond the run's present end.
   int beyond() const { return static_cast<int>(journal_.found(static_cast<std::size_t>(end_))); }
-  /// Deletes the journal, once the report is saved; the journal stays if it has trials beyond the end, which are in no
-  /// report.
+  /// Deletes the journal after the report is saved. A journal with trials beyond the end is kept, because no report has
+  /// them.
   void Close() {
     if (beyond() == 0) journal_.Remove();
   }

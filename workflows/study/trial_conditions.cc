@@ -18,7 +18,7 @@ constexpr char kNotSaid[] = "not said";
 bool IsSeed(const std::string& key) { return key.ends_with(".seed"); }
 bool IsOfSensors(const std::string& key) { return key.starts_with("sensors."); }
 
-/// One of the options that are told in any case.
+/// An option that is always reported.
 OptionChange Always(const OptionTexts& options, const OptionFields& usual, const std::string& key) {
   const auto field = std::find_if(usual.begin(), usual.end(), [&](const OptionField& f) { return f.key == key; });
   const auto said =
@@ -26,7 +26,7 @@ OptionChange Always(const OptionTexts& options, const OptionFields& usual, const
   return {key, said == options.end() ? kNotSaid : said->second, OptionText(*field)};
 }
 
-/// The figures that are not those of a ready-made set.
+/// The sensor values that differ from those of a built-in set.
 std::vector<OptionChange> UnlikeKind(const std::string& kind, const OptionTexts& options) {
   SensorOptions of_kind = SensorsOfKind(kind);
   std::vector<OptionChange> unlike = ChangesFrom(Prefixed(kSensors, of_kind.Fields()), options);
@@ -77,7 +77,7 @@ std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std:
 
 namespace {
 
-/// A playback with such options, of those that this program knows.
+/// A playback request with these options, as far as this program knows them.
 PlayRequest RequestOf(const std::string& controller, const OptionTexts& options) {
   PlayRequest request;
   request.controller = controller;
@@ -107,7 +107,7 @@ std::string ConditionText(const OptionChange& condition) {
   const std::string text = fmt::format("{} {}", condition.key, condition.value);
   if (condition.value == condition.usual) return text;
   return text +
-         (condition.usual.empty() ? " (not known to this program)" : fmt::format(" (usually {})", condition.usual));
+         (condition.usual.empty() ? " (not known to this program)" : fmt::format(" (default {})", condition.usual));
 }
 
 }  // namespace gaitwright

@@ -13,7 +13,7 @@ namespace gaitwright {
 /// that differs from this set; and `command_delay_s`. Then every other option that is not at its default. Seeds are
 /// left out, because each trial has its own. Missing options have the value "not said"; an option unknown to this
 /// program has the default "".
-/// @param disturbances  YAML text of the result; sampled sensor values are left out too.
+/// @param disturbances  YAML text of the result; sampled sensor values are also left out.
 std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std::string& disturbances = "");
 
 /// The flags that give a playback these options, as a shell command line: "--controller joint-pd --set state=estimated
@@ -22,7 +22,7 @@ std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std:
 std::string FlagsOf(const std::string& controller, const OptionTexts& options,
                     const std::vector<std::string>& drawn = {});
 
-/// "play.friction 0.4 (usually 0)", or without the brackets at the default value.
+/// "play.friction 0.4 (default 0)"; without the brackets at the default value.
 std::string ConditionText(const OptionChange& condition);
 
 }  // namespace gaitwright

@@ -43,7 +43,7 @@ std::vector<TrialsResult::Cause> CausesOf(const JsonPart& result) {
   return causes;
 }
 
-/// What one row of `trials` says.
+/// One row of `trials`.
 struct TrialRow {
   bool survived = false, passed = false;
   std::string cause, log_hash;
@@ -86,7 +86,7 @@ std::vector<TrialsResult::Worst> WorstOf(const JsonPart& result) {
   return worst;
 }
 
-/// All options of a playback, so that none is unknown to whoever signs.
+/// Reads all options of a playback; all are required, so that the person who signs knows all of them.
 OptionTexts OptionsOf(const JsonPart& result) {
   const JsonPart given = Needed(result, "options");
   if (!given.json().is_object()) given.Refuse("is not an object of options");
@@ -109,7 +109,7 @@ std::string DisturbancesOf(const JsonPart& result) {
   return text;
 }
 
-/// Refuses counts that are not those of the rows.
+/// Refuses counts that do not match the rows.
 void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::vector<TrialRow>& rows) {
   const auto hold = [&](int said, const std::string& what, auto is) {
     const auto counted = std::count_if(rows.begin(), rows.end(), is);
@@ -130,7 +130,7 @@ void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::ve
     part.Refuse(fmt::format("has causes of {} falls, but {} trials fell", told, result.n - result.survived));
 }
 
-/// Refuses an interval that is not that of the counts.
+/// Refuses an interval that does not match the counts.
 void CheckInterval(const JsonPart& part, const TrialsResult& result) {
   constexpr double kRounded = 1e-3;
   const ShareInterval is = WilsonInterval(result.survived, result.n);
@@ -143,7 +143,7 @@ void CheckInterval(const JsonPart& part, const TrialsResult& result) {
                   is.low, is.high));
 }
 
-/// Counts each log once, as the worst of the trials that have it.
+/// Counts each log once, with the worst result of its trials.
 void CountDifferent(const std::vector<TrialRow>& rows, TrialsResult& result) {
   std::map<std::string, TrialRow> logs;
   for (const TrialRow& row : rows) {

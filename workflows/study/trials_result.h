@@ -28,7 +28,7 @@ struct TrialsResult {
   /// Counts over different trials: trials with equal `log_hash` are one playback and count once.
   int different = 0, different_survived = 0, different_passed = 0;
   double survival = 0.0, survival_low = 0.0, survival_high = 0.0;  ///< share, and its interval
-  std::vector<Cause> causes;                                       ///< of falls
+  std::vector<Cause> causes;                                       ///< causes of falls
   std::vector<Worst> worst;
   std::string plan_hash, whole_plan_hash, robot_hash;  ///< MotionHash and PlanHash of the plan
   OptionTexts options;                                 ///< options of the playback, before trials changed them
@@ -39,16 +39,16 @@ struct TrialsResult {
   ShareInterval pass_share() const { return WilsonInterval(passed, n); }
 };
 
-/// A result from its JSON text, as `trials` writes it (docs/json-output.md): an object with `n`, `survived`, `passed`,
-/// `survival`, `survival_low`, `survival_high`, `causes` (counts by name), `plan_hash`, `whole_plan_hash`,
+/// Reads a result from its JSON text, as `trials` writes it (docs/json-output.md): an object with `n`, `survived`,
+/// `passed`, `survival`, `survival_low`, `survival_high`, `causes` (counts by name), `plan_hash`, `whole_plan_hash`,
 /// `robot_hash`, `options` (a text for every option of a playback), `disturbances` (YAML) and `trials` (`columns` with
 /// `survived`, `passed`, `cause` and `log_hash`, and `rows`); `controller`, `repeat` (texts) and `worst` (a list of
 /// objects with a `seed` and a `reason`) may be missing. Other keys are ignored. Refused: text that is not JSON, a key
 /// that is missing or has the wrong type, values that contradict each other or the rows, an unknown cause of falls.
-/// @param source names the text.
+/// @param source  name of the text in messages.
 Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::string& source);
 
-/// The result of a file.
+/// Reads a result from a file.
 Result<TrialsResult> LoadTrialsResult(const std::string& path);
 
 }  // namespace gaitwright

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// The plans that were asked for last. Candidates that differ in the playback alone share theirs. For any thread.
+/// The plans that were requested last. Candidates that differ only in the playback share a plan. Thread-safe.
 class RecentPlans {
  public:
   using Shared = std::shared_ptr<const Result<PlannedWalk>>;
@@ -82,7 +82,7 @@ std::vector<std::string> MetricKeys() {
   return keys;
 }
 
-/// The undisturbed walk with the usual values and with the favourite ones.
+/// Plays the undisturbed walk with the present values and with the favourite ones.
 void PlayBoth(const Study& study, TuneReport& report) {
   Study both = study;
   both.trials = 0;

@@ -11,7 +11,7 @@ namespace gaitwright {
 /// A tuning, with the undisturbed walk of its present and its best values.
 struct TuneReport {
   TuneResult result;
-  PointOutcome before, after;        ///< with every key of MetricRules()
+  PointOutcome before, after;        ///< with all keys of MetricRules()
   std::vector<std::string> metrics;  ///< these keys
 };
 
@@ -22,7 +22,7 @@ void CheckTunable(const std::vector<StudyAxis>& axes);
 /// The present values of a study's requests for its axes.
 StudyPoint UsualValues(const Study& study);
 
-/// Tunes the options that the study's axes name: see SearchTuning. The study's points are not used. Failures as
+/// Tunes the options that the study's axes name: see SearchTuning. The study's points are not used. Failures as of
 /// SearchTuning; `no_plan` if no candidate has a plan that passes its audit.
 Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJournal& journal, const JobOptions& jobs);
 

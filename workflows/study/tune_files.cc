@@ -111,7 +111,7 @@ std::string TuneJson(const Study& study, const TuneReport& report, const TuneOpt
                      {"held_out", proof},
                      {"metrics", MetricsJson(report)},
                      {"engines", UndisturbedJson(report)},
-                     {"surface_foretold", result.surface ? Json(result.surface->foretold) : Json()},
+                     {"surface_foretold", result.surface ? Json(result.surface->predicted) : Json()},
                      {"finalists", result.finalists},
                      {"candidates", candidates},
                      {"files", written}};

@@ -21,9 +21,8 @@ std::string Number(const std::optional<double>& value) { return value ? fmt::for
 std::string Head(const Study& study, const TuneReport& report, const TuneOptions& options) {
   const TuneResult& result = report.result;
   return fmt::format(
-      "<h1>{}: {} tuned</h1>\n<p class=\"soft\">{} candidates of {} trials each on {} ground; a trial counts its "
-      "score, "
-      "and {:g} more where the robot stands to the end</p>\n<p class=\"reason {}\">{}.</p>\n",
+      "<h1>{}: {} tuned</h1>\n<p class=\"soft\">{} candidates of {} trials each on {} ground; the value of a trial is "
+      "its score, plus {:g} if the robot survives to the end</p>\n<p class=\"reason {}\">{}.</p>\n",
       EscapedXml(study.model.name), EscapedXml(study.walk.gait.empty() ? "its best gait" : study.walk.gait),
       result.candidates.size(), options.trials, EscapedXml(study.walk.terrain), options.survival_weight,
       result.better() ? "pass" : "fail", EscapedXml(VerdictOf(result)));
@@ -60,7 +59,7 @@ std::string Proof(const TuneResult& result) {
 }
 
 std::string Metrics(const TuneReport& report) {
-  Rows rows = {{"metric", "unit", "before", "after", "is better"}};
+  Rows rows = {{"metric", "unit", "before", "after", "better if"}};
   for (std::size_t k = 0; k < report.metrics.size(); ++k) {
     const MetricRule& rule = RuleOf(report.metrics[k]);
     const auto of = [&](const PointOutcome& o) { return k < o.metrics.size() ? o.metrics[k] : std::nullopt; };
@@ -108,7 +107,7 @@ std::string History(const TuneResult& result) {
   return FigureOf({"history", "Progress of the search. Crosses have no plan that passes its audit.", plot.Svg()});
 }
 
-/// The fitted surface along one option through the favourite, where that lies within the ranges.
+/// The fitted surface along one option through the favourite, if the favourite is within the ranges.
 std::vector<Vector2> Slice(const Study& study, const TuneResult& result, std::size_t axis) {
   std::vector<Vector2> line;
   VectorX at = SharesOf(study.axes, result.candidates[result.favourite].values).cwiseMax(0.0).cwiseMin(1.0);
@@ -139,9 +138,9 @@ std::string Response(const Study& study, const TuneResult& result, std::size_t a
   plot.AcrossY(NumberOfValue(result.candidates[result.favourite].values[axis]), Ink::kDcm, "favourite");
   std::string caption = "Each candidate's value over " + a.key + ", for all values of the other options.";
   if (result.surface)
-    caption += result.surface->foretold > 0.0
+    caption += result.surface->predicted > 0.0
                    ? fmt::format(" The surface predicts {:.0f} % of the variance of points that were not fitted.",
-                                 100.0 * result.surface->foretold)
+                                 100.0 * result.surface->predicted)
                    : std::string(" The surface predicts points that were not fitted worse than their mean does.");
   return FigureOf({"response", caption, plot.Svg()});
 }
@@ -166,7 +165,7 @@ std::string EveryCandidate(const Study& study, const TuneResult& result) {
 std::string TunePage(const Study& study, const TuneReport& report, const TuneOptions& options) {
   const TuneResult& result = report.result;
   std::string body = Head(study, report, options) + "<h2>Values</h2>\n" + Values(study, result);
-  body += "<h2>Proof on held-out trials</h2>\n" + Proof(result);
+  body += "<h2>Test on held-out trials</h2>\n" + Proof(result);
   body += "<h2>Search</h2>\n" + History(result);
   for (std::size_t k = 0; k < study.axes.size(); ++k) body += Response(study, result, k);
   body += "<h2>The undisturbed walk</h2>\n" + Metrics(report);

@@ -18,14 +18,14 @@ constexpr std::size_t kFinalistJobs = 1000000, kProofJobs = 2000000;
 /// Held-out trials of one job.
 constexpr int kBlock = 10;
 
-/// A candidate and the trials on which it is to be judged.
+/// A candidate and its trials.
 struct TuneJob {
   std::size_t number = 0;
   StudyPoint values;
   int first = 0, count = 0;
 };
 
-/// What came of held-out trials, in their order.
+/// Results of held-out trials, in their order.
 struct HeldOutTrials {
   std::vector<double> value, score, survival;
 
@@ -78,7 +78,7 @@ class TuneSearch {
            std::find(beside.begin(), beside.end(), values) != beside.end();
   }
 
-  /// The next points of the Halton sequence that were not tried yet; fewer where the ranges have no more.
+  /// The next points of the Halton sequence that were not tried yet; fewer if the ranges have no more.
   std::vector<StudyPoint> Samples(std::size_t count, std::vector<StudyPoint> beside = {}) {
     const std::size_t wanted = beside.size() + count;
     for (int tries = 0; beside.size() < wanted && tries < 10000; ++tries) {
@@ -88,7 +88,7 @@ class TuneSearch {
     return beside;
   }
 
-  /// Judges jobs, of which the journal may hold some, on all threads.
+  /// Evaluates jobs on all threads, except those in the journal.
   std::vector<CandidateWorth> Judge(const std::vector<TuneJob>& jobs) {
     std::vector<CandidateWorth> worths(jobs.size());
     std::vector<std::size_t> pending;
@@ -116,7 +116,7 @@ class TuneSearch {
     return worths;
   }
 
-  /// Tries candidates, as many as are left, and gives their values.
+  /// Evaluates candidates, as far as the number of evaluations allows, and returns their values.
   std::vector<std::optional<double>> Try(std::vector<StudyPoint> points, const std::string& found_by) {
     points.resize(std::min(points.size(), static_cast<std::size_t>(std::max(Left(), 0))));
     std::vector<TuneJob> jobs;
@@ -145,7 +145,7 @@ class TuneSearch {
     return SharesOf(problem_.axes, result_.candidates[Best()].values).cwiseMax(0.0).cwiseMin(1.0);
   }
 
-  /// A surface through the `nearest` candidates to a place, or through all for 0; nothing when they are too few.
+  /// A surface fitted to the `nearest` candidates around a place, or to all for 0; nothing if they are too few.
   std::optional<FittedSurface> Fitted(const VectorX& place, std::size_t nearest) const {
     std::vector<std::pair<VectorX, double>> known;
     for (const TuneCandidate& candidate : result_.candidates) {
@@ -173,7 +173,7 @@ class TuneSearch {
     while (!stopped_ && options_.method != "cma-es" && Left() > 0) {
       const std::optional<FittedSurface> whole = Fitted(VectorX(), 0);
       if (!whole && options_.method == "auto") return;
-      if (whole && options_.method == "auto" && whole->foretold < options_.smooth_above) return;
+      if (whole && options_.method == "auto" && whole->predicted < options_.smooth_above) return;
       const VectorX best = BestShares();
       std::vector<StudyPoint> points;
       for (const double half : {1.0, 0.25, 0.125, 0.0625}) {
@@ -203,7 +203,8 @@ class TuneSearch {
     }
   }
 
-  /// The best candidates and the usual one on more trials; the best over all of these is the favourite.
+  /// Evaluates the best candidates and the present values on more trials; the best one over all trials is the
+  /// favourite.
   void ChooseFavourite() {
     std::vector<std::size_t> ranked(result_.candidates.size());
     std::iota(ranked.begin(), ranked.end(), std::size_t{0});
@@ -228,7 +229,8 @@ class TuneSearch {
     result_.favourite = finals.front().second;
   }
 
-  /// Blocks of held-out trials of the usual values, where these have a plan, with even numbers, and of the favourite.
+  /// Blocks of held-out trials: of the present values with even numbers, if they have a plan, and of the favourite with
+  /// odd numbers.
   std::vector<TuneJob> ProofJobs() const {
     const TuneCandidate &usual = result_.candidates.front(), &favourite = result_.candidates[result_.favourite];
     std::vector<TuneJob> jobs;
@@ -241,7 +243,7 @@ class TuneSearch {
     return jobs;
   }
 
-  /// @return a failure where one of the trials cannot be played, since the others would be no proof any more.
+  /// Runs the held-out test. @return a failure if a trial cannot be played, since the other trials alone prove nothing.
   std::optional<Failure> Prove() {
     const std::vector<TuneJob> jobs = ProofJobs();
     const std::vector<CandidateWorth> worths = Judge(jobs);
@@ -262,8 +264,8 @@ class TuneSearch {
     return {FailureKind::kBadInput,
             FailureCode::kHeldOut,
             "SearchTuning",
-            fmt::format("held-out trials of the {} values could not be played: {}", of_usual ? "usual" : "favourite",
-                        worth.refusal.empty() ? "some are missing" : worth.refusal),
+            fmt::format("held-out trials of the {} values could not be played: {}", of_usual ? "present" : "favourite",
+                        worth.refusal.empty() ? "some trials have no result" : worth.refusal),
             {}};
   }
 

@@ -15,8 +15,8 @@
 namespace gaitwright {
 
 /// Tuning
-///   the tuned gait is no better on held-out trials    raise trials: the noise of few hides the difference
-///   the best point lies at the end of a range         widen the range
+///   the tuned gait is no better on held-out trials    raise trials: with few trials, noise hides the difference
+///   the best point is at the end of a range           widen the range
 struct TuneOptions {
   int evaluations = 90;
   int trials = 10;
@@ -46,7 +46,8 @@ struct TuneOptions {
          "not fitted.",
          {"auto", "surface", "cma-es"}},
         {"smooth_above", &smooth_above, "1", -1.0, 1.0,
-         "Share of the variance between candidates that a surface must predict for auto to follow it."}};
+         "Smallest share of the variance between candidates that a surface must predict; below it, method auto uses "
+         "CMA-ES."}};
   }
 };
 
@@ -63,7 +64,7 @@ struct TuneCandidate {
   StudyPoint values;
   std::string found_by;  ///< "usual", "sample", "surface" or "cma-es"
   CandidateWorth worth;
-  std::optional<double> value;  ///< over the trials of the search; nothing if it was refused
+  std::optional<double> value;  ///< value over the trials of the search; nothing if it was refused
 };
 
 /// The test on held-out trials, which the search never used.
@@ -91,19 +92,20 @@ struct TuneResult {
 /// Position of a candidate in the ranges, each scaled to 0 to 1; outside 0 to 1 beyond them.
 VectorX SharesOf(const std::vector<StudyAxis>& axes, const StudyPoint& values);
 
-/// Looks for the values with the highest mean value over trials, with the same trials for every candidate:
-///   1. the usual values, and points of a Halton sequence over a third of the evaluations;
-///   2. while quadratic surfaces foretell the values (see `smooth_above`): rounds of four, where the surface is highest
-///      in the whole of the ranges, and in boxes of a half, a quarter and an eighth of them about the best so far;
-///   3. otherwise CMA-ES about the best so far; candidates that are refused rank last;
-///   4. the finalists are tried on twice as many trials again, which with the first ones decide;
-///   5. the favourite and the usual values are held against each other on held-out trials, pair by pair; where the
-///      usual ones have no plan, the favourite is tried alone.
-/// Trial numbers: the search has those below `trials`, the finalists the next 2 `trials`, the proof those after them.
-/// Deterministic for a seed, for any number of threads and whether or not it was resumed.
-/// @return a failure `interrupted` when it was stopped, which it heeds before each job, or `held_out` where the proof's
-/// trials could not be played.
-/// @throws InvalidArgument for options out of range, axes that are no ranges of numbers, or usual values for others.
+/// Searches the option values with the highest mean value over trials; all candidates get the same trials:
+///   1. the present values, and points of a Halton sequence for a third of the evaluations;
+///   2. while quadratic surfaces predict the values (see `smooth_above`): rounds of four candidates, at the maximum of
+///      the surface in the whole ranges and in boxes of a half, a quarter and an eighth of them around the best so far;
+///   3. otherwise CMA-ES around the best so far; refused candidates rank last;
+///   4. the finalists get twice as many further trials; all their trials decide;
+///   5. the favourite and the present values are compared on held-out trials, in pairs; if the present values have no
+///      plan, only the favourite is tested.
+/// Trial numbers: the search uses those below `trials`, the finalists the next 2 `trials`, the held-out test those
+/// after them. The result is deterministic for a seed, for any number of threads and for resumed runs.
+/// @return a failure `interrupted` if it was stopped (checked before each job), or `held_out` if held-out trials could
+/// not be played.
+/// @throws InvalidArgument for options out of range, axes that are not ranges of numbers, or present values that do not
+/// fit the axes.
 Result<TuneResult> SearchTuning(const TuneProblem& problem, const TuneOptions& options, std::uint64_t seed,
                                 JobJournal& journal, const JobOptions& jobs);
 

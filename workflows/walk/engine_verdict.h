@@ -13,7 +13,7 @@ struct EngineVerdict {
   std::string engine;  ///< name: "bullet", "mujoco"
   bool pass = false, fell = false;
   double score = 0.0;
-  std::string cause;  ///< as StabilityReport::cause
+  std::string cause;  ///< as in StabilityReport::cause
 
   bool operator==(const EngineVerdict&) const = default;
 };
@@ -23,7 +23,7 @@ std::vector<EngineVerdict> VerdictsOf(const PlayedWalk& played);
 
 /// "pass", "fail" or "fell".
 std::string VerdictName(const EngineVerdict& verdict);
-/// The name the score: "pass, 91.2".
+/// The name and the score: "pass, 91.2".
 std::string VerdictText(const EngineVerdict& verdict);
 /// The verdicts in one line: "Bullet: pass, 91.2; MuJoCo: fell, 40.1".
 std::string VerdictsText(const std::vector<EngineVerdict>& verdicts);

@@ -8,11 +8,11 @@
 namespace gaitwright {
 namespace {
 
-/// Options that act through another one.
+/// Options that have an effect only for some values of another option.
 struct Rule {
-  std::string keys;     ///< what they begin with
-  std::string through;  ///< what the other begins with
-  bool acts;            ///< as it is set
+  std::string keys;     ///< their prefix
+  std::string through;  ///< prefix of the other option
+  bool acts;            ///< whether they have an effect with its present value
   std::string why, hint;
 };
 

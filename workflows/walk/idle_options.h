@@ -13,7 +13,7 @@ namespace gaitwright {
 struct IdleOption {
   std::string key;
   std::string why;   ///< "without 'ground_slope_deg'", to be read after "has no effect"
-  std::string hint;  ///< what to do about it
+  std::string hint;  ///< remedy
 };
 
 /// The first of some options that has no effect in a playback.

@@ -13,10 +13,10 @@
 namespace gaitwright {
 namespace {
 
-/// Steps on the spot of the quickest cycle that has a sound plan.
+/// Steps in place with the shortest cycle whose plan passes the audit.
 std::optional<MotionPlan> QuickSteps(const RobotModel& model) {
   constexpr double kQuickest = 2.0,
-                   kSlower = 1.25;  // times of the pendulum sqrt(leg / g); the next cycle over this one
+                   kSlower = 1.25;  // factors: of sqrt(leg / g); from one cycle to the next
   constexpr int kTries = 8;
   const double pendulum_s = std::sqrt(model.leg_length_m() / kGravity);
   WalkRequest request;
@@ -25,7 +25,7 @@ std::optional<MotionPlan> QuickSteps(const RobotModel& model) {
   request.command.step_length_m = 1e-4;
   std::vector<double> cycles_s;
   for (int k = 0; k < kTries; ++k) cycles_s.push_back(kQuickest * std::pow(kSlower, k) * pendulum_s);
-  cycles_s.push_back(0.0);  // the gait's own
+  cycles_s.push_back(0.0);  // the default cycle of the gait
   for (const double cycle_s : cycles_s) {
     request.gait_options.cycle_s = cycle_s;
     Result<PlannedWalk> planned = PlanWalk(model, request);
@@ -34,10 +34,10 @@ std::optional<MotionPlan> QuickSteps(const RobotModel& model) {
   return std::nullopt;
 }
 
-/// The joints at the end of a protective crouch, as deep as legs reach.
+/// The joints at the end of a protective crouch, as deep as the legs allow.
 Result<VectorX> CrouchedJoints(const RobotModel& model) {
   Failure failure;
-  for (const double share : {0.3, 0.22, 0.15, 0.08}) {  // of the leg
+  for (const double share : {0.3, 0.22, 0.15, 0.08}) {  // of the leg length
     const PostureMotion down = Brace(model, StandingKey(model), share * model.leg_length_m(), 0.1);
     const Result<MotionPlan> plan = PlanPosture(model, down, {});
     if (plan) return VectorX(plan->whole_body.q.back().tail(model.num_dofs()));

@@ -19,7 +19,7 @@
 namespace gaitwright {
 
 GainOptions GainsFor(const PlayRequest& request) {
-  constexpr double kLongest = 0.1;  // that explicit_step_s may be [s]
+  constexpr double kLongest = 0.1;  // of explicit_step_s [s]
   GainOptions gains = request.gains;
   if (request.play.world.actuation != "torque" || gains.explicit_step_s != 0.0) return gains;
   const double delay_s =
@@ -47,7 +47,7 @@ Result<RobotModel> RobotOf(const MotionPlan& plan) {
 
 namespace {
 
-/// As the state that the controller gets asks for.
+/// The stabiliser's options for the kind of state that the controller receives.
 StabilisedOptions StabilisedFor(const PlayRequest& request) {
   StabilisedOptions options = request.stabilised;
   if (request.sensing.state != StateSourceNames().front()) options.stance_damping *= options.sensed_damping;
@@ -66,7 +66,7 @@ std::unique_ptr<Controller> BareController(const RobotModel& model, const Motion
   return MakeRecovering(model, plan, *planned, request.recovering, StabilisedFor(request), gains);
 }
 
-/// A controller that takes the joints to lose nothing, whatever the robot says, with the robot it takes for true.
+/// A controller with its own copy of the robot, whose joints have no losses.
 class OfLosslessJoints final : public Controller {
  public:
   OfLosslessJoints(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
@@ -88,7 +88,7 @@ void CheckLoop(const PlayRequest& request) {
   throw InvalidArgument("option 'drive_loop' is 'sensed', which needs play.actuation=torque");
 }
 
-/// @throws InvalidArgument for a rate at which no sensor can be read, since its period is not in whole time steps.
+/// @throws InvalidArgument for a sensor rate whose period is not a whole number of time steps.
 void CheckRates(PlayRequest request) {
   for (const OptionField& field : request.sensing.Fields()) {
     const double* rate_hz = field.key.ends_with("_rate_hz") ? std::get<double*>(field.target) : nullptr;
@@ -107,7 +107,7 @@ const std::vector<std::string>& ControllerNames() {
 void CheckController(const std::string& name) {
   const std::vector<std::string>& names = ControllerNames();
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw InvalidArgument(fmt::format("there is no controller '{}'; there are '{}'", name, fmt::join(names, "', '")));
+    throw InvalidArgument(fmt::format("there is no controller '{}'; accepted: '{}'", name, fmt::join(names, "', '")));
 }
 
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
@@ -122,7 +122,7 @@ std::unique_ptr<Controller> MakeController(const RobotModel& model, const Motion
 
 namespace {
 
-/// @param controller  behind its sensors.
+/// @param controller  already behind its sensors.
 Result<ScoredPlayback> PlayBy(Controller& controller, const RobotModel& model, const MotionPlan& plan,
                               const PlayRequest& request) {
   PlayRequest checked = request;
@@ -146,7 +146,7 @@ PlayRequest InEngine(PlayRequest request, const std::string& engine) {
   return request;
 }
 
-/// In the engine of the request.
+/// Plays in the engine of the request.
 Result<ScoredPlayback> PlayInOne(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {
   return PlayBy(*MakeController(model, plan, request), model, plan, request);
 }

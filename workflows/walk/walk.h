@@ -23,7 +23,7 @@ namespace gaitwright {
 
 /// Request for playing and scoring a plan.
 struct PlayRequest {
-  std::string controller = "stabilised";  ///< or one of ControllerNames()
+  std::string controller = "stabilised";  ///< one of ControllerNames()
   PlayOptions play;
   StabilisedOptions stabilised;
   RecoveringOptions recovering;
@@ -52,16 +52,15 @@ struct SecondPlayback : ScoredPlayback {
 
 /// A plan played in one engine, or in two (`play.engine` "both"), both of which must pass.
 struct PlayedWalk : ScoredPlayback {
-  std::shared_ptr<const SecondPlayback> second = {};  ///< null where there is one engine
+  std::shared_ptr<const SecondPlayback> second = {};  ///< null if only one engine has played
 
   bool pass() const { return report.pass && (second == nullptr || second->report.pass); }
   double score() const { return second == nullptr ? report.score : std::min(report.score, second->report.score); }
-  /// The playback that decides: the one that fails, else the one with the lower score; the first if equal.
+  /// The playback that decides: the one that fails, otherwise the one with the lower score; the first if equal.
   const ScoredPlayback& decisive() const;
 };
 
-/// The engine with which a plan is proved where nothing is asked for: "both", or "bullet" in a program that was built
-/// without MuJoCo.
+/// The default engine for proving a plan: "both", or "bullet" in a program that was built without MuJoCo.
 std::string ProvingEngine();
 
 /// A robot by name, or by the path of a URDF if that is not empty.
@@ -76,24 +75,24 @@ GainOptions GainsFor(const PlayRequest& request);
 
 /// All controllers: stabilised, joint-pd, recovering.
 const std::vector<std::string>& ControllerNames();
-/// @throws InvalidArgument for another name, listing the controllers.
+/// @throws InvalidArgument for another name; it lists the controllers.
 void CheckController(const std::string& name);
 
 /// The controller of this name, with the requested sensors; if joint losses are disabled (play.joint_losses), it
 /// assumes none. Model and plan must outlive it.
-/// @param recovery  plans of 'recovering'; nothing to plan them now.
+/// @param recovery  plans of 'recovering'; if empty, they are planned in this call.
 /// @throws InvalidArgument as of CheckController, for a drive loop that the actuation does not support, and for a plan
 /// that the controller does not support.
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                                            const std::optional<RecoveryPlans>& recovery = {});
 
 /// Plays and scores, in both engines at the same time if `play.engine` is "both"; then the request's callbacks are
-/// called from the first only. Where the second engine refuses the robot or the ground (EngineRefusal), the first
-/// alone decides, and its notes tell that. Logs contain all options of the request, not only those of the physics.
+/// called from the first only. If the second engine refuses the robot or the ground (EngineRefusal), only the first one
+/// decides, and its notes say so. Logs contain all options of the request, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
-/// As above with your own controller, with the requested sensors; the request's `controller` and its options are
-/// ignored. In both engines the controller is reset between the playbacks, which follow each other.
+/// As above with your own controller, behind the requested sensors; the request's `controller` and its options are
+/// ignored. With both engines, the playbacks run one after the other, and the controller is reset between them.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                             std::unique_ptr<Controller> own);
 

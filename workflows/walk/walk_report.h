@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// A played plan.
+/// A played plan with its audit.
 struct Judged {
   const RobotModel& model;
   const MotionPlan& plan;
@@ -16,14 +16,14 @@ struct Judged {
   const AuditReport& audit;
   double planning_cpu_s = 0.0;
   bool audit_counts = false;                    ///< the verdict also needs the plan's audit
-  std::optional<std::string> mesh_folder = {};  ///< of the robot's URDF, to find its visual meshes
+  std::optional<std::string> mesh_folder = {};  ///< folder of the robot's URDF, to find its visual meshes
 
   bool pass() const { return played.pass() && (!audit_counts || audit.pass()); }
   /// Reason for a fail independent of physics; "" if there is none.
   std::string objection() const;
 };
 
-/// Its report as one HTML page (ReportPage), with the audit's text, changed options and the viewer.
+/// The report as one HTML page (ReportPage), with the audit's text, changed options and the viewer.
 std::string WalkReport(const Judged& judged);
 
 }  // namespace gaitwright

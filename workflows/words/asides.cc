@@ -10,7 +10,7 @@ using M = Meaning;
 
 bool IsVerb(const Item& item) { return item.IsVerb() || item.Is(M::kPut); }
 
-/// Takes asides out of the items between two breaks.
+/// Removes asides from the items between two breaks.
 class AsideReader {
  public:
   AsideReader(const std::vector<Item>& items, std::vector<Item>& kept) : items_(items), kept_(kept) {}
@@ -48,7 +48,7 @@ class AsideReader {
     return k;
   }
 
-  /// An aside goes on to the break, or to what is to be done next.
+  /// An aside ends at the next break or at the next requested action.
   std::size_t EndOfAside(std::size_t k) const {
     for (++k; k < end_; ++k) {
       if (items_[k].Is(M::kDrop)) return k;
@@ -59,7 +59,7 @@ class AsideReader {
     return end_;
   }
 
-  /// "the nurse", "妈妈" and what nobody here does.
+  /// "the nurse", "妈妈" with an action that the robot does not do.
   bool TellsOfOthers(std::size_t k) const {
     std::size_t subject = k;
     while (subject < end_ && items_[subject].SaysNothing() && items_[subject].name != "finite") ++subject;
@@ -72,12 +72,12 @@ class AsideReader {
     return (items_[subject].Is(M::kSubject) || states) && Tells(k, last);
   }
 
-  /// "he walked to the door": what somebody else does is not to be done.
+  /// "he walked to the door": the action of another person is not requested.
   bool IsTold(std::size_t k, bool starts) const {
     return starts && items_[k].name == "third" && std::any_of(At(k), At(end_), IsVerb);
   }
 
-  /// "until I say so", "等我回来": that is for nobody here to see. "等我两秒" is.
+  /// "until I say so", "等我回来": conditions that the robot cannot observe. "等我两秒" is a request.
   bool IsCondition(std::size_t k) const {
     const bool waits = items_[k].Is(M::kTo) || (items_[k].Is(M::kAction) && items_[k].name == "stand");
     if (!waits || k + 1 >= end_ || !items_[k + 1].Is(M::kSubject) || items_[k].end == items_[k].begin) return false;
@@ -100,7 +100,7 @@ class AsideReader {
     return others && Tells(k, EndOfAside(k));
   }
 
-  /// Whether what was kept from there on is of somebody else.
+  /// Whether the items kept from there on are about another person.
   bool OnlyTells(std::size_t from) const {
     const auto first = kept_.begin() + static_cast<std::ptrdiff_t>(from);
     const bool unknown = std::any_of(first, kept_.end(), [](const Item& item) { return item.Is(M::kUnknown); });

@@ -7,10 +7,10 @@
 
 namespace gaitwright::words {
 
-/// The items of an instruction without what is told beside it and asks for nothing: reasons and purposes ("because the
-/// floor is wet", "好让大家看见"), what says more of a thing that was named ("the door, which is open"), and what
-/// somebody else does ("the nurse has to pass", "妈妈接个电话"), up to the next comma or the next thing to do.
-/// Conditions ("if", "until") are none: they stay, and are refused.
+/// The items of an instruction without asides, which request nothing: reasons and purposes ("because the floor is wet",
+/// "好让大家看见"), descriptions of a named thing ("the door, which is open"), and actions of other people ("the nurse
+/// has to pass", "妈妈接个电话"), up to the next comma or the next action. Conditions ("if", "until") are not asides:
+/// they stay and are refused.
 std::vector<Item> WithoutAsides(const std::vector<Item>& items);
 
 }  // namespace gaitwright::words

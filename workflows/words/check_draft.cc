@@ -9,7 +9,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// One parameter alone, in a task that lacks nothing.
+/// A task with this parameter and the required ones only.
 Task Alone(const Task& task, const std::string& key, const ActionRule& rule) {
   Task alone{task.action, {{key, task.parameters.at(key)}}, "", {}};
   for (const std::string& required : rule.required) {
@@ -20,7 +20,7 @@ Task Alone(const Task& task, const std::string& key, const ActionRule& rule) {
   return alone;
 }
 
-std::string WhyNotTaken(const ActionRule& rule, const std::string& key) {
+std::string ReasonNotTaken(const ActionRule& rule, const std::string& key) {
   if (key == "to" && rule.action == "turn")
     return "is a place, but a turn needs a direction (left or right) and degrees";
   if (key == "to")
@@ -32,13 +32,13 @@ void CheckParameter(const std::string& text, const TaskScope& scope, const Task&
                     const std::string& key) {
   const ActionRule& rule = *FindAction(task.action);
   const std::string words = TextOf(text, SpanOf(draft, key));
-  if (!Takes(rule.action, key)) throw Refused{{FailureCode::kUnknown, words, WhyNotTaken(rule, key), ""}};
+  if (!Takes(rule.action, key)) throw Refused{{FailureCode::kUnknown, words, ReasonNotTaken(rule, key), ""}};
   const Task alone = Alone(task, key, rule);
   const auto failure = WhyNoTask(alone);
   if (failure && failure->code == FailureCode::kRange)
     throw Refused{{FailureCode::kRange, words, failure->message, ""}};
   if (key != "to") return;
-  if (const auto away = WhyNotDone(alone, scope); away && away->code == FailureCode::kPlace)
+  if (const auto away = ReasonNotDone(alone, scope); away && away->code == FailureCode::kPlace)
     throw Refused{{FailureCode::kPlace, words, away->message, ""}};
 }
 
@@ -56,13 +56,13 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
   }
 }
 
-/// The words of a parameter that is missing.
+/// The accepted words of a missing parameter.
 std::string WhatToSay(const std::string& key) {
   if (key == "direction") return "left or right";
   return fmt::format("one of {}", fmt::join(FindParameter(key)->words, ", "));
 }
 
-/// "walk sideways"
+/// Checks "walk sideways", which needs a side.
 void CheckSideways(const std::string& text, const Task& task, const Draft& draft) {
   if (!draft.sideways || task.action == "lower_arm") return;  // arms hang at the sides
   const std::string words = TextOf(text, *draft.sideways);
@@ -87,7 +87,7 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
   const ActionRule& rule = *FindAction(task.action);
   if (!scope.Can(rule)) {
     const Task bare{task.action, {}, "", {}};
-    throw Refused{{FailureCode::kCannot, TextOf(text, draft.words), WhyNotDone(bare, scope)->message, rule.instead}};
+    throw Refused{{FailureCode::kCannot, TextOf(text, draft.words), ReasonNotDone(bare, scope)->message, rule.instead}};
   }
   if (draft.side) {
     const std::string words = TextOf(text, draft.side_said.value_or(draft.words));

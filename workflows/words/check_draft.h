@@ -11,8 +11,8 @@ namespace gaitwright::words {
 /// Whether an action has a parameter.
 bool Takes(const std::string& action, const std::string& key);
 
-/// Holds a task, and what is done meanwhile, against the rules and what the robot can do. @throws Refused by the words
-/// that say what is not accepted.
+/// Checks a task and its simultaneous gestures against the rules and the abilities of the robot. @throws Refused with
+/// the words that are not accepted.
 void CheckDraft(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft);
 
 }  // namespace gaitwright::words

@@ -10,7 +10,7 @@ namespace {
 
 using M = Meaning;
 
-/// Parts an instruction into clauses: at words and signs that join, and before each further action.
+/// Splits an instruction into clauses: at conjunctions and punctuation, and before each further action.
 class Splitter {
  public:
   Splitter(const std::string& text, const std::vector<Item>& items) : text_(text), items_(items) {}
@@ -28,7 +28,7 @@ class Splitter {
  private:
   bool HasVerb() const { return std::any_of(now_.items.begin(), now_.items.end(), std::mem_fn(&Item::IsVerb)); }
 
-  /// "to the door" after a direction, or "往" before one, begins nothing.
+  /// "to the door" after a direction, or "往" before one, does not begin a clause.
   void Add(const Item& item, std::size_t at) {
     switch (item.meaning) {
       case M::kThen:
@@ -73,7 +73,7 @@ class Splitter {
     if (DoesNoGesture() && IsWithLimb(at)) Join([](Clause& clause) { clause.is_meanwhile = true; });
     if (HasVerb() && IsParticle(item)) return;  // "走到门那里去"
     if (item.IsVerb() && HasVerb()) {
-      // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
+      // A direction before its verb belongs to this verb: "往前" in "举手往前走".
       std::vector<Item> lead;
       while (!now_.items.empty() && (LeadsOn(now_.items.back()) || LeadsWay(now_.items.back()) ||
                                      IsTurnsSide(now_.items.back(), item) || IsPutsLimb())) {
@@ -86,7 +86,7 @@ class Splitter {
     now_.items.push_back(item);
   }
 
-  /// The next item that says something, up to the end or to what joins clauses.
+  /// The next item with a meaning, up to the end or the next conjunction.
   const Item* SaidAfter(std::size_t at) const {
     for (std::size_t k = at + 1; k < items_.size(); ++k) {
       if (items_[k].Is(M::kBreak) || items_[k].Is(M::kThen) || items_[k].Is(M::kNo)) return nullptr;
@@ -118,7 +118,7 @@ class Splitter {
     });
   }
 
-  /// "不要走" is not to be done, "不要，走" corrects, and "don't" alone takes back what was said last.
+  /// "不要走" forbids, "不要，走" corrects, and "don't" alone cancels the last request.
   void AddForbid(const Item& item, std::size_t at) {
     if (SaidAfter(at) != nullptr) return Forbid(item, false);
     if (item.name == "no") return AddNo(item, at);
@@ -140,7 +140,7 @@ class Splitter {
     return verb != now_.items.end() && verb->Is(M::kAction) && !FindAction(verb->name)->is_gesture;
   }
 
-  /// "with your hands up", "with both arms raised": a gesture beside what is done.
+  /// "with your hands up", "with both arms raised": a gesture at the same time as the task.
   bool IsWithLimb(std::size_t at) const {
     const std::string word = TextOf(text_, {items_[at].begin, items_[at].end});
     if (word != "with" && !word.starts_with("with ")) return false;
@@ -154,7 +154,7 @@ class Splitter {
     return false;
   }
 
-  /// "never mind the bow" takes back that one; "never mind" what was said before.
+  /// "never mind the bow" cancels the bow; "never mind" cancels the last request.
   void AddDrop(const Item& item, std::size_t at) {
     // "鞠躬就免了": the verb stands before.
     const bool bare = std::count_if(now_.items.begin(), now_.items.end(),
@@ -174,13 +174,13 @@ class Splitter {
     });
   }
 
-  /// 去 after another verb only says that it is gone.
+  /// 去 after another verb has no meaning of its own here.
   bool IsParticle(const Item& item) const {
     return item.Is(M::kAction) && item.name == "walk" && item.value == 0.0 && item.parameters.empty() &&
            text_.substr(item.begin, item.end - item.begin) == "去";
   }
 
-  /// A way that is said after what goes no way leads to the next verb: "点着头往前走".
+  /// A direction after an action without direction belongs to the next verb: "点着头往前走".
   bool LeadsWay(const Item& item) const {
     const auto verb = std::find_if(now_.items.begin(), now_.items.end(), std::mem_fn(&Item::IsVerb));
     const bool goes = verb->Is(M::kAction) && (verb->name == "walk" || verb->name == "turn");
@@ -189,7 +189,7 @@ class Splitter {
     return after_place || (!goes && (item.Is(M::kDirection) || item.Is(M::kPace)));
   }
 
-  /// "点完头把右手放下来": what is put stands before the verb.
+  /// "点完头把右手放下来": the limb is before the verb.
   bool IsPutsLimb() const {
     const std::size_t count = now_.items.size();
     const bool limb = now_.items.back().Is(M::kArm) || now_.items.back().Is(M::kFoot) || now_.items.back().Is(M::kBoth);
@@ -205,13 +205,13 @@ class Splitter {
     return item.Is(M::kPolite) || item.Is(M::kFiller) || item.Is(M::kTo) || item.Is(M::kPut);
   }
 
-  /// Once more the verb that is said, rather than the task before.
+  /// Whether "again" refers to the verb of this clause and not to the previous task.
   bool IsAgain(const Item& item) const {
     const std::string word = TextOf(text_, {item.begin, item.end});
     return word == "again" || word == "once more" || word == "one more time" || word == "once again";
   }
 
-  /// At the end of a clause it says that this one is done meanwhile, before one that that one is.
+  /// "while" at the end of a clause makes this clause simultaneous; before a clause, that one.
   void AddWhile(std::size_t at) {
     std::size_t next = at + 1;
     while (next < items_.size() && items_[next].SaysNothing()) ++next;
@@ -242,8 +242,8 @@ class Splitter {
   const std::vector<Item>& items_;
   std::vector<Clause> clauses_;
   Clause now_;
-  std::size_t skipped_ = std::string::npos;  // an item that only names again what is dropped
-  bool denied_ = false;                      // by the last word that corrects
+  std::size_t skipped_ = std::string::npos;  // an item that only repeats the cancelled action
+  bool denied_ = false;                      // set by the last correcting word
 };
 
 }  // namespace

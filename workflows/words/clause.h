@@ -9,27 +9,27 @@
 
 namespace gaitwright::words {
 
-/// The words of one task, or of what is added to one.
+/// The words of one task, or of an addition to one.
 struct Clause {
   std::vector<Item> items;
   bool follows_then = false, follows_break = false, is_meanwhile = false, is_before = false, is_after = false;
-  std::size_t since = 0;  ///< where the "while" begins that it follows
-  bool is_first = false;  ///< to be done before what was said before it
-  bool refers = false;    ///< only names again what was said before: "while it turns"
+  std::size_t since = 0;  ///< start of the "while" before it
+  bool is_first = false;  ///< to be done before the previous request
+  bool refers = false;    ///< only repeats a previous action: "while it turns"
   bool corrects = false, is_not = false, drops = false, again = false, holds = false;
-  bool forbids = false;   ///< what is said is not to be done
-  bool needless = false;  ///< and need not have been asked for
-  bool ends = false;      ///< what is said is done no longer: "stop waving"
-  bool exclaims = false;  ///< "oh, not": what comes after it may be what is meant
-  bool denies = false;    ///< "no" and nothing after it
-  std::string dropped;    ///< the action that is not to be done; "" for whichever was said last
+  bool forbids = false;   ///< forbids the action
+  bool needless = false;  ///< forbids an action that need not have been requested
+  bool ends = false;      ///< ends an action: "stop waving"
+  bool exclaims = false;  ///< "oh, not": the words after it may be the correct ones
+  bool denies = false;    ///< "no" without further words
+  std::string dropped;    ///< the cancelled action; "" for the last one
 
-  /// From the first word that is not only polite to the last.
+  /// From the first to the last word that is not only polite.
   Span Words() const;
-  bool empty() const;  ///< nothing that says anything
+  bool empty() const;  ///< without an item that has a meaning
 };
 
-/// Parts the items of an instruction into clauses: at words and signs that join, and before each further action.
+/// Splits the items of an instruction into clauses: at conjunctions and punctuation, and before each further action.
 std::vector<Clause> ClausesOf(const std::string& text, const std::vector<Item>& items);
 
 }  // namespace gaitwright::words

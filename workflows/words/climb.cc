@@ -10,7 +10,7 @@ using M = Meaning;
 
 bool IsRelation(const Item& item) { return item.Is(M::kFiller) && item.name == "relation"; }
 
-/// To a place that is not known yet.
+/// Sets a destination that is not known yet.
 void GoTo(const Span& words, Draft& draft) {
   draft.parameters["to"] = PlaceName{kStairs, 0};
   draft.said["to"] = words;
@@ -44,18 +44,18 @@ void ClimbWords::TakeStairs(const std::string& text, const Clause& clause, std::
   while (before != nullptr && IsRelation(*before) && begin > 0 && clause.items[begin - 1].Is(M::kFiller)) --begin;
   if (before != nullptr && IsRelation(*before))
     throw Refused{{FailureCode::kUnknown, TextOf(text, {clause.items[begin].begin, stairs.end}),
-                   "is no way that it goes: stairs are gone up or down", ""}};
+                   "is not possible: stairs can only be walked up or down", ""}};
   if (stairs.value != 0.0) way_ = static_cast<int>(stairs.value);
   stairs_ = stairs;
 }
 
-/// What stairs are not gone by.
+/// Refuses amounts that do not apply to stairs.
 void ClimbWords::CheckAmounts(const std::string& text, const Draft& draft) const {
   for (const char* key : {"distance_m", "duration_s", "times"}) {
     const auto said = draft.said.find(key);
     if (said == draft.said.end()) continue;
     throw Refused{{FailureCode::kUnknown, TextOf(text, said->second),
-                   "is not how stairs are gone: by their steps, or to their end", "",
+                   "does not apply to stairs: they are walked by a number of steps, or to their end", "",
                    "'two steps', or 'to the second step'"}};
   }
 }
@@ -66,14 +66,14 @@ void ClimbWords::Settle(const std::string& text, Draft& draft) const {
   const bool walks = draft.action.empty() || draft.action == "walk";
   const Span words = stairs_ ? Span{stairs_->begin, stairs_->end} : draft.words;
   if (!walks && named)
-    throw Refused{{FailureCode::kUnknown, TextOf(text, words), "are nothing to '" + draft.action + "'", ""}};
+    throw Refused{{FailureCode::kUnknown, TextOf(text, words), "cannot be used with '" + draft.action + "'", ""}};
   if (!walks) return;
   if (draft.parameters.contains("to")) {
     draft.stairs = way_;
     return;
   }
   if (way_ == 0)
-    throw Refused{{FailureCode::kUnknown, TextOf(text, words), "are gone up or down, and neither is said", "",
+    throw Refused{{FailureCode::kUnknown, TextOf(text, words), "need a direction: up or down", "",
                    "'climb the stairs', or 'go down the stairs'"}};
   if (sure_ || named) CheckAmounts(text, draft);
   draft.stairs = way_;

@@ -10,25 +10,26 @@
 
 namespace gaitwright::words {
 
-/// The name of the place that stands for one on stairs until SettleStairs.
+/// Name that stands for a place on stairs until SettleStairs.
 inline constexpr char kStairs[] = "stairs";
 
-/// What a clause says of going up or down stairs. "Climb" needs stairs; "go up" needs them too, unless it says how far
-/// or where to.
+/// The words of a clause about walking up or down stairs. "Climb" needs stairs; "go up" needs them too, unless the
+/// clause has a distance or a destination.
 class ClimbWords {
  public:
-  /// A verb that says up or down.
+  /// Takes a verb that means up or down.
   void TakeVerb(const Item& verb);
-  /// "up", "down", beside a verb.
+  /// Takes "up" or "down" beside a verb.
   void TakeWay(int way, const Item& item);
-  /// "the stairs", the item `at` of the clause. @throws Refused where they are gone to, round or from.
+  /// Takes "the stairs", the item `at` of the clause. @throws Refused for "to", "around" or "from" the stairs.
   void TakeStairs(const std::string& text, const Clause& clause, std::size_t at);
   void TakeTreads() { treads_ = true; }
 
-  /// Whether the clause can be about nothing but stairs.
+  /// Whether the clause can only be about stairs.
   bool IsSure() const { return sure_; }
 
-  /// Gives the draft its way on stairs. @throws Refused for amounts that are none of stairs, and for no way.
+  /// Sets the draft's direction on stairs. @throws Refused for amounts that do not apply to stairs, and without a
+  /// direction.
   void Settle(const std::string& text, Draft& draft) const;
 
  private:
@@ -39,11 +40,11 @@ class ClimbWords {
   std::optional<Item> verb_, stairs_;
 };
 
-/// "up the stairs and back down": what only says up or down after stairs were gone is one more walk on them.
+/// "up the stairs and back down": "up" or "down" alone after a walk on stairs is another walk on them.
 void GoOnStairs(const Draft& last, Draft& said);
 
-/// Gives each walk on stairs the place that it ends on, from where the one before it ends. @throws Refused where the
-/// ground has no stairs, or they do not go so far, and where a place that is said is not up or down from there.
+/// Sets the final place of each walk on stairs, starting from the end of the previous walk. @throws Refused if the
+/// ground has no stairs or not enough steps, and if a given place is not above or below the start as requested.
 void SettleStairs(const std::string& text, const std::vector<PlaceName>& places, std::vector<Draft>& drafts);
 
 }  // namespace gaitwright::words

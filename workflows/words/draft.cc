@@ -44,7 +44,8 @@ void SettleSide(const std::string& text, Draft& draft) {
     const bool ahead = other && draft.parameters["direction"] == TaskValue(std::string("forward"));
     if (other && !(draft.action == "turn" && ahead)) {
       const Span &a = said->second, &b = *draft.side_said;
-      RefuseAmbiguous(TextOf(text, {std::min(a.begin, b.begin), std::max(a.end, b.end)}), "says two ways at once");
+      RefuseAmbiguous(TextOf(text, {std::min(a.begin, b.begin), std::max(a.end, b.end)}),
+                      "gives two directions at once");
     }
     draft.parameters["direction"] = *draft.side;
     draft.said["direction"] = *draft.side_said;
@@ -52,8 +53,8 @@ void SettleSide(const std::string& text, Draft& draft) {
   }
   if (HasArms(draft.action) && draft.side && draft.side_said) {
     if (SaysWhereTo(TextOf(text, *draft.side_said)))
-      throw Refused{{FailureCode::kAmbiguous, TextOf(text, *draft.side_said), "says where to, and not which arm", "",
-                     "which arm: 'with the left hand'"}};
+      throw Refused{{FailureCode::kAmbiguous, TextOf(text, *draft.side_said),
+                     "is a direction; it does not name the arm", "", "which arm: 'with the left hand'"}};
   }
   const bool limbs = HasArms(draft.action) || draft.action == "balance";
   if (!limbs) return;
@@ -87,7 +88,7 @@ void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
     }
     const auto there = into.said.find(to);
     if (!over && there != into.said.end() && into.parameters[to] != value && to != "pace")
-      RefuseAmbiguous(TextOf(text, {there->second.begin, SpanOf(said, key).end}), "says two things at once");
+      RefuseAmbiguous(TextOf(text, {there->second.begin, SpanOf(said, key).end}), "gives two values at once");
     into.parameters[to] = value;
     into.said[to] = SpanOf(said, key);
   }

@@ -11,55 +11,55 @@
 
 namespace gaitwright::words {
 
-/// A stretch of the text.
+/// A part of the text, in bytes.
 struct Span {
   std::size_t begin = 0, end = 0;
 };
 
-/// A task that is being made out of words.
+/// A task that is being built from words.
 struct Draft {
-  std::string action;  ///< "" while nothing says it
+  std::string action;  ///< "" while unknown
   std::map<std::string, TaskValue> parameters;
-  std::map<std::string, Span> said;  ///< where each parameter is
-  std::string last_key;              ///< of the parameter that was an amount last
-  double last_unit = 1.0;            ///< what a number is multiplied with to be such an amount
+  std::map<std::string, Span> said;  ///< position of each parameter in the text
+  std::string last_key;              ///< key of the last parameter that is an amount
+  double last_unit = 1.0;            ///< factor from a number to this amount
   std::optional<Item> bare;          ///< a number without a unit
-  std::optional<std::string> side;   ///< of a way or of a limb, as long as there is no action
+  std::optional<std::string> side;   ///< side of a direction or of a limb, while the action is unknown
   std::optional<Span> side_said;
-  std::optional<Span> sideways;  ///< where it says so
-  std::string part;              ///< arm or foot, where one is named
-  bool plural = false;           ///< limbs, both unless a side says which
-  bool joined = false;           ///< to the one before, by "and" alone
-  bool holding = false;          ///< done while the next one is
-  bool returns = false;          ///< as far back as the walk before went
-  bool to_nowhere = false;       ///< ends with a "to"
-  int stairs = 0;                ///< 1 up them, -1 down them, 2 on to the next step: by its steps, or the whole way
-  Span words;                    ///< all of it
+  std::optional<Span> sideways;  ///< position of the word for "sideways"
+  std::string part;              ///< arm or foot, if one is named
+  bool plural = false;           ///< limbs in the plural: both, unless a side is given
+  bool joined = false;           ///< joined to the previous clause only by "and"
+  bool holding = false;          ///< done at the same time as the next task
+  bool returns = false;          ///< goes back by the distance of the previous walk
+  bool to_nowhere = false;       ///< ends with "to", without a destination
+  int stairs = 0;                ///< 1 up, -1 down, 2 to the next step: by a number of steps, or to the end
+  Span words;                    ///< all its words
   std::vector<Draft> during;
 
   bool empty() const { return action.empty() && parameters.empty() && !bare && !side && !plural; }
 };
 
-/// Thrown where a part is not accepted.
+/// Thrown if a part is not accepted.
 struct Refused {
   Refusal refusal;
 };
 
-/// The part of a text.
+/// The text of a span.
 std::string TextOf(const std::string& text, const Span& span);
 
-/// Where a parameter is said; all of the draft's words where it is only meant.
+/// Position of a parameter in the text; all words of the draft if it is only implied.
 Span SpanOf(const Draft& draft, const std::string& key);
 
-/// Puts what is said into a draft that has its action. `over` takes the place of what is there; else what is said twice
+/// Merges parameters into a draft that has its action. With `over` they replace present ones; otherwise a contradiction
 /// is refused.
 void Merge(const std::string& text, const Draft& said, bool over, Draft& into);
 
-/// Whether an action is done with that part of the body: arm, foot, head, body, legs, belly. Of an arm or a foot alone
-/// no action need be said.
+/// Whether an action uses a part of the body: arm, foot, head, body, legs, belly. An arm or a foot may be named without
+/// an action.
 bool IsDoneWith(const std::string& action, const std::string& part);
 
-/// Gives a side to a draft by its action: where to, or which limb. @throws Refused
+/// Interprets the side of a draft by its action: as a direction or as a limb. @throws Refused
 void SettleSide(const std::string& text, Draft& draft);
 
 }  // namespace gaitwright::words

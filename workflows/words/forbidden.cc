@@ -8,11 +8,11 @@
 namespace gaitwright::words {
 namespace {
 
-/// How what is forbidden is like a task.
+/// Comparison of a forbidden task with a requested task.
 struct Likeness {
   bool same_action = false;
-  bool differs = false;    ///< something of it is otherwise in the task
-  bool is_silent = false;  ///< the task says nothing about something of it
+  bool differs = false;    ///< a parameter differs in the task
+  bool is_silent = false;  ///< the task does not have one of its parameters
 
   bool IsSame() const { return same_action && !differs && !is_silent; }
   bool IsUnclear() const { return same_action && !differs && is_silent; }
@@ -28,10 +28,10 @@ void CompareValue(const std::string& key, const TaskValue& value, const Draft& t
   const auto there = task.parameters.find(key);
   const TaskValue both = std::string("both"), same = std::string("same");
   if (there == task.parameters.end()) {
-    // Who says no pace gets none of them.
+    // A task without a pace is not restricted by a forbidden pace.
     (key == "pace" ? likeness.differs : likeness.is_silent) = true;
   } else if (there->second == both && value != both) {
-    likeness.is_silent = true;  // the left arm is one of both
+    likeness.is_silent = true;  // the left arm is included in both arms
   } else if (value != same && there->second != value) {
     likeness.differs = true;
   }
@@ -52,7 +52,7 @@ Likeness Compare(const Draft& what, const Draft& task) {
   return likeness;
 }
 
-/// Calls for each task and each gesture beside one, the last first, until that returns true.
+/// Calls a function for each task and each simultaneous gesture, the last first, until it returns true.
 template <class Drafts, class Call>
 bool AnyOf(Drafts& drafts, Call call) {
   for (auto draft = drafts.rbegin(); draft != drafts.rend(); ++draft) {
@@ -67,7 +67,7 @@ bool Has(Drafts& drafts, const Draft& what, Which which) {
 }
 
 [[noreturn]] void Refuse(const std::string& text, const Draft& what, const std::string& why) {
-  throw Refused{{FailureCode::kUnknown, TextOf(text, what.words), why, "", "only what is to be done"}};
+  throw Refused{{FailureCode::kUnknown, TextOf(text, what.words), why, "", "only the requested actions"}};
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ bool Forbidden::Add(const Clause& clause, std::vector<Draft>& drafts) {
   if (what.empty()) Refuse(text_, what, "does not say what is forbidden");
   const bool asked = Has(drafts, what, [](const Likeness& l) { return l.same_action && !l.differs; });
   if (clause.ends && asked) return true;
-  if (clause.ends) Refuse(text_, what, "is to end what was not begun");
+  if (clause.ends) Refuse(text_, what, "ends an action that was not requested");
   const bool taken_back = AnyOf(drafts, [&](auto& all, auto draft) {
     if (!Compare(what, *draft).IsSame()) return false;
     all.erase(draft);
@@ -94,7 +94,7 @@ bool Forbidden::AddNot(const Clause& clause, const std::vector<Draft>& drafts) {
   SettleSide(text_, what);
   const Likeness last = drafts.empty() ? Likeness() : Compare(what, drafts.back());
   if (last.IsSame()) return true;
-  if (last.same_action && last.is_silent) Refuse(text_, what, "says more than what it is set against");
+  if (last.same_action && last.is_silent) Refuse(text_, what, "has more detail than the request that it corrects");
   all_.push_back({what, true});
   return false;
 }
@@ -102,7 +102,7 @@ bool Forbidden::AddNot(const Clause& clause, const std::vector<Draft>& drafts) {
 void Forbidden::Check(const std::vector<Draft>& drafts) const {
   for (const One& one : all_) {
     if (Has(drafts, one.what, [](const Likeness& l) { return l.IsSame() || l.IsUnclear(); }))
-      Refuse(text_, one.what, "forbids what is asked for");
+      Refuse(text_, one.what, "forbids a requested action");
     if (!one.asked && !Has(drafts, one.what, [](const Likeness& l) { return l.same_action; }))
       Refuse(text_, one.what, "forbids something that was not requested");
   }

@@ -9,26 +9,26 @@
 
 namespace gaitwright::words {
 
-/// What an instruction says is not to be done, and whether its tasks keep to that.
+/// Actions that an instruction forbids, and a check that its tasks respect this.
 class Forbidden {
  public:
   explicit Forbidden(const std::string& text) : text_(text) {}
 
-  /// "don't walk": takes back the task that is so, if there is one; else it must differ from one that is asked for,
-  /// before or after: "don't turn right, turn left". @return whether a task was taken back. @throws Refused
+  /// Adds "don't walk". It cancels an equal task, if there is one. Otherwise it must contrast with a requested task
+  /// before or after it: "don't turn right, turn left". @return whether a task was cancelled. @throws Refused
   bool Add(const Clause& clause, std::vector<Draft>& drafts);
 
-  /// "not the right one". @return whether it denies what was said last, so that what comes next is meant instead.
-  /// @throws Refused where it says more than the task from which it differs.
+  /// Adds "not the right one". @return whether it denies the last request, so that the next words replace it.
+  /// @throws Refused if it has more detail than the request that it corrects.
   bool AddNot(const Clause& clause, const std::vector<Draft>& drafts);
 
-  /// @throws Refused for a task that is forbidden, and for what is forbidden and like nothing that is asked for.
+  /// @throws Refused for a task that is forbidden, and for a forbidden action without a similar requested task.
   void Check(const std::vector<Draft>& drafts) const;
 
  private:
   struct One {
     Draft what;
-    bool asked = false;  ///< needs no task that it differs from
+    bool asked = false;  ///< needs no contrasting task
   };
 
   std::string text_;

@@ -23,7 +23,7 @@ std::string KnownPlaces(const TaskScope& scope) {
 std::vector<Suggestion> HintsFor(const Refusal& refusal, const TaskScope& scope) {
   if (!refusal.say.empty()) return {refusal.say};
   if (refusal.code == FailureCode::kRange) return {};
-  if (refusal.code == FailureCode::kAmbiguous) return {"one of them, or 'no' before what is meant instead"};
+  if (refusal.code == FailureCode::kAmbiguous) return {"use only one of them, or put 'no' before the correct one"};
   if (refusal.code == FailureCode::kPlace) return {KnownPlaces(scope)};
   std::vector<Suggestion> suggestions;
   if (!refusal.nearest.empty())
@@ -36,7 +36,8 @@ std::vector<Suggestion> HintsFor(const Refusal& refusal, const TaskScope& scope)
 
 Failure FailureOf(const Refusal& refusal, const TaskScope& scope) {
   const std::string part = refusal.part.empty() ? "the instruction" : fmt::format("'{}'", refusal.part);
-  // What is wrong with the part goes on after it, what is wrong on the whole stands by itself.
+  // An error of the part continues the sentence after it; an error of the whole instruction is a sentence after a
+  // colon.
   const bool whole =
       refusal.why.starts_with("robot '") || refusal.why.starts_with("'") || refusal.why.starts_with("there ");
   const std::string message = fmt::format("{}{} {}", part, whole ? ":" : "", refusal.why);
@@ -53,7 +54,7 @@ std::vector<Suggestion> SuggestionsInWords(const std::vector<Suggestion>& sugges
     } else if (said.what == "step-length") {
       said.text = fmt::format("say 'steps of {:.4g} m' or shorter", footfalls * number);
     } else if (said.what == "yaw-rate") {
-      continue;  // nothing says how fast to turn
+      continue;  // no words set the yaw rate
     }
     in_words.push_back(std::move(said));
   }

@@ -10,13 +10,13 @@
 
 namespace gaitwright::words {
 
-/// What a refusal tells a person: the part, what is wrong with it, and what to say instead. What the robot can do is
-/// listed only where that is the question.
+/// The failure for a refusal: the part, the error, and what to say instead. Lists the robot's actions only if they are
+/// relevant.
 Failure FailureOf(const Refusal& refusal, const TaskScope& scope);
 
-/// Suggestions of a planner with flags of the command line, such as "--speed 0.4", as words to say: "at 0.4 m/s". What
-/// no words say is left out.
-/// @param footfalls  of a step as words have it: one, or one of each foot of a robot with more than two.
+/// Converts suggestions of a planner with command-line flags, such as "--speed 0.4", to words to say: "at 0.4 m/s".
+/// Suggestions that words cannot express are left out.
+/// @param footfalls  footfalls per step in words: one, or one for each foot of a robot with more than two feet.
 std::vector<Suggestion> SuggestionsInWords(const std::vector<Suggestion>& suggestions, int footfalls);
 
 }  // namespace gaitwright::words

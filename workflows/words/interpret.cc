@@ -21,7 +21,7 @@ std::string PlacesText(const TaskScope& scope) {
   return text.empty() ? "none" : text;
 }
 
-/// What stands between the first brace and the last: models like to fence their JSON.
+/// The text from the first to the last brace, since models often fence their JSON.
 std::string JsonIn(const std::string& answer) {
   const std::size_t begin = answer.find('{'), end = answer.rfind('}');
   if (begin == std::string::npos || end == std::string::npos || end < begin) return Trimmed(answer);
@@ -46,7 +46,7 @@ std::string InterpreterPrompt(const TaskScope& scope) {
 Result<TaskPlan> PlanInAnswer(const std::string& answer, const std::string& instruction, const TaskScope& scope) {
   Result<TaskPlan> plan = TaskPlanFromJson(JsonIn(answer));
   if (!plan) return plan;
-  if (auto failure = WhyNotPlanned(*plan, scope)) return *failure;
+  if (auto failure = ReasonNotPlanned(*plan, scope)) return *failure;
   plan->text = instruction;
   plan->language = words::LanguageOf(instruction) == words::Language::kEnglish ? "en" : "zh";
   return plan;

@@ -11,15 +11,15 @@
 
 namespace gaitwright {
 
-/// A language model behind an endpoint that speaks as OpenAI's chat completions do.
+/// A language model behind an endpoint with the interface of OpenAI's chat completions.
 struct LanguageModel {
-  std::string url;    ///< the base, such as "http://localhost:8000/v1"; "/chat/completions" is added where it lacks
-  std::string model;  ///< its name there
+  std::string url;    ///< the base, such as "http://localhost:8000/v1"; "/chat/completions" is added if missing
+  std::string model;  ///< name of the model at the endpoint
   std::string key;    ///< sent as a bearer token; "" sends none
   double longest_s = 60.0;
 };
 
-/// The key for language models from the environment: GAITWRIGHT_API_KEY, else OPENAI_API_KEY, else "".
+/// The key for language models from the environment: GAITWRIGHT_API_KEY, otherwise OPENAI_API_KEY, otherwise "".
 std::string ApiKeyFromEnvironment();
 
 /// Turns an instruction into tasks.
@@ -27,13 +27,13 @@ class Interpreter {
  public:
   virtual ~Interpreter() = default;
 
-  /// What messages call it, such as "grammar".
+  /// Its name in messages, such as "grammar".
   virtual std::string name() const = 0;
 
-  /// @param scope  what the robot can do and which places there are.
-  /// @param notes  gets why an answer that was received is not taken.
-  /// @return a plan that is valid for the robot (WhyNotPlanned), or why there is none. Failure `interpreter_url`: the
-  ///         interpreter itself is given wrongly.
+  /// @param scope  the abilities of the robot and the known places.
+  /// @param notes  receives the reasons why received answers are not accepted.
+  /// @return a plan that is valid for the robot (ReasonNotPlanned), or the failure. Failure `interpreter_url`: the URL
+  /// of the interpreter is wrong.
   virtual Result<TaskPlan> Interpret(const std::string& instruction, const TaskScope& scope,
                                      std::vector<std::string>& notes) const = 0;
 };
@@ -46,7 +46,7 @@ class Grammar : public Interpreter {
                              std::vector<std::string>& notes) const override;
 };
 
-/// A language model. An answer that is not valid for the robot is refused, and the model is asked once more with the
+/// A language model. An answer that is not valid for the robot is refused, and the request is sent once more with the
 /// error.
 class ModelInterpreter : public Interpreter {
  public:
@@ -60,27 +60,28 @@ class ModelInterpreter : public Interpreter {
   LanguageModel model_;
 };
 
-/// What an instruction was taken to mean, and by what.
+/// The interpretation of an instruction, and its source.
 struct Interpretation {
   TaskPlan plan;
   std::string by;                  ///< name of the interpreter, "grammar" or "language model"
-  std::vector<std::string> notes;  ///< why answers of the interpreters asked before were not taken
+  std::vector<std::string> notes;  ///< why answers of previous interpreters were not accepted
 };
 
-/// What a language model is told before an instruction: what this robot can do, where, and the schema of the answer.
+/// The system prompt of a language model: the abilities of this robot, the places, and the schema of the answer.
 std::string InterpreterPrompt(const TaskScope& scope);
 
-/// The task plan in a language model's answer, as JSON alone or fenced. Failures as of TaskPlanFromJson and
-/// WhyNotPlanned: nothing that is not valid for this robot is let pass.
+/// The task plan in a language model's answer, as plain or fenced JSON. Failures as of TaskPlanFromJson and
+/// ReasonNotPlanned: every returned plan is valid for this robot.
 Result<TaskPlan> PlanInAnswer(const std::string& answer, const std::string& instruction, const TaskScope& scope);
 
-/// An instruction as a task plan, by the first of the interpreters that understands it. Failure: that of the last, with
-/// the notes as suggestions, or `interpreter_url` of any.
+/// Translates an instruction to a task plan with the first interpreter that understands it. Failure: that of the last
+/// interpreter, with the notes as suggestions, or `interpreter_url` of any interpreter.
 /// @throws InvalidArgument without an interpreter.
 Result<Interpretation> InterpretBy(const std::vector<const Interpreter*>& interpreters, const std::string& instruction,
                                    const TaskScope& scope);
 
-/// By the language model where one is given, then by the built-in grammar. Failure: the grammar's refusal.
+/// Translates with the language model, if one is given, and then with the built-in grammar. Failure: the grammar's
+/// refusal.
 Result<Interpretation> Interpret(const std::string& instruction, const TaskScope& scope,
                                  const std::optional<LanguageModel>& model);
 

@@ -18,7 +18,7 @@ namespace {
 
 using M = Meaning;
 
-/// Chinese for places that grounds have under English names.
+/// Chinese names of places that have English names in grounds.
 const std::vector<std::pair<const char*, const char*>>& PlaceTranslations() {
   static const std::vector<std::pair<const char*, const char*>> table = {{"台阶", "step"},
                                                                          {"石头", "stone"},
@@ -89,7 +89,7 @@ class ItemReader {
     Push(item, count);
   }
 
-  /// Where Chinese is parted by a space it stands for a comma.
+  /// A space between Chinese words counts as a comma.
   bool IsGap() const {
     return at_ > 0 && pieces_[at_].begin > pieces_[at_ - 1].end && IsCharacter(at_) && IsCharacter(at_ - 1) &&
            !items_.empty() && !items_.back().Is(M::kBreak);
@@ -129,7 +129,7 @@ class ItemReader {
     return true;
   }
 
-  /// Whether what is not known begins the stretch that is read.
+  /// Whether the present part begins with unknown words.
   bool OpensUnknown() const {
     std::size_t begin = items_.size();
     while (begin > 0 && !items_[begin - 1].Is(M::kBreak)) --begin;
@@ -141,7 +141,7 @@ class ItemReader {
     return word == "mr" || word == "mrs" || word == "ms" || word == "dr" || word == "prof" || word == "st";
   }
 
-  /// The verb of a command that is drawn out.
+  /// The verb of a drawn-out command.
   bool IsDrill(std::size_t at) const {
     return pieces_[at].text == "转" || pieces_[at].text == "走" || pieces_[at].text == "定";
   }
@@ -186,7 +186,7 @@ class ItemReader {
     return true;
   }
 
-  /// The longest phrase of a lexicon from a piece on, and how many pieces it has.
+  /// The longest phrase of a lexicon that begins at a piece, and its number of pieces.
   std::pair<const Item*, std::size_t> Longest(const Lexicon& lexicon, std::size_t at) const {
     for (std::size_t count = std::min(lexicon.longest(), pieces_.size() - at); count > 0; --count) {
       if (const Item* item = lexicon.Find(PhraseOf(pieces_, at, count))) return {item, count};
@@ -194,7 +194,7 @@ class ItemReader {
     return {nullptr, 0};
   }
 
-  /// After "每秒" a length, which else would make a speed of the next "每秒".
+  /// A length after "每秒"; otherwise the next "每秒" would make it a speed.
   std::pair<const Item*, std::size_t> UnitAt(std::size_t at) const {
     if (at >= pieces_.size()) return {nullptr, 0};
     const bool rate = !items_.empty() && items_.back().Is(M::kUnit);
@@ -244,8 +244,8 @@ class ItemReader {
       return true;
     }
     if (phrase != nullptr && phrase_pieces > number.pieces + unit_pieces) return false;
-    // 一下 and 一个 soften what is said, or count nothing.
-    // "one foot" stands, "a foot" is as long.
+    // 一下 and 一个 only soften the request.
+    // "one foot" is a limb, "a foot" is a length.
     if (number.is_article && pieces_[at_].text == "one" && pieces_[after].text == "foot" && !Walks()) return false;
     if (number.is_article && pieces_[after].text == "foot" && !items_.empty() && items_.back().Is(M::kRaise))
       return false;
@@ -268,7 +268,7 @@ class ItemReader {
     return true;
   }
 
-  /// Whether the last thing to do is to walk.
+  /// Whether the last action is to walk.
   bool Walks() const {
     for (auto item = items_.rbegin(); item != items_.rend() && !item->Is(M::kBreak); ++item) {
       if (item->Is(M::kAction)) return item->name == "walk";
@@ -276,7 +276,7 @@ class ItemReader {
     return false;
   }
 
-  /// "three sideways steps", "ten more feet": the unit stands a word later.
+  /// "three sideways steps", "ten more feet": the unit comes one word later.
   bool TakeParted(const SpokenNumber& number) {
     const std::size_t after = at_ + number.pieces;
     const Item* between = after < pieces_.size() ? words_.Find(pieces_[after].text) : nullptr;
@@ -306,7 +306,7 @@ class ItemReader {
       found = &item;
     }
     if (found == nullptr) return false;
-    // A name that is another word too is a place after "to" or an ordinal, or before a number.
+    // A name that is also another word is a place after "to" or an ordinal, or before a number.
     if (words_.Find(PhraseOf(pieces_, at_, most)) != nullptr || units_.Find(PhraseOf(pieces_, at_, most)) != nullptr) {
       const std::size_t after = at_ + most < pieces_.size() && pieces_[at_ + most].text == "number" ? most + 1 : most;
       const bool numbered = at_ + after < pieces_.size() && NumberAt(pieces_, at_ + after).pieces > 0;
@@ -322,7 +322,7 @@ class ItemReader {
     return true;
   }
 
-  /// @param first  before any phrase, else steps where there is none.
+  /// @param first  true: before phrases are tried; false: only the word for steps, after them.
   bool TakeStairs(bool first) {
     const auto [item, count] = StairsWordAt(pieces_, at_, items_);
     if (count == 0 || first == (item.Is(M::kStairs) && item.value == 0.0)) return false;
@@ -357,7 +357,7 @@ class ItemReader {
     return true;
   }
 
-  /// An adverb such as "gracefully" says how, which is not asked for.
+  /// An adverb such as "gracefully" describes the manner and is ignored.
   bool IsAdverb(const std::string& word) const { return word.size() > 5 && word.ends_with("ly"); }
 
   void TakeUnknown() {

@@ -9,14 +9,14 @@
 
 namespace gaitwright::words {
 
-/// Languages that instructions may be in.
+/// Languages of instructions.
 enum class Language { kEnglish, kChinese };
 
-/// Chinese where there is a Chinese character.
+/// Chinese if the text has a Chinese character.
 Language LanguageOf(const std::string& text);
 
-/// What the words of an instruction mean, in order: the longest phrases of the lexicon, numbers with their units, and
-/// the places that are known. What has no meaning stands as unknown, several pieces as one.
+/// The meanings of the words of an instruction, in order: the longest phrases of the lexicon, numbers with their units,
+/// and known places. Consecutive pieces without a meaning become one unknown item.
 std::vector<Item> ItemsOf(const std::string& text, Language language, const std::vector<PlaceName>& places);
 
 }  // namespace gaitwright::words

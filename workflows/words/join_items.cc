@@ -19,7 +19,7 @@ void MarkBefore(std::vector<Item>& items) {
   }
 }
 
-/// "优雅地": what is not known before 地 says how.
+/// "优雅地": an unknown word before 地 describes the manner.
 void MarkAdverbs(std::vector<Item>& items) {
   for (std::size_t k = 0; k + 1 < items.size(); ++k) {
     const bool adverb = items[k].Is(M::kUnknown) && items[k + 1].name == "地" && items[k].end == items[k + 1].begin;
@@ -51,7 +51,7 @@ void JoinRates(std::vector<Item>& items) {
   }
 }
 
-/// The item before one that says something, if there is one.
+/// The previous item with a meaning, if there is one.
 const Item* SaidBefore(const std::vector<Item>& items, std::size_t k) {
   while (k-- > 0) {
     if (!items[k].Is(M::kFiller)) return &items[k];
@@ -59,7 +59,7 @@ const Item* SaidBefore(const std::vector<Item>& items, std::size_t k) {
   return nullptr;
 }
 
-/// "to the second step" and "to the step" where no place has that name: the place is unknown.
+/// "to the second step" and "to the step" without a place of this name: the place is unknown.
 void MarkNoPlaces(std::vector<Item>& items) {
   for (std::size_t k = 0; k + 1 < items.size(); ++k) {
     const Item* before = SaidBefore(items, k);
@@ -74,7 +74,7 @@ void MarkNoPlaces(std::vector<Item>& items) {
   }
 }
 
-/// "the second step", "stone four", "5号石头": places with their numbers. An ordinal of nothing goes on to the next.
+/// "the second step", "stone four", "5号石头": places with their numbers. An ordinal without a noun uses the next noun.
 void JoinOrdinals(std::vector<Item>& items) {
   for (std::size_t k = 0; k < items.size(); ++k) {
     if (items[k].Is(M::kPlace)) {

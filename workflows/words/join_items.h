@@ -7,8 +7,8 @@
 
 namespace gaitwright::words {
 
-/// Puts items together that mean one thing, and settles those that mean something only beside others: speeds ("每秒"
-/// and a length), places with their numbers, "前" after what is done later, and adverbs.
+/// Joins items that have one meaning together, and items whose meaning depends on their neighbours: speeds ("每秒" and
+/// a length), places with their numbers, "前" after an action that is done later, and adverbs.
 void JoinItems(std::vector<Item>& items);
 
 }  // namespace gaitwright::words

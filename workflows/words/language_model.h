@@ -14,9 +14,9 @@ struct ChatMessage {
   std::string role, content;  ///< role: "system", "user", "assistant"
 };
 
-/// Asks for the next message. Nothing but http and https is spoken, no redirect followed, and at most a megabyte read.
-/// Failures kBadInput: `interpreter_url` for a URL that is none; `interpreter` for no answer in time, one that is not
-/// a success or not what chat completions are.
+/// Requests the next message. Uses only http and https, follows no redirects and reads at most a megabyte. Failures
+/// kBadInput: `interpreter_url` for an invalid URL; `interpreter` if no answer arrives in time, its status is not a
+/// success, or it is not a chat completion.
 Result<std::string> Complete(const LanguageModel& model, const std::vector<ChatMessage>& messages);
 
 }  // namespace gaitwright

@@ -34,7 +34,7 @@ const Words& Around() {
   return words;
 }
 
-/// What may go on after "you".
+/// Words that may follow "you".
 const Words& After() {
   static const Words words = {"would",  "could", "might", "can",  "will", "should", "to",     "please", "just",
                               "kindly", "all",   "now",   "must", "may",  "also",   "simply", "go",     "first",
@@ -53,7 +53,7 @@ std::size_t LeadInAt(const std::vector<Piece>& pieces, std::size_t at) {
     if (word == "you" && (wishes || (k > at && pieces[k - 1].text == "that"))) {
       end = k + 1;
       while (end < pieces.size() && After().contains(pieces[end].text)) ++end;
-      // "you have three seconds", "are you to go", "you go": what goes on is no part of a wish.
+      // "you have three seconds", "are you to go", "you go": these words do not belong to the lead-in.
       while (end > k + 1 &&
              (pieces[end - 1].text == "have" || pieces[end - 1].text == "go" || pieces[end - 1].text == "are"))
         --end;

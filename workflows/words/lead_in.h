@@ -8,9 +8,8 @@
 
 namespace gaitwright::words {
 
-/// How many pieces from one on are an English lead-in to what is wanted of the robot: "I should be obliged if you
-/// would", "we need you to", "would you mind". 0 where there is none. It names the robot ("you") and a wish, and
-/// nothing else.
+/// Number of pieces of an English lead-in to a request that begins at a piece: "I should be obliged if you would", "we
+/// need you to", "would you mind"; 0 if there is none. A lead-in has the robot ("you") and a wish, and nothing else.
 std::size_t LeadInAt(const std::vector<Piece>& pieces, std::size_t at);
 
 }  // namespace gaitwright::words

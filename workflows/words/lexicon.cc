@@ -12,7 +12,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// In the order of Meaning.
+/// Names in the order of Meaning.
 const std::vector<std::string> kMeaningNames = {
     "action", "raise",  "lower", "put",     "direction", "side",   "sideways",  "both",   "arm",
     "foot",   "plural", "part",  "up",      "down",      "number", "amount",    "unit",   "ordinal",
@@ -20,7 +20,7 @@ const std::vector<std::string> kMeaningNames = {
     "then",   "break",  "while", "before",  "after",     "no",     "not",       "forbid", "drop",
     "first",  "again",  "aside", "subject", "polite",    "filler", "elsewhere", "unknown"};
 
-/// What the value of an action stands for, and the value.
+/// Names and values of the additional meanings of actions.
 const std::vector<std::pair<std::string, double>> kSaid = {
     {"to_place", kToPlace},       {"beside", kBeside},   {"returns", kReturns},    {"up_stairs", kUpStairs},
     {"down_stairs", kDownStairs}, {"upwards", kUpwards}, {"downwards", kDownwards}};
@@ -55,10 +55,10 @@ Lexicon ReadLexicon(const JsonPart& entries) {
   for (const JsonPart& entry : entries.List()) {
     const Item meaning = ReadMeaning(entry);
     const JsonPart phrases = entry.At("phrases");
-    for (const JsonPart::Json& phrase : phrases.json()) {  // thousands, so not by List, which names each
-      if (!phrase.is_string()) phrases.Refuse("holds what is not a text");
+    for (const JsonPart::Json& phrase : phrases.json()) {  // not by List, which makes a name for each of thousands
+      if (!phrase.is_string()) phrases.Refuse("has an entry that is not a text");
       const auto& text = phrase.get_ref<const std::string&>();
-      if (!lexicon.Add(text, meaning)) phrases.Refuse("holds '" + text + "', which has a meaning already");
+      if (!lexicon.Add(text, meaning)) phrases.Refuse("has '" + text + "', which already has a meaning");
     }
   }
   return lexicon;

@@ -8,15 +8,15 @@
 
 namespace gaitwright::words {
 
-/// Words and groups of words of a language with their meanings. English ones are of small letters, their words parted
-/// by single spaces; Chinese ones are as they are.
+/// Words and phrases of a language with their meanings. English phrases are in lower case with single spaces between
+/// words; Chinese phrases are unchanged.
 class Lexicon {
  public:
-  /// @return false for a phrase that is there already, which keeps its meaning.
+  /// @return false for a phrase that already exists, which keeps its meaning.
   bool Add(const std::string& phrase, const Item& meaning);
-  /// The item of a phrase; null for none.
+  /// The item of a phrase, or null.
   const Item* Find(const std::string& phrase) const;
-  /// The most pieces (words, characters of Chinese) that a phrase has.
+  /// Number of pieces (words, Chinese characters) of the longest phrase.
   std::size_t longest() const { return longest_; }
 
  private:
@@ -24,12 +24,12 @@ class Lexicon {
   std::size_t longest_ = 1;
 };
 
-/// The words of English and of Chinese for all that can be said, numbers left out. Read at the first call, in
-/// some three milliseconds.
+/// The English and the Chinese words of all instructions, except numbers. Read at the first call, in about three
+/// milliseconds.
 const Lexicon& English();
 const Lexicon& Chinese();
 
-/// Units, which may be other words elsewhere: they count after a number only.
+/// Units, which count only after a number, since they may be other words elsewhere.
 const Lexicon& EnglishUnits();
 const Lexicon& ChineseUnits();
 

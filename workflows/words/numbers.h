@@ -8,19 +8,19 @@
 
 namespace gaitwright::words {
 
-/// A number that some pieces say.
+/// A number and its pieces.
 struct SpokenNumber {
   double value = 0.0;
-  std::size_t pieces = 0;   ///< how many say it; 0 for none
+  std::size_t pieces = 0;   ///< number of its pieces; 0 if there is no number
   bool is_article = false;  ///< "a", "one": a number before a unit only
 };
 
-/// The number that begins at a piece: in digits or in words of English ("minus two and a half", "a couple of",
+/// The number that begins at a piece, in digits or in words of English ("minus two and a half", "a couple of",
 /// "half a", "a dozen") or of Chinese ("负三百二十", "一点五", "半", "几"). A few and 几 are three.
 SpokenNumber NumberAt(const std::vector<Piece>& pieces, std::size_t at);
 
-/// What is said of a number after its unit, in shares of it: "metre and a half", "米半", "米二". Zero pieces for
-/// nothing.
+/// The part of a number after its unit, as a fraction of the unit: "metre and a half", "米半", "米二". Zero pieces if
+/// there is none.
 SpokenNumber AfterUnit(const std::vector<Piece>& pieces, std::size_t at);
 
 }  // namespace gaitwright::words

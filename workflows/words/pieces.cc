@@ -9,7 +9,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// The code point at a byte and its length; what is no UTF-8 is one byte.
+/// The code point at a byte and its length; a byte that is not UTF-8 counts as one code point.
 struct Point {
   std::uint32_t code = 0;
   std::size_t length = 1;
@@ -25,7 +25,7 @@ Point PointAt(const std::string& text, std::size_t at) {
   return {code, length};
 }
 
-/// Full-width forms of ASCII, and typographic quotes, as the usual ones.
+/// Converts full-width ASCII and typographic quotes to plain ASCII.
 std::uint32_t Usual(std::uint32_t code) {
   if (code >= 0xFF01 && code <= 0xFF5E) return code - 0xFF01 + 0x21;
   if (code == 0x2018 || code == 0x2019) return '\'';
@@ -42,7 +42,7 @@ bool IsHan(std::uint32_t code) {
          (code >= 0x20000 && code <= 0x2FFFF);
 }
 
-/// Traditional characters of instructions as simplified ones.
+/// Converts traditional characters of instructions to simplified ones.
 const std::string& Simplified(const std::string& character) {
   static const std::map<std::string, std::string> table = {
       {"請", "请"}, {"後", "后"}, {"轉", "转"}, {"兩", "两"}, {"揮", "挥"}, {"動", "动"}, {"舉", "举"}, {"雙", "双"},
@@ -139,7 +139,7 @@ class PieceReader {
     pieces_.back().text = Spelt(pieces_.back().text);
   }
 
-  /// Short forms as people type them, in full.
+  /// Expands common short forms.
   static std::string Spelt(const std::string& word) {
     static const std::map<std::string, std::string> table = {
         {"youre", "you're"}, {"youve", "you've"},   {"youll", "you'll"},  {"theres", "there's"},

@@ -14,7 +14,7 @@ namespace {
 
 using M = Meaning;
 
-/// Words that say nothing but the place behind one.
+/// Words without a further meaning after a place.
 bool FollowsPlace(const std::string& word) {
   static const std::set<std::string> words = {
       "那儿", "那里", "那裡", "那边", "那邊", "这儿", "这里", "这边",   "嗰度", "嗰边",   "处", "口",
@@ -23,7 +23,7 @@ bool FollowsPlace(const std::string& word) {
   return words.contains(word);
 }
 
-/// "左边", "后面": where something is. "往左边" is where to.
+/// "左边", "后面": a position. "往左边" is a direction.
 bool IsPosition(const std::string& word) {
   const bool noun = word.ends_with("面") || word.ends_with("边") || word.ends_with("侧") || word.ends_with("方");
   const bool way = word.starts_with("往") || word.starts_with("向") || word.starts_with("朝") || word.starts_with("靠");
@@ -48,7 +48,7 @@ class Relation {
 
   [[noreturn]] void Refuse(std::size_t begin, std::size_t end) const {
     throw Refused{{FailureCode::kUnknown, TextOf(text_, {begin, end}),
-                   "is no way that it goes: a place can only be walked to", ""}};
+                   "is not possible: the robot can only walk to a place", ""}};
   }
 
   void CheckBefore() const {
@@ -63,7 +63,7 @@ class Relation {
     }
   }
 
-  /// "cross the marker", "walk through the door": verbs that say no "to".
+  /// "cross the marker", "walk through the door": verbs without "to".
   bool Passes(std::size_t verb) const {
     const bool up = items_[verb].value == kUpStairs || items_[verb].value == kUpwards;
     const bool climbs = up && IsStep(items_[at_].name);  // "climb the second step"
@@ -77,7 +77,7 @@ class Relation {
   void CheckBehind() const {
     for (std::size_t k = at_ + 1; k < items_.size(); ++k) {
       const bool where = (items_[k].Is(M::kSide) || items_[k].Is(M::kDirection)) && IsPosition(Word(k));
-      const bool ahead = where && items_[k].name == "forward";  // before it is as near as it gets
+      const bool ahead = where && items_[k].name == "forward";  // "before" a place means the place itself
       if (items_[k].Is(M::kPolite) || ahead || (items_[k].Is(M::kFiller) && FollowsPlace(Word(k)))) continue;
       if (where || items_[k].Is(M::kFiller)) Refuse(items_[at_].begin, items_[k].end);
       return;

@@ -8,8 +8,8 @@
 
 namespace gaitwright::words {
 
-/// A robot goes to places, and nowhere else that is said by them: "from the door", "左边" of one.
-/// @throws Refused by the words for it where the place `at` of the clause's items stands in another relation.
+/// Checks that a robot is to walk to a place, and not "from the door" or to the "左边" of one.
+/// @throws Refused with the words of another relation to the place, the item `at` of the clause.
 void CheckGoesTo(const std::string& text, const Clause& clause, std::size_t at);
 
 }  // namespace gaitwright::words

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// A patch's name in two: "step 2" is number 2 of "step".
+/// Splits the name of a patch: "step 2" is number 2 of "step".
 PlaceName SplitName(const std::string& name) {
   constexpr std::size_t kMostDigits = 6;
   const std::size_t digits = name.find_last_not_of("0123456789") + 1;
@@ -35,7 +35,7 @@ Vector2 MiddleOf(const TerrainPatch& patch) {
   return (patch.X_WT * Vector3(mean_T.x(), mean_T.y(), 0.0)).head<2>();
 }
 
-/// How far a patch reaches along a way.
+/// Extent of a patch along a direction.
 double Farthest(const TerrainPatch& patch, const Vector2& along) {
   double farthest = -std::numeric_limits<double>::infinity();
   for (const Vector2& corner : patch.outline_T)
@@ -43,13 +43,13 @@ double Farthest(const TerrainPatch& patch, const Vector2& along) {
   return farthest;
 }
 
-/// The ground at an end of stairs, whose patches are named "step 1" and so on: from their outermost step on.
+/// The ground at an end of stairs, beyond their outermost step; the patches of stairs are named "step 1" and so on.
 struct StairsFoot {
   const TerrainPatch* outermost = nullptr;
   Vector2 outward = Vector2::Zero();
 };
 
-/// @param behind  the end that is come to by going up and down again.
+/// @param behind  the end that is reached by walking up and down again.
 std::optional<StairsFoot> FootOf(const Terrain& terrain, bool behind) {
   const TerrainPatch *outer = PatchOf(terrain, "step 1"), *inner = PatchOf(terrain, "step 2");
   if (behind) {
@@ -64,7 +64,7 @@ std::optional<StairsFoot> FootOf(const Terrain& terrain, bool behind) {
   return StairsFoot{outer, outward.normalized()};
 }
 
-/// As far from the steps as the robot is that begins before them.
+/// The place at the same distance from the steps as the robot's start.
 Vector2 PlaceAt(const Terrain& terrain, const StairsFoot& foot) {
   const StairsFoot before = *FootOf(terrain, false);
   const double start_m = std::max(0.0, -Farthest(*before.outermost, before.outward));
@@ -110,7 +110,7 @@ Vector2 CentreOf(const Terrain& terrain, const PlaceName& place) {
     highest = name.number;
     found = &patch;
   }
-  if (found == nullptr) throw InvalidArgument(fmt::format("there is no place '{}' {}", place.name, place.number));
+  if (found == nullptr) throw InvalidArgument(fmt::format("place '{}' {} does not exist", place.name, place.number));
   return MiddleOf(*found);
 }
 

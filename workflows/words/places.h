@@ -8,16 +8,15 @@
 
 namespace gaitwright {
 
-/// The ground before stairs and behind them, which have no patches of their own: as far from the steps as the robot is
-/// where it begins. There are both of "step 1", "step 2", ... and of "step 1 down", ...
+/// Places before and behind stairs, which have no patches: at the same distance from the steps as the robot's start.
+/// Both exist for stairs of patches "step 1", "step 2", ... and of patches "step 1 down", ...
 inline constexpr char kStartOfStairs[] = "start of the stairs", kEndOfStairs[] = "end of the stairs";
 
-/// The places of a ground that have names, by what people call them: markers as they are, patches of a name and a
-/// number ("step 2") as several of that name, `number` being the highest; patches without a number as they are; the two
-/// ends of stairs.
+/// The named places of a ground: markers; patches without a number; patches with a name and a number ("step 2"), as one
+/// entry per name whose `number` is the highest; and the two ends of stairs.
 std::vector<PlaceName> PlacesOf(const Terrain& terrain);
 
-/// The middle of a place in plan view [m]; of several without a number, of the last.
+/// The centre of a place in plan view [m]; for several places of one name without a number, that of the last one.
 /// @throws InvalidArgument for a place that is not one of PlacesOf.
 Vector2 CentreOf(const Terrain& terrain, const PlaceName& place);
 

@@ -16,7 +16,8 @@
 namespace gaitwright {
 namespace {
 
-/// @param feet  of the robot: a step is one of them all, of two feet of one.
+/// Adds the task's number and words to a failure. @param feet number of feet of the robot: with more than two feet, a
+/// step is a footfall of each.
 Failure OfTask(std::size_t index, const Task& task, std::size_t feet, Failure failure) {
   const std::string said = task.words.empty() ? TaskText(task) : task.words;
   failure.message = fmt::format("task {}, '{}': {}", index + 1, said, failure.message);
@@ -24,7 +25,7 @@ Failure OfTask(std::size_t index, const Task& task, std::size_t feet, Failure fa
   return failure;
 }
 
-/// Of a plan that fails its audit: the law that is broken, and the task in which it is.
+/// The failure of a plan that fails its audit: the violated check, and the task in which it occurs.
 Failure WhyUnsound(const TaskPlan& tasks, const PlannedTasks& planned) {
   const double at_s = planned.audit.violations.front().at_s;
   const auto& ends_s = planned.task_ends_s;
@@ -44,13 +45,13 @@ Provenance ProvenanceOf(const TaskPlan& tasks, const TaskOptions& options) {
   return provenance;
 }
 
-/// The robot with its body to lie on, where it is to lie or to get up from it.
+/// The robot with its body as a support contact, if it is to lie or to get up from lying.
 Result<RobotModel> WholeRobot(const RobotModel& model, const TaskPlan& tasks, const TaskScope& scope) {
   const bool lies =
       std::any_of(tasks.tasks.begin(), tasks.tasks.end(), [](const Task& task) { return task.action == "lie_down"; });
   const bool gets_up = tasks.tasks.front().action == "stand_up";
   if (!(lies || gets_up) || !scope.Can(*FindAction("lie_down"))) return model;
-  std::vector<std::string> links;  // of the base, the root first
+  std::vector<std::string> links;  // links of the base, the root first
   for (const Shape& shape : model.collision_shapes) {
     if (shape.body == 0 && std::find(links.begin(), links.end(), shape.link) == links.end())
       links.push_back(shape.link);
@@ -60,7 +61,7 @@ Result<RobotModel> WholeRobot(const RobotModel& model, const TaskPlan& tasks, co
     whole = WithRest(model, link);
     if (whole) return whole;
   }
-  if (!lies) return model;  // gets up from where it stands
+  if (!lies) return model;  // gets up from a crouch
   return Failure{FailureKind::kInfeasible,
                  FailureCode::kLying,
                  "PlanTasks",
@@ -75,7 +76,7 @@ Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, 
   const CpuClock clock;
   TaskScope scope = ScopeOf(model);
   scope.places = PlacesOf(terrain);
-  if (auto failure = WhyNotPlanned(tasks, scope)) return *failure;
+  if (auto failure = ReasonNotPlanned(tasks, scope)) return *failure;
   const Result<RobotModel> whole = WholeRobot(model, tasks, scope);
   if (!whole) return whole.failure();
   tasks::TaskPlanner planner(model, *whole, terrain, options);

@@ -14,37 +14,37 @@
 
 namespace gaitwright {
 
-/// How tasks are planned.
+/// Options of planning tasks.
 struct TaskOptions {
   MotionOptions motion;
   std::uint64_t seed = 0;
 };
 
-/// The motion that does a plan of tasks, its audit, and what was settled on the way.
+/// The motion for a task plan, its audit, and notes.
 struct PlannedTasks {
-  RobotModel robot;  ///< the one that the motion is of: where it lies, with what it lies on
+  RobotModel robot;  ///< robot of the motion; if it lies, with the body as a support contact
   MotionPlan plan;
   AuditReport audit;
-  std::vector<std::string> notes;   ///< what was added or chosen that no words say, for people
-  std::vector<double> task_ends_s;  ///< of each task, on the plan's clock
+  std::vector<std::string> notes;   ///< notes on everything that was added or chosen beyond the words
+  std::vector<double> task_ends_s;  ///< end of each task, on the plan's clock
   double planning_cpu_s = 0.0;
 };
 
-/// Plans tasks one after the other, as one motion that passes its audit.
+/// Plans tasks in sequence, as one motion that passes its audit.
 ///
-/// Walks are planned as PlanWalk does, each from where the task before leaves the robot. All else is a posture motion
-/// (planning/tasks/repertoire.h): it is stretched until motors and balance allow it, and sized as the task says, or
-/// where it says nothing as the robot can. A robot that sits or lies gets up before it does what is done standing; one
-/// that can lie and is to stand up first begins lying.
+/// Walks are planned by PlanWalk, each from the end of the previous task. All other tasks are posture motions
+/// (planning/tasks/repertoire.h). A posture motion is slowed down until motors and balance allow it. Its size is that
+/// of the task, or the robot's default. A robot that sits or lies gets up before a task that is done standing. A robot
+/// that can lie and is first told to stand up begins in a lying posture.
 /// Raised arms stay up until they are lowered.
 ///
-///   walk   without an amount three leg lengths far; slow and fast are half and one and a half of the robot's own speed
-///   steps  of a robot with more than two legs: of all its legs
-///   turn   a quarter without an angle
-///   to     straight there, after a turn where it is not ahead
+///   walk   default distance: three leg lengths; slow and fast: 0.5 and 1.5 times the robot's default speed
+///   steps  with more than two legs, one step is a footfall of each leg
+///   turn   default angle: a quarter turn
+///   to     straight to the place, after a turn if the place is not in front
 ///
-/// Failures: those of WhyNotPlanned, PlanWalk and PlanPosture, with the task's number and words; kInfeasible for what
-/// breaks a law of the audit however slow, with the largest size that does not where a size was asked for.
+/// Failures: as of ReasonNotPlanned, PlanWalk and PlanPosture, with the task's number and words; kInfeasible for a
+/// motion that fails its audit at any speed, with the largest feasible size if a size was requested.
 Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, const TaskPlan& tasks,
                                const TaskOptions& options);
 

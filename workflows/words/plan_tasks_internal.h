@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the parts of PlanTasks share.
+// Data and functions that the parts of PlanTasks share.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,10 @@
 
 namespace gaitwright::tasks {
 
-constexpr double kStay = 1.0;  // [s] for which it stands, or holds a posture, where no words say how long
+constexpr double kStay = 1.0;  // [s] default time of standing or holding a posture
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// How a robot is left by a task: what the next one begins with.
+/// State of the robot at the end of a task, from which the next one starts.
 struct Stance {
   enum class Pose { kStanding, kSitting, kLying, kCrouching };
 
@@ -25,34 +25,34 @@ struct Stance {
   Pose pose = Pose::kStanding;
 };
 
-/// A motion by a size, such as how deep a squat goes.
+/// A motion as a function of a size, such as the depth of a squat.
 using MotionBySize = std::function<Result<PostureMotion>(double size)>;
 
 /// Sizes to try, the best one first.
 struct Sizes {
   std::vector<double> tried;
-  bool asked = false;  ///< the first was asked for: no other serves
+  bool asked = false;  ///< the first size was requested, so no other is tried
   std::string name;    ///< "depth_m", for messages
 };
 
-/// Why a motion cannot be, by an audit that it does not pass: its worst law.
+/// The failure of a motion that fails its audit: the worst violation.
 Failure WhyBroken(const std::string& what, const AuditReport& audit);
 
-/// The largest size below one that does not serve, to a thirtieth of that; 0 for none.
-double LargestBelow(const std::function<bool(double size)>& serves, double size);
+/// The largest feasible size below an infeasible one, to a thirtieth of it; 0 if there is none.
+double LargestBelow(const std::function<bool(double size)>& is_feasible, double size);
 
-/// A posture motion that passes its audit: of the first size that any stretch lets pass, stretched as far as it has to
-/// be. Failures as of PlanTasks.
+/// A posture motion that passes its audit: the first size that is feasible at some speed, at the highest such speed.
+/// Failures as of PlanTasks.
 Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
                                     const MotionOptions& options);
 
-/// The walk that a task asks for, its place left out.
+/// The walk that a task requests, without its place.
 Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options);
 
-/// The robot with its joints outside the legs elsewhere in standing.
+/// The robot with other standing positions of the joints outside the legs.
 RobotModel Posed(RobotModel model, const VectorX& joints);
 
-/// Adds to a motion that it stays as it ends.
+/// Appends a time at rest in the final posture to a motion.
 void StayOn(double duration_s, MotionPlan& plan);
 
 }  // namespace gaitwright::tasks

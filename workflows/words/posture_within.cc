@@ -12,14 +12,14 @@
 namespace gaitwright::tasks {
 namespace {
 
-/// Laws that more time does not mend.
+/// Whether a check does not depend on speed, so that a slower motion does not help.
 bool IsOfPlace(Law law) {
   constexpr std::array<Law, 5> kOfPlace = {Law::kJointPosition, Law::kReach, Law::kSelfCollision, Law::kFootClearance,
                                            Law::kBodyClearance};
   return std::find(kOfPlace.begin(), kOfPlace.end(), law) != kOfPlace.end();
 }
 
-/// One size, slower and slower.
+/// Tries one size at decreasing speeds.
 Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options) {
   constexpr std::array<double, 5> kStretches = {1.0, 1.4, 2.0, 2.8, 4.0};
   Failure failure;
@@ -38,11 +38,11 @@ Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, 
 
 }  // namespace
 
-double LargestBelow(const std::function<bool(double size)>& serves, double size) {
+double LargestBelow(const std::function<bool(double size)>& is_feasible, double size) {
   double largest = 0.0, too_large = size;
   for (int k = 0; k < 5; ++k) {
     const double middle = 0.5 * (largest + too_large);
-    (serves(middle) ? largest : too_large) = middle;
+    (is_feasible(middle) ? largest : too_large) = middle;
   }
   return largest;
 }
@@ -53,7 +53,7 @@ Failure WhyBroken(const std::string& what, const AuditReport& audit) {
   return {FailureKind::kInfeasible,
           FailureCodeOf(worst.law),
           "PlanTasks",
-          fmt::format("'{}' breaks the law '{}': {}", what, LawName(worst.law), LimitText(worst)),
+          fmt::format("'{}' fails the check '{}': {}", what, LawName(worst.law), LimitText(worst)),
           {},
           worst};
 }
@@ -70,11 +70,11 @@ Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize&
   }
   first->stage = "PlanTasks";
   if (!sizes.asked) return *first;
-  const auto serves = [&](double size) {
+  const auto is_feasible = [&](double size) {
     const Result<PostureMotion> made = motion(size);
     return made && Try(model, *made, options);
   };
-  const double largest = LargestBelow(serves, sizes.tried.front());
+  const double largest = LargestBelow(is_feasible, sizes.tried.front());
   if (largest > 0.0) {
     first->suggestions = {
         fmt::format("the largest {} that robot '{}' can do here is about {:.2g}", sizes.name, model.name, largest)};

@@ -49,7 +49,7 @@ class ClauseReader {
     Refuse(FailureCode::kUnknown, TextOf(text_, clause_.Words()), "is not an instruction for a robot", nearest);
   }
 
-  /// What begins with what is not known is not known on the whole.
+  /// Refuses the whole clause if it begins with unknown words.
   void RefuseUnknownStart() const {
     for (const Item& item : clause_.items) {
       if (item.SaysNothing()) continue;
@@ -172,7 +172,7 @@ class ClauseReader {
     draft_.said[key] = {item.begin, item.end};
   }
 
-  /// What may be said again: the last one holds.
+  /// Sets a parameter that may be given again; the last value counts.
   void SaySoftly(const std::string& key, const TaskValue& value, const Item& item) {
     draft_.parameters[key] = value;
     draft_.said[key] = {item.begin, item.end};
@@ -192,7 +192,7 @@ class ClauseReader {
   }
 
   void TakeNumber(const Item& item) {
-    // "two squats": how often.
+    // "two squats": a number of repetitions.
     const bool counts = at_ + 1 < clause_.items.size() && NextIsCounted();
     if (counts) return SayAmount("times", item.value, 1.0, item);
     if (draft_.bare)
@@ -245,10 +245,10 @@ class ClauseReader {
     if (item.name == "m/s") return SayAmount("speed_m_s", item.value, 1.0, item);
     const bool counted = item.name == "times" || NextIsCounted() || IsCounted(draft_.action);
     if (counted) return SayAmount("times", item.value, 1.0, item);
-    draft_.bare = item;  // a count of what comes next
+    draft_.bare = item;  // number of repetitions of the next action
   }
 
-  /// "walk around" goes nowhere that is said; "around two metres" is an amount.
+  /// "walk around" has no destination; "around two metres" is an amount.
   void TakeRound(const Item& item) const {
     const std::string word = TextOf(text_, {item.begin, item.end});
     const bool round = word == "around" || word == "about" || word == "round";
@@ -279,7 +279,7 @@ class ClauseReader {
     }
     if (greets_ && IsAddressed(text_, clause_, at_)) return;
     if (greets_ && (first || before == nullptr || before->Is(M::kAt) || before->Is(M::kTo) || Greets(text_, *before)))
-      return;  // whom to wave to
+      return;  // the person to wave to
     std::size_t end = item.end;
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
       if (!clause_.items[k].SaysNothing() && !clause_.items[k].Is(M::kUnknown)) break;
@@ -287,7 +287,7 @@ class ClauseReader {
     }
     if (draft_.bare) {
       const bool walks = draft_.action.empty() || draft_.action == "walk";
-      Refuse(FailureCode::kUnknown, TextOf(text_, {draft_.bare->begin, end}), "is no amount", walks ? "walk" : "");
+      Refuse(FailureCode::kUnknown, TextOf(text_, {draft_.bare->begin, end}), "is not an amount", walks ? "walk" : "");
     }
     const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == kToPlace));
     if (to && (draft_.action.empty() || draft_.action == "walk"))
@@ -296,7 +296,7 @@ class ClauseReader {
     Refuse(FailureCode::kUnknown, TextOf(text_, {item.begin, item.end}), "is not understood");
   }
 
-  /// The action where it is said by several words, and what an action's own word says.
+  /// Finds an action that is given by several words, and applies the parameters that an action word implies.
   void SettleAction() {
     const bool limb = arm_ || foot_;
     // "pop both arms up"
@@ -346,7 +346,7 @@ class ClauseReader {
     CheckParts();
   }
 
-  /// "shake your head", "walk on your hands": what an action is not done with.
+  /// "shake your head", "walk on your hands": refuses parts of the body that the action does not use.
   void CheckParts() {
     const auto check = [&](const std::string& part, const Item& item) {
       if (IsDoneWith(draft_.action, part)) return;
@@ -369,7 +369,7 @@ class ClauseReader {
     if ((draft_.action.empty() && turns_) || angled) draft_.action = "turn";
   }
 
-  /// "walk 两步": what is a gait's name else is the verb.
+  /// "walk 两步": here the name of a gait is the verb.
   void SettleGait() {
     const auto gait = draft_.said.find("gait");
     if (gait == draft_.said.end() || !draft_.action.empty() || TextOf(text_, gait->second) != "walk") return;

@@ -8,8 +8,8 @@
 
 namespace gaitwright::words {
 
-/// What a clause says, without what it takes from others. @throws Refused for what is not understood (of the whole
-/// clause, or of what follows a number), for a place that is not known and for what contradicts itself.
+/// Reads a clause, without the parts that it takes from other clauses. @throws Refused for words that are not
+/// understood (the whole clause, or the words after a number), for an unknown place and for contradictions.
 Draft ReadClause(const std::string& text, const Clause& clause);
 
 }  // namespace gaitwright::words

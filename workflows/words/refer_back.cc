@@ -8,7 +8,7 @@ namespace {
 
 TaskValue Word(const char* word) { return std::string(word); }
 
-/// "lower it", "the other one": by the arm that was moved last.
+/// "lower it", "the other one": relative to the arm that was moved last.
 void TakeLastSide(const std::string& text, const std::vector<Draft>& before, Draft& said) {
   const auto side = said.parameters.find("side");
   if (side == said.parameters.end() || (side->second != Word("same") && side->second != Word("other"))) return;
@@ -33,7 +33,7 @@ void TakeLastUnit(const std::string& text, const Draft& last, Draft& said) {
   Merge(text, number, true, said);
 }
 
-/// As far as the walk before went, and the other way.
+/// The distance of the previous walk, in the opposite direction.
 void TakeWayBack(const Draft& way, Draft& said) {
   if (!said.returns || SaysHowFar(said) || way.action != "walk") return;
   for (const std::string& key : ExtentKeys()) {

@@ -8,9 +8,9 @@
 
 namespace gaitwright::words {
 
-/// Puts into a draft what its words leave to the tasks before it: the arm of "lower it" and "the other one", the unit
-/// of "another five", and how far it is back.
-/// @throws Refused `ambiguous` for an arm that no task before it has moved.
+/// Completes a draft from the previous tasks: the arm of "lower it" and "the other one", the unit of "another five",
+/// and the distance of the way back.
+/// @throws Refused `ambiguous` if no previous task has moved an arm.
 void ReferBack(const std::string& text, const std::vector<Draft>& before, Draft& said);
 
 }  // namespace gaitwright::words

@@ -9,7 +9,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// What is only taken as read, such as a right hand, adds nothing.
+/// Removes implied parameters, such as the right hand, which add nothing.
 Draft WithoutTaken(Draft said) {
   std::erase_if(said.parameters, [&](const auto& parameter) { return !said.said.contains(parameter.first); });
   return said;
@@ -34,7 +34,7 @@ bool IsAmount(const std::string& key) {
   return std::find(kAmounts.begin(), kAmounts.end(), key) != kAmounts.end();
 }
 
-/// One clause against the task before it.
+/// Compares a clause with the previous task.
 class Comparison {
  public:
   Comparison(const std::string& text, const Clause& clause, const Draft& said, Draft& last)
@@ -101,8 +101,8 @@ class Comparison {
     return goes && !said_.bare && said_.during.empty() && SaysOnly(said_, same_pace);
   }
 
-  /// "挥手挥十秒钟", "坐下，坐二十秒": the same action, named once more, says more of it: right after it whatever is
-  /// new, after a comma how long or how often.
+  /// "挥手挥十秒钟", "坐下，坐二十秒": the same action again adds to it: directly after it any new parameter, after a
+  /// comma only a duration or a count.
   bool IsRepeated() const {
     const bool again = !clause_.corrects && !clause_.holds && clause_.items.front().begin != last_.words.begin;
     const auto is_new = [&](const std::string& key) { return !last_.said.contains(key); };

@@ -5,8 +5,8 @@
 
 namespace gaitwright::words {
 
-/// What amounts mean to the action of a draft: a turn that is done twice is one of twice the angle, a walk that is done
-/// some times has so many steps, a length is a depth to a squat.
+/// Interprets amounts by the action of a draft: two turns are one turn of twice the angle, a count of a walk is its
+/// number of steps, a length is the depth of a squat.
 void SettleAmounts(Draft& draft);
 
 }  // namespace gaitwright::words

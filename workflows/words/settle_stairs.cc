@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Of climb.h: from walks up and down stairs to places.
+// Part of climb.h: converts walks up and down stairs to places.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 namespace gaitwright::words {
 namespace {
 
-/// The places along stairs, in the order in which they are come to: the ground before them, their steps up, a landing
-/// that is none of the steps, their steps down, the ground behind them. What has no name is left empty.
+/// The places along stairs, in order: the ground before them, the steps up, a landing that is not a step, the steps
+/// down, the ground behind them. A place without a name is empty.
 struct Stairs {
   std::vector<PlaceName> levels;
-  int top = 0;  ///< of `levels`
+  int top = 0;  ///< index of the highest place in `levels`
 
   int end() const { return static_cast<int>(levels.size()) - 1; }
-  /// Which level a place is; none where it is elsewhere.
+  /// Index of a place in `levels`; nothing if it is not on the stairs.
   std::optional<int> LevelOf(const PlaceName& place) const {
     if (IsStep(place.name)) return place.number == -1 ? top : place.number;
     const auto level = std::find(levels.begin(), levels.end(), place);
@@ -53,7 +53,7 @@ std::optional<Stairs> StairsOf(const std::vector<PlaceName>& places, bool chines
   return stairs;
 }
 
-/// Where the robot is on the stairs, task after task.
+/// Follows the robot's place on the stairs over the tasks.
 class StairsWalker {
  public:
   StairsWalker(const std::string& text, const std::optional<Stairs>& stairs) : text_(text), stairs_(stairs) {}
@@ -67,7 +67,7 @@ class StairsWalker {
       CheckWay(draft, std::get<PlaceName>(said->second));
     } else if (draft.stairs != 0) {
       if (!stairs_)
-        Refuse(FailureCode::kPlace, draft, "goes by stairs, and this ground has none",
+        Refuse(FailureCode::kPlace, draft, "needs stairs, but this ground has none",
                "--terrain stairs, or a file of a ground whose steps have names");
       SetPlace(draft, Target(draft));
     }
@@ -100,23 +100,23 @@ class StairsWalker {
 
   int HeightOf(int level) const { return std::min(level, 2 * stairs_->top - level); }
 
-  /// "go down to the second step": a place of the stairs that is said has to be down from there.
+  /// "go down to the second step": a given place on the stairs must be below the robot.
   void CheckWay(const Draft& draft, const PlaceName& place) const {
     const std::optional<int> there = stairs_ ? stairs_->LevelOf(place) : std::nullopt;
     if (!there || !at_ || *there == *at_) return;
     const bool up = HeightOf(*there) > HeightOf(*at_);
     if (draft.stairs == 1 && !up)
-      Refuse(FailureCode::kCannot, draft, "goes up, and that is no place above where it is then");
+      Refuse(FailureCode::kCannot, draft, "goes up, but the place is not above the robot's place at that time");
     if (draft.stairs == -1 && up)
-      Refuse(FailureCode::kCannot, draft, "goes down, and that is no place below where it is then");
+      Refuse(FailureCode::kCannot, draft, "goes down, but the place is not below the robot's place at that time");
   }
 
-  /// Which way along the levels: 1 or -1.
+  /// Direction along the levels: 1 or -1.
   int WayOf(const Draft& draft) const {
     const int at = *at_, top = stairs_->top;
     if (draft.stairs == 2) return 1;
     if (at != top) return (at < top) == (draft.stairs > 0) ? 1 : -1;
-    if (draft.stairs > 0) Refuse(FailureCode::kCannot, draft, "goes up, and it is at the top already");
+    if (draft.stairs > 0) Refuse(FailureCode::kCannot, draft, "goes up, but the robot is already at the top");
     if (stairs_->end() == top) return -1;
     const double ahead = std::cos(turned_deg_ * std::numbers::pi / 180.0);
     constexpr double kAhead = 0.3;
@@ -136,17 +136,18 @@ class StairsWalker {
              "a step by its number: 'to the second step'");
     const int at = *at_, end = stairs_->end(), top = stairs_->top;
     if (draft.stairs == -1 && (at == 0 || (at == end && end > top)))
-      Refuse(FailureCode::kCannot, draft, "goes down, and it stands on the ground, from where the stairs go up",
-             "to climb them first: 'climb the stairs, then go down'");
+      Refuse(FailureCode::kCannot, draft, "goes down, but the robot stands on the ground below the stairs",
+             "climb the stairs first: 'climb the stairs, then go down'");
     const int way = WayOf(draft), limit = draft.stairs == 1 ? top : way > 0 ? end : 0;
     const int there = std::abs(limit - at);
     const int by = whole ? there : std::get<int>(steps->second);
     if (by < 1 || by > there)
       Refuse(FailureCode::kRange, draft,
-             fmt::format("goes {} steps, and there are {} from where it is then", by, there));
+             fmt::format("goes {} steps, but there are {} steps from the robot's place at that time", by, there));
     const PlaceName place = stairs_->levels[static_cast<std::size_t>(at + way * by)];
     if (place.name.empty())
-      Refuse(FailureCode::kCannot, draft, "goes down to the ground before the stairs, which no place here is");
+      Refuse(FailureCode::kCannot, draft,
+             "goes down to the ground before the stairs, which has no name on this ground");
     return place;
   }
 

@@ -11,14 +11,14 @@ namespace {
 
 using M = Meaning;
 
-/// Whether a place is to follow: "to", "走到".
+/// Whether a place should follow: "to", "走到".
 bool LeadsTo(const std::vector<Item>& before) {
   const auto last =
       std::find_if_not(before.rbegin(), before.rend(), [](const Item& item) { return item.SaysNothing(); });
   return last != before.rend() && (last->Is(M::kTo) || (last->Is(M::kAction) && last->value == kToPlace));
 }
 
-/// Whether nothing is said yet of what is done next.
+/// Whether the next task has no words yet.
 bool Begins(const std::vector<Item>& before) {
   const auto last =
       std::find_if_not(before.rbegin(), before.rend(), [](const Item& item) { return item.SaysNothing(); });
@@ -29,7 +29,7 @@ bool Is(const std::vector<Piece>& pieces, std::size_t at, const std::string& tex
   return at < pieces.size() && pieces[at].text == text;
 }
 
-/// "级", "阶": what steps of stairs are counted by.
+/// "级", "阶": measure words for steps of stairs.
 bool IsMeasure(const std::vector<Piece>& pieces, std::size_t at) {
   return Is(pieces, at, "级") || Is(pieces, at, "阶") || Is(pieces, at, "节");
 }
@@ -64,7 +64,7 @@ Item StairsOfRise(double value) {
   return item;
 }
 
-/// Whether the item `at` is said of a verb that goes up or down.
+/// Whether the item `at` belongs to a verb that goes up or down.
 bool FollowsWay(const std::vector<Item>& items, std::size_t at) {
   const auto verb = std::find_if(items.rend() - static_cast<std::ptrdiff_t>(at), items.rend(), [](const Item& item) {
     return item.IsVerb() || item.name == "way" || item.Is(M::kBreak);
@@ -101,7 +101,7 @@ std::vector<std::pair<std::string, PlaceName>> StairsPlaces(const std::vector<Pl
         named.push_back({foot, {place.name, 0}});
     }
   }
-  // What a place of the ground is called itself comes first.
+  // Names of places of the ground have priority.
   std::erase_if(named, [&](const auto& one) {
     return std::any_of(places.begin(), places.end(), [&](const PlaceName& place) { return place.name == one.first; });
   });

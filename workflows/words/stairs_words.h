@@ -12,18 +12,18 @@
 
 namespace gaitwright::words {
 
-/// Whether a name is that of the steps of stairs.
+/// Whether a name means steps of stairs.
 bool IsStep(const std::string& name);
 
-/// What else the places of stairs are called: phrases, and the place of each.
+/// Other names of places on stairs: phrases, and the place of each.
 std::vector<std::pair<std::string, PlaceName>> StairsPlaces(const std::vector<PlaceName>& places);
 
-/// What says of stairs more than a phrase could: "上" before a number of steps, "the next step" that is gone to, steps
-/// where no place is called so. Also how many pieces say it; 0 for nothing.
+/// Words for stairs that phrases cannot express: "上" before a number of steps, "the next step" as a destination, steps
+/// on a ground without places of this name. Also the number of their pieces; 0 if there are none.
 std::pair<Item, std::size_t> StairsWordAt(const std::vector<Piece>& pieces, std::size_t at,
                                           const std::vector<Item>& before);
 
-/// "上两级台阶": how many steps, rather than which one, after a verb that goes up or down.
+/// "上两级台阶": after a verb that goes up or down, a number of steps and not the number of a step.
 void JoinStairs(std::vector<Item>& items);
 
 }  // namespace gaitwright::words

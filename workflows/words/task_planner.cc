@@ -27,7 +27,7 @@ std::vector<double> Shares(double size, std::initializer_list<double> shares) {
   return sizes;
 }
 
-/// Of a motion on feet that stay: they are, and what lies down is, on the surfaces that a motion before it ends on.
+/// Puts the contacts of a motion with fixed feet on the surfaces on which the previous motion ends.
 void StandOnSurfacesOf(const MotionPlan& before, MotionPlan& plan) {
   const auto stood = [&](int foot) { return FootholdAt(before.footsteps, foot, before.whole_body.end_s()); };
   for (Foothold& foothold : plan.footsteps.footholds) {
@@ -72,7 +72,7 @@ std::optional<Failure> TaskPlanner::Add(const Task& task) {
   return failure;
 }
 
-/// Finds the height of the ground that motions go on from: where all feet are on one level.
+/// Finds the height of the ground for the next motions; all feet must be at one level.
 std::optional<Failure> TaskPlanner::FindGround() {
   constexpr double kLevel = 2e-3;  // [m]
   if (!whole_ || !chain_.empty()) return std::nullopt;
@@ -112,17 +112,17 @@ Result<MotionPlan> TaskPlanner::Finish() {
   return std::move(*whole_);
 }
 
-/// Where the base is in plan view, from the start of everything.
+/// Pose of the base in plan view, relative to the start of the whole motion.
 PlanarPose TaskPlanner::Here() const { return whole_ ? BaseInPlan(whole_->whole_body.q.back()) : PlanarPose{}; }
 
-/// The same with the height of the ground there.
+/// Pose of the base, with the height of the ground there.
 Pose TaskPlanner::Start() const {
   Pose X = PoseOf(Here());
   X.translation().z() = ground_m_;
   return X;
 }
 
-/// @param next  as from standing on ground of height 0.
+/// @param next  a motion that starts from standing on ground of height 0.
 std::optional<Failure> TaskPlanner::Append(MotionPlan next) {
   if (ground_m_ != 0.0) next = CarriedPlan(Pose(Eigen::Translation3d(0.0, 0.0, ground_m_)), 0.0, std::move(next));
   if (!whole_) {
@@ -136,7 +136,7 @@ std::optional<Failure> TaskPlanner::Append(MotionPlan next) {
   return std::nullopt;
 }
 
-/// Plans the postures that wait for it, in one motion without seams, with what is done meanwhile.
+/// Plans the waiting postures as one continuous motion, with their simultaneous gestures.
 std::optional<Failure> TaskPlanner::Flush() {
   if (chain_.empty()) return std::nullopt;
   Result<MotionPlan> plan = PlanPosture(whole_model_, Chained(chain_), options_.motion);
@@ -169,7 +169,8 @@ std::optional<Failure> TaskPlanner::AddPosture(const PostureMotion& motion) {
   return AddPosture([&](double) { return Result<PostureMotion>(motion); }, {{0.0}, false, ""});
 }
 
-/// What is done while the last posture of the chain is, one gesture after the other; what takes longer is waited for.
+/// Adds the gestures at the same time as the last posture of the chain, in sequence; waits for gestures that take
+/// longer.
 std::optional<Failure> TaskPlanner::AddGestures(PostureKey from, double from_s) {
   for (const Task& gesture : task_->during) {
     const double step_s = options_.motion.pipeline.grid_step_s;
@@ -182,7 +183,8 @@ std::optional<Failure> TaskPlanner::AddGestures(PostureKey from, double from_s) 
     from.joints = stance_.key.joints = motion.keys.back().joints;
     from_s += motion.duration_s();
   }
-  if (stance_.key.joints != chain_.back().keys.back().joints) return Flush();  // what comes next begins with them
+  if (stance_.key.joints != chain_.back().keys.back().joints)
+    return Flush();  // the next motion starts with these joints
   return std::nullopt;
 }
 
@@ -196,7 +198,7 @@ Result<PostureMotion> TaskPlanner::GestureMotion(const Task& gesture, const Post
   if (gesture.Has("times")) return often(gesture.Count("times", 1));
   const Result<PostureMotion> once = often(1);
   if (!once) return once;
-  // As often as goes into the time, what raises and lowers the arm left out.
+  // As often as fits into the time, without the time to raise and lower the arm.
   constexpr double kMost = 1000.0;
   const double wished_s = gesture.Number("duration_s", duration_s);
   const double one_s = often(2)->duration_s() - once->duration_s();
@@ -215,7 +217,7 @@ std::optional<Failure> TaskPlanner::StandUp() {
     failure = AddPosture([&](double tip) -> Result<PostureMotion> { return GetUp(whole_model_, up, *lying_, tip); },
                          {Shares(natural, {1.0, 0.7, 0.4, 0.0}), false, ""});
   } else if (stance_.pose == Stance::Pose::kCrouching) {
-    constexpr double kDeep = 0.3;  // of the leg's length
+    constexpr double kDeep = 0.3;  // share of the leg length
     const auto rise = [&](double depth_m) -> Result<PostureMotion> {
       PostureKey low = up;
       low.shift.z() -= depth_m;
@@ -241,7 +243,7 @@ std::optional<Failure> TaskPlanner::Lie() {
 }
 
 std::optional<Failure> TaskPlanner::Sit(const Task& task) {
-  constexpr double kAngle = 0.5, kLower = 0.4;  // [rad], of the leg's length to the radian
+  constexpr double kAngle = 0.5, kLower = 0.4;  // [rad]; share of the leg length per radian
   const PostureKey from = stance_.key;
   const auto motion = [&](double angle) -> Result<PostureMotion> {
     return GoTo(model_, "sit", from, SittingKey(model_, angle, kLower * angle * model_.leg_length_m()));
@@ -252,7 +254,7 @@ std::optional<Failure> TaskPlanner::Sit(const Task& task) {
   return AddPosture(Hold(stance_.key, task.Number("duration_s", 0.0)));
 }
 
-/// What begins and ends standing.
+/// Plans a task that begins and ends standing.
 std::optional<Failure> TaskPlanner::Move(const Task& task) {
   const double leg = model_.leg_length_m(), hold_s = task.Number("duration_s", 0.0);
   const PostureKey from = stance_.key;
@@ -288,7 +290,7 @@ std::optional<Failure> TaskPlanner::BowDown(const Task& task, int times) {
   const PostureKey from = stance_.key;
   const bool asked = task.Has("angle_deg");
   const double angle = asked ? task.Number("angle_deg", 0.0) * kDegree : natural;
-  const Sizes lower{{0.0, 0.05, 0.1, 0.15}, false, ""};  // legs may have to bend for it
+  const Sizes lower{{0.0, 0.05, 0.1, 0.15}, false, ""};  // the legs may have to bend
   const auto by = [&](double bow_rad) -> MotionBySize {
     return [&, bow_rad](double lowered) -> Result<PostureMotion> {
       return Bow(model_, from, bow_rad, lowered * model_.leg_length_m(), times);
@@ -311,7 +313,7 @@ std::optional<Failure> TaskPlanner::BowDown(const Task& task, int times) {
   return failure;
 }
 
-/// The foot of a side.
+/// Index of the foot of a side.
 int TaskPlanner::FootOf(const std::string& side) const {
   const std::vector<Pose> feet = StandingFeet(model_);
   const bool first_is_left = feet[0].translation().y() > feet[1].translation().y();

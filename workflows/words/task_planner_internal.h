@@ -13,20 +13,21 @@
 
 namespace gaitwright::tasks {
 
-/// Puts one task after the other into one motion. Postures that follow each other are planned as one; walks are planned
-/// by themselves and joined.
+/// Plans tasks in sequence as one motion. Consecutive postures are planned as one motion; walks are planned separately
+/// and joined.
 class TaskPlanner {
  public:
-  /// @param whole_model  the same robot, which may lie on something if the tasks have it lie; the motion is one of it.
+  /// @param whole_model  the same robot, with support contacts for lying if the tasks need them; it is the robot of the
+  ///                     motion.
   TaskPlanner(const RobotModel& model, const RobotModel& whole_model, const Terrain& terrain,
               const TaskOptions& options);
 
-  /// Begins lying, or crouching where the robot cannot lie, instead of standing.
+  /// Begins in a lying posture, or crouching if the robot cannot lie, instead of standing.
   void BeginLow();
   std::optional<Failure> Add(const Task& task);
   Result<MotionPlan> Finish();
   const std::vector<std::string>& notes() const { return notes_; }
-  /// When each task that was added ends.
+  /// End of each added task [s].
   const std::vector<double>& ends_s() const { return ends_s_; }
 
  private:
@@ -59,13 +60,13 @@ class TaskPlanner {
   const RobotModel& whole_model_;
   const Terrain& terrain_;
   const TaskOptions& options_;
-  const Task* task_ = nullptr;  // what is done now; null for what nobody asked for
+  const Task* task_ = nullptr;  // present task; null for motions that are not requested
   Stance stance_;
   std::optional<Lying> lying_;
-  std::vector<PostureMotion> chain_;                        // postures that are not planned yet
-  std::vector<std::pair<PostureMotion, double>> gestures_;  // over them, with when they begin
+  std::vector<PostureMotion> chain_;                        // waiting postures, which are not planned yet
+  std::vector<std::pair<PostureMotion, double>> gestures_;  // gestures during these postures, with their start times
   std::optional<MotionPlan> whole_;
-  double ground_m_ = 0.0;  // height of the feet at its end over those at its start
+  double ground_m_ = 0.0;  // height of the feet at its end above those at its start
   std::vector<std::string> notes_;
   std::vector<double> ends_s_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Of a task planner: walks, turns, and ways to places.
+// Part of TaskPlanner: walks, turns, and walks to places.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -22,13 +22,13 @@
 namespace gaitwright::tasks {
 namespace {
 
-/// The plan of the robot without what it lies on as one of the robot with it.
+/// Converts a plan of the robot without support contacts of the body to one with them.
 void AddRest(const RobotModel& model, MotionPlan& plan) {
   SetRobot(model, plan);
   for (auto& wrenches : plan.whole_body.wrenches) wrenches.resize(model.feet.size());
 }
 
-/// The middle of what the feet cover in standing, from the base: soles lie ahead of ankles.
+/// Centre of the support area in standing, relative to the base; soles extend forward of the ankles.
 Vector2 MiddleOfFeet(const RobotModel& model) {
   const std::vector<Pose> feet = StandingFeet(model);
   Eigen::AlignedBox2d covered;
@@ -40,7 +40,7 @@ Vector2 MiddleOfFeet(const RobotModel& model) {
 
 }  // namespace
 
-/// The robot with its joints outside the legs elsewhere in standing.
+/// The robot with other standing positions of the joints outside the legs.
 RobotModel Posed(RobotModel model, const VectorX& joints) {
   const std::vector<bool> of_leg = DofsOfLegs(model);
   for (int d = 0; d < model.num_dofs(); ++d) {
@@ -60,7 +60,8 @@ std::optional<Failure> TaskPlanner::AddWalk(WalkRequest request, bool gestures) 
   if (gestures && task_ != nullptr && !task_->during.empty()) {
     Result<MotionPlan> with = WithGestures(walk, end);
     if (!with) {
-      // What the body leans against a raised arm takes joints of the legs farther, which a ZMP more inward gives back.
+      // The body leans against a raised arm, which moves leg joints closer to their limits; a ZMP farther inward
+      // compensates this.
       PipelineOptions& pipeline = request.motion.pipeline;
       pipeline.zmp_inward = std::min(2.0 * pipeline.zmp_inward, PipelineOptions::kMostInward);
       planned = PlanWalkOn(posed, *ground, request);
@@ -71,14 +72,14 @@ std::optional<Failure> TaskPlanner::AddWalk(WalkRequest request, bool gestures) 
     }
     walk = std::move(*with);
   }
-  // Postures before it end where the walk begins: they are planned with it in mind.
+  // Postures before the walk must end in its first state.
   if (auto failure = GoToStartOf(walk)) return failure;
   stance_.key.joints = end.joints;
   if (whole_model_.hash != model_.hash) AddRest(whole_model_, walk);
   return Append(std::move(walk));
 }
 
-/// A walk with what is done meanwhile, one gesture after the other; `key` goes on to what the body is like at its end.
+/// Adds the simultaneous gestures to a walk, in sequence; `key` gets the posture at its end.
 Result<MotionPlan> TaskPlanner::WithGestures(MotionPlan walk, PostureKey& key) const {
   double from_s = walk.whole_body.start_s;
   for (const Task& gesture : task_->during) {
@@ -101,7 +102,7 @@ Result<MotionPlan> TaskPlanner::WithGestures(MotionPlan walk, PostureKey& key) c
   return failure;
 }
 
-/// Walks carry the body at places of their own over the feet: goes there first.
+/// Moves the body to its position relative to the feet at the start of a walk.
 std::optional<Failure> TaskPlanner::GoToStartOf(const MotionPlan& walk) {
   constexpr double kSame = 1e-5;  // [m]
   PostureKey at = stance_.key;
@@ -129,7 +130,7 @@ std::optional<Failure> TaskPlanner::Walk(const Task& task, bool gestures) {
 }
 
 std::optional<Failure> TaskPlanner::Turn(const Task& task) {
-  constexpr double kMost = 120.0;  // [degree] in one go
+  constexpr double kMost = 120.0;  // [degree] largest angle of one turn
   const double angle = task.Number("angle_deg", 90.0);
   const int goes = static_cast<int>(std::ceil(angle / kMost - 1e-9));
   Task part = task;
@@ -140,7 +141,7 @@ std::optional<Failure> TaskPlanner::Turn(const Task& task) {
   return std::nullopt;
 }
 
-/// The way from where the robot stands to where its feet are about a place.
+/// The displacement that brings the centre of the robot's feet to a place.
 Vector2 TaskPlanner::WayTo(const PlaceName& place) const {
   const Vector2 centre_W = CentreOf(terrain_, place);
   return (PoseOf(Here()).inverse() * Vector3(centre_W.x(), centre_W.y(), 0.0)).head<2>() - MiddleOfFeet(model_);

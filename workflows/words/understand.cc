@@ -29,9 +29,9 @@ bool IsGesture(const std::string& action) {
   return rule != nullptr && rule->is_gesture;
 }
 
-constexpr int kMostTimes = 50;  // that a walk or a turn is done one after the other
+constexpr int kMostTimes = 50;  // largest number of repetitions of a walk or a turn
 
-/// Makes tasks of clauses.
+/// Builds tasks from clauses.
 class Assembler {
  public:
   Assembler(const std::string& text, const TaskScope& scope) : text_(text), scope_(scope), forbidden_(text) {}
@@ -42,7 +42,7 @@ class Assembler {
     if (clause.forbids) return Forbid(clause);
     const bool in_doubt = std::exchange(after_forbidden_, false) && !clause.follows_break && !clause.corrects;
     if (in_doubt)
-      throw Refused{{FailureCode::kAmbiguous, Text(clause.Words()), "may be forbidden or not", "",
+      throw Refused{{FailureCode::kAmbiguous, Text(clause.Words()), "is unclear: it may be forbidden or requested", "",
                      "a comma before the requested part, or only the requested part"}};
     if (clause.drops) Drop(clause);
     if (clause.drops && clause.is_not) return;
@@ -96,7 +96,8 @@ class Assembler {
     for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
     if (plan.tasks.empty()) throw Refused{{FailureCode::kEmpty, "", "contains no instruction", ""}};
     for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
-    if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
+    if (const auto failure = ReasonNotPlanned(plan, scope_))
+      throw Refused{{failure->code, text_, failure->message, ""}};
     return plan;
   }
 
@@ -108,7 +109,7 @@ class Assembler {
     after_forbidden_ = !forbidden_.Add(clause, drafts_);
   }
 
-  /// Takes away what is not to be done after all. @throws Refused for what nobody asked for.
+  /// Removes a cancelled task. @throws Refused if it was not requested.
   void Drop(const Clause& clause) {
     const bool any = clause.dropped.empty();
     const auto dropped = std::find_if(drafts_.rbegin(), drafts_.rend(),
@@ -120,7 +121,7 @@ class Assembler {
     }
   }
 
-  /// "举左手，啊不是右手": what comes after "oh, not" is what is meant where nobody has said it before.
+  /// "举左手，啊不是右手": the words after "oh, not" are the correct ones if they were not requested before.
   bool IsMeant(const Clause& clause) const {
     if (drafts_.empty() || !clause.exclaims) return false;
     const bool unknown = std::any_of(clause.items.begin(), clause.items.end(),
@@ -132,13 +133,13 @@ class Assembler {
            side->second != TaskValue(*said.side);
   }
 
-  /// "wait, make that three": to wait was no task.
+  /// "wait, make that three": the wait is not a task.
   void ForgetWaiting() {
     if (drafts_.size() < 2 || drafts_.back().action != "stand" || !drafts_.back().parameters.empty()) return;
     drafts_.pop_back();
   }
 
-  /// Takes away what is corrected.
+  /// Refuses tasks that cannot be done at the same time.
   [[noreturn]] void RefuseAtOnce(const Draft& said) const {
     throw Refused{{FailureCode::kCannot, Text(said.words), "cannot be done at the same time as the other task", ""}};
   }
@@ -151,7 +152,7 @@ class Assembler {
     drafts_.push_back(last);
   }
 
-  /// An action that a clause does not name: walking by steps, and what goes on with the one before.
+  /// Finds the action of a clause that does not name one: walking for steps, or the previous action.
   void GiveAction(const Clause& clause, bool corrects, Draft& said) {
     if (!said.action.empty()) return;
     if (clause.holds && said.parameters.contains("duration_s") && !drafts_.empty()) return;
@@ -195,14 +196,14 @@ class Assembler {
     Draft& last = drafts_.back();
     if (!corrects && RepeatsWay(said)) return;
     if (clause.holds && !Takes(last.action, "duration_s") && said.parameters.contains("duration_s")) {
-      Draft stay;  // with the arm up, or wherever it is
+      Draft stay;  // with the arm in its present posture
       stay.action = "stand";
       stay.words = said.words;
       Merge(text_, said, false, stay);
       drafts_.push_back(stay);
       return;
     }
-    // "turn left, right": one more.
+    // "turn left, right": a second turn.
     const auto side = last.parameters.find("side");
     const bool same_side = said.side && side != last.parameters.end() && side->second == TaskValue(*said.side);
     if (same_side && said.parameters.empty() && !said.bare) return;
@@ -224,7 +225,7 @@ class Assembler {
     Merge(text_, taken, corrects, last);
   }
 
-  /// "turn left, twice": walks and turns are done so often one after the other.
+  /// "turn left, twice": repeats walks and turns.
   bool RepeatsWay(const Draft& said) {
     const bool way = drafts_.back().action == "walk" || drafts_.back().action == "turn";
     const bool often = said.parameters.size() == 1 && said.parameters.contains("times") && !said.bare && !said.side;
@@ -234,7 +235,7 @@ class Assembler {
     return true;
   }
 
-  /// What is not said and is taken as read.
+  /// Sets implied parameters.
   void Complete(Draft& said) {
     const auto otherwise = [&](const char* key, const char* value) {
       if (said.parameters.contains(key)) return;
@@ -257,7 +258,7 @@ class Assembler {
     }
   }
 
-  /// Puts a task in its place: after the others, or beside one.
+  /// Puts a task after the others, or at the same time as one of them.
   void Place(const Clause& clause, bool corrects, Draft said) {
     const bool gesture = IsGesture(said.action);
     if (waiting_) {
@@ -284,7 +285,7 @@ class Assembler {
     }
     const bool alone = clause.is_meanwhile || clause.is_after || clause.is_before || clause.follows_then;
     if (said.holding && gesture && !alone && !corrects) {
-      held_.push_back(std::move(said));  // "举着左手往后退": done while the next is
+      held_.push_back(std::move(said));  // "举着左手往后退": done at the same time as the next task
       return;
     }
     if (!held_.empty() && !gesture && !clause.follows_then) {
@@ -364,10 +365,10 @@ class Assembler {
   const std::string& text_;
   const TaskScope& scope_;
   std::vector<Draft> drafts_;
-  std::optional<Draft> waiting_;  // for the clause that it is joined with
-  std::size_t waiting_from_ = 0;  // where that begins, its "while" too
-  std::vector<Draft> held_;       // gestures that are made while the next is done
-  std::optional<Draft> manner_;   // said before what is done so
+  std::optional<Draft> waiting_;  // waits for the clause to which it is joined
+  std::size_t waiting_from_ = 0;  // start of that, including its "while"
+  std::vector<Draft> held_;       // gestures at the same time as the next task
+  std::optional<Draft> manner_;   // a manner that was given before its action
   Forbidden forbidden_;
   bool before_ = false, after_not_ = false, after_forbidden_ = false;
 };
@@ -379,7 +380,7 @@ std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskSc
   if (text.size() > kLongest) return Refusal{FailureCode::kRange, Shortened(text), "is over 2000 bytes long", ""};
   if (!IsPlainText(text)) return Refusal{FailureCode::kUnknown, "", "is not plain text", ""};
   if (text.find_first_of("{}") != std::string::npos)
-    return Refusal{FailureCode::kUnknown, Trimmed(text), "is no instruction", ""};
+    return Refusal{FailureCode::kUnknown, Trimmed(text), "is not an instruction", ""};
   try {
     Assembler assembler(text, scope);
     const std::vector<Item> items = WithoutAsides(ItemsOf(text, LanguageOf(text), scope.places));

@@ -9,13 +9,13 @@
 
 namespace gaitwright::words {
 
-/// What an instruction asks for, by the built-in grammar of English and Chinese: words by longest phrases (lexicon.h),
-/// one task for each clause, as docs/words.md tells. Every word has to be understood, or to be one that says nothing.
-/// @param scope  what the robot can do and which places there are.
-/// @return a plan whose tasks all are within WhyNotPlanned, or the first part that is not accepted, and why.
+/// Translates an instruction with the built-in grammar of English and Chinese: words by longest phrases (lexicon.h),
+/// one task for each clause, see docs/words.md. Every word must be understood or be known to have no meaning.
+/// @param scope  the abilities of the robot and the known places.
+/// @return a plan whose tasks all pass ReasonNotPlanned, or the first part that is not accepted, with the reason.
 std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskScope& scope);
 
-/// The same as a Result: failures kBadInput with the refusal's reason as code.
+/// As Understand, as a Result: failures kBadInput with the code of the refusal.
 Result<TaskPlan> UnderstandWords(const std::string& text, const TaskScope& scope);
 
 }  // namespace gaitwright::words

@@ -13,9 +13,9 @@ namespace {
 using Extent = WalkCommand::Extent;
 
 constexpr double kFarByDefault = 3.0;  // leg lengths
-constexpr double kSideways = 0.4;      // of the speed ahead
+constexpr double kSideways = 0.4;      // share of the forward speed
 constexpr double kSlow = 0.5, kFast = 1.5;
-constexpr double kLowBody = 0.88;  // of the height of the centre of mass in standing
+constexpr double kLowBody = 0.88;  // share of the standing height of the centre of mass
 
 double SpeedOf(const RobotModel& model, const Task& task) {
   const double own = model.nominal_speed_m_s;
@@ -26,7 +26,7 @@ double SpeedOf(const RobotModel& model, const Task& task) {
   return speed;
 }
 
-/// A walk of a distance along a direction of the body.
+/// Sets a walk of a distance in a direction of the body.
 void SetDistance(const std::string& direction, double distance_m, double speed_m_s, WalkCommand& c) {
   if (direction == "backward") {
     c.extent = Extent::kGoal;
@@ -41,7 +41,7 @@ void SetDistance(const std::string& direction, double distance_m, double speed_m
   if (direction == "right") c.lateral_speed_m_s = -speed_m_s;
 }
 
-/// Counted footfalls; of a robot with more than two legs each step is one of all its legs.
+/// Sets a number of footfalls; with more than two legs, each step is a footfall of every leg.
 void SetSteps(const RobotModel& model, const Task& task, double speed_m_s, WalkCommand& c) {
   const int feet = static_cast<int>(model.feet.size()), steps = task.Count("steps", 1);
   c.extent = Extent::kSteps;
@@ -51,7 +51,7 @@ void SetSteps(const RobotModel& model, const Task& task, double speed_m_s, WalkC
   if (direction == "forward" && !task.Has("step_length_m")) c.speed_m_s = speed_m_s;
   if (direction == "left") c.lateral_speed_m_s = speed_m_s;
   if (direction == "right") c.lateral_speed_m_s = -speed_m_s;
-  constexpr double kStep = 0.2;  // leg lengths, of a step back
+  constexpr double kStep = 0.2;  // leg lengths, for a step backward
   if (direction == "forward" && task.Has("step_length_m")) c.step_length_m = share * task.Number("step_length_m", 0.0);
   if (direction == "backward") c.step_length_m = -share * task.Number("step_length_m", kStep * model.leg_length_m());
 }

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// node build.mjs OUT.cc: bundles src/main.ts and what it needs into one script and one style sheet, and writes them as
-// the texts that playback/viewer/viewer_bundle_internal.h declares.
+// node build.mjs OUT.cc: bundles src/main.ts and its dependencies into one script and one style sheet, and writes them
+// as the texts that playback/viewer/viewer_bundle_internal.h declares.
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
 const kPieceLength = 15000;
 
-/** A C++ literal of any text, in pieces that every compiler takes. */
+/** A C++ literal of any text, split into pieces that every compiler accepts. */
 function literal(text) {
   const pieces = [];
   for (let at = 0; at < text.length; at += kPieceLength) pieces.push(`R"gw(${text.slice(at, at + kPieceLength)})gw"`);
   return pieces.join("\n");
 }
 
-/** The licences of all packages that have a part in the bundle, as a comment. @throws for one that brings none. */
+/** The licences of all packages in the bundle, as a comment. @throws for a package without a licence file. */
 function notices(inputs) {
   const folders = Object.keys(inputs).map((file) => /^(.*\bnode_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
   return [...new Set(folders)].filter(Boolean).sort().map((folder) => {
     const licence = readdirSync(folder).find((name) => /^(licen[cs]e|copying)/i.test(name));
-    if (!licence) throw new Error(`${folder} has no file with its licence`);
+    if (!licence) throw new Error(`${folder} has no licence file`);
     const { name, version } = JSON.parse(readFileSync(`${folder}/package.json`, "utf8"));
     return `/*!\n${name} ${version}\n\n${readFileSync(`${folder}/${licence}`, "utf8").replaceAll("*/", "* /").trim()}\n*/\n`;
   }).join("");
@@ -41,8 +41,8 @@ const textOf = (ending) => result.outputFiles.find((file) => file.path.endsWith(
 const script = notices(result.metafile.inputs) + textOf(".js");
 const style = textOf(".css");
 for (const text of [script, style]) {
-  // A page holds both in sections of characters, within elements.
-  if (/\]\]>|<\/(script|style)|\)gw"/i.test(text)) throw new Error("the bundle has what would end its place in a page");
+  // A page contains both in CDATA sections within elements.
+  if (/\]\]>|<\/(script|style)|\)gw"/i.test(text)) throw new Error("the bundle contains text that would end its element in a page");
 }
 writeFileSync(
   process.argv[2],

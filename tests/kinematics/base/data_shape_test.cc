@@ -43,8 +43,7 @@ TEST(DataShape, GivesItsReaderKeysAndRanges) {
   EXPECT_EQ(WhyRefused("{name: a}", "spokes"), "line 1: a wheel lacks the key 'spokes'");
   EXPECT_EQ(WhyRefused("{name: a, spokes: 2}", "spokes"), "line 1: 'spokes' is 2; accepted: 3 to 40");
   EXPECT_EQ(WhyRefused("{name: a, spokes: 4.5}", "spokes"), "line 1: 'spokes' is 4.5; a whole number is needed");
-  EXPECT_EQ(WhyRefused("{name: a, spokes: 8, radius_m: 0}", "radius_m"),
-            "line 1: 'radius_m' is 0; it must be over zero");
+  EXPECT_EQ(WhyRefused("{name: a, spokes: 8, radius_m: 0}", "radius_m"), "line 1: 'radius_m' is 0; it must be above 0");
   EXPECT_EQ(WhyRefused("{name: a, spokes: 8, radius_m: 3}", "radius_m"),
             "line 1: 'radius_m' is 3; at most 2 is accepted");
   EXPECT_THROW(Wheel().At("spoke"), InvalidArgument) << "the reader asks for what the shape does not have";

@@ -84,7 +84,7 @@ TEST_F(Files, OneThatCannotBeWrittenLeavesAllAsItWas) {
 }
 
 TEST_F(Files, TheSystemsReasonIsSaidOfOneThatCannotBeMade) {
-  const auto written = WriteFileAtomically("/proc/none", "text");  // where nobody can make files
+  const auto written = WriteFileAtomically("/proc/none", "text");  // where files cannot be created
   ASSERT_FALSE(written);
   const std::string begin = "cannot write '/proc/none': ";
   EXPECT_TRUE(written.failure().message.starts_with(begin)) << written.failure().message;
@@ -98,8 +98,8 @@ TEST_F(Files, OneNamedTwiceIsRefused) {
   EXPECT_TRUE(Found().empty());
 }
 
-/// A file cannot take its name although its temporary could be written, since another made a folder of that name: those
-/// renamed before it go back.
+/// The temporary file can be written, but not renamed, because there is a folder of that name. The files that were
+/// renamed before are restored.
 TEST_F(Files, AFailureWhileRenamingIsUndone) {
   ASSERT_TRUE(WriteFileAtomically(In("former"), "old"));
   const auto written = WriteFilesTogether({{In("new"), "1"}, {In("former"), "2"}, {In("x"), "3"}, {In("x/y"), "4"}});
@@ -113,12 +113,13 @@ TEST_F(Files, OnlyTextIsRead) {
   const Result<std::string> latin = ReadFile(In("latin"));
   ASSERT_FALSE(latin);
   EXPECT_EQ(latin.failure().code, FailureCode::kNotText);
-  EXPECT_NE(latin.failure().message.find("line 2 is not text in UTF-8: there is a byte 0xe9"), std::string::npos);
+  EXPECT_NE(latin.failure().message.find("line 2 is not UTF-8 text: it contains an invalid byte 0xe9"),
+            std::string::npos);
   ASSERT_TRUE(WriteFileAtomically(In("marked"), "\xef\xbb\xbfname: caf\xc3\xa9\n"));
   EXPECT_EQ(*ReadFile(In("marked")), "name: caf\xc3\xa9\n");
 }
 
-/// A program that is asked to end while it writes leaves whole files and nothing else.
+/// A program that receives a signal to end while it writes leaves complete files and no temporary ones.
 TEST_F(Files, AnEndWhileWritingWaitsForWholeFiles) {
   const std::string text(8'000'000, 'x');
   const pid_t writer = fork();
@@ -166,7 +167,7 @@ TEST_F(Files, AByteOfNothingIsNoText) {
   ASSERT_TRUE(WriteFileAtomically(In("nul"), std::string("a: 1\nb\0c", 8)));
   const Result<std::string> nul = ReadFile(In("nul"));
   ASSERT_FALSE(nul);
-  EXPECT_NE(nul.failure().message.find("line 2 is not text: there is a byte 0x00"), std::string::npos);
+  EXPECT_NE(nul.failure().message.find("line 2 is not text: it contains a byte 0x00"), std::string::npos);
   EXPECT_EQ(ReadBytes(In("nul"))->size(), 8U);
 }
 

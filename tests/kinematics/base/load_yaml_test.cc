@@ -7,7 +7,7 @@
 namespace gaitwright {
 namespace {
 
-std::string WhyNot(const std::string& text) {
+std::string ReasonRefused(const std::string& text) {
   try {
     LoadYaml(text);
   } catch (const InvalidArgument& error) {
@@ -16,8 +16,8 @@ std::string WhyNot(const std::string& text) {
   return "";
 }
 
-void ExpectWhyNot(const std::string& text, const std::string& part) {
-  EXPECT_NE(WhyNot(text).find(part), std::string::npos) << WhyNot(text);
+void ExpectReason(const std::string& text, const std::string& part) {
+  EXPECT_NE(ReasonRefused(text).find(part), std::string::npos) << ReasonRefused(text);
 }
 
 TEST(LoadYaml, TakesWhatIsWithinTheBounds) {
@@ -34,17 +34,17 @@ TEST(LoadYaml, AliasesThatRepeatOneAnotherWithoutEndAreRefused) {
     for (int i = 0; i < 9; ++i) bomb += ", " + before;
     bomb += "]\n";
   }
-  ExpectWhyNot(bomb, "line 6: more than 1000000 values");
-  ExpectWhyNot("a: &x [*x]\n", "line 1: an alias refers to a node that contains it");
+  ExpectReason(bomb, "line 6: more than 1000000 values");
+  ExpectReason("a: &x [*x]\n", "line 1: an alias refers to a node that contains it");
 }
 
 TEST(LoadYaml, DepthLengthAndDocumentsAreBounded) {
-  ExpectWhyNot(std::string(33, '[') + std::string(33, ']'), "lists and maps are nested more than 32 levels deep");
-  EXPECT_EQ(WhyNot(std::string(32, '[') + std::string(32, ']')), "");
-  ExpectWhyNot("a: " + std::string(70000, 'x'), "a text has 70000 bytes; at most 65536");
-  ExpectWhyNot("a: 1\n---\nb: 2\n", "a second YAML document begins; exactly one is accepted");
-  ExpectWhyNot("a: \"\\0\"", "0x00");
-  ExpectWhyNot(std::string((16U << 20U) + 1U, ' '), "at most 16777216 are read");
+  ExpectReason(std::string(33, '[') + std::string(33, ']'), "lists and maps are nested more than 32 levels deep");
+  EXPECT_EQ(ReasonRefused(std::string(32, '[') + std::string(32, ']')), "");
+  ExpectReason("a: " + std::string(70000, 'x'), "a text has 70000 bytes; at most 65536");
+  ExpectReason("a: 1\n---\nb: 2\n", "a second YAML document begins; exactly one is accepted");
+  ExpectReason("a: \"\\0\"", "0x00");
+  ExpectReason(std::string((16U << 20U) + 1U, ' '), "at most 16777216 are read");
 }
 
 TEST(LoadYaml, BoundsMayBeOthers) {

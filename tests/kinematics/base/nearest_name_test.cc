@@ -6,7 +6,8 @@
 namespace gaitwright {
 namespace {
 
-/// The distance of two words goes with the product of their lengths: of a million letters each it would take hours.
+/// The time for the distance of two words is proportional to the product of their lengths: with a million letters each,
+/// it would take hours.
 TEST(NearestName, OfWordsOfAnyLengthIsFoundAtOnce) {
   const std::string long_word(1000000, 'a');
   EXPECT_EQ(NearestName(long_word, {"b", long_word + "c", "d"}), long_word + "c");
@@ -44,8 +45,8 @@ TEST(NearestHint, GoesOnWithASentenceOrNotAtAll) {
 
 TEST(NearestHint, WhereNoneIsNearAllAreNamedOrWhatNamesThem) {
   EXPECT_EQ(NearestOrAll("sped", {"speed", "jerk"}, "see the list"), "; the nearest is 'speed'");
-  EXPECT_EQ(NearestOrAll("xyz", {"speed", "jerk"}, "see the list"), "; there are 'speed', 'jerk'");
-  EXPECT_EQ(NearestOrAll("xyz", {"speed"}), "; there is 'speed'");
+  EXPECT_EQ(NearestOrAll("xyz", {"speed", "jerk"}, "see the list"), "; accepted: 'speed', 'jerk'");
+  EXPECT_EQ(NearestOrAll("xyz", {"speed"}), "; accepted: 'speed'");
   EXPECT_EQ(NearestOrAll("xyz", {}), "");
   const std::vector<std::string> many(17, "speed");
   EXPECT_EQ(NearestOrAll("xyz", many, "see the list"), "; see the list");

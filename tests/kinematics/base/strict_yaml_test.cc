@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The message with which a call is refused, or "".
+/// The message of a refused call, or "".
 template <class Call>
 std::string YamlRefusal(const Call& call) {
   try {
@@ -105,7 +105,7 @@ TEST(YamlMap, APositiveNumberIsOverZero) {
   const YAML::Node node = LoadYaml("{a: 0.5, b: 0, c: -1}");
   const YamlMap map(node, "it");
   EXPECT_EQ(map.Positive("a"), 0.5);
-  EXPECT_EQ(YamlRefusal([&] { map.Positive("b"); }), "line 1: 'b' is 0; it must be over zero");
+  EXPECT_EQ(YamlRefusal([&] { map.Positive("b"); }), "line 1: 'b' is 0; it must be above 0");
   EXPECT_NE(YamlRefusal([&] { map.Positive("c"); }), "");
 }
 

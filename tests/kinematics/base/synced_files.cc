@@ -15,7 +15,7 @@ std::mutex mutex;
 std::vector<std::string> synced;
 }  // namespace
 
-// In place of the one of the C library, which a program may do.
+// Replaces the function of the C library.
 extern "C" int fsync(int file) {
   std::error_code ignored;
   const auto path = std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file), ignored);

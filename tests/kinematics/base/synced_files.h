@@ -6,7 +6,7 @@
 
 namespace gaitwright {
 
-/// The paths of files and folders that this program had put on the disk by fsync since the last call, in order.
+/// The paths of files and folders for which this program called fsync since the last call, in order.
 std::vector<std::string> TakeSyncedFiles();
 
 }  // namespace gaitwright

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whom permissions bind: the user of the tests, or nobody in the place of root, whom they do not.
+/// Runs as a user to whom permissions apply: the user of the tests or, if that is root, the user nobody.
 class AsAUser {
  public:
   AsAUser() { Become(kNobody); }
@@ -60,33 +60,33 @@ class Writable : public testing::Test {
 TEST_F(Writable, NothingSpeaksAgainstNewFilesInFoldersThatMayHaveToBeMade) {
   const std::size_t before = Count();
   for (const char* file : {"file", "new", "a/b/new", "open/free", "open/new"})
-    EXPECT_EQ(WhyNotWritable(InScratch(file)), "");
-  EXPECT_EQ(WhyNotWritable("new"), "") << "in the present folder";
+    EXPECT_EQ(ReasonNotWritable(InScratch(file)), "");
+  EXPECT_EQ(ReasonNotWritable("new"), "") << "in the present folder";
   EXPECT_EQ(WhyNoNewFiles(InScratch("a/b")), "");
   EXPECT_EQ(WhyNoNewFiles(""), "");
   EXPECT_EQ(Count(), before) << "nothing is made";
 }
 
 TEST_F(Writable, WhatIsNoFileOrLiesInNoFolderIsToldApart) {
-  EXPECT_EQ(WhyNotWritable(InScratch("open")), "it is a folder; give a file");
-  EXPECT_EQ(WhyNotWritable(InScratch("new/")), "it is the name of a folder; give a file");
-  EXPECT_EQ(WhyNotWritable(""), "it is the name of a folder; give a file");
-  EXPECT_EQ(WhyNotWritable("/dev/null"), "it exists and is not a regular file");
+  EXPECT_EQ(ReasonNotWritable(InScratch("open")), "it is a folder; give a file");
+  EXPECT_EQ(ReasonNotWritable(InScratch("new/")), "it is the name of a folder; give a file");
+  EXPECT_EQ(ReasonNotWritable(""), "it is the name of a folder; give a file");
+  EXPECT_EQ(ReasonNotWritable("/dev/null"), "it exists and is not a regular file");
   const std::string no_folder = "'" + InScratch("file") + "' is a file, not a folder; give a folder";
-  for (const char* file : {"file/new", "file/a/new"}) EXPECT_EQ(WhyNotWritable(InScratch(file)), no_folder);
+  for (const char* file : {"file/new", "file/a/new"}) EXPECT_EQ(ReasonNotWritable(InScratch(file)), no_folder);
   EXPECT_EQ(WhyNoNewFiles(InScratch("file")), no_folder);
-  EXPECT_NE(WhyNotWritable(InScratch(std::string(300, 'x'))), "") << "no file has so long a name";
+  EXPECT_NE(ReasonNotWritable(InScratch(std::string(300, 'x'))), "") << "no file has so long a name";
 }
 
 TEST_F(Writable, PermissionsAreThoseOfTheUser) {
   const AsAUser user;
-  EXPECT_EQ(WhyNotWritable(InScratch("open/new")), "") << "else the rest proves nothing";
-  EXPECT_EQ(WhyNotWritable(InScratch("open/free")), "");
-  EXPECT_EQ(WhyNotWritable(InScratch("open/locked")), "Permission denied");
+  EXPECT_EQ(ReasonNotWritable(InScratch("open/new")), "") << "else the rest proves nothing";
+  EXPECT_EQ(ReasonNotWritable(InScratch("open/free")), "");
+  EXPECT_EQ(ReasonNotWritable(InScratch("open/locked")), "Permission denied");
   const std::string shut = "Permission denied, in the folder '" + InScratch("shut") + "'";
-  for (const char* file : {"shut/new", "shut/a/b/new"}) EXPECT_EQ(WhyNotWritable(InScratch(file)), shut);
+  for (const char* file : {"shut/new", "shut/a/b/new"}) EXPECT_EQ(ReasonNotWritable(InScratch(file)), shut);
   EXPECT_EQ(WhyNoNewFiles(InScratch("shut/plots")), shut);
-  EXPECT_EQ(WhyNotWritable(InScratch("shut/file")), ::getuid() == 0 ? "Permission denied" : shut)
+  EXPECT_EQ(ReasonNotWritable(InScratch("shut/file")), ::getuid() == 0 ? "Permission denied" : shut)
       << "a file of its own in a folder that takes no temporary beside it";
 }
 

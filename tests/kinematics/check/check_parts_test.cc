@@ -32,7 +32,7 @@ bool Contains(const std::vector<FailureCode>& codes, FailureCode code) {
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
-/// Body 0, a box of 0.4 x 0.2 x 0.1 m and 1 kg, with a radius of gyration.
+/// A robot whose body 0, a box of 0.4 x 0.2 x 0.1 m and 1 kg, has this radius of gyration.
 RobotModel WithGyration(double radius_m) {
   RobotModel model = SoundFour();
   model.bodies[0].I_C = 2.0 / 3.0 * model.bodies[0].mass * radius_m * radius_m * Matrix3::Identity();

@@ -53,9 +53,9 @@ TEST(CheckSides, AnUnknownLimitIsCalledSo) {
   };
   EXPECT_EQ(with("30", "30"), "");
   EXPECT_EQ(with("1e6", "1e9"), "") << "both stand for an unknown limit";
-  EXPECT_EQ(with("1e6", "30"), "its effort limit is unknown (no limit) and that of its mirror 'B_knee' 30 N m");
-  EXPECT_EQ(with("30", "1e6"), "its effort limit is 30 N m and that of its mirror 'B_knee' unknown (no limit)");
-  EXPECT_EQ(with("20", "30"), "its effort limit is 20 N m and that of its mirror 'B_knee' 30 N m");
+  EXPECT_EQ(with("1e6", "30"), "its effort limit is unknown (no limit), but that of its mirror 'B_knee' is 30 N m");
+  EXPECT_EQ(with("30", "1e6"), "its effort limit is 30 N m, but that of its mirror 'B_knee' is unknown (no limit)");
+  EXPECT_EQ(with("20", "30"), "its effort limit is 20 N m, but that of its mirror 'B_knee' is 30 N m");
 }
 
 TEST(CheckSides, ARangeWithoutLimitsIsCalledSo) {

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// The parts of which two descriptions tell different things.
+/// The parts that differ between two descriptions.
 std::set<std::string> DifferentParts(const std::string& a, const std::string& b) {
   std::set<std::string> parts;
   for (const Finding& finding : CompareRobots(LoadRobotFromText(a, "").value(), LoadRobotFromText(b, "").value())) {
@@ -21,7 +21,7 @@ std::set<std::string> DifferentParts(const std::string& a, const std::string& b)
   return parts;
 }
 
-/// The text with its first `from` behind `after` replaced.
+/// The text with its first `from` after `after` replaced.
 std::string FirstReplaced(std::string text, const std::string& after, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from, text.find(after));
   EXPECT_NE(at, std::string::npos);
@@ -72,7 +72,7 @@ TEST(CompareRobots, JointsOfOneAloneAreNamed) {
   EXPECT_TRUE(DifferentParts(fixed, FourLegs()).contains("joint 'D_knee'"));
 }
 
-/// Joints of an ankle cross in one point, so that without its shapes nothing tells its size.
+/// The joint axes of an ankle cross at one point, so its size is unknown without its shapes.
 TEST(CheckRobot, APartThatOnlyCrossingJointsTellOfIsNotCalledTooHeavy) {
   std::string urdf = FourLegs();
   for (const std::string leg : {"A", "B", "C", "D"}) {

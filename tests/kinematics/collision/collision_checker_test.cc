@@ -10,8 +10,8 @@
 namespace gaitwright {
 namespace {
 
-/// A chain of balls of 0.1 m: base, then links along x with hinges about z, each so far from the one before. Links
-/// without a ball are named in `bare`.
+/// A chain of balls of 0.1 m: the base, then links along x with hinges about z.
+/// @param distances  of each hinge from the previous one [m]. @param bare  links without a ball.
 RobotModel ChainOfBalls(const std::vector<double>& distances, const std::vector<int>& bare = {}) {
   RobotModel model;
   model.name = "chain";
@@ -47,7 +47,7 @@ TEST(CollisionChecker, NeighboursAreLeftOutAndOthersAreChecked) {
   EXPECT_EQ(checker.num_pairs(), 3) << "0-2, 0-3, 1-3";
   ASSERT_EQ(checker.left_out().size(), 3U);
   for (const LeftOutPair& pair : checker.left_out()) EXPECT_TRUE(pair.adjacent);
-  EXPECT_EQ(checker.left_out()[0], (LeftOutPair{"l0", "l1", true, "adjacent: joint 'j1' joins them"}));
+  EXPECT_EQ(checker.left_out()[0], (LeftOutPair{"l0", "l1", true, "adjacent: joint 'j1' connects them"}));
 }
 
 TEST(CollisionChecker, LinksWithoutShapesAndJointsInOnePointJoinTheirNeighbours) {

@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// A grid of 5 by 4 nodes, 0.5 m apart from (-1, -0.75), whose heights a function of the place gives.
+/// A grid of 5 by 4 nodes, 0.5 m apart, starting at (-1, -0.75). A function of the position gives its heights.
 template <class Height>
 GridSolid GridOf(const Height& height) {
   GridSolid grid;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Overlaps along a motion: known depths, and the same answer as a checker that has seen nothing before.
+// Overlaps along a motion: known depths, and the same results as a new checker.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// Two bodies on slides over a base: one shape each.
+/// Two bodies on prismatic joints above a base, with one shape each.
 RobotModel TwoOnSlides(ShapeType type, const Vector3& size) {
   RobotModel model;
   model.bodies = {{"base", 1.0, Vector3::Zero(), Matrix3::Identity()},
@@ -161,11 +161,11 @@ TEST(LeftOutPairs, AreNamedOnceWithTheirReason) {
   const CollisionChecker checker(a1);
   const LeftOutPair* knee = PairOf(checker, "FL_thigh", "FL_calf");
   ASSERT_NE(knee, nullptr);
-  EXPECT_EQ(knee->reason, "adjacent: joint 'FL_calf_joint' joins them");
+  EXPECT_EQ(knee->reason, "adjacent: joint 'FL_calf_joint' connects them");
   EXPECT_EQ(PairOf(checker, "FL_calf", "FR_calf"), nullptr) << "these are checked";
 }
 
-/// Two balls on slides along x that carry each other only over the base: whether they always touch depends on ranges.
+/// Two balls on prismatic joints along x, each on the base. The ranges of the joints decide whether they always touch.
 TEST(LeftOutPairs, AlwaysTouchingIsToldFromTouchingInTheStandingPosture) {
   for (const bool always : {true, false}) {
     RobotModel model = TwoOnSlides(ShapeType::kSphere, {0.1, 0.0, 0.0});

@@ -35,7 +35,7 @@ TEST(ShapeExtent, SupportPointsAreKnown) {
   EXPECT_EQ(SupportPoint(mesh, slanted), mesh.vertices[1]);
 }
 
-/// No point of a shape lies farther along a direction than its support point, nor from its middle than its radius.
+/// No point of a shape is farther along a direction than its support point, or farther from its middle than its radius.
 TEST(ShapeExtent, NothingLiesBeyond) {
   for (const ShapeType type : {ShapeType::kBox, ShapeType::kSphere, ShapeType::kCylinder, ShapeType::kCapsule}) {
     const Shape shape = ShapeOf(type, {0.3, 0.7, 0.2});
@@ -51,7 +51,7 @@ TEST(ShapeExtent, NothingLiesBeyond) {
   }
 }
 
-/// A foot at the end of a shank: the shank is a part of it only where it reaches as low.
+/// A foot at the end of a shank. The shank belongs to the foot only if it reaches as low.
 TEST(ShapeExtent, AShankIsOfItsFootOnlyWhereItReachesAsLow) {
   const std::string feet = "feet: [{link: A_foot}, {link: B_foot}, {link: C_foot}, {link: D_foot}]";
   for (const bool low : {false, true}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances against closed forms and against a second road by triangles; the same answers whatever was asked before.
+// Distances compared with closed forms and with an independent computation by triangles. Results do not depend on
+// earlier queries.
 #include "kinematics/collision/shape_scene.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSolver = 3e-5;  // [m] what distances may be off by
+constexpr double kSolver = 3e-5;  // [m] largest error of distances
 
 Shape Of(ShapeType type, const Vector3& size, const Vector3& p_WS = Vector3::Zero(), const std::string& name = "") {
   Shape shape;
@@ -34,7 +35,7 @@ Pose At(const Vector3& p_WS) {
   return X_WS;
 }
 
-/// How far a point is from a box about the origin, for points outside.
+/// Distance of a point outside a box about the origin.
 double ToBox(const Vector3& size, const Vector3& p) { return (p.cwiseAbs() - 0.5 * size).cwiseMax(0.0).norm(); }
 
 class Points {

@@ -7,13 +7,13 @@
 namespace gaitwright {
 namespace {
 
-/// A body with two joints after one another, 'j' and 'k', and these actuators.
+/// A body with two joints in series, 'j' and 'k', and these actuators.
 std::string Driven(const std::string& actuators, const std::string& joint = "", const std::string& sections = "") {
   return MjcfOf(MjcfBodyOf("thigh", "<joint name='j' " + joint + "/>" + MjcfBodyOf("shank", "<joint name='k'/>")),
                 sections + "<actuator>" + actuators + "<motor name='of_k' joint='k' ctrlrange='-1 1'/></actuator>");
 }
 
-/// 0 where none is known.
+/// The effort of a joint; 0 if it is unknown.
 double EffortOf(const std::string& actuators, const std::string& joint = "", const std::string& sections = "") {
   const Joint of = JointNamed(TreeOf(Converted(Driven(actuators, joint, sections))), "j");
   return of.effort_limit_is_placeholder ? 0.0 : of.effort_limit;
@@ -36,7 +36,7 @@ TEST(MjcfActuators, OfAMotorControlTimesGainBoundsForceToo) {
   EXPECT_DOUBLE_EQ(EffortOf("<motor joint='j' gear='5' ctrlrange='-2 2' forcerange='-1 1'/>"), 5.0);
   EXPECT_DOUBLE_EQ(EffortOf("<general joint='j' gainprm='30' ctrlrange='-2 2'/>"), 60.0);
   EXPECT_DOUBLE_EQ(EffortOf("<general joint='j' gainprm='30' ctrlrange='-2 2' dyntype='filter'/>"), 60.0);
-  // The control of a servo is no force.
+  // The control of a servo is not a force.
   EXPECT_DOUBLE_EQ(EffortOf("<position joint='j' ctrlrange='-2 2'/>"), 0.0);
   EXPECT_DOUBLE_EQ(EffortOf("<general joint='j' ctrlrange='-2 2' dyntype='integrator'/>"), 0.0);
 }
@@ -47,7 +47,7 @@ TEST(MjcfActuators, RangesCountAsTheirFlagsSay) {
   EXPECT_DOUBLE_EQ(
       EffortOf("<motor joint='j' forcerange='-3 3' forcelimited='true'/>", "", "<compiler autolimits='false'/>"), 3.0);
   ExpectSays(MjcfMessage(Driven("<motor name='m' joint='j' forcelimited='true'/>")),
-             {"motor 'm'", "limited but has no 'forcerange'"});
+             {"motor 'm'", "limited, but 'forcerange' is missing"});
   ExpectSays(MjcfMessage(Driven("<motor name='m' joint='j' ctrlrange='2 1'/>")), {"motor 'm'", "the lower end 2"});
 }
 
@@ -151,12 +151,12 @@ TEST(MjcfActuators, RefusesOrNotesWhatDrivesNoJoint) {
              {"model.xml, line 2: motor 'm'", "'t' by 'tendon'", "left out"});
   ExpectNote(Converted(Driven("<motor name='m' cranksite='s'/>")), {"motor 'm'", "'s' by 'cranksite'"});
   ExpectSays(message("<motor name='m' joint='jj'/>"), {"motor 'm'", "no joint 'jj'", "nearest is 'j'"});
-  ExpectNote(Converted(Driven("<motor name='m' site='s'/>")), {"motor 'm'", "drives no joint; left out"});
+  ExpectNote(Converted(Driven("<motor name='m' site='s'/>")), {"motor 'm'", "drives no joint; it is left out"});
   ExpectNote(Converted(Driven("<adhesion name='m' body='b'/>")), {"adhesion 'm'", "left out"});
-  ExpectNote(Converted(Driven("<engine name='m' joint='j'/>")), {"engine 'm'", "not known"});
+  ExpectNote(Converted(Driven("<engine name='m' joint='j'/>")), {"engine 'm'", "unknown"});
 }
 
-/// 'j' and 'k', driven, and 'p', which a tendon ties to them.
+/// The driven joints 'j' and 'k', and the joint 'p', which a tendon ties to them.
 std::string WithTendon(const std::string& attributes) {
   const std::string joints = MjcfBodyOf("thigh", "<joint name='j'/>" + MjcfBodyOf("shank", "<joint name='k'/>")) +
                              MjcfBodyOf("waist", "<joint name='p'/>");

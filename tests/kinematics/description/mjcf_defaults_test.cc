@@ -5,7 +5,7 @@
 namespace gaitwright {
 namespace {
 
-/// A leg with a joint of these attributes, in a body with a childclass.
+/// A leg with a joint with these attributes, in a body with a childclass.
 std::string LegOf(const std::string& joint, const std::string& childclass = "") {
   const std::string pose = childclass.empty() ? "" : "childclass='" + childclass + "'";
   return MjcfBodyOf("leg", "<joint name='j' " + joint + "/>", pose);
@@ -53,7 +53,7 @@ TEST(MjcfDefaults, ChildclassHoldsBelowItAndAnOwnClassStandsBeforeIt) {
 TEST(MjcfDefaults, SeveralBlocksAddToTheOutermostClass) {
   const std::string more = kClasses + "<default><joint armature='0.3' damping='7'/></default>";
   EXPECT_EQ(JointOf("", "", more).damping, 7.0);
-  EXPECT_EQ(JointOf("class='c'", "", more).damping, 1.0);  // it was a copy before the second block
+  EXPECT_EQ(JointOf("class='c'", "", more).damping, 1.0);  // it was copied before the second block
   const std::string named = "<default class='robot'><joint damping='3'/></default>";
   EXPECT_EQ(JointOf("class='robot'", "", named).damping, 3.0);
   EXPECT_EQ(JointOf("class='main'", "", named).damping, 3.0);
@@ -83,7 +83,7 @@ TEST(MjcfDefaults, RefusesClassesByNameAndLine) {
   ExpectSays(MjcfMessage(MjcfOf(LegOf("", "z"), kClasses)), {"body 'leg'", "no class 'z'"});
   ExpectSays(with("<default><default><joint/></default></default>"), {"line 2: <default>", "no 'class'"});
   ExpectSays(with("<default><default class='a'/>\n<default class='a'/></default>"),
-             {"line 3: default 'a'", "two classes of that name"});
+             {"line 3: default 'a'", "two classes have this name"});
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST(MjcfDocument, RefusesWhatIsTooLarge) {
   for (int i = 0; i < 1001; ++i) attributes += fmt::format(" a{}='='", i);
   ExpectSays(MjcfMessage("<mujoco" + attributes + "/>"), {"over 1000 attributes"});
   ExpectSays(MjcfMessage("<mujoco><!--" + std::string(2000, '=') + "--></mujoco>"), {"no body"});
-  // Each file may be deep, and includes go on from there.
+  // The depth of an included file adds to that of its <include>.
   std::map<std::string, std::string> files;
   for (int i = 0; i < 4; ++i) {
     std::string text = fmt::format("<include file='{}.xml'/>", i + 1);

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// Three joints after one another, 'a', 'b' and 'c', and these sections.
+/// Three joints in series, 'a', 'b' and 'c', and these sections.
 std::string Chain(const std::string& sections, const std::string& a = "", const std::string& b = "") {
   const std::string end = MjcfBodyOf("three", "<joint name='c'/>");
   const std::string middle = MjcfBodyOf("two", "<joint name='b' axis='0 1 0' " + b + "/>" + end, "pos='0 0 -1'");
@@ -56,8 +56,8 @@ TEST(MjcfEquality, WithoutASecondJointHoldsTheFirstStill) {
       "<equality><joint name='e' joint1='b' polycoef='0.3'/><joint joint1='c' joint2='b' polycoef='0.1 2'/></equality>";
   const ConvertedMjcf converted = Converted(Chain(sections, "", "ref='0.2'"));
   const RobotModel model = TreeOf(converted);
-  ASSERT_EQ(model.num_dofs(), 1);  // b stands still at 0.5, and c, which follows it
-  ExpectNote(converted, {"joint 'e'", "'b' is held at 0.5"});
+  ASSERT_EQ(model.num_dofs(), 1);  // b is locked at 0.5, and so is c, which follows it
+  ExpectNote(converted, {"joint 'e'", "'b' is locked at 0.5"});
   const Frame& two = model.frames[static_cast<std::size_t>(model.FrameIndex("two"))];
   EXPECT_LT((two.X_BF.linear() - RotationExp({0, 0.3, 0})).norm(), 1e-12);
   EXPECT_LT((two.X_BF.translation() - Vector3(0, 0, -1)).norm(), 1e-12);

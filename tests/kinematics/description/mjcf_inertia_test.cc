@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The body of a model whose one body has these geoms and no <inertial>.
+/// The only body of a model, with these geoms and without <inertial>.
 Body BodyOfGeoms(const std::string& geoms, const std::string& sections = "", const MjcfFiles& files = {}) {
   const std::string text =
       "<mujoco>" + sections + "<worldbody><body name='base'><freejoint/>" + geoms + "</body></worldbody></mujoco>";
@@ -91,7 +91,7 @@ TEST(MjcfInertia, KeepsTheBoundsOfTheCompiler) {
   ExpectInertia(scaled, 6.0, {3, 6, 9}, "settotalmass");
 }
 
-/// A box of edges (2, 3, 4) about (1, 1, 1), turned to the outside or inside out.
+/// A box of edges (2, 3, 4) about (1, 1, 1), with faces pointing outward or inward.
 MjcfMesh BoxMesh(bool inside_out) {
   MjcfMesh mesh;
   for (int i = 0; i < 8; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Trees drawn at random: their poses by MuJoCo's law, from the numbers that were drawn, and by the robot model that is
-// made of their text.
+// Random trees: their poses by MuJoCo's rules from the random numbers are compared with those of the robot model that
+// is loaded from their text.
 #include <fmt/format.h>
 
 #include <numbers>
@@ -29,7 +29,7 @@ struct DrawnBody {
 
 std::string TextOf(const Vector3& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
 
-/// Bodies of none to three joints each, hinges and slides, some with a reference position.
+/// Bodies with zero to three joints each, hinges and slides, some with a reference position.
 std::vector<DrawnBody> DrawTree(unsigned seed, bool balls) {
   RandomState random(seed);
   std::mt19937 engine(seed);
@@ -52,7 +52,7 @@ std::vector<DrawnBody> DrawTree(unsigned seed, bool balls) {
   return bodies;
 }
 
-/// The text of a body and of those that it carries; angles in degrees.
+/// The text of a body and of the bodies that it carries; angles are in degrees.
 std::string BodyText(const std::vector<DrawnBody>& bodies, std::size_t b) {
   const DrawnBody& body = bodies[b];
   std::string text = fmt::format("<body name='b{}' pos='{}' quat='{} {} {} {}'>\n", b, TextOf(body.pos), body.quat.w(),
@@ -70,8 +70,8 @@ std::string BodyText(const std::vector<DrawnBody>& bodies, std::size_t b) {
   return text + "</body>\n";
 }
 
-/// MuJoCo's law: the body starts at its pose in the parent, then each joint turns it about its anchor, which the joints
-/// before have moved, or moves it along its axis.
+/// MuJoCo's rule: the body starts at its pose in the parent. Then each joint rotates it about its anchor, which the
+/// previous joints have moved, or moves it along its axis.
 Pose MoveByJoint(const DrawnJoint& joint, const Pose& X_WB, const Matrix3& turn, double q) {
   Pose moved = X_WB;
   if (joint.type == "slide") {
@@ -97,7 +97,7 @@ void ExpectSamePoses(unsigned seed, bool balls) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const DrawnBody& body = bodies[b];
       Pose X = Pose::Identity();
-      Vector3 anchor = Vector3::Zero();  // of the last joint: there is the link's origin
+      Vector3 anchor = Vector3::Zero();  // anchor of the last joint, the origin of the link
       if (body.parent >= 0) {
         X.translation() = body.pos;
         X.linear() = body.quat.toRotationMatrix();

@@ -12,7 +12,7 @@ std::string Light(const std::string& name, const std::string& inside, const std:
   return Replaced(MjcfBodyOf(name, inside, "pos='" + pos + "'"), "mass='1'", "mass='0.1'");
 }
 
-/// A finger and a rod that is tied to it, both on a palm, and a heavy leg. @param palm  where the palm is.
+/// A finger and a rod that is tied to it, both on a palm, and a heavy leg. @param palm  position of the palm.
 std::string Gripper(const std::string& palm, const std::string& equality) {
   const std::string finger = Light("finger", "<joint name='finger' axis='0 1 0'/><site name='tip'/>", "0.1 0 0");
   const std::string rod = Light("rod", "<joint name='rod' type='ball'/><frame><site name='end'/></frame>", "0 0.1 0");
@@ -30,7 +30,7 @@ TEST(MjcfLoops, InAHandStandStillAsTheFileDrawsThem) {
     const RobotModel model = TreeOf(converted);
     EXPECT_EQ(model.dof_names, (std::vector<std::string>{"leg", "wrist"}));
     EXPECT_NEAR(model.total_mass_kg, 1.0 + 0.3 + 9.0, 1e-12);
-    ExpectNote(converted, {"'e'", "loop of the joints 'rod', 'finger'", "are fixed"});
+    ExpectNote(converted, {"'e'", "loop of the joints 'rod', 'finger'", "are locked"});
   }
 }
 

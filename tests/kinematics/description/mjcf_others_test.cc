@@ -42,7 +42,7 @@ TEST(MjcfOthers, UnknownAttributesAreNotedWhereverTheyStandWithTheNearest) {
 
 TEST(MjcfOthers, UnknownSectionsAreNoted) {
   ExpectNotes("<actuators/>", {{"line 2: <actuators>", "'actuator'"}});
-  ExpectNotes("<quite_another/>", {{"<quite_another>", "unknown; left out"}});
+  ExpectNotes("<quite_another/>", {{"<quite_another>", "unknown; it is ignored"}});
 }
 
 TEST(MjcfOthers, GravityThatDiffersIsNotedAndTheUsualOnesAreNot) {

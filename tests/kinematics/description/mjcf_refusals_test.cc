@@ -22,7 +22,7 @@ TEST(MjcfRefusals, NameElementAndLine) {
   ExpectSays(MessageOfLeg("<joint name='j' axis='0 0 0'/>"), {"joint 'j'", "its axis is zero"});
   ExpectSays(MessageOfLeg("<joint name='j' damping='-1'/>"), {"joint 'j'", "damping is -1"});
   ExpectSays(MessageOfLeg("<joint name='j' range='1 -1'/>"), {"joint 'j'", "the lower end 1", "-1"});
-  ExpectSays(MessageOfLeg("<joint name='j' limited='true'/>"), {"joint 'j'", "limited but has no 'range'"});
+  ExpectSays(MessageOfLeg("<joint name='j' limited='true'/>"), {"joint 'j'", "limited, but 'range' is missing"});
   ExpectSays(MessageOfLeg("<joint name='j' limited='maybe'/>"), {"joint 'j'", "'limited' is 'maybe'", "'auto'"});
   ExpectSays(MessageOfLeg("<joint name='j' range='1e99 2'/>"), {"joint 'j'", "1e99 is too large"});
   ExpectSays(MessageOfLeg("<joint name='j' type='free'/>"), {"joint 'j'", "body 'leg' has a free joint"});
@@ -31,7 +31,8 @@ TEST(MjcfRefusals, NameElementAndLine) {
   ExpectSays(MessageOfLeg("<body name='&#1;'/>"), {"line 9: <body>", "'name' is not valid UTF-8"});
   ExpectSays(MessageOfLeg(fmt::format("<body name='{}'/>", std::string(501, 'a'))), {"'name' has 501 bytes"});
   ExpectSays(MjcfMessage(MjcfOf("<joint name='j'/>")), {"body 'base'", "free joint as well as other joints"});
-  ExpectSays(MjcfMessage("<mujoco><worldbody>\n<joint/></worldbody></mujoco>"), {"line 2: <joint>", "no joint"});
+  ExpectSays(MjcfMessage("<mujoco><worldbody>\n<joint/></worldbody></mujoco>"),
+             {"line 2: <joint>", "cannot have a joint"});
 }
 
 TEST(MjcfRefusals, OfAWorldThatIsOnlyFurnishedThereAreNone) {
@@ -71,14 +72,14 @@ TEST(MjcfNotes, AreNotMoreThanAreRead) {
   for (int i = 0; i < 3000; ++i) odd += "<plugin/>";
   const ConvertedMjcf converted = WithLeg(odd);
   EXPECT_EQ(converted.notes.size(), 1001U);
-  EXPECT_EQ(converted.notes.back(), "there are more notes, which are not listed");
+  EXPECT_EQ(converted.notes.back(), "further notes are not listed");
 }
 
 TEST(MjcfBase, FloatsWhateverHoldsIt) {
   const std::string text = MjcfOf(MjcfBodyOf("leg", "<joint name='j'/>"));
   const ConvertedMjcf welded = Converted(Replaced(text, "<freejoint/>", ""));
   EXPECT_EQ(TreeOf(welded).num_dofs(), 1);
-  ExpectNote(welded, {"line 4: body 'base'", "no free joint", "here the base floats"});
+  ExpectNote(welded, {"line 4: body 'base'", "no free joint", "here it is a floating base"});
   const std::string planar = Replaced(text, "<freejoint/>", "<joint name='x' type='slide'/><joint name='y'/>");
   const ConvertedMjcf held = Converted(Replaced(planar, "</worldbody>",
                                                 "</worldbody><actuator><motor name='m' "

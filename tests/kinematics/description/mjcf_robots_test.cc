@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Made-up robots, written as MuJoCo's models of robots are: classes for kinds of joints and geoms, inertia given,
-// meshes to look at, primitive shapes to touch with, a keyframe to stand in.
+// Made-up robots in the style of MuJoCo's models of robots: classes for kinds of joints and geoms, given inertias,
+// visual meshes, primitive collision shapes, a keyframe with the standing posture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -124,7 +124,7 @@ TEST(MjcfRobots, AQuadrupedStandsOnFourFeet) {
   EXPECT_EQ(model.LeaderOf(knee).damping, 1.0);
   EXPECT_EQ(model.LeaderOf(knee).friction, 0.2);
   ExpectSays(converted.urdf, {"<mesh filename=\"assets/thigh.obj\"/>"});
-  // The meshes are there to be looked at, and touch nothing.
+  // The meshes are visual only.
   EXPECT_EQ(model.collision_shapes.size(), 1U + 4U * 4U);
   EXPECT_TRUE(model.missing_meshes.empty());
 }

@@ -48,9 +48,9 @@ TEST(MjcfRotation, EulerAnglesGoByTheirSequence) {
     const char* sequence;
     Matrix3 wanted;
   } cases[] = {
-      {"xyz", TurnX(10) * TurnY(20) * TurnZ(30)},  // small letters: axes turn with the frame
+      {"xyz", TurnX(10) * TurnY(20) * TurnZ(30)},  // small letters: axes rotate with the frame
       {"zyx", TurnZ(10) * TurnY(20) * TurnX(30)}, {"zxz", TurnZ(10) * TurnX(20) * TurnZ(30)},
-      {"XYZ", TurnZ(30) * TurnY(20) * TurnX(10)},  // capital letters: axes stand still, as roll, pitch, yaw
+      {"XYZ", TurnZ(30) * TurnY(20) * TurnX(10)},  // capital letters: axes are fixed, as for roll, pitch, yaw
       {"ZYX", TurnX(30) * TurnY(20) * TurnZ(10)}, {"xYz", TurnY(20) * TurnX(10) * TurnZ(30)},
   };
   for (const auto& one : cases) {
@@ -77,7 +77,7 @@ TEST(MjcfRotation, RefusesWhatIsNoRotation) {
   const auto with = [](const std::string& pose) { return MjcfMessage(MjcfOf(MjcfBodyOf("leg", "", pose))); };
   ExpectSays(with("quat='0 0 0 0'"), {"model.xml, line 7", "body 'leg'", "'quat' is zero"});
   ExpectSays(with("quat='1 0 0'"), {"line 7", "'quat'", "'1 0 0'", "3 numbers; 4 are needed"});
-  ExpectSays(with("zaxis='0 0 0'"), {"body 'leg'", "'zaxis'", "direction is not defined"});
+  ExpectSays(with("zaxis='0 0 0'"), {"body 'leg'", "'zaxis'", "does not define a direction"});
   ExpectSays(with("xyaxes='1 0 0 2 0 0'"), {"body 'leg'", "'xyaxes'", "parallel"});
   ExpectSays(with("euler='1 2 nan'"), {"body 'leg'", "'euler'", "'nan' is not a finite number"});
   ExpectSays(with("euler='1 2 3' quat='1 0 0 0'"), {"body 'leg'", "2 orientations"});

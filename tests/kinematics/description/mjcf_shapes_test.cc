@@ -48,7 +48,7 @@ TEST(MjcfShapes, OfEllipsoidsLieAroundThem) {
   EXPECT_NEAR(capsule.size.x(), 0.1, 1e-12);
   EXPECT_NEAR(0.5 * capsule.size.y() + capsule.size.x(), 0.3, 1e-12);
   EXPECT_LT((capsule.X_BS.linear().col(2).cwiseAbs() - Vector3(1, 0, 0)).norm(), 1e-12);
-  // Points of the ellipsoid are in the capsule.
+  // Points of the ellipsoid must be in the capsule.
   for (double turn = 0.0; turn < 6.3; turn += 0.1) {
     const Vector3 p(0.3 * std::cos(turn), 0.1 * std::sin(turn), 0.0);
     const Vector3 on_axis(std::clamp(p.x(), -0.5 * capsule.size.y(), 0.5 * capsule.size.y()), 0.0, 0.0);
@@ -72,7 +72,7 @@ TEST(MjcfShapes, CollideOrAreShownAsTheirGroupsAndBitsSay) {
       TreeOf(Converted(MjcfOf("<geom size='1'/><geom size='2' group='4' contype='0' conaffinity='0'/>")));
   EXPECT_EQ(two.collision_shapes.size(), 1U);
   EXPECT_EQ(two.visual_shapes.size(), 1U);
-  // A pair collides whatever its bits say.
+  // The geoms of a pair collide regardless of contype and conaffinity.
   EXPECT_EQ(count("group='4' contype='0' conaffinity='0'", "<contact><pair geom1='floor' geom2='g'/></contact>"),
             std::pair(1UL, 0UL));
 }
@@ -130,13 +130,14 @@ TEST(MjcfShapes, RefuseSizesByLine) {
   ExpectSays(with("type='cylinder' size='0.1 0'"), {"'size' contains 0; it must be positive"});
   ExpectSays(with("type='cone' size='1'"), {"'type' is 'cone'", "'sphere'"});
   ExpectSays(with("type='sphere' size='1' fromto='0 0 0 0 0 1'"), {"'fromto' is for capsule"});
-  ExpectSays(with("type='capsule' size='1' fromto='0 0 1 0 0 1'"), {"'fromto' are one point"});
+  ExpectSays(with("type='capsule' size='1' fromto='0 0 1 0 0 1'"), {"'fromto' are the same point"});
   ExpectSays(with("type='capsule' size='1' fromto='0 0 0 0 0 1' pos='1 0 0'"), {"both 'pos' and 'fromto'"});
-  ExpectSays(with("size='1' mass='-1'"), {"mass or density is negative: -1"});
-  ExpectSays(with("type='mesh'"), {"it is a mesh, and has no 'mesh'"});
+  ExpectSays(with("size='1' mass='-1'"), {"mass is -1 kg"});
+  ExpectSays(with("type='mesh'"), {"it is of type mesh, but has no 'mesh'"});
   ExpectSays(with("type='mesh' mesh='m'", "<asset><mesh file='m.stl' scale='1 1 2' refquat='1 1 0 0'/></asset>"),
              {"line 2: <mesh>", "'refquat' together with a scale"});
-  ExpectSays(with("", "<asset><mesh file='m.stl'/>\n<mesh file='n/m.stl'/></asset>"), {"line 3", "two meshes 'm'"});
+  ExpectSays(with("", "<asset><mesh file='m.stl'/>\n<mesh file='n/m.stl'/></asset>"),
+             {"line 3", "two meshes are named 'm'"});
   ExpectSays(with("", "<asset><mesh file='m.stl' scale='1 0 1'/></asset>"), {"its scale is 0"});
 }
 
@@ -147,7 +148,7 @@ TEST(MjcfShapes, WhereNoGeomCollidesThoseThatAreNotShownDo) {
   const UrdfParts parts = SplitUrdf(converted.urdf, 1.0);
   ASSERT_EQ(parts.collision.size(), 1U);
   EXPECT_EQ(parts.collision[0].size.x(), 2.0);
-  ExpectNote(converted, {"no geom of the robot can touch", "group 3"});
+  ExpectNote(converted, {"exclude every contact of the robot's geoms", "group 3"});
   const std::string pair = "<contact><pair geom1='skin' geom2='skin'/></contact>";
   const UrdfParts paired = SplitUrdf(Converted(MjcfOf(geoms, none + pair)).urdf, 1.0);
   ASSERT_EQ(paired.collision.size(), 1U);

@@ -16,7 +16,8 @@ namespace gaitwright {
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;  // [rad]
 
-/// A model of one free body 'base' of 1 kg. @param inside  what else stands in it. @param sections  beside <worldbody>.
+/// A model of one free body 'base' of 1 kg. @param inside  its other elements. @param sections  sections after
+/// <worldbody>.
 inline std::string MjcfOf(const std::string& inside, const std::string& sections = "") {
   return "<mujoco model='made'>\n" + sections +
          "\n<worldbody>\n<body name='base'>\n<freejoint/>\n<inertial pos='0 0 0' mass='1' diaginertia='0.1 0.1 "
@@ -24,7 +25,7 @@ inline std::string MjcfOf(const std::string& inside, const std::string& sections
          inside + "\n</body>\n</worldbody>\n</mujoco>\n";
 }
 
-/// A body of 1 kg with what else stands in it.
+/// A body of 1 kg. @param inside  its other elements.
 inline std::string MjcfBodyOf(const std::string& name, const std::string& inside, const std::string& pose = "") {
   return "<body name='" + name + "' " + pose + ">\n<inertial pos='0 0 -0.1' mass='1' diaginertia='0.01 0.01 0.01'/>\n" +
          inside + "\n</body>\n";
@@ -37,13 +38,13 @@ inline ConvertedMjcf Converted(const std::string& text, const MjcfFiles& files =
   return converted.ok() ? *converted : ConvertedMjcf();
 }
 
-/// Why a model is refused; "" when it is not.
+/// The message of a refused model; "" if it is accepted.
 inline std::string MjcfMessage(const std::string& text, const MjcfFiles& files = {}) {
   const Result<ConvertedMjcf> converted = ConvertMjcfText(text, files);
   return converted.ok() ? "" : converted.failure().message;
 }
 
-/// Expects one note that says all parts.
+/// Expects a note that contains all parts.
 inline void ExpectNote(const ConvertedMjcf& converted, const std::vector<std::string>& parts) {
   std::string all;
   for (const std::string& note : converted.notes) {
@@ -55,7 +56,7 @@ inline void ExpectNote(const ConvertedMjcf& converted, const std::vector<std::st
   ADD_FAILURE() << "no note says '" << parts.front() << "' and the rest; there are:\n" << all;
 }
 
-/// Bodies and joints of the URDF, without legs: any tree has them.
+/// Bodies and joints of the URDF, without deriving legs.
 inline RobotModel TreeOf(const ConvertedMjcf& converted) {
   const std::string urdf = WithoutBallJoints(converted.urdf);
   Result<RobotModel> model = BuildModel(SplitUrdf(urdf, 1.0), "made", 1.0);

@@ -7,7 +7,7 @@ namespace {
 
 const MjcfFiles kNoMjcfFiles;
 
-/// A model's context with its tree. The text stands below <worldbody>.
+/// The context of a model with its tree. The text is the content of <worldbody>.
 struct TreeOfText {
   explicit TreeOfText(const std::string& world, const std::string& sections = "")
       : context("<mujoco>" + sections + "<worldbody>" + world + "</worldbody></mujoco>", kNoMjcfFiles, "model.xml"),

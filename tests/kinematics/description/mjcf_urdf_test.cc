@@ -18,7 +18,7 @@ MjcfJoint HingeOf(const std::string& name, const Vector3& axis, const Vector3& p
   return joint;
 }
 
-/// A base with a leg of these joints.
+/// A base with a leg that has these joints.
 MjcfRobot RobotWithLeg(const std::vector<MjcfJoint>& joints) {
   MjcfRobot robot;
   robot.name = "made";
@@ -55,7 +55,7 @@ RobotModel TreeOfRobot(const MjcfRobot& robot) {
   return TreeOf(converted);
 }
 
-/// Where the origin of the leg's body B is in the base, at positions of the joints.
+/// Pose of the leg's body B in the base, at positions of the joints.
 Pose PoseOfLeg(const RobotModel& model, const VectorX& positions, const Vector3& last_anchor) {
   const Pose X_OL = BodyPoses(model, positions).back();
   return X_OL * Pose(Eigen::Translation3d(-last_anchor));
@@ -88,7 +88,7 @@ TEST(MjcfUrdf, SeveralJointsAreAChainOfLinksWithoutMass) {
   MjcfRobot robot =
       RobotWithLeg({HingeOf("x", Vector3::UnitX(), Vector3::Zero()), HingeOf("y", Vector3::UnitY(), {0, 0, 0.1}),
                     HingeOf("z", Vector3::UnitZ(), Vector3::Zero())});
-  robot.tree.bodies[0].name = "leg_before";  // a name that the chain wants too
+  robot.tree.bodies[0].name = "leg_before";  // a name that the chain would use too
   const RobotModel model = TreeOfRobot(robot);
   std::vector<std::string> frames;
   for (const Frame& frame : model.frames) frames.push_back(frame.name);

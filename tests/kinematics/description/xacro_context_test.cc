@@ -67,7 +67,7 @@ TEST(XacroContext, ACircleOfPropertiesIsNamedFromItsBeginning) {
   const std::string text = PropertyText("start", "${a}") + PropertyText("a", "${b}") + PropertyText("b", "${a}");
   const std::string message = InnerXacro(text + "${start}");
   EXPECT_TRUE(message.starts_with("xacro_recursion")) << message;
-  EXPECT_NE(message.find("'a' is defined by itself, through 'a', 'b'"), std::string::npos) << message;
+  EXPECT_NE(message.find("'a' depends on itself, through 'a', 'b'"), std::string::npos) << message;
   EXPECT_EQ(message.find("'start', 'a'"), std::string::npos) << message;
 }
 

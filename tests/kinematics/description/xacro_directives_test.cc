@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-/// The code with which a description is refused, by name; "" where it is expanded.
+/// The name of the failure code of a refused description; "" if it is expanded.
 std::string CodeOfInner(const std::string& inside) {
   const Result<std::string> expanded =
       ExpandXacroText("<r xmlns:xacro='x'>" + inside + "</r>", "robot.xacro", {}, SourcesWith({}));

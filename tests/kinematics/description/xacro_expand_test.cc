@@ -15,7 +15,7 @@ FailureCode CodeOfRoot(const std::string& text, const std::map<std::string, std:
   return expanded.failure().code;
 }
 
-// What is plain stays as it is, so that what is expanded once can be expanded again.
+// Plain text is unchanged, so an expanded text can be expanded again.
 TEST(XacroExpand, IsDoneAfterOnce) {
   const std::string text =
       "<robot name='r' xmlns:xacro='x'><xacro:macro name='m' params='n'><link name='l${n}'>a &lt; "

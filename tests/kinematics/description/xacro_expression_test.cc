@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Known answers are those of Python 3.11.
+// The expected values are those of Python 3.11.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -172,15 +172,15 @@ TEST(XacroExpression, RefusesWhatHasNoValueByNameAndLine) {
       {"'a' < 1", {"xacro_type", "'<'", "float()"}},
       {"-'a'", {"xacro_type", "needs a number", "'a'"}},
       {"int('2.5')", {"xacro_type", "int('2.5')"}},
-      {"[1, 2][2]", {"xacro_index", "index 2 of a list of 2"}},
+      {"[1, 2][2]", {"xacro_index", "index 2 is outside a list of size 2"}},
       {"{'mass': 1}['masse']", {"unknown_key", "'masse'", "'mass'"}},
       {"{'mass': 1}.mas", {"unknown_key", "'mas'", "'mass'"}},
       {"sine(1)", {"unknown_function", "'sine'", "'sin'"}},
       {"'a'.uper()", {"unknown_function", "'uper'", "'upper'"}},
       {"sin(1, 2)", {"xacro_type", "sin() takes 1 arguments, not 2"}},
       {"'{a}'.format(b=1)", {"xacro_type", "field 'a'", "'b'", "a=VALUE"}},
-      {"'a'.upper(b=1)", {"xacro_syntax", "upper() takes no argument 'b'"}},
-      {"sin(x=1)", {"xacro_syntax", "no argument 'x'"}},
+      {"'a'.upper(b=1)", {"xacro_syntax", "no argument with the name 'b'"}},
+      {"sin(x=1)", {"xacro_syntax", "no argument with the name 'x'"}},
       {"leg", {"unknown_property", "'leg' is not defined"}},
       {"math.foo", {"unknown_property", "'math.foo'"}},
       {"'%d %d' % 1", {"xacro_type", "more conversions"}},

@@ -13,7 +13,7 @@ namespace gaitwright {
 
 using TextFiles = std::map<std::string, std::string>;
 
-/// Sources that have these files, packages in /packages/NAME for the names given, and one environment variable.
+/// Sources with these files, with packages in /packages/NAME for the given names, and with one environment variable.
 inline XacroSources SourcesWith(const TextFiles& files, const std::vector<std::string>& packages = {}) {
   XacroSources sources;
   sources.read = [files](const std::string& path) -> Result<std::string> {
@@ -37,7 +37,7 @@ inline XacroSources SourcesWith(const TextFiles& files, const std::vector<std::s
   return sources;
 }
 
-/// What stands in the root <r> of a description's expansion, without blanks between elements; or "CODE: MESSAGE".
+/// The content of the root <r> of an expanded description, without blanks between elements, or "CODE: MESSAGE".
 inline std::string InnerXacro(const std::string& inside, const TextFiles& files = {},
                               const std::map<std::string, std::string>& arguments = {}) {
   const Result<std::string> expanded =

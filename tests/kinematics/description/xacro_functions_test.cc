@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Known answers are those of Python 3.11.
+// The expected values are those of Python 3.11.
 #include <cmath>
 #include <limits>
 

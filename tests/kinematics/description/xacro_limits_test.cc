@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hostile descriptions end soon, with a message.
+// Malicious descriptions are refused quickly, with a message.
 #include <gtest/gtest.h>
 
 #include "tests/kinematics/description/xacro_files.h"
@@ -19,7 +19,7 @@ std::string RepeatedXacro(const std::string& text, int times) {
   return all;
 }
 
-/// Names n0 to n<count>, each the one before twice; the first holds `first`.
+/// Properties n0 to n<count>. Each contains the previous one twice, and the first contains `first`.
 std::string DoublingProperties(int count, const std::string& first, const std::string& twice) {
   std::string text = "<xacro:property name='n0' value=\"" + first + "\"/>";
   for (int i = 1; i <= count; ++i) {
@@ -50,7 +50,7 @@ TEST(XacroLimits, MacrosThatDoubleEnd) {
 }
 
 TEST(XacroLimits, TextsThatDoubleEnd) {
-  ExpectLimit(DoublingProperties(60, "'ab'", "# + #"), "a text of");
+  ExpectLimit(DoublingProperties(60, "'ab'", "# + #"), "a text has");
   ExpectLimit(DoublingProperties(60, "ab", "'%s%s' % [#, #]"), "text");
   ExpectLimit("${'a' * 10000000}", "too long");
 }
@@ -58,7 +58,7 @@ TEST(XacroLimits, TextsThatDoubleEnd) {
 TEST(XacroLimits, ListsThatDoubleEnd) {
   ExpectLimit(DoublingProperties(60, "${[1, 2]}", "# + #"), "items");
   ExpectLimit(DoublingProperties(60, "${[1, 2]}", "[#, #]"), "nested lists and dictionaries");
-  ExpectLimit(DoublingProperties(30, "${[1, 2]}", "[#, #]"), "prints more than");
+  ExpectLimit(DoublingProperties(30, "${[1, 2]}", "[#, #]"), "printed text of a list has");
 }
 
 TEST(XacroLimits, LongComputationsEnd) {

@@ -105,7 +105,7 @@ TEST(XacroMacro, RefusesWrongCallsByName) {
   ExpectRefusal(leg + "<xacro:legg prefix='a'/>", {"unknown_macro: robot.xacro:3: <xacro:legg>", "nearest is 'leg'"});
   ExpectRefusal(MacroText("m", "a a", ""), {"xacro_syntax", "'a' appears twice"});
   ExpectRefusal(MacroText("m", "a:1", ""), {"xacro_syntax", "'a:=VALUE'"});
-  ExpectRefusal(MacroText("m", "*b:=1", ""), {"xacro_syntax", "block 'b' has a default"});
+  ExpectRefusal(MacroText("m", "*b:=1", ""), {"xacro_syntax", "block 'b' cannot have a default"});
   ExpectRefusal(MacroText("if", "", ""), {"bad_name", "'if'"});
 }
 

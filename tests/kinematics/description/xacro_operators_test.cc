@@ -24,7 +24,7 @@ FailureCode CodeOfJoining(const XacroValue& a, const std::string& operation, con
   return ProblemOf([&] { Joined(a, operation, b); }).code;
 }
 
-// Python's law: a == (a // b) * b + a % b, and the remainder has the sign of b and is smaller.
+// In Python, a == (a // b) * b + a % b, and the remainder has the sign of b and is smaller than b.
 TEST(XacroArithmetic, QuotientAndRemainderBelongTogether) {
   for (std::int64_t a = -7; a <= 7; ++a) {
     for (const std::int64_t b : {-3, -2, -1, 1, 2, 3}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole quadruped in files: macros for legs and inertias, sizes in YAML, a package.
+// A complete quadruped in several files: macros for legs and inertias, sizes in YAML, a package.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -28,7 +28,7 @@ TEST(XacroRobot, AQuadrupedHasFourLegsOfThreeJoints) {
   EXPECT_EQ(urdf->find("gazebo"), std::string::npos);
   EXPECT_NE(urdf->find("<transmission name=\"RR_transmission\">"), std::string::npos);
 
-  // Trunk 9 kg; leg of mass m: 1.75 m and a foot of 0.05 kg, with m 0.8 in front and 0.9 behind.
+  // The trunk has 9 kg. A leg has 1.75 m and a foot of 0.05 kg, where m is 0.8 kg in front and 0.9 kg behind.
   EXPECT_NEAR(model->total_mass_kg, 9.0 + 4 * 0.05 + 2 * 1.75 * (0.8 + 0.9), 1e-12);
   const int hip = model->DofIndex("FR_hip_joint");
   EXPECT_EQ(model->dof_lower(hip), -std::numbers::pi / 4);

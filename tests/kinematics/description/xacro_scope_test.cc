@@ -7,7 +7,7 @@ namespace {
 
 using ParameterKind = XacroParameter::Kind;
 
-/// A global scope with a namespace 'arm' that has a namespace 'hand', and a macro's scope inside of it.
+/// A global scope with a namespace 'arm', which contains a namespace 'hand', and the scope of a macro in it.
 class XacroScopeTest : public testing::Test {
  protected:
   XacroScopeTest() {

@@ -23,7 +23,7 @@ inline XacroValue DictValue(std::vector<std::pair<XacroValue, XacroValue>> entri
   return XacroDictOf(std::move(entries), budget);
 }
 
-/// A value inside of a list, as Python's repr() prints it: 1, 1.0, '1' and True differ.
+/// A value in a list, as printed by Python's repr(): 1, 1.0, '1' and True differ.
 inline std::string ReprOf(const XacroValue& value) {
   XacroBudget budget;
   const std::string list = XacroPrinted(ListValue({value}), budget);
@@ -42,7 +42,7 @@ XacroProblem ProblemOf(const Call& call) {
   return {};
 }
 
-/// A context of given properties and functions. It keeps what it is asked for.
+/// A context with given properties and functions. It records the requests.
 class MadeXacroContext : public XacroContext {
  public:
   MadeXacroContext() : XacroContext(work_) {}

@@ -21,7 +21,7 @@ std::vector<ContactPoint> Rectangle(double half_x, double half_y) {
   return contacts;
 }
 
-double ConeExcess(const ContactPoint& contact, const Vector3& force) {
+double ConeViolation(const ContactPoint& contact, const Vector3& force) {
   return force.head<2>().norm() - contact.friction * force.z();
 }
 
@@ -32,7 +32,7 @@ TEST(ContactSplit, GivesAWrenchThatTheConesAllow) {
                           split);
   EXPECT_LT(split.residual_force_W.norm(), 1e-5);
   EXPECT_LT(split.residual_moment_W.norm(), 1e-5);
-  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeExcess(contacts[i], split.force_W[i]), 1e-9);
+  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeViolation(contacts[i], split.force_W[i]), 1e-9);
 }
 
 TEST(ContactSplit, StaysInsideTheConesWhenAskedForTooMuch) {
@@ -40,7 +40,7 @@ TEST(ContactSplit, StaysInsideTheConesWhenAskedForTooMuch) {
   ContactSplit split;
   ContactSplitter().Solve(contacts, {Vector3::Zero(), Vector3(100.0, 0.0, 100.0), Vector3::Zero()}, split);
   EXPECT_GT(split.residual_force_W.norm(), 1.0);
-  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeExcess(contacts[i], split.force_W[i]), 1e-9);
+  for (std::size_t i = 0; i < contacts.size(); ++i) EXPECT_LE(ConeViolation(contacts[i], split.force_W[i]), 1e-9);
 }
 
 TEST(ContactSplit, TwoPointsCannotHoldTheMomentAboutTheirLine) {
@@ -77,9 +77,9 @@ TEST(ContactSplit, IsContinuousWhereACornerLetsGo) {
   EXPECT_NEAR(last[0].norm(), 0.0, 1.0);
 }
 
-/// The same problem by a second road: the forces in their cones that come nearest to the wrench, by projected gradient
-/// with momentum (Beck and Teboulle, SIAM J. Imaging Sciences 2(1), 2009). Level ground only.
-/// @return the square of what is left, force and moment about the contacts' mean over their size.
+/// An independent solution of the same problem: the forces in their cones that are nearest to the wrench, by projected
+/// gradient with momentum (Beck and Teboulle, SIAM J. Imaging Sciences 2(1), 2009). Level ground only.
+/// @return the squared error of force and moment; the moment is about the mean of the contacts, over their size.
 class Nearest {
  public:
   explicit Nearest(const std::vector<ContactPoint>& contacts) : contacts_(contacts) {
@@ -151,7 +151,7 @@ TEST(ContactSplit, ComesAsNearAsForcesInTheConesCan) {
     const double best = nearest.Best(wanted), left = nearest.Left(wanted, split.force_W).squaredNorm();
     EXPECT_LE(std::sqrt(left), std::sqrt(best) + 0.01) << trial << ", " << split.iterations << " iterations";
     for (int i = 0; i < count; ++i) {
-      EXPECT_LE(ConeExcess(contacts[static_cast<std::size_t>(i)], split.force_W[static_cast<std::size_t>(i)]), 1e-6);
+      EXPECT_LE(ConeViolation(contacts[static_cast<std::size_t>(i)], split.force_W[static_cast<std::size_t>(i)]), 1e-6);
     }
     beyond += static_cast<int>(best > 1.0);
     most_iterations = std::max(most_iterations, split.iterations);

@@ -102,8 +102,8 @@ TEST_P(Dynamics, CentreOfMassJacobianAndBiasAreDerivatives) {
   }
 }
 
-/// Angular momentum about C by a road of its own: every body as the points of mass m / 6 on the axes of its inertia
-/// ellipsoid that have its mass, centre and inertia, their velocities by finite differences.
+/// An independent angular momentum about C: every body is replaced by points of mass m / 6 on the axes of its inertia
+/// ellipsoid with the same mass, centre and inertia. Their velocities are finite differences.
 TEST_P(Dynamics, CentroidalMomentumIsThatOfPointsOfMass) {
   for (int trial = 0; trial < 10; ++trial) {
     const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
@@ -114,8 +114,8 @@ TEST_P(Dynamics, CentroidalMomentumIsThatOfPointsOfMass) {
         const Body& body = model_.bodies[b];
         const Eigen::SelfAdjointEigenSolver<Matrix3> principal(body.I_C);
         for (int axis = 0; axis < 3; ++axis) {
-          // Of a principal moment: the sum of the squared distances along the two other axes, so along this one it is
-          // half the trace less its own.
+          // A principal moment is the sum of the second moments along the two other axes. So the second moment along
+          // this axis is half of the trace minus the moment.
           const double square = std::max(0.0, 0.5 * body.I_C.trace() - principal.eigenvalues()[axis]);
           const double reach = body.mass > 0.0 ? std::sqrt(3.0 * square / body.mass) : 0.0;
           for (const double side : {-1.0, 1.0}) {
@@ -187,7 +187,8 @@ TEST_P(Dynamics, MassMatrixAgreesWithInverseDynamics) {
   }
 }
 
-/// The mass matrix has it about the base's origin; to the centre of mass it is less by m |p|^2 1 - m p p^T (Steiner).
+/// The mass matrix contains the inertia about the base's origin. About the centre of mass, it is smaller by m |p|^2 1 -
+/// m p p^T (Steiner).
 TEST_P(Dynamics, LockedInertiaIsTheMassMatrixsShiftedToTheCentreOfMass) {
   MatrixX M;
   for (int trial = 0; trial < 20; ++trial) {
@@ -204,7 +205,7 @@ TEST_P(Dynamics, LockedInertiaIsTheMassMatrixsShiftedToTheCentreOfMass) {
   }
 }
 
-/// Stiff, it has the angular momentum of its inertia whatever it turns about.
+/// The angular momentum of a rigid robot is that of its inertia for any axis of rotation.
 TEST_P(Dynamics, LockedInertiaIsWhatTheMomentumOfAStiffRobotIs) {
   const VectorX q = random_.Configuration(model_);
   VectorX v = VectorX::Zero(model_.nv());

@@ -78,7 +78,7 @@ TEST_F(AxisRotationsTest, TwoTurnsBringOneVectorOntoAnother) {
 }
 
 TEST_F(AxisRotationsTest, TheGapIsTheAngleThatIsMissing) {
-  // u at 0.3 rad from b, b at 0.5 from a: within 0.2 to 0.8 from a.
+  // u is 0.3 rad from b, and b is 0.5 rad from a, so u can be 0.2 to 0.8 rad from a.
   const auto at = [](double angle) { return Vector3(std::sin(angle), 0.0, std::cos(angle)); };
   const Vector3 a = at(0.0), b = at(0.5), u = at(0.8);
   EXPECT_NEAR(TurnGap(a, b, u, at(0.9)), 0.1, 1e-14);
@@ -115,7 +115,7 @@ TEST_F(AxisRotationsTest, AxesInLineKeepTheFirstAngle) {
   ASSERT_GE(turns.count, 1);
   const Matrix3 made = RotationExp(turns.rad[0][0] * axes[0]) * RotationExp(turns.rad[0][1] * axes[1]) *
                        RotationExp(turns.rad[0][2] * axes[2]);
-  EXPECT_LT((made - R).norm(), 1e-7);  // what the loss of one freedom leaves to rounding
+  EXPECT_LT((made - R).norm(), 1e-7);  // accuracy at a singularity
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ RobotModel MirrorSix() {  // two axes at the hip, three at the ankle
                {"0 0 0", "1 0 0"},
                {"0 0 0", "0 0 1"}});
 }
-RobotModel RoundedSix() {  // axes as files round them: they meet only to a micrometre
+RobotModel RoundedSix() {  // axes rounded as in files: they meet only to a micrometre
   auto joints = SixJoints();
   joints[1].xyz = "0.000001 0 0.000002";
   joints[2].axis = "0.000002 1 0.000001";
@@ -53,7 +53,7 @@ RobotModel Named(const std::string& name) {
   return Robot(name);
 }
 
-/// Seeded places within the limits of a leg.
+/// Seeded random positions within the limits of a leg.
 class Places {
  public:
   Places(const RobotModel& model, const LegIk& ik) : model_(&model), dofs_(ik.dofs()) {}
@@ -87,7 +87,7 @@ double PoseError(const Pose& a, const Pose& b, bool placed_only) {
   return placed_only ? position : std::max(position, RotationLog(a.linear().transpose() * b.linear()).norm());
 }
 
-/// X_BF by the whole body's kinematics: the second road.
+/// X_BF by the kinematics of the whole body, which is independent of LegIk.
 Pose WholeBodyFoot(const RobotModel& model, const LegIk& ik, int leg, const VectorX& joints) {
   VectorX q = StandingConfiguration(model);
   for (std::size_t i = 0; i < ik.dofs().size(); ++i) q[7 + ik.dofs()[i]] = joints[static_cast<Eigen::Index>(i)];
@@ -142,7 +142,7 @@ TEST_P(RoundTrip, EveryPoseIsFoundAgain) {
     }
     EXPECT_LE(missed, 1);  // a damped search from anywhere may miss a pose in a corner of the limits
   }
-  // Only a knee within 0.02 rad of straight may come out bent the other way.
+  // Only a knee within 0.02 rad of straight may bend to the other side.
   EXPECT_GT(same, static_cast<int>(0.97 * solved));
 }
 
@@ -262,7 +262,7 @@ TEST(LegIk, GapIsTheDistanceToTheReachOfABiped) {
   }
 }
 
-/// With the ankle 0.1 m beside the hip, the foot's roll axis cannot point at the hip any nearer than that.
+/// With the ankle 0.1 m beside the hip, the roll axis of the foot cannot pass nearer to the hip than that.
 TEST(LegIk, GapIsTheAngleThatAnAnkleLacks) {
   auto joints = SixJoints();
   joints[3].xyz = "0 0.1 -0.3";

@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kReserve = 0.03, kFarthest = 0.6;  // of the leg
+constexpr double kReserve = 0.03, kFarthest = 0.6;  // share of the leg length
 constexpr const char* kRobots[] = {"a1", "nao", "telescopic"};
 
 RobotModel OneOf(const std::string& name) {
@@ -35,7 +35,7 @@ struct Tried {
         up_B(BaseRotation(StandingConfiguration(model)).transpose() * Vector3::UnitZ()),
         sides(LegPolytope(workspace, farthest_m, up_B)) {}
 
-  /// How far inside a place is, by its nearest side.
+  /// Distance of a point inside the polytope from its nearest side.
   double Inside(const Vector3& p_B) const {
     double least = std::numeric_limits<double>::infinity();
     for (const WorkspaceSide& side : sides) least = std::min(least, side.offset - side.normal.dot(p_B));
@@ -43,7 +43,7 @@ struct Tried {
   }
   Vector3 home() const { return workspace.standing().translation(); }
 
-  /// Seeded poses inside, the foot turned as in standing.
+  /// Seeded random poses inside, with the rotation of the standing foot.
   std::vector<Pose> Drawn(int count) const {
     std::mt19937 engine(11);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -62,7 +62,7 @@ struct Tried {
   std::vector<WorkspaceSide> sides;
 };
 
-/// One leg of each robot is enough for what mirroring tells of the other.
+/// One leg of each robot is enough, because the other is its mirror image.
 template <class Check>
 void ForEachKindOfLeg(const Check& check) {
   for (const char* name : kRobots) {
@@ -86,7 +86,7 @@ TEST(LegPolytope, TheStandingPlaceIsInsideAndSidesAreNoFartherThanAsked) {
   });
 }
 
-/// Between the rays that were tried the workspace may be a little dented: 97 % and more are reached.
+/// The workspace may have dents between the tested rays, so at least 97 % of the points must be reached.
 TEST(LegPolytope, WhatIsInItIsReachedAndItIsAFairPartOfThat) {
   ForEachKindOfLeg([](Tried& tried) {
     constexpr int kCount = 400;
@@ -108,7 +108,7 @@ TEST(LegPolytope, WhatIsInItIsReachedAndItIsAFairPartOfThat) {
   });
 }
 
-/// Balls that are high over the foot in standing, and may go down to a tenth of the farthest.
+/// Balls that are high above the foot in standing must stay above a tenth of the farthest distance.
 TEST(LegPolytope, TheKneeStaysAboveTheGround) {
   for (const char* name : {"a1", "nao"}) {
     Tried tried(Robot(name), 0);
@@ -129,7 +129,7 @@ TEST(LegPolytope, TheKneeStaysAboveTheGround) {
       return least;
     };
     for (const Pose& pose : tried.Drawn(400)) EXPECT_GT(lowest(pose), 0.095 * tried.farthest_m) << name;
-    if (std::string(name) == "nao") continue;  // whose knees stay high wherever its feet are
+    if (std::string(name) == "nao") continue;  // its knees are high for all positions of the feet
     std::mt19937 engine(17);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     double least = tried.farthest_m;
@@ -142,8 +142,8 @@ TEST(LegPolytope, TheKneeStaysAboveTheGround) {
   }
 }
 
-/// Legs are mirrored to millimetres, and so a ray may end a step farther or nearer; that moves one side of A1 by 20 mm,
-/// as what is first ended by one side is by another in its image.
+/// Legs are mirrored only to millimetres, so a ray may end one step farther or nearer. This moves one side of A1 by 20
+/// mm, because in the mirror image another side limits the ray first.
 TEST(LegPolytope, IsMirroredForLegsThatAre) {
   for (const char* name : {"a1", "nao"}) {
     const RobotModel model = Robot(name);

@@ -15,9 +15,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kWorkspaceReserve = 0.03;
+constexpr double kWorkspaceMargin = 0.03;
 
-/// Poses around that of the standing posture: up to a third of the leg away, soles turned and tilted a little.
+/// Poses near the standing pose: up to a third of the leg away, with soles rotated and tilted a little.
 std::vector<Pose> PosesAround(const Pose& X_BF, double leg_m, int count) {
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -44,7 +44,7 @@ TEST(LegWorkspace, HoldsTheStandingPostureOfAnyRobotAndNothingBeyondTheLeg) {
   for (const char* name : kAnyRobots) {
     const RobotModel model = AnyRobot(name);
     for (int leg = 0; leg < static_cast<int>(model.legs.size()); ++leg) {
-      LegWorkspace workspace(model, leg, kWorkspaceReserve);
+      LegWorkspace workspace(model, leg, kWorkspaceMargin);
       EXPECT_TRUE(workspace.Reaches(workspace.standing())) << name << " " << leg;
       Pose far = workspace.standing();
       far.translation().z() -= 2.0 * model.legs[static_cast<std::size_t>(leg)].length_m;
@@ -59,7 +59,7 @@ TEST(LegWorkspace, IsMirroredForLegsThatAre) {
     for (std::size_t leg = 0; leg < model.legs.size(); ++leg) {
       const int other = model.legs[leg].mirror;
       ASSERT_GE(other, 0);
-      LegWorkspace here(model, static_cast<int>(leg), kWorkspaceReserve), there(model, other, kWorkspaceReserve);
+      LegWorkspace here(model, static_cast<int>(leg), kWorkspaceMargin), there(model, other, kWorkspaceMargin);
       // Standing postures are mirrored to millimetres only, so a few poses near the boundary differ.
       int reached = 0, differ = 0;
       for (const Pose& away : PosesAround(Pose::Identity(), model.legs[leg].length_m, 2000)) {
@@ -81,7 +81,7 @@ TEST(LegWorkspace, WhatItReachesInverseKinematicsReachesToo) {
   for (const char* name : {"a1", "nao", "line"}) {
     const RobotModel model = AnyRobot(name);
     const LegIk ik(model, 0);
-    LegWorkspace workspace(model, 0, kWorkspaceReserve);
+    LegWorkspace workspace(model, 0, kWorkspaceMargin);
     int reached = 0;
     for (const Pose& pose : PosesAround(workspace.standing(), model.legs[0].length_m, 1500)) {
       if (!workspace.Reaches(pose)) continue;
@@ -94,7 +94,7 @@ TEST(LegWorkspace, WhatItReachesInverseKinematicsReachesToo) {
 
 TEST(LegWorkspace, DoesNotDependOnTheOrderOfQuestions) {
   const RobotModel model = AnyRobot("nao");
-  LegWorkspace forward(model, 0, kWorkspaceReserve), backward(model, 0, kWorkspaceReserve);
+  LegWorkspace forward(model, 0, kWorkspaceMargin), backward(model, 0, kWorkspaceMargin);
   std::vector<Pose> poses = PosesAround(forward.standing(), model.legs[0].length_m, 6000);
   std::vector<bool> first;
   for (const Pose& pose : poses) first.push_back(forward.Reaches(pose));

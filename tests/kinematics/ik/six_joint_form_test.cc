@@ -12,7 +12,7 @@ std::vector<SyntheticJoint> ReversedJoints() {
           {"0 0 -0.3", "0 1 0"}, {"0 0 0", "1 0 0"}, {"0 0 0", "0 0 1"}};
 }
 
-/// The smallest difference of some positions from one of the branches, full turns aside.
+/// The smallest difference of positions from one of the branches, modulo full turns.
 double NearestBranch(const LegBranches& branches, const VectorX& positions) {
   double nearest = 1e9;
   for (std::size_t i = 0; i < branches.count; ++i) {
@@ -53,7 +53,7 @@ TEST_P(SixJointFormTest, BeyondTheStraightLegTheGapIsWhatIsMissing) {
   VectorX x = VectorX::Zero(6);
   x[form_->knee()] = form_->straight_rad();
   const Pose X_straight = chain_.FootPose(x);
-  // Hip and ankle of the straight leg: the knee's neighbours.
+  // Hip and ankle of the straight leg.
   const Vector3 hip = chain_.links[0].point_B;
   const std::size_t ankle_link = GetParam() ? 3 : 4;
   LegChain::Jacobian screws(6, 6), J(6, 6);

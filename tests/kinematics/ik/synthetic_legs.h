@@ -23,7 +23,7 @@ inline std::string ForSide(std::string text, const std::string& side) {
   return text;
 }
 
-/// Two legs of the given joints below a base, each with a box as its last link's foot.
+/// Two legs with the given joints below a base; the last link of each leg has a box as foot.
 inline std::string SyntheticUrdf(const std::vector<SyntheticJoint>& joints, const std::string& foot) {
   const std::string inertial =
       "<inertial><mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01' ixy='0' ixz='0' iyz='0'/></inertial>";

@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-/// Abduction, hip with an offset to the side, knee; a ball as foot 0.2 m below.
+/// Abduction, hip with a lateral offset, knee; the foot is a ball 0.2 m below.
 std::vector<SyntheticJoint> ThreeJoints() {
   return {{"0 0 0", "1 0 0"}, {"0 0.08 0", "0 1 0"}, {"0 0 -0.2", "0 1 0", "lower='-2.7' upper='2.7'"}};
 }

@@ -9,8 +9,8 @@
 namespace gaitwright {
 namespace {
 
-/// Stands with the feet where they are and sways the centre of mass on all three axes, while the ground under spheres
-/// turns about their contact points.
+/// A motion with fixed feet in which the centre of mass sways along all three axes, while the ground under spheres
+/// rotates about their contact points.
 class Sway {
  public:
   static constexpr double kStep = 0.001;
@@ -47,7 +47,7 @@ class Sway {
     MovePosture(time_s);
     return target_;
   }
-  /// Takes note of how far spheres have rolled.
+  /// Updates the rolled distances of spheres.
   void RollOn(const WholeBodyIk& ik) {
     for (std::size_t f = 0; f < target_.feet.size(); ++f) {
       const Matrix3 R = ik.FootPose(static_cast<int>(f)).linear();
@@ -58,7 +58,7 @@ class Sway {
   }
 
  private:
-  /// All joints, of which those count that no task takes.
+  /// Moves the target posture of all joints; only joints that no task uses follow it.
   void MovePosture(double time_s) {
     constexpr double kSwing = 0.2, kRate = 3.0;
     const VectorX ones = VectorX::Ones(model_.num_dofs());
@@ -113,7 +113,8 @@ TEST_P(WholeBodyIkTest, RatesAreDerivativesOfPositions) {
   EXPECT_GT(velocities[100].tail(n).norm(), 0.1);
 }
 
-/// Robots whose legs end somewhere: a sliding knee is as long as one likes, its limits are the audit's.
+/// Robots with legs of limited length. A prismatic knee can be of any length here, because its limits are only checked
+/// by the audit.
 class OfFiniteLegs : public WholeBodyIkTest {};
 
 TEST_P(OfFiniteLegs, OutOfReachNamesAFoot) {
@@ -131,7 +132,7 @@ TEST_P(OfFiniteLegs, OutOfReachNamesAFoot) {
 INSTANTIATE_TEST_SUITE_P(Robots, WholeBodyIkTest, testing::ValuesIn(kAnyRobots));
 INSTANTIATE_TEST_SUITE_P(Robots, OfFiniteLegs, testing::Values("a1", "nao", "continuous", "hollow", "mimic"));
 
-/// Everything about the origin's vertical, turned by a yaw.
+/// The target rotated by a yaw angle about the vertical through the origin.
 BodyTarget Turned(const BodyTarget& target, const Matrix3& R) {
   BodyTarget turned = target;
   for (Vector3* v : {&turned.p_WC, &turned.v_WC, &turned.a_WC, &turned.w_WB, &turned.alpha_WB}) *v = R * *v;
@@ -186,7 +187,7 @@ TEST(WholeBodyIk, JointsOutsideTheLegsFollowThePosture) {
   EXPECT_EQ(a[6 + elbow], target.posture.a[elbow]);
   EXPECT_GT(std::abs(v[6 + elbow]), 0.1);
   EXPECT_NE(q[7 + knee], target.posture.q[knee]);
-  target.posture = {};  // without one they stay where the first guess has them, at rest
+  target.posture = {};  // without a posture they stay at the initial guess, at rest
   q = StandingConfiguration(model);
   ASSERT_TRUE(ik.SolvePosition(target, q).ok());
   ik.SolveRates(target, q, v, a);

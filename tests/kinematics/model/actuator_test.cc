@@ -7,7 +7,7 @@
 namespace gaitwright {
 namespace {
 
-/// Four legs whose first hip and knee are driven together by gears 2 and -3, of which the first pair of motors is weak.
+/// Four legs. Hip and knee of the first leg are driven together, with ratios 2 and -3 and limited motors.
 RobotModel GearedLegs() {
   RobotModel model = *LoadRobotFromText(FourLegs(), "");
   Transmission t;

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// A drive of hip and knee of a leg by two motors.
+/// A transmission of two motors for hip and knee of a leg.
 RobotYaml::SharedDrive DriveOfLeg(const std::string& leg, const std::string& name) {
   RobotYaml::SharedDrive drive;
   drive.name = name;
@@ -27,7 +27,7 @@ RobotYaml::SharedDrive DriveOfLeg(const std::string& leg, const std::string& nam
   return drive;
 }
 
-/// Why two drives with changes are refused; "" where they are not.
+/// The message of two refused transmissions with changes; "" if they are accepted.
 std::string TransmissionRefusal(const std::function<void(RobotYaml&)>& change, const std::string& urdf = FourLegs()) {
   RobotModel model = *LoadRobotFromText(urdf, "");
   RobotYaml yaml;
@@ -54,7 +54,7 @@ TEST(ApplyTransmissions, MotorsHaveTheGivenDataAndNoLimitsOtherwise) {
   EXPECT_EQ(t.motors[1].effort_limit, Motor::kNone);
   EXPECT_EQ(t.motors[1].motor.rotor_inertia, 0.5);
   EXPECT_FALSE(t.motors[1].motor.has_curve());
-  // Of a differential the rotor of its difference resists both joints and couples them with the other sign.
+  // In a differential, the rotor of the difference acts on both joints and couples them with the opposite sign.
   MatrixX expected(2, 2);
   expected << 0.5, -0.5, -0.5, 0.5;
   EXPECT_LT((t.RotorInertia() - expected).norm(), 1e-12);
@@ -70,7 +70,7 @@ TEST(ApplyTransmissions, RefusesByLine) {
              {"'A_hipp'", "'A_hip'"});
   ExpectSays(TransmissionRefusal([](RobotYaml& y) { y.transmissions[0].joints[0] = "A_end"; }), {"'A_end'"});
   ExpectSays(TransmissionRefusal([](RobotYaml& y) { y.transmissions[1].motors[0].name = "front_2"; }),
-             {"line 4", "two motors 'front_2'"});
+             {"line 4", "two motors are named 'front_2'"});
   ExpectSays(TransmissionRefusal([](RobotYaml& y) { y.transmissions[0].motors[1].name = "C_hip"; }),
              {"line 5", "'C_hip'", "does not drive"});
   EXPECT_EQ(TransmissionRefusal([](RobotYaml& y) { y.transmissions[0].motors[1].name = "A_hip"; }), "")

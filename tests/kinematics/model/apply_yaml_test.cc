@@ -11,7 +11,7 @@ namespace {
 
 RobotModel FourLegsModel() { return *LoadRobotFromText(FourLegs(), ""); }
 
-/// The message with which a robot.yaml is refused that has some items.
+/// The message of a refused robot.yaml with some items.
 template <class Apply>
 std::string ApplyRefusal(const Apply& apply) {
   RobotModel model = FourLegsModel();

@@ -52,7 +52,7 @@ TEST(BallJoints, KeepWhatIsKnownOfEffortAndSpeed) {
 
 TEST(BallJoints, WhatTheyCannotBeIsRefused) {
   ExpectSays(MessageOf(WithBallHip("<mimic joint='B_hip'/>")), {"joint 'A_hip'", "cannot mimic another joint"});
-  ExpectSays(MessageOf(Replaced(WithBallHip(), "B_hip", "A_hip_y")), {"two joints of that name", "'A_hip_y'"});
+  ExpectSays(MessageOf(Replaced(WithBallHip(), "B_hip", "A_hip_y")), {"two joints have this name", "'A_hip_y'"});
   ExpectSays(MessageOf(Replaced(WithBallHip(), "<!--B_extra-->", "<mimic joint='A_hip'/>")),
              {"'A_hip', which is not a joint", "'A_hip_x'"});
   ExpectSays(MessageOf(WithBallHip("<limit effort='-1' velocity='9'/>")), {"joint 'A_hip'", "negative"});

@@ -16,9 +16,9 @@
 namespace gaitwright {
 namespace {
 
-/// A robot's URDF with a root link of its own whose axes have the robot's x and z there.
+/// The URDF of a robot with an additional root link, in whose frame the robot's x and z are the given axes.
 std::string Turned(const std::string& urdf, const std::string& root, const BaseAxes& axes) {
-  Matrix3 R;  // of the robot's frame in the root link's
+  Matrix3 R;  // rotation of the robot's frame in the frame of the root link
   R << axes.ahead, axes.up.cross(axes.ahead), axes.up;
   const Vector3 ypr = R.eulerAngles(2, 1, 0);
   return Replaced(urdf, "</robot>",
@@ -27,7 +27,7 @@ std::string Turned(const std::string& urdf, const std::string& root, const BaseA
                               root, ypr[2], ypr[1], ypr[0]));
 }
 
-/// Both are the same robot, in the same frame of the base.
+/// Expects two models of the same robot, with the same frame of the base.
 void ExpectSame(const RobotModel& a, const RobotModel& b) {
   ASSERT_EQ(a.num_dofs(), b.num_dofs());
   ASSERT_EQ(a.feet.size(), b.feet.size());
@@ -55,7 +55,7 @@ BaseAxes Axes(const std::string& ahead, const std::string& up) {
 
 class TurnedRobot : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-/// A biped has one plane of symmetry, and feet that are longer ahead.
+/// A biped has one plane of symmetry, and its feet are longer in front.
 TEST_P(TurnedRobot, ABipedIsSeenAsItStands) {
   const RobotModel h1 = Robot("h1");
   const RobotModel turned =

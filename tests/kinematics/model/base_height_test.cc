@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-/// Four legs whose root is a link without mass at a height over the trunk [m]; negative ones are below it.
+/// Four legs whose root is a link without mass at a height above the trunk [m]; negative values are below it.
 RobotModel FourLegsOfRoot(double height_m) {
   const std::string root =
       "<link name='root'/><joint name='mount' type='fixed'><parent link='root'/><child link='trunk'/><origin xyz='0 "

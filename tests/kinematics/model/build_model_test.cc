@@ -42,7 +42,7 @@ TEST(BuildModel, FixedLinksAreMergedByTheLawOfParallelAxes) {
   EXPECT_EQ(body.name, "b") << "the heaviest link";
   EXPECT_NEAR(body.mass, 4.0, 1e-12);
   EXPECT_LT((body.p_BC - Vector3(0, 0, 1.5)).norm(), 1e-12);
-  // Two points of 1 and 3 kg that are 2 m apart: reduced mass 3/4 times 4.
+  // Two points of 1 and 3 kg at a distance of 2 m: the reduced mass 3/4 times 4.
   EXPECT_LT((body.I_C - Vector3(5, 5, 2).asDiagonal().toDenseMatrix()).norm(), 1e-12);
   ASSERT_EQ(model.frames.size(), 2U);
   EXPECT_EQ(model.frames[1].name, "b");

@@ -39,10 +39,10 @@ TEST(CheckFeet, AFootThatIsNoLinkNamesTheNearest) {
   ExpectSays(WithFeet("{link: A_feet}, {link: B_foot}"), {"no link 'A_feet'", "nearest is 'A_foot'"});
 }
 
-/// Four legs whose shanks end in meshes that are not there.
+/// Four legs whose shanks end in missing meshes.
 std::string WithoutMeshes() { return FourLegs("<mesh filename='gone.stl'/>"); }
 
-/// With a link without shape 0.02 m below each foot, as files have for the contact.
+/// WithoutMeshes with a link without shape 0.02 m below each foot, which marks the contact.
 std::string WithContactLinks() {
   std::string links;
   for (const std::string leg : {"A", "B", "C", "D"}) {

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// How many notes have all parts.
+/// Number of notes that contain all parts.
 long NotesWith(const std::vector<std::string>& notes, const std::vector<std::string>& parts) {
   return std::count_if(notes.begin(), notes.end(), [&](const std::string& note) {
     return std::all_of(parts.begin(), parts.end(),

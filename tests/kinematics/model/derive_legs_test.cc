@@ -20,7 +20,7 @@ std::vector<std::string> LegNamesOf(const std::string& urdf, const std::string& 
 
 TEST(DeriveLegs, FrontComesBeforeRearAndLeftBeforeRight) {
   EXPECT_EQ(LegNamesOf(FourLegs()), (std::vector<std::string>{"A_foot", "B_foot", "C_foot", "D_foot"}));
-  // The same robot with its names exchanged: the places count.
+  // The same robot with exchanged names: only positions matter.
   std::string other = Replaced(FourLegs(), "A_", "x_");
   other = Replaced(Replaced(other, "D_", "A_"), "x_", "D_");
   EXPECT_EQ(LegNamesOf(other), (std::vector<std::string>{"D_foot", "B_foot", "C_foot", "A_foot"}));
@@ -69,7 +69,7 @@ TEST(DeriveLegs, EndBodiesAreThoseThatComeDownFarthestLowestFirst) {
   for (const int end : ends) {
     for (const Joint& joint : four.joints) EXPECT_NE(joint.parent_body, end) << "an end carries nothing";
   }
-  // One shank shorter by 30 %: of 0.42 m reach the leg ends 0.06 m higher, which is within a quarter.
+  // One shank is 30 % shorter: the leg of 0.42 m ends 0.06 m higher, which is within a quarter.
   std::string shorter = FourLegs();
   shorter.replace(shorter.find("xyz='0 0 -0.2'", shorter.find("B_end")), 14, "xyz='0 0 -0.14'");
   ends = EndBodies(*LoadRobotFromText(shorter, ""));

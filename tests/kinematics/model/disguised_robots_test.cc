@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conventions of who wrote a URDF play no part: the same robot in other frames, with other names and signs, stands
-// alike.
+// Conventions of a URDF do not matter: the same robot with other frames, names and signs has the same standing posture.
 #include <gtest/gtest.h>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -21,7 +20,7 @@ void PrintTo(const Case& robot, std::ostream* out) { *out << robot.name; }
 std::vector<Case> Cases() {
   std::vector<Case> cases;
   for (const std::string& name : RobotNames()) {
-    // Balls become turns about the axes of their frame, which is another one in disguise.
+    // Ball joints become rotations about the axes of their frame, which differs in the changed URDF.
     if (name != "humanoid") cases.push_back({name, LoadNamedRobot(name).value().urdf_text});
   }
   cases.push_back({"insect", unusual::Insect()});

@@ -18,7 +18,7 @@ TEST(DraftRobotYaml, NamesTheFeetThatComeDownLowest) {
   EXPECT_NE(draft.find("\n  - {link: "), std::string::npos);
   EXPECT_NE(draft.find("\n  # - {link: "), std::string::npos);  // arms and the head
   EXPECT_NE(draft.find("joints LHipYawPitch, LHipRoll"), std::string::npos);
-  // It is read as it stands: the two feet, and nothing else.
+  // The draft can be read: it contains the two feet and nothing else.
   const RobotYaml yaml = ParseRobotYaml(draft);
   EXPECT_EQ(yaml.feet.size(), 2U);
   EXPECT_TRUE(LoadRobotFromText(urdf, draft).ok());
@@ -36,7 +36,7 @@ std::string Hip(const std::string& leg, const std::string& y) {
          "'/><axis xyz='0 1 0'/><limit lower='-1' upper='1' effort='10' velocity='10'/></joint>";
 }
 
-/// Of limbs with one joint it makes a robot that stands, and says that it does not walk.
+/// With limbs of one joint, the draft is for a robot that stands, and it says that the robot cannot walk.
 TEST(DraftRobotYaml, NamesLimbsOfOneJointToo) {
   const std::string one = "<robot name='x'>" + Link("body") + Link("l") + Hip("l", "0.1");
   for (const std::string& urdf : {one + "</robot>", one + Link("r") + Hip("r", "-0.1") + "</robot>"}) {

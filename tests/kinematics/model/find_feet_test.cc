@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// The foot of the first leg of a robot, found anew.
+/// The result of FindFoot for the first leg of a robot.
 Foot FootFoundIn(const RobotModel& model, const FootOverride* given = nullptr, const LegChoices& choices = {}) {
   const VectorX none = VectorX::Constant(model.num_dofs(), std::numeric_limits<double>::quiet_NaN());
   return FindFoot(model, model.legs[0], choices, given, none);

@@ -21,7 +21,7 @@ double Standing(const RobotModel& model, const std::string& joint) {
   return model.standing_joints[model.DofIndex(joint)];
 }
 
-/// Torque that holds a joint against gravity, the base upright [N m].
+/// Torque that holds a joint against gravity with an upright base [N m].
 double HoldingTorque(const RobotModel& model, const VectorX& joints, const std::string& joint) {
   DynamicsScratch scratch(model);
   VectorX q = StandingConfiguration(model), tau(model.nv());
@@ -37,7 +37,7 @@ TEST(HangLimbs, ArmsHangWhereTheirWeightIsLeastAndHeadsStayUp) {
   EXPECT_NEAR(Standing(model, "LShoulderPitch"), 0.5 * M_PI, 0.1);
   EXPECT_EQ(Standing(model, "HeadPitch"), 0.0);
   EXPECT_EQ(Standing(model, "HeadYaw"), 0.0);
-  // Hanging, the shoulder carries nothing; with the arms ahead it does.
+  // With hanging arms, the shoulder needs no torque; with the arms forward, it does.
   VectorX ahead = model.standing_joints;
   ahead[model.DofIndex("LShoulderPitch")] = 0.0;
   EXPECT_GT(std::abs(HoldingTorque(model, ahead, "LShoulderPitch")), 0.3);

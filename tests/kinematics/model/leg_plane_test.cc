@@ -37,7 +37,7 @@ TEST(LegPlane, AStrokeIsPartOfALeg) {
   for (const Leg& leg : model.legs) {
     EXPECT_NEAR(leg.length_m, 0.2 + 0.15 + 0.1 + 0.02, 1e-12);
     EXPECT_EQ(leg.hip_joint, leg.joints[1]);
-    // The slide stands where it can go both ways.
+    // The prismatic joint can move in both directions.
     const int dof = model.joints[static_cast<std::size_t>(leg.joints[2])].dof;
     EXPECT_GT(model.standing_joints[dof], 0.03);
     EXPECT_LT(model.standing_joints[dof], 0.12);
@@ -62,7 +62,7 @@ TEST(LegPlane, ALegThatSprawlsBendsInItsOwnPlane) {
     const Vector3 knee = scratch.p_WB[static_cast<std::size_t>(leg.knee_joint) + 1];
     const Vector3& contact = contacts[static_cast<std::size_t>(leg.foot)];
     EXPECT_GT(knee.z(), hip.z() - 0.05);
-    // As far out as below, and away from the body.
+    // The foot is as far out as it is below, and away from the body.
     EXPECT_NEAR((contact - coxa).head<2>().norm(), hip.z() - contact.z() - foot.radius, 0.02);
     EXPECT_GT((contact - coxa).head<2>().dot(coxa.head<2>()), 0.0);
   }
@@ -78,8 +78,8 @@ TEST(LegPlane, AWheelDoesNotBendItsLeg) {
   }
 }
 
-/// A biped whose knees lie beside its hips, and whose ankles' roll axes begin behind its ankles. @param tilt  of its
-/// soles at joint positions zero, toes up [rad]. @param type  of its joints in the plane of a leg.
+/// A biped whose knees are beside its hips, and whose ankle roll axes start behind its ankles.
+/// @param tilt  of its soles at joint positions zero, toes up [rad]. @param type  of its joints in the plane of a leg.
 std::string OffsetBiped(double tilt = 0.0, const std::string& type = "revolute") {
   unusual::UrdfText urdf;
   urdf.Link("trunk", 10.0, 0.3, urdf.Block(0.15, 0.2, 0.3));
@@ -114,7 +114,7 @@ TEST(LegPlane, WhatLiesBesideAJointMakesNoLegLonger) {
   }
 }
 
-/// Of knees without limits those bend to the front that are drawn so, and the others as four legs usually do.
+/// A knee without limits bends forward if it is bent forward at zero, and otherwise as quadrupeds usually do.
 TEST(LegPlane, AKneeWithoutLimitsBendsAsItIsDrawn) {
   for (const double drawn : {0.0, 0.05, -0.05}) {
     unusual::UrdfText urdf;
@@ -155,7 +155,8 @@ TEST(StandingPosture, ASoleThatIsAslantAtZeroIsLevelInAGivenOne) {
   for (const Foot& foot : model->feet) {
     ASSERT_EQ(foot.type, FootType::kSole);
     EXPECT_NEAR(Area(foot.sole_F), 0.2 * 0.1, 1e-9);
-    // The sole's frame is the box's, which is turned by the tilt at zero, whatever the posture lacks of levelling it.
+    // The frame of the sole is that of the box, which is rotated by the tilt at zero, even if the posture does not
+    // level it.
     const Matrix3 R_OF = X_OB[static_cast<std::size_t>(foot.body)].linear() * foot.X_BF.linear();
     EXPECT_LT((R_OF - Eigen::AngleAxisd(-0.2, Vector3::UnitY()).toRotationMatrix()).norm(), 1e-9);
   }
@@ -175,7 +176,7 @@ TEST(StandingPosture, StandsUnderItsCentreOfMass) {
   }
 }
 
-/// Twice the size stands twice as high.
+/// A robot of twice the size stands twice as high.
 TEST(StandingPosture, ScalesWithTheRobot) {
   const RobotModel one = Loaded(unusual::Plain()), large = Loaded(unusual::Plain(2.0));
   EXPECT_NEAR(large.standing_base_height_m, 2.0 * one.standing_base_height_m, 1e-6);

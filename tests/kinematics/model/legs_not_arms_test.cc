@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is a leg, and what only comes down as far.
+// Legs, and other limbs that reach as low.
 #include <gtest/gtest.h>
 
 #include "kinematics/model/derive_legs.h"

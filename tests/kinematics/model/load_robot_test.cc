@@ -16,7 +16,7 @@ std::string Urdf(const std::string& name) {
   return ReadFile(SourceFolder() + "/robots/" + name + "/robot.urdf").value();
 }
 
-/// A minimal two-legged tree with `joint` and `extra` put in.
+/// A minimal two-legged tree with `joint` and `extra`.
 std::string TwoLegs(const std::string& joint, const std::string& extra = "") {
   const std::string inertial =
       "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
@@ -77,7 +77,7 @@ TEST(LoadRobot, FootRadiiAreRead) {
   }
 }
 
-/// Two capsules that lie level, one behind the other, touch the ground in a line, which is no sole.
+/// Two level capsules, one behind the other, touch the ground along a line, which is not a sole.
 TEST(LoadRobot, ALineHasNoArea) {
   std::string urdf = Urdf("nao");
   for (const std::string y : {"0.006", "-0.006"}) {

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// A joint about y (positive turns what is ahead down) or along an axis.
+/// A joint about y (positive angles move parts in front down) or along an axis.
 Joint MadeJoint(int parent, const Vector3& at, double lower, double upper) {
   Joint joint;
   joint.parent_body = parent;
@@ -34,7 +34,7 @@ RobotModel Arm(double shoulder, double elbow) {
 TEST(LowestReach, StopsAtTheLimitsOfItsJoints) {
   EXPECT_NEAR(LowestReach(Arm(0.5, 0.3), {0, 1, 2}), 1.0 - 0.5 * std::sin(0.5) - 0.4 * std::sin(0.8), 1e-5);
   EXPECT_NEAR(LowestReach(Arm(3.0, 3.0), {0, 1, 2}), 0.1, 1e-5) << "straight down";
-  // Bent by a right angle at least, the end is lowest where it hangs under the shoulder.
+  // With an elbow bent by a right angle or more, the end is lowest below the shoulder.
   RobotModel bent = Arm(4.0, 2.0);
   bent.joints[1].lower = 0.5 * std::numbers::pi;
   EXPECT_NEAR(LowestReach(bent, {0, 1, 2}), 1.0 - std::hypot(0.5, 0.4), 1e-5);
@@ -66,7 +66,7 @@ TEST(LowestReach, TheEndIsAllOfTheLastBody) {
   EXPECT_NEAR(LowestReach(model, {0, 1, 2}), 0.1 - 0.25, 1e-5);
 }
 
-/// Its shoulders are 0.43 m above the joint of its waist, so that the arms are as long as the legs from there.
+/// The shoulders are 0.43 m above the joint of the waist, so from there the arms are as long as the legs.
 TEST(LowestReach, ArmsAboveAWaistAreNoLegs) {
   const RobotModel h1 = Robot("h1");
   ASSERT_EQ(h1.legs.size(), 2U);

@@ -7,7 +7,7 @@
 namespace gaitwright {
 namespace {
 
-/// An element that was mended: its text in one line, what was said of it, and whether it was changed.
+/// A repaired element: its text in one line, the findings, and whether it was changed.
 struct MendedPart {
   std::string text;
   std::vector<Finding> findings;

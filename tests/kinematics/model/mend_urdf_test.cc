@@ -20,7 +20,7 @@ const Finding* FindingOf(const RobotModel& model, FailureCode code) {
   return at == model.findings.end() ? nullptr : &*at;
 }
 
-/// The robot with one thing put in place of another; it is loaded, with one finding of that code, and refused strictly.
+/// The robot with one text replaced. It must load with one finding of this code, and must be refused with `strict`.
 RobotModel Mended(const std::string& from, const std::string& to, FailureCode code, const std::string& part) {
   const std::string urdf = Replaced(FourLegs(), from, to);
   EXPECT_NE(urdf, FourLegs());
@@ -171,7 +171,7 @@ TEST(MendUrdf, WhatIsMendedNeedsNoMending) {
   }
 }
 
-/// Principal second moments of a tensor: of a body none is negative.
+/// Principal second moments of a tensor; those of a body are not negative.
 Vector3 SecondMoments(const Matrix3& I) { return Vector3::Constant(0.5 * I.trace()) - PrincipalMoments(I); }
 
 TEST(MendInertia, WhatABodyHasStays) {
@@ -185,7 +185,7 @@ TEST(MendInertia, TheNearestIsOfABodyAndNoOtherIsNearer) {
   const auto mended = MendInertia(I, 1.0, {});
   ASSERT_TRUE(mended.has_value());
   EXPECT_GE(SecondMoments(mended->I).minCoeff(), 0.0);
-  // Of second moments (1.2, 1.2, -0.2) the last becomes 0: I = diag(1.2, 1.2, 2.4).
+  // The second moments are (1.2, 1.2, -0.2). The last becomes 0, so I = diag(1.2, 1.2, 2.4).
   EXPECT_TRUE(mended->I.isApprox(Matrix3(Vector3(1.2, 1.2, 2.4).asDiagonal()), 1e-5)) << mended->I;
   const double off = (mended->I - I).norm();
   for (const Vector3& other : {Vector3(1.1, 1.3, 2.4), Vector3(1.2, 1.2, 2.3), Vector3(1.25, 1.15, 2.35)})

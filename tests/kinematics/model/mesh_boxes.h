@@ -14,7 +14,7 @@
 
 namespace gaitwright {
 
-/// Corners of a box about the origin; corner i is on the plus side of axis k where bit k of i is set.
+/// Corners of a box about the origin; corner i is on the plus side of axis k if bit k of i is set.
 inline std::vector<Vector3> BoxCorners(const Vector3& half) {
   std::vector<Vector3> corners;
   for (int i = 0; i < 8; ++i) {
@@ -24,7 +24,7 @@ inline std::vector<Vector3> BoxCorners(const Vector3& half) {
   return corners;
 }
 
-/// Its triangles, indices of corners.
+/// Triangles of the box, as indices of corners.
 inline std::vector<std::array<int, 3>> BoxTriangles() {
   return {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
           {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
@@ -70,7 +70,7 @@ inline std::string Obj(const Vector3& half) {
   return text.str();
 }
 
-/// With z up, as most robots' files have it, and a unit.
+/// The box as Collada with z up, as in most files of robots, and a unit.
 inline std::string Collada(const Vector3& half, double metres) {
   std::ostringstream text;
   text << "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">"
@@ -88,7 +88,7 @@ inline std::string Collada(const Vector3& half, double metres) {
   return text.str();
 }
 
-/// Height of the lowest of a mesh's vertices, by going through all of them in W.
+/// Height of the lowest vertex of a mesh in W, by comparing all vertices.
 inline double LowestVertex(const DynamicsScratch& scratch, const Shape& shape) {
   double lowest = 1e9;
   for (const Vector3& v : shape.vertices) {

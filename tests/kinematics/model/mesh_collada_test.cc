@@ -32,7 +32,7 @@ std::string ColladaMessage(const std::string& text) {
 
 const char kInstance[] = "<instance_geometry url=\"#g\"/>";
 
-/// The vertex that corner (+, +, +) of the box becomes.
+/// The vertex of corner (+, +, +) of the box.
 Vector3 LastCorner(const std::string& text) {
   const Mesh mesh = ParseCollada(text);
   EXPECT_GE(mesh.vertices.size(), 8U);
@@ -106,16 +106,16 @@ TEST(MeshCollada, RefusesByLineAndElement) {
   ExpectSays(ColladaMessage("<a/>"), {"<COLLADA>"});
   ExpectSays(with("url=\"#g\"", "url=\"#h\""), {"line 1: <instance_geometry>", "'#h'"});
   ExpectSays(with("url=\"#s\"", "url=\"#t\""), {"<instance_visual_scene>", "'#t'"});
-  ExpectSays(with("meter=\"1\"", "meter=\"0\""), {"<unit>", "over 0"});
+  ExpectSays(with("meter=\"1\"", "meter=\"0\""), {"<unit>", "above 0"});
   ExpectSays(with("stride=\"3\"", "stride=\"2\""), {"<accessor>", "stride 2"});
   ExpectSays(with("count=\"8\"", "count=\"9\""), {"<accessor>", "27 numbers", "24"});
   ExpectSays(with("count=\"8\"", "count=\"-8\""), {"<accessor>", "'-8'"});
-  ExpectSays(with("<p>0 ", "<p>8 "), {"<p>", "point 8", "there are 8"});
+  ExpectSays(with("<p>0 ", "<p>8 "), {"<p>", "point 8", "has 8 points"});
   ExpectSays(with("<p>0 ", "<p>x "), {"<p>", "'x'"});
   ExpectSays(with("semantic=\"VERTEX\"", "semantic=\"NORMAL\""), {"<triangles>", "VERTEX"});
   ExpectSays(with(kInstance, std::string("<skew>1 2 3</skew>") + kInstance), {"<skew>", "not supported"});
   ExpectSays(with(kInstance, std::string("<translate>1 2</translate>") + kInstance), {"<translate>", "2 numbers"});
-  ExpectSays(with(kInstance, "<instance_node url=\"#n\"/>"), {"<node>", "'n' shows itself"});
+  ExpectSays(with(kInstance, "<instance_node url=\"#n\"/>"), {"<node>", "'n' contains itself"});
 }
 
 }  // namespace

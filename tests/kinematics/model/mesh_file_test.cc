@@ -28,11 +28,11 @@ class MeshFile : public testing::Test {
   std::string Write(const std::string& name, const std::string& text) {
     return WriteFileAtomically(folder_ + "/" + name, text).value();
   }
-  std::string WhyNot(const std::string& path) {
+  std::string ReasonRefused(const std::string& path) {
     const Result<Mesh> mesh = ReadMesh(path);
     return mesh.ok() ? "" : mesh.failure().message;
   }
-  /// What loading a robot of four legs with that foot says.
+  /// The message of loading a robot with four legs and this foot.
   std::string Load(const std::string& foot) {
     const Result<RobotModel> model = LoadRobot(Write("robot.urdf", FourLegs(foot)));
     return model.ok() ? "" : model.failure().message;
@@ -74,10 +74,10 @@ TEST_F(MeshFile, ManyPointsOfABallKeepItsSurface) {
 }
 
 TEST_F(MeshFile, RefusesWhatIsNoMeshWithTheReason) {
-  ExpectSays(WhyNot(folder_ + "/no.stl"), {"no file", "no.stl"});
-  ExpectSays(WhyNot(Write("a.ply", "ply")), {"a.ply", "'.stl', '.obj', '.dae'"});
-  ExpectSays(WhyNot(Write("cut.stl", BinaryStl(kHalf).substr(0, 200))), {"cut.stl", "cannot be read"});
-  ExpectSays(WhyNot(Write("empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")), {"empty.obj"});
+  ExpectSays(ReasonRefused(folder_ + "/no.stl"), {"does not exist", "no.stl"});
+  ExpectSays(ReasonRefused(Write("a.ply", "ply")), {"a.ply", "'.stl', '.obj', '.dae'"});
+  ExpectSays(ReasonRefused(Write("cut.stl", BinaryStl(kHalf).substr(0, 200))), {"cut.stl", "cannot be read"});
+  ExpectSays(ReasonRefused(Write("empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")), {"empty.obj"});
 }
 
 TEST_F(MeshFile, FindsPathsFilesAndPackages) {
@@ -131,7 +131,7 @@ TEST_F(MeshFile, AMissingPictureIsANote) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   std::string notes;
   for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_foot': not drawn", "'no.dae' does not exist"});
+  ExpectSays(notes, {"link 'A_foot' is not drawn", "'no.dae' does not exist"});
 }
 
 TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsReported) {

@@ -29,7 +29,7 @@ double AreaOf(const Mesh& mesh) {
   return area;
 }
 
-/// A dented face of area 2.5, which a fan from its first corner would fill as one of more.
+/// A non-convex face of area 2.5. A fan from its first corner would have a larger area.
 TEST(MeshFaces, DentedOnesAreCutIntoTheirOwnArea) {
   const std::string dented = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\n";
   for (const char* face : {"f 1 2 3 4 5", "f 5 4 3 2 1", "f 3 4 5 1 2", "f -2 -1 -5 -4 -3"}) {
@@ -43,7 +43,8 @@ TEST(MeshFaces, DentedOnesAreCutIntoTheirOwnArea) {
 }
 
 TEST(MeshObj, IndicesAreOfVerticesThatAreThere) {
-  ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 1 1 2\n"), {"line 2", "'2' names no vertex", "there are 1"});
+  ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 1 1 2\n"),
+             {"line 2", "'2' refers to a vertex that does not exist", "define 1"});
   ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf -2 1 1\n"), {"line 2", "'-2'"});
   ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 0 1 1\n"), {"line 2", "'0'"});
   ExpectSays(WhyNoMesh(ParseObj, "v 0 nan 0\n"), {"line 1", "'nan'", "finite"});
@@ -56,22 +57,24 @@ TEST(MeshStl, HeadsThatLieAreRefused) {
   EXPECT_EQ(ParseStl(bytes).triangles.size(), 12U);
   bytes[83] = '\x7f';  // the highest byte of the count
   ExpectSays(WhyNoMesh(ParseStl, bytes), {"its header announces 2130706444 triangles", "the file has 684"});
-  ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacet\nvertex 0 0 0\nendfacet\n"), {"line 4", "a facet of 1 vertices"});
+  ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacet\nvertex 0 0 0\nendfacet\n"), {"line 4", "a facet has 1 vertices"});
   ExpectSays(WhyNoMesh(ParseStl, "solid a\nvertex 0 0 0\n"), {"ends within a facet"});
   ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacette\n"), {"line 2", "'facette' is not an STL keyword"});
 }
 
-/// Both made other readers run out of stack or out of bounds.
+/// Both kinds of files caused stack overflows or out-of-bounds accesses in other readers.
 TEST(MeshCollada, WhatGoesRoundOrBeyondIsRefused) {
   const std::string good = Collada(Vector3(1.0, 1.0, 1.0), 1.0);
   EXPECT_EQ(ParseCollada(good).triangles.size(), 12U);
   ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<node", "<node id='m'><instance_node url='#m'/></node><node")),
-             {"<node>", "'m' shows itself"});
+             {"<node>", "'m' contains itself"});
   ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "count=\"8\"", "count=\"9\"")),
-             {"<accessor>", "takes 27 numbers; there are 24"});
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<p>", "<p>8 8 8 ")), {"<p>", "names point 8; there are 8"});
+             {"<accessor>", "needs 27 numbers; the array has 24"});
+  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<p>", "<p>8 8 8 ")),
+             {"<p>", "refers to point 8", "the mesh has 8 points"});
   ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "stride=\"3\"", "stride=\"0\"")), {"<accessor>", "stride 0"});
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "url=\"#g\"", "url=\"#h\"")), {"names '#h', which is not there"});
+  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "url=\"#g\"", "url=\"#h\"")),
+             {"refers to '#h', which does not exist"});
   ExpectSays(WhyNoMesh(ParseCollada, "<COLLADA/>"), {"<COLLADA>", "lacks <scene>"});
   std::string deep = "<COLLADA>";
   for (int i = 0; i < 600; ++i) deep += "<node>";

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// Why a text or file of bytes is refused.
+/// The message of a refused text or binary file.
 std::string StlMessage(const std::string& bytes) {
   try {
     ParseStl(bytes);

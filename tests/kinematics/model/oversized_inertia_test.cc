@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inertias that are far too large for their links, as of files in other units.
+// Inertias that are far too large for their links, such as those of files in other units.
 #include "kinematics/model/oversized_inertia.h"
 
 #include <gtest/gtest.h>

@@ -13,9 +13,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kTurned = 0.3;  // [rad] that a frame on the way lies aslant
+constexpr double kTurned = 0.3;  // [rad] tilt of a frame between the old and the new root
 
-/// Two legs of four joints and soles, written from the left sole up to the body and down to the right one.
+/// Two legs of four joints with soles. The tree starts at the left sole, and goes up to the body and down to the right
+/// sole.
 std::string FromTheSole(double right_foot_kg = 0.6) {
   unusual::UrdfText urdf;
   const std::string sole = urdf.Block(0.16, 0.09, 0.02);
@@ -57,7 +58,7 @@ TEST(RerootFromLimbEnd, TheBodyIsTheBase) {
                           [](const Finding& f) { return f.code == FailureCode::kRootOfLimb; }));
 }
 
-/// The frame of the right foot against the left one goes by the written chain, whichever link the base is.
+/// The pose of the right foot relative to the left one is that of the chain in the file, for any base link.
 TEST(RerootFromLimbEnd, JointPositionsKeepTheirMeaning) {
   const RobotModel model = LoadRobotFromText(FromTheSole(), "feet: [{link: left_foot}, {link: right_foot}]").value();
   VectorX joints(model.num_dofs());
@@ -71,7 +72,7 @@ TEST(RerootFromLimbEnd, JointPositionsKeepTheirMeaning) {
                     turn(q("left_hip_joint"), Y) * move(0, 0, 0.02) * turn(q("body_joint"), X) * move(0, -0.2, -0.02) *
                     turn(q("right_hip_joint"), X) * turn(q("right_thigh_joint"), Y) * move(0, 0, -0.25) *
                     turn(q("right_shank_joint"), Y) * move(0, 0, -0.25) * turn(q("right_foot_joint"), Y);
-  // The left sole's box stands at the foot's own origin, as it was written.
+  // The box of the left sole is at the origin of the foot, as in the file.
   const auto box = std::find_if(model.collision_shapes.begin(), model.collision_shapes.end(),
                                 [](const Shape& shape) { return shape.link == "left_foot"; });
   ASSERT_NE(box, model.collision_shapes.end());

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// A leader of -1 to 2 with a follower of the given multiplier, offset and limits.
+/// A leader with limits of -1 to 2, and a follower with the given multiplier, offset and limits.
 RobotModel LeaderAndFollower(double multiplier, double offset, double lower, double upper) {
   RobotModel model;
   model.name = "made";

@@ -22,7 +22,7 @@ bool IsYamlAccepted(const std::string& text) {
   return true;
 }
 
-/// A value that a shape accepts, and one that it refuses; "" where all numbers and texts are accepted.
+/// A value that a shape accepts, and one that it refuses; "" if all numbers and texts are accepted.
 struct SampleValues {
   std::string accepted, refused;
 };
@@ -42,7 +42,7 @@ TEST(RobotYamlShape, TheReaderAcceptsEachNumberWithinItsRangeAndNoneBeyond) {
       if (values.accepted.empty()) continue;
       EXPECT_FALSE(IsYamlAccepted(before + member.key + ": " + values.refused + after)) << member.key;
       ++checked;
-      // Some keys need others beside them, which other tests give.
+      // Some keys need other keys; other tests cover them.
       const std::set<std::string> paired = {"standing_base_height_m", "thermal_s"};
       if (paired.contains(member.key)) continue;
       EXPECT_TRUE(IsYamlAccepted(before + member.key + ": " + values.accepted + after)) << member.key;

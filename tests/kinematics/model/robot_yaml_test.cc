@@ -21,7 +21,7 @@ RobotModel With(const std::string& yaml) {
   return std::move(model).value();
 }
 
-std::string WhyNot(const std::string& yaml) { return MessageOf(FourLegs(), yaml); }
+std::string ReasonRefused(const std::string& yaml) { return MessageOf(FourLegs(), yaml); }
 
 const Joint& JointOf(const RobotModel& model, const std::string& name) {
   return model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(model.DofIndex(name))])];
@@ -32,7 +32,7 @@ std::string NotesOf(const RobotModel& model) {
                          [](const auto& all, const auto& note) { return all + note + "\n"; });
 }
 
-/// A robot like the small one whose knees slide.
+/// The small robot with prismatic knees.
 std::string Sliding() {
   return Replaced(Replaced(FourLegs(), "_knee' type='revolute'", "_knee' type='prismatic'"), "lower='-2' upper='1'",
                   "lower='-0.1' upper='0.1'");
@@ -76,8 +76,9 @@ TEST(RobotYaml, MotorsSayWhatTheyCan) {
   EXPECT_EQ(motor.EffortAt(-9.0, 30.0), 30.0);
   EXPECT_FALSE(model.MotorOf(model.DofIndex("B_knee")).has_curve());
   EXPECT_EQ(model.MotorOf(model.DofIndex("B_knee")).EffortAt(1e3, 30.0), 30.0);
-  ExpectSays(DescribeRobot(model), {"full effort up to 4, zero from 8 on", "9 continuously, as mean over 3 s",
-                                    "rotor inertia 0.02", "damping 0.3, friction 0.7"});
+  ExpectSays(DescribeRobot(model),
+             {"full effort up to speed 4, none from 8 on", "continuous 9 (root mean square over 3 s)",
+              "rotor inertia 0.02", "damping 0.3, friction 0.7"});
 }
 
 TEST(RobotYaml, ACurveWithoutAPeakIsNoted) {
@@ -90,14 +91,15 @@ TEST(RobotYaml, ACurveWithoutAPeakIsNoted) {
 }
 
 TEST(RobotYaml, RefusesMotorsThatContradictThemselves) {
-  ExpectSays(WhyNot("motors: {A_knee: {corner_velocity_rad_s: 8, no_load_velocity_rad_s: 4}}"),
+  ExpectSays(ReasonRefused("motors: {A_knee: {corner_velocity_rad_s: 8, no_load_velocity_rad_s: 4}}"),
              {"line 1", "'A_knee' has a corner velocity of 8, which is not below its no-load velocity of 4"});
-  ExpectSays(WhyNot("motors: {A_knee: {no_load_velocity_rad_s: 4}}"), {"one end of its torque-speed curve"});
-  ExpectSays(WhyNot("motors: {A_knee: {continuous_nm: 31}}"),
+  ExpectSays(ReasonRefused("motors: {A_knee: {no_load_velocity_rad_s: 4}}"), {"one end of its torque-speed curve"});
+  ExpectSays(ReasonRefused("motors: {A_knee: {continuous_nm: 31}}"),
              {"a continuous effort of 31, above the joint's limit of 30"});
-  ExpectSays(WhyNot("motors: {A_knee: {thermal_s: 3}}"), {"line 1", "'A_knee'", "'thermal_s'", "no 'continuous_nm'"});
-  ExpectSays(WhyNot("motors: {A_knee: {continuous_n: 3}}"), {"joint 'A_knee' is revolute"});
-  ExpectSays(WhyNot("motors: {A_knee: {rotor_inertia_kg_m2: 0}}"), {"rotor_inertia_kg_m2"});
+  ExpectSays(ReasonRefused("motors: {A_knee: {thermal_s: 3}}"),
+             {"line 1", "'A_knee'", "'thermal_s'", "no 'continuous_nm'"});
+  ExpectSays(ReasonRefused("motors: {A_knee: {continuous_n: 3}}"), {"joint 'A_knee' is revolute"});
+  ExpectSays(ReasonRefused("motors: {A_knee: {rotor_inertia_kg_m2: 0}}"), {"rotor_inertia_kg_m2"});
 }
 
 TEST(RobotYaml, LimitsBoundAContinuousJointAndReplaceAPlaceholder) {
@@ -113,16 +115,18 @@ TEST(RobotYaml, LimitsBoundAContinuousJointAndReplaceAPlaceholder) {
 }
 
 TEST(RobotYaml, RefusesLimitsThatCannotBe) {
-  ExpectSays(WhyNot("limits: {A_kne: {effort_nm: 3}}"), {"line 1", "no moving joint 'A_kne'", "nearest is 'A_knee'"});
-  ExpectSays(WhyNot("limits:\n  A_knee: {lower_rad: 2}"),
+  ExpectSays(ReasonRefused("limits: {A_kne: {effort_nm: 3}}"),
+             {"line 1", "no moving joint 'A_kne'", "nearest is 'A_knee'"});
+  ExpectSays(ReasonRefused("limits:\n  A_knee: {lower_rad: 2}"),
              {"line 2", "'A_knee'", "lower limit 2 is above its upper limit 1"});
-  ExpectSays(WhyNot("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "over zero"});
-  ExpectSays(WhyNot("limits: {A_knee: {effort: 3}}"), {"unknown key 'effort'", "nearest are 'effort_nm', 'effort_n'"});
-  ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' is revolute", "_rad"});
-  ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0, effort_nm: 2}}"), {"'A_knee'", "use only one kind"});
+  ExpectSays(ReasonRefused("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "above 0"});
+  ExpectSays(ReasonRefused("limits: {A_knee: {effort: 3}}"),
+             {"unknown key 'effort'", "nearest are 'effort_nm', 'effort_n'"});
+  ExpectSays(ReasonRefused("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' is revolute", "_rad"});
+  ExpectSays(ReasonRefused("limits: {A_knee: {lower_m: 0, effort_nm: 2}}"), {"'A_knee'", "use only one kind"});
   ExpectSays(MessageOf(Sliding(), "limits: {A_knee: {effort_nm: 2}}"), {"'A_knee' is prismatic", "_n"});
-  ExpectSays(WhyNot("limits: {A_knee: 3}"), {"the limits of 'A_knee'", "a single value", "a map"});
-  ExpectSays(WhyNot("limits: 3"), {"'limits' is a single value"});
+  ExpectSays(ReasonRefused("limits: {A_knee: 3}"), {"the limits of 'A_knee'", "a single value", "a map"});
+  ExpectSays(ReasonRefused("limits: 3"), {"'limits' is a single value"});
 }
 
 TEST(RobotYaml, FeetAreNamedWithTypeRadiusAndSole) {
@@ -152,10 +156,10 @@ TEST(RobotYaml, FeetAreNamedWithTypeRadiusAndSole) {
 }
 
 TEST(RobotYaml, RefusesFeetThatCannotBe) {
-  const auto foot = [](const std::string& keys) { return WhyNot("feet:\n- {link: B_foot}\n- {" + keys + "}"); };
-  ExpectSays(WhyNot("feet: 3"), {"line 1", "'feet' is a single value", "a list"});
-  ExpectSays(WhyNot("feet: []"), {"'feet' is empty"});
-  ExpectSays(WhyNot("feet: [3]"), {"a foot is a single value", "a map"});
+  const auto foot = [](const std::string& keys) { return ReasonRefused("feet:\n- {link: B_foot}\n- {" + keys + "}"); };
+  ExpectSays(ReasonRefused("feet: 3"), {"line 1", "'feet' is a single value", "a list"});
+  ExpectSays(ReasonRefused("feet: []"), {"'feet' is empty"});
+  ExpectSays(ReasonRefused("feet: [3]"), {"a foot is a single value", "a map"});
   ExpectSays(foot("type: point"), {"line 3", "lacks the key 'link'"});
   ExpectSays(foot("link: [A_foot]"), {"'link' is a list"});
   ExpectSays(foot("link: A_foot, typ: sole"), {"line 3", "unknown key 'typ'", "nearest is 'type'"});
@@ -173,7 +177,7 @@ TEST(RobotYaml, RefusesFeetThatCannotBe) {
 
 TEST(RobotYaml, RefusesSolesThatAreNoConvexPolygon) {
   const auto sole = [](const std::string& corners) {
-    return WhyNot("feet:\n- {link: B_foot}\n- {link: A_foot, sole_m: " + corners + "}");
+    return ReasonRefused("feet:\n- {link: B_foot}\n- {link: A_foot, sole_m: " + corners + "}");
   };
   ExpectSays(sole("3"), {"'sole_m' is a single value"});
   ExpectSays(sole("[[0, 0], [0.1, 0]]"), {"line 3", "2 corners", "three or more"});
@@ -197,15 +201,15 @@ TEST(RobotYaml, LegsTakeKneesAndSides) {
 }
 
 TEST(RobotYaml, RefusesLegsThatCannotBe) {
-  ExpectSays(WhyNot("legs: 3"), {"'legs' is a single value"});
-  ExpectSays(WhyNot("legs: {A_fot: {knee: A_knee}}"), {"no foot 'A_fot'", "'A_foot', 'B_foot'"});
-  ExpectSays(WhyNot("legs: {A_foot: {kne: A_knee}}"), {"unknown key 'kne'", "nearest is 'knee'"});
-  ExpectSays(WhyNot("legs: {A_foot: {knee: B_knee}}"),
+  ExpectSays(ReasonRefused("legs: 3"), {"'legs' is a single value"});
+  ExpectSays(ReasonRefused("legs: {A_fot: {knee: A_knee}}"), {"no foot 'A_fot'", "'A_foot', 'B_foot'"});
+  ExpectSays(ReasonRefused("legs: {A_foot: {kne: A_knee}}"), {"unknown key 'kne'", "nearest is 'knee'"});
+  ExpectSays(ReasonRefused("legs: {A_foot: {knee: B_knee}}"),
              {"'B_knee' is not a joint of leg 'A_foot'", "'A_hip', 'A_knee'"});
-  ExpectSays(WhyNot("legs: {A_foot: {joints: [A_knee, A_hip]}}"), {"'A_hip', 'A_knee', from the base"});
-  ExpectSays(WhyNot("legs: {A_foot: {joints: A_knee}}"), {"'joints' is a single value"});
-  ExpectSays(WhyNot("legs: {A_foot: {knee_side: left}}"), {"'knee_side' is 'left'", "'plus', 'minus'"});
-  ExpectSays(WhyNot("limits: {A_knee: {upper_rad: -0.5}}\nlegs: {A_foot: {knee_side: plus}}"),
+  ExpectSays(ReasonRefused("legs: {A_foot: {joints: [A_knee, A_hip]}}"), {"'A_hip', 'A_knee', from the base"});
+  ExpectSays(ReasonRefused("legs: {A_foot: {joints: A_knee}}"), {"'joints' is a single value"});
+  ExpectSays(ReasonRefused("legs: {A_foot: {knee_side: left}}"), {"'knee_side' is 'left'", "'plus', 'minus'"});
+  ExpectSays(ReasonRefused("limits: {A_knee: {upper_rad: -0.5}}\nlegs: {A_foot: {knee_side: plus}}"),
              {"line 2", "'A_knee' cannot bend to plus", "-2 to -0.5"});
 }
 
@@ -222,11 +226,12 @@ TEST(RobotYaml, MirrorPairsTakeThePlaceOfDerivedOnes) {
 }
 
 TEST(RobotYaml, RefusesPairsThatAreNone) {
-  ExpectSays(WhyNot("mirror_pairs: A_foot"), {"'mirror_pairs' is a single value"});
-  ExpectSays(WhyNot("mirror_pairs: [[A_foot]]"), {"has 1 feet; two are needed"});
-  ExpectSays(WhyNot("mirror_pairs: [[A_foot, A_foot]]"), {"paired with itself"});
-  ExpectSays(WhyNot("mirror_pairs:\n- [A_foot, B_foot]\n- [A_foot, C_foot]"), {"line 3", "'A_foot' is in two pairs"});
-  ExpectSays(WhyNot("mirror_pairs: [[A_foot, E_foot]]"), {"no foot 'E_foot'"});
+  ExpectSays(ReasonRefused("mirror_pairs: A_foot"), {"'mirror_pairs' is a single value"});
+  ExpectSays(ReasonRefused("mirror_pairs: [[A_foot]]"), {"has 1 feet; two are needed"});
+  ExpectSays(ReasonRefused("mirror_pairs: [[A_foot, A_foot]]"), {"paired with itself"});
+  ExpectSays(ReasonRefused("mirror_pairs:\n- [A_foot, B_foot]\n- [A_foot, C_foot]"),
+             {"line 3", "'A_foot' is in two pairs"});
+  ExpectSays(ReasonRefused("mirror_pairs: [[A_foot, E_foot]]"), {"no foot 'E_foot'"});
 }
 
 TEST(RobotYaml, StandingPositionsAndTheirHeight) {
@@ -238,18 +243,18 @@ TEST(RobotYaml, StandingPositionsAndTheirHeight) {
   EXPECT_EQ(model.standing_joints[model.DofIndex("A_hip")], 0.5);
   EXPECT_NEAR(model.standing_base_height_m, height, 1e-12);
   EXPECT_NEAR(With(all + "standing_base_height_m: 0.372").standing_base_height_m, 0.372, 1e-12);
-  ExpectSays(WhyNot(all + "standing_base_height_m: 0.5"), {"line 2", "is 0.5", "0.3710 m", "129.0 mm off"});
-  // One knee straighter: its foot is lower and the others float.
-  ExpectSays(WhyNot(Replaced(all, "C_knee: -1.0", "C_knee: -0.9")),
+  ExpectSays(ReasonRefused(all + "standing_base_height_m: 0.5"), {"line 2", "is 0.5", "0.3710 m", "129.0 mm off"});
+  // One knee is straighter, so its foot is lower and the other feet do not touch the ground.
+  ExpectSays(ReasonRefused(Replaced(all, "C_knee: -1.0", "C_knee: -0.9")),
              {"foot 'A_foot' is", "mm above foot 'C_foot'", "5 mm"});
-  ExpectSays(WhyNot("standing_base_height_m: -1"), {"'standing_base_height_m' is -1"});
+  ExpectSays(ReasonRefused("standing_base_height_m: -1"), {"'standing_base_height_m' is -1"});
 }
 
 TEST(RobotYaml, RefusesStandingThatCannotBe) {
-  ExpectSays(WhyNot("standing: 3"), {"'standing' is a single value"});
-  ExpectSays(WhyNot("standing: {A_knee: bent}"), {"'A_knee' is 'bent'; a number is needed"});
-  ExpectSays(WhyNot("standing:\n  A_knee: .inf"), {"line 2", "finite"});
-  ExpectSays(WhyNot("standing: {A_knee: 1.5}"), {"1.5", "'A_knee' is outside its limits -2 to 1"});
+  ExpectSays(ReasonRefused("standing: 3"), {"'standing' is a single value"});
+  ExpectSays(ReasonRefused("standing: {A_knee: bent}"), {"'A_knee' is 'bent'; a number is needed"});
+  ExpectSays(ReasonRefused("standing:\n  A_knee: .inf"), {"line 2", "finite"});
+  ExpectSays(ReasonRefused("standing: {A_knee: 1.5}"), {"1.5", "'A_knee' is outside its limits -2 to 1"});
   ExpectSays(MessageOf(FourLegsWhere("A", "<mimic joint='B_knee'/>"), "standing: {A_knee: -1}"),
              {"'A_knee' mimics another", "name 'B_knee'"});
 }
@@ -270,41 +275,43 @@ TEST(RobotYaml, GainsAndOwnSpeed) {
 }
 
 TEST(RobotYaml, KeysOfMotorsThatAreNearAreThoseOfEitherKindOfJoint) {
-  ExpectSays(WhyNot("motors: {A_knee: {jerk: 5}}"), {"unknown key 'jerk'", "nearest are 'jerk_rad_s3', 'jerk_m_s3'"});
-  ExpectSays(WhyNot("motors: {A_knee: {jerk_m_s3: 5}}"), {"'A_knee' is revolute", "_rad_s3"});
+  ExpectSays(ReasonRefused("motors: {A_knee: {jerk: 5}}"),
+             {"unknown key 'jerk'", "nearest are 'jerk_rad_s3', 'jerk_m_s3'"});
+  ExpectSays(ReasonRefused("motors: {A_knee: {jerk_m_s3: 5}}"), {"'A_knee' is revolute", "_rad_s3"});
   ExpectSays(MessageOf(Sliding(), "motors: {A_knee: {jerk_rad_s3: 5}}"), {"'A_knee' is prismatic", "_m_s3"});
 }
 
 TEST(RobotYaml, RefusesGainsAndSpeedsThatCannotBe) {
-  ExpectSays(WhyNot("gains: 5"), {"'gains' is a single value"});
-  ExpectSays(WhyNot("gains: {A_knee: 5}"), {"the gains of 'A_knee' is a single value"});
-  ExpectSays(WhyNot("gains: {A_knee: {stiffness: 5}}"),
+  ExpectSays(ReasonRefused("gains: 5"), {"'gains' is a single value"});
+  ExpectSays(ReasonRefused("gains: {A_knee: 5}"), {"the gains of 'A_knee' is a single value"});
+  ExpectSays(ReasonRefused("gains: {A_knee: {stiffness: 5}}"),
              {"unknown key 'stiffness'", "nearest are 'stiffness_nm_rad', 'stiffness_n_m'"});
-  ExpectSays(WhyNot("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "over zero"});
-  ExpectSays(WhyNot("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' is revolute"});
-  ExpectSays(WhyNot("gains: {A_kneee: {stiffness_nm_rad: 5}}"), {"no moving joint 'A_kneee'", "nearest is 'A_knee'"});
-  ExpectSays(WhyNot("nominal_speed_m_s: 0"), {"'nominal_speed_m_s' is 0"});
-  ExpectSays(WhyNot("nominal_speed_m_s: fast"), {"'fast'; a number is needed"});
+  ExpectSays(ReasonRefused("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "above 0"});
+  ExpectSays(ReasonRefused("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' is revolute"});
+  ExpectSays(ReasonRefused("gains: {A_kneee: {stiffness_nm_rad: 5}}"),
+             {"no moving joint 'A_kneee'", "nearest is 'A_knee'"});
+  ExpectSays(ReasonRefused("nominal_speed_m_s: 0"), {"'nominal_speed_m_s' is 0"});
+  ExpectSays(ReasonRefused("nominal_speed_m_s: fast"), {"'fast'; a number is needed"});
 }
 
 TEST(RobotYaml, RefusesWhatIsNoMapOfKnownKeysOnce) {
-  ExpectSays(WhyNot("3"), {"the file is a single value", "a map"});
-  ExpectSays(WhyNot("name: a\nname: b"), {"line 2", "the key 'name' twice"});
-  ExpectSays(WhyNot("standing:\n  A_hip: 0\n  A_hip: 1"), {"line 3", "'standing' has the key 'A_hip' twice"});
-  ExpectSays(WhyNot("name: a\nstandin: {}"), {"line 2", "unknown key 'standin'", "nearest is 'standing'"});
-  ExpectSays(WhyNot("name: ''"), {"'name' is empty"});
-  ExpectSays(WhyNot("name: a\n---\nname: b"), {"second YAML document"});
-  ExpectSays(WhyNot("[a]: 3"), {"a key of the file is a list"});
+  ExpectSays(ReasonRefused("3"), {"the file is a single value", "a map"});
+  ExpectSays(ReasonRefused("name: a\nname: b"), {"line 2", "the key 'name' twice"});
+  ExpectSays(ReasonRefused("standing:\n  A_hip: 0\n  A_hip: 1"), {"line 3", "'standing' has the key 'A_hip' twice"});
+  ExpectSays(ReasonRefused("name: a\nstandin: {}"), {"line 2", "unknown key 'standin'", "nearest is 'standing'"});
+  ExpectSays(ReasonRefused("name: ''"), {"'name' is empty"});
+  ExpectSays(ReasonRefused("name: a\n---\nname: b"), {"second YAML document"});
+  ExpectSays(ReasonRefused("[a]: 3"), {"a key of the file is a list"});
   for (const char* broken : {"a: [1", "a: 'b", "\tname: a", "a: b: c", "&"}) {
-    const std::string message = WhyNot(broken);
+    const std::string message = ReasonRefused(broken);
     ExpectSays(message, {"robot.yaml, line", "column", "not YAML"});
     EXPECT_EQ(message.find("yaml-cpp"), std::string::npos);
   }
-  EXPECT_EQ(WhyNot(""), "");
-  EXPECT_EQ(WhyNot("# nothing\n"), "");
+  EXPECT_EQ(ReasonRefused(""), "");
+  EXPECT_EQ(ReasonRefused("# nothing\n"), "");
 }
 
-/// The keys of an object, and those of what is in it.
+/// Adds the keys of an object and of the objects in it.
 void AddKeys(const DataShape& shape, std::vector<std::string>& keys) {
   for (const ShapeMember& member : shape.members) {
     keys.push_back(member.key);

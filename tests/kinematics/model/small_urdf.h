@@ -16,20 +16,20 @@ inline std::string Replaced(std::string text, const std::string& from, const std
   return text;
 }
 
-/// Expects all parts to be in the message.
+/// Expects all parts in the message.
 inline void ExpectSays(const std::string& message, const std::vector<std::string>& parts) {
   for (const std::string& part : parts) {
     EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' should say '" << part << "'";
   }
 }
 
-/// Why a robot is refused; "" when it is not.
+/// The message of a refused robot; "" if it is accepted.
 inline std::string MessageOf(const std::string& urdf, const std::string& yaml = "", bool strict = false) {
   const Result<RobotModel> model = LoadRobotFromText(urdf, yaml, "robot", {}, strict);
   return model.ok() ? "" : model.failure().message;
 }
 
-/// A joint turning about y with `extra` put in.
+/// A joint about y with the elements `extra`.
 inline std::string PitchJoint(const std::string& name, const std::string& parent, const std::string& child,
                               const std::string& xyz, const std::string& extra = "") {
   return "<joint name='" + name + "' type='revolute'><parent link='" + parent + "'/><child link='" + child +
@@ -44,8 +44,9 @@ inline std::string SmallLink(const std::string& name, const std::string& geometr
          (geometry.empty() ? "" : "<collision><geometry>" + geometry + "</geometry></collision>") + "</link>";
 }
 
-/// Four legs of a hip and a knee, 0.2 m each, each foot of the geometry given: `A_hip`, `A_knee`, `A_foot` and so on
-/// for A and B in front (A left), C and D behind; the shanks are `A_shank`. In the knee of each leg stands `A_extra`.
+/// Four legs with hip, knee and links of 0.2 m: `A_hip`, `A_knee`, `A_shank`, `A_foot` and so on. A and B are in front
+/// (A left), C and D behind. The knee of each leg contains the placeholder `A_extra`.
+/// @param foot  geometry of each foot.
 inline std::string FourLegs(const std::string& foot = "<sphere radius='0.02'/>") {
   std::string text = "<robot name='four'>" + SmallLink("trunk", "<box size='0.4 0.2 0.1'/>");
   for (const std::string leg : {"A", "B", "C", "D"}) {
@@ -59,7 +60,7 @@ inline std::string FourLegs(const std::string& foot = "<sphere radius='0.02'/>")
   return text + "</robot>";
 }
 
-/// Put in for a leg's extra: its knee mimics another joint.
+/// FourLegs with a text for the placeholder of one leg, for example a knee that mimics another joint.
 inline std::string FourLegsWhere(const std::string& leg, const std::string& extra) {
   return Replaced(FourLegs(), "<!--" + leg + "_extra-->", extra);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a rounded foot is its sole.
+// The part of a rounded foot that is its sole.
 #include <gtest/gtest.h>
 
 #include "kinematics/dynamics/foot_contact.h"
@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// NAO with soles of which 3 mm are bevelled all round: 140 by 70 mm below, 157 by 88 mm above, 20 mm thick.
+/// NAO with bevelled soles of 20 mm thickness: 140 by 70 mm at the bottom, 157 by 88 mm from 3 mm above it.
 Result<RobotModel> Bevelled(const std::string& more_yaml) {
   const RobotModel nao = LoadNamedRobot("nao").value();
   MeshHull hull{"sole.obj", {}};

@@ -34,7 +34,7 @@ TEST(SolidInertia, IsThatOfTextbooks) {
   EXPECT_LT((rod.diagonal() - Vector3(0.16, 0.16, 0.08)).norm(), 1e-12);
 }
 
-/// The published table of the humanoid gives what Bullet works out for its thigh.
+/// The published table of the humanoid contains the inertia that Bullet computes for its thigh.
 TEST(SolidInertia, ACapsuleIsAsPublished) {
   const Matrix3 thigh = InertiaOf({Made(ShapeType::kCapsule, {0.055, 0.3, 0.0})}, 4.5);
   EXPECT_LT((thigh.diagonal() - Vector3(0.0562824, 0.0562824, 0.00653886)).norm(), 1e-7);

@@ -13,8 +13,8 @@
 namespace gaitwright {
 namespace {
 
-/// A biped with soles of 0.16 m by 0.1 m, 0.05 m below the ankle, and toes ahead of them. @param above_m  of the toes
-/// over the soles.  @param long_m  length of the toes.
+/// A biped with soles of 0.16 m by 0.1 m, 0.05 m below the ankle, and toes in front of them.
+/// @param above_m  height of the toes above the soles.  @param long_m  length of the toes.
 std::string Toed(double above_m, double long_m = 0.05) {
   unusual::UrdfText urdf;
   urdf.Link("body", 10.0, 0.25, urdf.Block(0.15, 0.2, 0.3, -0.15));

@@ -185,7 +185,7 @@ TEST(TransmissionYaml, RefusesByLine) {
       {head + "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0]}, {name: b, ratios: [1]}]\n",
        {"line 4", "motor 'b' has 1 ratios"}},
       {head + "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0]}, {name: a, ratios: [0, 1]}]\n",
-       {"line 4", "two motors 'a'"}},
+       {"line 4", "two motors are named 'a'"}},
       {head + "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0]}, {name: B_hip, ratios: [0, 1]}]\n",
        {"line 4", "'B_hip'", "name of a joint"}},
       {head + "[A_hip, A_knee]\n    motors: [{name: a, ratios: [1, 0], effort_nm: 0}, {name: b, ratios: [0, 1]}]\n",

@@ -72,7 +72,7 @@ TEST(TransmissionYaml, DataOfAMotorMustAgree) {
   ExpectSays(DriveRefusal(TwoMotors("effort_nm: 5, continuous_nm: 5.1")), {"'m2'", "5.1", "5"});
   EXPECT_EQ(DriveRefusal(TwoMotors("effort_nm: 5, continuous_nm: 5")), "");
   ExpectSays(DriveRefusal(TwoMotors("thermal_s: 5")), {"'m2'", "thermal_s"});
-  ExpectSays(DriveRefusal(TwoMotors("effort_nm: 0")), {"line 5", "over zero"});
+  ExpectSays(DriveRefusal(TwoMotors("effort_nm: 0")), {"line 5", "above 0"});
   ExpectSays(DriveRefusal(TwoMotors("efort_nm: 5")), {"'efort_nm'", "'effort_nm'"});
 }
 

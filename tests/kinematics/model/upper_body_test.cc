@@ -35,7 +35,7 @@ TEST(UpperBody, AQuadrupedHasNeither) {
   }
 }
 
-/// Arms above a waist that turns, with a head or without one.
+/// Arms above a rotating waist, with or without a head.
 TEST(UpperBody, ArmsAreFoundAboveAWaist) {
   for (const char* name : {"h1", "humanoid"}) {
     const RobotModel model = LoadNamedRobot(name).value();
@@ -49,7 +49,7 @@ TEST(UpperBody, ArmsAreFoundAboveAWaist) {
   }
 }
 
-/// Names, frames and the signs of joints are of no account.
+/// Names, frames and signs of joints do not matter.
 TEST(UpperBody, IsTheSameInOtherConventions) {
   const RobotModel nao = LoadNamedRobot("nao").value();
   DisguisedUrdf disguise(nao.urdf_text, 3);

@@ -100,7 +100,7 @@ TEST(UrdfCheck, CapsulesAreRead) {
   EXPECT_EQ(model->collision_shapes[1].type, ShapeType::kCapsule);
   EXPECT_EQ(model->collision_shapes[1].link, "A_foot");
   EXPECT_EQ(model->collision_shapes[1].size, Vector3(0.02, 0.1, 0.0));
-  // It reaches 0.2 + 0.05 + 0.02 below the knee and rolls on its round end.
+  // The foot reaches 0.2 + 0.05 + 0.02 m below the knee and rolls on its round end.
   EXPECT_EQ(model->feet[0].type, FootType::kSphere);
   EXPECT_DOUBLE_EQ(model->feet[0].radius, 0.02);
   EXPECT_NEAR(model->feet[0].X_BF.translation().z(), -0.25, 1e-12);

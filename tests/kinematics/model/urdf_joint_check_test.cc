@@ -23,7 +23,7 @@ Failure CheckedJoint(const std::string& type, const std::string& inside, bool st
   return {};
 }
 
-/// Why the mimics of joints are refused. Each row: name, type, what stands in it.
+/// The failure of refused mimics of joints. Each row has name, type and content of a joint.
 Failure CheckedMimics(const std::vector<std::array<std::string, 3>>& joints) {
   std::string text = "<robot>";
   for (const auto& [name, type, inside] : joints)

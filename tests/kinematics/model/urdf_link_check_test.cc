@@ -7,7 +7,7 @@
 namespace gaitwright {
 namespace {
 
-/// The failure that a call throws; code kInternal where it throws none.
+/// The failure that a call throws; code kInternal if it does not throw.
 template <class Call>
 Failure LinkRefusal(const Call& call) {
   try {
@@ -18,7 +18,7 @@ Failure LinkRefusal(const Call& call) {
   return {};
 }
 
-/// Why a link is refused.
+/// The failure of a refused link.
 Failure CheckedLink(const std::string& inside, bool strict = false) {
   tinyxml2::XMLDocument xml;
   xml.Parse(("<link name='l'>" + inside + "</link>").c_str());

@@ -27,7 +27,7 @@ double VolumeOf(const Points& points, const Triangles& triangles) {
   return six / 6.0;
 }
 
-/// A closed surface: each edge belongs to two triangles, once in each direction; and no point is outside of it.
+/// Expects a closed surface: each edge belongs to two triangles, once in each direction, and no point is outside.
 void ExpectHull(const Points& points, const Triangles& triangles, double rounding = 1e-9) {
   std::map<std::pair<int, int>, int> edges;
   for (const Eigen::Vector3i& t : triangles) {
@@ -54,7 +54,7 @@ TEST(HullTriangles, OfABoxAreTwoASide) {
   ExpectHull(box, HullTriangles(box));
   EXPECT_NEAR(VolumeOf(box, HullTriangles(box)), 6.0, 1e-12);
   for (const Vector3& inside : {Vector3(0.5, 1.0, 1.0), Vector3(0.5, 1.0, 0.0), Vector3(0.5, 0.0, 0.0), box[3]})
-    box.push_back(inside);  // within it, in a side, in an edge, and a corner for the second time
+    box.push_back(inside);  // inside, on a side, on an edge, and a duplicate corner
   EXPECT_EQ(HullTriangles(box).size(), 12U);
   ExpectHull(box, HullTriangles(box));
 }

@@ -23,7 +23,7 @@ std::pair<Vector2, Vector2> Extent(const Polygon& polygon) {
   return extent;
 }
 
-/// NAO on one foot of its standing posture.
+/// NAO in its standing posture on one foot.
 class HoldableSupportTest : public ::testing::TestWithParam<int> {
  protected:
   HoldableSupportTest() {
@@ -37,8 +37,8 @@ class HoldableSupportTest : public ::testing::TestWithParam<int> {
     return HoldableSupport(model_, scratch_, GetParam(), sole_, {p_WC_, model_.weight_n()}, use);
   }
 
-  /// Largest share of its limit that the motor of a revolute joint below half of the height of C takes, by virtual
-  /// work: the force through Z and C on the foot, its torques J^T f.
+  /// Largest share of a motor's limit over the revolute joints below half of the height of C. By virtual work: the
+  /// torques are J^T f, with the force through Z and C on the foot.
   double Effort(const Vector2& zmp) const { return Effort(model_, zmp); }
   double Effort(const RobotModel& model, const Vector2& zmp) const {
     const double ground = ContactFrame(model_, scratch_, GetParam()).translation().z();

@@ -57,7 +57,7 @@ TEST(Polygon, SegmentsAndPointsHaveNoInside) {
   EXPECT_THROW(SignedDistance({}, {0.0, 0.0}), InvalidArgument);
 }
 
-/// Convex, seeded, of random size and place.
+/// A convex polygon of random size and position, from a seed.
 Polygon RandomPolygon(std::mt19937& engine) {
   std::normal_distribution<double> normal;
   std::vector<Vector2> points;

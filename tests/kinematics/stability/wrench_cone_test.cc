@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The margin against the ZMP's on level ground, and against the split of the wrench over the contacts elsewhere.
+// The margin is compared with that of the ZMP on level ground, and with the split of the wrench over the contacts on
+// other ground.
 #include "kinematics/stability/wrench_cone.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ TEST(WrenchConeMargin, IsTheDistanceOfTheZmpOnLevelGround) {
     if (Area(support) < 0.01) continue;
     const Vector2 zmp = ZeroMomentPoint(wrench.p_W, wrench.force_W, wrench.moment_W, 0.0);
     const double expected = SignedDistance(support, zmp);
-    // Moments about the upright are had by friction only where something presses on both sides.
+    // Friction can give moments about the vertical only if forces press on both sides.
     EXPECT_NEAR(WrenchConeMargin(contacts, wrench), expected, expected > 0.0 ? 0.02 * 0.3 + 1e-3 : 0.01) << k;
     (expected > 0.0 ? inside : outside) += 1;
   }
@@ -79,14 +80,14 @@ TEST(WrenchConeMargin, OfTwoPointsIsTheDistanceToTheirLine) {
   }
 }
 
-/// What the split of a wrench over the contacts leaves, as a share of its force.
+/// Remaining part of a wrench after its split over the contacts, as a share of its force.
 double LeftBySplit(const std::vector<ContactPoint>& contacts, const PointWrench& wrench) {
   ContactSplit split;
   ContactSplitter().Solve(contacts, wrench, split);
   return std::hypot(split.residual_force_W.norm(), split.residual_moment_W.norm() / 0.3) / wrench.force_W.norm();
 }
 
-/// By a second road: the wrench with its axis shifted can be split over the contacts just up to the margin.
+/// Independent check: the wrench with a shifted axis can be split over the contacts exactly up to the margin.
 TEST(WrenchConeMargin, IsWhereTheSplitBeginsToFailOnContactsInNoPlane) {
   Numbers numbers(5);
   const auto left = [](const std::vector<ContactPoint>& contacts, PointWrench wrench, const Vector2& shift) {

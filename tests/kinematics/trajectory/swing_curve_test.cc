@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rates against differences and the ends at rest are in curves_test.cc.
+// Comparisons of rates with finite differences, and rest at the ends, are in curves_test.cc.
 #include "kinematics/trajectory/swing_curve.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST(SwingCurve, StandsOnItsEndsBeforeAndAfter) {
 }
 
 TEST(SwingCurve, AMovedWorldMovesTheCurve) {
-  Pose X_VW = Pose::Identity();  // about z, along which the lift is
+  Pose X_VW = Pose::Identity();  // a rotation about z, the direction of the lift
   X_VW.linear() = YawRotation(0.7);
   X_VW.translation() = Vector3(-3.0, 0.5, 0.25);
   const SwingCurve curve = StepForward();
@@ -119,7 +119,7 @@ TEST(SwingCurve, AShorterTimeScalesSpeedsAndTheirRates) {
 
 TEST(SwingCurve, ADetourReplacesTheBumpAndAddsToTheStraightMove) {
   const SwingCurve flat = StepForward(0.0);
-  SwingCurve one = StepForward(0.5), two = one;  // the lift has no say
+  SwingCurve one = StepForward(0.5), two = one;  // the lift has no effect
   one.detour_W = {Vector3(0.0, 0.0, 0.1), Vector3(0.02, 0.0, 0.1)};
   two.detour_W = {Vector3(0.0, 0.0, 0.2), Vector3(0.04, 0.0, 0.2)};
   for (double t = 2.02; t < 2.49; t += 0.06) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same numbers from an independent library: DART reads the same URDF with its own reader.
+// Comparison with an independent library: DART reads the same URDF with its own reader.
 #include <dart/dynamics/BodyNode.hpp>
 #include <dart/dynamics/DegreeOfFreedom.hpp>
 #include <dart/dynamics/FreeJoint.hpp>
@@ -56,7 +56,7 @@ class TwoRoads : public testing::TestWithParam<const char*> {
       follow_(static_cast<Eigen::Index>(dof->getIndexInSkeleton()), 6 + joint.dof) = joint.multiplier;
     }
     skeleton_->setVelocities(follow_ * v);
-    // The body-fixed components of the base's velocity change as it turns: d(R^T v)/dt = R^T (a - w x v).
+    // The body-fixed components of the base's velocity change as it rotates: d(R^T v)/dt = R^T (a - w x v).
     VectorX turned = a;
     const Vector3 linear = v.head<3>(), angular = v.segment<3>(3);
     turned.head<3>() -= angular.cross(linear);

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// The hopper with a flight of its own from 0.5 s on, over a foot that pushes so much.
+/// The hopper with another flight, which begins at 0.5 s, and a foot with this largest force.
 RigidBodyProblem Hopping(double flight_s, double most_n) {
   RigidBodyProblem problem = rigid_bodies::Hopper();
   problem.stances[1].start_s = 0.5 + flight_s;
@@ -20,7 +20,7 @@ RigidBodyProblem Hopping(double flight_s, double most_n) {
   return problem;
 }
 
-/// Of the hopper's box: the corner that is farthest from its centre of mass.
+/// Distance of the farthest corner of the hopper's box from the centre of mass.
 double HopperReach() { return Vector3(0.25, 0.15, 0.78).norm(); }
 
 TEST(BodyLimits, ProblemsWithMotionsAreNotRefused) {
@@ -32,7 +32,7 @@ TEST(BodyLimits, ProblemsWithMotionsAreNotRefused) {
 TEST(BodyLimits, AFlightMayBeAsLongAsTheStrokeAndTheForceAllow) {
   constexpr double kMass = 20.0, kMost = 600.0;
   const double gains = kMost / kMass - kGravity, reach = HopperReach();
-  // Half a second of pushing is more than the stroke takes.
+  // Pushing for half a second takes longer than the stroke.
   const double gives = std::sqrt(2.0 * gains * reach);
   ASSERT_LT(gives, 0.5 * gains);
   const double longest = (gives + std::sqrt(gives * gives + 2.0 * kGravity * reach)) / kGravity;
@@ -46,7 +46,7 @@ TEST(BodyLimits, AFlightMayBeAsLongAsTheStrokeAndTheForceAllow) {
 }
 
 TEST(BodyLimits, AShortSupportGivesNoMoreThanItsTime) {
-  // 1 N over the weight for 0.5 s.
+  // 1 N more than the weight, for 0.5 s.
   const double most = 20.0 * kGravity + 1.0, gives = 0.5 / 20.0;
   const double longest = (gives + std::sqrt(gives * gives + 2.0 * kGravity * HopperReach())) / kGravity;
   EXPECT_FALSE(WhyBeyondLegs(Hopping(longest - 1e-3, most)).has_value());

@@ -27,7 +27,7 @@ double LeastMargin(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ) 
   return least;
 }
 
-/// The cost that OptimiseZmp states, by knots.
+/// The cost as defined for OptimiseZmp, by knots.
 double Cost(const ZmpProblem& problem, const ZmpKnots& zmp, const ZmpWeights& weights, const VectorX& x) {
   double cost = 0.0;
   for (const auto& [a, b] : zmp.spans) {
@@ -43,7 +43,7 @@ double Cost(const ZmpProblem& problem, const ZmpKnots& zmp, const ZmpWeights& we
   return cost;
 }
 
-/// The knots' variables of a ZMP on the grid.
+/// The knots' variables for a ZMP on the grid.
 VectorX VariablesOf(const ZmpProblem& problem, const ZmpKnots& zmp, const std::vector<Vector2>& p_WZ) {
   VectorX x = VectorX::Zero(zmp.num_variables);
   for (const ZmpKnot& knot : zmp.knots) {
@@ -93,7 +93,7 @@ TEST(CentreOfMass, AMarginIsKept) {
   for (const double margin_m : {0.01, 0.03, 0.045}) {
     CentreOfMassOptions options;
     options.zmp_margin_m = margin_m;
-    options.smooth_weight = 0.1;  // draws the ZMP to the edges
+    options.smooth_weight = 0.1;  // pulls the ZMP to the edges
     const Result<CentreOfMassPlan> plan = PlanCentreOfMass(problem, options);
     ASSERT_TRUE(plan.ok()) << plan.failure().message;
     EXPECT_GT(plan->margin_min_m, margin_m - 1e-9);
@@ -133,7 +133,7 @@ TEST(OptimiseZmp, NothingNearIsBetter) {
     const ZmpKnots zmp = *PlaceZmpKnots(problem, 0.0, weights.knot_spacing_s);
     const VectorX x = VariablesOf(problem, zmp, found->p_WZ);
     const double cost = Cost(problem, zmp, weights, x);
-    // The ends' rows, column by column, to move along them only.
+    // The rows of the end constraints, column by column, for moves that keep them.
     MatrixX rows(4, zmp.num_variables);
     const auto ends = [&](const VectorX& at) {
       const auto motion = PendulumMotion(problem, zmp.Sample(at));

@@ -21,7 +21,7 @@ Terrain Strips(const std::vector<Vector3>& strips) {
   return ground;
 }
 
-/// Every foothold that was chosen is on a patch, its region too, and with the friction of that patch.
+/// Checks that every chosen foothold and its region are on a patch, and that it has the friction of that patch.
 void ExpectOnGround(const Terrain& ground, const RigidBodyProblem& problem, double margin_m) {
   for (const RigidStance& stance : problem.stances) {
     if (stance.held) continue;
@@ -50,7 +50,7 @@ TEST(ChooseFootholds, OnLevelGroundFeetStandWhereTheyLikeTo) {
   EXPECT_EQ(choice->problem.stances.size(), problem.stances.size());
   const RigidStance& last = choice->problem.stances[2];
   EXPECT_LT((last.X_WF.translation() - problem.goal.p_WC - problem.feet[0].p_CF_nominal_B).norm(), 0.03);
-  // From rest to rest: feet go on, never back.
+  // From rest to rest: feet move forward, never backward.
   for (std::size_t s = 1; s < 3; ++s)
     EXPECT_GT(choice->problem.stances[s].X_WF.translation().x(),
               choice->problem.stances[s - 1].X_WF.translation().x() + 0.05);
@@ -79,7 +79,7 @@ TEST(ChooseFootholds, TheBodyAndItsFeetGoUpASill) {
 }
 
 TEST(ChooseFootholds, WhatLiesBelowAnotherPatchIsNotStoodOn) {
-  // A plate on ground without end.
+  // A plate on infinite ground.
   Terrain ground = FlatTerrain(0.6);
   ground.patches.push_back(
       PatchThrough("plate", {{0.2, -2.0, 0.05}, {0.9, -2.0, 0.05}, {0.9, 2.0, 0.05}, {0.2, 2.0, 0.05}}, 0.5));
@@ -95,12 +95,12 @@ TEST(ChooseFootholds, RefusesWhatNoWayReachesAndSaysWhichFootAndWhen) {
   EXPECT_EQ(choice.failure().code, FailureCode::kOutOfReach);
   for (const char* part : {"foot ", "on the ground from ", " outside its workspace at "})
     EXPECT_NE(choice.failure().message.find(part), std::string::npos) << choice.failure().message;
-  EXPECT_TRUE(ChooseFootholds(ground, rigid_bodies::Walker(2.0), {.hopeless_m = 10.0}).ok());
+  EXPECT_TRUE(ChooseFootholds(ground, rigid_bodies::Walker(2.0), {.infeasible_m = 10.0}).ok());
 }
 
 TEST(ChooseFootholds, RefusesAGoalAtWhichAFootReachesNoGround) {
   RigidBodyProblem problem = rigid_bodies::Walker(0.6);
-  problem.goal.p_WC.z() += 0.17;  // of 0.15 m that its workspaces are high
+  problem.goal.p_WC.z() += 0.17;  // its workspaces are 0.15 m high
   const Result<ChosenFootholds> choice = ChooseFootholds(FlatTerrain(), problem);
   ASSERT_FALSE(choice.ok());
   EXPECT_EQ(choice.failure().message, "at the goal, foot 0 is 0.020 m outside its workspace on every patch");

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// The least cost, found anew from the numbers of a motion at other times.
+/// The optimal cost at other times, solved again from the variables of a motion.
 double CostAt(const RigidBodyProblem& problem, const RigidBodyOptions& options, const RigidBodyPlan& plan,
               std::size_t phase, double step_s) {
   const std::vector<double> switches = SwitchTimes(problem);

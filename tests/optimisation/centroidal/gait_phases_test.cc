@@ -58,7 +58,7 @@ TEST(Retimed, AllThatHasATimeGoesWithIt) {
 TEST(Retimed, WhatLegsDoAtGivenTimesIsNot) {
   EXPECT_TRUE(IsRetimable(rigid_bodies::Trotter()));
   RigidBodyProblem problem = rigid_bodies::Trotter();
-  rigid_bodies::AddInnerMotion(problem, 15);
+  rigid_bodies::AddLegMotion(problem, 15);
   EXPECT_FALSE(IsRetimable(problem));
   problem = rigid_bodies::Trotter();
   rigid_bodies::AddMotors(problem, 100.0);

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// The normal of ground that falls towards a heading, by its slope.
+/// The normal of ground that slopes down towards a heading.
 Vector3 Falling(double heading, double slope) {
   return Vector3(slope * std::cos(heading), slope * std::sin(heading), 1.0).normalized();
 }
@@ -28,7 +28,7 @@ TEST(LeastHoldingFriction, OnOneSlopeIsItsTangent) {
 TEST(LeastHoldingFriction, AstrideARidgeOrBetweenWallsNoneIsNeeded) {
   EXPECT_NEAR(LeastHoldingFriction({Falling(0.0, 0.7), Falling(M_PI, 0.7)}), 0.0, 2e-2);
   EXPECT_NEAR(LeastHoldingFriction({Falling(0.0, 0.7), Falling(2.1, 0.7), Falling(4.2, 0.7)}), 0.0, 1e-3);
-  // Slopes across each other: half way between they fall by 0.7 / sqrt(2) both.
+  // Slopes at right angles: half-way between, both slope down by 0.7 / sqrt(2).
   const double across = LeastHoldingFriction({Falling(0.0, 0.7), Falling(0.5 * M_PI, 0.7)});
   EXPECT_GT(across, 0.3);
   EXPECT_LT(across, 0.5);
@@ -65,10 +65,10 @@ TEST(LookAtGoal, ABodyIsHeldAstrideARidgeButNotOnItsSide) {
   EXPECT_EQ(choice.failure().code, FailureCode::kGoalNotHeld);
   EXPECT_NE(choice.failure().message.find("too steep for a friction of 0.50; 0.60 is needed"), std::string::npos)
       << choice.failure().message;
-  // One foot stands on one side only.
+  // A single foot stands on one side only.
   problem = rigid_bodies::Hopper(0.6);
   EXPECT_NEAR(LookAtGoal(Ridge(), problem, 0.01, 0.005).needed_friction, 0.6, 1e-3);
-  // One that goes on from there need not be held.
+  // A body that moves on from there need not be held.
   problem.goal.v_WC.x() = 1.0;
   EXPECT_EQ(LookAtGoal(Ridge(), problem, 0.01, 0.005).needed_friction, 0.0);
 }

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// A motion at better times that keeps its laws at 1 kHz and costs no more.
+/// Optimises the timing; the motion must satisfy its constraints at 1 kHz and must not cost more.
 TimedPlan Timed(const RigidBodyProblem& problem, const TimingOptions& options = {},
                 const RigidBodyOptions& planning = {}) {
   const Result<TimedPlan> timed = OptimiseTiming(problem, planning, options);
@@ -45,7 +45,7 @@ TEST(OptimiseTiming, CostsFallInTheSameTime) {
     EXPECT_GE(timed.steps, 1);
     EXPECT_GE(timed.solves, timed.steps);
     EXPECT_EQ(timed.problem.duration_s, problem.duration_s);
-    // Found again from nothing, over breaks of its own.
+    // Solved again from scratch, over nodes of its own spacing.
     const Result<RigidBodyPlan> anew = PlanRigidBody(timed.problem);
     ASSERT_TRUE(anew.ok()) << anew.failure().message;
     EXPECT_NEAR(anew->summary.cost, timed.plan.summary.cost, 0.1 * timed.plan.summary.cost);
@@ -58,7 +58,7 @@ TEST(OptimiseTiming, ByTheOtherMethodToo) {
   EXPECT_NEAR(interior.plan.summary.cost, augmented.plan.summary.cost, 0.05 * interior.plan.summary.cost);
 }
 
-/// Straight up and down again on one foot: of all flights within the same time, none costs less than the one found.
+/// A vertical hop on one foot: no other flight within the same time costs less than the result.
 TEST(OptimiseTiming, TheFlightOfAHopOnTheSpotIsTheBestOfAScan) {
   const RigidBodyProblem problem = rigid_bodies::Hopper(0.0);
   const TimedPlan timed =
@@ -109,7 +109,7 @@ TEST(OptimiseTiming, DurationsStayWithinBoundsAndInOrder) {
   }
 }
 
-/// The shortest time that a foot has between two of its stances.
+/// The shortest time between two stances of a foot.
 double ShortestSwing(const RigidBodyProblem& problem) {
   double shortest = 1e9;
   for (std::size_t s = 1; s < problem.stances.size(); ++s) {
@@ -125,7 +125,7 @@ TEST(OptimiseTiming, SwingsAreNotHurried) {
     ASSERT_LT(least, ShortestSwing(problem));
     EXPECT_GE(ShortestSwing(Timed(problem, {.shortest_swing_s = least}).problem), least - 1e-9);
   }
-  // One that is given shorter becomes no shorter.
+  // A swing that starts out shorter does not become shorter.
   const RigidBodyProblem hopper = rigid_bodies::Hopper();
   EXPECT_GE(ShortestSwing(Timed(hopper, {.shortest_swing_s = 0.6}).problem), ShortestSwing(hopper) - 1e-9);
 }
@@ -173,7 +173,7 @@ TEST(OptimiseTiming, TheSameProblemHasTheSameTimes) {
   EXPECT_EQ(SwitchTimes(a.problem), SwitchTimes(c->problem));
 }
 
-/// Feet that are tied together: the phases of a hop whose two stances are one part, of which the flight takes time.
+/// Tied phases: the two stances of a hop are one part, from which the flight takes time.
 TEST(OptimiseTiming, TiedPhasesChangeTogetherInTheSameTime) {
   const RigidBodyProblem problem = rigid_bodies::Hopper();
   const VectorX given = DurationsOf(problem);
@@ -197,7 +197,7 @@ TEST(OptimiseTiming, MendsTimesAtWhichThereIsNoMotion) {
   struct Hop {
     double way_m, flight_s;
   };
-  // A flight that is too long for a leg that reaches so far, and one too short for such a way.
+  // A flight that is too long for the reach of the leg, and one that is too short for the distance.
   for (const Hop& hop : {Hop{0.5, 0.8}, Hop{0.8, 0.1}}) {
     const RigidBodyProblem hopper = rigid_bodies::Hopper(hop.way_m);
     const double stand_s = 0.5 * (hopper.duration_s - hop.flight_s);
@@ -224,14 +224,14 @@ void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options
 TEST(OptimiseTiming, RefusesWhatCannotBe) {
   RigidBodyProblem problem = rigid_bodies::Hopper();
   ExpectRefused(problem, {.shortest_s = 0.5}, FailureKind::kInfeasible, FailureCode::kNoTiming,
-                "3 phases take 1.5 s in all at their shortest durations; the longest accepted total is 1.25 s");
+                "the shortest durations of the 3 phases sum to 1.5 s; the longest accepted total is 1.25 s");
   ExpectRefused(problem, {.longest_s = 0.4}, FailureKind::kInfeasible, FailureCode::kNoTiming,
-                "3 phases take 1.2 s in all at their longest durations; the shortest accepted total is 1.25 s");
+                "the longest durations of the 3 phases sum to 1.2 s; the shortest accepted total is 1.25 s");
   ExpectRefused(problem, {.shortest_s = 0.4, .longest_s = 0.3, .least_total = 0.5}, FailureKind::kBadInput,
                 FailureCode::kNoDuration, "the shortest phase duration, 0.4 s, is above the longest, 0.3 s");
   ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, FailureCode::kUnmetLaw,
                 "; with other contact times, ");
-  rigid_bodies::AddInnerMotion(problem, 20);
+  rigid_bodies::AddLegMotion(problem, 20);
   ExpectRefused(problem, {}, FailureKind::kBadInput, FailureCode::kTiedToTime, "leg angular momentum");
   RigidBodyProblem beside = rigid_bodies::Hopper();
   beside.clearances = {{0.3}};

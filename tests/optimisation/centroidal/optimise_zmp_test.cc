@@ -88,7 +88,7 @@ TEST_P(OptimiseZmpTest, TheInitialZmpDoesNotMatter) {
   EXPECT_LT(largest, 1e-4);
 }
 
-/// A problem as seen in another frame; a mirror image turns the order of corners round.
+/// A problem transformed to another frame; a mirror image reverses the order of corners.
 ZmpProblem SeenIn(const Eigen::Affine2d& X, const ZmpProblem& problem) {
   ZmpProblem seen = problem;
   seen.start_W = X * problem.start_W;

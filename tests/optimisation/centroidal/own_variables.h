@@ -10,7 +10,7 @@
 /// Rows of a rigid body's problem at random unknowns.
 namespace gaitwright {
 
-/// Unknowns of a size that a motion may have.
+/// Random unknowns of realistic size.
 inline VectorX Random(const RigidBodyUnknowns& unknowns, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> draw(-0.3, 0.3);

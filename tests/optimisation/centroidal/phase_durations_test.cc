@@ -14,7 +14,7 @@ VectorX Drawn(std::mt19937& random, Eigen::Index n, double low, double high) {
   return VectorX::NullaryExpr(n, [&] { return uniform(random); });
 }
 
-/// Bounds that hold some durations, of a given total for even seeds and of a free one for odd ones.
+/// Feasible bounds around random durations, with a fixed total for even seeds and a free one for odd seeds.
 DurationBounds DrawnBounds(std::mt19937& random, Eigen::Index n, unsigned seed) {
   DurationBounds bounds{Drawn(random, n, 0.02, 0.1), Drawn(random, n, 0.3, 0.6)};
   bounds.least_total_s = 0.5 * (bounds.lower.sum() + bounds.upper.sum());
@@ -37,7 +37,8 @@ TEST(NearestDurations, AreWithinBoundsAndNoneIsNearer) {
     const VectorX wanted = Drawn(random, n, -0.2, 0.9), nearest = NearestDurations(wanted, bounds);
     ExpectWithin(nearest, bounds);
     EXPECT_LT((NearestDurations(nearest, bounds) - nearest).norm(), 1e-12);
-    // A convex set's nearest point: the way to any other of its points leads away from what was wanted.
+    // The nearest point of a convex set: the direction to any other point of the set leads away from the wanted
+    // durations.
     for (int i = 0; i < 20; ++i) {
       const VectorX other = NearestDurations(Drawn(random, n, 0.0, 0.6), bounds);
       EXPECT_LE((other - nearest).dot(wanted - nearest), 1e-9);

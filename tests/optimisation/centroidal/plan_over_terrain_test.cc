@@ -36,10 +36,10 @@ TEST(PlanOverTerrain, OnGroundThatIsOnePatchThereIsNothingElseToTry) {
 }
 
 TEST(PlanOverTerrain, OtherPatchesAreTriedWhereLawsStayUnmetAndTheRefusalIsOfTheBest) {
-  // Too far a way for one hop, with a kerb on it.
+  // The distance is too long for one hop, and there is a kerb on it.
   Terrain ground{"kerb", {Level(-2.0, 0.9, 0.0), Level(0.9, 1.3, 0.05), Level(1.3, 5.0, 0.0)}, {}, {}};
   PlanOverPatches last;
-  const ChooseFootholdsOptions hopeful{.hopeless_m = 10.0};
+  const ChooseFootholdsOptions hopeful{.infeasible_m = 10.0};
   const Result<PlanOverPatches> plan =
       PlanOverTerrain(ground, rigid_bodies::Hopper(1.2), hopeful, {}, {.near_m = 2.0}, &last);
   ASSERT_FALSE(plan.ok());

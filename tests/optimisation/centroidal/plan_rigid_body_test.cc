@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// A motion that keeps its laws at 1 kHz, between breaks too.
+/// Plans a motion that satisfies its constraints at 1 kHz, also between nodes.
 RigidBodyPlan Planned(const RigidBodyProblem& problem, const RigidBodyOptions& options = {}) {
   const Result<RigidBodyPlan> plan = PlanRigidBody(problem, options);
   EXPECT_TRUE(plan.ok()) << plan.failure().message;
@@ -58,7 +58,7 @@ TEST(PlanRigidBody, FlightIsAParabola) {
     EXPECT_LT((s.v_WC - v_off + kGravity * t * Vector3::UnitZ()).norm(), 1e-4) << s.time_s;
   }
   EXPECT_GE(flying, 249);
-  EXPECT_GT(v_off.z(), 0.8);  // up for half of 0.25 s, had it to land as high as it left
+  EXPECT_GT(v_off.z(), 0.8);  // up for half of 0.25 s, if it had to land at the height of its lift-off
 }
 
 TEST(PlanRigidBody, LeftAndRightAreAlike) {
@@ -82,7 +82,7 @@ TEST(PlanRigidBody, LeftAndRightAreAlike) {
 }
 
 TEST(PlanRigidBody, RestsWhereItIsTo) {
-  // Diagonals in turn, all feet down for a while, and diagonals in turn again.
+  // Diagonal pairs in turn, all feet on the ground for a while, and diagonal pairs again.
   std::vector<rigid_bodies::Step> steps;
   for (const int foot : {0, 3})
     steps.insert(steps.end(), {{foot, 0.0, 0.2, 0.0}, {foot, 0.45, 1.3, 0.5}, {foot, 1.55, 2.2, 1.0}});
@@ -90,7 +90,7 @@ TEST(PlanRigidBody, RestsWhereItIsTo) {
     steps.insert(steps.end(), {{foot, 0.0, 0.45, 0.0}, {foot, 0.7, 1.55, 0.5}, {foot, 1.8, 2.2, 1.0}});
   const RigidBodyProblem trotter = rigid_bodies::Trotter();
   RigidBodyProblem problem = rigid_bodies::Going(12.0, trotter.inertia_B.diagonal(), trotter.feet, 0.5, 2.2, steps);
-  // Lower than it would go there of itself.
+  // Lower than the unconstrained motion at that time.
   const RigidRest rest{0.95, 1.05, 0.5 * (problem.start.p_WC + problem.goal.p_WC) - 0.03 * Vector3::UnitZ(),
                        Vector3::Zero()};
   double nearest = 1.0;
@@ -111,7 +111,7 @@ TEST(PlanRigidBody, RestsWhereItIsTo) {
   EXPECT_THROW((void)PlanRigidBody(problem), InvalidArgument);
 }
 
-/// How far a point of the body is beyond a plane.
+/// Distance of a point of the body beyond a plane.
 double Beyond(const RigidBodyPlan& plan, const RigidClearance& of) {
   const std::vector<RigidBodySample> samples = Sample(plan.motion, 1e-3);
   const RigidBodySample& at = samples[static_cast<std::size_t>(std::lround(of.time_s / 1e-3))];
@@ -134,7 +134,7 @@ TEST(PlanRigidBody, StaysClearOfPlanesAndTurnsForThat) {
   EXPECT_NE(no_way.failure().message.find("clearance of nose"), std::string::npos) << no_way.failure().message;
 }
 
-/// The fastest that a motion goes up or down while a foot is on the ground.
+/// The largest upward or downward speed while a foot is on the ground.
 double FastestRise(const RigidBodyPlan& plan) {
   double fastest = 0.0;
   for (const RigidBodySample& sample : Sample(plan.motion, 1e-3)) {
@@ -176,7 +176,7 @@ TEST(PlanRigidBody, TheSameProblemHasTheSameMotion) {
 
 TEST(PlanRigidBody, FootholdsStayInTheirRegions) {
   RigidBodyProblem problem = rigid_bodies::Walker();
-  // The first step is to be short and wide, on a tile that is not where it likes to step.
+  // The first step must be short and wide, on a tile away from the nominal foothold.
   problem.stances[1].region_F = {{-0.2, 0.06}, {-0.14, 0.06}, {-0.14, 0.1}, {-0.2, 0.1}};
   const RigidBodyPlan plan = Planned(problem);
   const Vector3 moved = plan.motion.X_WF[1].translation() - problem.stances[1].X_WF.translation();
@@ -205,13 +205,13 @@ TEST(PlanRigidBody, SaysWhichLawStaysUnmetAndWhere) {
   EXPECT_FALSE(last.motion.intervals.empty());
 }
 
-TEST(WhyNotCarried, IsSilentWhereThereIsAMotion) {
+TEST(ReasonNotCarried, IsSilentWhereThereIsAMotion) {
   for (const RigidBodyProblem& problem : {rigid_bodies::Hopper(), rigid_bodies::Walker(), rigid_bodies::Trotter()})
-    EXPECT_FALSE(WhyNotCarried(problem, {}).has_value());
+    EXPECT_FALSE(ReasonNotCarried(problem, {}).has_value());
 }
 
-TEST(WhyNotCarried, SaysWhatForcesCannotDoHoweverTheBodyTurns) {
-  const std::optional<Failure> failure = WhyNotCarried(rigid_bodies::Hopper(2.5), {});
+TEST(ReasonNotCarried, SaysWhatForcesCannotDoHoweverTheBodyTurns) {
+  const std::optional<Failure> failure = ReasonNotCarried(rigid_bodies::Hopper(2.5), {});
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
   EXPECT_EQ(failure->code, FailureCode::kNotCarried);
@@ -219,15 +219,15 @@ TEST(WhyNotCarried, SaysWhatForcesCannotDoHoweverTheBodyTurns) {
   EXPECT_EQ(failure->suggestions.size(), 2U);
 }
 
-TEST(WhyNotCarried, SaysWhatForcesCarryButDoNotTurn) {
+TEST(ReasonNotCarried, SaysWhatForcesCarryButDoNotTurn) {
   // Feet in a line cannot hold a body whose centre of mass is beside them.
   RigidBodyProblem problem = rigid_bodies::Hopper(0.0);
   problem.start.p_WC.y() = problem.goal.p_WC.y() = 0.1;
   ASSERT_FALSE(PlanRigidBody(problem).ok());
-  const std::optional<Failure> failure = WhyNotCarried(problem, {.method = "ceres"});
+  const std::optional<Failure> failure = ReasonNotCarried(problem, {.method = "ceres"});
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kUnmetLaw);
-  EXPECT_FALSE(WhyNotCarried(problem, {.method = "interior-point"}).has_value()) << "planning sees it as soon";
+  EXPECT_FALSE(ReasonNotCarried(problem, {.method = "interior-point"}).has_value()) << "planning sees it as soon";
 }
 
 TEST(PlanRigidBody, SaysWhereFrictionHoldsNoBodyAtRest) {
@@ -273,7 +273,7 @@ TEST(PlanRigidBody, FinerBreaksMissTheGoalByLess) {
   EXPECT_LT(fine, 0.1 * coarse);
 }
 
-/// Two solvers of different kinds.
+/// Compares two solvers of different kinds.
 TEST(PlanRigidBody, BothMethodsComeToTheSameCost) {
   for (const RigidBodyProblem& problem : {rigid_bodies::Hopper(), rigid_bodies::Walker(), rigid_bodies::Trotter()}) {
     RigidBodyOptions options;
@@ -287,7 +287,7 @@ TEST(PlanRigidBody, BothMethodsComeToTheSameCost) {
   }
 }
 
-/// Farthest that a swinging foot is out of its workspace at 1 kHz [m].
+/// Largest distance of a swing foot out of its workspace at 1 kHz [m].
 double OutOfReachInTheAir(const RigidBodyProblem& problem, const RigidBodyMotion& motion,
                           const std::vector<RigidSwing>& swings) {
   double farthest = -1.0;
@@ -317,7 +317,7 @@ TEST(PlanRigidBody, FeetStayInReachOnTheirWayThroughTheAir) {
   }
 }
 
-/// The most that forces at breaks use of what motors hold, 1 for all of it.
+/// Largest use of the motor limits by the forces at nodes; 1 is the limit.
 double MotorUse(const RigidBodyProblem& problem, const RigidBodyMotion& motion) {
   double most = 0.0;
   for (const RigidBodyInterval& in : motion.intervals) {
@@ -341,7 +341,7 @@ double MotorUse(const RigidBodyProblem& problem, const RigidBodyMotion& motion) 
 
 TEST(PlanRigidBody, MotorsHoldTheForcesAtBreaks) {
   for (const RigidBodyProblem& problem : {rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
-    const double share = problem.stances.size() > 5 ? 0.9 : 0.6;  // of the weight
+    const double share = problem.stances.size() > 5 ? 0.9 : 0.6;  // share of the weight
     RigidBodyProblem held = problem;
     rigid_bodies::AddMotors(held, share * problem.mass_kg * kGravity);
     const RigidBodyPlan free = Planned(problem);
@@ -357,7 +357,7 @@ TEST(PlanRigidBody, KeepsTheLawsWithWhatMovesInsideAndContactsThatRoll) {
   for (const char* method : {"interior-point", "ceres"}) {
     RigidBodyProblem problem = rigid_bodies::Trotter();
     const double still = Planned(problem, {.method = method}).summary.cost;
-    rigid_bodies::AddInnerMotion(problem, 141);
+    rigid_bodies::AddLegMotion(problem, 141);
     rigid_bodies::AddRolling(problem);
     const RigidBodyPlan plan = Planned(problem, {.method = method});
     EXPECT_NE(plan.summary.cost, still);

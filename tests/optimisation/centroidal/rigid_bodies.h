@@ -7,10 +7,10 @@
 #include "optimisation/centroidal/rigid_body_problem.h"
 #include "optimisation/centroidal/rigid_body_unknowns.h"
 
-/// Single rigid bodies to try things on.
+/// Single rigid bodies for tests.
 namespace gaitwright::rigid_bodies {
 
-/// An interval of contact of a foot, at a share of the way.
+/// A contact interval of a foot, at a share of the path.
 struct Step {
   int foot;
   double start_s, end_s, share;
@@ -23,8 +23,8 @@ inline RigidFoot PointFoot(const Vector3& nominal_B, const Vector3& half_box) {
   return foot;
 }
 
-/// A body over its feet that goes `way_m` ahead on level ground, from rest to rest, by steps; those at the start are
-/// where they are, the others anywhere.
+/// A body above its feet that moves `way_m` forward on level ground, from rest to rest, by steps. Footholds at the
+/// start are fixed, the others are free.
 inline RigidBodyProblem Going(double mass_kg, const Vector3& inertia, const std::vector<RigidFoot>& feet, double way_m,
                               double duration_s, const std::vector<Step>& steps) {
   RigidBodyProblem problem;
@@ -81,7 +81,7 @@ inline RigidBodyProblem Trotter(double way_m = 0.5) {
   return Going(12.0, {0.14, 0.36, 0.39}, feet, way_m, 1.4, steps);
 }
 
-/// The walker on soles of four corners.
+/// The walker with soles of four corners.
 inline RigidBodyProblem SoledWalker(double way_m = 0.6) {
   RigidBodyProblem problem = Walker(way_m);
   for (RigidFoot& foot : problem.feet)
@@ -89,7 +89,7 @@ inline RigidBodyProblem SoledWalker(double way_m = 0.6) {
   return problem;
 }
 
-/// The trotter on all its feet, which may be anywhere.
+/// The trotter standing on all its feet, with free footholds.
 inline RigidBodyProblem Stander() {
   RigidBodyProblem problem = Trotter(0.0);
   std::erase_if(problem.stances, [](const RigidStance& s) { return s.start_s > 0.0; });
@@ -101,7 +101,7 @@ inline RigidBodyProblem Stander() {
   return problem;
 }
 
-/// Unknowns of a stander that stays where it is while its feet's forces waver, the same over time whatever the breaks.
+/// Unknowns of a motionless stander whose foot forces vary. Their course over time does not depend on the nodes.
 inline VectorX Wavering(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
   VectorX x = VectorX::Zero(unknowns.size());
   for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i)
@@ -115,17 +115,17 @@ inline VectorX Wavering(const RigidBodyProblem& problem, const RigidBodyUnknowns
   return x;
 }
 
-/// Limbs that swing inside of a body: a smooth momentum with its rate at so many even times.
-inline void AddInnerMotion(RigidBodyProblem& problem, int count) {
+/// Adds limbs that swing: a smooth angular momentum with its rate at `count` uniform times.
+inline void AddLegMotion(RigidBodyProblem& problem, int count) {
   for (int k = 0; k < count; ++k) {
     const double t = problem.duration_s * k / (count - 1);
-    problem.inner_momentum_W.emplace_back(0.05 * std::sin(9.0 * t), 0.08 * (1.0 - std::cos(7.0 * t)),
-                                          -0.03 * std::sin(5.0 * t));
-    problem.inner_torque_W.emplace_back(0.45 * std::cos(9.0 * t), 0.56 * std::sin(7.0 * t), -0.15 * std::cos(5.0 * t));
+    problem.leg_momentum_W.emplace_back(0.05 * std::sin(9.0 * t), 0.08 * (1.0 - std::cos(7.0 * t)),
+                                        -0.03 * std::sin(5.0 * t));
+    problem.leg_torque_W.emplace_back(0.45 * std::cos(9.0 * t), 0.56 * std::sin(7.0 * t), -0.15 * std::cos(5.0 * t));
   }
 }
 
-/// Contacts that move as the stance goes on, each otherwise, and not evenly.
+/// Adds contacts that move during each stance, differently and not uniformly.
 inline void AddRolling(RigidBodyProblem& problem) {
   double way = 0.004;
   for (RigidStance& stance : problem.stances) {
@@ -134,8 +134,8 @@ inline void AddRolling(RigidBodyProblem& problem) {
   }
 }
 
-/// Motors at the start, in the middle and at the end of each stance, each of which holds less than the one before: of
-/// two rows for each point, one upright and one aslant.
+/// Adds motors at the start, middle and end of each stance, each weaker than the one before: two rows for each point,
+/// one vertical and one oblique.
 inline void AddMotors(RigidBodyProblem& problem, double most_n) {
   for (RigidStance& stance : problem.stances) {
     const std::size_t points = problem.feet[static_cast<std::size_t>(stance.foot)].contacts_F.size();

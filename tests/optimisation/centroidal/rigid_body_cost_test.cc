@@ -63,7 +63,7 @@ TEST(RigidBodyCostRows, HaveConstantJacobiansThatAreTheirDerivatives) {
       residual.function(at, value, &J);
       residual.function(other, value, &J_other);
       EXPECT_EQ((J - J_other).norm(), 0.0);
-      if (J.norm() < 1e-6) continue;  // a weight that is zero
+      if (J.norm() < 1e-6) continue;  // the weight is zero
       ExpectDerivative(residual.function, at);
       ++checked;
     }
@@ -99,7 +99,7 @@ TEST(RigidBodyCostRows, ForceRateIsTheIntegralOfTheSquaredRate) {
     x.segment<3>(force.force.parts[0].start) = Vector3(0.0, 0.0, force.stance == raised ? 0.2 + 0.3 * t : 0.25);
   }
   ASSERT_NE(raised, 99U);
-  // One foot takes on 0.3 m g each second, and the foot with the remainder gives up as much.
+  // The load of one foot grows by 0.3 m g per second; that of the foot with the remainder falls by as much.
   const double expected = 2.0 * 0.3 * 0.3 * problem.duration_s;
   EXPECT_NEAR(WeighedCost(problem, unknowns, Only(&RigidBodyWeights::force_rate, 1.0), x), expected, 1e-9);
 }

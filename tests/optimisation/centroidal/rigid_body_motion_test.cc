@@ -41,7 +41,7 @@ TEST(RigidBodyMotion, AThrownBodyKeepsItsMomentumAndItsEnergyOfTurning) {
 }
 
 TEST(RigidBodyMotion, TheTurningIsThatOfASymmetricTop) {
-  // About its axis of symmetry it turns evenly in the body, with (I1 - I3) / I1 of its spin.
+  // About its axis of symmetry, w precesses uniformly in the body, with (I1 - I3) / I1 of its spin.
   const Vector3 inertia(0.2, 0.2, 0.3), momentum(0.2, 0.1, 0.6);
   const RigidBodyMotion motion = Thrown(inertia, momentum, 0.4);
   const std::vector<RigidBodySample> samples = Sample(motion, 0.4);
@@ -52,7 +52,7 @@ TEST(RigidBodyMotion, TheTurningIsThatOfASymmetricTop) {
   EXPECT_LT((samples.back().w_WB_B - expected).norm(), 1e-7);
 }
 
-/// A stander with wavering forces.
+/// A stander with varying forces.
 struct Some {
   RigidBodyProblem problem = rigid_bodies::Stander();
   RigidBodyUnknowns unknowns{problem, 0.05, 3};
@@ -82,22 +82,22 @@ TEST(RigidBodyMotion, VelocitiesAndMomentumAreContinuousAndIntegralsOfForces) {
   EXPECT_GT(samples[300].torque_W.norm(), 0.5);
 }
 
-/// Momentum of the box and of what moves inside it, gained since the start, is the integral of the torques of contacts
-/// where these are, by Simpson's rule over fine steps.
+/// The gain of angular momentum of body and legs since the start equals the integral of the contact torques, by
+/// Simpson's rule over small steps.
 TEST(RigidBodyMotion, BoxAndWhatMovesInsideGainTheImpulseOfTorquesAtContactsThatMove) {
   Some some;
-  rigid_bodies::AddInnerMotion(some.problem, 41);
+  rigid_bodies::AddLegMotion(some.problem, 41);
   rigid_bodies::AddRolling(some.problem);
   const RigidBodyUnknowns unknowns(some.problem, 0.05, 3);
   const RigidBodyMotion motion = MotionOf(some.problem, unknowns, rigid_bodies::Wavering(some.problem, unknowns));
-  const InnerMomentum inner(some.problem);
+  const LegMomentum inner(some.problem);
   const std::vector<RigidBodySample> samples = Sample(motion, 2.5e-4);
   const auto torque = [&](const RigidBodySample& s) -> Vector3 {
     const RigidBodyInterval& in = motion.intervals[s.interval];
     Vector3 sum = Vector3::Zero();
     for (std::size_t i = 0; i < in.forces.size(); ++i) {
       const RigidStance& stance = some.problem.stances[in.forces[i].stance];
-      // Between breaks contacts go evenly.
+      // Between nodes, contacts move uniformly.
       const double u = (s.time_s - in.start_s) / (in.end_s - in.start_s);
       const Vector3 moved = (1.0 - u) * stance.MovedAt(in.start_s) + u * stance.MovedAt(in.end_s);
       sum += (stance.X_WF.translation() + moved - s.p_WC).cross(s.force_W[i]);
@@ -123,7 +123,7 @@ TEST(RigidBodyMotion, BalancesForcesAndTorquesWhateverItsUnknowns) {
   const RigidBodyFaults faults = FaultsOf(some.problem, some.motion, 1e-3);
   EXPECT_LT(faults.force_balance, 1e-12);
   EXPECT_LT(faults.torque_balance, 1e-4);
-  EXPECT_GT(faults.goal, 0.01);  // these forces turn it
+  EXPECT_GT(faults.goal, 0.01);  // these forces rotate it
 }
 
 TEST(RigidBodyMotion, FaultsAreFound) {
@@ -136,7 +136,7 @@ TEST(RigidBodyMotion, FaultsAreFound) {
   broken.intervals[6].forces[0].from_W.z() -= 47.088;
   EXPECT_NEAR(FaultsOf(some.problem, broken, 1e-3).unilateral, 0.4 - 0.25, 0.03);
   broken = some.motion;
-  broken.intervals[6].momentum_W.y() += 0.1;  // at once: in 1 ms of 100 N m over 117.72 N, and turned by the next
+  broken.intervals[6].momentum_W.y() += 0.1;  // a jump: 100 N m in 1 ms, over 117.72 N; it turns the next interval
   EXPECT_GT(FaultsOf(some.problem, broken, 1e-3).torque_balance, 100.0 / 117.72);
   const double reach = FaultsOf(some.problem, some.motion, 1e-3).reach_m;
   broken = some.motion;

@@ -50,7 +50,7 @@ TEST(RigidBodyProblem, TheBodiesOfTheTestsAreInOrder) {
     EXPECT_NO_THROW(CheckRigidBodyProblem(problem));
 }
 
-/// What is said to a walker's problem that is spoilt.
+/// The refusal of a walker's problem with an error.
 std::string RefusalOf(const std::function<void(RigidBodyProblem&)>& spoil) {
   RigidBodyProblem problem = rigid_bodies::Walker();
   spoil(problem);
@@ -63,20 +63,20 @@ std::string RefusalOf(const std::function<void(RigidBodyProblem&)>& spoil) {
 }
 
 TEST(RigidBodyProblem, RefusesInnerMotionThatIsNone) {
-  EXPECT_EQ(RefusalOf([](auto& p) { rigid_bodies::AddInnerMotion(p, 2); }), "none");
+  EXPECT_EQ(RefusalOf([](auto& p) { rigid_bodies::AddLegMotion(p, 2); }), "none");
   const std::string momentum =
       "rigid body: the leg angular momentum needs two or more finite values with their rates, or none";
-  EXPECT_EQ(RefusalOf([](auto& p) { p.inner_momentum_W = p.inner_torque_W = {Vector3::Zero()}; }), momentum);
+  EXPECT_EQ(RefusalOf([](auto& p) { p.leg_momentum_W = p.leg_torque_W = {Vector3::Zero()}; }), momentum);
   const auto spoilt = [&](const std::function<void(RigidBodyProblem&)>& spoil) {
     return RefusalOf([&](auto& p) {
-      rigid_bodies::AddInnerMotion(p, 5);
+      rigid_bodies::AddLegMotion(p, 5);
       spoil(p);
     });
   };
-  EXPECT_EQ(spoilt([](auto& p) { p.inner_torque_W.pop_back(); }), momentum);
-  EXPECT_EQ(spoilt([](auto& p) { p.inner_momentum_W.clear(); }), momentum);
-  EXPECT_EQ(spoilt([](auto& p) { p.inner_momentum_W[3].y() = NAN; }), momentum);
-  EXPECT_EQ(spoilt([](auto& p) { p.inner_torque_W[4].z() = INFINITY; }), momentum);
+  EXPECT_EQ(spoilt([](auto& p) { p.leg_torque_W.pop_back(); }), momentum);
+  EXPECT_EQ(spoilt([](auto& p) { p.leg_momentum_W.clear(); }), momentum);
+  EXPECT_EQ(spoilt([](auto& p) { p.leg_momentum_W[3].y() = NAN; }), momentum);
+  EXPECT_EQ(spoilt([](auto& p) { p.leg_torque_W[4].z() = INFINITY; }), momentum);
 }
 
 TEST(RigidBodyProblem, RefusesContactsThatMoveNowhere) {
@@ -123,27 +123,27 @@ TEST(RigidBodyProblem, RefusesSwingsThatNoFootMakes) {
 
 TEST(RigidBodyProblem, InnerMomentumIsHermitesCubic) {
   RigidBodyProblem problem = rigid_bodies::Walker();
-  EXPECT_EQ(InnerMomentum().At(0.3).norm() + InnerMomentum(problem).RateAt(0.3).norm(), 0.0);
+  EXPECT_EQ(LegMomentum().At(0.3).norm() + LegMomentum(problem).RateAt(0.3).norm(), 0.0);
   const Vector3 a(0.3, -0.2, 0.1), b(-0.4, 0.5, 0.2), c(0.7, 0.1, -0.6), d(-0.2, 0.3, 0.4);
   const auto value = [&](double t) -> Vector3 { return a + t * (b + t * (c + t * d)); };
   const auto rate = [&](double t) -> Vector3 { return b + t * (2.0 * c + 3.0 * t * d); };
   for (int k = 0; k < 5; ++k) {
-    problem.inner_momentum_W.push_back(value(problem.duration_s * k / 4));
-    problem.inner_torque_W.push_back(rate(problem.duration_s * k / 4));
+    problem.leg_momentum_W.push_back(value(problem.duration_s * k / 4));
+    problem.leg_torque_W.push_back(rate(problem.duration_s * k / 4));
   }
-  const InnerMomentum cubic(problem);
+  const LegMomentum cubic(problem);
   for (double t = 0.0; t < problem.duration_s; t += 0.0371) {
     EXPECT_LT((cubic.At(t) - value(t)).norm(), 1e-12) << t;
     EXPECT_LT((cubic.RateAt(t) - rate(t)).norm(), 1e-11) << t;
   }
   problem = rigid_bodies::Walker();
-  rigid_bodies::AddInnerMotion(problem, 6);
-  const InnerMomentum any(problem);
+  rigid_bodies::AddLegMotion(problem, 6);
+  const LegMomentum any(problem);
   constexpr double kStep = 1e-6;
   for (int k = 0; k < 6; ++k) {
     const double t = problem.duration_s * k / 5;
-    EXPECT_LT((any.At(t) - problem.inner_momentum_W[static_cast<std::size_t>(k)]).norm(), 1e-12);
-    EXPECT_LT((any.RateAt(t) - problem.inner_torque_W[static_cast<std::size_t>(k)]).norm(), 1e-12);
+    EXPECT_LT((any.At(t) - problem.leg_momentum_W[static_cast<std::size_t>(k)]).norm(), 1e-12);
+    EXPECT_LT((any.RateAt(t) - problem.leg_torque_W[static_cast<std::size_t>(k)]).norm(), 1e-12);
   }
   for (const double t : {0.1, 0.5, 1.3})
     EXPECT_LT(((any.At(t + kStep) - any.At(t - kStep)) / (2.0 * kStep) - any.RateAt(t)).norm(), 1e-8);
@@ -168,9 +168,9 @@ TEST(RigidBodyProblem, AStanceKnowsHowFarItsContactsHaveMovedAndItsMotors) {
 }
 
 TEST(RigidBodyProblem, AWayGoesEvenlyBetweenItsTimes) {
-  const BodyWay way{{0.0, 1.0, 3.0},
-                    {{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 4.0, 1.0}},
-                    {{0.0, 0.0, 0.0}, {0.0, 0.2, 0.0}, {0.0, 0.2, 0.8}}};
+  const BodyTrajectory way{{0.0, 1.0, 3.0},
+                           {{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 4.0, 1.0}},
+                           {{0.0, 0.0, 0.0}, {0.0, 0.2, 0.0}, {0.0, 0.2, 0.8}}};
   EXPECT_LT((way.PlaceAt(0.25) - Vector3(0.25, 0.0, 1.0)).norm(), 1e-15);
   EXPECT_LT((way.PlaceAt(1.0) - Vector3(1.0, 0.0, 1.0)).norm(), 1e-15);
   EXPECT_LT((way.PlaceAt(2.5) - Vector3(1.0, 3.0, 1.0)).norm(), 1e-15);
@@ -188,10 +188,12 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
   EXPECT_EQ(RefusalOf([](auto& p) { p.duration_s = -1.0; }),
             "rigid body: the duration is -1 s; it must be finite and above 0");
   EXPECT_EQ(RefusalOf([](auto& p) { p.goal.p_WC.x() = NAN; }), "rigid body: the goal state is not finite");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].foot = 2; }), "rigid body: stance 1 names foot 2 of 2");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].foot = 2; }),
+            "rigid body: stance 1 names foot 2, but there are 2 feet");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].start_s = 0.2; }),
             "rigid body: stance 1 lasts from 0.2 to 1.2 s, but foot 0 is free only from 0.3 to 1.9 s");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[4].friction = 0.0; }), "rigid body: stance 4 has no friction");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[4].friction = 0.0; }),
+            "rigid body: stance 4 has the friction coefficient 0; it must be above 0");
   EXPECT_EQ(RefusalOf([](auto& p) {
               p.stances[4].region_F = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
             }),
@@ -200,7 +202,8 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
               p.way.time_s = {0.0, 1.0};
             }),
             "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
-  EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }), "rigid body: foot 1 cannot carry any load");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }),
+            "rigid body: foot 1 cannot carry any load; it needs a contact point and a largest force above 0");
   EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].end_s = p.stances[4].end_s = 1.8; }),
             "rigid body: no foot is on the ground at the end");
 }

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// Unknowns of a walker at one place with one attitude all the time, and no angular momentum.
+/// Unknowns of a walker at a constant place and orientation, without angular momentum.
 VectorX ReachStill(const RigidBodyUnknowns& unknowns, const Vector3& p_WC, const Vector3& angles_rad) {
   VectorX x = VectorX::Zero(unknowns.size());
   for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i) {
@@ -153,7 +153,7 @@ TEST(RigidBodyReach, ClearanceAlongTheVerticalDoesNotDependOnYaw) {
     return ValueOf(terms.Clearance(clearance), ReachStill(unknowns, place, {0.0, 0.0, yaw}))[0];
   };
   EXPECT_NEAR(value(up, 0.0), value(up, 1.3), 1e-12);
-  // A quarter turn to the left carries the point's x to y and its y to -x.
+  // A rotation by 90 degrees to the left moves the point's x to y and its y to -x.
   EXPECT_NEAR(value(ahead, M_PI / 2.0) - value(ahead, 0.0), 0.1 - 0.3, 1e-12);
 }
 

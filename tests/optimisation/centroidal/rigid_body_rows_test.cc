@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// Constraints whose name begins with a text.
+/// Number of constraints whose name begins with a text.
 std::ptrdiff_t RowsNamed(const ConstrainedProblem& rows, const std::string& start) {
   return std::count_if(rows.constraints.begin(), rows.constraints.end(),
                        [&](const Constraint& c) { return c.name.starts_with(start); });
@@ -147,7 +147,7 @@ TEST(GuessRigidBody, GoesOverItsFeetAndBeginsAndEndsWithThem) {
     last = p_WC.x();
   }
   EXPECT_NEAR(last, 0.6, 1e-6);
-  // With one foot at 0.3 m and the other half way from 0 to 0.6 m, it is at 0.3 m.
+  // With one foot at 0.3 m and the other half-way from 0 to 0.6 m, the body is at 0.3 m.
   EXPECT_NEAR(unknowns.CentreOfMass(0.85).At(x).x(), 0.3, 0.02);
 }
 
@@ -177,7 +177,7 @@ TEST(GuessRigidBody, TakesTheControlPointsOfFreeSwings) {
   for (int k = 0; k < 6; ++k) EXPECT_DOUBLE_EQ(x[unknowns.Detour(1) + k], 0.1 * (k + 1));
 }
 
-/// A body above one foot of the hopper that is moved over it by a polynomial, of one interval of 1 s.
+/// A body that moves above one foot of the hopper by a polynomial, in one interval of 1 s.
 RigidBodyMotion MovedOverItsFoot(const RigidBodyProblem& problem, const std::array<Vector3, 4>& com) {
   RigidBodyMotion motion;
   motion.mass_kg = problem.mass_kg;
@@ -199,7 +199,7 @@ TEST(MissedReaches, NameTheStanceAndTheTimeAtWhichItsFootIsFarthestOut) {
   EXPECT_NEAR(missed[0].time_s, 1.0, 1e-9);
   EXPECT_TRUE(MissedReaches(problem, even, 0.151).empty()) << "it is out by 0.15 m";
   EXPECT_EQ(MissedReaches(problem, even, 0.149).size(), 1U);
-  // Up by 1.2 t - 1.2 t^2, 0.3 m at most: 0.1 m out of reach half way.
+  // Upward by 1.2 t - 1.2 t^2, at most 0.3 m: 0.1 m out of reach half-way.
   const auto hop = MovedOverItsFoot(problem, {up, Vector3(0.0, 0.0, 1.2), Vector3(0.0, 0.0, -1.2), none});
   ASSERT_EQ(MissedReaches(problem, hop, 0.099).size(), 1U);
   EXPECT_NEAR(MissedReaches(problem, hop, 0.099)[0].time_s, 0.5, 1e-3);

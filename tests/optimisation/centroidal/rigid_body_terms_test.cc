@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-/// Whether the rows are within their ends.
+/// Whether the rows are within their bounds.
 bool Met(const Constraint& rows, const VectorX& x) {
   const VectorX value = ValueOf(rows, x);
   return (value.array() <= rows.upper.array()).all() && (value.array() >= rows.lower.array()).all();
@@ -89,7 +89,7 @@ TEST(RigidBodyTerms, ClearanceIsHowFarAPointOfTheBodyIsAlongThePlanesNormal) {
 
 TEST(RigidBodyTerms, OfABodyThatMovesInsideAndRollsHaveTheirDerivatives) {
   for (RigidBodyProblem problem : {rigid_bodies::Hopper(), rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
-    rigid_bodies::AddInnerMotion(problem, 30);
+    rigid_bodies::AddLegMotion(problem, 30);
     rigid_bodies::AddRolling(problem);
     const RigidBodyUnknowns unknowns(problem, 0.08, 3);
     const RigidBodyTerms terms(problem, unknowns);
@@ -102,7 +102,7 @@ TEST(RigidBodyTerms, OfABodyThatMovesInsideAndRollsHaveTheirDerivatives) {
   }
 }
 
-/// Largest rows of turning of momentum and of angles, over a motion that follows from wavering forces on a stander.
+/// Largest momentum and angle rows of Turning, over a motion that follows from varying forces on a stander.
 std::pair<double, double> TurningOff(const RigidBodyProblem& problem, double spacing_s) {
   const RigidBodyUnknowns unknowns(problem, spacing_s, 2);
   VectorX x = rigid_bodies::Wavering(problem, unknowns);
@@ -122,10 +122,10 @@ std::pair<double, double> TurningOff(const RigidBodyProblem& problem, double spa
 
 TEST(RigidBodyTerms, TurningIsZeroForAMotionThatFollowsFromItsForces) {
   RigidBodyProblem moving = rigid_bodies::Stander(), rolling = rigid_bodies::Stander();
-  rigid_bodies::AddInnerMotion(moving, 81);
+  rigid_bodies::AddLegMotion(moving, 81);
   rigid_bodies::AddRolling(rolling);
   for (const RigidBodyProblem& problem : {rigid_bodies::Stander(), moving, rolling}) {
-    // Of order four: over intervals of half the length the angles are off by a 32nd.
+    // Of order four: for half the interval length, the error of the angles is 1/32.
     const auto [momentum, angles] = TurningOff(problem, 0.08);
     const auto [momentum_finer, angles_finer] = TurningOff(problem, 0.04);
     EXPECT_LT(std::max(momentum, momentum_finer), 1e-12);
@@ -134,15 +134,15 @@ TEST(RigidBodyTerms, TurningIsZeroForAMotionThatFollowsFromItsForces) {
   }
 }
 
-/// Rows of a problem at the unknowns of a motion that is another one's.
+/// The rows of a problem at the unknowns of a motion of another problem.
 TEST(RigidBodyTerms, TurningSeesWhatMovesInsideAndWhereContactsWent) {
   const RigidBodyProblem still = rigid_bodies::Stander();
   RigidBodyProblem moving = still, rolling = still;
-  rigid_bodies::AddInnerMotion(moving, 41);
+  rigid_bodies::AddLegMotion(moving, 41);
   rigid_bodies::AddRolling(rolling);
   const RigidBodyUnknowns unknowns(still, 0.08, 2);
   const VectorX x = rigid_bodies::Wavering(still, unknowns);
-  const InnerMomentum inner(moving);
+  const LegMomentum inner(moving);
   const double mean = unknowns.mean_inertia(), from = unknowns.breaks_s()[1], to = unknowns.breaks_s()[2];
   const VectorX alone = ValueOf(RigidBodyTerms(still, unknowns).Turning(1), x);
   const VectorX within = ValueOf(RigidBodyTerms(moving, unknowns).Turning(1), x);
@@ -152,7 +152,7 @@ TEST(RigidBodyTerms, TurningSeesWhatMovesInsideAndWhereContactsWent) {
   EXPECT_GT((rolled - alone).head<3>().norm(), 1e-4);
 }
 
-/// Forces that stand alone: unknown 3 i is that of point i.
+/// Separate forces: unknown 3 i belongs to point i.
 std::vector<BoundForce> ForcesOn(std::size_t points, std::size_t at_break) {
   std::vector<BoundForce> forces;
   for (std::size_t i = 0; i < points; ++i)
@@ -181,7 +181,7 @@ TEST(RigidBodyTerms, MotorsHoldWhatIsWithinTheirLimitsAtTheNearestOfTheirTimes) 
 
 TEST(RigidBodyTerms, MotorsSeeAllPointsOfASole) {
   RigidBodyProblem problem = rigid_bodies::SoledWalker();
-  // One motor that turns the sole over its heel: forces on the toes by their lever.
+  // One motor that rotates the sole about its heel: forces on the toes act with their lever arm.
   RigidStance& stance = problem.stances[0];
   MotorLimits limits{MatrixX::Zero(1, 12), VectorX::Constant(1, -5.0), VectorX::Constant(1, 5.0)};
   for (Eigen::Index i = 0; i < 4; ++i) {
@@ -251,7 +251,7 @@ TEST(RigidBodyTerms, APyramidHoldsNothingBeyondTheConeAndAllOfItsEdges) {
     EXPECT_TRUE(Met(rows, Vector3(0.6 - 1e-9, 0.0, 1.0)));
     EXPECT_FALSE(Met(rows, Vector3(0.0, 0.0, -1e-6)));
     EXPECT_TRUE(Met(rows, Vector3(0.0, 0.0, 50.0)));
-    EXPECT_FALSE(Met(rows, Vector3(0.0, 0.0, 52.0)));  // of 10000 N over 20 kg
+    EXPECT_FALSE(Met(rows, Vector3(0.0, 0.0, 52.0)));  // 10000 N over 20 kg
   }
 }
 
@@ -304,7 +304,7 @@ TEST(RigidBodyCost, IsZeroForStandingWithSteadyForcesAndGrowsWithWhatItWeighs) {
   EXPECT_NEAR(cost({}, x), 0.0, 1e-12);
   VectorX tilted = x;
   for (std::size_t k = 1; k + 1 < unknowns.breaks_s().size(); ++k) tilted[unknowns.Angles(k).parts[0].start + 1] = 0.2;
-  // The integral of 0.04 over 1.9 s, but for the ends, which are level.
+  // The integral of 0.04 over 1.9 s, less the ends, which are level.
   const double ends = unknowns.breaks_s()[1];
   EXPECT_NEAR(cost({.tilt = 2.0}, tilted), 2.0 * 0.04 * (1.9 - ends), 1e-9);
 

@@ -47,7 +47,7 @@ bool Holds(const std::vector<double>& breaks, double t) {
 
 TEST(RigidBodyUnknowns, BreaksBetweenSwitchesAreOnAGrid) {
   RigidBodyProblem problem = rigid_bodies::Walker();
-  problem.stances[1].start_s += 3e-3;  // a switch that is on no grid
+  problem.stances[1].start_s += 3e-3;  // a switch that is not on the grid
   std::vector<double> switches;
   for (const RigidStance& stance : problem.stances) switches.insert(switches.end(), {stance.start_s, stance.end_s});
   const std::vector<double> even = RigidBodyUnknowns(problem, 0.07, 3).breaks_s();

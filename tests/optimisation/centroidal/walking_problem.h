@@ -18,7 +18,7 @@ inline void AddPhase(ZmpProblem& problem, double duration_s, const Polygon& from
   problem.phases.push_back({start_s, start_s + duration_s, from, to, Centroid(from), Centroid(to)});
 }
 
-/// Gives the grid its length and lets hand-overs and ends prefer to move between their neighbours.
+/// Sets the number of samples. At changes of support and at the ends, preferred points move between their neighbours.
 inline void Finish(ZmpProblem& problem) {
   auto& phases = problem.phases;
   problem.samples = 1 + static_cast<int>(std::lround((phases.back().end_s - problem.start_s) / problem.step_s));
@@ -55,12 +55,13 @@ inline ZmpProblem Biped(int steps, double step_length_m = 0.25, double stand_s =
   return problem;
 }
 
-/// Diagonal pairs of point feet whose contacts roll on by `roll_m` in each stance; all four feet down in between.
+/// Diagonal pairs of point feet whose contacts roll by `roll_m` in each stance, with all four feet on the ground in
+/// between.
 inline ZmpProblem Trot(int steps, double advance_m = 0.05, double roll_m = 0.01) {
   ZmpProblem problem;
   problem.omega_rad_s = std::sqrt(kGravity / 0.28);
   problem.com_height_m = 0.28;
-  // Left fore, right fore, left hind, right hind: a pair and its contacts at the start of its stance.
+  // Left fore, right fore, left hind, right hind. A pair, and its contacts at the start of its stance.
   std::vector<Vector2> foot = {{0.18, 0.13}, {0.18, -0.13}, {-0.18, 0.13}, {-0.18, -0.13}};
   const int pairs[2][2] = {{0, 3}, {1, 2}};
   const auto all = [&](double duration_s) {

@@ -30,7 +30,7 @@ VectorX AnyInside(const ZmpKnots& zmp, std::mt19937& random) {
   return x;
 }
 
-/// Least distance of the samples to the edge, less the margin that is asked; a line's is not positive.
+/// Smallest distance of the samples to the edge minus the required margin; not positive on a line.
 double LeastSpare(const ZmpProblem& problem, const ZmpKnots& zmp, const VectorX& x) {
   const auto p_WZ = zmp.Sample(x);
   const auto margins = zmp.Margins();

@@ -41,7 +41,7 @@ TEST(PendulumMotion, ObeysThePendulum) {
   for (std::size_t k = 0; k + 1 < p_WZ.size(); ++k) {
     const Vector2 a = w2 * (motion.p_WC[k].head<2>() - p_WZ[k] + problem.zmp_offset[k]);
     EXPECT_LT((motion.a_WC[k].head<2>() - a).norm(), 1e-9);
-    // The acceleration is nearly linear in a step: the corrected trapezium, exact to the third order.
+    // The acceleration is nearly linear in a step: the corrected trapezoidal rule is exact to the third order.
     const Vector3 moved = h * motion.v_WC[k] + h * h / 6.0 * (2.0 * motion.a_WC[k] + motion.a_WC[k + 1]);
     EXPECT_LT((motion.p_WC[k + 1] - motion.p_WC[k] - moved).norm(), 1e-7);
     const Vector3 gained = 0.5 * h * (motion.a_WC[k] + motion.a_WC[k + 1]);

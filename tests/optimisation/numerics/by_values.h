@@ -6,13 +6,13 @@
 
 #include "optimisation/numerics/vector_function.h"
 
-/// Problems written down by the values of their functions.
+/// Problems given by the values of their functions only.
 namespace gaitwright::by_values {
 
 using Values = std::vector<double>;
 using Function = std::function<Values(const VectorX&)>;
 
-/// The function and its derivatives by differences.
+/// The function, with derivatives by differences.
 inline VectorFunction Of(const Function& function) {
   return Differenced([function](const VectorX& x, VectorX& value) {
     const Values values = function(x);

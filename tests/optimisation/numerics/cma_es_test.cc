@@ -20,7 +20,7 @@ struct Found {
   double spread = 0.0;
 };
 
-/// Searches until `enough` evaluations; every point is held against the bounds.
+/// Searches until `enough` evaluations, and checks every point against the bounds.
 Found Search(const Cost& cost, const VectorX& start, int enough, std::uint64_t seed, const CmaEsOptions& options = {}) {
   CmaEs search(start, seed, options);
   Found found;
@@ -66,7 +66,7 @@ TEST(CmaEs, LearnsTheAxesOfAnEllipsoidThatIsTurned) {
 
 TEST(CmaEs, FollowsTheValleyOfRosenbrock) {
   const Cost cost = [](const VectorX& x) {
-    const VectorX z = 4.0 * x - All(3, 2.0);  // the least is at z = 1
+    const VectorX z = 4.0 * x - All(3, 2.0);  // the minimum is at z = 1
     double sum = 0.0;
     for (Eigen::Index i = 0; i + 1 < 3; ++i)
       sum += 100.0 * std::pow(z[i + 1] - z[i] * z[i], 2) + std::pow(1.0 - z[i], 2);

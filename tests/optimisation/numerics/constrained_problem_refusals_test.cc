@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Solve does not take for a problem, or for a solution.
+// Problems that Solve refuses, and results that are not solutions.
 #include <gtest/gtest.h>
 
 #include <cmath>

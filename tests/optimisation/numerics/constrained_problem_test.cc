@@ -26,7 +26,7 @@ Constraint NotNegative(const Function& function, Eigen::Index rows) {
   return {"not negative", Of(function), VectorX::Zero(rows), VectorX::Constant(rows, kInfinity)};
 }
 
-/// A problem and its least cost; `shift` is what completing squares has left out of the cost.
+/// A problem with its optimal cost; `shift` is the constant that is left out of the cost after completing squares.
 struct Known {
   const char* name;
   ConstrainedProblem problem;
@@ -191,7 +191,7 @@ std::vector<Known> Larger() {
   return list;
 }
 
-/// HS100 with squares completed; what depends on x7 alone is h - h_min, a square of its root.
+/// HS100 with squares completed; the part that depends on x7 only is h - h_min, the square of its root.
 Known Hs100() {
   const auto h = [](double x) { return S(S(x)) - 8.0 * x - S(4.0 * x + 10.0) / 28.0; };
   double least = 1.4;
@@ -274,14 +274,14 @@ TEST(ConstrainedProblem, DifferencesAreDerivatives) {
   EXPECT_NEAR(J(1, 1), 0.0, 1e-12);
 }
 
-/// A string of `count` points, each drawn to its neighbours, from 0 to 1 over a nail at 2. Taut: straight from the one
-/// end to the nail and on to the other end. The neighbours' difference is told of two variables, or of all.
+/// A string of `count` points, each pulled to its neighbours, from 0 to 1 over a nail at 2. Taut, it is straight from
+/// one end to the nail and from there to the other end. Each residual names its two variables (sparse) or all of them.
 ConstrainedProblem String(int count, int nail, bool sparse) {
   ConstrainedProblem problem;
   problem.start = VectorX::Zero(count);
   const auto pick = [sparse](int a, int b) { return sparse ? std::vector<int>{b, a} : std::vector<int>{}; };
   for (int i = 0; i + 1 < count; ++i) {
-    const int left = sparse ? 1 : i, right = sparse ? 0 : i + 1;  // the list is in another order on purpose
+    const int left = sparse ? 1 : i, right = sparse ? 0 : i + 1;  // the order of the list differs on purpose
     problem.residuals.push_back({[left, right](const VectorX& x, VectorX& value, MatrixX* J) {
                                    value = VectorX::Constant(1, x[right] - x[left]);
                                    if (J == nullptr) return;
@@ -306,7 +306,8 @@ ConstrainedProblem String(int count, int nail, bool sparse) {
 }
 
 TEST(ConstrainedProblem, AStringOverANailIsTaut) {
-  // Up to 60 variables the factorisation is dense, beyond it is sparse: the answer is the same, told of few or of all.
+  // The factorisation is dense up to 60 variables and sparse beyond. The answer is the same, with few or all variables
+  // named.
   for (const int count : {3, 30, 60, 61, 300}) {
     const int nail = count / 3;
     const double answer = 4.0 / nail + 1.0 / (count - 1 - nail);

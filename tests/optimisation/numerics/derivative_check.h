@@ -7,7 +7,7 @@
 
 namespace gaitwright {
 
-/// A function's Jacobian is not empty, and that of central differences.
+/// Checks that a function's Jacobian is not zero and equals that of central differences.
 inline void ExpectDerivative(const VectorFunction& function, const VectorX& x, double tolerance = 1e-6) {
   VectorX value, before, after;
   function(x, value, nullptr);

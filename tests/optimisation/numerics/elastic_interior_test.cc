@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Known answers: Hock and Schittkowski, Test Examples for Nonlinear Programming Codes, Springer 1981; others in closed
-// form, and those of Solve.
+// form, or from Solve.
 #include "optimisation/numerics/elastic_interior.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using by_values::Of;
 using by_values::Values;
 using by_values::Vec;
 
-/// Nearest to a point: |x - wanted|^2.
+/// The squared distance from a point: |x - wanted|^2.
 Residual To(const Values& wanted) {
   return Of([wanted](const VectorX& x) {
     Values off;
@@ -61,7 +61,7 @@ TEST(SolveElastic, KnownAnswersOfProblemsThatAreNotConvex) {
 }
 
 TEST(SolveElastic, IsWhereSolveIs) {
-  // A chain from (0, 0) to (1, 0) whose links pull, held off a bump.
+  // A chain from (0, 0) to (1, 0) with pulling links, above a bump.
   constexpr int kLinks = 40;
   ConstrainedProblem problem;
   problem.start = VectorX::Constant(kLinks - 1, 0.6);
@@ -87,9 +87,9 @@ TEST(SolveElastic, IsWhereSolveIs) {
   EXPECT_LT(at.iterations, 20);
 }
 
-/// Moves ends, solved either way.
+/// Compares multipliers with the change of the cost when bounds move, for either solver.
 void ExpectMultipliersByMovedEnds(const std::function<ConstrainedSolution(const ConstrainedProblem&)>& solve) {
-  // Nearest to (2, 3, -1) on a plane, below an upper end and above a lower one; one row counts for nothing.
+  // The point nearest to (2, 3, -1) on a plane, below an upper bound and above a lower one; one row is inactive.
   const auto solved = [&](double plane, double upper, double lower) {
     ConstrainedProblem problem{Vec({0.0, 0.0, 0.0}), {To({2.0, 3.0, -1.0})}, {}, {}, {}};
     problem.constraints.push_back(
@@ -129,22 +129,22 @@ TEST(Solve, MultipliersAreWhatTheCostFallsByAsEndsAreMoved) {
 }
 
 TEST(SolveElastic, PaysWhatAConstraintIsWorth) {
-  // The multiplier at x = 0 is 1000, over the first price.
+  // The multiplier at x = 0 is 1000, more than the initial penalty weight.
   ConstrainedProblem problem{
       Vec({0.5}), {Of([](const VectorX& x) { return Values{30.0 * (x[0] - 1.0)}; })}, {}, {}, {}};
   problem.constraints.push_back(
       {"at most", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInfinity}), Vec({0.0})});
-  const ConstrainedSolution at = Solved(problem, {.price = 1.0, .most_price = 1e4});
+  const ConstrainedSolution at = Solved(problem, {.penalty = 1.0, .max_penalty = 1e4});
   EXPECT_NEAR(at.x[0], 0.0, 1e-6);
   EXPECT_GT(at.outer, 1);
   ConstrainedSolution last;
-  const Result<ConstrainedSolution> poor = SolveElastic(problem, {.price = 1.0, .most_price = 90.0}, &last);
+  const Result<ConstrainedSolution> poor = SolveElastic(problem, {.penalty = 1.0, .max_penalty = 90.0}, &last);
   ASSERT_FALSE(poor.ok());
   EXPECT_NEAR(last.x[0], 0.9, 1e-3);  // 900 (1 - x) = 90
 }
 
 TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
-  // 0.1 (x - 5)^2 with x <= 0, y <= 0 and x + y = 3: it is missed by 3 in all, however it is shared.
+  // 0.1 (x - 5)^2 with x <= 0, y <= 0 and x + y = 3: the sum of violations is 3, however it is divided.
   ConstrainedProblem problem{
       Vec({1.0, 1.0}), {Of([](const VectorX& x) { return Values{0.3 * (x[0] - 5.0)}; })}, {}, {}, {}};
   problem.constraints.push_back(
@@ -169,7 +169,7 @@ TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
 }
 
 TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
-  // Nothing is near to both ends of a long bow; the way to where they are violated least takes some steps.
+  // No point is near to both ends of a long arc; reaching the minimum of the violations takes some steps.
   ConstrainedProblem problem{Vec({3.0}), {To({0.0})}, {}, {}, {}};
   problem.constraints.push_back({"bow", Of([](const VectorX& x) {
                                    return Values{std::exp(x[0]), -x[0] * x[0] * x[0]};
@@ -177,7 +177,7 @@ TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
                                  Vec({-kInfinity, -kInfinity}), Vec({0.5, -9.0})});
   ConstrainedSolution whole, short_one;
   EXPECT_FALSE(SolveElastic(problem, {}, &whole).ok());
-  EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .hopeless = 0.1}, &short_one).ok());
+  EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .infeasible = 0.1}, &short_one).ok());
   EXPECT_EQ(short_one.iterations, 3);
   EXPECT_GT(whole.iterations, 3);
 }
@@ -190,7 +190,7 @@ TEST(SolveElastic, SaysWhatIsNotFiniteAndRefusesBounds) {
   EXPECT_NO_THROW((void)SolveElastic(problem));
   problem.lower = problem.upper = Vec({0.0});
   EXPECT_THROW((void)SolveElastic(problem), InvalidArgument);
-  EXPECT_THROW((void)SolveElastic(problem, {.price = -1.0}), InvalidArgument);
+  EXPECT_THROW((void)SolveElastic(problem, {.penalty = -1.0}), InvalidArgument);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(ResponseSurface, FitsQuadraticsExactly) {
     EXPECT_NEAR(fitted.surface.constant, truth.constant, 1e-9);
     EXPECT_LT((fitted.surface.slope - truth.slope).norm(), 1e-8) << n;
     EXPECT_LT((fitted.surface.curvature - truth.curvature).norm(), 1e-8) << n;
-    EXPECT_NEAR(fitted.foretold, 1.0, 1e-9);
+    EXPECT_NEAR(fitted.predicted, 1.0, 1e-9);
   }
 }
 
@@ -61,7 +61,7 @@ TEST(ResponseSurface, WhatIsForetoldIsWhatFitsToTheOthersSay) {
     squares += std::pow(FitQuadratic(others, theirs).surface.At(points[left_out]) - values[left_out], 2);
     spread += std::pow(values[left_out] - mean, 2);
   }
-  EXPECT_NEAR(FitQuadratic(points, values).foretold, 1.0 - squares / spread, 1e-9);
+  EXPECT_NEAR(FitQuadratic(points, values).predicted, 1.0 - squares / spread, 1e-9);
 }
 
 TEST(ResponseSurface, NoiseIsNotForetold) {
@@ -69,7 +69,7 @@ TEST(ResponseSurface, NoiseIsNotForetold) {
   const std::vector<VectorX> points = Points(60, 3);
   std::vector<double> values;
   for (std::size_t i = 0; i < points.size(); ++i) values.push_back(random.Normal());
-  EXPECT_LT(FitQuadratic(points, values).foretold, 0.1);
+  EXPECT_LT(FitQuadratic(points, values).predicted, 0.1);
 }
 
 TEST(ResponseSurface, TheHighestPointIsThatOfTheSurfaceItself) {
@@ -107,7 +107,7 @@ TEST(ResponseSurface, WhatDoesNotFitIsRefused) {
   EXPECT_THROW(FitQuadratic(Points(7, 2), std::vector<double>(6, 1.0)), InvalidArgument);
   EXPECT_THROW(FitQuadratic({}, {}), InvalidArgument);
   std::vector<double> values(7, 1.0);
-  EXPECT_EQ(FitQuadratic(Points(7, 2), values).foretold, 0.0) << "all equal";
+  EXPECT_EQ(FitQuadratic(Points(7, 2), values).predicted, 0.0) << "all equal";
   values[3] = std::nan("");
   EXPECT_THROW(FitQuadratic(Points(7, 2), values), InvalidArgument);
   const QuadraticSurface plane{0.0, VectorX::Ones(2), MatrixX::Zero(2, 2)};

@@ -15,7 +15,7 @@ using by_values::Of;
 using by_values::Values;
 using by_values::Vec;
 
-/// Five unknowns; rows that see some of them, in any order.
+/// Five unknowns, and rows that depend on some of them in any order.
 ConstrainedProblem Mixed() {
   ConstrainedProblem problem;
   problem.start = Vec({0.3, -0.2, 0.5, 0.1, 0.7});
@@ -35,7 +35,7 @@ ConstrainedProblem Mixed() {
   return problem;
 }
 
-/// All rows' Jacobian.
+/// The Jacobian of all rows.
 MatrixX Dense(const ConstrainedProblem& problem, const VectorX& x) {
   MatrixX J = MatrixX::Zero(5, 5);
   J(0, 3) = 2.0;
@@ -76,7 +76,7 @@ TEST(SparseRows, TheirWeighedSquaresAreFactored) {
   rows.Differentiate();
   ASSERT_TRUE(rows.Factor(weights, 0.1));
   const MatrixX J = Dense(problem, x);
-  const VectorX own = Vec({1.0, 1.0, 1.0, 2.0, 3.0});  // residuals weigh 1
+  const VectorX own = Vec({1.0, 1.0, 1.0, 2.0, 3.0});  // the weight of residuals is 1
   const MatrixX squares = J.transpose() * own.asDiagonal() * J + 0.1 * MatrixX::Identity(5, 5);
   const VectorX right = Vec({1.0, -2.0, 3.0, -4.0, 5.0});
   EXPECT_LT((squares * rows.Solved(right) - right).norm(), 1e-7);

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// The A1 with its base so far ahead of and above where it stands in the middle of a motion, and standing at both ends.
+/// A robot whose base is moved forward and up in the middle of a motion, and that stands at both ends.
 struct Visit {
   RobotModel model = *LoadNamedRobot("a1");
   WholeBodyTrajectory rows;
@@ -41,7 +41,7 @@ Terrain BlockAt(double start_m) {
   return MakeTerrain("block:height_m=0.4,length_m=1,start_m=" + std::to_string(start_m), TerrainScale{}).value();
 }
 
-/// Where the foremost part of the A1 is that does not end in a foot, as it stands.
+/// Foremost point of the standing robot that does not belong to a link that ends in a foot.
 double NoseOf(const Terrain& terrain, double start_m) {
   Visit visit(Vector3::Zero());
   GroundWatch watch(visit.model, terrain);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Three ways to the centre of mass, one gait: each is judged by the audit, and they agree.
+// Three methods for the centre of mass with one gait: each passes the audit, and they agree.
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
@@ -50,7 +50,7 @@ TEST(ComMethods, EachPassesTheAuditAndEndsAtRest) {
   }
 }
 
-/// Supports without area, on whose edge the ZMP goes over into those with: nothing may be left outside of them.
+/// With supports without area, on whose edge the ZMP changes to supports with area: no sample may be outside of them.
 TEST(ComMethods, EveryGaitWithoutFlightPassesTheAudit) {
   const RobotModel a1 = *LoadNamedRobot("a1");
   for (const std::string gait : {"crawl", "amble", "trot", "pace"}) {
@@ -73,7 +73,7 @@ TEST(ComMethods, PreviewGoesWhereOptimisationGoes) {
     const RobotModel model = *LoadNamedRobot(walk.robot);
     const CentroidalTrajectory optimised = Planned(model, walk.command, "optimised").centroidal;
     const CentroidalTrajectory preview = Planned(model, walk.command, "preview").centroidal;
-    // Preview control stands one preview longer at both ends.
+    // Preview control stands longer by one preview horizon at both ends.
     const auto shift = static_cast<std::size_t>(std::lround(preview_s / preview.step_s));
     ASSERT_EQ(preview.p_WC.size(), optimised.p_WC.size() + 2 * shift);
     double apart = 0.0;
@@ -94,7 +94,7 @@ TEST(ComMethods, TheMethodIsInTheProvenance) {
     return std::find(options.begin(), options.end(), std::pair{key, value}) != options.end();
   };
   EXPECT_TRUE(has("centre_of_mass.method", "preview"));
-  // As given: what preview control adds to it is not added again when the plan is made anew.
+  // Options are stored as given: the time that preview control adds is not added again when the plan is made again.
   EXPECT_TRUE(has("footsteps.initial_stand_s", "0.8"));
 }
 

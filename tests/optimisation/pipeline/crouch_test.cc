@@ -31,7 +31,7 @@ TEST(Crouch, IsForLegsThatAreTooStraightToBeFast) {
   EXPECT_LT((*crouch)->highest_m, HeightOf(nao));
   EXPECT_GT((*crouch)->fastest_m_s, 0.5 * kGravity * 0.06) << "what the flight takes";
   EXPECT_EQ((*crouch)->model.hash, nao.hash);
-  // The deeper, the faster the legs: a shorter flight needs less.
+  // A deeper crouch gives faster legs, so a shorter flight needs less.
   const Result<std::optional<Crouch>> less = CrouchFor(nao, OneFlight(0.045));
   ASSERT_TRUE(less.ok() && less->has_value());
   EXPECT_GT((*less)->highest_m, (*crouch)->highest_m);
@@ -58,7 +58,7 @@ TEST(Crouch, FlightsThatNoHeightGivesAreRefusedWithTheirMotor) {
   EXPECT_NE(crouch.failure().message.find("KneePitch' is limited to 6.4"), std::string::npos)
       << crouch.failure().message;
   EXPECT_NE(crouch.failure().message.find("needs a lift-off speed of 0.59 m/s"), std::string::npos);
-  // No height is faster than what is said.
+  // No height is faster than the message says.
   double fastest = 0.0;
   for (const PushOff& at : PushOffs(nao, 2, 0.03, 0.95)) fastest = std::max(fastest, 0.95 * at.speed_m_s);
   EXPECT_LT(fastest, 0.5 * kGravity * 0.12);

@@ -12,7 +12,7 @@ TEST(IsDynamic, AGaitIsWhereNoFootThatCarriesGoesOn) {
   const CentreOfMassOptions options;
   EXPECT_FALSE(IsDynamic(StandingGait(4), options));
   EXPECT_FALSE(IsDynamic(TrotOf(0.6), options));
-  EXPECT_TRUE(IsDynamic(TrotOf(0.5), options));  // the pairs are exchanged at once
+  EXPECT_TRUE(IsDynamic(TrotOf(0.5), options));  // the pairs change at once
   EXPECT_TRUE(IsDynamic(TrotOf(0.4), options));  // flight
   EXPECT_TRUE(HasFlight(TrotOf(0.4)));
 }

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// All feet on the ground, in the air for a while, and down again.
+/// All feet on the ground, then in the air, then on the ground again.
 ContactSchedule Leap(const RobotModel& model, double flight_s) {
   const FootSet all = AllFeet(static_cast<int>(model.feet.size()));
   return {{{0.0, 0.5, all}, {0.5, 0.5 + flight_s, 0}, {0.5 + flight_s, 1.5, all}}};

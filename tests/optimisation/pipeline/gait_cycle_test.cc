@@ -22,7 +22,7 @@ const RobotModel& A1() {
 
 Gait GaitOf(const std::string& name) { return *FindGait(A1(), name, 0.5, {}); }
 
-/// A walk of three cycles and the switches of contact of its problem.
+/// A walk of three cycles, and the contact switches of its problem.
 struct TiedWalk {
   const RobotModel& model = A1();
   Gait gait;
@@ -138,7 +138,7 @@ TEST(TiesOf, PhasesOfAWalkFollowTheCycle) {
   }
 }
 
-/// A walk with the gait at other times has its phases at those that the ties say.
+/// A walk with the gait at other times has the phases that the ties predict.
 TEST(TiesOf, ForetellTheScheduleOfTheOtherGait) {
   TiedWalk walk("bound");
   const std::optional<CycleTies> tied = walk.Ties();

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// A bound of two cycles, at the gait's times and at better ones; made once.
+/// A bound of two cycles, with the gait's times and with optimised times; made once.
 struct TimedBound {
   RobotModel model = *LoadNamedRobot("a1");
   std::vector<WalkPart> parts;

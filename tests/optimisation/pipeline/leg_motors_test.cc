@@ -12,8 +12,8 @@
 namespace gaitwright {
 namespace {
 
-/// All but massless legs of two links of length l under a body: knee bent by k, base over ankles, the hip is
-/// l sqrt(2 + 2 cos k) over the ankle, and the knee's part in its rise is dh/dk = -l^2 sin k / h.
+/// Nearly massless legs of two links of length l under a body: knee angle k, base above the ankles. The hip is l sqrt(2
+/// + 2 cos k) above the ankle; the knee's effect on its rise is dh/dk = -l^2 sin k / h.
 std::string LightLegs() {
   unusual::UrdfText urdf;
   urdf.Link("body", 30.0, 0.4, urdf.Block(0.2, 0.2, 0.3, -0.2));

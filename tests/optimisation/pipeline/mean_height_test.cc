@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// A foot that stands at x, and from then on at x + ahead, higher by `up`.
+/// Adds a foot that stands at x and then at x + ahead_m, higher by `up`.
 void AddFoot(FootstepPlan& footsteps, int foot, const Vector2& at, double ahead_m, double up_m) {
   Foothold from, to;
   from.foot = to.foot = foot;

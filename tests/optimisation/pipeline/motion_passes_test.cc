@@ -34,7 +34,7 @@ TEST(MotionPass, IsBetterWhereItHasConvergedThenWhereItIsLaterOrNearer) {
   EXPECT_FALSE(PassOf(true, 0.1).BetterThan(settled)) << "no nearer";
 }
 
-/// Standing still, or a few steps ahead, as a task for passes.
+/// Standing still, or a few steps forward, as a task for the passes.
 struct PassesTask {
   PassesTask(const RobotModel& robot, int steps, double step_length_m = 0.03) : model(robot) {
     options.pipeline.grid_step_s = 0.01;
@@ -54,24 +54,24 @@ struct PassesTask {
     cycle_s = gait.cycle_s;
   }
 
-  /// Keeps references to this and the body.
+  /// Keeps references to this object and to the body.
   MotionTask Task(const BodyPath& body) const { return {model, terrain, skeleton, options, body, cycle_s}; }
 
-  Carriage Upright() const {
-    Carriage carriage;
-    carriage.com_height_m = StandingCentreOfMass(model).z();
-    carriage.zmp_inward = options.pipeline.zmp_inward;
-    return carriage;
+  BodyStrategy Upright() const {
+    BodyStrategy strategy;
+    strategy.com_height_m = StandingCentreOfMass(model).z();
+    strategy.zmp_inward = options.pipeline.zmp_inward;
+    return strategy;
   }
 
-  Result<MotionPass> RunWith(const Carriage& carriage, int& passes,
-                             double hopeless = std::numeric_limits<double>::infinity()) const {
+  Result<MotionPass> RunWith(const BodyStrategy& strategy, int& passes,
+                             double infeasible = std::numeric_limits<double>::infinity()) const {
     const BodyPath body(model, skeleton, cycle_s);
-    return MotionPasses(Task(body), carriage).Run(passes, hopeless);
+    return MotionPasses(Task(body), strategy).Run(passes, infeasible);
   }
-  Result<MotionPass> Once(const Carriage& carriage) const {
+  Result<MotionPass> Once(const BodyStrategy& strategy) const {
     const BodyPath body(model, skeleton, cycle_s);
-    return MotionPasses(Task(body), carriage).RunOnce();
+    return MotionPasses(Task(body), strategy).RunOnce();
   }
 
   const RobotModel& model;
@@ -100,7 +100,7 @@ TEST_P(MotionPassesTest, StandingStillNeedsOnePass) {
 
 TEST_P(MotionPassesTest, TheBodyIsCarriedAtTheHeightThatIsAsked) {
   const PassesTask task(NamedRobot(GetParam()), 0);
-  Carriage low = task.Upright();
+  BodyStrategy low = task.Upright();
   low.com_height_m *= 0.93;
   const Result<MotionPass> pass = task.Once(low);
   ASSERT_TRUE(pass.ok()) << pass.failure().message;
@@ -110,7 +110,7 @@ TEST_P(MotionPassesTest, TheBodyIsCarriedAtTheHeightThatIsAsked) {
 
 TEST_P(MotionPassesTest, ABodyHigherThanItsLegsIsOutOfReach) {
   const PassesTask task(NamedRobot(GetParam()), 0);
-  Carriage high = task.Upright();
+  BodyStrategy high = task.Upright();
   high.com_height_m += task.model.leg_length_m();
   int passes = 0;
   for (const Result<MotionPass>& pass : {task.Once(high), task.RunWith(high, passes)}) {

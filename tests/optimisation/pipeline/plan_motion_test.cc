@@ -32,7 +32,7 @@ double Height(const MotionPlan& plan) { return plan.centroidal.p_WC.front().z();
 
 bool Passes(const RobotModel& model, const MotionPlan& plan) { return Audit(model, plan, {})->pass(); }
 
-/// Arms held ahead take NAO's hips back, until the knees of the leg behind straighten too fast in long steps.
+/// Arms held forward move the hips backward, so that in long steps the knee of the rear leg straightens too fast.
 TEST(PlanMotion, GoesLowerWhereStraightKneesWouldBeTooFast) {
   const RobotModel model =
       *LoadRobotFromText(LoadNamedRobot("nao")->urdf_text,
@@ -61,7 +61,7 @@ TEST(PlanMotion, OptionsOfARigidBodyAreNamedWhereTheMotionIsAPendulums) {
   EXPECT_EQ(asked.whole_body.q, usual.whole_body.q);
 }
 
-/// The first guess is the standing posture, whose feet are turned otherwise than those of a lower one.
+/// The initial guess is the standing posture, whose feet have another rotation than those of a lowered posture.
 TEST(PlanMotion, SpheresStandStillOnTheirFootholdsFromTheFirstRowAtAnyHeight) {
   const RobotModel model = *LoadNamedRobot("a1");
   MotionOptions low;

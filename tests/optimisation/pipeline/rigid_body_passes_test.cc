@@ -22,7 +22,7 @@ WalkCommand Ahead(double speed_m_s, double distance_m) {
   return command;
 }
 
-/// A bound of two cycles and what its passes came to, to a coarser tolerance than the program's; made once.
+/// A bound of two cycles and the result of its passes, with a coarser tolerance than the program's; made once.
 struct Bounded {
   RobotModel model = *LoadNamedRobot("a1");
   WalkCommand command = Ahead(0.5, 0.2);
@@ -62,7 +62,7 @@ const Bounded& Bound() {
   return bound;
 }
 
-/// Force over weight and moment over weight, in metres, that base and contacts leave unbalanced at a row.
+/// Unbalanced force / weight, and moment / weight [m], of base and contacts at a row.
 double UnbalancedAt(const Bounded& bound, std::size_t row, DynamicsScratch& scratch) {
   const WholeBodyTrajectory& rows = bound.rows();
   VectorX tau;
@@ -155,7 +155,7 @@ MotionPlan PlannedBy(const RobotModel& model, const std::string& name, const Wal
 
 class RigidBodyPassesOf : public testing::TestWithParam<std::pair<std::string, double>> {};
 
-// A bound's feet roll by more in an interval of forces than those of other gaits.
+// The feet of a bound roll more within a force interval than those of other gaits.
 INSTANTIATE_TEST_SUITE_P(Gaits, RigidBodyPassesOf,
                          testing::Values(std::pair<std::string, double>{"pronk", 0.5},
                                          std::pair<std::string, double>{"bound", 0.8}),
@@ -178,7 +178,7 @@ TEST_P(RigidBodyPassesOf, KeepsTheProgramsOwnTolerance) {
   EXPECT_EQ(stiff->passes, 1);
 }
 
-/// What a bound comes to for which motors a quarter as fast are too slow.
+/// The result for a bound for which motors at a quarter of their speed are too slow.
 Result<PlannedMotion> TooFast(bool allow_limits) {
   RobotModel model = *LoadNamedRobot("a1");
   for (Joint& joint : model.joints) joint.velocity_limit *= 0.25;
@@ -218,7 +218,7 @@ TEST(RigidBodyPasses, WhatNoForcesCarryIsRefusedByTheNamesOfFeet) {
       << flying.failure().message;
 }
 
-/// How much a plan's centre of mass goes up and down [m]: that of a pendulum on level ground does not.
+/// Vertical range of a plan's centre of mass [m]; 0 for a pendulum on level ground.
 double Heave(const MotionPlan& plan) {
   const auto [least, most] = std::minmax_element(plan.centroidal.p_WC.begin(), plan.centroidal.p_WC.end(),
                                                  [](const Vector3& a, const Vector3& b) { return a.z() < b.z(); });

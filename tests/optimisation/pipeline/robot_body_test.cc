@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kReserve = 0.03;
 
-/// How far inside a foot's workspace a place is, by its nearest side.
+/// Distance of a place inside a foot's workspace from the nearest side.
 double InsideBy(const RigidFoot& foot, const Vector3& p_CF) {
   double least = std::numeric_limits<double>::infinity();
   for (const WorkspaceSide& side : foot.workspace_B) least = std::min(least, side.offset - side.normal.dot(p_CF));
@@ -37,7 +37,7 @@ class RobotBodyTest : public testing::TestWithParam<const char*> {
     const Gait gait = *FindGait(model_, "", CommandedSpeed(model_, command), {});
     return *PlanFootsteps(model_, FlatTerrain(), gait, command, {});
   }
-  /// Ahead and to the left, turned at the end.
+  /// Forward and to the left, with a turn at the end.
   WalkCommand Curved() const {
     WalkCommand command;
     command.extent = WalkCommand::Extent::kGoal;
@@ -83,8 +83,8 @@ TEST_P(RobotBodyTest, FeetLikeToStandWhereTheyDoInStandingAndThatIsInTheirWorksp
   }
 }
 
-/// The standing place of the controlled frame is that of the contact frame a radius higher: were it taken for the same,
-/// workspaces would be off by it.
+/// The controlled frame is a radius above the contact frame in the standing posture. If the two were confused,
+/// workspaces would be wrong by the radius.
 TEST_P(RobotBodyTest, WorkspacesAreOfContactFramesFromTheCentreOfMass) {
   for (int f = 0; f < static_cast<int>(body_.feet.size()); ++f) {
     LegWorkspace workspace(model_, f, kReserve);
@@ -133,7 +133,7 @@ TEST_P(RobotBodyTest, TheInertiaIsOneThatABodyCanHave) {
   EXPECT_LT((body_.inertia_H - body_.inertia_H.transpose()).norm(), 1e-12);
   EXPECT_GT(main[0], 0.0);
   EXPECT_LE(main[2], main[0] + main[1]);
-  // A radius of gyration that is a fair part of the size of the robot.
+  // The radius of gyration is a plausible share of the robot's size.
   const double gyration_m = std::sqrt(main[2] / model_.total_mass_kg);
   EXPECT_GT(gyration_m, 0.2 * model_.leg_length_m());
   EXPECT_LT(gyration_m, 2.0 * model_.leg_length_m());

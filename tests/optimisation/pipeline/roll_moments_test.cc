@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The hopper's motion over contacts that move ahead by so much in the share u of a stance.
+/// The hopper's motion over contacts whose displacement is a function of the share u of a stance.
 template <class Moved>
 struct Rolling {
   RigidBodyProblem problem = rigid_bodies::Hopper();
@@ -39,7 +39,7 @@ TEST(RollMoments, AreNoneOfContactsThatMoveEvenly) {
 }
 
 TEST(RollMoments, AreThoseOfTheWayBetweenArcAndChord) {
-  constexpr double kMoved = 0.02;  // u^2 of it
+  constexpr double kMoved = 0.02;  // times u^2
   const Rolling rolling([](double u) { return kMoved * u * u; });
   ASSERT_FALSE(rolling.moments.empty());
   double largest = 0.0;
@@ -53,7 +53,7 @@ TEST(RollMoments, AreThoseOfTheWayBetweenArcAndChord) {
     ASSERT_EQ(in.forces.size(), 1U);
     const RigidStance& stance = rolling.problem.stances[in.forces[0].stance];
     const double whole = stance.end_s - stance.start_s;
-    // A parabola is below its chord by its curvature times the ways to both ends.
+    // A parabola is below its chord by its curvature times the distances from both ends.
     const double below = kMoved * (sample.time_s - in.start_s) * (in.end_s - sample.time_s) / (whole * whole);
     const Vector3 expected = -below * Vector3::UnitX().cross(sample.force_W[0]);
     EXPECT_LT((rolling.moments[k] - expected).norm(), 1e-4 * 0.25 * kMoved * rolling.motion.mass_kg * kGravity)

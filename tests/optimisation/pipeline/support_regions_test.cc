@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// A1 on its left feet for a second between two stands, while they roll to the side by an arc and back.
+/// A quadruped on its left feet for a second between two stands, while they roll sideways by an arc and back.
 struct Sway {
   static constexpr double kStep = 0.005;
   RobotModel model = *LoadNamedRobot("a1");

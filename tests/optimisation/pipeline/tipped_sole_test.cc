@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// A robot on feet without ankle roll that stands, and then is rolled about the middle of its left sole.
+/// A robot on feet without ankle roll joints that stands and is then rotated about the middle of its left sole.
 WholeBodyTrajectory RolledOverItsLeftSole(const RobotModel& model, double roll_rad) {
   DynamicsScratch scratch(model);
   VectorX q = StandingConfiguration(model);

@@ -15,7 +15,7 @@ struct Asked {
   std::string gait;
   double speed_m_s = 0.0, distance_m = 0.0;
   std::string terrain = "flat";
-  double step_length_m = 0.0;  // of four steps, instead of a speed and a distance
+  double step_length_m = 0.0;  // for four steps, instead of a speed and a distance
 
   WalkRequest Request() const {
     WalkRequest request;
@@ -23,7 +23,7 @@ struct Asked {
     request.terrain = terrain;
     request.command.speed_m_s = speed_m_s;
     request.command.distance_m = distance_m;
-    request.motion.footsteps.ramp.acceleration_m_s2 = 0.0;  // all of the speed within a cycle
+    request.motion.footsteps.ramp.acceleration_m_s2 = 0.0;  // full speed within one cycle
     if (step_length_m > 0.0) {
       request.command.extent = Extent::kSteps;
       request.command.steps = 4;
@@ -78,7 +78,7 @@ TEST(FirstLook, WhatNeedsNoSolvingIsSaidToNeedNone) {
   EXPECT_FALSE(look.solved);
 }
 
-/// What an audit that found these makes of a pace.
+/// Factor of the speed that follows from an audit with these violations.
 double Ease(const std::vector<Violation>& violations) {
   AuditReport audit;
   audit.violations = violations;
@@ -96,13 +96,13 @@ TEST(EaseOf, GoesBySpeedsOfJointsAndRootsOfTheirTorques) {
   EXPECT_GE(Ease({{Law::kJointVelocity, 1.0, "knee", 2100.0, 21.0, "rad/s"}}), 0.3) << "but none too long";
 }
 
-/// The first hint of a refusal is a pace with which a plan is given.
+/// The first suggestion of a refusal must be a speed at which a plan exists.
 void ExpectHintServes(const Asked& asked) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
   WalkRequest request = asked.Request();
   const Result<PlannedWalk> refused = PlanWalk(a1, request);
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.failure().message.find("may serve with gait '" + asked.gait), std::string::npos)
+  EXPECT_NE(refused.failure().message.find("may be feasible with gait '" + asked.gait), std::string::npos)
       << refused.failure().message;
   const std::string& hint = refused.failure().suggestions.front().text;
   const bool by_speed = hint.starts_with("--speed ");

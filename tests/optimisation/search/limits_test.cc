@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks that are within what the robot can do pass their audit; others are refused with what is possible.
+// Walks within the robot's limits pass their audit; others are refused, with a feasible alternative.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,7 +83,7 @@ TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHas
 
 TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
   RobotModel stiff = *LoadNamedRobot("a1");
-  for (Joint& joint : stiff.joints) joint.effort_limit = 0.5;  // less than standing takes
+  for (Joint& joint : stiff.joints) joint.effort_limit = 0.5;  // less than standing needs
   const Result<PlannedWalk> planned = PlanWalk(stiff, Asked(0.3, 0.0, 0.0));
   ASSERT_FALSE(planned.ok());
   EXPECT_NE(planned.failure().message.find("no speed of robot 'a1' was found"), std::string::npos);
@@ -91,7 +91,7 @@ TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
   for (const Suggestion& suggestion : planned.failure().suggestions) EXPECT_NE(suggestion.what, "speed");
 }
 
-/// Refused for a law of the ground rather than a limit of the robot; what is offered instead passes.
+/// The walk must be refused for a check of the ground rather than a limit of the robot; the suggested walk must pass.
 void ExpectRefusedFor(Law law, const RobotModel& model, WalkRequest request) {
   const Result<PlannedWalk> planned = PlanWalk(model, request);
   ASSERT_FALSE(planned.ok());

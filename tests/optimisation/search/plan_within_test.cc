@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is asked wrongly is refused before anything is planned, by the stage that knows it.
+// Invalid requests are refused before anything is planned, by the stage that checks them.
 #include "optimisation/search/plan_within.h"
 
 #include <gtest/gtest.h>

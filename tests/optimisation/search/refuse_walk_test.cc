@@ -79,8 +79,8 @@ TEST(IsSound, NeedsAPlanWithinLimitsThatPassesItsAudit) {
   EXPECT_FALSE(IsSound(WalkWith({Broken(Law::kDynamics, "base", 1.0, 0.1)})));
   EXPECT_FALSE(IsSound(WalkWith({Broken(Law::kJointTorque, "knee", 41.0, 40.0)})));
   PlannedWalk slight = WalkWith({}), far = slight;
-  slight.motion.limit_excess = 0.9 * kSlightExcess;
-  far.motion.limit_excess = 1.1 * kSlightExcess;
+  slight.motion.limit_excess = 0.9 * kSlightViolation;
+  far.motion.limit_excess = 1.1 * kSlightViolation;
   EXPECT_TRUE(IsSound(slight));
   EXPECT_FALSE(IsSound(far)) << "past limits between the audit's samples";
 }
@@ -96,7 +96,7 @@ TEST(WhyForbidden, NamesTheWorstLimitAndHowManyThereAre) {
       WalkWith({Broken(Law::kJointPosition, "hip", 1.05, 1.0), Broken(Law::kJointTorque, "knee", 44.0, 40.0, "N m"),
                 Broken(Law::kDynamics, "base", 9.0, 1.0)}));
   EXPECT_EQ(two.violation->where, "knee");
-  EXPECT_NE(two.message.find("worst of 2 limits"), std::string::npos) << two.message;
+  EXPECT_NE(two.message.find("worst of 2 violated limits"), std::string::npos) << two.message;
 }
 
 TEST(WhyForbidden, WithoutABrokenLimitHasTheCodeOfTheFirstLaw) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The trace of a search holds every plan that was tried, and looking at it changes nothing.
+// The trace of a search holds every plan that was tried, and recording it changes nothing.
 #include "optimisation/search/search_trace.h"
 
 #include <gtest/gtest.h>

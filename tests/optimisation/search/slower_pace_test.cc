@@ -12,9 +12,10 @@ TEST(SlowerPace, SaysNoMoreThanIsKnown) {
   using Known = SlowerPace::Known;
   EXPECT_EQ((SlowerPace{0.75, Known::kLargest}.Text(command, "trot")),
             "the largest speed with gait 'trot' is 0.75 m/s");
-  EXPECT_EQ((SlowerPace{0.75, Known::kServes}.Text(command, "trot")), "a speed of 0.75 m/s serves with gait 'trot'");
+  EXPECT_EQ((SlowerPace{0.75, Known::kFeasible}.Text(command, "trot")),
+            "a speed of 0.75 m/s is feasible with gait 'trot'");
   EXPECT_EQ((SlowerPace{0.75, Known::kMay}.Text(command, "trot")),
-            "a speed of about 0.75 m/s may serve with gait 'trot'");
+            "a speed of about 0.75 m/s may be feasible with gait 'trot'");
 }
 
 }  // namespace

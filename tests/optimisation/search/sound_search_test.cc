@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The search with a made-up evaluator: which candidates it evaluates, in which order and how thoroughly, and what it
-// finds. No plan is made.
+// The search with an artificial evaluator: which candidates it evaluates, in which order and with which effort, and its
+// result. No plan is made.
 #include "optimisation/search/sound_search.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using Kind = SearchSituation::Kind;
 
 Failure TooMuch() { return {FailureKind::kInfeasible, FailureCode::kLimits, "Made up", "", {}}; }
 
-/// Says of each candidate what a function says, and keeps what was asked.
+/// Evaluates candidates by a function, and records the queries.
 class MadeUp : public Evaluator {
  public:
   using IsSoundAt = std::function<bool(const Candidate&, Effort)>;
@@ -38,7 +38,7 @@ class MadeUp : public Evaluator {
   }
 
   std::vector<std::pair<Candidate, Effort>> asked;
-  Evaluation refused;  // but for its refusal
+  Evaluation refused;  // set except for its refusal
   double flies_above = std::numeric_limits<double>::infinity();
 
  private:
@@ -94,7 +94,7 @@ TEST(FindSound, APaceIsLoweredOnlyWhereNobodyAskedForIt) {
 }
 
 TEST(FindSound, TheLargestPaceIsThatOfTheBestCycle) {
-  // The possible pace has its maximum at cycle 5 of 0.42; whole walks are a little worse than their starts.
+  // The largest possible speed is 0.42 at cycle 5; whole walks are slightly worse than their starts.
   const auto largest = [](int cycle) { return 0.42 - 0.02 * std::abs(cycle - 5); };
   MadeUp evaluator([&](const Candidate& c, Effort effort) {
     return c.pace <= largest(c.cycle) - (effort == Effort::kWhole ? 0.015 : 0.0);

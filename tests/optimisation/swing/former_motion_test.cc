@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// The standing robot, pitching and moving ahead at even rates.
+/// The standing robot, pitching and moving forward at constant rates.
 WholeBodyTrajectory Pitching(const RobotModel& model, double rate_rad_s, double speed_m_s) {
   WholeBodyTrajectory motion;
   motion.step_s = 0.005;

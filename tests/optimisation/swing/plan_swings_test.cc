@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// Level ground with a box across the way.
+/// Level ground with a box across the path.
 Terrain WithBox(double from_m, double to_m, double height_m) {
   Terrain terrain = FlatTerrain();
   TerrainPatch box;
@@ -35,7 +35,7 @@ FootstepPlan OneStep(double length_m, double rise_m) {
 }
 
 double Spare(const RobotModel& model, const Terrain& terrain, const SwingTrajectory& swing, double clearance_m) {
-  return SpareClearance(
+  return ClearanceMargin(
       CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
       clearance_m);
 }
@@ -121,7 +121,7 @@ Obstacle Box(const char* name, const Vector3& middle_W, const Vector3& size_m) {
   return box;
 }
 
-/// How far a sphere foot stays from an upright box along its whole swing, by the closed form.
+/// Smallest distance of a spherical foot from an upright box along its whole swing, in closed form.
 double LeastGap(const SwingTrajectory& swing, double radius_m, const Vector3& middle_W, const Vector3& size_m) {
   double least = 1e9;
   for (int k = 0; k <= 200; ++k) {
@@ -178,7 +178,7 @@ TEST(PlanSwings, AFootRisesBeforeARiserAndGoesAheadBeforeItComesDown) {
     const SwingTrajectory& swing = swings->front();
     const Vector3 size(2.0, 2.0, 1.0), middle(rise > 0.0 ? 1.045 : 0.155 - 1.0, 0.0, std::max(rise, 0.0) - 0.5);
     const double upper_s = rise > 0.0 ? swing.end_s : swing.start_s;
-    double least_beside = 1e9;  // gap to the upper tread while the foot is not over it
+    double least_beside = 1e9;  // distance to the upper tread while the foot is not above it
     for (int k = 1; k < 200; ++k) {
       const double t = swing.start_s + (swing.end_s - swing.start_s) * k / 200.0;
       const Vector3 p = Evaluate(CurveOf(swing), t).X_WF.translation();
@@ -197,7 +197,7 @@ TEST(PlanSwings, WhatASphereRollsOffItsCurveIsReckonedWith) {
   former.roll = [&](const SwingTrajectory&) { return SwingRoll(roll); };
   const Terrain terrain = WithBox(0.05, 3.0, 0.1);
   const auto spare = [&](const SwingTrajectory& swing) {
-    return SpareClearance(
+    return ClearanceMargin(
         CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
         0.0, roll);
   };
@@ -219,7 +219,7 @@ TEST(PlanSwings, AShankGoesAroundWhatTheFootPassesUnder) {
   for (Foothold& foothold : steps.footholds) foothold.X_WF.translation() += Vector3(p_WF.x() - 0.1, p_WF.y(), 0.0);
   const Pose X_WB = FramePose(scratch, 0, Pose::Identity());
   const BaseMotion still = [X_WB](double) { return Pose(X_WB); };
-  // A knob beside the shank, below its middle, in mid swing, half of it inside.
+  // A knob beside the shank, below its middle, in mid swing; half of the knob is inside the shank.
   const auto shank = std::find_if(model.collision_shapes.begin(), model.collision_shapes.end(),
                                   [&](const Shape& shape) { return shape.body == model.legs[0].knee_joint + 1; });
   ASSERT_NE(shank, model.collision_shapes.end());

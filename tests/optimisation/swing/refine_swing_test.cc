@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// A box across the way, from one place to another, of a height.
+/// A box across the path, from one place to another, with a height.
 struct BoxAcross {
   double from_m, to_m, height_m;
 };
@@ -108,12 +108,12 @@ TEST(RefineSwing, NeedsLessJerkThanALiftThatClears) {
     const GroundHeight ground = Ground(scene.boxes, scene.low_m);
     const RefineChoice choice{0.04, 12, 30};
     SwingCurve raised = scene.swing;
-    while (SpareClearance(raised, underside, ground, choice.clearance_m) < 0.0 && raised.lift_m < 3.0) {
+    while (ClearanceMargin(raised, underside, ground, choice.clearance_m) < 0.0 && raised.lift_m < 3.0) {
       raised.lift_m += 0.01;
     }
     const Result<RefinedSwing> refined = RefineSwing(scene.swing, underside, ground, choice);
     ASSERT_TRUE(refined.ok()) << scene.name << ": " << refined.failure().message;
-    // The sides of a wall are taken as slopes, which asks for a little more than a lift needs.
+    // The sides of a wall are replaced by slopes, which needs slightly more than a plain lift.
     const double most = std::string(scene.name).find("wall") == std::string::npos ? 1.0 : 1.25;
     EXPECT_LT(SquaredJerk(refined->curve), most * SquaredJerk(raised)) << scene.name;
     RecordProperty(std::string("refined ") + scene.name, std::to_string(SquaredJerk(refined->curve)));
@@ -132,7 +132,7 @@ TEST(RefineSwing, GoesStraightWhereThereIsNoGround) {
     EXPECT_NEAR(Evaluate(refined->curve, t).X_WF.translation().z(), 0.0, 1e-6);
     EXPECT_NEAR(Evaluate(refined->curve, t).X_WF.translation().y(), 0.0, 1e-12);
   }
-  // Minimum jerk is not minimum acceleration: there is something to gain, but not much.
+  // Minimum jerk is not minimum acceleration: a small improvement is possible.
   EXPECT_LT(SquaredAcceleration(refined->curve), SquaredAcceleration(flat));
   EXPECT_GT(SquaredAcceleration(refined->curve), 0.7 * SquaredAcceleration(flat));
 }
@@ -149,7 +149,7 @@ TEST(RefineSwing, RisesInFrontOfARiserHoweverNearTheToeStands) {
 TEST(RefineSwing, IsTheSameInAnyDirection) {
   const auto underside = UndersideOf(Sole());
   const Pose X_WN = Pose(Eigen::Translation3d(3.0, -2.0, 0.5)) * Pose(YawRotation(2.1));
-  const GroundHeight ground = Ground({{0.141, 0.241, 0.15}});  // nearer to the start, not on the edge of a cell
+  const GroundHeight ground = Ground({{0.141, 0.241, 0.15}});  // nearer to the start, and not on the edge of a cell
   const GroundHeight moved = [&](const Vector2& p_W) {
     const Vector3 p_N = X_WN.inverse() * Vector3(p_W.x(), p_W.y(), 0.0);
     return ground(p_N.head<2>()) + 0.5;
@@ -168,7 +168,7 @@ TEST(RefineSwing, IsTheSameInAnyDirection) {
 }
 
 TEST(RefineSwing, ATouchingEdgeIsRefusedWithTheLack) {
-  // The toe stands under the block that begins in front of it: no swing clears that.
+  // The toe is under the block that begins in front of it: no swing is clear of that.
   const Result<RefinedSwing> refined =
       RefineSwing(Straight(0.4, 0.3), UndersideOf(Sole()), Ground({{0.07, 9.0, 0.3}}), {});
   ASSERT_FALSE(refined.ok());
@@ -182,16 +182,16 @@ TEST(RefineSwing, RefusesNumbersOutsideTheirRange) {
   EXPECT_THROW((void)RefineSwing(Straight(0.4, 0.0), UndersideOf(Sole()), flat, {0.02, 12, 50}), InvalidArgument);
 }
 
-TEST(SpareClearance, IsKnownForABumpOnFlatGround) {
+TEST(ClearanceMargin, IsKnownForABumpOnFlatGround) {
   SwingCurve swing = Straight(0.3, 0.0);
   swing.lift_m = 0.08;
-  // In mid swing 80 mm; 20 mm are asked for. The least is near the ends, where both go to zero and half a millimetre
-  // less is asked.
-  EXPECT_LT(SpareClearance(swing, {Vector3::Zero()}, Ground({}), 0.02), 5e-4);
-  EXPECT_GT(SpareClearance(swing, {Vector3::Zero()}, Ground({}), 0.02), 0.0);
-  // Asked for far more than it has, the least is where the ramp ends, 35 % into the swing.
+  // The height in mid swing is 80 mm; 20 mm are required. The smallest margin is near the ends, where both are zero and
+  // half a millimetre less is required.
+  EXPECT_LT(ClearanceMargin(swing, {Vector3::Zero()}, Ground({}), 0.02), 5e-4);
+  EXPECT_GT(ClearanceMargin(swing, {Vector3::Zero()}, Ground({}), 0.02), 0.0);
+  // If far more is required than the height, the smallest margin is at the end of the ramp, 35 % into the swing.
   const double least = 0.08 * 64.0 * std::pow(0.35 * 0.65, 3) - 2.0;
-  EXPECT_NEAR(SpareClearance(swing, {Vector3::Zero()}, Ground({}), 2.0), least, 5e-3);
+  EXPECT_NEAR(ClearanceMargin(swing, {Vector3::Zero()}, Ground({}), 2.0), least, 5e-3);
 }
 
 TEST(ClearanceRamp, RisesSlowerThanAFootAtRest) {

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// A swing of a robot's first foot ahead from where it stands.
+/// A swing of a robot's first foot forward from its standing position.
 SwingTrajectory GuardedSwing(const RobotModel& model, double length_m, double lift_m, double duration_s = 0.5) {
   SwingTrajectory swing;
   swing.start_s = 1.0;
@@ -25,7 +25,7 @@ SwingTrajectory GuardedSwing(const RobotModel& model, double length_m, double li
   return swing;
 }
 
-/// Level ground with a beam across the middle of a swing, so high.
+/// Level ground with a beam of this height across the middle of a swing.
 Terrain GroundWithBeam(const SwingTrajectory& swing, double height_m) {
   Terrain terrain = FlatTerrain();
   Obstacle beam;

@@ -85,35 +85,35 @@ TEST(ClearanceRamp, RisesFromNothingToAllAndFallsLikewise) {
   EXPECT_NEAR(ClearanceRamp(0.5 * kClearanceEnds), 0.5, 1e-12);
 }
 
-TEST(SpareClearance, LowerGroundGivesAsMuchMore) {
+TEST(ClearanceMargin, LowerGroundGivesAsMuchMore) {
   const SwingCurve curve = StepAhead(0.2, 0.05);
-  const double level = SpareClearance(curve, kTip, LevelAt(0.0), 0.02);
+  const double level = ClearanceMargin(curve, kTip, LevelAt(0.0), 0.02);
   for (const double change_m : {-0.03, 0.01, 0.4})
-    EXPECT_NEAR(SpareClearance(curve, kTip, LevelAt(change_m), 0.02), level - change_m, 1e-12);
-  EXPECT_EQ(SpareClearance(curve, kTip, LevelAt(kNoGround), 0.02), kInfinity);
+    EXPECT_NEAR(ClearanceMargin(curve, kTip, LevelAt(change_m), 0.02), level - change_m, 1e-12);
+  EXPECT_EQ(ClearanceMargin(curve, kTip, LevelAt(kNoGround), 0.02), kInfinity);
 }
 
-TEST(SpareClearance, OfARidgeInMidSwingIsTheHeightAboveIt) {
+TEST(ClearanceMargin, OfARidgeInMidSwingIsTheHeightAboveIt) {
   const SwingCurve curve = StepAhead(0.2, 0.08);
   const GroundHeight ridge = [](const Vector2& p_W) { return std::abs(p_W.x() - 0.1) < 0.004 ? 0.05 : kNoGround; };
-  // At half way the foot is 0.08 m high, 0.03 m above the ridge, of which 0.02 m are asked for.
-  EXPECT_NEAR(SpareClearance(curve, kTip, ridge, 0.02), 0.01, 1e-3);
-  EXPECT_LT(SpareClearance(curve, kTip, ridge, 0.04), 0.0);
+  // Half-way, the foot is 0.08 m high, 0.03 m above the ridge; 0.02 m are required.
+  EXPECT_NEAR(ClearanceMargin(curve, kTip, ridge, 0.02), 0.01, 1e-3);
+  EXPECT_LT(ClearanceMargin(curve, kTip, ridge, 0.04), 0.0);
 }
 
-TEST(SpareClearance, IsThatOfTheLowestPointOfTheUnderside) {
+TEST(ClearanceMargin, IsThatOfTheLowestPointOfTheUnderside) {
   const SwingCurve curve = StepAhead(0.2, 0.05);
   const auto low = [](double z) { return std::vector<Vector3>{{0.0, 0.0, 0.0}, {0.02, 0.0, z}}; };
-  const double tip = SpareClearance(curve, kTip, LevelAt(-0.1), 0.0);
-  EXPECT_NEAR(SpareClearance(curve, low(-0.01), LevelAt(-0.1), 0.0), tip - 0.01, 1e-12);
-  EXPECT_NEAR(SpareClearance(curve, low(0.01), LevelAt(-0.1), 0.0), tip, 1e-12);
+  const double tip = ClearanceMargin(curve, kTip, LevelAt(-0.1), 0.0);
+  EXPECT_NEAR(ClearanceMargin(curve, low(-0.01), LevelAt(-0.1), 0.0), tip - 0.01, 1e-12);
+  EXPECT_NEAR(ClearanceMargin(curve, low(0.01), LevelAt(-0.1), 0.0), tip, 1e-12);
 }
 
-TEST(SpareClearance, SeesWhereAFootRolls) {
+TEST(ClearanceMargin, SeesWhereAFootRolls) {
   const SwingCurve curve = StepAhead(0.2, 0.05);
   const SwingRoll lifted({Vector3(0.0, 0.0, 0.01), Vector3(0.0, 0.0, 0.01)});
-  EXPECT_NEAR(SpareClearance(curve, kTip, LevelAt(0.0), 0.02, lifted),
-              SpareClearance(curve, kTip, LevelAt(0.0), 0.02) + 0.01, 1e-12);
+  EXPECT_NEAR(ClearanceMargin(curve, kTip, LevelAt(0.0), 0.02, lifted),
+              ClearanceMargin(curve, kTip, LevelAt(0.0), 0.02) + 0.01, 1e-12);
 }
 
 TEST(OutOfReach, IsTheLargestDistanceBeyondAnySide) {

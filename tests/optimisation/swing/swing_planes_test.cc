@@ -26,7 +26,7 @@ TEST(SwingPlanes, AreTheTopTheSideOrTheEdgeOfABlock) {
   const PartingPlane edge = PlaneBefore(Block(), Vector3(0.67, 0.2, 0.54));
   EXPECT_LT((edge.normal_W - Vector3(-0.6, 0.0, 0.8)).norm(), 1e-9);
   EXPECT_NEAR(edge.Beyond({0.67, 0.2, 0.54}), 0.05, 1e-9);
-  // Inside, by the nearest way out.
+  // Inside: the nearest side.
   EXPECT_NEAR(PlaneBefore(Block(), Vector3(0.72, 0.0, 0.1)).Beyond({0.72, 0.0, 0.1}), -0.02, 1e-12);
 }
 
@@ -47,7 +47,7 @@ TEST(SwingPlanes, PartAnyPointFromAllThatIsSolid) {
 }
 
 TEST(SwingPlanes, OfAWayPartAllOfIt) {
-  // Up and over the edge: neither the top nor the side has both ends on its outer side.
+  // Up and over the edge: neither the top nor the side has both ends of the path on its outer side.
   const std::vector<Vector3> way_W = {{0.66, 0.0, 0.49}, {0.68, 0.0, 0.515}, {0.71, 0.0, 0.54}};
   const PartingPlane plane = PlaneBefore(Block(), way_W);
   for (const Vector3& p_W : way_W) EXPECT_GT(plane.Beyond(p_W), 0.0);

@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-/// From the origin ahead, up onto a step where that is asked for.
+/// From the origin forward, optionally up onto a step.
 SwingCurve Ahead(double way_m, double rise_m) {
   SwingCurve swing;
   swing.X_WF_end.translation() = Vector3(way_m, 0.0, rise_m);
@@ -34,7 +34,8 @@ TEST(SwingProfile, IsNowhereBelowTheGroundAndLeavesTheEndsAsTheyAre) {
   }
   EXPECT_NEAR(profile.Highest(0.0, 0.0).first, 0.0, 1e-12);
   EXPECT_NEAR(profile.Highest(0.4, 0.0).first, 0.15, 1e-12);
-  // Before the riser it climbs, so that a foot feels it coming, and within its reach it is as high as the step.
+  // It rises before the riser, so that the solver has a gradient; within the reach of the foot it is as high as the
+  // step.
   EXPECT_GT(profile.Highest(0.19, 0.0).first, 0.05);
   EXPECT_GT(profile.Highest(0.19, 0.0).second, 1.0);
   EXPECT_NEAR(profile.Highest(0.15, 0.06).first, 0.15, 1e-12);

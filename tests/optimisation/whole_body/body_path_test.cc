@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// A trot that turns, whose feet stand on a plane from the start on, by slope ahead and to the left.
+/// A trot that turns; from the start its feet stand on a plane that slopes forward and to the left.
 FootstepSkeleton OnPlane(const RobotModel& model, const Vector2& slope_W) {
   WalkCommand command;
   command.speed_m_s = 0.3;

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// Forces of the standing posture, with one acceleration of the whole robot.
+/// Forces of the standing posture with a constant acceleration of the whole robot.
 WholeBodySolution ForcesWhileStanding(const StandingProblem& standing, const Vector3& acceleration = Vector3::Zero()) {
   WholeBodySolution solution = standing.Still(acceleration);
   AddContactForces(standing.model, standing.Problem(), {}, solution);
@@ -65,7 +65,7 @@ TEST_P(ContactForcesTest, AnAccelerationAheadTakesTheZmpBack) {
               1e-3 * standing.model.weight_n());
 }
 
-/// Work of gravity and of contact forces on a small turn of one joint, by differences.
+/// Work of gravity and of contact forces for a small rotation of one joint, by differences.
 double HoldingTorque(const StandingProblem& standing, const WholeBodySolution& solution, int dof) {
   constexpr double kStep = 1e-5;
   const RobotModel& model = standing.model;

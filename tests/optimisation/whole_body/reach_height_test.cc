@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// A robot as it stands.
+/// A robot in its standing posture.
 struct Standing {
   explicit Standing(const char* robot) : model(LoadNamedRobot(robot).value()) {
     DynamicsScratch scratch(model);

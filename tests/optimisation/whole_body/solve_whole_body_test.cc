@@ -23,7 +23,7 @@ Result<WholeBodySolution> SolvedStanding(const StandingProblem& standing, const 
   return SolveWholeBody(standing.model, problem, no_roll, {}, unreached_s);
 }
 
-/// The centre of mass sways to the left and back by so much, twice a second, and down by half of it.
+/// The centre of mass sways to the left and back with this amplitude, twice a second, and down by half of it.
 void SwayBy(double sway_m, StandingProblem& standing) {
   constexpr double kRate = 4.0 * M_PI;  // [rad/s]
   const Vector3 by = sway_m * Vector3(0.0, 0.5, -0.25);
@@ -169,7 +169,7 @@ TEST(SolveWholeBody, ASwingFootFollowsItsCurveToItsNextFoothold) {
   standing.footsteps.footholds[0] = from;
   standing.footsteps.footholds.push_back(to);
   standing.swings = {{0, up_s, down_s, from.X_WF, to.X_WF, 0.04}};
-  // The roll of the ball at touch-down is met by aiming short by it.
+  // The swing must aim short of its foothold by the sphere's roll at touch-down.
   std::vector<Vector3> expected(5, Vector3::Zero());
   Result<WholeBodySolution> solution = SolveWholeBody(standing.model, standing.Problem(), expected, {});
   for (int pass = 0; pass < 4 && solution; ++pass) {

@@ -8,10 +8,10 @@
 #include "optimisation/whole_body/solve_whole_body.h"
 #include "planning/paths/standing_feet.h"
 
-/// Robots that stand on their legs' feet, as problems of the whole-body stage.
+/// Robots that stand on the feet of their legs, as problems of the whole-body stage.
 namespace gaitwright {
 
-/// A robot that stands on level ground with its centre of mass at rest, over so many samples.
+/// A robot that stands on level ground with its centre of mass at rest, for a number of samples.
 struct StandingProblem {
   StandingProblem(const RobotModel& robot, int samples, double friction = 0.8)
       : model(robot), terrain(FlatTerrain(friction)) {
@@ -32,12 +32,12 @@ struct StandingProblem {
 
   double end_s() const { return (centroidal.size() - 1) * centroidal.step_s; }
 
-  /// Keeps references to this.
+  /// Keeps references to this object.
   WholeBodyProblem Problem() const {
     return {&terrain, &schedule, &footsteps, &centroidal, &swings, [](double) { return BaseTurning{}; }};
   }
 
-  /// The standing posture at each sample, with one acceleration of the base and no speed.
+  /// The standing posture at each sample, with a constant acceleration of the base and zero speed.
   WholeBodySolution Still(const Vector3& acceleration = Vector3::Zero()) const {
     WholeBodySolution solution;
     solution.trajectory.step_s = centroidal.step_s;

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// The violation at a place of a good plan of the A1 with one thing changed.
+/// The violation at a place of a good plan with one change.
 Violation ColumnViolation(const std::string& where, const std::function<void(MotionPlan&)>& change) {
   MotionPlan plan = GoodPlanOf("a1").plan;
   change(plan);
@@ -34,7 +34,7 @@ TEST(AuditColumns, RowsOfTheCentreOfMassAreAsManyAsThoseOfTheBody) {
 }
 
 TEST(AuditColumns, SpeedsOfTheBaseAreHeldAgainstItsPlaces) {
-  // A row that is 0.1 m/s too fast makes the mean over a step half of that too fast.
+  // A row that is 0.1 m/s too fast changes the mean over a step by half of that.
   const Violation moved =
       ColumnViolation("base position against velocity", [](MotionPlan& plan) { plan.whole_body.v[9].y() += 0.1; });
   EXPECT_NEAR(moved.value, 0.05, 0.005);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One column of a good plan changed: the audit says that it does not agree with the others, where and by how much.
+// One column of a good plan is changed: the audit reports that it disagrees with the others, where and by how much.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ class AuditConsistency : public testing::TestWithParam<std::string> {
   const std::string& foot() const { return model().feet[0].name; }
   std::size_t row() const { return MidSwingRow(good()); }
 
-  /// Changes the good plan; only consistency is broken then, and at this place.
+  /// Changes the good plan. Only consistency may be violated then, and only at this place.
   Violation Changed(const std::string& where, const std::function<void(MotionPlan&)>& change) const {
     MotionPlan plan = good();
     change(plan);
@@ -49,7 +49,7 @@ TEST_P(AuditConsistency, OfTheCentreOfMass) {
 }
 
 TEST_P(AuditConsistency, OfTheCentreOfMassWithItsOwnDerivatives) {
-  // All rows alike, so that only the whole body and the other columns tell.
+  // All rows are changed alike, so only the whole body and the other columns disagree.
   const auto velocity = [](MotionPlan& plan) {
     for (Vector3& v_WC : plan.centroidal.v_WC) v_WC.x() += 0.5;
   };
@@ -87,7 +87,7 @@ TEST_P(AuditConsistency, OfFootholds) {
   const auto raised = [](Foothold& f) { f.X_WF.translation().z() += 0.01; };
   EXPECT_NEAR(changed(foot() + " foothold off its patch", raised).value, 0.01, 1e-6);
   EXPECT_NEAR(changed(foot() + " off its foothold", raised).value, 0.01, 1e-3);
-  const auto short_ground = [&](MotionPlan& plan) {  // ends a hand's breadth behind the last foothold
+  const auto short_ground = [&](MotionPlan& plan) {  // ends a hand's breadth short of the last foothold
     const double x = good().footsteps.footholds[index].X_WF.translation().x() - 0.1;
     plan.terrain.patches[0].outline_T = {{x - 9.0, -9.0}, {x, -9.0}, {x, 9.0}, {x - 9.0, 9.0}};
   };
@@ -125,7 +125,8 @@ TEST_P(AuditConsistency, OfThePartsWithTheGridAndEachOther) {
   const auto standing = [](MotionPlan& plan) {
     plan.parts.front().gait = StandingGait(plan.parts.front().gait.num_feet());
   };
-  EXPECT_LT(Changed("feet on the ground while it stands", standing).value, static_cast<double>(model().feet.size()));
+  EXPECT_LT(Changed("feet on the ground while the robot stands", standing).value,
+            static_cast<double>(model().feet.size()));
   EXPECT_NEAR(Changed("goal of standing still", standing).value, good().goal.x_m, 5e-3);
 }
 

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// Rows from some before a row to as many after it.
+/// Indices of the rows from `beside` rows before a row to as many after it.
 std::vector<std::size_t> RowsAround(std::size_t row, std::size_t beside) {
   std::vector<std::size_t> rows;
   for (std::size_t k = row - beside; k <= row + beside; ++k) rows.push_back(k);
@@ -34,7 +34,7 @@ TEST(AuditForces, AFootThatPushesInItsSwingIsInconsistent) {
 TEST(AuditForces, ACentreOfPressureOutsideOfTheSoleIsFoundByHowFar) {
   const GoodPlan& good = GoodPlanOf("nao");
   MotionPlan plan = good.plan;
-  // In the middle of foot 0's swing all of the weight is on foot 1: its pressure is moved 0.3 m ahead.
+  // In the middle of foot 0's swing, the whole weight is on foot 1. Its centre of pressure is moved 0.3 m forward.
   const std::size_t row = MidSwingRow(plan);
   for (const std::size_t k : RowsAround(row, 1)) {
     ContactWrench& wrench = plan.whole_body.wrenches[k][1];
@@ -47,7 +47,7 @@ TEST(AuditForces, ACentreOfPressureOutsideOfTheSoleIsFoundByHowFar) {
   EXPECT_EQ(found.unit, "m");
 }
 
-/// Feet that press against each other along the line between them give the body nothing, and their legs all of it.
+/// Feet that press against each other along the line between them do not load the body, only their legs.
 TEST(AuditForces, FeetThatPressAgainstEachOtherLoadTheirLegsAlone) {
   const GoodPlan& good = GoodPlanOf("a1");
   MotionPlan plan = good.plan;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For each law a small breach in a good plan: found where it is, when and by how much, and nothing else without cause.
+// For each check, a small violation in a good plan: it is found with place, time and size, and nothing else is
+// reported.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ class AuditLaw : public testing::TestWithParam<std::string> {
 
 INSTANTIATE_TEST_SUITE_P(Robots, AuditLaw, testing::Values("a1", "nao"), [](const auto& robot) { return robot.param; });
 
-/// The sample at which a figure of the plan is largest, and how large.
+/// The sample at which a figure of the plan is largest, and its value.
 template <class Figure>
 std::pair<double, double> LargestOf(const RobotModel& model, const MotionPlan& plan, const Figure& figure) {
   std::pair<double, double> largest = {0.0, -1e300};
@@ -36,7 +37,7 @@ std::pair<double, double> LargestOf(const RobotModel& model, const MotionPlan& p
   return largest;
 }
 
-/// A joint that moves in the good plan: the one before foot 0.
+/// A joint that moves in the good plan: the joint before foot 0.
 int MovingDof(const RobotModel& model) { return model.joints[static_cast<std::size_t>(model.legs[0].knee_joint)].dof; }
 
 Shape BallUnderFoot(int body, const std::string& link, const Vector3& p_BS, double radius_m) {
@@ -182,7 +183,8 @@ TEST_P(AuditLaw, ReachFindsAFootholdFartherThanTheLegIsLong) {
 }
 
 TEST_P(AuditLaw, SelfCollisionFindsHowDeepAFootGoesIntoWhatIsAheadOfIt) {
-  // A ball on the foot and another fixed in the base ahead of it, which it meets only where it swings farthest ahead.
+  // A ball on the foot, and another one fixed to the base ahead of it. They meet only where the foot swings farthest
+  // forward.
   const Foot& lifted = model().feet[0];
   const auto in_base = [&](const Moment& moment) {
     const Vector3 p_WF = FramePose(moment.scratch, lifted.body, lifted.X_BF).translation();
@@ -195,7 +197,7 @@ TEST_P(AuditLaw, SelfCollisionFindsHowDeepAFootGoesIntoWhatIsAheadOfIt) {
   RobotModel balls = model();
   balls.collision_shapes = {BallUnderFoot(lifted.body, lifted.link, lifted.X_BF.translation(), kSmall),
                             BallUnderFoot(0, model().feet[1].link, ahead, -nearness - kSmall + kDepth)};
-  // Links of feet may be at the ground. Bodies without shapes would join the two balls.
+  // Foot links may touch the ground. Bodies without shapes would connect the two balls.
   for (int body = 1; body < static_cast<int>(model().bodies.size()); ++body) {
     if (body != lifted.body) balls.collision_shapes.push_back(BallUnderFoot(body, "grain", Vector3::Zero(), kGrain));
   }
@@ -217,7 +219,7 @@ TEST_P(AuditLaw, FootClearanceFindsABumpUnderASwing) {
   bump.outline_T = {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
   plan.terrain.patches.push_back(bump);
   const auto found = ViolationsOf(model(), plan);
-  // Whatever else comes along there, such as a shank, may hit it too.
+  // Other parts that pass there, such as a shank, may hit it, too.
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].law, Law::kFootClearance);
   for (const Violation& violation : found)
@@ -249,8 +251,8 @@ TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
   EXPECT_EQ(found[0].unit, "m");
 }
 
-/// A1's plan with a row in the middle of a swing, on two feet, in which the whole robot falls so that only a share of
-/// its weight presses, with a moment about the line of its feet, in m g h.
+/// A plan with one row in mid swing, on two feet, in which the whole robot falls, so that only a share of its weight
+/// presses on the ground, with a moment about the line of its feet, in m g h.
 MotionPlan Falling(const GoodPlan& good, double share, double moment) {
   MotionPlan plan = good.plan;
   const std::size_t row = MidSwingRow(plan);
@@ -290,14 +292,14 @@ TEST(AuditOfLines, WhereLittlePressesAThousandthOfTheWeightTimesItsHeightIsNoMom
     return std::count_if(all.begin(), all.end(), [](const Violation& v) { return v.where == "zero-moment point"; });
   };
   for (const double share : {0.06, 0.08, 0.1}) {
-    const double usual = 2e-3 * share / height;  // 2 mm, as such a moment
+    const double usual = 2e-3 * share / height;  // 2 mm as a moment
     ASSERT_LT(usual, 0.9e-3);
     for (const double side : {-1.0, 1.0}) {
       EXPECT_EQ(found(share, side * 0.9e-3), 0) << share;
       EXPECT_EQ(found(share, side * 1.1e-3), 1) << share;
     }
   }
-  // More of the weight than an eighth, and what counts is the distance.
+  // Above an eighth of the weight, the distance is checked.
   for (const double share : {0.3, 0.9}) {
     EXPECT_EQ(found(share, 1.8e-3 * share / height), 0) << share;
     EXPECT_EQ(found(share, 2.2e-3 * share / height), 1) << share;
@@ -331,7 +333,7 @@ TEST(AuditOfLines, TheReferenceMayBeOffTheJointsByNoMoreThanSuchAMoment) {
 }
 
 TEST(AuditOfSlides, GivesLengthsAndForces) {
-  // A joint that stays at zero, made a slide: it would have to carry what is above it.
+  // A joint that stays at zero, changed to a prismatic joint: it carries the weight of everything above it.
   const GoodPlan& nao = GoodPlanOf("nao");
   RobotModel slides = nao.model;
   slides.joints[0].type = JointType::kPrismatic;

@@ -15,7 +15,7 @@ TEST(AuditMotion, ASoleThatIsTurnedFromItsFootholdIsFoundByItsAngle) {
     MotionPlan plan = good.plan;
     Foothold& first = plan.footsteps.footholds.front();
     first.X_WF.linear() = first.X_WF.linear() * Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
-    const std::string where = good.model.feet[static_cast<std::size_t>(first.foot)].name + " turned from its foothold";
+    const std::string where = good.model.feet[static_cast<std::size_t>(first.foot)].name + " rotated from its foothold";
     const std::vector<Violation> found = ViolationsOf(good.model, plan);
     const bool is_found = std::any_of(found.begin(), found.end(), [&](const Violation& v) { return v.where == where; });
     EXPECT_EQ(is_found, angle > 1e-3) << "a thousandth is let pass";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Laws of motors: each broken by a motor that is a little too weak, and kept by one a little stronger.
+// Checks of motors: each is violated by a slightly too weak motor, and kept by a slightly stronger one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 class MotorLaw : public testing::TestWithParam<std::string> {
  protected:
   MotorLaw() : model_(GoodPlanOf(GetParam()).model), plan_(GoodPlanOf(GetParam()).plan) {
-    for (Motor& each : model_.motors) each = Motor();  // as if nothing were known of any
+    for (Motor& each : model_.motors) each = Motor();  // no motor data
     dof_ = model_.joints[static_cast<std::size_t>(model_.legs[0].knee_joint)].dof;
     for (const double time_s : SampleTimes(plan_)) {
       times_.push_back(time_s);
@@ -31,7 +31,7 @@ class MotorLaw : public testing::TestWithParam<std::string> {
   double a(std::size_t k) const { return samples_[k].a[6 + dof_]; }
   double tau(std::size_t k) const { return samples_[k].tau[dof_]; }
 
-  /// The largest of a figure over the samples from `first` on, and when.
+  /// The largest value of a figure over the samples from `first` on, and its time.
   std::pair<double, double> Largest(const std::function<double(std::size_t)>& figure, std::size_t first = 0) const {
     std::pair<double, double> largest = {-1e300, 0.0};
     for (std::size_t k = first; k < samples_.size(); ++k) {
@@ -39,7 +39,7 @@ class MotorLaw : public testing::TestWithParam<std::string> {
     }
     return largest;
   }
-  /// The only violation, which is of this joint.
+  /// The only violation; it must be that of this joint.
   Violation Only(const AuditOptions& options = {}) const {
     const auto found = Audit(model_, plan_, options).value().violations;
     EXPECT_EQ(found.size(), 1U);
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, MotorLaw, testing::Values("a1", "nao"), [](cons
 
 TEST_P(MotorLaw, TorqueSpeedFindsATorqueThatTheMotorDoesNotHaveAtItsSpeed) {
   const double peak = model_.dof_effort_limit(dof_);
-  // The least speed at no load with which the curve from the peak at rest is kept.
+  // The smallest no-load speed at which the curve from the peak at rest is kept.
   const auto [least, at_s] = Largest(
       [&](std::size_t k) { return tau(k) * v(k) > 0.0 ? std::abs(v(k)) / (1.0 - std::abs(tau(k)) / peak) : 0.0; });
   ASSERT_GT(least, 0.1);
@@ -260,7 +260,7 @@ TEST_P(MotorLaw, MarginsOfABrokenLimitAreNegative) {
   EXPECT_EQ(at->where, name()) << "the least of a law comes first";
   EXPECT_NEAR(at->margin, -0.1 * most, 1e-9);
   EXPECT_NEAR(*at->share, -1.0 / 9.0, 1e-9);
-  EXPECT_NE(AuditText(report).find("margins, the smallest"), std::string::npos);
+  EXPECT_NE(AuditText(report).find("smallest margin of each check"), std::string::npos);
   EXPECT_NE(AuditJson(report).find("\"margins\""), std::string::npos);
 }
 

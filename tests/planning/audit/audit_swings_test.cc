@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Swings of a good plan changed: the audit names the swing that does not agree with q, footholds or schedule.
+// Swings of a good plan are changed: the audit names the swing that disagrees with q, the footholds or the schedule.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ class AuditSwings : public testing::TestWithParam<std::string> {
   const MotionPlan& good() const { return GoodPlanOf(GetParam()).plan; }
   const std::string& foot() const { return model().feet[0].name; }
 
-  /// Changes the good plan; only consistency is broken then, and at this place.
+  /// Changes the good plan. Only consistency may be violated then, and only at this place.
   Violation Changed(const std::string& where, const std::function<void(MotionPlan&)>& change) const {
     MotionPlan plan = good();
     change(plan);
@@ -47,7 +47,7 @@ TEST_P(AuditSwings, OfASwingWithTheWayOfItsFoot) {
   EXPECT_GT(Changed(foot() + " off its swing", detour).value, 0.01);
 }
 
-/// A swing's own curve is held against the ground too, whatever way the foot goes in q.
+/// The curve of a swing is checked against the ground, too, whatever path the foot has in q.
 TEST_P(AuditSwings, ASwingsCurveThroughTheGroundIsNamedForThat) {
   MotionPlan plan = good();
   SwingTrajectory& swing = plan.swings[SwingOfFoot0(plan)];
@@ -66,7 +66,7 @@ TEST_P(AuditSwings, OfASwingWithItsFootholds) {
   const auto turned = [&](MotionPlan& plan) {
     for (Pose* X_WF : {&plan.swings[i].X_WF_start, &plan.swings[i].X_WF_end}) X_WF->linear() *= YawRotation(0.1);
   };
-  EXPECT_NEAR(Changed(foot() + " swing turned from its footholds", turned).value, 0.1, 1e-6);
+  EXPECT_NEAR(Changed(foot() + " swing rotated from its footholds", turned).value, 0.1, 1e-6);
 }
 
 TEST_P(AuditSwings, OfSwingsWithTheSchedule) {
@@ -82,8 +82,7 @@ TEST_P(AuditSwings, OfSwingsWithTheSchedule) {
   const Violation twice =
       Changed(foot() + " number of swings", [&](MotionPlan& plan) { plan.swings.push_back(plan.swings[i]); });
   EXPECT_EQ(twice.value, twice.limit + 1.0);
-  const Violation nobody =
-      Changed("swing of a foot that does not exist", [&](MotionPlan& plan) { plan.swings[i].foot = -1; });
+  const Violation nobody = Changed("swing of an unknown foot", [&](MotionPlan& plan) { plan.swings[i].foot = -1; });
   EXPECT_EQ(nobody.value, -1.0);
 }
 

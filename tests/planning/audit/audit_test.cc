@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// The failure of an audit of a good plan with one thing changed.
+/// The failure of the audit for a good plan with one change.
 Failure MisfitOf(const std::function<void(MotionPlan&)>& change) {
   const GoodPlan& good = GoodPlanOf("a1");
   MotionPlan plan = good.plan;
@@ -87,7 +87,7 @@ TEST(AuditOfPlans, AValueThatIsNoNumberIsInconsistent) {
   ASSERT_FALSE(report.pass());
   EXPECT_EQ(report.violations.front().law, Law::kConsistency);
   EXPECT_TRUE(std::any_of(report.violations.begin(), report.violations.end(),
-                          [](const Violation& v) { return v.where == "not a number" && std::isnan(v.value); }));
+                          [](const Violation& v) { return v.where == "value is not finite" && std::isnan(v.value); }));
 }
 
 TEST(AuditOfPlans, ViolationsComeInTheOrderOfTheLaws) {

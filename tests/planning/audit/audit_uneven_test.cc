@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The laws where the ground is not one level plane: good plans stay good when they are carried there with their ground,
-// and what stands in their way is found though no single point under the feet shows it.
+// The checks on uneven ground: good plans remain good when they are moved together with their ground. Obstacles in
+// their path are found even if no single point under the feet touches them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,13 +77,13 @@ TEST_P(AuditUneven, ARobotStandsOnASlope) {
   for (Vector2& p : out.centroidal.p_WZ) p.y() += 0.4;
   EXPECT_EQ(LawsOf(ViolationsOf(model(), out)), (std::vector<Law>{Law::kConsistency, Law::kZmpSupport}));
 
-  MotionPlan level = plan;  // the same robot on ground that is not tilted
+  MotionPlan level = plan;  // the same robot on level ground
   level.terrain = FlatTerrain();
   EXPECT_GT(At(ViolationsOf(model(), level), foot() + " foothold tilted from its patch").value, 0.9 * angle_rad);
 }
 
 TEST_P(AuditUneven, FootClearanceFindsARiserBesideASwing) {
-  // Half a radius, or 4 mm, into the foot's outer side: the points under it pass by.
+  // Half a radius, or 4 mm, into the foot's outer side: the points under the foot miss it.
   const Foot& of_foot = model().feet[0];
   const Moment moment(model(), good(), mid_swing_s());
   const Pose X_WF = FramePose(moment.scratch, of_foot.body, of_foot.X_BF);
@@ -106,7 +106,7 @@ TEST_P(AuditUneven, FootClearanceFindsARiserBesideASwing) {
   EXPECT_EQ(found[0].law, Law::kFootClearance);
   const Violation& hit = At(found, foot());
   EXPECT_LE(hit.value, -0.8 * std::min(into, above));
-  // As thin a riser a hand farther out is not in the way.
+  // An equally thin riser 0.1 m farther out is no obstacle.
   plan.terrain.patches.back().X_WT.translation().y() += 0.1;
   EXPECT_EQ(Text(plan).find("foot_clearance"), std::string::npos) << Text(plan);
 }
@@ -155,8 +155,7 @@ TEST_P(AuditUneven, HeldAgainstItOrNotAnObstacleFarAwayChangesNothing) {
   EXPECT_TRUE(Audit(model(), plan, {})->pass()) << Text(plan);
 }
 
-/// The robot stands as it did, but one foot and its ground are 2 cm lower than the plane of the others: no ZMP any
-/// more.
+/// The robot stands as before, but one foot and its ground are 2 cm below the plane of the others, so there is no ZMP.
 TEST(AuditOnContactsInNoPlane, HoldsTheWrenchAgainstTheConeWhereTheForcesDoNotGiveIt) {
   const GoodPlan& a1 = GoodPlanOf("a1");
   const MotionPlan still = StandOnSlope(a1.model, a1.plan, Matrix3::Identity());
@@ -167,10 +166,10 @@ TEST(AuditOnContactsInNoPlane, HoldsTheWrenchAgainstTheConeWhereTheForcesDoNotGi
     return at == found.end() ? 0.0 : at->value;
   };
   const int dof = a1.model.joints[static_cast<std::size_t>(a1.model.legs[0].knee_joint)].dof;
-  MotionPlan uneven = still;  // a knee bent lifts its foot off the plane of the other three
+  MotionPlan uneven = still;  // a bent knee lifts its foot off the plane of the other three
   for (VectorX& q : uneven.whole_body.q) q[7 + dof] -= 0.15;
   EXPECT_EQ(cone_of(uneven), 0.0) << "the wrench is inside, though the forces do not give it";
-  for (VectorX& a : uneven.whole_body.a) a[1] += 7.0;  // needs a push from far aside
+  for (VectorX& a : uneven.whole_body.a) a[1] += 7.0;  // needs a large lateral force
   EXPECT_GT(cone_of(uneven), 0.01);
   MotionPlan level = still;
   for (VectorX& a : level.whole_body.a) a[1] += 7.0;
@@ -180,7 +179,7 @@ TEST(AuditOnContactsInNoPlane, HoldsTheWrenchAgainstTheConeWhereTheForcesDoNotGi
 
 TEST(AuditInAValley, HoldsTheWrenchAgainstTheConeWhereContactsPullOffTheirPlane) {
   const GoodPlan& a1 = GoodPlanOf("a1");
-  // It stands as it does, on faces that fall towards its middle, and is pushed aside by more than gravity holds.
+  // It stands on faces that slope towards its middle, and is accelerated laterally by more than gravity can hold.
   const auto pushed = [&](double fall_rad, double friction) {
     MotionPlan plan = StandOnSlope(a1.model, a1.plan, Matrix3::Identity());
     for (Foothold& foothold : plan.footsteps.footholds) {
@@ -195,7 +194,7 @@ TEST(AuditInAValley, HoldsTheWrenchAgainstTheConeWhereContactsPullOffTheirPlane)
     }
     return where;
   };
-  const double friction = 0.8, beyond_rad = 1.2, within_rad = 0.8;  // and a cone of 0.675 rad about each
+  const double friction = 0.8, beyond_rad = 1.2, within_rad = 0.8;  // and a friction cone of 0.675 rad about each
   EXPECT_EQ(pushed(0.0, friction), std::vector<std::string>{"zero-moment point"});
   EXPECT_EQ(pushed(within_rad, friction), std::vector<std::string>{"zero-moment point"});
   EXPECT_EQ(pushed(beyond_rad, friction), std::vector<std::string>{}) << "faces on either side hold it between them";

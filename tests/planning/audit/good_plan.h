@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of the audit share: robots, good plans of them, and looks into both.
+// Shared by the tests of the audit: robots, good plans of them, and functions that inspect both.
 #pragma once
 
 #include <string>
@@ -17,27 +17,27 @@ struct GoodPlan {
   MotionPlan plan;
 };
 
-/// A short walk straight ahead by distance, in the robot's own gait. Made once for each robot.
+/// A short walk straight forward by distance, in the robot's default gait. Made once for each robot.
 const GoodPlan& GoodPlanOf(const std::string& robot);
 
-/// The plan of a command. @throws std::logic_error when there is none.
+/// The plan of a command. @throws std::logic_error if there is no plan.
 MotionPlan PlanOf(const RobotModel& model, const std::string& gait, const WalkCommand& command,
                   const GaitOptions& options = {});
 
-/// The violations at the audit's own options.
+/// The violations with the default options of the audit.
 std::vector<Violation> ViolationsOf(const RobotModel& model, const MotionPlan& plan);
 
-/// The laws of violations, each once, in their order.
+/// The checks of violations, without duplicates, in their order.
 std::vector<Law> LawsOf(const std::vector<Violation>& violations);
 
-/// The violation of a place. @throws InvalidArgument that lists what there is.
+/// The violation at a place. @throws InvalidArgument that lists all violations.
 const Violation& At(const std::vector<Violation>& violations, const std::string& where);
 
 /// Row of the grid in the middle of the first swing of foot 0.
 std::size_t MidSwingRow(const MotionPlan& plan);
 double TimeOf(const MotionPlan& plan, std::size_t row);
 
-/// The plan's state at a time, with the kinematics of it.
+/// The plan's state at a time, with its kinematics.
 struct Moment {
   Moment(const RobotModel& model, const MotionPlan& plan, double time_s);
 

@@ -16,7 +16,7 @@ GroundLimits LimitsOf(const RobotModel& model, double foot_m, double body_m = 0.
   return {std::vector<double>(model.feet.size(), foot_m), body_m};
 }
 
-/// A robot that stands with its base moved.
+/// The standing configuration with its base moved.
 VectorX StandingMoved(const RobotModel& model, const Vector3& by) {
   VectorX q = StandingConfiguration(model);
   q.head<3>() += by;

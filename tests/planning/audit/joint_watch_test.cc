@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kWatchedDof = 2;
 
-/// A robot of whose motors nothing is known but the limits of its joints.
+/// A robot without motor data except the limits of its joints.
 RobotModel WithPlainMotors() {
   RobotModel model = NamedRobot("a1");
   for (Motor& motor : model.motors) motor = Motor();
@@ -25,12 +25,12 @@ RobotModel WithPlainMotors() {
 
 Motor& WatchedMotor(RobotModel& model) { return model.motors[kWatchedDof]; }
 
-/// What one joint does at a sample.
+/// State of one joint at a sample.
 struct JointSample {
   double q, v, a, tau;
 };
 
-/// What is found of a joint that does this at 1 kHz, while all others stand.
+/// The violations of a joint with this motion at 1 kHz, while all others stand still.
 std::vector<Violation> FoundOf(const RobotModel& model, int samples, const std::function<JointSample(double)>& motion,
                                const AuditOptions& options = {}) {
   Findings findings;
@@ -165,7 +165,7 @@ TEST(JointWatch, ContinuousEffortIsTheRootMeanSquareOverTheThermalTime) {
   ExpectOnly(FoundOf(model, 50, half), Law::kContinuousTorque, 10.0 / std::sqrt(2.0), 7.0, "N m");
   motor.continuous_effort = 7.1;
   EXPECT_TRUE(FoundOf(model, 50, half).empty());
-  // A pulse of 10 ms fills half of a window of 20 ms, and a tenth of one of 100 ms.
+  // A pulse of 10 ms fills half of a window of 20 ms, and a tenth of a window of 100 ms.
   const auto pulse = [&](double t) { return JointSample{q, 0.0, 0.0, t > 0.0195 && t < 0.0295 ? 12.0 : 0.0}; };
   ExpectOnly(FoundOf(model, 100, pulse), Law::kContinuousTorque, 12.0 / std::sqrt(2.0), 7.1, "N m");
   motor.thermal_s = 0.1;
@@ -190,7 +190,7 @@ TEST(JointWatch, AlongTheMotionTheCurveBoundsTheTorqueAndBrakingDoesNot) {
   const double fast = 0.8 * model.dof_velocity_limit(kWatchedDof);
   Motor& motor = WatchedMotor(model);
   motor.corner_speed = 0.0;
-  motor.no_load_speed = 2.0 * fast;  // half of the peak is left
+  motor.no_load_speed = 2.0 * fast;  // leaves half of the peak
   const auto at = [&](double tau) { return FoundOf(model, 3, [&](double) { return JointSample{q, fast, 0.0, tau}; }); };
   EXPECT_TRUE(at(0.4 * peak).empty());
   const std::vector<Violation> found = at(0.7 * peak);

@@ -17,7 +17,7 @@ class StartPostures : public testing::Test {
   const MotionPlan& plan() const { return GoodPlanOf("a1").plan; }
   VectorX First() const { return plan().whole_body.q.front().tail(model().num_dofs()); }
 
-  /// The file of a posture; a name that is empty is left out.
+  /// Text of a posture file without the joint `without`, if given.
   std::string FileOf(const VectorX& joints, const std::string& without = "", const std::string& indent = "") const {
     std::string text;
     for (int d = 0; d < model().num_dofs(); ++d) {
@@ -26,14 +26,14 @@ class StartPostures : public testing::Test {
     }
     return text;
   }
-  std::string WhyNot(const std::string& text) const {
+  std::string ReasonRefused(const std::string& text) const {
     const auto read = StartPostureFromYaml(text, "start.yaml", model());
     EXPECT_FALSE(read);
     EXPECT_EQ(read ? FailureKind::kInfeasible : read.failure().kind, FailureKind::kBadInput);
     return read ? "" : read.failure().message;
   }
   void ExpectSaid(const std::string& text, const std::vector<std::string>& parts) const {
-    const std::string why = WhyNot(text);
+    const std::string why = ReasonRefused(text);
     for (const std::string& part : parts) EXPECT_NE(why.find(part), std::string::npos) << why;
   }
 };
@@ -60,7 +60,7 @@ TEST_F(StartPostures, AreRefusedByNameAndLine) {
   ExpectSaid(FileOf(First(), knee) + knee + ": .nan\n", {knee, "finite"});
   ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1]\n", {"3 numbers", "[x, y, z, w]"});
   ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1, 1]\n", {"length of 1.414"});
-  ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "there are 'joints'"});
+  ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "accepted: 'joints'"});
   ExpectSaid("[1, 2]\n", {"a list", "a map"});
   ExpectSaid("", {"a map"});
   ExpectSaid("a: [1\n", {"not valid YAML"});
@@ -72,8 +72,8 @@ TEST_F(StartPostures, InDegreesAreSaidToBe) {
   ExpectSaid(FileOf(kDegrees * First()), {"line 2", "outside its limits", hint});
   VectorX one = First();
   one[2] = 1.5;
-  EXPECT_EQ(WhyNot(FileOf(one)).find("degrees"), std::string::npos) << "the others are in rad";
-  EXPECT_NE(WhyNot(FileOf(one)).find("correct the measurement"), std::string::npos);
+  EXPECT_EQ(ReasonRefused(FileOf(one)).find("degrees"), std::string::npos) << "the others are in rad";
+  EXPECT_NE(ReasonRefused(FileOf(one)).find("correct the measurement"), std::string::npos);
 }
 
 TEST_F(StartPostures, JointsThatFollowOthersHaveNone) {

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// Feet of a standing robot carried to a place on a plane that rises by a slope ahead and to the left.
+/// Feet of a standing robot, moved to a place on a plane with a slope forward and to the left.
 std::vector<Pose> OnPlane(const std::vector<Pose>& standing, const PlanarPose& at, double height,
                           const Vector2& slope_B) {
   std::vector<Pose> feet;
@@ -33,7 +33,7 @@ TEST(BaseOverFeet, FindsThePlaneThatTheFeetOfAQuadrupedStandOn) {
   EXPECT_NEAR(base.plan.y_m, -2.0, 1e-12);
   EXPECT_NEAR(base.plan.yaw_rad, 0.7, 1e-12);
   EXPECT_NEAR(base.ground_m, 0.4, 1e-12);
-  // The plane's normal is the base's upright axis.
+  // The plane's normal is the vertical axis of the base.
   const Matrix3 R =
       (Eigen::AngleAxisd(base.pitch_rad, Vector3::UnitY()) * Eigen::AngleAxisd(base.roll_rad, Vector3::UnitX()))
           .toRotationMatrix();

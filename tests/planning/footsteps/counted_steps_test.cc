@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counted footfalls: laws for any number of feet, of steps, and any direction.
+// Counted footfalls: invariants for any number of feet and steps, and any direction.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -37,7 +37,7 @@ TEST(Course, YawRateBendsAWayOfTheLengthAskedFor) {
     const FootstepSkeleton skeleton = Planned(command);
     EXPECT_NEAR(LengthOf(skeleton.path), 1.5, 1e-4);
     EXPECT_NEAR(skeleton.goal.yaw_rad, rate * 1.5 / own, 1e-9);
-    const double radius = own / rate;  // of the circle that both speeds make
+    const double radius = own / rate;  // radius of the circle given by both speeds
     EXPECT_NEAR(skeleton.goal.x_m, radius * std::sin(skeleton.goal.yaw_rad), 1e-9);
     EXPECT_NEAR(skeleton.goal.y_m, radius * (1.0 - std::cos(skeleton.goal.yaw_rad)), 1e-9);
   }
@@ -78,7 +78,7 @@ TEST(Course, DurationIsWholeCyclesAtTheCommandedSpeeds) {
   }
 }
 
-/// The greatest change of speed over a quarter of a second, by second.
+/// The largest change of speed over a quarter of a second, per second.
 double GreatestAcceleration(const BasePath& path, double end_s) {
   constexpr double kTime = 0.25, kStep = 0.01;
   const auto speed = [&](double t) {

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// What is said of a search that did not get beyond its start.
+/// The failure of a search that did not leave its start.
 Failure Explained(const char* robot, const Terrain& terrain, const char* gait = "", bool out_of_budget = false) {
   SearchRig rig(NamedRobot(robot), terrain, gait, 2.0);
   const int start = rig.graph.StanceOf(rig.start, 0);

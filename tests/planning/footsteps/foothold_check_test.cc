@@ -93,7 +93,7 @@ TEST(FootholdCheck, SlopesAreLimitedAndTheFrameStandsOnThem) {
 TEST(FootholdCheck, ASoleMayOverhangBySoMuch) {
   const Ground ground("nao", Gap(1.0, 0.5));
   const double half = ground.model.feet[0].sole_F[1].x();
-  // On by the margin: from the heel to 1.0 - 0.005, 60 % of the length.
+  // On the surface by the margin: from the heel to 1.0 - 0.005, 60 % of the length.
   const double last = 1.0 - 0.005 - 0.6 * 2.0 * half + half;
   EXPECT_EQ(ground.At(last - 1e-6), FootholdFault::kNone);
   EXPECT_EQ(ground.At(last + 1e-6), FootholdFault::kEdge);
@@ -130,7 +130,7 @@ TEST(FootholdCheck, OnAHeightFieldASoleRestsOnTopOfAllThatIsUnderIt) {
         least = std::min(least, q_W.z() - GroundAt(ground.terrain, q_W.head<2>()).height_m);
       }
     }
-    EXPECT_GT(least, -5e-4) << x;  // between the places that were looked at
+    EXPECT_GT(least, -5e-4) << x;  // between the sampled places
     EXPECT_LT(least, 1e-3) << x;
     Foothold foothold;
     foothold.X_WF = placing.placed.X_WF;

@@ -125,7 +125,7 @@ TEST_P(FootstepGraphTest, AStanceIsCheckedOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, FootstepGraphTest, testing::Values("a1", "nao"));
 
-/// A foothold of the first foot nearest to so far ahead of its start.
+/// The foothold of the first foot nearest to a distance ahead of its start.
 const FootholdChoice& ChoiceAhead(SearchRig& rig, double ahead_m) {
   const int step = static_cast<int>(std::lround(ahead_m / rig.table.step_m()));
   return rig.table[rig.table.Near(0, step).front()];

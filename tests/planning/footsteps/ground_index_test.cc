@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// Level ground without end, a platform on it, stones beyond it and a field.
+/// Infinite level ground, a platform on it, stones beyond the platform, and a height field.
 Terrain MixedGround() {
   Terrain terrain = FlatTerrain();
   terrain.patches.push_back(Rectangle("platform", {1.0, -0.5}, {2.0, 0.5}, 0.2));
@@ -160,7 +160,7 @@ TEST(GroundSurfaceBeyond, TellsWhetherTheGroundFallsGoesOnOrRises) {
     const Vector2& inward = middle.inward[i];
     const Beyond expected = inward.x() < -0.5   ? Beyond::kSame    // the edge ahead
                             : inward.y() < -0.5 ? Beyond::kHigher  // on the left
-                                                : Beyond::kLower;  // behind, and on the right, where nothing is
+                                                : Beyond::kLower;  // behind, and on the right, where there is no ground
     EXPECT_EQ(middle.beyond[i], expected) << i;
   }
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFar = 20.0, kSide = 5.0;  // [m]
 
-/// Uniform in [0, 1), the same everywhere.
+/// Uniform in [0, 1), equal on all platforms.
 double Uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11U) * 0x1.0p-53; }
 
 }  // namespace

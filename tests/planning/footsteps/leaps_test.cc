@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where all feet leap at once, over ground that is not level.
+// Leaps of all feet together over uneven ground.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// The last foothold of each foot after one leap ahead.
+/// The last foothold of each foot after one leap forward.
 std::vector<Foothold> Landing(const std::string& terrain, double leap_m, const FootstepOptions& options = {}) {
   static const RobotModel model = *LoadNamedRobot("a1");
   WalkCommand command;
@@ -34,7 +34,7 @@ std::vector<Foothold> Landing(const std::string& terrain, double leap_m, const F
   return landing;
 }
 
-/// How much higher the highest of them is than the lowest.
+/// Height difference between the highest and the lowest of them.
 double Unevenness(const std::vector<Foothold>& feet) {
   const auto [low, high] = std::minmax_element(feet.begin(), feet.end(), [](const Foothold& a, const Foothold& b) {
     return a.X_WF.translation().z() < b.X_WF.translation().z();

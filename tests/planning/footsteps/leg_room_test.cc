@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMargin = 0.005;  // [m]
 
-/// A1's front left leg in the standing posture at the origin: its knee is behind its foot.
+/// A front left leg in the standing posture at the origin; its knee is behind its foot.
 struct StandingLeg {
   StandingLeg() : model(LoadNamedRobot("a1").value()), workspace(model, 0, 0.0), X_WF(StandingFeet(model)[0]) {
     X_WB.translation().z() = model.standing_base_height_m;
@@ -26,7 +26,7 @@ struct StandingLeg {
     const GroundIndex ground(terrain, 0.1);
     return LegRoom(model, ground, kMargin).MayMeet(X_WF);
   }
-  /// A block that ends or begins beside the foot along x; level ground elsewhere.
+  /// A block that ends (behind) or begins (ahead) at a distance along x from the foot; level ground elsewhere.
   Terrain Block(double from_foot_m, double height_m, bool behind) const {
     Terrain terrain = FlatTerrain();
     TerrainPatch block;

@@ -42,7 +42,7 @@ struct PlacedWalk {
   FootstepPlan footsteps;
 };
 
-/// A schedule of so many footfalls.
+/// A schedule with this number of footfalls.
 ContactSchedule CountedSchedule(const RobotModel& model, int footfalls, int first_foot = -1) {
   ScheduleRequest request;
   request.footfalls = footfalls;

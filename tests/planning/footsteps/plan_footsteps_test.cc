@@ -108,13 +108,13 @@ TEST_P(PlanFootstepsTest, TheFarthestFootholdIsNamedOnceALegReachesLess) {
 
 TEST_P(PlanFootstepsTest, AGaitForOtherFeetIsABadCommand) {
   const RobotModel& model = NamedRobot(GetParam());
-  const auto failure = WhyNotWalked(model, StandingGait(3), AheadFor(0.4, 0.1));
+  const auto failure = ReasonNotWalked(model, StandingGait(3), AheadFor(0.4, 0.1));
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, FailureKind::kBadInput);
   EXPECT_EQ(failure->code, FailureCode::kCommand);
-  EXPECT_FALSE(WhyNotWalked(model, StandingGait(static_cast<int>(model.feet.size())), AheadFor(0.4, 0.1)));
+  EXPECT_FALSE(ReasonNotWalked(model, StandingGait(static_cast<int>(model.feet.size())), AheadFor(0.4, 0.1)));
   WalkCommand backwards = AheadFor(-0.4, 0.1);
-  EXPECT_TRUE(WhyNotWalked(model, StandingGait(static_cast<int>(model.feet.size())), backwards));
+  EXPECT_TRUE(ReasonNotWalked(model, StandingGait(static_cast<int>(model.feet.size())), backwards));
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, PlanFootstepsTest, testing::Values("a1", "nao"));

@@ -37,8 +37,8 @@ Result<FootstepSkeleton> Plan(const std::vector<WalkPart>& parts) {
   return PlanSequence(NamedRobot("a1"), FlatTerrain(), parts, {});
 }
 
-/// What is true of every skeleton of parts: phases abut, each stance has one foothold, parts follow each other from
-/// the start to the end, and the base goes on without a jump.
+/// Invariants of every skeleton of parts: phases abut, each stance has one foothold, parts follow each other from the
+/// start to the end, and the base moves without a jump.
 void ExpectLaws(const FootstepSkeleton& skeleton) {
   CheckSchedule(skeleton.schedule, 4);
   std::size_t stances = 0;
@@ -118,7 +118,7 @@ TEST(PlanSequence, GoesOverFromOneGaitToAnotherWithoutStopping) {
     EXPECT_LT(most, 0.7 + 1e-3) << "no faster than asked";
     EXPECT_NEAR(skeleton.parts[0].goal.x_m, faster ? 0.6 : 1.4, kSame);
     EXPECT_NEAR(skeleton.path.pose.back().x_m, 2.0, kSame);
-    // It is the faster one that changes the speed.
+    // The faster gait changes the speed.
     EXPECT_LT(SpeedAt(skeleton, change), 0.3);
   }
 }
@@ -136,7 +136,7 @@ TEST(PlanSequence, FollowsTurnsAndSideStepsFromWhereThePartBeforeLeads) {
   aside.command.lateral_speed_m_s = 0.2;
   const FootstepSkeleton skeleton = Plan({turn, aside, Part("trot", 0.4, 0.5)}).value();
   ExpectLaws(skeleton);
-  // A quarter turn to the left, 0.3 m to the left of that, 0.5 m ahead.
+  // Turns by 90 degrees to the left, then moves 0.3 m to its left and 0.5 m forward.
   EXPECT_NEAR(skeleton.goal.x_m, -0.3, 1e-6);
   EXPECT_NEAR(skeleton.goal.y_m, 0.5, 1e-6);
   EXPECT_NEAR(skeleton.goal.yaw_rad, 0.5 * 3.14159265358979, 1e-6);
@@ -169,7 +169,8 @@ TEST(PlanSequence, WhatCannotBeNamesItsPart) {
   goal.command.extent = WalkCommand::Extent::kGoal;
   EXPECT_NE(why({Part("trot", 0.4, 0.5), goal}).find("part 2, 'trot': a part of a sequence cannot have a goal"),
             std::string::npos);
-  EXPECT_NE(why({Stand(0.01), goal}).find("part 1, 'stand': standing still for 0.01 s"), std::string::npos);
+  EXPECT_NE(why({Stand(0.01), goal}).find("part 1, 'stand': the duration of standing still is 0.01 s"),
+            std::string::npos);
 }
 
 TEST(PlanSequence, StandingIsEnough) {

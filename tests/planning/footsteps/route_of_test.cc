@@ -48,7 +48,7 @@ TEST(RouteOf, AGoalBehindAWallIsReachedAroundIt) {
 }
 
 TEST(RouteOf, ADirectWayBesideABlockedCourseIsAWayOfItsOwn) {
-  // The arc to a goal that faces right bulges to the left, where the wall is; straight on nothing is in the way.
+  // The arc to a goal with a heading to the right bulges to the left, where the wall is; the straight path is free.
   const PlanarPose goal{3.0, 0.0, -1.57};
   const Terrain beside = Walled({Wall("garden wall", {1.5, 0.6}, {1.5, 2.0})});
   const PlanarPose middle = PoseAlong(TwistTo(goal), 0.5);

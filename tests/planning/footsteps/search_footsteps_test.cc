@@ -24,7 +24,7 @@ FootstepQuery Ahead(const RobotModel& model, const char* gait, double length_m, 
   return {found, RouteAlong({length_m, 0.0, 0.0}, 0.2), speed_m_s * found.cycle_s};
 }
 
-/// A search's graph, to be looked at by other means.
+/// The graph of a search, to be explored by other methods.
 struct Graph {
   Graph(const RobotModel& the_model, const Terrain& terrain, const FootstepQuery& the_query,
         const FootstepSearchOptions& the_options)
@@ -51,7 +51,7 @@ struct Graph {
   std::vector<int> start;
 };
 
-/// The least cost by looking at every stance in the order of its cost (Dijkstra), without any heuristic.
+/// The smallest cost, found by exploring all stances in the order of their cost (Dijkstra), without a heuristic.
 double LeastCost(Graph& g) {
   std::vector<double> cost;
   using Entry = std::pair<double, int>;
@@ -146,7 +146,7 @@ TEST(SearchFootsteps, TheHeuristicIsConsistent) {
     std::vector<FootstepGraph::Edge> edges;
     int looked = 0;
     for (int round = 0; round < 40 && !fringe.empty(); ++round) {
-      // Stances spread over all that came up, holding or not.
+      // Stances spread over all that were found, valid or not.
       const int stance = fringe[static_cast<std::size_t>(round * 7919) % fringe.size()];
       const double left = g.graph.Heuristic(stance);
       if (g.graph.IsGoal(stance)) {
@@ -163,7 +163,7 @@ TEST(SearchFootsteps, TheHeuristicIsConsistent) {
   }
 }
 
-/// Every law that a sequence of footfalls has to keep, by checks made anew.
+/// Checks every requirement on a sequence of footfalls with independent code.
 void ExpectSound(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                  const FootstepSequence& sequence) {
   const FootstepSearchOptions options;
@@ -208,7 +208,7 @@ void ExpectSound(const RobotModel& model, const Terrain& terrain, const Footstep
   }
 }
 
-/// Grounds that a seed makes for a robot of some size, from easy to too hard.
+/// Random grounds for a robot of some size, from easy to too hard.
 Terrain SeededGround(std::uint64_t seed, double leg_m, double sole_m) {
   const double hard = 0.2 + 0.3 * static_cast<double>(seed % 5U), from = 1.6 * leg_m, to = 5.0 * leg_m;
   const double stone = sole_m + 0.3 * leg_m;

@@ -11,7 +11,7 @@
 
 namespace gaitwright {
 
-/// All parts of a search for footholds straight ahead, to be looked at one by one. The feet stand at the start.
+/// All parts of a search for footholds straight forward, accessible one by one. The feet stand at the start.
 struct SearchRig {
   SearchRig(const RobotModel& robot, const Terrain& terrain, const char* gait, double length_m,
             const FootstepSearchOptions& search_options = {}, double speed_m_s = 0.3)

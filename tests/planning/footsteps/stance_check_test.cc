@@ -22,7 +22,7 @@ FootstepQuery StanceQuery(const RobotModel& model) {
   return {FindGait(model, "", 0.2, {}).value(), RouteAlong({1.0, 0.0, 0.0}, 0.2), 0.2};
 }
 
-/// What keeps a robot from standing in its standing stance when that is changed.
+/// The reason why a robot cannot stand in its standing stance after a change.
 StanceFault FaultWith(const RobotModel& model, const Terrain& terrain,
                       const std::function<void(std::vector<Pose>&)>& change = {}, FootstepQuery query = {}) {
   if (query.gait.phase.empty()) query = StanceQuery(model);

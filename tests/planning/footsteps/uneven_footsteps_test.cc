@@ -18,7 +18,7 @@ Result<FootstepSkeleton> Plan(const char* robot, const char* gait, const Terrain
   return PlanFootsteps(model, terrain, found, command, {});
 }
 
-/// Level ground that is not known to be so.
+/// Level ground of several patches, so that it is treated as uneven.
 Terrain LevelPatches() {
   Terrain terrain = FlatTerrain();
   terrain.patches.push_back(Rectangle("aside", {0.0, 8.0}, {1.0, 9.0}, 0.1));
@@ -151,7 +151,9 @@ TEST(UnevenFootsteps, FewerFootfallsThanGoAheadAreRefused) {
   command.step_length_m = 0.03;
   const auto skeleton = Plan("nao", "", LevelPatches(), command);
   ASSERT_FALSE(skeleton.ok());
-  EXPECT_EQ(skeleton.failure().message, "1 footfalls only close the stance of 2 feet; 2 or more move the robot");
+  EXPECT_EQ(skeleton.failure().message,
+            "the number of footfalls is 1; a robot with 2 feet needs 2 or more, because the last ones bring its feet "
+            "together");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(FindGait, FasterWalksStepAsFastOrFasterButNeverTwiceAsFast) {
   for (double speed = 0.05; speed < 4.0; speed += 0.05) {
     const Gait gait = GaitFor("a1", "trot", speed);
     EXPECT_GE(gait.cycle_s, 0.5 * own.cycle_s - 1e-12) << speed;
-    if (gait.duty_factor != own.duty_factor) continue;  // it runs
+    if (gait.duty_factor != own.duty_factor) continue;  // the gait runs
     EXPECT_LE(gait.cycle_s, last + 1e-12) << speed;
     last = gait.cycle_s;
   }
@@ -80,7 +80,7 @@ TEST(FindGait, AFastTrotFliesForAMomentRatherThanExchangesItsFeetAtOnce) {
   for (double speed = 0.8; speed < 3.0; speed += 0.1) {
     const Gait gait = GaitFor("a1", "trot", speed);
     if (!HasFlight(gait)) continue;
-    // All feet are off the ground for 5 ms or more each time.
+    // Each time, all feet are off the ground for 5 ms or more.
     const double gap = gait.cycle_s * (0.5 - *std::max_element(gait.duty_factor.begin(), gait.duty_factor.end()));
     EXPECT_GE(gap, 0.005 - 1e-6) << speed;
   }

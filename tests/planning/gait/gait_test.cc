@@ -40,7 +40,7 @@ TEST(Gaits, FasterWalkingShortensTheCycle) {
   EXPECT_LT(fast, slow);
 }
 
-/// Where a gait begins to run, no feet lift just as others land, on which forces would leap from pair to pair.
+/// At the transition to running, no feet lift exactly when others land, because forces would jump from pair to pair.
 TEST(Gaits, RunsWithAClearFlightOrWalksWithAClearDoubleSupport) {
   const Result<RobotModel> a1 = LoadNamedRobot("a1");
   int flying = 0;
@@ -273,7 +273,7 @@ TEST(Schedule, PairsStayTogetherOnAnyGrid) {
   Gait trot = *FindGait(*a1, "trot", 0.2, {});
   for (const double grid : {0.001, 0.0033, 0.005, 0.01}) {
     for (int i = 0; i < 50; ++i) {
-      trot.cycle_s = 0.4 + 0.005 * i;  // many of whose parts fall just between two steps of a grid
+      trot.cycle_s = 0.4 + 0.005 * i;  // many parts of it fall between two steps of a grid
       ScheduleRequest request;
       request.grid_s = grid;
       request.stepping_s = 4.0 * trot.cycle_s;

@@ -20,7 +20,7 @@ Gait GaitOf(const std::string& name, double speed_m_s) {
 
 GaitStint Standing(double time_s) { return {StandingGait(kFeet), time_s}; }
 
-/// The phase of a schedule that a time is in.
+/// The phase of a schedule at a time.
 const ContactPhase& At(const ContactSchedule& schedule, double time_s) {
   return schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, time_s))];
 }
@@ -58,7 +58,7 @@ TEST(JoinSchedules, StandingAtTheEndsIsAllThatStandsThere) {
   EXPECT_NEAR(joined.start_s[2], last.start_s, 1e-9);
 }
 
-/// Each gait after each other one.
+/// Each gait after each other gait.
 class JoinedGaits : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(JoinedGaits, GoOnWithAllFeetDownForAMomentOnly) {

@@ -28,7 +28,7 @@ std::vector<AskedPart> Expected() {
   return parts;
 }
 
-/// Why a text is refused; empty when it is not.
+/// The reason why a text is refused; empty if it is accepted.
 std::string Why(const std::string& text) {
   const auto parts = ReadSequence(text);
   if (parts.ok()) return "";

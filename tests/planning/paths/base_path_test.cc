@@ -72,7 +72,7 @@ TEST(MadeBasePath, PiecesFollowEachOtherFromWhereTheLastOneLeads) {
 }
 
 TEST(MadeBasePath, OfEqualSpeedsWhoseRampsCoincideKeepsItsSpeed) {
-  // Both go at 0.5 m/s at full speed; the second gains it while the first loses it.
+  // Both have a full speed of 0.5 m/s; the second accelerates while the first decelerates.
   const PathPiece first{{0.75, 0.0, 0.0}, 0.0, 2.0, 0.5, 0.5}, second{{0.75, 0.0, 0.0}, 1.5, 2.0, 0.5, 0.5};
   const BasePath path = MakeBasePath({first, second}, 3.5);
   for (double t = 0.6; t < 2.9; t += 0.1)

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// Half the size of a box along an axis, or where it begins.
+/// Lowest corner of a box.
 Vector3 LowOf(const Shape& box) { return box.X_BS.translation() - 0.5 * box.size; }
 Vector3 HighOf(const Shape& box) { return box.X_BS.translation() + 0.5 * box.size; }
 

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = FootholdMap::Kind;
 
-/// A robot with legs of 1 m, on feet of 0.1 m: cells of 50 mm.
+/// A robot with legs of 1 m and feet of 0.1 m: cells of 50 mm.
 BodySpace MappedSpace() {
   BodySpace space;
   space.leg_length_m = 1.0;
@@ -24,7 +24,7 @@ BodySpace MappedSpace() {
   return space;
 }
 
-/// A map with what it keeps references to.
+/// A map together with the objects to which it refers.
 struct MadeMap {
   explicit MadeMap(Terrain ground, const BodySpace& space = MappedSpace())
       : terrain(std::move(ground)), obstacles(ShapesOf(terrain)), map(terrain, obstacles, space) {}

@@ -20,10 +20,10 @@ const RobotModel& Named(const char* name) {
   return std::string(name) == "a1" ? a1 : nao;
 }
 
-/// A length of a1's world for another robot.
+/// Scale of lengths relative to the robot for which the grounds were made.
 double LengthScaleOf(const RobotModel& model) { return model.leg_length_m() / Named("a1").leg_length_m(); }
 
-/// Checks what is always true of a route: it leads from the start to the goal without jumps, free at every centimetre.
+/// Checks the invariants of a route: it leads from the start to the goal without jumps and is free at every centimetre.
 void ExpectSound(const RobotModel& model, const Terrain& terrain, const PlanarPose& goal, const BaseRoute& route) {
   const auto& way = route.waypoints;
   ASSERT_GE(way.size(), 2u);
@@ -36,8 +36,8 @@ void ExpectSound(const RobotModel& model, const Terrain& terrain, const PlanarPo
     EXPECT_LE(std::hypot(way[i].x_m - way[i - 1].x_m, way[i].y_m - way[i - 1].y_m), 0.05 + 1e-9);
     EXPECT_LE(std::abs(way[i].yaw_rad - way[i - 1].yaw_rad), 0.1 + 1e-9);
     for (int k = 1; k <= 5; ++k) {
-      const auto why = check.WhyNot(Between(way[i - 1], way[i], k / 5.0));
-      // Between two checked poses the room may enter by half its margin, less than it keeps.
+      const auto why = check.ReasonRefused(Between(way[i - 1], way[i], k / 5.0));
+      // Between two checked poses the robot's space may overlap an obstacle by half of its margin.
       if (why) ADD_FAILURE() << "waypoint " << i << " of " << way.size() << ": " << why->text;
     }
   }
@@ -107,7 +107,7 @@ TEST(PlanBaseRoute, LeadsTwentyMetresThroughAMaze) {
   EXPECT_GE(route->statistics.first_smooth_cost_m, route->cost_m * (1.0 - 1e-3));
 }
 
-/// Length of the shortest way from (0, 0) to (2 x, 0) around a disc of that radius whose middle is (x, y).
+/// Length of the shortest path from (0, 0) to (2 x, 0) around a disc with this radius and centre (x, y).
 double AroundDisc(double x, double y, double radius) {
   const double distance = std::hypot(x, y), tangent = std::sqrt(distance * distance - radius * radius);
   const double touching = std::atan2(y, x) + std::asin(radius / distance);  // direction of the tangent
@@ -115,8 +115,8 @@ double AroundDisc(double x, double y, double radius) {
 }
 
 TEST(PlanBaseRoute, ARoomThatMayNotTurnTakesTheShortestWayAroundTheGrownWall) {
-  // With sideways as cheap as ahead and turning dear the room only slides, so the shortest way is known: a stretched
-  // string around the wall grown by the room.
+  // If lateral motion costs as little as forward motion and turning is expensive, the robot's space only translates, so
+  // the shortest path is known: a stretched string around the wall enlarged by that space.
   BaseRouteOptions options;
   options.lateral = options.backward = 1.0;
   options.turn = 5.0;
@@ -143,7 +143,7 @@ TEST(PlanBaseRoute, AroundACornerItIsHardlyLongerThanATangentWay) {
     const Terrain terrain = Walled({Wall("wall", {3.0 * s, -4.0 * s}, {3.0 * s, 1.5 * s}, 0.02 * s)});
     const auto route = PlanBaseRoute(Named(name), terrain, {}, {6.0 * s, 0.0, 0.0}, {});
     ASSERT_TRUE(route.ok()) << route.failure().message;
-    // No way of a room that holds a disc is shorter than the disc's.
+    // No path of a space that contains a disc is shorter than that of the disc.
     double inner = 0.0;
     for (const Shape& box : BodySpaceOf(Named(name), {}).boxes) inner = std::max(inner, 0.5 * box.size.y());
     EXPECT_GE(route->length_m, AroundDisc(3.0 * s, 1.5 * s, 0.9 * inner)) << name;

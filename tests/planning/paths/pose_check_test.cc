@@ -20,7 +20,7 @@ const RobotModel& RobotCalled(const char* name) {
   return std::string(name) == "a1" ? a1 : nao;
 }
 
-/// The outermost x and y of the room's boxes.
+/// The smallest and largest x and y of the robot's boxes.
 Eigen::AlignedBox2d PlanOf(const BodySpace& space) {
   Eigen::AlignedBox2d plan;
   for (const Shape& box : space.boxes) {
@@ -69,11 +69,11 @@ TEST(PoseCheck, AWallIsInTheWayFromWhereTheRoomTouchesIt) {
     EXPECT_FALSE(check.IsFree({face - plan.max().x() + 1e-3, 0.0, 0.0})) << name;
     EXPECT_TRUE(check.IsFree({face + plan.min().x() - 1e-3, 0.0, std::numbers::pi})) << name;
     EXPECT_FALSE(check.IsFree({face + plan.min().x() + 1e-3, 0.0, std::numbers::pi})) << name;
-    const auto why = check.WhyNot({1.0, 0.3, 0.0});
+    const auto why = check.ReasonRefused({1.0, 0.3, 0.0});
     ASSERT_TRUE(why.has_value());
     EXPECT_EQ(why->what, "barrier");
     EXPECT_NE(why->text.find("'barrier' blocks the robot at (1.00, 0.30)"), std::string::npos) << why->text;
-    EXPECT_FALSE(check.WhyNot({}).has_value());
+    EXPECT_FALSE(check.ReasonRefused({}).has_value());
   }
 }
 
@@ -113,7 +113,7 @@ TEST(PoseCheck, SlopesAreWalkedOnUntilTooSteepOrSlippery) {
         EXPECT_EQ(check.IsFree({0.3, 0.2, yaw}), c.free) << name << " " << c.slope_deg << " deg " << yaw;
       }
       if (c.free) continue;
-      const auto why = check.WhyNot({});
+      const auto why = check.ReasonRefused({});
       ASSERT_TRUE(why.has_value());
       EXPECT_NE(why->text.find("'hill' is too steep for foot"), std::string::npos) << why->text;
     }
@@ -127,7 +127,7 @@ TEST(PoseCheck, AGapIsStoodOverOnlyWhereEachFootReachesGround) {
     PoseCheck check(RobotCalled("a1"), terrain, {});
     EXPECT_EQ(check.IsFreeBetween({0.5, 0.0, 0.0}, {2.3, 0.0, 0.0}), gap < 0.3) << gap;
     if (gap < 0.3) continue;
-    const auto why = check.WhyNot({1.12, 0.0, 0.0});
+    const auto why = check.ReasonRefused({1.12, 0.0, 0.0});
     ASSERT_TRUE(why.has_value());
     EXPECT_EQ(why->what, "");
     EXPECT_NE(why->text.find("the gap from (1.00, "), std::string::npos) << why->text;
@@ -143,7 +143,7 @@ TEST(PoseCheck, FeetFindNoPlaceUnderObstacles) {
   carpet.X_WO.translation() = Vector3(1.0, 0.0, 0.02);
   terrain.obstacles = {carpet};
   PoseCheck check(RobotCalled("a1"), terrain, {});
-  const auto why = check.WhyNot({1.0, 0.0, 0.0});
+  const auto why = check.ReasonRefused({1.0, 0.0, 0.0});
   ASSERT_TRUE(why.has_value());
   EXPECT_NE(why->text.find("has no free place large enough for foot"), std::string::npos) << why->text;
   EXPECT_TRUE(check.IsFree({1.0, 1.0, 0.0}));
@@ -180,7 +180,7 @@ TEST(PoseCheck, HeightFieldsAndPatchesOfTheSameGroundAgree) {
   EXPECT_LE(differing, 9) << "a cell of the field beside the edge";
 }
 
-/// The ground seen in a mirror along x.
+/// The ground mirrored along x.
 Terrain Mirrored(Terrain terrain) {
   for (Obstacle& obstacle : terrain.obstacles) {
     obstacle.X_WO.translation().y() *= -1.0;
@@ -231,7 +231,7 @@ TEST(PoseCheck, AnswersDoNotDependOnWhatWasAskedBefore) {
     const PlanarPose at{place(random), place(random), yaw(random)};
     PoseCheck fresh(RobotCalled("a1"), terrain, {});
     EXPECT_EQ(once.IsFree(at), fresh.IsFree(at));
-    EXPECT_EQ(once.IsFree(at), !once.WhyNot(at).has_value());
+    EXPECT_EQ(once.IsFree(at), !once.ReasonRefused(at).has_value());
   }
 }
 

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// What a search tells of the ways that it finds.
+/// Record of the paths that a search reports.
 struct RrtOutcome {
   std::vector<double> costs;
   std::vector<std::vector<PlanarPose>> ways;

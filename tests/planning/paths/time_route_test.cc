@@ -8,7 +8,7 @@
 
 #include "kinematics/base/result.h"
 #include "planning/paths/base_path.h"
-#include "planning/paths/direct_way.h"
+#include "planning/paths/direct_route.h"
 
 namespace gaitwright {
 namespace {
@@ -29,7 +29,7 @@ PlanarTwist Fastest(const BasePath& path) {
   return most;
 }
 
-/// An L: ahead, turning on the spot, ahead, and sideways.
+/// An L: forward, a turn on the spot, forward, and sideways.
 std::vector<PlanarPose> Corners() {
   const double left = 0.5 * std::numbers::pi;
   return Densified({{}, {1.0, 0.0, 0.0}, {1.0, 0.0, left}, {1.0, 1.0, left}, {0.5, 1.0, left}}, {0.05, 0.1});
@@ -46,7 +46,7 @@ TEST(TimeRoute, AStraightWayTakesItsLengthAtFullSpeedAndARamp) {
 }
 
 TEST(TimeRoute, KeepsTheSpeedsOnEveryWay) {
-  for (const DirectWay kind : kDirectWays) {
+  for (const DirectRoute kind : kDirectRoutes) {
     const auto way = WaypointsOf(kind, {}, {1.5, -1.0, 2.0}, {0.05, 0.1});
     const PlanarTwist most = Fastest(TimeRoute(way, kTiming));
     EXPECT_LE(most.x_m, 0.5 * (1.0 + 1e-6));

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "planning/paths/direct_way.h"
+#include "planning/paths/direct_route.h"
 
 namespace gaitwright {
 namespace {
@@ -51,23 +51,23 @@ TEST(TravelCost, IsTheSameForAMirroredWay) {
   }
 }
 
-TEST(DirectWay, CostsWhatItsWaypointsDo) {
+TEST(DirectRoute, CostsWhatItsWaypointsDo) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 100; ++trial) {
     const PlanarPose a = RandomPose(random), b = RandomPose(random);
-    for (const DirectWay kind : kDirectWays) {
+    for (const DirectRoute kind : kDirectRoutes) {
       const double along = TravelCost(WaypointsOf(kind, a, b, {0.002, 0.002}), kWeights);
       EXPECT_NEAR(CostOf(kind, a, b, kWeights), along, 0.01 * along) << "kind " << static_cast<int>(kind);
     }
   }
 }
 
-TEST(DirectWay, LeadsFromEndToEndWithoutGaps) {
+TEST(DirectRoute, LeadsFromEndToEndWithoutGaps) {
   std::mt19937 random(6);
   const Spacing spacing{0.05, 0.1};
   for (int trial = 0; trial < 100; ++trial) {
     const PlanarPose a = RandomPose(random), b = RandomPose(random);
-    for (const DirectWay kind : kDirectWays) {
+    for (const DirectRoute kind : kDirectRoutes) {
       const std::vector<PlanarPose> way = WaypointsOf(kind, a, b, spacing);
       EXPECT_EQ(way.front(), a);
       EXPECT_EQ(way.back().x_m, b.x_m);
@@ -81,10 +81,10 @@ TEST(DirectWay, LeadsFromEndToEndWithoutGaps) {
   }
 }
 
-TEST(DirectWay, AheadFacesTheWayAndStraightBackIsBackward) {
-  const std::vector<PlanarPose> way = WaypointsOf(DirectWay::kAhead, {}, {0.0, 2.0, 0.0}, {0.05, 0.1});
+TEST(DirectRoute, AheadFacesTheWayAndStraightBackIsBackward) {
+  const std::vector<PlanarPose> way = WaypointsOf(DirectRoute::kAhead, {}, {0.0, 2.0, 0.0}, {0.05, 0.1});
   EXPECT_NEAR(way[way.size() / 2].yaw_rad, 0.5 * std::numbers::pi, 1e-12);
-  EXPECT_EQ(ByCost({}, {0.0, 5.0, 0.0}, kWeights).front().second, DirectWay::kAhead);
+  EXPECT_EQ(ByCost({}, {0.0, 5.0, 0.0}, kWeights).front().second, DirectRoute::kAhead);
   EXPECT_NEAR(ByCost({}, {-1.0, 0.0, 0.0}, kWeights).front().first, 1.5, 1e-9);
 }
 

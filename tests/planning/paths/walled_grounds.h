@@ -39,8 +39,8 @@ inline TerrainPatch Slab(const std::string& name, const Vector2& low, const Vect
   return slab;
 }
 
-/// Walls across the way, each with one opening of that width, to the left and to the right in turn, and walls along
-/// both sides: from the origin's lane to the last one a walk of about (lanes - 1) * (half_width + lane).
+/// Walls across the path, each with one opening of the same width, alternately on the left and on the right, and walls
+/// along both sides. The route from the origin's lane to the last one is about (lanes - 1) * (half_width + lane) long.
 inline Terrain Switchback(int lanes, double lane, double half_width, double opening) {
   std::vector<Obstacle> walls;
   const double begin = -0.5 * lane, end = (lanes - 0.5) * lane;

@@ -47,7 +47,7 @@ double ParameterOf(const std::string& spec, const std::string& key, const Terrai
   return 0.0;
 }
 
-/// Whether a point is inside of an obstacle with upright walls, in plan view.
+/// Whether a point is inside of an obstacle with vertical walls, in plan view.
 bool Within(const Obstacle& box, const Vector2& p, double beside) {
   const Vector2 from = (p - box.X_WO.translation().head<2>()).cwiseAbs() - 0.5 * box.size_m.head<2>();
   return from.maxCoeff() < beside;
@@ -185,7 +185,7 @@ TEST(BuiltInTerrain, RoughGroundRisesFromTheLevelAroundIt) {
       EXPECT_EQ(field.height_m[static_cast<std::size_t>(i)], 0.0);
       EXPECT_EQ(field.height_m[static_cast<std::size_t>((field.rows - 1) * field.columns + i)], 0.0);
     }
-    double steepest = 0.0;  // no cliff anywhere, the rim included
+    double steepest = 0.0;  // no cliff anywhere, including the rim
     for (double x = field.origin_W.x() - 0.1; x < field.origin_W.x() + 1.0; x += 0.005)
       steepest = std::max(steepest, std::abs(Height(rough, x + 0.005, 0.1) - Height(rough, x, 0.1)));
     EXPECT_LT(steepest, 0.005);
@@ -225,7 +225,8 @@ TEST(BuiltInTerrain, ADoorwayIsOpenAsWideAndHighAsSaid) {
   EXPECT_NE(WhyBuiltInTerrainRefused("doorway:length_m=1,offset_m=2").find("not within"), std::string::npos);
 }
 
-/// Cells of a grid from which a point gets from the start to the goal of a maze with `beside` to every wall.
+/// Whether a point gets from the start to the goal of a maze over the cells of a grid, with distance `beside` to every
+/// wall.
 bool HasWay(const Terrain& terrain, double end_x, double beside) {
   constexpr double kStep = 0.1;
   const int columns = static_cast<int>(end_x / kStep) + 10, rows = 260, middle = rows / 2;
@@ -240,7 +241,7 @@ bool HasWay(const Terrain& terrain, double end_x, double beside) {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       const int x = column + dx, y = row + dy;
       if (x < 0 || y < 0 || x >= columns || y >= rows) continue;
-      // Not around it: the field of the search ends where the maze does.
+      // The search cannot go around the maze: its field ends where the maze ends.
       const std::size_t next = static_cast<std::size_t>(x * rows + y);
       const Vector2 p(x * kStep, (y - middle) * kStep);
       if (seen[next] || Blocked(terrain, p, beside)) continue;

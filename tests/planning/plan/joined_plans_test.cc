@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// A trot of some cycles, each a whole number of the plan's steps.
+/// A trot of several cycles, each a whole number of the plan's steps.
 const MotionPlan& Trot() {
   static const MotionPlan plan = [] {
     WalkCommand command;
@@ -64,7 +64,7 @@ TEST(JoinedPlans, GoOnWhereTheFirstOneIs) {
   EXPECT_TRUE(Passes(joined)) << Broken(joined);
 }
 
-/// The largest jump of a position over a step, beyond what the rates of its two rows say.
+/// The largest change of a position over a step that the rates of the two rows do not explain.
 double LargestJump(const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   double largest = 0.0;
@@ -79,7 +79,7 @@ double LargestJump(const MotionPlan& plan) {
 TEST(JoinedPlans, BendWhatDiffersAwayBeforeTheSeam) {
   const SteadyStretch steady = Steady();
   MotionPlan other = Trot();
-  for (VectorX& q : other.whole_body.q) q[7] += 0.02;  // a hip that is elsewhere all the time
+  for (VectorX& q : other.whole_body.q) q[7] += 0.02;  // a hip with a constant offset
   const Seam seam = SeamBetween(Trot(), steady.start_s, other, steady.start_s);
   EXPECT_NEAR(seam.joints, 0.02, 1e-12);
   const MotionPlan joined = JoinedPlans(Trot(), steady.end_s(), other, steady.end_s()).value();

@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-std::string WhyNot(const std::string& text) {
+std::string ReasonRefused(const std::string& text) {
   try {
     ParseJsonOnce(text);
   } catch (const InvalidArgument& error) {
@@ -18,12 +18,12 @@ std::string WhyNot(const std::string& text) {
 }
 
 TEST(JsonBounds, DepthAndKeysAreBounded) {
-  EXPECT_EQ(WhyNot(std::string(64, '[') + std::string(64, ']')), "");
-  EXPECT_NE(WhyNot(std::string(65, '[') + std::string(65, ']')).find("more than 64 levels"), std::string::npos);
+  EXPECT_EQ(ReasonRefused(std::string(64, '[') + std::string(64, ']')), "");
+  EXPECT_NE(ReasonRefused(std::string(65, '[') + std::string(65, ']')).find("more than 64 levels"), std::string::npos);
   std::string object = "{\"k0\":0";
   for (int i = 1; i <= 5000; ++i) object += ",\"k" + std::to_string(i) + "\":0";
-  EXPECT_NE(WhyNot(object + "}").find("more than 5000 keys"), std::string::npos);
-  EXPECT_NE(WhyNot("[{\"a\":1},{\"a\":1,\"a\":2}]").find("'a' is in one object twice"), std::string::npos);
+  EXPECT_NE(ReasonRefused(object + "}").find("more than 5000 keys"), std::string::npos);
+  EXPECT_NE(ReasonRefused("[{\"a\":1},{\"a\":1,\"a\":2}]").find("'a' appears twice in one object"), std::string::npos);
 }
 
 TEST(JsonBounds, NumbersAndTextsStaySensible) {

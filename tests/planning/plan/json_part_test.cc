@@ -14,7 +14,7 @@ namespace {
 
 using Json = JsonPart::Json;
 
-/// What a reading of a text is refused with; "none" if it is read.
+/// The refusal when a text is read; "none" if it is accepted.
 std::string RefusalOfReading(const std::string& text, const std::function<void(const JsonPart&)>& read) {
   const Json json = ParseJsonOnce(text);
   try {
@@ -138,14 +138,14 @@ TEST(WhyNoJson, TellsWhereTheTextBreaks) {
   EXPECT_NE(cut.find("cut short at byte 16"), std::string::npos) << cut;
   EXPECT_NE(cut.find("'mass'"), std::string::npos) << cut;
   const std::string broken = WhyNoJson(R"({"mass": 1; "length": 2})");
-  EXPECT_NE(broken.find("broken at byte 11"), std::string::npos) << broken;
+  EXPECT_NE(broken.find("syntax error at byte 11"), std::string::npos) << broken;
   for (const std::string word : {"NaN", "-Infinity", "1e999"}) {
     const std::string why = WhyNoJson(R"({"mass": )" + word + "}");
     EXPECT_NE(why.find("'mass' contains " + word), std::string::npos) << why;
   }
 }
 
-// 30 bytes end inside of the tenth character of three bytes.
+// 30 bytes end inside of the tenth three-byte character.
 TEST(JsonPartPlace, ALongTextIsCutBetweenCharacters) {
   std::string text = "a", shown = "a";
   for (int i = 0; i < 20; ++i) text += "\u932f";

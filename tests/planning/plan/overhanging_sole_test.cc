@@ -39,7 +39,7 @@ TEST(OverhangingSole, TurnsWithTheFootAndTheGround) {
   X_WT.translation() = Vector3(3.0, -2.0, 1.0);
   const Terrain terrain = OnePatch(0.5, X_WT);
   Foothold foothold;
-  // In the plane of the patch, turned by a quarter: what stands out is a side of the sole, not its toes.
+  // In the plane of the patch, rotated by 90 degrees: the side of the sole overhangs, not its toes.
   foothold.X_WF =
       X_WT * Eigen::Translation3d(0.5, 0.0, 0.0) * Eigen::AngleAxisd(0.5 * 3.14159265358979, Vector3::UnitZ());
   const Polygon part = SupportOf(Sole(0.2, 0.1), foothold, terrain, 0.0);

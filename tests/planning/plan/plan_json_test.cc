@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plan files with one thing wrong: refused, with that thing named in words of our own.
+// Plan files with one error: each is refused with a message that names the error.
 #include "planning/plan/plan_json.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ const std::string& GoodText() {
   return text;
 }
 
-/// Why a text is refused; empty when it is not.
+/// The reason why a text is refused; empty if it is accepted.
 std::string WhyPlanJsonRefused(const std::string& text) {
   const Result<MotionPlan> plan = PlanFromJson(text, "x.json");
   if (plan.ok()) return "";
@@ -114,9 +114,12 @@ TEST(PlanJson, TextsThatBreakSayWhere) {
   const std::string& good = GoodText();
   EXPECT_EQ(WhyPlanJsonRefused(good.substr(0, 100)), "its JSON is cut short at byte 100, after the key 'robot_hash'");
   EXPECT_EQ(WhyPlanJsonRefused(good.substr(0, good.find("\"tau_nm\"") + 20)).find("its JSON is cut short at byte"), 0U);
-  EXPECT_EQ(WhyPlanJsonRefused(good + "}}").find("its JSON is broken at byte " + std::to_string(good.size() + 1)), 0U);
-  EXPECT_EQ(WhyPlanJsonRefused(std::string("\x01\x02")), "its JSON is broken at byte 1");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')), "its lists and objects are nested more than 64 levels deep");
+  EXPECT_EQ(
+      WhyPlanJsonRefused(good + "}}").find("its JSON has a syntax error at byte " + std::to_string(good.size() + 1)),
+      0U);
+  EXPECT_EQ(WhyPlanJsonRefused(std::string("\x01\x02")), "its JSON has a syntax error at byte 1");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')),
+            "its lists and objects are nested more than 64 levels deep, the maximum");
   EXPECT_EQ(WhyPlanJsonRefused(std::string("[1, 2]")), "it is not a motion plan");
   EXPECT_EQ(WhyPlanJsonRefused(std::string("{\"format\": \"x\"}")), "it is not a motion plan");
 }
@@ -125,7 +128,7 @@ TEST(PlanJson, AKeyThatStandsTwiceIsRefused) {
   std::string text = GoodText();
   const std::string key = "\"step_s\":";
   text.insert(text.find(key), "\"step_s\":0.005,");
-  EXPECT_EQ(WhyPlanJsonRefused(text), "the key 'step_s' is in one object twice");
+  EXPECT_EQ(WhyPlanJsonRefused(text), "the key 'step_s' appears twice in one object");
 }
 
 }  // namespace

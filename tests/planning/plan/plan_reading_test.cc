@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of a plan file that are read: each wrong value is refused with its place, the value and what is accepted.
+// The parts of a plan file: each wrong value is refused with its place, the value and what is accepted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ const ReadJson& GoodReadJson() {
   return json;
 }
 
-/// Why the good plan with a change is refused; empty when it is not.
+/// The reason why the good plan with a change is refused; empty if it is accepted.
 std::string WhyPlanRefused(const std::function<void(ReadJson&)>& change) {
   ReadJson changed = GoodReadJson();
   change(changed);
@@ -67,7 +67,7 @@ TEST(PlanReading, KindsThatAreWrongAreNamed) {
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["schedule"][0][2] = -1; }),
             "'schedule[0][2]' is -1; a whole number, 0 or more, is needed");
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["schedule"][0].erase(2); }),
-            "'schedule[0]' has 2 parts; start, end and stance are needed");
+            "'schedule[0]' has 2 values; three are needed: start, end and stance");
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["provenance"]["options"]["a"] = 1; }),
             "'provenance.options.a' is 1; a text is needed");
 }
@@ -109,7 +109,7 @@ TEST(PlanReading, ValuesThatCannotBeAreRefused) {
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {0, 9}, {9, 9}, {9, 0}};
             }),
-            "'terrain.patches[0].outline_m' runs clockwise; counter-clockwise is needed");
+            "'terrain.patches[0].outline_m' runs clockwise; it must run counter-clockwise");
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{-9, -9}, {9, -9}, {0, 0}, {9, 9}, {-9, 9}};
             }).find("'terrain.patches[0].outline_m' covers 0.75 of its convex hull"),
@@ -159,7 +159,7 @@ TEST(PlanReading, RowsThatDoNotBelongTogetherAreRefused) {
             "'centroidal' has rows of 10 numbers; 11 are needed");
 }
 
-/// A box on the ground, as a plan file has it.
+/// A box on the ground, as in a plan file.
 ReadJson BoxOfReading() {
   return {{"name", "post"}, {"type", "box"}, {"pose", {5, 0, 0.5, 0, 0, 0, 1}}, {"size_m", {0.1, 0.2, 1.0}}};
 }
@@ -226,9 +226,7 @@ TEST(PlanReading, AFootholdMayNotEndBeforeItBegins) {
 TEST(PlanReading, ASwingCruisesForLessThanItsTime) {
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][0]["cruise"] = 0.99; }), "");
   for (const double cruise : {-0.5, 1.0}) {
-    EXPECT_EQ(WhyPlanRefused([&](ReadJson& j) {
-                j["swings"][0]["cruise"] = cruise;
-              }).find("'swings[0]' cruises for a share of "),
+    EXPECT_EQ(WhyPlanRefused([&](ReadJson& j) { j["swings"][0]["cruise"] = cruise; }).find("'swings[0]' has 'cruise' "),
               0U)
         << cruise;
   }
@@ -242,7 +240,7 @@ TEST(PlanReading, GatesNameFeetThatAPlanHas) {
     });
   };
   EXPECT_EQ(gated(15), "");
-  EXPECT_EQ(gated(16), "'gates[0].contact' names feet beyond 4");
+  EXPECT_EQ(gated(16), "'gates[0].contact' names a foot beyond the robot's 4 feet");
 }
 
 TEST(PlanReading, AnAdjustmentHasACodeOfAFailure) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shape of a plan's file against what is written, and what is read.
+// The structure of a plan file agrees with what is written and what is read.
 #include "planning/plan/plan_shape.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A good plan with two rows, with all that a plan may hold.
+/// A good plan with two rows and all optional parts.
 const Json& ShortPlanJson() {
   static const Json json = [] {
     MotionPlan plan = GoodPlanOf("a1").plan;
@@ -39,7 +39,7 @@ const Json& ShortPlanJson() {
   return json;
 }
 
-/// Ways at which a value is not of its shape.
+/// Paths at which a value does not match its structure.
 void CollectMisfits(const DataShape& shape, const Json& value, const std::string& way, std::set<std::string>& misfits) {
   if (value.is_null() && shape.or_null) return;
   switch (shape.kind) {
@@ -87,7 +87,7 @@ TEST(PlanShapeOfFile, IsThatOfWhatIsWritten) {
   EXPECT_EQ(RefusalOfJson(ShortPlanJson()), "");
 }
 
-/// Objects of each kind in the short plan, with the shape of each.
+/// Objects of each kind in the short plan, with the structure of each.
 struct ObjectOfPlan {
   const char* pointer;
   DataShape shape;

@@ -30,7 +30,7 @@ TEST(SoleSupport, IsWhatIsOnThePatch) {
   X_WT.linear() = RotationExp(Vector3(0.1, 0.2, 0.9));
   Foothold foothold;
   for (const double over_m : {-0.02, 0.0, 0.03, 0.1}) {
-    for (const double yaw : {0.0, 1.5707963267948966}) {  // the toe, or the left side, over the edge
+    for (const double yaw : {0.0, 1.5707963267948966}) {  // toe or left side over the edge
       Pose X_TF = Pose::Identity();
       X_TF.linear() = YawRotation(-yaw);
       X_TF.translation().x() = 0.2 - (yaw == 0.0 ? 0.08 : 0.04) + over_m;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grounds in plan files: they come back as they were, and one thing wrong is refused and named.
+// Grounds in plan files: they are read back unchanged; one error is refused and named.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The least that a plan may be: one foot, one joint, one row.
+/// The smallest valid plan: one foot, one joint, one row.
 MotionPlan SmallPlan(const Terrain& terrain) {
   MotionPlan plan;
   plan.terrain = terrain;

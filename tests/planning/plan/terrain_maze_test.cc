@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// A maze with walls 0.1 m thick and passages 1 m wide, its cells known by their middles.
+/// A maze with walls 0.1 m thick and passages 1 m wide.
 struct MadeMaze {
   MadeMaze(int columns, int rows, int seed) : ground(TerrainScale{}) {
     ground.start_m = 2.0;
@@ -32,11 +32,11 @@ struct MadeMaze {
       return from.maxCoeff() < 0.0;
     });
   }
-  /// Whether one gets from a cell straight to its neighbour.
+  /// Whether there is a direct passage from a cell to its neighbour.
   bool Open(int column, int row, int dx, int dy) const {
     return !Blocked(Middle(column, row) + 0.55 * Vector2(dx, dy));
   }
-  /// Passages between cells, and how many cells are reached from the entrance.
+  /// Number of passages between cells, and number of cells that can be reached from the entrance.
   std::pair<int, int> Count() const {
     const int columns = ground.columns, rows = ground.rows;
     int passages = 0;

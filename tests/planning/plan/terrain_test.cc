@@ -49,7 +49,7 @@ TEST(PatchThrough, RefusesWhatIsNoConvexPiecePlane) {
   EXPECT_NE(WhyTerrainRefused({{0, 0, 0}, {1, 0, 0}}).find("2 corners"), std::string::npos);
 }
 
-/// A field whose heights are those of a plane.
+/// A height field with the heights of a plane.
 HeightField PlaneField(const Vector3& slope_and_height) {
   HeightField field{"field", {-0.3, 0.2}, 0.05, 9, 7, {}, 0.6};
   for (int row = 0; row < field.rows; ++row) {

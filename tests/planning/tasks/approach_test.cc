@@ -21,7 +21,7 @@ class Approaching : public testing::TestWithParam<std::string> {
   const MotionPlan& plan() const { return GoodPlanOf(GetParam()).plan; }
   int n() const { return model().num_dofs(); }
   VectorX First() const { return plan().whole_body.q.front().tail(n()); }
-  /// The first posture with each knee bent more, each by an amount of its own, inside its limits.
+  /// The first posture with each knee bent more, by different amounts, within its limits.
   StartPosture Off(double by) const {
     StartPosture start{First(), {}};
     double share = 1.0;
@@ -133,12 +133,12 @@ TEST_P(Approaching, KeepsTheReserveThatThePlanIsHeldAgainst) {
   const OptionTexts& shaped = slow->plan.provenance.options;
   EXPECT_EQ(std::count(shaped.begin(), shaped.end(), std::pair<std::string, std::string>("audit.derate_speed", "0.02")),
             1);
-  // Whoever is left hardly any torque cannot even hold its legs up, and is told so.
+  // With hardly any torque left, a motor cannot even hold its leg up; the message says so.
   reserve.derate_torque = 0.01;
   const auto weak = PlanApproach(model(), plan(), start, {}, reserve);
   ASSERT_FALSE(weak);
   EXPECT_EQ(weak.failure().code, FailureCode::kTorque);
-  // What no motion of the approach can mend, its audit finds.
+  // Faults that no approach motion can correct are found by the audit.
   RobotModel warm = model();
   for (Motor& motor : warm.motors) motor.continuous_effort = 1.0;
   reserve = {};
@@ -199,7 +199,7 @@ TEST(ApproachPastABall, IsByTheStandingPostureOrRefusedNamingIt) {
   const int n = a1.model.num_dofs();
   const int knee = a1.model.joints[static_cast<std::size_t>(a1.model.legs[0].knee_joint)].dof;
   const int thigh = knee - 1;
-  // The foot goes along an arc; a ball stands in the middle of it.
+  // The foot moves along an arc with a ball in the middle of it.
   StartPosture start{first.tail(n), {}};
   start.joints[thigh] += 1.2;
   VectorX middle = first;
@@ -222,7 +222,7 @@ TEST(ApproachPastABall, IsByTheStandingPostureOrRefusedNamingIt) {
   EXPECT_EQ(refused.failure().code, FailureCode::kSelfCollision);
   EXPECT_NE(refused.failure().message.find("'ball'"), std::string::npos) << refused.failure().message;
   EXPECT_FALSE(refused.failure().suggestions.empty());
-  // By a standing posture that has the leg aside of the ball there is a way.
+  // Via a standing posture with the leg beside the ball there is a free motion.
   blocked.standing_joints[thigh - 1] += a1.model.legs[0].mirror >= 0 ? 0.5 : -0.5;
   auto by_standing = PlanApproach(blocked, a1.plan, start);
   if (!by_standing) {

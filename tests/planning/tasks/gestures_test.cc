@@ -5,7 +5,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/load_robot.h"
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 namespace gaitwright {
 namespace {
@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Gestures, testing::Values("nao", "h1", "humanoi
                          [](const auto& robot) { return robot.param; });
 
 TEST_P(Gestures, ARaisedArmIsHighOnAFreeWay) {
-  WayCheck check(model_, StandingConfiguration(model_));
+  PathCheck check(model_, StandingConfiguration(model_));
   for (const std::optional<Limb>* arm : {&upper_.left_arm, &upper_.right_arm}) {
     ASSERT_TRUE(arm->has_value());
     const Result<VectorX> raised = RaisedArm(model_, **arm, model_.standing_joints);
@@ -67,7 +67,7 @@ TEST(NoddedHead, LooksDown) {
   const Limb head = *FindUpperBody(nao).head;
   const int pitch = nao.DofIndex("HeadPitch");
   const VectorX down = NoddedHead(nao, head, nao.standing_joints, 0.3);
-  EXPECT_NEAR(down[pitch] - nao.standing_joints[pitch], 0.3, 1e-9);  // of this robot a positive pitch looks down
+  EXPECT_NEAR(down[pitch] - nao.standing_joints[pitch], 0.3, 1e-9);  // for this robot a positive pitch looks down
   const VectorX far = NoddedHead(nao, head, nao.standing_joints, 3.0);
   EXPECT_LE(far[pitch], nao.dof_upper(pitch));
   EXPECT_GT(far[pitch], 0.4);

@@ -25,7 +25,7 @@ TEST_P(OfFourFeet, ARestIsTheFlatBottomOfItsLink) {
   EXPECT_EQ(rest.body, 0);
   EXPECT_GE(rest.sole_F.size(), 4U);
   EXPECT_NE(model->hash, bare.hash);
-  // The plan of such a robot carries it in its texts.
+  // The plan of such a robot contains its texts.
   const RobotModel again = LoadRobotFromText(model->urdf_text, model->yaml_text, model->name, model->meshes).value();
   EXPECT_EQ(again.hash, model->hash);
 }
@@ -63,7 +63,7 @@ TEST(Rests, WhatCannotBeOneIsRefused) {
     return model ? std::string() : model.failure().message;
   };
   EXPECT_NE(why("trnk").find("the nearest is 'trunk'"), std::string::npos) << why("trnk");
-  EXPECT_NE(why("FR_foot").find("already a foot"), std::string::npos) << why("FR_foot");
+  EXPECT_NE(why("FR_foot").find("is a foot or is listed twice"), std::string::npos) << why("FR_foot");
   EXPECT_NE(why("imu_link").find("no flat bottom"), std::string::npos) << why("imu_link");
 }
 

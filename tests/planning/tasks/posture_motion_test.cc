@@ -104,7 +104,7 @@ TEST(PostureMotion, NoneIsRefused) {
   refuses([](PostureMotion& m) { m.keys[2].shift.x() = std::nan(""); }, "not finite");
   refuses([](PostureMotion& m) { m.lifts = {{2, 0, 1, 0.1}}; }, "lifts a foot");
   refuses([](PostureMotion& m) { m.lifts = {{0, 1, 1, 0.1}}; }, "lifts a foot");
-  refuses([](PostureMotion& m) { m.rests = {{0, 0, 1}}; }, "support link that does not exist");
+  refuses([](PostureMotion& m) { m.rests = {{0, 0, 1}}; }, "unknown support link");
 }
 
 }  // namespace

@@ -23,17 +23,17 @@ std::string OptionOf(const PostureMotion& motion, const std::string& key) {
   return "none";
 }
 
-/// Whether two keys are the same posture, whenever they are reached.
+/// Whether two keys have the same posture, at any times.
 bool SamePosture(const PostureKey& a, const PostureKey& b) {
   return (a.shift - b.shift).norm() < 1e-12 && (a.turn_rad - b.turn_rad).norm() < 1e-12 &&
          (a.joints - b.joints).norm() < 1e-12;
 }
 
-/// The key that a test begins with: standing, moved a little.
+/// The first key of a test: standing, moved a little.
 PostureKey Shifted(const RobotModel& model) {
   PostureKey key = StandingKey(model);
   key.shift = Vector3(0.01, -0.005, -0.02);
-  key.after_s = 7.0;  // which is not looked at
+  key.after_s = 7.0;  // ignored
   return key;
 }
 

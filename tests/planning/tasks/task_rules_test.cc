@@ -52,13 +52,13 @@ TEST(TaskRules, WhatIsNoTaskIsRefusedWithItsReason) {
 TEST(TaskRules, ARobotIsToldWhatItCannotDo) {
   const TaskScope a1 = ScopeOf(LoadNamedRobot("a1").value()), nao = ScopeOf(LoadNamedRobot("nao").value());
   const Task wave{"wave", {{"side", std::string("right")}}, "", {}}, lie{"lie_down", {}, "", {}};
-  EXPECT_FALSE(WhyNotDone(wave, nao));
-  EXPECT_FALSE(WhyNotDone(lie, a1));
-  const auto no_arms = WhyNotDone(wave, a1);
+  EXPECT_FALSE(ReasonNotDone(wave, nao));
+  EXPECT_FALSE(ReasonNotDone(lie, a1));
+  const auto no_arms = ReasonNotDone(wave, a1);
   ASSERT_TRUE(no_arms);
   EXPECT_EQ(no_arms->message, "robot 'a1' cannot 'wave': it has no arms");
   EXPECT_EQ(no_arms->suggestions.front().text, "the closest action that it can do is nod");
-  const auto no_four = WhyNotDone(lie, nao);
+  const auto no_four = ReasonNotDone(lie, nao);
   ASSERT_TRUE(no_four);
   EXPECT_EQ(no_four->code, FailureCode::kCannot);
 }
@@ -68,7 +68,7 @@ TEST(TaskRules, PlacesAreThoseThatThereAre) {
   scope.places = {{"door", 0}, {"stone", 3}};
   const auto to = [&](const std::string& name, int number) {
     const Task task{"walk", {{"direction", std::string("forward")}, {"to", PlaceName{name, number}}}, "", {}};
-    const auto failure = WhyNotDone(task, scope);
+    const auto failure = ReasonNotDone(task, scope);
     return failure ? failure->message : "";
   };
   EXPECT_EQ(to("door", 0), "");
@@ -108,7 +108,7 @@ TEST(TaskPlanJson, WhatIsWrongIsNamed) {
   EXPECT_NE(why("sit"), "");
 }
 
-/// The schema names each action and parameter that there is, and only actions that are asked for.
+/// The schema names each known action and parameter, and only the requested actions.
 TEST(TaskPlanJson, TheSchemaIsThatOfTheRules) {
   const std::string schema = TaskPlanSchema();
   for (const ActionRule& rule : ActionRules())

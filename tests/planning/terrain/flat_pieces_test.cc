@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// A rectangle of two triangles, its corners its own, rising ahead by so much.
+/// Adds a rectangle of two triangles with separate corners that rises along x.
 void AddFlatRectangle(Mesh& mesh, const Vector2& low, const Vector2& high, double height_m, double rise_m = 0.0) {
   const int first = static_cast<int>(mesh.vertices.size());
   mesh.vertices.emplace_back(low.x(), low.y(), height_m);

@@ -24,7 +24,7 @@ TEST(HeightMap, ACsvLiesAsSeenFromAbove) {
   EXPECT_EQ(field.columns, 3);
   EXPECT_EQ(field.rows, 2);
   EXPECT_EQ(field.friction, 0.6);
-  // Right is x, up is y, and the middle is where it was said.
+  // Right is x, up is y, and the centre is at the given place.
   const std::vector<std::pair<Vector2, double>> known = {
       {{0.9, 2.05}, 0.51}, {{1.0, 2.05}, 0.52}, {{1.1, 2.05}, 0.53}, {{0.9, 1.95}, 0.54}, {{1.1, 1.95}, 0.56}};
   for (const auto& [p, height] : known)
@@ -71,10 +71,9 @@ TEST(HeightMap, WrongPicturesAreRefused) {
   const std::string more = ":resolution_m=0.1,scale_m=0.3";
   const std::string good = Png(2, 2, 8, 0, std::string("\x01\x02\x03\x04", 4));
   EXPECT_EQ(WhyRefused(Written("p.png", good) + more), "");
-  EXPECT_TRUE(
-      Says(WhyRefused(Written("p.png", good) + ":resolution_m=0.1"), "needs scale_m, the height of full white"));
+  EXPECT_TRUE(Says(WhyRefused(Written("p.png", good) + ":resolution_m=0.1"), "needs scale_m, the height of white"));
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 8, 2, std::string(12, 'a'))) + more), "is in colour"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 1, 0, std::string(2, 'a'))) + more), "1 bits a point"));
+  EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 1, 0, std::string(2, 'a'))) + more), "1 bits per point"));
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", "hello") + more), "not a readable PNG"));
   EXPECT_TRUE(Says(WhyRefused(Written("p.png", "") + more), "not a readable PNG"));
   std::string broken = good;

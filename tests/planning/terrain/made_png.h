@@ -7,7 +7,7 @@
 
 namespace gaitwright::made_png {
 
-/// The bytes of a PNG written by its specification alone (ISO/IEC 15948), its data stored without compression.
+/// The bytes of a PNG, written only from its specification (ISO/IEC 15948), with data stored without compression.
 /// @param colour  0 for grey, 2 for RGB; @param data  rows without their filter bytes, 16-bit values high byte first.
 inline std::string Png(int columns, int rows, int depth, int colour, const std::string& data) {
   const auto word = [](std::uint32_t v) {

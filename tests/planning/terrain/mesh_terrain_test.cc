@@ -17,7 +17,7 @@ using terrain_files::Says;
 using terrain_files::WhyRefused;
 using terrain_files::Written;
 
-/// Adds a level or tilted rectangle of 2 * n * n triangles that look up.
+/// Adds a level or tilted rectangle of 2 * n * n triangles that face up.
 void AddRectangle(Mesh& mesh, const Vector3& corner, const Vector3& along, const Vector3& across, int n = 1) {
   const auto first = static_cast<int>(mesh.vertices.size());
   for (int j = 0; j <= n; ++j) {
@@ -32,7 +32,7 @@ void AddRectangle(Mesh& mesh, const Vector3& corner, const Vector3& along, const
   }
 }
 
-/// Each triangle with corners of its own, as in STL.
+/// Each triangle has separate corners, as in STL.
 std::string Stl(const Mesh& mesh) {
   std::string text = "solid s\n";
   for (const Eigen::Vector3i& t : mesh.triangles) {
@@ -134,7 +134,7 @@ TEST(MeshTerrain, WrongFilesAreRefused) {
   AddRectangle(upside, {0, 0, 0}, {0, 1, 0}, {1, 0, 0});
   EXPECT_TRUE(Says(WhyRefused(Written("up.stl", Stl(upside))), "no face that points up"));
   EXPECT_TRUE(Says(WhyRefused(Written("no.obj", "v 0 0 0\n")), "no.obj"));
-  EXPECT_TRUE(Says(WhyRefused(terrain_files::Folder() + "none.obj"), "there is no terrain file"));
+  EXPECT_TRUE(Says(WhyRefused(terrain_files::Folder() + "none.obj"), "does not exist"));
   EXPECT_TRUE(Says(WhyRefused(Written("ok.stl", Stl(StairsMesh())) + ":scale=0"), "'scale' is 0"));
 }
 

@@ -49,7 +49,8 @@ TEST(ReadGreyPng, APointAloneIsAPicture) {
 TEST(ReadGreyPng, OtherKindsOfPicturesAreRefusedForWhatTheyAre) {
   EXPECT_NE(WhyNoGrey(made_png::Png(1, 1, 8, 2, "abc")).find("in colour"), std::string::npos);
   EXPECT_NE(WhyNoGrey(made_png::Png(1, 1, 8, 4, "ab")).find("has transparency"), std::string::npos);
-  EXPECT_NE(WhyNoGrey(made_png::Png(8, 1, 1, 0, "a")).find("has 1 bits a point; 8 or 16"), std::string::npos);
+  EXPECT_NE(WhyNoGrey(made_png::Png(8, 1, 1, 0, "a")).find("has 1 bits per point; accepted: 8 or 16"),
+            std::string::npos);
   EXPECT_NE(WhyNoGrey(made_png::Png(2, 1, 4, 0, "a")).find("has 4 bits"), std::string::npos);
 }
 

@@ -11,7 +11,7 @@
 
 namespace gaitwright::terrain_files {
 
-/// The folder of this run's own, with the slash.
+/// The scratch folder of this run, with a slash at the end.
 inline std::string Folder() { return ScratchFolder().string() + "/"; }
 
 /// Writes a file into that folder. @return its path.
@@ -27,7 +27,7 @@ inline Terrain Loaded(const std::string& text) {
   return terrain.ok() ? *terrain : Terrain{};
 }
 
-/// Why a text is refused; "" when it is not.
+/// The reason why a text is refused; "" if it is accepted.
 inline std::string WhyRefused(const std::string& text) {
   const Result<Terrain> terrain = LoadTerrain(text, {});
   if (terrain.ok()) return "";

@@ -77,8 +77,8 @@ TEST(TerrainYaml, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_TRUE(Says(WhyYamlRefused("patches: []\n"), "there is no ground"));
   EXPECT_TRUE(Says(WhyYamlRefused("- a\n"), "a map of keys is needed"));
   EXPECT_TRUE(Says(WhyYamlRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: there is no terrain file"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is also YAML"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: terrain file"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is a YAML file"));
 }
 
 TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {
@@ -97,7 +97,7 @@ TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {
   EXPECT_TRUE(Says(obstacle("type: ball, size_m: [1]"), "type is 'ball'; accepted: 'box', 'cylinder', 'mesh'"));
   EXPECT_TRUE(Says(obstacle("type: box, size_m: [1, 1]"), "size_m has 2 numbers; a box has three edges"));
   EXPECT_TRUE(Says(obstacle("type: box, size_m: [1, 1, 0]"), "size_m is 0; accepted: 0.001"));
-  EXPECT_TRUE(Says(obstacle("type: box, vertices_m: []"), "is a box, which needs 'size_m'"));
+  EXPECT_TRUE(Says(obstacle("type: box, vertices_m: []"), "is a box; give 'size_m'"));
   EXPECT_TRUE(Says(obstacle("type: mesh, vertices_m: [[0, 0, 0]]"), "has 1 points; four to"));
 }
 

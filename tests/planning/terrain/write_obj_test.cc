@@ -55,12 +55,12 @@ double VolumeOfClosed(const Mesh& mesh) {
   return six / 6.0;
 }
 
-// Places near obstacles are left out, since obstacles are ground in a mesh.
+// Places near obstacles are left out, because obstacles become ground in a mesh.
 TEST(WriteObj, EveryBuiltInGroundIsReadBackWithItsHeights) {
   for (const BuiltInTerrain& entry : BuiltInTerrains()) {
     SCOPED_TRACE(entry.name);
     const Terrain terrain = BuiltIn(entry.name), read = MeshReadBack(terrain);
-    // A mesh's parts of 1 mm and less are flat.
+    // Deviations of 1 mm or less count as flat in a mesh.
     const double accepted = terrain.height_fields.empty() ? 1e-6 : 2e-3;
     int compared = 0;
     for (const Vector2& p : PlacesOn(terrain, 1000)) {

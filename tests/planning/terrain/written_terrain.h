@@ -56,7 +56,7 @@ inline std::vector<Vector2> PlacesOn(const Terrain& terrain, int count) {
   return places;
 }
 
-/// Whether a place is under or over an obstacle, or nearer to one than a distance along x and y.
+/// Whether a place is below or above an obstacle, or nearer to one than a distance along x and y.
 inline bool IsNearObstacle(const Terrain& terrain, const Vector2& p, double distance) {
   for (const Obstacle& obstacle : terrain.obstacles) {
     Eigen::AlignedBox2d box;

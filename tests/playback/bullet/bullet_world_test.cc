@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is Bullet's own; what every engine has to do is in tests/playback/engine.
+// Properties of Bullet's world only; tests of all engines are in tests/playback/engine.
 #include "playback/bullet/bullet_world.h"
 
 #include <gtest/gtest.h>

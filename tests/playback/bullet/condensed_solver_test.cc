@@ -12,7 +12,7 @@
 namespace gaitwright::bullet {
 namespace {
 
-/// One gear twice says nothing new; the impulses of the two are not unique, the motion is.
+/// A gear that is given twice adds no constraint: the impulses of the two are not unique, but the motion is.
 TEST(CondensedSolver, GearsThatDependOnEachOtherAreHeldStill) {
   const RobotModel model = AnyRobot("mimic");
   const Gear of = FirstGear(model);

@@ -13,7 +13,7 @@
 namespace gaitwright::bullet {
 namespace {
 
-/// Makes the rows of contacts twice, here and by Bullet, and compares them.
+/// Makes the rows of contacts twice, by our code and by Bullet, and compares them.
 class ComparedSolver : public CondensedSolver {
  public:
   explicit ComparedSolver(JointSpaceInertia& inertia) : CondensedSolver(inertia), inertia_(inertia) {}
@@ -85,7 +85,7 @@ TEST_P(ContactRowsTest, AreThoseThatBulletMakes) {
   const RobotModel model = AnyRobot(GetParam());
   for (const char* terrain : {"flat", "rough"}) {
     SmallWorld<ComparedSolver> made(model, MakeTerrain(terrain, TerrainScale()).value(), StandingConfiguration(model));
-    for (int k = 0; k < 1500 && !HasFailure(); ++k) made.world.stepSimulation(0.001, 0);  // it falls in a heap
+    for (int k = 0; k < 1500 && !HasFailure(); ++k) made.world.stepSimulation(0.001, 0);  // the robot collapses
     EXPECT_GT(made.solver.rows, 1000);
     EXPECT_EQ(made.solver.feet_and_others, 3) << "base and links touch the ground";
   }
@@ -105,7 +105,7 @@ TEST(AddJacobian, MakesRoomOfZeros) {
   EXPECT_EQ(data.m_jacobians[4], 0.0);
 }
 
-// The body's change of velocity has one place in the arrays of a step, whatever the number of its rows.
+// The body's velocity change has one place in the arrays of a step, for any number of its rows.
 TEST(AddEmptyRow, RowsOfOneBodyShareItsChangeOfVelocity) {
   const RobotModel model = one_joint::Make(JointType::kPrismatic);
   VectorX q = VectorX::Zero(8);

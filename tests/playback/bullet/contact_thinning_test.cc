@@ -11,7 +11,7 @@
 namespace gaitwright::bullet {
 namespace {
 
-/// A lattice of 7 by 5 points, 0.02 m apart, over ground of that shape.
+/// A lattice of 7 by 5 points, 0.02 m apart, over a ground given as a function.
 template <typename Ground>
 std::vector<Gap> Lattice(const Ground& ground) {
   std::vector<Gap> points;
@@ -26,7 +26,7 @@ std::vector<Gap> Lattice(const Ground& ground) {
 
 int Count(const std::vector<bool>& kept) { return static_cast<int>(std::count(kept.begin(), kept.end(), true)); }
 
-/// Gap of the lower hull of the kept points at a place, by the best of all triangles of them.
+/// Gap of the lower hull of the kept points at a place: the best over all their triangles.
 double HullGap(const std::vector<Gap>& points, const std::vector<bool>& kept, const Vector2& place) {
   double lowest = std::numeric_limits<double>::infinity();
   const std::size_t n = points.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a motor gives at speed and when it is warm.
+// Torque of a motor at speed and when it is warm.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ void SetRate(BulletWorld& world, double rate) {
   world.SetState(HighUp(), v);
 }
 
-/// By feed-forward alone, or by a gain on the speed that asks for as much.
+/// By feed-forward only, or by a velocity gain that requests the same torque.
 JointCommand Ask(double torque, bool by_gain = false) {
   const VectorX zero = VectorX::Zero(1);
   JointCommand command{zero, zero, zero, zero, zero};
@@ -104,7 +104,7 @@ TEST(TorqueSpeedCurve, HoldsForExplicitTorqueToo) {
   EXPECT_NEAR(world.v()[6], 5.0, 1e-6);
 }
 
-/// It pushes against dry friction, so that it stays.
+/// The motor pushes against dry friction, so that the joint does not move.
 struct Warming {
   explicit Warming(bool limited = true, double peak_torque = kEffort) {
     model.motors[0].continuous_effort = kContinuous;
@@ -146,7 +146,7 @@ TEST(ThermalLimit, FullTorqueLastsAsLongAsTheClosedFormSays) {
   }
 }
 
-/// dw/dt = (L(w)^2 - w) / T is solved on a grid a thousand times finer.
+/// dw/dt = (L(w)^2 - w) / T is solved with a time step a thousand times finer.
 TEST(ThermalLimit, ComesDownAsItsDifferentialEquationDoes) {
   const double c = Warming::kContinuous, T = Warming::kThermal_s;
   Warming motor;

@@ -163,7 +163,7 @@ TEST_P(OneJoint, AShareOfTheTorqueArrivesAndTheMotorsOwnIsReported) {
 INSTANTIATE_TEST_SUITE_P(Types, OneJoint, testing::Values(JointType::kPrismatic, JointType::kRevolute),
                          [](const auto& i) { return i.param == JointType::kPrismatic ? "slide" : "hinge"; });
 
-/// A named robot to whose joints losses of all sorts are given.
+/// A named robot whose joints get losses of all kinds.
 RobotModel Rubbing(const std::string& name, double friction = 0.05) {
   RobotModel model = standing::Load(name);
   model.motors.resize(model.dof_names.size());
@@ -178,8 +178,8 @@ RobotModel Rubbing(const std::string& name, double friction = 0.05) {
 
 class WholeRobot : public testing::TestWithParam<const char*> {};
 
-/// (M + J + h d) a = tau - c - d v - f sign(v), from our own mass matrix and inverse dynamics: also for NAO's geared
-/// hips, whose losses add up.
+/// (M + J + h d) a = tau - c - d v - f sign(v), from our own mass matrix and inverse dynamics. This includes NAO's
+/// geared hips, whose losses add up.
 TEST_P(WholeRobot, OneStepIsTheSolutionOfOurOwnDynamics) {
   RobotModel model = Rubbing(GetParam(), 0.005);
   const int n = model.num_dofs();
@@ -189,13 +189,13 @@ TEST_P(WholeRobot, OneStepIsTheSolutionOfOurOwnDynamics) {
   VectorX force(model.nv());
   MassMatrix(model, StandingConfiguration(model), scratch, M);
   const MatrixX mobility = M.inverse();
-  for (Joint& joint : model.joints) {  // NAO's hands weigh next to nothing: friction would stop them at once
+  for (Joint& joint : model.joints) {  // NAO's hands are very light: friction would stop them at once
     if (h * joint.friction * mobility(6 + joint.dof, 6 + joint.dof) > 0.5) joint.friction = 0.0;
   }
   std::srand(17);
   for (int trial = 0; trial < 10; ++trial) {
     VectorX q = StandingConfiguration(model) + 0.1 * VectorX::Random(model.nq());
-    for (int dof = 0; dof < n; ++dof) {  // clear of the stops
+    for (int dof = 0; dof < n; ++dof) {  // away from the stops
       const double low = model.dof_lower(dof), high = model.dof_upper(dof);
       q[7 + dof] = std::clamp(q[7 + dof], low + 0.1 * (high - low), high - 0.1 * (high - low));
     }
@@ -238,7 +238,7 @@ TEST_P(WholeRobot, ItsMotionDiesAwayWithoutEnergyFromNowhere) {
   world.SetState(q, v);
   DynamicsScratch scratch(model);
   MatrixX M(model.nv(), model.nv());
-  const auto energy = [&] {  // of what moves about the common centre of mass, with the rotors
+  const auto energy = [&] {  // of the motion relative to the common centre of mass, with the rotors
     MassMatrix(model, world.q(), scratch, M);
     AddRotorInertia(model, M);
     ForwardVelocities(model, world.q(), world.v(), scratch);
@@ -256,7 +256,7 @@ TEST_P(WholeRobot, ItsMotionDiesAwayWithoutEnergyFromNowhere) {
   EXPECT_LT(before, 0.5 * first);
 }
 
-/// Contacts, motors and losses together: fifty iterations do what five thousand do.
+/// Contacts, motors and losses together: fifty iterations give the result of five thousand.
 TEST_P(WholeRobot, IterationsAreEnoughOnTheGround) {
   const RobotModel model = Rubbing(GetParam());
   const MotionPlan plan = standing::Plan(model, 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of motors and gears on one joint between two floating bodies, with numbers by hand.
+// Rows of motors and gears on one joint between two floating bodies, with values computed by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ class JointRowsTest : public testing::Test {
     return rows_;
   }
 
-  /// Stiffness 1000 and damping 10, with a limit of 10 either way.
+  /// Stiffness 1000 and damping 10, with a limit of 10 in both directions.
   static MotorRow::Target Driven(double q_target) {
     MotorRow::Target target{q_target, 0.0, 0.0, 1000.0, 10.0};
     target.limits = {-one_joint::kEffort, one_joint::kEffort};
@@ -88,7 +88,7 @@ TEST_F(JointRowsTest, AMotorWithoutGainsHasNoRow) {
   EXPECT_EQ(Rows(motor, Idle(), 0.0, 1.0).size(), 0);
 }
 
-// At 1 m/s a step of 1 ms passes a stop that is 0.5 mm off: the row asks for 0.5 m/s, and may only push back.
+// At 1 m/s a step of 1 ms passes a stop at a distance of 0.5 mm: the row requires 0.5 m/s, and may only push back.
 TEST_F(JointRowsTest, AStopActsWhereTheStepCouldPassIt) {
   MotorRow near(robot_, 0, {-kFar, 0.0005, 0.0, 0.0, 0.0});
   const auto& rows = Rows(near, Idle(), 0.0, 1.0);
@@ -107,7 +107,7 @@ TEST_F(JointRowsTest, AStopActsWhereTheStepCouldPassIt) {
   EXPECT_EQ(Rows(far, Idle(), 0.0, 1.0).size(), 0) << "the step ends 9 mm before it";
 }
 
-// J + h d = 0.5 + 0.003: the row asks for J qd / 0.503.
+// J + h d = 0.5 + 0.003: the row requires J qd / 0.503.
 TEST_F(JointRowsTest, LossesAreARowOfDragAndOneOfFriction) {
   MotorRow motor(robot_, 0, {-kFar, kFar, 3.0, 2.0, 0.5});
   const auto& rows = Rows(motor, Idle(), 0.0, 1.0);
@@ -135,7 +135,7 @@ TEST_F(JointRowsTest, TheTorqueIsTheSumWithinTheLimit) {
   EXPECT_EQ(motor.Torque(kRowStep), -10.0);
 }
 
-// With joints that follow the coordinate each says the same of it, so their mean is it.
+// All joints that follow the coordinate give the same value for it, so their mean equals it.
 TEST(JointRowsOfGears, PositionAndRateAreTheCoordinates) {
   const RobotModel model = AnyRobot("mimic");
   VectorX q = StandingConfiguration(model), v = VectorX::Zero(model.nv());

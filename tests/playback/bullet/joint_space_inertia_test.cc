@@ -9,12 +9,12 @@
 namespace gaitwright::bullet {
 namespace {
 
-/// Bullet's articulated bodies are one road, the composite bodies here another.
+/// Compares two independent methods: Bullet's articulated bodies and our composite bodies.
 class JointSpaceInertiaTest : public testing::TestWithParam<const char*> {
  protected:
   JointSpaceInertiaTest() : model_(AnyRobot(GetParam())), random_(23) {}
 
-  /// Every third joint is welded where `welded`.
+  /// Every third joint is welded if `welded`.
   RobotBody Body(bool welded) {
     BodyOptions options;
     options.base_com_shift_B = {0.01, -0.02, 0.03};
@@ -23,7 +23,7 @@ class JointSpaceInertiaTest : public testing::TestWithParam<const char*> {
     return RobotBody(model_, options);
   }
 
-  /// Puts it into a random state, for which Bullet has factored its own way.
+  /// Sets a random state, for which Bullet has computed its own factorisation.
   VectorX Move(RobotBody& body) {
     const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
     body.Accelerations(q, v, VectorX::Zero(model_.num_dofs()));

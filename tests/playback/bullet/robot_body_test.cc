@@ -35,7 +35,8 @@ class RobotBodyTest : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Robots, RobotBodyTest, testing::Values("a1", "nao", "sliding", "hollow", "mimic"),
                          [](const auto& i) { return std::string(i.param); });
 
-// Bullet's base is at its centre of mass on principal axes; the state goes there and back, wherever that is.
+// Bullet's base frame is at its centre of mass with principal axes; the state converts back exactly for any place of
+// it.
 TEST_P(RobotBodyTest, AStateComesBackWhereverTheBasesCentreOfMassIs) {
   const BodyState state = SomeState(model_);
   for (const Vector3& shift_B : {Vector3(0.0, 0.0, 0.0), Vector3(0.05, -0.02, 0.1)}) {
@@ -60,7 +61,7 @@ TEST_P(RobotBodyTest, AtRestInTheAirItFallsAsAWhole) {
 TEST_P(RobotBodyTest, TheSharesOfACoordinatesJointsGiveItBack) {
   const RobotBody robot(model_, {.locked_dofs = {}, .q0 = StandingConfiguration(model_)});
   for (int dof = 0; dof < model_.num_dofs(); ++dof) {
-    double rate = 0.0;  // of the coordinate, from joints that move as they follow it
+    double rate = 0.0;  // of the coordinate, from the joints that follow it
     for (const RobotBody::Member& member : robot.members(dof)) rate += member.share * member.multiplier;
     EXPECT_NEAR(rate, 1.0, 1e-12) << model_.dof_names[static_cast<std::size_t>(dof)];
   }

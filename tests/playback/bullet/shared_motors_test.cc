@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motors of a transmission in playback: each within its own limit, whatever the joints are asked for.
+// Motors of a transmission in playback: each stays within its own limit for all commands to the joints.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ MatrixX Matrix(double a, double b, double c, double d) {
 
 MatrixX Differential() { return Matrix(1.0, 1.0, 1.0, -1.0); }
 
-/// By feed-forward alone, or by gains on the speed so high that they ask for as much.
+/// By feed-forward only, or by velocity gains that are high enough to request the same torques.
 JointCommand AskBoth(double first, double second, bool by_gain) {
   const VectorX zero = VectorX::Zero(2), torque = Vector2(first, second);
   JointCommand command{zero, zero, zero, zero, zero};
@@ -61,7 +61,7 @@ TEST(SharedMotors, OfOneJointBothMotorsGiveTwiceWhatOneGivesAndOfBothLess) {
       EXPECT_EQ(use_alone[0], 1.0);
       EXPECT_EQ(use_alone[1], 1.0);
       const auto [both, use_both] = first_step(15.0, 15.0);
-      if (by_gain) continue;  // which asks for less, the more the joint moves
+      if (by_gain) continue;  // a gain requests less, the more the joint moves
       EXPECT_NEAR(both[0], kMotorEffort, 1e-9) << "within a box of 20, but one motor would have to give 15";
       EXPECT_NEAR(both[1], kMotorEffort, 1e-9);
       EXPECT_EQ(use_both[0], 1.0);
@@ -75,7 +75,7 @@ TEST(SharedMotors, WithinTheirLimitsTheyActAsMotorsOfTheJoints) {
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   for (int trial = 0; trial < 20; ++trial) {
     MatrixX ratios = MatrixX::NullaryExpr(2, 2, [&] { return number(random); });
-    if (trial % 2 == 1) ratios(trial / 2 % 2, trial / 4 % 2) = 0.0;  // a motor of one joint, coupled to the other one
+    if (trial % 2 == 1) ratios(trial / 2 % 2, trial / 4 % 2) = 0.0;  // a motor of one joint, coupled to the other
     if (Regularity(ratios) < 0.1) continue;
     const RobotModel plain = two_joints::Make(), driven = two_joints::Driven(ratios, 1e6);
     WorldOptions options;
@@ -120,7 +120,7 @@ TEST(SharedMotors, IdentityIsWhatBoxesAre) {
   EXPECT_TRUE(limited);
 }
 
-/// Of the torques that motors can give, those nearest to the wanted ones by the joints' softness.
+/// Among the possible motor torques, those nearest to the wanted ones, weighted by the joints' softness.
 TEST(SharedMotors, AMotorAtItsLimitLeavesWhatIsNearestToTheWantedTorques) {
   const MatrixX ratios = Matrix(1.0, 1.0, 1.0, -1.0);
   const RobotModel model = two_joints::Driven(ratios);

@@ -23,7 +23,7 @@ inline Gear FirstGear(const RobotModel& model) {
   return {joint, follower, model.dof_joint[static_cast<std::size_t>(joint.dof)]};
 }
 
-/// A robot alone in a world of Bullet's.
+/// A robot alone in a Bullet world.
 template <class Solver>
 struct SmallWorld {
   SmallWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q0)

@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// A terrain in Bullet alone, to cast rays on.
+/// A terrain in Bullet without a robot, for casting rays.
 class RayWorld {
  public:
   explicit RayWorld(const Terrain& terrain)
@@ -30,7 +30,7 @@ class RayWorld {
       world_.removeCollisionObject(world_.getCollisionObjectArray()[i]);
   }
 
-  /// Height and normal of what a ray straight down meets first; the height is not finite where it meets nothing.
+  /// Height and normal of the first hit of a ray straight down; the height is not finite without a hit.
   std::pair<double, Vector3> Below(const Vector2& p, double from_z = 3.0) {
     const btVector3 from(p.x(), p.y(), from_z), to(p.x(), p.y(), -3.0);
     btCollisionWorld::ClosestRayResultCallback hit(from, to);
@@ -153,8 +153,8 @@ TEST(TerrainInBullet, ABodyThatTouchesAnObstacleIsSeenToTouch) {
   }
 }
 
-/// Where all feet of the standing robot, its base over (x, 0), have ground under all of each at nearly one height, the
-/// first such x from `from` on; and how high it stands there. Its z axis is along `normal`.
+/// The first x from `from` on at which all feet of the standing robot, with its base over (x, 0), have ground under
+/// their whole soles at nearly one height; and the height at which it stands. Its z axis is along `normal`.
 struct Place {
   VectorX q;
   double height_m = 0.0;
@@ -194,7 +194,7 @@ TEST_P(StandingOn, ARobotThatHoldsItsPostureKeepsStanding) {
   const Terrain terrain = *MakeTerrain(spec, scale);
   const bool tilted = kind == "slope" || kind == "ramp";
   const double start = scale.front_m + scale.body_length_m;
-  // A gap under its middle; else wholly on the feature.
+  // For a gap, the gap is under the robot's middle; otherwise the robot is wholly on the feature.
   const double from = kind == "gap" ? start : start + 0.55 * scale.body_length_m;
   const Place place = FindPlace(model, terrain, from, tilted);
   const MotionPlan plan = standing::Plan(model, 1.0);

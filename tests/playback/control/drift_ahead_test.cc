@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where StanceFeedback expects the robot to be against its plan.
+// The predicted deviation of StanceFeedback from the plan.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using displaced::BaseMoved;
 using displaced::OnPlan;
 
-/// A point mass on the line between two feet: dcm' = w (dcm - zmp), com' = w (dcm - com), by small steps.
+/// A point mass on the line between two feet: dcm' = w (dcm - zmp), com' = w (dcm - com), in small steps.
 StanceFeedback::Drift Integrated(Vector2 dcm, Vector2 com, double omega, double ahead_s,
                                  const std::function<Vector2(const Vector2&)>& zmp) {
   constexpr int kSteps = 20000;
@@ -29,7 +29,7 @@ StanceFeedback::Drift Integrated(Vector2 dcm, Vector2 com, double omega, double 
   return {dcm, com};
 }
 
-/// The block quadruped in the middle of a diagonal's swing, in error.
+/// The block quadruped in the middle of a diagonal's swing, with an error.
 class DriftAhead : public ::testing::Test {
  protected:
   StanceCase& At(const StabilisedOptions& options, const Vector2& way, const Vector2& velocity) {
@@ -49,7 +49,7 @@ class DriftAhead : public ::testing::Test {
 
 TEST_F(DriftAhead, WithAFixedZmpIsThePendulum) {
   StabilisedOptions options;
-  options.support_use = 0.0;  // the ZMP stays where it is planned
+  options.support_use = 0.0;  // the ZMP stays at its planned place
   const Vector2 x0(0.01, -0.02), v0(0.1, 0.05);
   const StanceCase& off = At(options, x0, v0);
   for (const double t : {0.0, 0.05, 0.3, 0.5}) {
@@ -65,7 +65,7 @@ TEST_F(DriftAhead, WithTheZmpAtTheEndOfItsLineIsThePendulumAboutIt) {
   StabilisedOptions options;
   options.support_use = 1.0;
   const StanceCase& off = At(options, Vector2::Zero(), {-30.0, 0.0});
-  // Far beyond the rear one of the feet that stand.
+  // Far beyond the rear foot of the standing ones.
   const auto& feet = off.now.measured.X_WF;
   const Vector2 end =
       (feet[1].translation().x() < feet[2].translation().x() ? feet[1] : feet[2]).translation().head<2>();

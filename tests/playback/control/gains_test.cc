@@ -28,7 +28,7 @@ TEST(Gains, FollowTheStatedRule) {
   EXPECT_NEAR(gains.damping[0], 0.4 * inertia * w, 1e-9);
 }
 
-/// An arm of two links that stands upright on a trunk falls over where gravity turns its joints by more than they hold.
+/// An upright arm of two links on a trunk falls over if gravity turns its joints by more than their gains hold.
 TEST(Gains, HoldWhatStandsUpright) {
   unusual::UrdfText urdf;
   urdf.Link("body", 8.0, 0.4, urdf.Block(0.4, 0.2, 0.1));

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// A plan whose joints accelerate evenly from rest.
+/// A plan whose joints accelerate at a constant rate from rest.
 MotionPlan Accelerating(const RobotModel& model) {
   MotionPlan plan = standing::Plan(model, 0.1);
   WholeBodyTrajectory& w = plan.whole_body;

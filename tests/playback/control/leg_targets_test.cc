@@ -36,7 +36,7 @@ Vector6 ContactVelocity(const RobotModel& model, int foot, const VectorX& q, con
   return PointVelocity(scratch, static_cast<int>(body), scratch.R_WB[body].transpose() * (p_WQ - scratch.p_WB[body]));
 }
 
-/// Targets stay a margin inside of the limits, or as near as the plan goes.
+/// Targets keep a margin from the limits, or the plan's distance if that is smaller.
 void ExpectWithinLimits(const RobotModel& model, const VectorX& q_planned, const VectorX& q) {
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
     EXPECT_GE(q[7 + dof], std::min(model.dof_lower(dof) + kMargin, q_planned[7 + dof]) - 1e-12) << dof;
@@ -261,7 +261,7 @@ TEST(LegTargets, AKneeUnreachedStretchesToItsMargin) {
   EXPECT_NEAR(q[7 + knee], planned[7 + knee], 1e-9) << "as near to the limit as the plan goes";
 }
 
-/// Hip roll, hip pitch, a knee, and an ankle that is geared to the knee at minus one half.
+/// Hip roll, hip pitch, a knee, and an ankle geared to the knee with factor -0.5.
 RobotModel Geared() {
   const std::string gear = "<mimic joint='j_SIDE2' multiplier='-0.5' offset='0.1'/>";
   const std::string urdf =
@@ -288,7 +288,7 @@ TEST(LegTargets, GearsInsideALegFollowWithinTheirOwnLimits) {
   VectorX q = q0, v = rest;
   legs.Solve(0, wanted, q0, q, v);
   EXPECT_LT((MotionOf(model, 0, q, v).X_WF.translation() - wanted.X_WF.translation()).norm(), 1e-5);
-  // Folding is stopped by the ankle at -0.5 = 0.1 - 0.5 * 1.2, long before the knee is at 2.0.
+  // The ankle stops the folding at -0.5 = 0.1 - 0.5 * 1.2, long before the knee reaches 2.0.
   wanted.X_WF.translation() += Vector3(0.0, 0.0, 1.0);
   for (int k = 0; k < 5; ++k) legs.Solve(0, wanted, q0, q, v);
   double highest = -1.0;

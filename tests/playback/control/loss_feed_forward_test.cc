@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kReach = 0.5, kPace = 4.0;  // of a swing to and fro [rad], [rad/s]
+constexpr double kReach = 0.5, kPace = 4.0;  // amplitude [rad] and frequency [rad/s] of a periodic swing
 
 RobotModel WithLosses() {
   RobotModel model = one_joint::Make(JointType::kRevolute);
@@ -24,7 +24,7 @@ RobotModel WithLosses() {
   return model;
 }
 
-/// One joint that swings to and fro, with the torque that a rigid body of its inertia needs.
+/// One joint with a periodic swing, with the torque for a rigid body of its inertia.
 MotionPlan Swinging() {
   MotionPlan plan;
   plan.terrain = FlatTerrain();
@@ -46,7 +46,7 @@ MotionPlan Swinging() {
   return plan;
 }
 
-/// Largest error of the joint when the plan is played with soft gains.
+/// Largest error of the joint in a playback with soft gains.
 double TrackingError(const RobotModel& model, double share) {
   const MotionPlan plan = Swinging();
   GainOptions gains;

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// A block on massless legs that gets the forces that are wanted of its feet: Newton and Euler, step by step.
+/// A block on massless legs that receives the wanted foot forces: Newton and Euler, step by step.
 class Block {
  public:
   Block(const RobotModel& model, const MotionPlan& plan, bool with_feedback)
@@ -64,7 +64,7 @@ class Block {
       input.q.segment<3>(7 + 3 * static_cast<Eigen::Index>(f)) = R_WB.transpose() * (foot_W_[f] - p_W) - hip_B_[f];
     return input;
   }
-  /// Feet come down where they are wanted.
+  /// Feet touch down at the wanted places.
   void PutDown() {
     for (std::size_t f = 0; f < foot_W_.size(); ++f) {
       const int foot = static_cast<int>(f);
@@ -127,7 +127,7 @@ TEST_F(HoppingBlock, OnItsPlanNothingIsChanged) {
 }
 
 TEST_F(HoppingBlock, GetsBackToItsPlanThoughTwoFeetInALineCannotHoldIt) {
-  // Off by as much as a good push: with the planned forces alone it falls, with feedback it stands again.
+  // An error as after a strong push: with only the planned forces it falls, with feedback it stands again.
   for (const Vector3& way : {Vector3(0.25, 0.0, 0.0), Vector3(0.0, -0.25, 0.1), Vector3(0.1, 0.1, -0.1)}) {
     for (const bool with_feedback : {true, false}) {
       Block block(model_, plan_, with_feedback);

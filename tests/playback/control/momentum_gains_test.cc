@@ -15,8 +15,8 @@ constexpr Eigen::Index kFeet = MomentumGains::kFeet;
 
 constexpr MomentumErrors kErrors{0.05, 0.2, 0.1, 0.5, 0.06};
 
-/// The change of the whole force, and of the moment about the centre of mass of feet that push as planned where they
-/// are.
+/// The change of the total force, and of the moment about the centre of mass, of feet that push as planned at their
+/// actual places.
 Vector6 Whole(const MomentumGains::Row& row, const RobotModel& model, const MotionPlan& plan, double time_s,
               const VectorX& error) {
   WholeBodySample sample;
@@ -31,10 +31,10 @@ Vector6 Whole(const MomentumGains::Row& row, const RobotModel& model, const Moti
   return whole;
 }
 
-/// Up and down, and about the vertical, a robot on four feet is a free mass: its best feedback is known.
+/// Vertically and about the vertical axis, a robot on four feet is a free mass, whose optimal feedback is known.
 class OnFourPoints : public ::testing::Test {
  protected:
-  /// Of y'' = u, with cost rate (y / most)^2 + (y' / fastest)^2 + (u / strongest)^2.
+  /// For y'' = u, with cost rate (y / most)^2 + (y' / fastest)^2 + (u / strongest)^2.
   static Vector2 ForAFreeMass(double most, double fastest, double strongest) {
     const double k = strongest / most;
     return {k, std::sqrt(strongest * strongest / (fastest * fastest) + 2.0 * k)};
@@ -42,7 +42,7 @@ class OnFourPoints : public ::testing::Test {
 
   const RobotModel model_ = synthetic::Robot(4, FootType::kPoint);
   const MotionPlan plan_ = synthetic::StandingPlan(model_, 4.0);
-  // So slow that the steps of the grid are short.
+  // Slow errors, so that the steps of the grid are comparatively short.
   const MomentumErrors errors_{1.0, 2.0, 10.0, 50.0, 1.0};
   const MomentumGains gains_ = DeriveMomentumGains(model_, plan_, errors_);
   const Eigen::Index size_ = kFeet + 8;
@@ -59,7 +59,7 @@ TEST_F(OnFourPoints, HeightIsHeldAsAFreeMassIs) {
 }
 
 TEST_F(OnFourPoints, HeadingIsHeldLikewise) {
-  // Each foot pushes across its arm, by a quarter of the moment over it.
+  // Each foot pushes perpendicular to its arm, with a quarter of the moment divided by the arm.
   const double mu = plan_.terrain.patches.front().friction, arm = std::hypot(0.2, 0.15), inertia = 0.2;
   const double strongest = 0.5 * mu * model_.weight_n() * arm / inertia;
   const Vector2 best = ForAFreeMass(errors_.turn_rad, errors_.rate_rad_s, strongest);
@@ -79,7 +79,7 @@ TEST_F(OnFourPoints, StepsAreNowhereWhereNoFootComesDown) {
   EXPECT_EQ(&gains_.At(synthetic::kStep * 7.5), &gains_.rows[7]);
 }
 
-/// Robots that hop on the spot are their own mirror images in the plane y = 0, with left and right feet exchanged.
+/// Robots that hop on the spot are symmetric to the plane y = 0, with left and right feet exchanged.
 class MirroredHops : public ::testing::TestWithParam<int> {
  protected:
   int feet() const { return GetParam(); }
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Feet, MirroredHops, ::testing::Values(2, 4));
 
 TEST(MomentumGains, AShiftOfAllIsMetByAShiftOfTheSteps) {
   const RobotModel model = synthetic::Robot(4, FootType::kPoint);
-  // Where the plan is does not count here: a foothold is judged against the body.
+  // The error against the plan's place does not count here: a foothold is judged relative to the body.
   const MomentumErrors anywhere{1e6, 0.2, 0.1, 0.5, 0.06};
   const MomentumGains gains = DeriveMomentumGains(model, synthetic::HoppingPlan(model), anywhere);
   VectorX shifted = VectorX::Zero(kFeet + 8);

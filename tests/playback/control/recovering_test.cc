@@ -27,7 +27,7 @@ class RecoveringTest : public testing::TestWithParam<const char*> {
   std::unique_ptr<Controller> Made(const RecoveringOptions& options = {}) const {
     return MakeRecovering(model_, plan_, {std::nullopt, low_}, options);
   }
-  /// The robot as it is planned, in the middle of the plan.
+  /// The robot exactly on its plan, in the middle of the plan.
   ControlInput Standing() const {
     ControlInput input;
     input.time_s = 0.5;
@@ -37,14 +37,14 @@ class RecoveringTest : public testing::TestWithParam<const char*> {
     input.contact = AllFeet(static_cast<int>(model_.legs.size()));
     return input;
   }
-  /// The same, with the base turned about y.
+  /// Standing, with the base turned about y.
   ControlInput Tilted(double angle_rad) const {
     ControlInput input = Standing();
     const Quaternion turn(Eigen::AngleAxisd(angle_rad, Vector3::UnitY()));
     input.q.segment<4>(3) = (turn * Quaternion(input.q.segment<4>(3))).coeffs();
     return input;
   }
-  /// The same, with all of it going ahead.
+  /// Standing, with the whole robot moving forward.
   ControlInput Pushed(double speed_m_s) const {
     ControlInput input = Standing();
     input.v[0] = speed_m_s;
@@ -109,7 +109,7 @@ TEST_P(RecoveringTest, BracesWhenTheDcmIsTooFarOut) {
   EXPECT_FALSE(Braces(*Made(far), Pushed(3.0)));
 }
 
-// The DCM is at the front edge of the feet: nearer than step_margin, and not yet where a fall is certain.
+// The DCM is at the front edge of the feet: closer than step_margin, but a fall is not yet certain.
 TEST_P(RecoveringTest, StepsNearTheEdgeWhereItHasSteps) {
   const MotionPlan steps = model_.legs.size() == 4 ? ShortWalk(model_, "trot", 4, 0.0) : ShortWalk(model_, "", 4, 0.0);
   const auto with = MakeRecovering(model_, plan_, {steps, low_}), without = Made();

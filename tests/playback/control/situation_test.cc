@@ -17,7 +17,7 @@ using displaced::OnPlan;
 /// Diagonals of a quadruped step in turn: feet 0 and 3 swing in 0.9 to 1.3 s, feet 1 and 2 in 1.4 to 1.8 s.
 class SituationTest : public ::testing::Test {
  protected:
-  /// Goes on step by step, with the contact that is measured.
+  /// Advances step by step, with the given measured contact.
   template <class Contact>
   void Run(double from_s, double to_s, Contact contact) {
     for (double t = from_s; t < to_s - 1e-9; t += 0.001) {
@@ -126,7 +126,7 @@ TEST_F(SituationTest, SwingsAreThoseBetweenFootholds) {
 
 TEST_F(SituationTest, TheNextSupportIsAtTheEndOfTheFlightAfterAStance) {
   EXPECT_EQ(Swings(model_, plan_).At(0, 1.0).next_support_s, Swings(model_, plan_).At(0, 1.0).next_liftoff_s);
-  // Where feet 0 and 3 lift at 1.9 s, all others do too, for 0.07 s.
+  // All other feet lift at 1.9 s together with feet 0 and 3, for 0.07 s.
   MotionPlan flying = plan_;
   const auto phase = std::find_if(flying.schedule.phases.begin(), flying.schedule.phases.end(),
                                   [](const ContactPhase& p) { return std::abs(p.start_s - 1.9) < 1e-9; });

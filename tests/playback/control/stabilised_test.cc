@@ -25,7 +25,7 @@ namespace {
 class StabilisedTest : public ::testing::TestWithParam<const char*> {
  protected:
   bool quadruped() const { return model_.legs.size() == 4; }
-  /// Sideways, for 0.1 s, in the middle of the walk.
+  /// A lateral push for 0.1 s, in the middle of the walk.
   PlayOptions Pushed(double force_n) const {
     PlayOptions options;
     options.push_force_W = {0.0, force_n, 0.0};
@@ -73,7 +73,8 @@ TEST_P(StabilisedTest, LeavesAnUndisturbedWalkAlmostAlone) {
   EXPECT_GT(difference.joints, 0.0);
 }
 
-/// Of its motors nothing is known. Its straight stance leg asked for any speed and torque, and it flew away.
+/// Its motors have no known limits. A straight stance leg requested unlimited speed and torque, and the robot flew
+/// away.
 TEST(StabilisedFall, StaysOneOfAMachineWhereMotorsAreUnknown) {
   const RobotModel model = standing::Load("humanoid");
   const MotionPlan plan = standing::Plan(model, 1.5);
@@ -117,7 +118,7 @@ TEST_P(StabilisedTest, TheSameCommandTwiceIsTheSamePlayback) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, StabilisedTest, ::testing::Values("a1", "nao"), [](const auto& i) { return i.param; });
 
-/// What the file of a robot alone makes of it.
+/// Robots that are loaded from their URDF only.
 class FromUrdfAlone : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(FromUrdfAlone, StandsAndTakesAPush) {

@@ -32,7 +32,7 @@ Matrix3 InertiaOf(const RobotModel& model, const VectorX& q) {
   return inertia;
 }
 
-/// A quadruped that stands on four points: the wrench is whatever friction allows.
+/// A quadruped on four points: every wrench within the friction limits is possible.
 class OnFourFeet : public ::testing::TestWithParam<const char*> {
  protected:
   static RobotModel Named(const std::string& name) {
@@ -41,13 +41,13 @@ class OnFourFeet : public ::testing::TestWithParam<const char*> {
   static MotionPlan Standing(const RobotModel& model) {
     return model.hash.empty() ? synthetic::StandingPlan(model, 1.0) : standing::Plan(model, 1.0);
   }
-  /// On the plan, but for the base.
+  /// On the plan, except for the base pose.
   ControlInput Off(const Vector3& way, const Vector3& turn) const {
     ControlInput input = on_plan_;
     input.q = BaseMoved(model_, input.q, way, turn);
     return input;
   }
-  /// On the plan, but for the base's velocity, feet at rest.
+  /// On the plan, except for the base's velocity; feet at rest.
   ControlInput Moving(const Vector3& v_WC, const Vector3& w_WB) const {
     ControlInput input = on_plan_;
     DynamicsScratch scratch(model_);
@@ -126,7 +126,7 @@ TEST_P(OnFourFeet, AWrenchScalesWithASmallError) {
 
 TEST_P(OnFourFeet, TheZmpStaysInTheUsableSupportWhateverTheError) {
   MotionPlan sticky = Standing(model_);
-  sticky.terrain = FlatTerrain(5.0);  // so that friction is not what stops it
+  sticky.terrain = FlatTerrain(5.0);  // friction must not be the limit
   StanceCase rough(model_, sticky);
   const Vector2 home = rough.Ask(on_plan_).zmp_W;
   Polygon feet;
@@ -223,7 +223,7 @@ TEST_P(OnFourFeet, TheSameElsewhereAsksForTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, OnFourFeet, ::testing::Values("block", "a1"), [](const auto& i) { return i.param; });
 
-/// The block robots are their own mirror images in the plane y = 0: feet and joints by the table.
+/// The block robots are symmetric to the plane y = 0: feet and joints by the table.
 class Mirrored : public ::testing::TestWithParam<int> {
  protected:
   VectorX Mirror(const VectorX& joints) const {
@@ -249,7 +249,7 @@ class Mirrored : public ::testing::TestWithParam<int> {
 TEST_P(Mirrored, AMirroredErrorIsMetByMirroredTorques) {
   StanceCase standing(model_, synthetic::StandingPlan(model_, 1.0));
   for (int i = 0; i < 20; ++i) {
-    const double size = i < 10 ? 0.01 : 0.2;  // feet lose their grip in the second half
+    const double size = i < 10 ? 0.01 : 0.2;  // feet reach the friction limit in the second half
     const auto wave = [&](double rate) { return size * std::sin(rate * (i + 1)); };
     ControlInput input = OnPlan(standing.plan(), 0.5);
     input.q = BaseMoved(model_, input.q, {wave(1.0), wave(2.1), wave(0.7)}, {wave(1.7), wave(0.4), wave(2.9)});
@@ -262,7 +262,7 @@ TEST_P(Mirrored, AMirroredErrorIsMetByMirroredTorques) {
 
 INSTANTIATE_TEST_SUITE_P(Feet, Mirrored, ::testing::Values(2, 4));
 
-/// A point mass on its legs, thrown up by contact forces of a multiple of its weight.
+/// A point mass on its legs, accelerated upward by contact forces of a multiple of its weight.
 MotionPlan Thrust(const RobotModel& model, double load) {
   MotionPlan plan = synthetic::StandingPlan(model, 1.0);
   for (std::size_t k = 0; k < plan.whole_body.q.size(); ++k) {
@@ -289,7 +289,7 @@ TEST(StanceFeedback, AsksForAsMuchAsAPlanDoesAndHalfAsMuchMore) {
     input.v[2] += 200.0;  // rises
     EXPECT_NEAR(thrown.Ask(input).force_W.z(), 0.3 * weight, 0.02 * load * weight) << load;
   }
-  // What is planned to press less than that may be asked for half of it.
+  // If the plan presses less than this bound, half of the planned force may be requested.
   StanceCase light(model, Thrust(model, 0.2));
   ControlInput input = OnPlan(light.plan(), 0.5);
   input.v[2] += 100.0;
@@ -300,7 +300,7 @@ TEST(StanceFeedback, BeforeAFlightAFootThatBearsNextToNothingIsPressedUntilItLea
   const RobotModel model = synthetic::Robot(4, FootType::kPoint);
   MotionPlan plan = synthetic::HoppingPlan(model);
   for (auto& wrenches : plan.whole_body.wrenches) {
-    // Of all four feet two of a diagonal carry all of it.
+    // Two diagonal feet carry the whole load of all four.
     wrenches[1].force_W += wrenches[0].force_W;
     wrenches[2].force_W += wrenches[3].force_W;
     wrenches[0] = wrenches[3] = {};

@@ -22,7 +22,7 @@ using displaced::OnPlan;
 
 constexpr double kStep = 0.001;
 
-/// The feedback along a plan, without a world: what is measured is told.
+/// The feedback along a plan, without a world: the test provides the measurements.
 class Walk {
  public:
   Walk(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options = {})
@@ -44,12 +44,12 @@ class Walk {
     return command;
   }
 
-  /// From one time to another, the last one left out, with the input made by `measured`.
+  /// Runs from one time to another, without the last one, with inputs from `measured`.
   void Run(double from_s, double to_s, const std::function<ControlInput(double)>& measured) {
     for (double t = from_s; t < to_s - 1e-9; t += kStep) Step(measured(t));
   }
 
-  /// Where the last command wants a foot to be at the end of its step, though the base is elsewhere.
+  /// Place of a foot that the last command wants at the end of its step, although the base is elsewhere.
   Pose Target(int foot) const {
     VectorX q = input_.q;
     q.head<3>() += kStep * input_.v.head<3>();
@@ -93,7 +93,7 @@ class SwingFeedbackTest : public ::testing::Test {
     steps.double_s = 0.05;
     return steps;
   }
-  /// Off the plan by a constant way of the base.
+  /// Off the plan by a constant displacement of the base.
   std::function<ControlInput(double)> OffBy(const Vector2& way) const {
     return [=, this](double t) {
       ControlInput input = OnPlan(plan_, t);
@@ -177,7 +177,7 @@ TEST_F(SwingFeedbackTest, AfterTheStepToComeTheDcmHasDecayedAsWanted) {
     const Vector2 way(0.0, 0.02);
     const SwingNow swing = Swing();
     walk.Run(0.7, swing.touchdown_s - 1e-4, OffBy(way));
-    // The last foothold was chosen settle_s before touch-down, for the DCM that was to be expected then.
+    // The last foothold was chosen settle_s before touch-down, for the DCM that was predicted then.
     const Vector2 dcm = way * std::exp(omega_ * options.settle_s);
     const Vector2 foothold = walk.Offset(0).head<2>();
     const double growth = std::exp(omega_ * (swing.next_liftoff_s - swing.touchdown_s));
@@ -329,7 +329,7 @@ TEST_F(SwingOfASole, StaysLevelThoughTheRobotTilts) {
   walk.Run(swing_.start_s - 0.1, middle, [&](double t) {
     ControlInput input = OnPlan(plan_, t);
     if (t > swing_.start_s + 0.02) input = displaced::Carried(tilt, input);
-    for (ContactWrench& wrench : input.wrenches) wrench = {};  // no weight on the sole: it tells nothing of the ground
+    for (ContactWrench& wrench : input.wrenches) wrench = {};  // no weight on the sole: it does not measure the ground
     return input;
   });
   const Matrix3 off = walk.Target(lifted_).linear() * walk.Planned(lifted_).linear().transpose();
@@ -349,7 +349,7 @@ TEST_F(SwingOfASole, LoadedSolesTellTheGroundsTiltAndTheSwingFollowsIt) {
   EXPECT_LT((walk.footing.ground_tilt_W - turn).norm(), 0.03 * turn.norm());
   const Matrix3 off = walk.Target(lifted_).linear() * walk.Planned(lifted_).linear().transpose();
   EXPECT_LT((RotationLog(off) - turn).head<2>().norm(), 0.01);
-  // The ground under the foot is where the tilt about the standing foot has it.
+  // The ground under the foot is at the height that follows from the tilt about the standing foot.
   const int standing = 1 - lifted_;
   const Vector3 arm = walk.Planned(lifted_).translation() - walk.Planned(standing).translation();
   EXPECT_NEAR(walk.Offset(lifted_).z() - walk.Offset(standing).z(), turn.cross(arm).z(), 0.002);
@@ -377,7 +377,7 @@ TEST(SwingFeedback, GivesStandingLegsWhatTheirOwnInertiaTakesToLiftTheBase) {
     const auto body = static_cast<std::size_t>(a1.feet[static_cast<std::size_t>(leg)].body);
     const Vector3 p_WQ = ContactFrame(a1, scratch, leg, Vector3::UnitZ()).translation();
     PointJacobian(a1, scratch, static_cast<int>(body), scratch.R_WB[body].transpose() * (p_WQ - scratch.p_WB[body]), J);
-    // Seen from the base, feet that stand go down as it goes up.
+    // Relative to the base, standing feet move down as the base moves up.
     const Vector3 joints = J.block<3, 3>(0, 6 + 3 * leg).lu().solve(Vector3(0.0, 0.0, -stance.lifted_m_s2()));
     const Vector3 torque = M.block<3, 3>(6 + 3 * leg, 6 + 3 * leg) * joints;
     EXPECT_GT(torque.norm(), 0.01);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Textbook mechanics of one body on level ground or a slope, and of free flight, in each engine.
+// Analytical mechanics of one body on level ground or a slope, and of free flight, in each engine.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ class KnownAnswers : public testing::TestWithParam<std::string> {
     return MakeWorld(model, FlatTerrain(), q, options);
   }
 
-  /// A slope that falls along x.
+  /// A slope that descends along x.
   static WorldOptions Slope(double slope_rad, double friction) {
     WorldOptions options;
     options.ground_slope_deg = -slope_rad * 180.0 / M_PI;
@@ -71,7 +71,7 @@ TEST_P(KnownAnswers, AnObstacleIsTheDeepestWhereItIs) {
   EXPECT_EQ(inside.solid, "post");
 }
 
-// Its two highest nodes lie on the diagonal that cuts it (see HeightField), so that the middle of the cell is as high.
+// Its two highest nodes are on the diagonal of the cell (see HeightField), so that the middle of the cell is as high.
 TEST_P(KnownAnswers, ACellOfAHeightFieldIsARidgeWhereItsDiagonalIsHigh) {
   Terrain terrain;
   HeightField cell;
@@ -117,7 +117,8 @@ TEST_P(KnownAnswers, ABallRollsDownASlopeWithFiveSeventhsOfItsPull) {
   EXPECT_NEAR(world->v()[4], world->v().head<3>().norm() / kRadius, 0.02 * expected / kRadius);
 }
 
-// Sliding friction brakes it until it rolls, when its angular momentum about the ground is what it was: 5/7 v.
+// Sliding friction brakes it until it rolls. Its angular momentum about the ground is then still the initial one: 5/7
+// v.
 TEST_P(KnownAnswers, ABallThatSlidesEndsRollingAtFiveSevenths) {
   const RobotModel ball = Ball();
   WorldOptions options;
@@ -147,7 +148,7 @@ TEST_P(KnownAnswers, ABlockSlidesOnlyPastItsFrictionAngle) {
   }
 }
 
-// About its lower edge the weight turns it over once its centre is past the edge: tan(slope) = length / height.
+// Gravity turns it over its lower edge once its centre is past the edge: tan(slope) = length / height.
 TEST_P(KnownAnswers, ABlockTipsOnlyPastItsTippingAngle) {
   const RobotModel tower = Block(0.1, 0.1, 0.4);
   const double angle = std::atan(0.1 / 0.4);
@@ -166,7 +167,7 @@ TEST_P(KnownAnswers, ABlockTipsOnlyPastItsTippingAngle) {
   }
 }
 
-// m sqrt(2 g h), and what the weight adds meanwhile.
+// m sqrt(2 g h), plus the impulse of the weight during the contact.
 TEST_P(KnownAnswers, ADropLandsWithTheImpulseOfItsMomentum) {
   constexpr double kHeight = 0.2, kStep = 1e-3;
   const RobotModel ball = Ball();
@@ -181,7 +182,7 @@ TEST_P(KnownAnswers, ADropLandsWithTheImpulseOfItsMomentum) {
   EXPECT_NEAR(impulse, kMass * kGravity * kStep * steps, 0.01 * kMass * std::sqrt(2.0 * kGravity * kHeight));
 }
 
-// Motors give nothing: only gravity acts, which turns no body, so that momenta and the energy of the turning stay.
+// Motors give no torque. Gravity turns no body, so that momenta and the energy of rotation stay constant.
 TEST_P(KnownAnswers, AHingeInFreeFallKeepsItsMomentumAndEnergy) {
   const RobotModel hinge = one_joint::Make(JointType::kRevolute);
   VectorX q = VectorX::Zero(8), v = VectorX::Zero(7);
@@ -199,7 +200,7 @@ TEST_P(KnownAnswers, AHingeInFreeFallKeepsItsMomentumAndEnergy) {
   EXPECT_NEAR(world->q()[7], v[6] * 0.5, 1e-6);
 }
 
-// Two corners ahead and one behind carry shares that balance the moments about their places.
+// Two corners in front and one behind carry loads that balance the moments about their places.
 TEST_P(KnownAnswers, ABodyOnThreePointsLoadsThemByTheLever) {
   RobotModel stool = OneBody({}, 0.02 * Matrix3::Identity());
   const Vector3 places[3] = {{0.3, 0.2, -0.2}, {0.3, -0.2, -0.2}, {-0.1, 0.0, -0.2}};

@@ -43,7 +43,7 @@ VectorX Airborne(const RobotModel& model) {
   return q;
 }
 
-/// Laws and known answers that hold in each engine: by robot and engine.
+/// Laws and known answers that hold in each engine; parameters: robot and engine.
 class WorldTest : public ::testing::TestWithParam<std::tuple<const char*, std::string>> {
  protected:
   std::unique_ptr<World> Make(const Terrain& terrain, const VectorX& q, WorldOptions options) const {

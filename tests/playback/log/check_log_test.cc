@@ -24,7 +24,7 @@ PlaybackLog CheckedLog() {
 struct Spoilt {
   const char* name;
   std::function<void(PlaybackLog&)> spoil;
-  std::vector<std::string> figures;  ///< what the refusal names; empty where the log is accepted
+  std::vector<std::string> figures;  ///< words in the refusal; empty if the log is accepted
 };
 
 void PrintTo(const Spoilt& spoilt, std::ostream* out) { *out << spoilt.name; }

@@ -129,7 +129,7 @@ TEST(LogJson, RefusesWithTheReason) {
   EXPECT_NE(Why(Replaced(text, "\"tau_nm\": [\n[", "\"tau_nm\": [\n[7,")).find("of 'tau_nm' has"), std::string::npos);
 }
 
-/// What no playback can have measured.
+/// Values that no playback can have measured.
 TEST(LogJson, ValuesThatCannotBeAreRefused) {
   const std::string text = LogToJson(Example());
   const auto expect = [&](const std::string& from, const std::string& to, const std::string& part) {

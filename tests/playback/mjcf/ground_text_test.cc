@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of a ground alone; tests/playback/mujoco/model_file_test.cc has MuJoCo read it.
+// The text of a ground without a robot; MuJoCo reads it in tests/playback/mujoco/model_file_test.cc.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// What stands between the quotes after each `before`.
+/// The text in quotes after each `before`.
 std::vector<std::string> Quoted(const std::string& text, const std::string& before) {
   std::vector<std::string> found;
   for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {

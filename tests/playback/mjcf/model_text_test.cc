@@ -12,7 +12,7 @@
 namespace gaitwright::mujoco {
 namespace {
 
-/// The tags that begin with a text.
+/// The tags that begin with the given text.
 std::vector<std::string> TagsOf(const std::string& mjcf, const std::string& begin) {
   std::vector<std::string> tags;
   for (std::size_t at = mjcf.find(begin); at != std::string::npos; at = mjcf.find(begin, at + 1))
@@ -124,7 +124,7 @@ TEST(ModelText, ASoleHasASphereOnEachCornerAndAPlateWhereAsked) {
     EXPECT_EQ(part.foot, 0);
     EXPECT_EQ(part.link, "body");
   }
-  // A sphere touches with its lowest point at the sole, 0.05 m below the body's centre.
+  // The lowest point of a sphere is at the sole, 0.05 m below the body's centre.
   const auto sphere = TagsOf(corners.mjcf, "<geom name=\"g0\"").at(0);
   EXPECT_NEAR(NumbersOf(sphere, "pos").at(2) - NumbersOf(sphere, "size").at(0), -0.05, 1e-12);
 }
@@ -141,8 +141,8 @@ TEST(ModelText, TheFrictionOfTheGroundIsTheTerrainsUnlessGiven) {
   EXPECT_EQ(friction(0.9), (std::vector<double>{0.9, 0.0, 0.0}));
 }
 
-// Rows along x as in HeightField; heights are shares of the rise. Which diagonal cuts a cell, MuJoCo itself is asked by
-// the tests of its world.
+// Rows along x as in HeightField; heights are shares of the rise. The tests of MuJoCo's world check the diagonal of a
+// cell.
 TEST(ModelText, AHeightFieldKeepsItsRowsAndIsScaledToItsRise) {
   Terrain rough;
   HeightField field;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files that are written for other programs are read by MuJoCo itself, and the robot stands in them.
+// MuJoCo reads the files that are written for other programs, and the robot stands in them.
 #include "playback/mjcf/model_file.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 class ModelFileTest : public testing::TestWithParam<const char*> {
  protected:
-  /// Writes the files and has MuJoCo read them.
+  /// Writes the files and compiles them with MuJoCo.
   mujoco::ModelPtr Read(const Terrain& terrain) const {
     const Gains gains = DeriveGains(model_);
     const std::string path = ScratchFile(model_.name + "_model_file.xml");
@@ -86,7 +86,7 @@ TEST_P(ModelFileTest, HasHeightFieldsInFilesOfTheirOwn) {
 INSTANTIATE_TEST_SUITE_P(Robots, ModelFileTest, testing::Values("a1", "h1", "mini_cheetah"),
                          [](const auto& robot) { return std::string(robot.param); });
 
-/// A ground written alone, and what MuJoCo reads of the file or of another one that includes it.
+/// MuJoCo's model of a ground that is written alone, or of another file that includes it.
 mujoco::ModelPtr ReadGround(const Terrain& terrain, const std::string& including = "") {
   const auto written = WriteFilesTogether(MujocoGroundFiles(terrain, ScratchFile("ground_file.xml")));
   EXPECT_TRUE(written.ok());
@@ -100,7 +100,7 @@ mujoco::ModelPtr ReadGround(const Terrain& terrain, const std::string& including
   return read;
 }
 
-/// The height at which a ray from above meets the ground; -1 where it meets nothing.
+/// Height at which a ray from above meets the ground; -1 without a hit.
 double HeightByRay(const mjModel& m, const mjData& d, const Vector2& p) {
   constexpr double kAbove = 20.0;
   const mjtNum from[3] = {p.x(), p.y(), kAbove}, down[3] = {0.0, 0.0, -1.0};

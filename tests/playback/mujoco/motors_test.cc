@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motors in MuJoCo: one joint between two floating bodies, of which a torque moves a reduced inertia of 0.8.
+// Motors in MuJoCo: one joint between two floating bodies, whose reduced inertia is 0.8.
 #include <gtest/gtest.h>
 
 #include "playback/mujoco/motors_internal.h"
@@ -22,7 +22,7 @@ JointCommand CommandOfOne(double q, double tau_ff, double stiffness, double damp
   return {one(q), one(0.0), one(tau_ff), one(stiffness), one(damping)};
 }
 
-/// A world of one joint with a rate at its start.
+/// A world of one joint with an initial rate.
 struct JointWorld {
   JointWorld(const RobotModel& robot, double rate, const WorldOptions& options = {})
       : model(robot), world(model, FlatTerrain(), StartOfJoint(), options) {
@@ -97,7 +97,7 @@ TEST_P(MujocoMotorsTest, ALockedJointHasNoMotor) {
   EXPECT_EQ(made.world.q()[7], 0.0);
 }
 
-// With joints that follow the coordinate each says the same of it, so their mean is its rate.
+// All joints that follow the coordinate give the same rate for it, so their mean equals it.
 TEST(MujocoMotorsOfGears, TheRateOfACoordinateIsThatOfItsJoints) {
   const RobotModel model = AnyRobot("mimic");
   const WorldOptions options;

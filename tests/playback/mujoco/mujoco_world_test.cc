@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MuJoCo's model is ours: mass matrix, bias forces and places at random states, and what motors give.
+// MuJoCo's model equals ours: mass matrix, bias forces and positions at random states, and motor torques.
 #include "playback/mujoco/mujoco_world.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST_P(MujocoWorldTest, ItsTextIsReadAgain) {
   EXPECT_NEAR(world.total_mass_kg(), model_.total_mass_kg, 1e-6 * model_.total_mass_kg);
 }
 
-// The sum of the smaller two moments is the largest one, or less by rounding.
+// The sum of the two smaller moments equals the largest one, up to rounding.
 TEST(MujocoWorldOfPlates, TakesMomentsOfPlatesInAnyAttitude) {
   for (int k = 0; k < 20; ++k) {
     const Matrix3 R(Eigen::AngleAxisd(0.3 * k, Vector3(1.0, 0.2 * k, -0.5).normalized()));

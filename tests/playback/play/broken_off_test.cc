@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What comes of playbacks whose numbers go beyond all bounds: a fall with its reason, and a log.
+// Playbacks with numbers beyond all bounds end as a fall with its reason, and with a log.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,10 +19,10 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// A push after which the physics knows no more.
+/// A push that makes the simulation diverge.
 const Vector3 kBlowUp(0.0, kNoNumber, 0.0);
 
-/// Holds the posture, until it gives a torque that is no number.
+/// Holds the posture until it gives a torque that is not a number.
 class Failing : public JointPd {
  public:
   Failing(const RobotModel& model, const MotionPlan& plan, int after) : JointPd(model, plan), left_(after) {}
@@ -37,7 +37,7 @@ class Failing : public JointPd {
   int left_;
 };
 
-/// Holds the posture, with an estimate that goes astray.
+/// Holds the posture, with an estimate that diverges.
 class Astray : public JointPd {
  public:
   Astray(const RobotModel& model, const MotionPlan& plan, int after) : JointPd(model, plan), left_(after) {}
@@ -55,7 +55,7 @@ class Astray : public JointPd {
 
 class BrokenOff : public testing::Test {
  protected:
-  /// The log is whole, reads back, and is scored as a fall then for that reason.
+  /// The log is complete, reads back, and scores as a fall at that time for that reason.
   void ExpectFall(const PlaybackLog& log, double at_s, const std::string& why, const std::string& cause) const {
     ASSERT_FALSE(log.samples.empty());
     EXPECT_NEAR(log.samples.back().time_s, at_s, 1e-9);
@@ -85,7 +85,7 @@ class BrokenOff : public testing::Test {
 TEST_F(BrokenOff, WhileItSettles) {
   const PlaybackLog log = Played(Failing(model_, plan_, 30));
   EXPECT_EQ(log.samples.size(), 1U);
-  ExpectFall(log, 0.0, "the controller gave a command that is not finite", "the controller came to no number");
+  ExpectFall(log, 0.0, "the controller gave a command that is not finite", "the controller's output was not finite");
 }
 
 TEST_F(BrokenOff, BeforeTheFirstSample) {
@@ -93,7 +93,7 @@ TEST_F(BrokenOff, BeforeTheFirstSample) {
   options.more_pushes = {{kBlowUp, 0.002, 0.1, "base"}};
   const PlaybackLog log = Played(JointPd(model_, plan_), options);
   EXPECT_EQ(log.samples.size(), 1U);
-  ExpectFall(log, 0.002, "the physics gave a state that is not finite", "the physics came to no number");
+  ExpectFall(log, 0.002, "the physics gave a state that is not finite", "the simulation diverged");
 }
 
 TEST_F(BrokenOff, OnTheWayAndAfterThePlan) {
@@ -101,13 +101,13 @@ TEST_F(BrokenOff, OnTheWayAndAfterThePlan) {
     PlayOptions options;
     options.more_pushes = {{kBlowUp, at_s, 0.1, "base"}};
     const PlaybackLog log = Played(JointPd(model_, plan_), options);
-    ExpectFall(log, at_s, "the physics gave a state that is not finite", "the physics came to no number");
+    ExpectFall(log, at_s, "the physics gave a state that is not finite", "the simulation diverged");
   }
 }
 
 TEST_F(BrokenOff, WithAnEstimateThatGoesAstray) {
   const std::string why = "the controller's estimate of the base is not finite",
-                    cause = "the controller came to no number";
+                    cause = "the controller's output was not finite";
   ExpectFall(Played(Astray(model_, plan_, 30)), 0.0, why, cause);
   const PlaybackLog log = Played(Astray(model_, plan_, 400));
   ExpectFall(log, 0.195, why, cause);

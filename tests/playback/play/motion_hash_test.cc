@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// A plan that has everything that a hash may be of.
+/// A plan with all data that a hash may cover.
 const MotionPlan& Rich() {
   static const MotionPlan rich = [] {
     const RobotModel model = standing::Load("nao");
@@ -76,7 +76,7 @@ TEST(MotionHash, DoesNotChangeWithWhatOnlyTellsOrJudges) {
 TEST(MotionHash, IsThatOfThePlanAsItIsReadBack) {
   MotionPlan plan = Rich();
   plan.whole_body.tau[2][0] = -0.0;
-  for (int turns = 0; turns < 40; ++turns) {  // rotations come back rounded
+  for (int turns = 0; turns < 40; ++turns) {  // rotations read back with rounding
     const std::string before = MotionHash(plan);
     const Result<MotionPlan> back = PlanFromJson(PlanToJson(plan), "plan");
     ASSERT_TRUE(back) << back.failure().message;

@@ -20,7 +20,7 @@ class OffPlanTest : public testing::Test {
     JointPd controller(model_, plan_);
     return Play(model_, plan_, controller, options).value();
   }
-  /// Where the feet press, mean over them by force, at the end.
+  /// Centre of pressure of the feet, as the force-weighted mean, at the end.
   Vector2 Zmp(const PlaybackLog& log) const {
     DynamicsScratch scratch(model_);
     const LogSample& s = log.samples.back();
@@ -96,7 +96,7 @@ TEST_F(OffPlanTest, AShortPushHasItsImpulseAndOneForNoTimeNone) {
 TEST_F(OffPlanTest, StartsOutOfTheGroundAndSettles) {
   PlayOptions options;
   options.start_x_m = 0.03;
-  options.start_z_m = -0.05;  // would be in the ground
+  options.start_z_m = -0.05;  // would be inside the ground
   options.start_roll_rad = 0.05;
   options.start_yaw_rad = 0.1;
   options.start_joints = VectorX::Constant(model_.num_dofs(), 0.03);

@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// Lets go of all joints.
+/// Gives no torque to any joint.
 class Limp : public Controller {
  public:
   explicit Limp(int n) : zero_(VectorX::Zero(n)) {}
@@ -27,7 +27,7 @@ class Limp : public Controller {
   VectorX zero_;
 };
 
-/// Remembers what it was told.
+/// Stores its inputs.
 class Listener : public JointPd {
  public:
   using JointPd::JointPd;
@@ -244,14 +244,14 @@ TEST_P(PlayTest, RefusesPlansOfOthersAndBadRates) {
   options.log_rate_hz = 300.0;
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);
   options.world.step_s = 0.003;
-  options.log_rate_hz = 166.667;  // as a refusal names it
-  EXPECT_EQ(WhyNotPlayed(model_, plan_, options), std::nullopt);
+  options.log_rate_hz = 166.667;  // the value that a refusal names
+  EXPECT_EQ(ReasonNotPlayed(model_, plan_, options), std::nullopt);
   options = {};
   options.world.step_s = -1.0;
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);
 }
 
-/// Folds the legs straight down to about half of the standing height over the plan's first half.
+/// Folds the legs vertically to about half of the standing height over the first half of the plan.
 MotionPlan Sinking(const RobotModel& a1, double duration_s) {
   MotionPlan plan = standing::Plan(a1, duration_s);
   const double stands = a1.standing_joints[a1.DofIndex("FL_thigh_joint")], folded = 1.25;

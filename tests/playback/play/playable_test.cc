@@ -17,13 +17,13 @@ struct PlayableCase {
   MotionPlan plan = synthetic::StandingPlan(model, kPlanLasts);
   PlayOptions options;
 
-  std::optional<Failure> Why() const { return WhyNotPlayed(model, plan, options); }
+  std::optional<Failure> Why() const { return ReasonNotPlayed(model, plan, options); }
 };
 
 struct Unplayable {
   const char* name;
   std::function<void(PlayableCase&)> spoil;
-  std::optional<FailureCode> code;  ///< nothing where it is played
+  std::optional<FailureCode> code;  ///< nothing if it is played
 };
 
 void PrintTo(const Unplayable& one, std::ostream* out) { *out << one.name; }

@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// So many samples a tenth of a second apart, on a square support of 0.2 m, with the ZMP in its middle.
+/// `count` samples, 0.1 s apart, on a square support of 0.2 m, with the ZMP in its middle.
 std::vector<MotionSample> BalancedSamples(int count) {
   std::vector<MotionSample> samples(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -67,7 +67,7 @@ TEST(BalancePlots, WithoutAMeasurementOnlyThePlanIsDrawn) {
   EXPECT_EQ(svg_marks::Count(both.Svg(), " measured\""), 2);
 }
 
-// The support jumps ahead by 0.3 m when the stance changes: its band has upright sides there.
+// The support jumps forward by 0.3 m when the stance changes: its band has vertical sides there.
 TEST(BalancePlots, TheSupportChangesInAStep) {
   MotionSeries series;
   series.planned = BalancedSamples(4);
@@ -88,7 +88,7 @@ TEST(BalancePlots, TheSupportChangesInAStep) {
   EXPECT_EQ(upright, 3) << "lower and upper side of the step, and the end";
 }
 
-// The base turns twice to the left: its yaw goes on over half a turn.
+// The base turns twice to the left: its yaw continues beyond half a turn.
 TEST(BalancePlots, TheYawHasNoJumps) {
   const synthetic::Drawn c(synthetic::Stood());
   PlotData data = c.Data();

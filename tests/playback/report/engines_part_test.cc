@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// The part of two equal playbacks, with an agreement of the test's own.
+/// The part for two equal playbacks, with an agreement that the test provides.
 std::string EnginesPartOf(const synthetic::Drawn& c, const Agreement& agreement, bool second_passes = true) {
   StabilityReport second = c.report;
   second.pass = second_passes;
@@ -31,7 +31,7 @@ Agreement MadeAgreement() {
   return agreement;
 }
 
-/// The curves of a class; lines of two points are those of legends.
+/// The curves of a class; lines of two points belong to legends.
 std::vector<std::vector<Vector2>> CurvesOf(const std::string& html, const std::string& css) {
   auto paths = svg_marks::Paths(html, css);
   std::erase_if(paths, [](const auto& path) { return path.size() < 3; });
@@ -69,7 +69,7 @@ TEST(EnginesPart, EachEngineHasItsOwnVerdict) {
   EXPECT_LT(one.find("mark pass"), one.find("mark fail")) << "the first engine comes first";
 }
 
-// Of two equal playbacks every curve of the one lies on that of the other.
+// For two equal playbacks, both curves of each pair are equal.
 TEST(EnginesPart, EqualPlaybacksHaveEqualCurves) {
   const synthetic::Drawn c(synthetic::Walked(2, {.count = 2}));
   const std::string html = EnginesPartOf(c, MadeAgreement());

@@ -31,7 +31,7 @@ TEST(GaitFigure, HasThePlanAloneOrWithWhatWasMeasured) {
   EXPECT_TRUE(synthetic::Says(both, "ZMP measured"));
 }
 
-/// A cycle of the made-up biped is two steps; each has a support polygon of its own.
+/// A cycle of the synthetic biped has two steps; each has its own support polygon.
 TEST(GaitFigure, ShowsSoManyCyclesFromTheFirstStep) {
   synthetic::Played c = synthetic::Walked(2, {.count = 12});
   c.plan.swings.push_back({.foot = 0, .start_s = 0.9, .end_s = 1.3});

@@ -22,7 +22,7 @@ TEST(JointPlots, HaveAPlotForEachJointOfALeg) {
   }
 }
 
-// A joint of no leg is shown where the plan moves it by more than a thousandth.
+// A joint that belongs to no leg is shown if the plan moves it by more than 0.001.
 TEST(JointPlots, LeaveOutJointsOfNoLegThatDoNotMove) {
   const auto shown = [](const synthetic::Drawn& c) {
     return svg_marks::Count(synthetic::PlotNamed(JointPlots(c.Data()), "joint_positions").svg, "class=\"frame\"");
@@ -42,7 +42,7 @@ TEST(JointPlots, LeaveOutJointsOfNoLegThatDoNotMove) {
   EXPECT_TRUE(JointPlots(still.Data()).empty());
 }
 
-// The axis goes from 0 to 105 % where no plan asks for more than its limit.
+// The axis goes from 0 to 105 % if no plan exceeds its limit.
 TEST(JointPlots, BarsAreSharesOfTheLimit) {
   synthetic::Drawn c(synthetic::Stood());
   for (Joint& joint : c.model.joints) joint.effort_limit = 1000.0;

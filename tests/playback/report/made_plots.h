@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Data of plots whose every figure is known.
+// Data of plots with known values.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace gaitwright::synthetic {
 
-/// What a playback is drawn from, with its verdict. Its parts may be spoiled before `Data`.
+/// Data of a plot, with its verdict. Tests may modify the parts before `Data`.
 struct Drawn : Played {
   explicit Drawn(Played played) : Played(std::move(played)), report(Score(model, plan, log)) {}
 
@@ -19,7 +19,7 @@ struct Drawn : Played {
   StabilityReport report;
 };
 
-/// The plot of a name. @throws std::out_of_range without one.
+/// The plot with a name. @throws std::out_of_range if it does not exist.
 inline const Plot& PlotNamed(const std::vector<Plot>& plots, const std::string& name) {
   for (const Plot& plot : plots) {
     if (plot.name == name) return plot;
@@ -27,7 +27,7 @@ inline const Plot& PlotNamed(const std::vector<Plot>& plots, const std::string& 
   throw std::out_of_range("no plot is called " + name);
 }
 
-/// Axes without a legend, so that only what is drawn is counted.
+/// Axes without a legend, so that only drawn marks are counted.
 inline SvgPlot BarePlot() {
   SvgPlot::Options options;
   options.legend = false;

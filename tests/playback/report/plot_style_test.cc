@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether people who are colour-blind can tell the inks apart: those of plots, and of the page in 3D.
+// Whether colour-blind people can distinguish the inks of the plots and of the 3D page.
 #include "playback/report/plot_style.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using Inks = std::map<std::string, std::string>;
 
-constexpr double kApart = 18.0;  // in CIELAB, of any two inks; 2.3 is just noticed
+constexpr double kApart = 18.0;  // in CIELAB, between any two inks; 2.3 is just noticeable
 
 Vector3 LinearOf(const std::string& hex) {
   Vector3 rgb;
@@ -41,8 +41,8 @@ Vector3 LabOf(const Vector3& rgb) {
   return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-/// What eyes see of linear sRGB: all of it; without green cones; without red ones. Machado, Oliveira and Fernandes,
-/// TVCG 15(6), 2009, doi:10.1109/TVCG.2009.113, table of severity 1.
+/// Colours as seen with normal eyes, without green cones, and without red cones, from linear sRGB. Machado, Oliveira
+/// and Fernandes, TVCG 15(6), 2009, doi:10.1109/TVCG.2009.113, table of severity 1.
 std::vector<Matrix3> Eyes() {
   Matrix3 deuteranope, protanope;
   deuteranope << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881;
@@ -64,7 +64,7 @@ double Contrast(const std::string& a, const std::string& b) {
   return std::max(light(a) / light(b), light(b) / light(a));
 }
 
-/// By name, every `name: "#rrggbb"` of a text, or as the pattern has it.
+/// By name, every `name: "#rrggbb"` of a text, or another pattern.
 Inks Found(const std::string& text, const std::regex& pattern) {
   Inks inks;
   for (auto it = std::sregex_iterator(text.begin(), text.end(), pattern); it != std::sregex_iterator(); ++it)
@@ -72,7 +72,7 @@ Inks Found(const std::string& text, const std::regex& pattern) {
   return inks;
 }
 
-/// The lines of feet: those of a list.
+/// The colours of the feet's lines, which are a list.
 std::vector<std::string> FeetOf(const std::string& theme) {
   const std::string list = theme.substr(theme.find("feet: ["));
   std::vector<std::string> feet;
@@ -83,14 +83,14 @@ std::vector<std::string> FeetOf(const std::string& theme) {
   return feet;
 }
 
-/// Light and dark, of the page's own source.
+/// Light and dark theme, from the source of the page.
 std::array<std::string, 2> Themes() {
   const std::string text = ReadFile(SourceFolder() + "/playback/viewer/web/src/colours.ts").value();
   const std::size_t light = text.find("kLight: Theme"), dark = text.find("kDark: Theme");
   return {text.substr(light, dark - light), text.substr(dark)};
 }
 
-/// Of plots: light ones come first in the style sheet.
+/// Inks of plots: the light ones come first in the style sheet.
 std::array<Inks, 2> PlotInks() {
   const std::string css = PlotStyle();
   const std::regex rule(R"(\.gw \.([a-z]+)\{stroke:(#[0-9a-f]{6});color)");
@@ -98,7 +98,7 @@ std::array<Inks, 2> PlotInks() {
   return {Found(css.substr(0, dark), rule), Found(css.substr(dark), rule)};
 }
 
-/// Of the page: what stands between `ink: {` and `}`.
+/// Inks of the page: the text between `ink: {` and `}`.
 Inks PageInks(const std::string& theme) {
   const std::string from = theme.substr(theme.find("ink: {"));
   return Found(from.substr(0, from.find('}')), std::regex(R"re(([a-z]+): "(#[0-9a-f]{6})")re"));
@@ -150,7 +150,7 @@ TEST(Colours, WordsAreReadOnThePaper) {
     const std::string paper = Found(theme, std::regex(R"re((paper): "(#[0-9a-f]{6})")re"))["paper"];
     const std::string from = theme.substr(theme.find("words: {"));
     Inks words = Found(from.substr(0, from.find('}')), std::regex(R"re(([a-z]+): "(#[0-9a-f]{6})")re"));
-    words.merge(PageInks(theme));  // but where words have their own
+    words.merge(PageInks(theme));  // unless a separate text colour is defined
     for (const auto& [name, colour] : words) EXPECT_GE(Contrast(colour, paper), 4.5) << name;
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks into plots: how many marks of a class they have, and where these are.
+// Reads plots: the number of marks of a class, and their places.
 #pragma once
 
 #include <regex>
@@ -11,15 +11,14 @@
 
 namespace gaitwright::svg_marks {
 
-/// How often a part is in a text.
+/// Number of occurrences of a part in a text.
 inline int Count(const std::string& text, const std::string& part) {
   int count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
   return count;
 }
 
-/// The corners of all paths of a class, in pixels, each path after the other. Those of a legend are left out where the
-/// plot has none.
+/// The corners of all paths of a class, in pixels, path by path. Paths of the legend are included.
 inline std::vector<std::vector<Vector2>> Paths(const std::string& svg, const std::string& css) {
   std::vector<std::vector<Vector2>> paths;
   const std::string begins = "<path d=\"", ends = "\" class=\"" + css + "\"/>";

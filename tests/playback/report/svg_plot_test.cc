@@ -129,7 +129,7 @@ TEST(SvgPlot, TheLegendNamesOnlyWhatIsDrawn) {
   for (const char* label : {">drawn<", ">a dot<"}) EXPECT_TRUE(Has(svg, label)) << label;
 }
 
-/// What the inner picture holds is cut at the axes, what follows its end is not.
+/// The contents of the inner svg are clipped at the axes; elements after it are not.
 TEST(SvgPlot, MarksAtTheEdgeAreWholeAndThoseOutsideAreNotThere) {
   SvgPlot::Options options;
   options.x_lowest = options.y_lowest = 0.0;

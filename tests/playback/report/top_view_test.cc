@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The supports that are drawn for phases of a second, each with a sample in its middle.
+/// Number of drawn supports for phases of one second, each with a sample in its middle.
 int SupportsDrawn(const std::vector<FootSet>& stances) {
   ContactSchedule schedule;
   std::vector<MotionSample> samples;
@@ -30,7 +30,7 @@ int SupportsDrawn(const std::vector<FootSet>& stances) {
   return svg_marks::Count(plot.Svg(), "class=\"support filled\"");
 }
 
-// Feet 1 and 2: 3 between 1 and 2 only joins the two.
+// Stances 1 and 2 are single feet: stance 3 between them only joins the two.
 TEST(TopView, AStanceThatOnlyJoinsTwoOthersHasNoSupport) {
   EXPECT_EQ(SupportsDrawn({3, 1, 3, 2, 3}), 4) << "both ends and both single stances";
   EXPECT_EQ(SupportsDrawn({3}), 1);
@@ -49,7 +49,7 @@ TEST(TopView, FootholdsAreDrawnUpToTheEnd) {
   EXPECT_EQ(drawn(), all - 1);
 }
 
-// Feet without soles are dots where they are planned and crosses where they came down.
+// Feet without soles are dots at their footholds and crosses at their measured landings.
 TEST(TopView, PointsAreDotsAndCrosses) {
   const synthetic::Drawn soles(synthetic::Walked(2, {.count = 2})), balls(synthetic::Walked(4, {.count = 2}));
   const std::string of_soles = TopView(soles.Data()).svg, of_balls = TopView(balls.Data()).svg;
@@ -72,7 +72,7 @@ TEST(TopView, PathsOfAPlanAloneAreThePlans) {
   EXPECT_EQ(svg_marks::Count(plot.Svg(), " measured\""), 0);
 }
 
-// One metre is as long on x as on y, so the arrow of the goal only turns with its heading.
+// One metre has the same length on x and y, so the arrow of the goal only turns with its heading.
 TEST(TopView, TheGoalsArrowTurnsWithItsHeading) {
   synthetic::Drawn c(synthetic::Stood());
   const auto arrow = [&](double yaw_rad) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plots of trials: where pushes, gates and scores are drawn.
+// The plots of trials: places of pushes, gates and scores.
 #include <gtest/gtest.h>
 
 #include "playback/report/trials_page.h"
@@ -48,7 +48,7 @@ TEST(TrialsPlots, ComeInTheirOrderAndAreWellFormed) {
   EXPECT_TRUE(TrialPlots(ReduceTrials(made::Subject(), {})).empty());
 }
 
-// Each path goes once from left to right, and up: smaller is higher in SVG.
+// Each path goes from left to right without going back, and up: smaller is higher in SVG.
 TEST(TrialsPlots, ScoresAreSortedWhateverTheOrderOfTheTrials) {
   RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(40, 25.0));
   const std::string svg = TrialPlotOf(report, "scores").svg;

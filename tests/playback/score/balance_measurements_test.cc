@@ -26,7 +26,7 @@ void ShiftZmpAhead(LogSample& sample, double by_m) {
   for (ContactWrench& wrench : sample.wrenches) wrench.moment_W.y() -= by_m * wrench.force_W.z();
 }
 
-/// Moves the base ahead, with the feet where they are.
+/// Moves the base forward; the feet stay in place.
 void ShiftBase(LogSample& sample, double by_m) {
   sample.q[0] += by_m;
   for (const int slider : {0, 3}) sample.q[7 + slider] -= by_m;

@@ -60,8 +60,8 @@ TEST(Capture, WithOneStageTheSetIsTheSupportInflatedByWhatAStepReaches) {
 }
 
 TEST(Capture, FromTheBorderOfTheSetThePendulumJustReachesTheStep) {
-  // Both soles for 0.15 s, then the left one for 0.35 s. The ZMP stays at the point of each support farthest to the
-  // right of all those that a DCM on the right border can use.
+  // Both soles for 0.15 s, then the left one for 0.35 s. In each support, the ZMP stays at the rightmost point that a
+  // DCM on the right border can use.
   Standing standing;
   const double w = 5.0, first = 0.15, second = 0.35, reach = 0.2;
   const double right_of_both = -0.14, right_of_left = 0.06;

@@ -62,7 +62,7 @@ TEST(ContactMeasurements, TheLargestTimingErrorIsFoundWhicheverWayItIs) {
     Played c = Walked();
     for (StanceRecord& stance : c.log.stances) {
       if (stance.touchdown_s < 1.0) continue;
-      stance.touchdown_s += error_s;  // the first that comes down
+      stance.touchdown_s += error_s;  // the first foot that touches down
       break;
     }
     EXPECT_NEAR(c.Value("contact_timing_error_max_s"), std::abs(error_s), 1e-9);

@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// One foot: stands to 1 s, swings to 1.4 s, stands to 2 s.
+/// One foot: stands until 1 s, swings until 1.4 s, stands until 2 s.
 ContactSchedule OneSwing() {
   ContactSchedule schedule;
   schedule.phases = {{0.0, 1.0, 3}, {1.0, 1.4, 2}, {1.4, 2.0, 3}};

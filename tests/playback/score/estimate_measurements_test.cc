@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// A log whose estimates are off by a turn about the vertical, and by what is added.
+/// A log whose estimates have errors: a turn about the vertical, and the given ones.
 synthetic::Played Off(const Vector3& place_W, double tilt_rad, const Vector3& velocity_B) {
   synthetic::Played played = synthetic::Walked(4);
   for (LogSample& sample : played.log.samples) {

@@ -57,7 +57,7 @@ TEST(Fall, TheFirstOfSeveralIsTold) {
 
 TEST(Fall, HeightIsOverTheFeetWhereTheyStand) {
   FallCase downhill;
-  for (LogSample& sample : downhill.log.samples) sample.q[2] -= 0.4;  // the ground fell away, the robot stands on it
+  for (LogSample& sample : downhill.log.samples) sample.q[2] -= 0.4;  // the ground descends, and the robot stands on it
   EXPECT_FALSE(downhill.Find().fell);
   FallCase thrown;
   for (int i : {9, 12}) thrown.log.samples[20].q[i] -= 0.3;
@@ -83,7 +83,7 @@ TEST(Fall, InFlightTheGroundIsAsFarFromThatOfThePlanAsWhereItStoodLast) {
   FallCase c;
   c.plan.schedule.phases = {{0.0, 0.4, 3}, {0.4, 0.6, 0}, {0.6, 1.0, 3}};
   const double height = c.plan.whole_body.q.front()[2];
-  for (LogSample& sample : c.log.samples) sample.q[2] -= 0.8 * height;  // on ground that the plan does not know
+  for (LogSample& sample : c.log.samples) sample.q[2] -= 0.8 * height;  // on unplanned ground
   EXPECT_FALSE(c.Find().fell) << c.Find().what;
   for (LogSample& sample : c.log.samples)
     sample.q[2] -= sample.time_s > 0.45 && sample.time_s < 0.55 ? 0.8 * height : 0.0;

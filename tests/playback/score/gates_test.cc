@@ -19,7 +19,7 @@ const MetricRule& Rule(const std::string& key) {
   throw std::runtime_error("no rule " + key);
 }
 
-/// The metrics as Score would gate them after one value has changed.
+/// The metrics with Score's gates after one value has changed.
 std::vector<Metric> WithValue(std::vector<Metric> metrics, std::size_t i, double value) {
   metrics[i].value = value;
   if (metrics[i].applied) metrics[i].pass = Holds(metrics[i].bound, value, *metrics[i].limit);

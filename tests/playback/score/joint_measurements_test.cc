@@ -42,7 +42,7 @@ TEST(JointMeasurements, PositiveWorkLeavesOutBrakingAndTheIntervalBeforeTheFirst
     sample.tau = Vector2(10.0, 4.0);    // 20 W, and 12 W of braking
     log.samples.push_back(sample);
   }
-  log.samples[2].tau = Vector2(-10.0, -4.0);  // the other way round: 12 W
+  log.samples[2].tau = Vector2(-10.0, -4.0);  // opposite signs: 12 W
   EXPECT_DOUBLE_EQ(PositiveWork(log, 0), 0.0);
   EXPECT_DOUBLE_EQ(PositiveWork(log, 1), 0.0);
   EXPECT_DOUBLE_EQ(PositiveWork(log, 2), 0.5 * 20.0);
@@ -85,7 +85,7 @@ TEST(JointMeasurements, ATorqueLimitThatIsNotKnownIsNotMeasuredAgainst) {
   for (const char* key : {"torque_use_max", "torque_saturated_fraction"}) {
     EXPECT_FALSE(JointMetric(c, key).value.has_value()) << key;
   }
-  c.log.samples[7].effort_use[1] = 0.4;  // of a limit that the playback itself had
+  c.log.samples[7].effort_use[1] = 0.4;  // of a limit that exists only in the playback
   EXPECT_DOUBLE_EQ(JointMetric(c, "torque_use_max").value.value(), 0.4);
   EXPECT_FALSE(JointMetric(c, "torque_use_max").planned.has_value());
 }
@@ -115,7 +115,7 @@ TEST(JointMeasurements, TheMarginToALimitIsThatOfJointsThatThePlanMoves) {
   for (const double place : {0.97, -0.97}) {
     Played c = WithOneMovingJoint(0);
     c.log.samples[60].q[7 + 0] = place;
-    c.log.samples[80].q[7 + 1] = 0.999;  // it is parked
+    c.log.samples[80].q[7 + 1] = 0.999;  // it rests at its limit
     const Metric margin = JointMetric(c, "joint_limit_margin_min_rad");
     EXPECT_NEAR(margin.value.value(), 0.03, 1e-12);
     EXPECT_NEAR(margin.planned.value(), 0.5, 1e-12);

@@ -99,7 +99,7 @@ TEST(Measurements, JerkOfAKnownWave) {
   for (LogSample& sample : c.log.samples) {
     sample.v.tail(c.model.num_dofs()).setConstant(amplitude * std::sin(frequency * sample.time_s));
   }
-  // Root mean square of amplitude frequency^2 sin, over whole periods and nearly so here.
+  // Root mean square of amplitude frequency^2 sin: exact over whole periods, and a close approximation here.
   EXPECT_NEAR(c.Value("smoothness_jerk_rms"), amplitude * frequency * frequency / std::sqrt(2.0), 0.1);
 }
 

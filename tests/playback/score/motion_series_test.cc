@@ -63,7 +63,7 @@ TEST(MotionSeries, AStillSphereFootThatRollsDoesNotSlide) {
   LogSample& sample = log.samples[10];
   sample.v.setZero();
   sample.v[4] = 1.0;      // the base pitches about its own centre
-  sample.v[0] = kHeight;  // so that the points below it stand still
+  sample.v[0] = kHeight;  // so that points at the ground stand still
   const MotionSeries series = MakeMotionSeries(model, plan, log, {});
   EXPECT_NEAR(series.measured[10].feet[0].slide_m_s, 0.0, 1e-9);
   EXPECT_NEAR(series.measured[10].feet[0].height_m, 0.0, 1e-12);

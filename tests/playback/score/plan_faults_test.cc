@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a failed playback blames the plan itself for.
+// Faults of the plan itself in the reason of a failed playback.
 #include <gtest/gtest.h>
 
 #include "tests/playback/played.h"
@@ -13,14 +13,14 @@ using synthetic::Says;
 using synthetic::StandingPlan;
 using synthetic::SteppingPlan;
 
-/// Why the plan failed, had its trunk touched the ground at the end.
+/// Reason for the plan's failure if the trunk touches the ground at the end.
 std::string ReasonOf(const RobotModel& model, const MotionPlan& plan) {
   PlaybackLog log = PerfectLog(model, plan);
   log.body_contacts = {{plan.whole_body.end_s(), "trunk"}};
   return Score(model, plan, log).reason;
 }
 
-/// Moves the ZMP of the accelerations.
+/// Moves the ZMP that follows from the accelerations.
 void ShiftZmp(double y_m, MotionPlan& plan) {
   for (VectorX& a : plan.whole_body.a) a[1] -= y_m * kGravity / synthetic::kHeight;
 }
@@ -47,7 +47,7 @@ TEST(PlanFaults, AZmpOffTheLineOfTwoPointFeetIsBlamed) {
 
 TEST(PlanFaults, AZmpOutsideIsNotBlamedTwice) {
   const RobotModel model = Robot(2, FootType::kSole);
-  MotionPlan plan = StandingPlan(model, 1.0, {0.1, 0.0});  // 20 mm before the toes
+  MotionPlan plan = StandingPlan(model, 1.0, {0.1, 0.0});  // 20 mm in front of the toes
   for (VectorX& tau : plan.whole_body.tau) tau *= 1.5;
   const std::string reason = ReasonOf(model, plan);
   EXPECT_TRUE(Says(reason, "the plan itself has its ZMP outside")) << reason;

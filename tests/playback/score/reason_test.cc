@@ -47,7 +47,7 @@ const std::vector<Metric> kReasonBroken = {AtMost("goal_error_m", 0.01, 0.05), A
 
 struct OptionWords {
   const char *key, *text;
-  const char* words;  ///< empty where the plan knows it
+  const char* words;  ///< empty if the plan knows it
 };
 
 class OneDisturbance : public testing::TestWithParam<OptionWords> {};
@@ -90,7 +90,7 @@ TEST(Reason, ShiftsAndStartsAreToldByTheirLength) {
 
 TEST(Reason, APushIsNamedByItsLargestPartAndSense) {
   const std::pair<Vector3, const char*> pushes[] = {
-      {{60.0, 1.0, 1.0}, " ahead "},         {{-60.0, 1.0, 1.0}, " backward "}, {{9.0, 60.0, -9.0}, " to the left "},
+      {{60.0, 1.0, 1.0}, " forward "},       {{-60.0, 1.0, 1.0}, " backward "}, {{9.0, 60.0, -9.0}, " to the left "},
       {{9.0, -60.0, 9.0}, " to the right "}, {{0.0, 5.0, 60.0}, " up "},        {{0.0, 5.0, -60.0}, " down "}};
   for (const auto& [force, words] : pushes) {
     ReasonCase c;

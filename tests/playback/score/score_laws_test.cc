@@ -4,13 +4,13 @@
 #include "kinematics/spatial/rotation.h"
 #include "tests/playback/played.h"
 
-/// Laws that the score of any playback keeps.
+/// Laws that the score of every playback satisfies.
 namespace gaitwright {
 namespace {
 
 using LawCase = synthetic::Played;
 
-/// A walk whose log is off its plan everywhere, a little and deterministically.
+/// A walk whose log deviates a little from its plan everywhere, deterministically.
 LawCase Imperfect(int legs) {
   LawCase c = synthetic::Walked(legs);
   for (LogSample& sample : c.log.samples) {
@@ -38,7 +38,7 @@ void MoveWrenches(const Pose& X, std::vector<ContactWrench>& wrenches) {
   }
 }
 
-/// The same playback elsewhere on the plane, with another heading.
+/// The same playback at another place on the plane, with another heading.
 LawCase Moved(LawCase c, const Pose& X) {
   WholeBodyTrajectory& body = c.plan.whole_body;
   for (std::size_t k = 0; k < body.q.size(); ++k) {
@@ -89,7 +89,7 @@ TEST(ScoreLaws, WhereAndWhichWayTheRobotWalksDoesNotMatter) {
   }
 }
 
-/// Left for right: y changes sign, neighbouring legs change places.
+/// Left and right exchanged: y changes sign, neighbouring legs are exchanged.
 LawCase Mirrored(LawCase c) {
   const auto swap_legs = [&](VectorX& x, Eigen::Index first) {
     for (Eigen::Index leg = 0; leg < static_cast<Eigen::Index>(c.model.feet.size()); leg += 2) {

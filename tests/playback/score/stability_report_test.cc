@@ -19,14 +19,14 @@ using synthetic::SteppingPlan;
 
 double Value(const StabilityReport& report, const std::string& key) { return report.At(key).value.value(); }
 
-/// Moves the ZMP of every sample by d: the moment of the whole normal force about it.
+/// Moves the ZMP of every sample by d: adds the moment of the total normal force.
 void ShiftZmp(PlaybackLog& log, const Vector2& d) {
   for (LogSample& sample : log.samples) {
     for (ContactWrench& wrench : sample.wrenches) wrench.moment_W += Vector3(d.x(), d.y(), 0.0).cross(wrench.force_W);
   }
 }
 
-/// Turns and moves a whole log in plan view, as a robot does whose feet crept.
+/// Turns and moves a whole log in plan view, as if the robot's feet had crept.
 void Drift(PlaybackLog& log, const Vector2& d, double yaw) {
   const Eigen::AngleAxisd turn(yaw, Vector3::UnitZ());
   for (LogSample& sample : log.samples) {

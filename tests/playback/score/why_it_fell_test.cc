@@ -15,7 +15,7 @@ using synthetic::Says;
 using synthetic::StandingPlan;
 using synthetic::SteppingPlan;
 
-/// Tips the robot about its left edge from 0.4 s on, faster and faster.
+/// Tips the robot about its left edge from 0.4 s on, with increasing speed.
 void TipToTheLeft(PlaybackLog& log) {
   for (LogSample& sample : log.samples) {
     const double t = std::max(0.0, sample.time_s - 0.4);
@@ -37,7 +37,7 @@ TEST(WhyItFell, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
   EXPECT_TRUE(Says(report.reason, "mm to the left")) << report.reason;
 }
 
-/// Tips to the left, with one motor at a torque from 0.3 s on, which is a share of what it could give.
+/// Tips to the left. From 0.3 s on, one motor has a torque that is a share of its current limit.
 PlaybackLog TippingLog(const RobotModel& model, const MotionPlan& plan, double torque, double share = 1.0) {
   PlaybackLog log = PerfectLog(model, plan);
   TipToTheLeft(log);
@@ -141,7 +141,7 @@ TEST(WhyItFell, SlipScuffAndMissedFootholdAreTold) {
 
 TEST(WhyItFell, APlanThatCannotStandIsBlamedItself) {
   const RobotModel model = Robot(2, FootType::kSole);
-  const MotionPlan plan = StandingPlan(model, 1.0, {0.1, 0.0});  // 20 mm before the toes
+  const MotionPlan plan = StandingPlan(model, 1.0, {0.1, 0.0});  // 20 mm in front of the toes
   PlaybackLog log = PerfectLog(model, plan);
   log.body_contacts = {{0.5, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
@@ -215,7 +215,7 @@ TEST(WhyItFell, APushThatCameAfterTheFallIsNotItsCause) {
                 {Vector3(4.0, 0.0, 0.0), 1.6, 0.1, "base"}};
   log.body_contacts = {{1.5, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
-  EXPECT_TRUE(Says(reason, "under a push of 2 N ahead from 0.50 s for 0.10 s, a push of 260 N ahead from 1.00 s"))
+  EXPECT_TRUE(Says(reason, "under a push of 2 N forward from 0.50 s for 0.10 s, a push of 260 N forward from 1.00 s"))
       << reason;
   EXPECT_FALSE(Says(reason, "4 N")) << reason;
 }

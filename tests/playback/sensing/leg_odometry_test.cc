@@ -63,7 +63,7 @@ TEST(LegOdometry, PerfectSensorsGiveTheTruth) {
   }
 }
 
-/// Where an error of the start, or a bias, leads without feet, by differences of whole predictions.
+/// Effect of an initial error, or a bias, without feet, from differences of complete predictions.
 Error LedTo(int index, double size) {
   const RobotModel model = LoadNamedRobot("a1").value();
   const Terrain ground;
@@ -149,7 +149,7 @@ TEST(LegOdometry, ItsErrorsAreAsLargeAsItSays) {
   int count = 0;
   for (int seed = 0; seed < kSeeds; ++seed) {
     SensorOptions sensors = Hobby(100 + seed);
-    // The robot's true tilt at the start is as uncertain as the filter is told.
+    // The true tilt at the start has the uncertainty that the filter assumes.
     Case c(swaying::OnPoints(), AllFeet(4), sensors, options);
     NoiseStream luck(seed, 77);
     VectorX start = c.robot.q;
@@ -178,22 +178,22 @@ TEST(LegOdometry, AFootThatSlipsIsTakenAnew) {
   for (int k = 0; k < 500; ++k) {
     c.robot.MoveTo(static_cast<double>(++c.count) * kStep, kStep);
     VectorX q = c.robot.q;
-    q.segment<3>(7) += Vector3(0.1, 0.1, 0.0);  // the first leg alone has moved
+    q.segment<3>(7) += Vector3(0.1, 0.1, 0.0);  // only the first leg has moved
     c.odometry.Update(c.imu.Read(c.robot.q, c.robot.v), c.encoders.Read(q.tail(c.robot.model.num_dofs())), c.feet);
   }
   EXPECT_GT(c.odometry.slips(), slips);
   EXPECT_LT((c.Off().tail<3>() - before).norm(), 0.01);
 }
 
-/// A plane through the origin that rises ahead, without end.
+/// A plane through the origin that rises along x, unbounded.
 Terrain SlopeOf(double angle_rad) {
   Terrain ground = FlatTerrain();
   ground.patches.front().X_WT.linear() = RotationExp(-angle_rad * Vector3::UnitY());
   return ground;
 }
 
-/// Error of the place and of the velocity of a ball that rolls up a slope, as shares of how far it went and how fast.
-/// All of the robot turns as one about its centre. The filter trusts the ball more than the IMU.
+/// Errors of place and velocity of a ball that rolls up a slope, as shares of its distance and speed. The whole robot
+/// turns about its centre as one body. The filter trusts the ball more than the IMU.
 Vector2 RollingErrors(double slope_rad, const Terrain& ground) {
   constexpr double kRadius = 0.05, kRate = 1.0;
   RobotModel model = LoadNamedRobot("a1").value();

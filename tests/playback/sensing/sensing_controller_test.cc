@@ -20,7 +20,7 @@
 namespace gaitwright {
 namespace {
 
-/// Tells what it is told, and commands the number of the step.
+/// Stores its inputs, and commands the number of the step.
 class Witness : public Controller {
  public:
   explicit Witness(std::vector<ControlInput>& told) : told_(told) {}
@@ -105,7 +105,7 @@ TEST(SensingController, TellsWhatIsMeasured) {
   EXPECT_EQ(measured->Estimate(), nullptr);
 }
 
-/// A hinge in free fall that shall be held at 0.5 rad, and what its controller is told.
+/// A hinge in free fall that should be held at 0.5 rad, and the inputs of its controller.
 struct Held {
   explicit Held(const SensingOptions& options) {
     VectorX q = VectorX::Zero(8);

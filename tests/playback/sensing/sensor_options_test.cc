@@ -16,7 +16,7 @@ TEST(SensorOptionFields, EachIsAMemberOfItsOwnAndNoneIsForgotten) {
     keys.insert(field.key);
     targets.insert(std::visit([](auto* target) { return static_cast<const void*>(target); }, field.target));
   }
-  const std::size_t numbers = 21;  // and the seed, which the padding hides
+  const std::size_t numbers = 21;  // without the seed, which fits into padding
   EXPECT_EQ(keys.size(), numbers + 1);
   EXPECT_EQ(targets.size(), keys.size());
   EXPECT_LT(sizeof(SensorOptions), (numbers + 2) * sizeof(double)) << "a new member needs a field";

@@ -28,7 +28,7 @@ Statistics Of(const std::vector<double>& values) {
   return s;
 }
 
-/// Means of neighbours, `count` of them.
+/// Means of `count` consecutive values.
 std::vector<double> Averaged(const std::vector<double>& values, std::size_t count) {
   std::vector<double> means;
   for (std::size_t i = 0; i + count <= values.size(); i += count) {
@@ -186,7 +186,7 @@ TEST(Imu, APerfectOneTellsRateAndSpecificForce) {
   }
 }
 
-/// Deviations of a rate sensor's readings, and of their means over 0.1 s.
+/// Standard deviations of a rate sensor's readings, and of their means over 0.1 s.
 std::pair<double, double> NoiseOf(const SensorOptions& sheet, double step_s) {
   Imu imu(sheet, step_s);
   std::vector<double> rates;
@@ -316,7 +316,7 @@ TEST(SensorOptions, SetsAreNamedAndTheirFiguresAreLegal) {
     SensorsOfKind("bad");
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_STREQ(error.what(), "there is no set of sensors 'bad'; there are 'ideal', 'good', 'hobby'");
+    EXPECT_STREQ(error.what(), "unknown set of sensors 'bad'; accepted: 'ideal', 'good', 'hobby'");
   }
   EXPECT_EQ(StateSourceOf("estimated"), StateSource::kEstimated);
   EXPECT_THROW(StateSourceOf("guessed"), InvalidArgument);

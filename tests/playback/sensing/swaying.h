@@ -11,7 +11,7 @@
 
 namespace gaitwright::swaying {
 
-/// A robot whose base sways and turns above feet that stand still, exactly: joints by Newton's method.
+/// A robot whose base sways and turns above feet that stand still exactly; joints by Newton's method.
 class Robot {
  public:
   /// @param stands  feet that do not move.
@@ -27,7 +27,7 @@ class Robot {
     home_ = q;
   }
 
-  /// The state at a time; velocities are differences over the step, as the simulator has them.
+  /// The state at a time; velocities are differences over the step, as in the simulator.
   void MoveTo(double t, double step_s) {
     const VectorX before = q;
     const double ramp = 1.0 - std::exp(-4.0 * t * t);
@@ -75,7 +75,7 @@ class Robot {
   VectorX home_;
 };
 
-/// A quadruped that stands on points.
+/// A quadruped on point feet.
 inline Robot OnPoints() {
   RobotModel model = LoadNamedRobot("a1").value();
   for (Foot& foot : model.feet) {

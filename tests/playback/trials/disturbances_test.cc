@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-double noise = 0.0, delay = 0.0;  // of the sensors that keys may name
+double noise = 0.0, delay = 0.0;  // of the sensors
 int sensor_seed = 0;
 const OptionFields kSensors = {{"noise_rad", &noise, "rad", 0.0, 0.1, "", {}},
                                {"delay_s", &delay, "s", 0.0, 0.1, "", {}},

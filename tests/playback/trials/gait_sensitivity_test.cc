@@ -17,7 +17,7 @@ using Vector3d = Eigen::Vector3d;
 
 const GaitScale kScale{.leg_length_m = 0.3, .mass_kg = 12.0, .step_s = 0.25};
 
-/// A gait whose map from step to step is known: x' = A x + B e, g = C x + D e.
+/// A gait with a known step-to-step map: x' = A x + B e, g = C x + D e.
 struct LinearGait {
   Eigen::Matrix2d A;
   Eigen::Matrix<double, 2, 3> B;
@@ -31,7 +31,7 @@ struct LinearGait {
     D << -0.4, 0.02, 0.0, 0.3, 0.5, 0.0, 0.0, 0.1, 0.4;
   }
 
-  /// Response k steps after.
+  /// Response after k steps.
   Matrix3d Response(int k) const {
     if (k == 0) return D;
     Eigen::Matrix<double, 2, 3> x = B;
@@ -46,13 +46,13 @@ struct LinearGait {
   }
 };
 
-/// How trials are made up.
+/// Parameters of synthetic trials.
 struct Makeup {
   int trials = 200, steps = 30;
   double noise = 0.0;
   std::array<double, 3> sizes = {0.004, 0.01, 0.01};  ///< standard deviations of the disturbances, scaled
   std::uint64_t seed = 1;
-  bool habits = true;  ///< each step and each trial has offsets of its own, and some steps do not land
+  bool habits = true;  ///< each step and each trial has its own offsets, and some steps do not land
 };
 
 std::vector<std::vector<GaitStep>> MakeTrials(const LinearGait& gait, const Makeup& how) {
@@ -130,7 +130,7 @@ TEST(GaitSensitivityTest, ScalesAreThoseOfTheRobot) {
   const LinearGait gait;
   std::vector<std::vector<GaitStep>> trials = MakeTrials(gait, {});
   const double norm = EstimateGaitSensitivity(trials, kScale).norm.value();
-  for (auto& steps : trials) {  // the same gait of a robot four times as long and twice as slow
+  for (auto& steps : trials) {  // the gait of a similar robot with four times the size and half the speed
     for (GaitStep& step : steps) {
       for (double* length : {&step.ground_m, &step.ahead_m, &step.left_m}) *length *= 4.0;
       for (double* impulse : {&step.push_ahead_n_s, &step.push_left_n_s}) *impulse *= 10.0 * 2.0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSpeed = 0.3, kStride = 0.5;  // [m/s], time of a step [s]
 
-/// A biped that heads along y of W and steps every half second, left foot first, and a log of it that is as planned.
+/// A biped that heads along y of W and steps every half second, left foot first, and its log, which equals the plan.
 class GaitStepsTest : public testing::Test {
  protected:
   GaitStepsTest() {

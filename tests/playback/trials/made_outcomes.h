@@ -9,7 +9,7 @@
 
 namespace gaitwright::made {
 
-/// Trials that fall when a push to a side is over `fatal_n`; every seventh of the others breaks a gate.
+/// Trials that fall if a lateral push exceeds `fatal_n`; every seventh of the others violates a gate.
 inline std::vector<TrialOutcome> Outcomes(int n, double fatal_n) {
   std::vector<TrialOutcome> outcomes;
   for (int i = 0; i < n; ++i) {

@@ -15,7 +15,7 @@ struct MadePush {
   double up_n = 0.0;
 };
 
-/// A trial with pushes of 0.1 s that ended then.
+/// A trial with pushes of 0.1 s that ended at a time.
 TrialOutcome Trial(const std::vector<MadePush>& pushes, double ended_s, bool survived) {
   TrialOutcome trial;
   trial.survived = survived;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Disturbances as YAML: what is read, what is written back, and what is refused with its line.
+// Disturbances as YAML: reading, writing, and refusals with their line.
 #include <gtest/gtest.h>
 
 #include "playback/trials/disturbances.h"
@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-double read_noise = 0.0;  // of the sensors that keys may name
+double read_noise = 0.0;  // of the sensors
 int read_seed = 0;
 const OptionFields kReadSensors = {{"noise_rad", &read_noise, "rad", 0.0, 0.1, "", {}},
                                    {"seed", &read_seed, "1", 0, 10, "", {}}};
@@ -25,7 +25,7 @@ std::string RefusalOfText(const std::string& text) {
   return read.failure().message;
 }
 
-/// The distribution of the only figure of a text.
+/// The distribution of the only quantity in a text.
 Distribution OnlyFigure(const std::string& text) {
   const Disturbances read = ReadText(text);
   EXPECT_EQ(read.figures.size(), 1U);
@@ -64,7 +64,7 @@ TEST(ReadDisturbancesTest, RefusalsNameLineAndNearest) {
   says("mass_scale: {normal: {mean: 1}}\n", {"lacks the key 'std'"});
   says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"from 2 to 3: 0", "0.01 is needed"});
   says("mass_scale: {unifrm: [0.9, 1.1]}\n", {"'unifrm'", "'uniform'"});
-  says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "one is needed"});
+  says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "give exactly one"});
   says("mass_scale: {choice: []}\n", {"a choice ", "one or more are needed"});
   says("mass_scale: heavy\n", {"'heavy'", "a number is needed"});
   says("mass_scale: .nan\n", {"finite"});
@@ -116,7 +116,7 @@ TEST(ReadDisturbancesTest, ABareValueIsAFixedOne) {
             ReadText("pushes:\n  - {size_n: 1, place: {choice: [base]}}\n").pushes.at(0).at(1).distribution);
 }
 
-// Without limits of its own a bell reaches three standard deviations, but no farther than the figure may go.
+// The default limits are at three standard deviations, but within the range of the quantity.
 TEST(ReadDisturbancesTest, ABellEndsAtThreeDeviationsOrWhereItsFigureEnds) {
   const Distribution wide = OnlyFigure("mass_scale: {normal: {mean: 2, std: 0.5}}\n");
   EXPECT_EQ(wide.mean, 2.0);
@@ -150,7 +150,7 @@ TEST(ReadDisturbancesTest, AFileThatIsNotThereIsNamed) {
   EXPECT_NE(read.failure().message.find("/nowhere/d.yaml"), std::string::npos);
 }
 
-// The shape is what the handbook and the checkers of an editor see of the reader.
+// The handbook and the checkers of editors know the reader only by this shape.
 TEST(ReadDisturbancesTest, TheShapeHasEveryKeyThatIsRead) {
   const DataShape shape = DisturbancesShape(kReadSensors);
   const auto member = [](const DataShape& of, const std::string& key) {

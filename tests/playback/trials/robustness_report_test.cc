@@ -49,7 +49,7 @@ TEST(RobustnessReportTest, TheWorstAreToldThoughNoneFell) {
 
 TEST(RobustnessReportTest, SpreadsAreThoseOfTheValues) {
   const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(101, 25.0));
-  ASSERT_EQ(report.metrics.size(), 2U);  // what no trial has is left out
+  ASSERT_EQ(report.metrics.size(), 2U);  // a metric that no trial has is omitted
   const MetricSpread& goal = report.metrics[1];
   EXPECT_EQ(goal.key, "goal_error_m");
   EXPECT_EQ(goal.n, 101);
@@ -75,7 +75,7 @@ TEST(RobustnessReportTest, PushesByDirection) {
   const RobustnessReport report = ReduceTrials(made::Subject(), outcomes);
   ASSERT_EQ(report.push_bins.size(), 8U);
   EXPECT_EQ(report.push_bins[2].direction_deg, 90.0);  // to the left
-  EXPECT_EQ(report.push_bins[0].fell, 0);              // ahead, where the sideways part is small
+  EXPECT_EQ(report.push_bins[0].fell, 0);              // forward, where the lateral part is small
   EXPECT_GT(report.push_bins[2].fell, 0);
   EXPECT_GT(*report.push_bins[2].smallest_fatal_n, 25.0);
   EXPECT_LT(*report.push_bins[2].largest_survived_n, 25.0 / std::cos(22.5 * 0.0174533) + 0.1);
@@ -119,7 +119,7 @@ TEST(RobustnessReportTest, OutcomesMustBeInOrder) {
   EXPECT_EQ(ReduceTrials(made::Subject(), {}).survival, (ShareInterval{0.0, 0.0, 1.0}));
 }
 
-/// Steps of which each lands late by twice the push to the left, scaled.
+/// Each step lands late by twice the push to the left, scaled.
 std::vector<TrialOutcome> Stepping(int trials, const GaitScale& scale) {
   std::vector<TrialOutcome> outcomes = made::Outcomes(trials, 25.0);
   const double impulse = scale.mass_kg * std::sqrt(kGravity * scale.leg_length_m);

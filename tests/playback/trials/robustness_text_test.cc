@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report of trials as JSON and in words.
+// A report of trials as JSON and as text.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -92,7 +92,7 @@ TEST(RobustnessTextTest, ADirectionWithoutAFallHasNoFatalSize) {
       << text;
 }
 
-// Each row of the table has one value for each column, and the rows are the outcomes.
+// Each row of the table has one value per column, and the rows are the outcomes.
 TEST(RobustnessTextTest, TheTableOfTrialsIsTheOutcomes) {
   const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(30, 25.0));
   const auto trials = nlohmann::json::parse(RobustnessJson(report)).at("trials");

@@ -12,12 +12,12 @@ namespace gaitwright {
 namespace {
 
 TEST(RankTestTest, ExactForSmallGroups) {
-  // All three of the first above all four of the second: 2 of C(7, 3) = 35 ways are as far out.
+  // All three of the first exceed all four of the second: 2 of C(7, 3) = 35 arrangements are as extreme.
   const RankTest all = CompareRanks({5, 6, 7}, {1, 2, 3, 4});
   EXPECT_EQ(all.effect, 1.0);
   EXPECT_NEAR(all.p, 2.0 / 35.0, 1e-12);
   EXPECT_NEAR(CompareRanks({1, 2, 3, 4}, {5, 6, 7}).p, 2.0 / 35.0, 1e-12);
-  // U = 1: two ways at most one swap off, on both sides.
+  // U = 1: two arrangements are at most one swap away, on each side.
   EXPECT_NEAR(CompareRanks({4, 6, 7}, {1, 2, 3, 5}).p, 4.0 / 35.0, 1e-12);
   EXPECT_NEAR(CompareRanks({1, 4}, {2, 3}).p, 1.0, 1e-12);
   EXPECT_EQ(CompareRanks({}, {1.0}).p, 1.0);
@@ -29,7 +29,7 @@ TEST(RankTestTest, ApproximationMeetsTheExactOne) {
   for (int i = 0; i < 20; ++i) first.push_back(random.Uniform() + 0.25);
   for (int i = 0; i < 25; ++i) second.push_back(random.Uniform());
   const double exact = CompareRanks(first, second).p;
-  second.push_back(second.back());  // one tie: by the approximation
+  second.push_back(second.back());  // one tie: uses the approximation
   const double near = CompareRanks(first, second).p;
   EXPECT_GT(exact, 0.0);
   EXPECT_NEAR(std::log(near / exact), 0.0, 0.35);
@@ -49,7 +49,7 @@ TEST(RankTestTest, ErrorsOfTheFirstKindAreAsRareAsPromised) {
   EXPECT_GT(sure, 0.03 * kTests);
 }
 
-/// Trials that fall where `cause` says so.
+/// Trials that fall according to `cause`.
 struct Made {
   std::vector<SampledColumn> columns;
   std::vector<char> fell;

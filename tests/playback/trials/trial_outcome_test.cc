@@ -24,7 +24,7 @@ Metric MadeMetric(const std::string& key, std::optional<double> value, bool appl
   return metric;
 }
 
-/// A report of a playback that fell, or not, `after_s` its start.
+/// The report of a playback that fell, or did not, `after_s` its start.
 StabilityReport MadeReport(std::optional<double> fell, std::optional<double> after_s) {
   StabilityReport report;
   report.pass = fell == 0.0;
@@ -114,7 +114,7 @@ TEST(TrialOutcome, ALineKeepsTheLargestSeedAndAnyText) {
   const std::string line = OutcomeToLine(outcome);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   EXPECT_EQ(OutcomeFromLine(line), outcome);
-  outcome.reason = "bad \xff byte";  // of a link's name, say
+  outcome.reason = "bad \xff byte";  // for example in a link's name
   EXPECT_EQ(OutcomeFromLine(OutcomeToLine(outcome)).reason, "bad \xef\xbf\xbd byte");
 }
 

@@ -27,13 +27,13 @@ TEST(SceneMotion, AFootholdOfASoleHasItsCornersAtItsPose) {
   EXPECT_EQ(scene[0]["touchdown_s"], 0.25);
   EXPECT_EQ(scene[0]["liftoff_s"], 0.75);
   ASSERT_EQ(scene[0]["outline_m"].size(), 4U);
-  // The first corner is at (0.08, -0.04) of the sole; a quarter to the left that is (0.04, 0.08).
+  // The first corner is at (0.08, -0.04) of the sole; turned by 90 degrees to the left it is (0.04, 0.08).
   EXPECT_NEAR(scene[0]["outline_m"][0][0].get<double>(), 1.04, 1e-12);
   EXPECT_NEAR(scene[0]["outline_m"][0][1].get<double>(), 2.08, 1e-12);
   EXPECT_NEAR(scene[0]["outline_m"][0][2].get<double>(), 0.3, 1e-12);
 }
 
-// Legs are 0.6 m long: a circle of 0.04 of that.
+// Legs are 0.6 m long: the circle's radius is 0.04 of that.
 TEST(SceneMotion, AFootholdWithoutASoleIsACircle) {
   const synthetic::Played c = synthetic::Walked(4, {.count = 2});
   const auto scene = FootholdsScene(c.model, c.plan);

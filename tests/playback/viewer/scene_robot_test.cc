@@ -81,7 +81,8 @@ TEST(SceneRobot, ShapesHaveTheSizesOfTheirKind) {
   EXPECT_EQ(shapes[3]["body"], 1);
 }
 
-// Looks go before what touches, by link; only a link whose mesh is not to be had is drawn as it touches.
+// Visual shapes have priority over collision shapes, by link; only a link whose mesh is missing shows its collision
+// shapes.
 TEST(SceneRobot, ALinkWhoseMeshIsMissingIsDrawnAsItTouches) {
   RobotModel model = one_joint::Make(JointType::kRevolute);
   model.visual_shapes = {ShapeNamed("heavy", ShapeType::kSphere, {0.2, 0.0, 0.0}), MeshNamed("light", "none.stl")};

@@ -83,7 +83,7 @@ TEST(Scene, OfAPlanAloneHasNoMeasuredSide) {
   EXPECT_NEAR(time.back(), c.plan.whole_body.end_s(), 1.0 / kSceneRateHz);
 }
 
-/// A robot whose first body looks like a mesh that only its folder has.
+/// A robot whose first body has a visual mesh that only its folder contains.
 TEST(Scene, HasVisualMeshesWhereTheirFolderIsKnown) {
   synthetic::Played c = synthetic::Walked(2, {.count = 4});
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scene_meshes";
@@ -118,7 +118,7 @@ TEST(Scene, HasVisualMeshesWhereTheirFolderIsKnown) {
   }
 }
 
-/// The plan's own ZMP is the same whether a log is beside it or not.
+/// The plan's own ZMP is the same with and without a log.
 TEST(Scene, ThePlannedSideOfALogIsThatOfThePlan) {
   const synthetic::Played c = synthetic::Walked(2, {.count = 4});
   const MotionSeries both = MakeMotionSeries(c.model, c.plan, c.log, {});
@@ -129,7 +129,7 @@ TEST(Scene, ThePlannedSideOfALogIsThatOfThePlan) {
       if (std::abs(other.time_s - sample.time_s) > 1e-9) continue;
       EXPECT_LT((other.p_WC - sample.p_WC).norm(), 1e-9);
       if (sample.time_s > c.plan.whole_body.start_s + 0.1 && sample.has_zmp && other.has_zmp) {
-        EXPECT_LT((other.p_WZ - sample.p_WZ).norm(), 1e-3) << sample.time_s;  // the filter starts a sample later
+        EXPECT_LT((other.p_WZ - sample.p_WZ).norm(), 1e-3) << sample.time_s;  // the filter starts one sample later
       }
       ++compared;
     }
@@ -167,7 +167,7 @@ TEST(Scene, HoldsNothingThatCouldEndItsPlaceInAPage) {
 TEST(Scene, ThinsLogsOfHigherRates) {
   synthetic::Played c = synthetic::Stood();
   const std::size_t rows = c.log.samples.size();
-  c.log.log_rate_hz *= 4.0;  // the same samples, four times as dense
+  c.log.log_rate_hz *= 4.0;  // the same samples at four times the rate
   for (std::size_t k = 0; k < rows; ++k)
     c.log.samples[k].time_s = c.log.start_s + static_cast<double>(k + 1) / c.log.log_rate_hz;
   EXPECT_EQ(Floats(SceneOf(c)["time_s"]).size(), (rows + 3) / 4);

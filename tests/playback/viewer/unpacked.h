@@ -10,7 +10,7 @@ namespace gaitwright::unpacked {
 
 using Json = nlohmann::ordered_json;
 
-/// The bytes of base64, read without the code that wrote it.
+/// The bytes of base64, decoded independently of the code that wrote it.
 inline std::string Bytes(const std::string& text) {
   const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bits, bytes;

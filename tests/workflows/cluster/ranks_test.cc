@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A process that no launcher of MPI started.
+// A process that was not started by an MPI launcher.
 #include "workflows/cluster/ranks.h"
 
 #include <gtest/gtest.h>

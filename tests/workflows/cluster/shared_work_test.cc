@@ -34,7 +34,7 @@ TEST(Ranks, AProblemOfRankZeroItselfIsAFailure) {
 
 #ifdef GAITWRIGHT_MPIRUN
 
-/// What a run of the rank program prints.
+/// The output of a run of the rank program.
 std::string PrintsUnderMpi(int ranks, const std::string& arguments) {
   const std::string command = fmt::format(
       "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '{}' --oversubscribe -np {} '{}' {} 2>/dev/null",

@@ -15,7 +15,7 @@ ComparedMotion WithStances(Stances stances) {
   return motion;
 }
 
-/// One foot over ten seconds, of which cycles last one.
+/// One foot over ten seconds, with cycles of one second.
 SharedTime TenSeconds() {
   SharedTime shared;
   shared.end_s = 10.0;

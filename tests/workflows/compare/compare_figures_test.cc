@@ -16,7 +16,7 @@ const FigurePair* FindFigure(const std::vector<FigurePair>& figures, const std::
   return found == figures.end() ? nullptr : &*found;
 }
 
-/// Both values of a figure that both sides have.
+/// Both values of a quantity that both sides have.
 std::pair<double, double> BothOf(const std::vector<FigurePair>& figures, const std::string& key) {
   const FigurePair* figure = FindFigure(figures, key);
   EXPECT_TRUE(figure != nullptr && figure->a && figure->b) << key;
@@ -53,8 +53,8 @@ TEST(CompareFigures, OfAPlanAndItsLogAreTheirMotions) {
 TEST(CompareFigures, UseOfSpeedAndTorqueIsTheLargestShareOfALimit) {
   const synthetic::Played walker = synthetic::Walked(2, {.count = 2});
   synthetic::Played fast = walker;
-  fast.log.samples[50].v[6 + 4] = -7.5;  // of 10 m/s
-  fast.log.samples[60].tau[3] = -150.0;  // of 200 N
+  fast.log.samples[50].v[6 + 4] = -7.5;  // the limit is 10 m/s
+  fast.log.samples[60].tau[3] = -150.0;  // the limit is 200 N
   const auto figures = FiguresOf(ComparedLog(walker.model, walker.log, "a"), ComparedLog(walker.model, fast.log, "b"));
   EXPECT_NEAR(BothOf(figures, "joint_speed_use_max").second, 0.75, 1e-12);
   EXPECT_NEAR(BothOf(figures, "torque_of_limit_max").second, 0.75, 1e-12);
@@ -108,7 +108,7 @@ TEST(CompareWords, OptionsThatDifferAreNamedWithBothValues) {
   EXPECT_EQ(FindWord(words, "extra")->b, "on");
 }
 
-/// Several options of a group that one side alone has are marked, so that they can be told as one.
+/// Options of a group that only one side has are marked, so that the text can summarise them.
 TEST(CompareWords, AGroupThatOneSideAloneHasIsMarked) {
   synthetic::Played a = synthetic::Stood(), b = a;
   a.plan.provenance.options = {{"stairs.rise_m", "0.1"}, {"stairs.run_m", "0.3"}, {"swing.height_m", "0.05"}};
@@ -120,7 +120,7 @@ TEST(CompareWords, AGroupThatOneSideAloneHasIsMarked) {
   EXPECT_EQ(FindWord(words, "swing.time_s")->only, ' ') << "the other side has some of this group";
 }
 
-/// What a playback did that is not usual is told beside a plan, which has no such options.
+/// Non-default options of a playback are listed in a comparison with a plan, which has no such options.
 TEST(CompareWords, UnusualOptionsOfAPlaybackAreToldBesideItsPlan) {
   synthetic::Played walker = synthetic::Stood();
   walker.log.options = {{"play.friction", "0.123"}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a log does not say, since rows are missing or a joint is, is no difference.
+// Missing rows or joints of a log do not count as differences.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ ComparedMotion PlanWithGapsSide(const synthetic::Played& walker) {
   return ComparedPlan(walker.model, walker.plan, "plan.json");
 }
 
-/// The plan as somebody else's table, without the rows between two times of the plan's clock.
+/// The plan as an external table, without the rows between two times of the plan's clock.
 MotionTable TableWithout(const synthetic::Played& walker, const TimeGap& gap, double ahead_s = 0.0) {
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 200.0);
   MotionTable table;
@@ -55,7 +55,7 @@ TEST(CompareGaps, DoNotMoveTheClockAndAreNoDifference) {
         EXPECT_NEAR(c.offset_s, turned ? -ahead_s : ahead_s, 1e-3);
         EXPECT_GT(c.best_offset->agreement, 0.99);
         EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
-        EXPECT_TRUE(NotesOfGaps(c, "'robot.csv', rows are missing: there is none for "));
+        EXPECT_TRUE(NotesOfGaps(c, "'robot.csv', rows are missing: there are none for "));
       }
     }
   }

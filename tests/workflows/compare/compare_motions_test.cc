@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions whose differences are known in closed form, since they were put there.
+// Motions with known differences, which the test adds.
 #include "workflows/compare/compare_motions.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ ComparedMotion PlanSide(const synthetic::Played& walker) {
 }
 ComparedMotion LogSide(const synthetic::Played& walker) { return ComparedLog(walker.model, walker.log, "log.json"); }
 
-/// The log as somebody else's table, its clock `ahead_s` ahead.
+/// The log as an external table, with its clock `ahead_s` ahead.
 ComparedMotion TableSide(const synthetic::Played& walker, double ahead_s) {
   MotionTable table;
   for (const LogSample& sample : walker.log.samples) {
@@ -218,7 +218,7 @@ TEST(CompareMotions, OptionsOfOneSideAloneAreToldInOneLine) {
   ASSERT_EQ(folded.each.size(), 1U) << "a group that both have is told option by option";
   EXPECT_EQ(folded.each[0].key, "pipeline.on");
   const std::string text = ComparisonText(c, {});
-  EXPECT_TRUE(synthetic::Says(text, "  options of A alone: gait, swing.*, seed\n")) << text;
+  EXPECT_TRUE(synthetic::Says(text, "  options only in A: gait, swing.*, seed\n")) << text;
   EXPECT_FALSE(synthetic::Says(text, "against -")) << text;
   EXPECT_TRUE(synthetic::Says(ComparisonJson(c, {}), "swing.clearance_m")) << "programs are told all";
   EXPECT_TRUE(synthetic::Says(ComparisonPage(PlanSide(first), PlanSide(imported), c, {}), "gait, swing.*, seed"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a robot measures is noisy: that is no difference, and a fault in it is named as what it is.
+// Measurement noise does not count as a difference; a fault in a noisy log is found.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace {
 constexpr double kFault_s = 3.0;
 constexpr int kFaulty = 3;  // right_x
 
-/// How a robot that does as planned writes down what it does.
+/// The log of a robot that follows its plan.
 struct Logger {
   double rate_hz = 200.0, ahead_s = 0.0;
-  double noise_m = 0.0;           ///< of positions, standard deviation
-  double fault_m = 0.0;           ///< by which one joint is off from kFault_s on
-  double step_m = 0.0;            ///< to which positions are rounded
-  bool gives_speeds = false;      ///< with noise of their own
+  double noise_m = 0.0;           ///< standard deviation of positions
+  double fault_m = 0.0;           ///< error of one joint from kFault_s on
+  double step_m = 0.0;            ///< positions are rounded to multiples of it
+  bool gives_speeds = false;      ///< the log has speeds, with separate noise
   double speed_noise_m_s = 0.05;  ///< standard deviation
 };
 
@@ -164,7 +164,7 @@ TEST(NoiseGain, IsWhatNoiseComesOutWithBetweenUnevenRows) {
   std::normal_distribution<double> noise(0.0, 1e-3);
   MotionTable table;
   for (int k = 0; k < 2000; ++k) {
-    table.time_s.push_back(0.01 * (k / 2) + (k % 2 == 0 ? 0.0 : 0.004));  // 4 and 6 ms apart in turn
+    table.time_s.push_back(0.01 * (k / 2) + (k % 2 == 0 ? 0.0 : 0.004));  // 4 and 6 ms apart alternately
     VectorX q(6);
     for (double& x : q) x = noise(random);
     table.q.push_back(q);
@@ -172,9 +172,9 @@ TEST(NoiseGain, IsWhatNoiseComesOutWithBetweenUnevenRows) {
   const ComparedMotion side = ComparedTable(walker.model, table, "noise.csv");
   double sum = 0.0;
   for (std::size_t k = 1; k + 1 < side.rows.v.size(); ++k) sum += side.rows.v[k].tail(6).squaredNorm();
-  const double measured = std::sqrt(sum / (6.0 * 1998.0)) / 1e-3, foretold = NoiseGain(table.time_s, 5.001);
-  EXPECT_GT(foretold, 100.0);
-  EXPECT_NEAR(measured / foretold, 1.0, 0.05);
+  const double measured = std::sqrt(sum / (6.0 * 1998.0)) / 1e-3, predicted = NoiseGain(table.time_s, 5.001);
+  EXPECT_GT(predicted, 100.0);
+  EXPECT_NEAR(measured / predicted, 1.0, 0.05);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(CompareSeries, TolerancesScaleWithTheKindOfQuantity) {
   EXPECT_DOUBLE_EQ(tolerance(SeriesScale::kLength, 0.0), 0.1) << "of a metre where the leg is unknown";
 }
 
-/// A joint that stays still has a tenth of the scale of the one that moves most; of another unit it says nothing.
+/// A joint at rest has a tenth of the scale of the joint that moves most; joints with another unit do not count.
 TEST(CompareSeries, AJointThatStaysStillHasAScale) {
   ComparedSeries moves = SeriesWith(SeriesScale::kPosition, {0.0, 3.0}, {0.0, 3.0});
   ComparedSeries rests = SeriesWith(SeriesScale::kPosition, {0.0, 0.0}, {0.0, 0.0});
@@ -93,14 +93,14 @@ TEST(CompareSeries, NoiseOfAMeasurementWidensTheTolerance) {
   EXPECT_EQ(DifferenceOfOne(series, 0.0, true).noise, 0.0) << "who wants none gets none";
 }
 
-/// Rounding to steps of an encoder is at least the noise of an even distribution over a step.
+/// The noise of encoder steps is at least that of a uniform distribution over a step.
 TEST(CompareSeries, EncoderStepsAreNoiseThoughAJointStandsStill) {
   ComparedSeries series = SeriesWith(SeriesScale::kPosition, Values(20, 0.0), Values(20, 0.0));
   series.resolution = 0.06;
   EXPECT_NEAR(DifferenceOfOne(series, 0.1, true).noise, 0.06 / std::sqrt(12.0), 1e-12);
 }
 
-/// A computed speed is one of two rows: it shows at the later one, and not over a gap.
+/// A computed speed belongs to two rows: it is compared at the later one, and not across a gap.
 TEST(CompareSeries, AComputedSpeedShowsAtTheRowAfterIt) {
   ComparedSeries speed = SeriesWith(SeriesScale::kSpeed, {0, 0, 0, 0}, {0, 1, 0, 0});
   speed.noise_gain = {1, 1, 1, 1};

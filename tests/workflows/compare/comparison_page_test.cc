@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// Positions of the joints alone, as a robot's own log may have them.
+/// Joint positions only, as in the log of a robot.
 ComparedMotion JointsAlone(const synthetic::Played& walker) {
   MotionTable table;
   for (const LogSample& sample : walker.log.samples) {
@@ -18,7 +18,7 @@ ComparedMotion JointsAlone(const synthetic::Played& walker) {
   return ComparedTable(walker.model, table, "robot.csv");
 }
 
-/// The figure of a page that has this id; empty where there is none.
+/// The figure of a page with this id; empty if there is none.
 std::string FigureOf(const std::string& page, const std::string& id) {
   const std::size_t begin = page.find("<figure id=\"" + id + "\">");
   return begin == std::string::npos ? "" : page.substr(begin, page.find("</figure>", begin) - begin);

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// A biped one of whose joints makes a move about a time, with its speeds.
+/// A biped with one joint that moves around a given time, with its speeds.
 ComparedMotion MoveAbout(double middle_s, double size = 1.0, double start_s = 0.0, double end_s = 3.0) {
   constexpr double kWidth = 0.15;  // [s]
   MotionTable table;
@@ -58,7 +58,7 @@ TEST(TimeAlignment, SwappedSidesHaveTheOppositeOffsetAndTheSameAgreement) {
   EXPECT_NEAR(ab->agreement, ba->agreement, 1e-3);
 }
 
-/// 2 k / (1 + k^2) of a motion k times as large.
+/// A motion with k times the amplitude has the agreement 2 k / (1 + k^2).
 TEST(TimeAlignment, AMotionOfAnotherSizeAgreesLess) {
   for (const double k : {0.5, 2.0}) {
     const auto offset = BestOffset(MoveAbout(1.5), MoveAbout(1.7, k), kMovingJoint);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a motion may be taken for, and how its maker says what it is.
+// Motions that may be misinterpreted, and the options that set their interpretation.
 #include "workflows/exchange/check_motion_table.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-/// A stance of a robot, its feet on the ground unless it says otherwise.
+/// A standing robot; its feet are on the ground by default.
 OtherStance StanceOf(const RobotModel& model) { return {.base_z_m = model.standing_base_height_m}; }
 
 Result<ImportedMotion> Imported(const RobotModel& model, const OtherStance& stance, const ImportOptions& options = {}) {
@@ -96,7 +96,7 @@ TEST(CheckMotionTable, MetresAreBelievedWhenTheyAreSaidToBeSuch) {
 
 TEST(CheckMotionTable, AWrongHeightIsNotLaidToTheOrderOfTheQuaternion) {
   const RobotModel& a1 = NamedRobot("a1");
-  const OtherStance low;  // its base at 0
+  const OtherStance low;  // its base is at height 0
   const std::string lift = fmt::format("--set lift_m={:.4f}", a1.standing_base_height_m);
   ExpectWhy(Imported(a1, low), {"under the ground in most rows", lift});
   ImportOptions options;
@@ -112,9 +112,10 @@ TEST(CheckMotionTable, TheOrderIsStillAskedWhereHeightsAreWrong) {
   low.turn = "1,0,0,0";
   const std::string why = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
   EXPECT_NE(why.find("the base's quaternion probably has w first"), std::string::npos) << why;
-  low.turn = "0,0.7071,0,0.7071";  // on its side in either
+  low.turn = "0,0.7071,0,0.7071";  // on its side in both orders
   const std::string neither = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
-  EXPECT_NE(neither.find("the robot is upright in no order of the base's quaternion"), std::string::npos) << neither;
+  EXPECT_NE(neither.find("the robot is not upright with either order of the base's quaternion"), std::string::npos)
+      << neither;
 }
 
 TEST(CheckMotionTable, AStandingRobotIsTakenAsItIsNamed) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kOneDegree = std::numbers::pi / 180.0;
 
-/// A biped of which one joint turns.
+/// A biped with one revolute joint.
 RobotModel HalfTurningBiped() {
   RobotModel model = synthetic::Robot(2, FootType::kSole);
   model.joints[1].type = JointType::kRevolute;
@@ -78,7 +78,7 @@ TEST(ColumnTargets, AJointsWholeNameComesBeforeAnotherOneWithAUnit) {
   EXPECT_EQ(targets.at("q_left_x_mm").index, 0);
 }
 
-/// What this program writes, it reads in SI units, each value once.
+/// Exported columns are read in SI units, each value once.
 TEST(ColumnTargets, ColumnsThatAreExportedAreReadWithTheirOwnMeaning) {
   const RobotModel model = HalfTurningBiped();
   const auto targets = ColumnTargets(model, {});

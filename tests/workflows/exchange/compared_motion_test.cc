@@ -48,14 +48,14 @@ TEST(ComparedMotion, ASpeedThatIsComputedIsExactForParabolas) {
   for (std::size_t k = 1; k + 1 < kUnevenTimes.size(); ++k) {
     for (int d = 0; d < 6; ++d) EXPECT_NEAR(motion.rows.v[k][6 + d], rate(kUnevenTimes[k], d), 1e-12) << k;
   }
-  for (int d = 0; d < 6; ++d) {  // of the line through two rows at an end
+  for (int d = 0; d < 6; ++d) {  // from the last two rows at an end
     EXPECT_NEAR(motion.rows.v.front()[6 + d], rate(0.005, d), 1e-12);
     EXPECT_TRUE(motion.derives_speed(d));
   }
   EXPECT_TRUE(std::isnan(motion.rows.v[2][0])) << "nothing is known of the base";
 }
 
-/// The noise of a speed is the root of the sum of squares of what each position adds to it.
+/// The noise of a speed is the root of the sum of squares of the contributions of the positions.
 TEST(ComparedMotion, NoiseGainIsThatOfTheSpeedsThemselves) {
   std::vector<double> squared(kUnevenTimes.size(), 0.0);
   for (std::size_t j = 0; j < kUnevenTimes.size(); ++j) {

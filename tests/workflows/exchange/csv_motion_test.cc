@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot's own columns of numbers as one side of a comparison.
+// The CSV log of a robot as one side of a comparison.
 #include "workflows/exchange/csv_motion.h"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ TEST(ComparedCsv, TheOrderOfTheQuaternionIsApplied) {
 
 TEST(ComparedCsv, ItsWorldMayBeItsOwn) {
   OtherWalk walk;
-  walk.length_scale = 0.0;  // its odometry stays where it began, far above the ground for its feet
+  walk.length_scale = 0.0;  // its base position stays at the origin, so that the feet do not match the ground
   EXPECT_TRUE(Side(CsvOf(walk)).ok());
 }
 

@@ -143,7 +143,7 @@ TEST(CsvTable, FileThatIsNotThereIsNamed) {
   EXPECT_NE(table.failure().message.find("/nowhere/motion.csv"), std::string::npos);
 }
 
-// 40 bytes end inside of the 13th character of three bytes.
+// Byte 40 is inside the 13th character of three bytes.
 TEST(CsvTable, ALongCellIsShownUpToACharactersEnd) {
   std::string cell = "ab", shown = "ab";
   for (int i = 0; i < 20; ++i) cell += "\u932f";

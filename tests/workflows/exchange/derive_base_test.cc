@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The base of a walk is taken away and found again by its feet.
+// The base of a walk is removed and derived again from its feet.
 #include "workflows/exchange/derive_base.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ EvenMotion WithoutBase(const synthetic::Played& walker, bool contacts) {
   return motion;
 }
 
-/// How far the derived base is from the plan's, both from where they begin.
+/// Distance of the derived base from the plan's base, both relative to their start.
 double FarthestBase(const synthetic::Played& walker, const EvenMotion& motion) {
   double farthest = 0.0;
   const std::vector<VectorX>& q = walker.plan.whole_body.q;
@@ -60,7 +60,7 @@ TEST(DeriveBase, WithoutContactsItsLowFeetAreTakenToStand) {
   EXPECT_NEAR(motion.q.back()[2], synthetic::kHeight, 0.01);
 }
 
-/// The speeds that are derived are those of the positions.
+/// The derived speeds are the derivatives of the positions.
 TEST(DeriveBase, SpeedsAreTheDifferencesOfPositions) {
   const synthetic::Played walker = synthetic::Walked(4, {.count = 2});
   EvenMotion motion = WithoutBase(walker, true);

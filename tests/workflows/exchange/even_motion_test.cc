@@ -20,7 +20,7 @@ std::vector<double> TimesEvery(double step_s, int count, double start_s = 0.0) {
   return times;
 }
 
-/// A biped whose base and joints follow cubics, which splines have exactly.
+/// A biped whose base and joints follow cubics, which splines reproduce exactly.
 double CubicAt(int i, double t) { return 0.1 * i + (0.2 - 0.1 * i) * t + 0.5 * i * t * t - 0.3 * t * t * t; }
 double CubicRate(int i, double t) { return (0.2 - 0.1 * i) + i * t - 0.9 * t * t; }
 double CubicAcceleration(int i, double t) { return i - 1.8 * t; }
@@ -39,7 +39,7 @@ MotionTable CubicTable(const std::vector<double>& time_s) {
   return table;
 }
 
-/// A motion with what is said of it.
+/// A motion with its notes and warnings.
 struct ResampledTable {
   EvenMotion motion;
   std::vector<DerivedPart> derived;
@@ -109,7 +109,7 @@ TEST(EvenMotion, AShortLastStepIsLeftOutAndSaid) {
   EXPECT_TRUE(result.IsDerived("end"));
 }
 
-/// The rate of a rotation is that of the rotations themselves, whatever the signs of the quaternions.
+/// The angular velocity does not depend on the signs of the quaternions.
 TEST(EvenMotion, AngularVelocityIsThatOfTheRotations) {
   MotionTable table = CubicTable(TimesEvery(0.005, 60));
   const auto turn = [](double t) -> Matrix3 {
@@ -117,7 +117,7 @@ TEST(EvenMotion, AngularVelocityIsThatOfTheRotations) {
   };
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
     table.quaternion[k] = Quaternion(turn(table.time_s[k])).coeffs();
-    if (k % 3 == 0) table.quaternion[k] *= -2.0;  // neither its sign nor its length says anything
+    if (k % 3 == 0) table.quaternion[k] *= -2.0;  // sign and length of a quaternion must not matter
   }
   const EvenMotion motion = ResampledBiped(table).motion;
   for (int k = 5; k < motion.size() - 5; ++k) {
@@ -137,7 +137,7 @@ TEST(EvenMotion, GivenVelocitiesAreMetAtTheRowsUnlessTheyAreNotWanted) {
   MotionTable table = CubicTable(TimesEvery(0.02, 10));
   for (const double t : table.time_s) {
     VectorX v(6);
-    for (int d = 0; d < 6; ++d) v[d] = CubicRate(d, t) + 0.01;  // not quite those of the positions
+    for (int d = 0; d < 6; ++d) v[d] = CubicRate(d, t) + 0.01;  // not exactly the derivatives of the positions
     table.v.push_back(v);
   }
   const ResampledTable given = ResampledBiped(table);

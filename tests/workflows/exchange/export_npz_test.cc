@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The archives are taken apart here by their published formats, not by the code that wrote them.
+// The archives are read here by their published formats, independently of the code that wrote them.
 #include "workflows/exchange/export_npz.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::uint32_t Crc32(const std::string& bytes) {
   return ~crc;
 }
 
-/// The files of an archive by its central directory. PKWARE, APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.16.
+/// The files of an archive, from its central directory. PKWARE, APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.16.
 std::map<std::string, std::string> Unzipped(const std::string& zip) {
   std::map<std::string, std::string> files;
   const std::size_t end = zip.size() - 22;
@@ -142,7 +142,7 @@ std::string PythonWithNumPy() {
   return "";
 }
 
-// NumPy itself has the last word.
+// NumPy itself must read the archive.
 TEST(MotionNpzArchive, IsOpenedByNumPy) {
   const std::string python = PythonWithNumPy();
   ASSERT_NE(python, "") << "NumPy is not installed (Debian: python3-numpy)";

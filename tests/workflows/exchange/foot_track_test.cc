@@ -61,7 +61,7 @@ TEST(FootTrack, ASphereThatTurnsForwardHasRolledByRadiusTimesAngle) {
   q[2] = 0.5;
   q.tail(6) = model.standing_joints;
   for (int k = 0; k <= 10; ++k) {
-    q.segment<4>(3) = Quaternion(RotationExp(Vector3(0.0, 0.05 * k, 0.0))).coeffs();  // turns about y, towards +x
+    q.segment<4>(3) = Quaternion(RotationExp(Vector3(0.0, 0.05 * k, 0.0))).coeffs();  // about y, rolls towards +x
     motion.q.push_back(q);
     motion.v.emplace_back(VectorX::Zero(model.nv()));
   }

@@ -86,7 +86,7 @@ TEST(FootstepFile, WhatTakesMoreThanAnHourIsRefusedWithTheLine) {
   for (int i = 0; i < 3000; ++i)
     text += i % 2 == 0 ? "- {foot: RL_foot, x_m: -0.12, y_m: 0.13}\n" : "- {foot: FR_foot, x_m: 0.2, y_m: -0.13}\n";
   ExpectNoSteps(text,
-                "line 7: foot 'FR_foot' touches down at 4200.8 s, 0.8 s before the end; a motion of at most 3600 s");
+                "line 7: foot 'FR_foot' touches down at 4200.8 s and the motion ends 0.8 s later; at most 3600 s");
   ExpectNoSteps(
       "final_stand_s: 3000\nfootsteps:\n- {foot: RL_foot, x_m: 0, y_m: 0.13, lift_off_s: 900, touch_down_s: "
       "901}\n",
@@ -114,7 +114,7 @@ TEST(FootstepFile, ManyStepsAreReadAndNoMoreThanThere) {
   ExpectNoSteps(ManySteps(10001), "has 10001 footsteps; at most 10000 are read");
 }
 
-/// All feet in turn, each put where the standing posture has it about the origin, turned to each of these headings.
+/// Steps of all feet in turn: each at its standing position relative to the origin, rotated to each of these headings.
 std::string Turning(double from_rad, double to_rad, int rounds) {
   const std::vector<Pose> standing = StandingFeet(FourFeet());
   const auto place = [&](std::size_t f, double yaw) {

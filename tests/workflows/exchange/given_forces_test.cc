@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forces and torques of walks on massless legs: a torque is minus the force on its foot.
+// Forces and torques of walks on massless legs: a joint force is minus the force on its foot.
 #include "workflows/exchange/given_forces.h"
 
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSlightForce = 0.05;  // [N], of 98 N of weight
+constexpr double kSlightForce = 0.05;  // [N]; the weight is 98 N
 
 enum class Given { kNothing, kForces, kTorques, kBoth };
 
-/// The rows of a walk with a part of its own forces and torques.
+/// The rows of a walk with some of its forces and torques.
 EvenMotion RowsWith(const synthetic::Played& walker, Given given) {
   EvenMotion motion;
   const WholeBodyTrajectory& body = walker.plan.whole_body;
@@ -81,7 +81,7 @@ TEST(GivenForces, TorquesOfAFileGiveTheForcesOnItsFeet) {
 TEST(GivenForces, BothAreTakenAsTheyAre) {
   const synthetic::Played walker = synthetic::Walked(2, {.count = 2});
   EvenMotion motion = RowsWith(walker, Given::kBoth);
-  for (VectorX& tau : motion.tau) tau *= 1.5;  // though they do not fit the forces
+  for (VectorX& tau : motion.tau) tau *= 1.5;  // they no longer fit the forces
   MotionPlan plan = Unloaded(walker.plan);
   std::vector<DerivedPart> derived;
   TakeGivenForces(walker.model, motion, plan, derived);

@@ -19,7 +19,7 @@
 namespace gaitwright {
 namespace {
 
-/// A file in the tests' folder with a text.
+/// Writes a text to a file in the folder of the tests.
 std::string FileWith(const std::string& name, const std::string& text) {
   const std::string path = ScratchFile(name);
   EXPECT_TRUE(WriteFileAtomically(path, text).ok());
@@ -45,7 +45,7 @@ void ExpectSays(const std::string& message, const std::vector<std::string>& part
   for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
 }
 
-/// The laws that a report names, each once.
+/// The checks that a report names, each once.
 std::vector<Law> LawsOf(const AuditReport& report) {
   std::vector<Law> laws;
   for (const Violation& violation : report.violations) {
@@ -74,7 +74,7 @@ TEST(ImportOthers, TrotOfOtherSoftwareIsAuditedPlayedAndScored) {
   EXPECT_EQ(imported->plan.footsteps.footholds.size(), 4U + 16U);
   for (const char* what : {"velocities", "accelerations", "contacts", "footholds", "swings", "torques", "goal"})
     EXPECT_TRUE(IsDerived(*imported, what)) << what;
-  // It trots open loop, upon lines between feet: the audit says so.
+  // It trots open loop on the lines between two feet, which the audit reports.
   EXPECT_FALSE(imported->audit.pass());
   const std::vector<Law> laws = LawsOf(imported->audit);
   EXPECT_NE(std::find(laws.begin(), laws.end(), Law::kZmpSupport), laws.end());
@@ -87,7 +87,7 @@ TEST(ImportOthers, TrotOfOtherSoftwareIsAuditedPlayedAndScored) {
 }
 
 TEST(ImportOthers, CrawlThatTipsOverFallsAndTheReportSaysWhy) {
-  OtherWalk walk;  // stands on two legs of one side for long, without leaning to them
+  OtherWalk walk;  // stands long on the two legs of one side, without leaning towards them
   walk.cycle_s = 4.0;
   walk.half_cycles = 2;
   walk.lift_m = 0.08;
@@ -115,10 +115,10 @@ TEST(ImportOthers, BaseIsWorkedOutFromTheFeetThatStand) {
     farthest =
         std::max(farthest, (with->plan.whole_body.q[k].head<3>() - without->plan.whole_body.q[k].head<3>()).norm());
   }
-  // The writer's feet do not roll, so that it goes 0.02 m short of each radian of the shank.
+  // The writer's feet do not roll, so that it is short by 0.02 m for each radian of shank rotation.
   EXPECT_GT(farthest, 1e-4);
   EXPECT_LT(farthest, 0.1);
-  // What is worked out stands on its feet, as nearly as its smoothing lets it; the writer's own base does not.
+  // The derived base fits its stance feet, except for the smoothing; the writer's base does not.
   const auto off_feet = [](const ImportedMotion& motion) {
     double most = 0.0;
     for (const Violation& violation : motion.audit.violations) {
@@ -151,7 +151,7 @@ TEST(ImportOthers, ContactsOfTheFileAreTaken) {
   const Result<ImportedMotion> imported = Imported("flags.csv", CsvOf(walk));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   EXPECT_FALSE(IsDerived(*imported, "contacts"));
-  // The first swing begins 0.03 s after 0.5 s; the next row is in it.
+  // The first swing begins at 0.53 s; the next row is in the swing.
   EXPECT_NEAR(imported->plan.schedule.phases.front().end_s, 0.535, 1e-9);
 }
 
@@ -272,7 +272,7 @@ TEST(ImportRefusals, JointsTurnedTheOtherWayAreNamedFirst) {
 }
 
 TEST(ImportOthers, FeetThatDoNotRollAreSaid) {
-  // Its thighs turn by a quarter of a radian and more over feet that stand: a sphere of 20 mm would roll by 5 mm.
+  // Its thighs rotate by 0.25 rad and more over stance feet: a sphere of 20 mm would roll by 5 mm.
   const Result<ImportedMotion> imported = Imported("points.csv", CsvOf({}));
   ASSERT_TRUE(imported.ok());
   const auto& said = imported->notes.warnings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans of ours that are exported and imported again.
+// Plans of this program are exported and imported again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ Result<ImportedMotion> Imported(const RobotModel& model, const std::string& text
   return ImportMotion(model, request);
 }
 
-/// A plan's own columns, as `export` writes them, without rates of the base and accelerations.
+/// The columns of a plan as `export` writes them, without base rates and accelerations.
 std::string CsvOfPlan(const RobotModel& model, const MotionPlan& plan) {
   std::string text = "time_s,base_x_m,base_y_m,base_z_m,base_qx,base_qy,base_qz,base_qw";
   for (const char* part : {"q_{}_rad", "v_{}_rad_s", "tau_{}_nm"}) {
@@ -99,7 +99,7 @@ TEST(ImportRoundTrip, PlansOfOursPassTheirAuditAndPlayAsWell) {
   ExpectRoundTrip("a1", amble);
 }
 
-/// The base and the contacts are worked out from the joints: at every rate alike.
+/// The base and the contacts are derived from the joints, with equal results at every rate.
 TEST(ImportRoundTrip, JointTrajectoriesOfAnyRateComeBackWithTheirBase) {
   struct Case {
     const char *robot, *gait;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows that are not there, rows that are too many, and files that are no motion of others.
+// Missing rows, extra rows, and files that are not motions of other software.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,14 +27,14 @@ Result<ImportedMotion> ImportedRows(const std::string& name, const std::string& 
   return ImportMotion(NamedRobot("a1"), request);
 }
 
-/// How something was worked out, or empty.
+/// How a quantity was derived, or empty.
 std::string HowOf(const ImportedMotion& imported, const std::string& what) {
   const std::vector<DerivedPart>& derived = imported.notes.derived;
   const auto found = std::find_if(derived.begin(), derived.end(), [&](const auto& part) { return part.what == what; });
   return found == derived.end() ? "" : found->how;
 }
 
-/// The first warning that begins so, or empty.
+/// The first warning that begins with this text, or empty.
 std::string WarningOf(const ImportedMotion& imported, const std::string& begin) {
   for (const std::string& warning : imported.notes.warnings) {
     if (warning.starts_with(begin)) return warning;
@@ -42,7 +42,7 @@ std::string WarningOf(const ImportedMotion& imported, const std::string& begin) 
   return "";
 }
 
-/// The same rows without those from one time to before another.
+/// The rows without those from one time up to another.
 std::string Without(const std::string& csv, double from_s, double to_s) {
   std::istringstream lines(csv);
   std::string text, line;
@@ -55,7 +55,7 @@ std::string Without(const std::string& csv, double from_s, double to_s) {
   return text;
 }
 
-/// The last row once more, at another time.
+/// Repeats the last row at another time.
 std::string WithLastRowAgainAt(const std::string& csv, const std::string& time) {
   const std::size_t last = csv.rfind('\n', csv.size() - 2) + 1;
   return csv + time + csv.substr(csv.find(',', last));
@@ -83,7 +83,7 @@ TEST(ImportRows, ALastStepThatIsLongerIsAHoleLikeAnyOther) {
   const Result<ImportedMotion> imported = ImportedRows("late.csv", WithLastRowAgainAt(CsvOf({}), "3.6"));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   EXPECT_NE(HowOf(*imported, "rows"), "");
-  EXPECT_NE(WarningOf(*imported, "rows are missing: there is none for 0.2 s from the file's 3.4 s on"), "");
+  EXPECT_NE(WarningOf(*imported, "rows are missing: there are none for 0.2 s from the file's 3.4 s on"), "");
 }
 
 TEST(ImportRows, HolesAreWarnedOf) {
@@ -96,15 +96,15 @@ TEST(ImportRows, HolesAreWarnedOf) {
   EXPECT_EQ(WarningOf(*of_few, "rows are missing"), "") << "20 ms";
   const std::string said = WarningOf(*of_one, "rows are missing");
   EXPECT_EQ(said,
-            "rows are missing: there is none for 0.305 s from the file's 0.095 s on; rows are usually 5 ms apart; the "
+            "rows are missing: there are none for 0.305 s from the file's 0.095 s on; rows are usually 5 ms apart; the "
             "motion in the gap is interpolated, not measured");
-  EXPECT_NE(WarningOf(*of_two, "rows are missing in 2 places, and this is the longest gap: there is none for 0.305 s"),
+  EXPECT_NE(WarningOf(*of_two, "rows are missing in 2 places, and this is the longest gap: there are none for 0.305 s"),
             "");
   const std::vector<std::string>& warnings = of_one->plan.warnings;
   EXPECT_NE(std::find(warnings.begin(), warnings.end(), said), warnings.end()) << "the plan keeps it";
 }
 
-/// The same rows at other times.
+/// The rows with other times.
 std::string Retimed(const std::string& csv, const std::function<double(int row, double time_s)>& time_of) {
   std::istringstream lines(csv);
   std::string text, line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plan of rows that come of a plan is that plan again.
+// Rows of a plan give the same plan again.
 #include "workflows/exchange/imported_plan.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(ImportedPlan, HasTheContactsFootholdsAndSwingsOfTheMotion) {
   EXPECT_TRUE(notes.warnings.empty()) << notes.warnings.front();
 }
 
-/// The legs weigh nothing, so the centre of mass is the base's place, and the forces carry ten kilograms.
+/// The legs are massless, so the centre of mass is at the base, and the forces carry ten kilograms.
 TEST(ImportedPlan, CentreOfMassAndForcesAreThoseOfTheModel) {
   const synthetic::Played walker = synthetic::Walked(2, {.count = 2});
   ImportNotes notes;

@@ -121,7 +121,7 @@ TEST(JointTrajectory, ANumberHasTheUnitOfTimes) {
   EXPECT_EQ(motion->time_s, (std::vector<double>{0.5, 2.0})) << "what says its unit keeps it";
 }
 
-/// The same messages as JSON.
+/// These messages as JSON.
 std::string JsonMessage(const std::string& points) {
   std::string text = "{\"joint_names\": [";
   for (const std::string& name : Quadruped().dof_names) text += (text.back() == '[' ? "\"" : ", \"") + name + "\"";
@@ -136,7 +136,7 @@ std::string JsonPoint(int nanoseconds) {
       nanoseconds);
 }
 
-std::string WhyNotJson(const std::string& text) {
+std::string ReasonNotJson(const std::string& text) {
   const Result<MotionTable> motion = ParseJointTrajectoryJson(Quadruped(), text, "walk.json", {});
   return motion.ok() ? "" : motion.failure().message;
 }
@@ -148,19 +148,19 @@ TEST(JointTrajectoryJson, IsReadByTheReaderOfJson) {
   EXPECT_EQ(motion->time_s, (std::vector<double>{0.0, 0.5}));
   EXPECT_EQ(motion->q[1][7], 7.0);
   EXPECT_TRUE(motion->v.empty());
-  EXPECT_EQ(WhyNotJson(JsonMessage(JsonPoint(5) + "," + JsonPoint(5))),
+  EXPECT_EQ(ReasonNotJson(JsonMessage(JsonPoint(5) + "," + JsonPoint(5))),
             "'walk.json': 'points[1].time_from_start' of 5e-09 s does not come after 5e-09 s of the previous point; "
             "times must increase");
-  EXPECT_EQ(WhyNotJson(JsonMessage(R"({"positions": [1], "time_from_start": 0})")),
+  EXPECT_EQ(ReasonNotJson(JsonMessage(R"({"positions": [1], "time_from_start": 0})")),
             "'walk.json': 'points[0].positions' has 1 numbers, but joint_names has 12 names");
-  EXPECT_EQ(WhyNotJson(JsonMessage(R"({"position": [1], "time_from_start": 0})")),
+  EXPECT_EQ(ReasonNotJson(JsonMessage(R"({"position": [1], "time_from_start": 0})")),
             "'walk.json': 'points[0]' has an unknown key 'position'; the nearest is 'positions'");
-  EXPECT_NE(WhyNotJson(R"({"joint_names": )").find("its JSON is cut short"), std::string::npos);
-  EXPECT_NE(WhyNotJson("joint_names: []").find("its JSON is broken"), std::string::npos);
-  EXPECT_NE(WhyNotJson("[]").find("object"), std::string::npos) << WhyNotJson("[]");
+  EXPECT_NE(ReasonNotJson(R"({"joint_names": )").find("its JSON is cut short"), std::string::npos);
+  EXPECT_NE(ReasonNotJson("joint_names: []").find("its JSON has a syntax error"), std::string::npos);
+  EXPECT_NE(ReasonNotJson("[]").find("object"), std::string::npos) << ReasonNotJson("[]");
 }
 
-constexpr int kLong = 60000;  // points; a million values of other YAML is read
+constexpr int kLong = 60000;  // points; more than the million values that other YAML files may have
 
 TEST(JointTrajectory, LongOnesAreReadInBothLanguages) {
   std::string yaml = "- {positions: &p {twelve}, velocities: *p, effort: *p, time_from_start: 0}\n",

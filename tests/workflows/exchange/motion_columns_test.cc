@@ -68,7 +68,7 @@ TEST(MotionColumns, AnglesOfTheBaseAreARotation) {
   EXPECT_NEAR(motion->base_m[0].z(), 0.3, 1e-12);
   const Eigen::Vector4d c = motion->quaternion[0];
   const Matrix3 R = Quaternion(c[3], c[0], c[1], c[2]).toRotationMatrix();
-  EXPECT_LT((R * Vector3::UnitY() - Vector3::UnitZ()).norm(), 1e-12);  // y goes up by the roll, where yaw leaves it
+  EXPECT_LT((R * Vector3::UnitY() - Vector3::UnitZ()).norm(), 1e-12);  // the roll turns y up; yaw leaves it
   EXPECT_LT((R * Vector3::UnitX() - Vector3::UnitY()).norm(), 1e-12);
 }
 

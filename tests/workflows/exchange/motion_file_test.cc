@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FileText{R"({"trajectory": {"joint_names": ["a"]}})", FileKind::kTrajectory},
                     FileText{R"({"metrics": {}})", FileKind::kJson}, FileText{"{}", FileKind::kJson},
                     FileText{R"({"format": "of-somebody-else", "metrics": {}, "verdict": "pass"})", FileKind::kJson}));
-/// A key counts only in the outermost object, and a value is no key.
+/// A key counts only in the outermost object, and a value does not count as a key.
 INSTANTIATE_TEST_SUITE_P(
     NestedKeys, KindsOfFiles,
     testing::Values(FileText{R"({"inner": {"format": "gaitwright-motion-plan"}})", FileKind::kJson},
@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FileText{R"({"other": {"joint_names": ["a"]}})", FileKind::kJson},
                     FileText{R"({"title": "format", "note": "gaitwright-motion-plan"})", FileKind::kJson},
                     FileText{R"({"list": [{"format": "gaitwright-playback-log"}]})", FileKind::kJson}));
-/// What breaks off is what its beginning says: the reader tells where it breaks off.
+/// The start of a truncated file decides its kind; the reader reports the truncation.
 INSTANTIATE_TEST_SUITE_P(BrokenOff, KindsOfFiles,
                          testing::Values(FileText{R"({"format": "gaitwright-motion-plan", "q": [1,)", FileKind::kPlan},
                                          FileText{R"({"joint_names": [)", FileKind::kTrajectory},

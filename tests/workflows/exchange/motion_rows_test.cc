@@ -43,7 +43,7 @@ TEST(MotionRows, AreEvenlySpacedAtRatesThatDoNotMeetTheEndToo) {
 }
 
 TEST(MotionRows, OfAPlanGoOnToRestBehindItsEndAndOfALogEndBeforeIt) {
-  const QuotedWalker walker;  // of 2.7 s
+  const QuotedWalker walker;  // lasts 2.7 s
   const MotionRows plan = RowsOfPlan(walker.model, walker.plan, 333.0),
                    log = RowsOfLog(walker.model, walker.log, 155.0);
   ASSERT_EQ(plan.size(), 901);
@@ -95,9 +95,9 @@ TEST(MotionRows, BetweenRowsTheBaseTurnsByTheShortestWay) {
   MotionRows rows;
   rows.time_s = {0.0, 1.0};
   VectorX q = VectorX::Zero(8);
-  q.segment<4>(3) << 0.0, 0.0, std::sin(0.1), std::cos(0.1);  // turned by 0.2 rad about z
+  q.segment<4>(3) << 0.0, 0.0, std::sin(0.1), std::cos(0.1);  // rotated by 0.2 rad about z
   rows.q.push_back(q);
-  q.segment<4>(3) << 0.0, 0.0, -std::sin(0.3), -std::cos(0.3);  // 0.6 rad, its sign changed
+  q.segment<4>(3) << 0.0, 0.0, -std::sin(0.3), -std::cos(0.3);  // 0.6 rad, with the opposite sign of the quaternion
   rows.q.push_back(q);
   rows.v.assign(2, VectorX::Ones(7));
   RowSample sample;

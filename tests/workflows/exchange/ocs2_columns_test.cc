@@ -20,7 +20,7 @@ CsvTable TableWithColumns(std::vector<std::string> columns) {
 
 const std::vector<std::string> kFewColumns = {"time", "base_positionInWorld_x", "jointAngle_LF_HAA"};
 
-/// The block quadruped with the joints' names of ANYmal, on legs in another order than where they stand.
+/// The block quadruped with joint names of OCS2, on legs in another order than their positions.
 RobotModel NamedAsAnymal() {
   RobotModel model = synthetic::Robot(4, FootType::kSphere);
   const std::vector<std::string> legs = {"RH", "LH", "RF", "LF"}, joints = {"HAA", "HFE", "KFE"};
@@ -54,7 +54,7 @@ TEST(Ocs2Columns, LegsAreFoundByWhereTheirFeetStand) {
   EXPECT_TRUE(synthetic::Says(derived[0].how, "LF_HAA is front_left_x")) << derived[0].how;
 }
 
-/// Each of their columns is one of ours, and none of ours stands for two.
+/// Each of their columns maps to a different column of this program.
 TEST(Ocs2Columns, NoTwoColumnsMeanOneThing) {
   std::vector<DerivedPart> derived;
   const Result<ColumnNames> names =

@@ -18,7 +18,7 @@ double Ease(double u) {
   return c * c * c * (10.0 + c * (6.0 * c - 15.0));
 }
 
-/// Thigh and calf of two links of 0.2 m whose end is at (x, z) from the hip: the law of cosines.
+/// Thigh and calf angles of two links of 0.2 m whose end is at (x, z) from the hip, by the law of cosines.
 std::array<double, 2> TwoLinks(double x, double z) {
   constexpr double kLink = 0.2;
   const double reach = std::min(std::hypot(x, z), 1.999 * kLink);
@@ -31,7 +31,7 @@ struct Span {
   double start, end;
 };
 
-/// What a row says of one leg.
+/// Data of one leg in a row.
 struct LegRow {
   double thigh = 0.0, calf = 0.0;
   bool stands = true;
@@ -85,7 +85,7 @@ class Writer {
   }
 
  private:
-  /// Where a foot stands after so many swings: where its hip is half way through that stance.
+  /// Position of a foot after a number of swings: that of its hip in the middle of the stance.
   double Place(std::size_t leg, std::size_t swings) const {
     if (swings == 0) return 0.0;
     if (swings == swings_[leg].size()) return Base(end_s_);

@@ -16,7 +16,7 @@ const RobotModel& Robot() {
   return model;
 }
 
-/// Each foot once, by 5 cm ahead.
+/// One step of each foot, 5 cm forward.
 std::vector<PlacedStep> OneRound() {
   std::vector<PlacedStep> steps;
   for (const int foot : {3, 1, 2, 0}) {
@@ -29,7 +29,7 @@ std::vector<PlacedStep> OneRound() {
 TEST(PlacedSteps, TheFileSaysTheSame) {
   const std::string yaml = FootstepsYaml(Robot(), OneRound(), {.swing_s = 0.4, .pause_s = 0.1});
   const FootstepPlan read = ReadFootsteps(Robot(), FlatTerrain(), yaml, "steps", 0.005).value().footsteps;
-  ASSERT_EQ(read.footholds.size(), 8U);  // and where they stand at first
+  ASSERT_EQ(read.footholds.size(), 8U);  // including the initial positions
   for (std::size_t k = 0; k < 4; ++k) {
     const PlacedStep step = OneRound()[k];
     EXPECT_EQ(read.footholds[4 + k].foot, step.foot);

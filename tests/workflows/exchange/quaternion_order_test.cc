@@ -58,7 +58,7 @@ TEST(QuaternionOrder, AWalkWithWFirstIsRefusedAndTheOptionNamed) {
          {static_cast<const Terrain*>(&walker.plan.terrain), static_cast<const Terrain*>(nullptr)}) {
       const std::string refusal = OrderRefusal(walker, table, ground);
       EXPECT_TRUE(synthetic::Says(refusal, "--quaternion-order wxyz")) << heading << refusal;
-      EXPECT_FALSE(synthetic::Says(refusal, "in no order")) << heading << refusal;
+      EXPECT_FALSE(synthetic::Says(refusal, "with either order")) << heading << refusal;
     }
   }
 }
@@ -74,12 +74,12 @@ TEST(QuaternionOrder, TheOrderIsJudgedByTheBaseAloneWhereItsPlaceIsUnknown) {
 TEST(QuaternionOrder, ARobotThatLiesInBothOrdersIsRefused) {
   const synthetic::Played walker = synthetic::Walked();
   MotionTable table = WalkTable(walker, 0.0);
-  const double half = std::numbers::pi / 3.0;  // turned by 120 degrees about y
+  const double half = std::numbers::pi / 3.0;  // rotated by 120 degrees about y
   for (Eigen::Vector4d& c : table.quaternion) c << 0.0, std::sin(half), 0.0, std::cos(half);
-  EXPECT_TRUE(synthetic::Says(OrderRefusal(walker, table, &walker.plan.terrain), "upright in no order"));
+  EXPECT_TRUE(synthetic::Says(OrderRefusal(walker, table, &walker.plan.terrain), "not upright with either order"));
 }
 
-/// Heights that are wrong in both orders say nothing of the order.
+/// Heights that are wrong in both orders do not decide the order.
 TEST(QuaternionOrder, AWrongHeightIsNoMatterOfTheOrder) {
   const synthetic::Played walker = synthetic::Walked();
   EXPECT_EQ(OrderRefusal(walker, WalkTable(walker, 0.4), &walker.plan.terrain, 10.0), "");

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// A biped that walks, one of its joints turning, with a name that CSV and YAML must quote.
+/// A walking biped with one revolute joint, whose name must be quoted in CSV and YAML.
 struct QuotedWalker : synthetic::Played {
   QuotedWalker() : Played(synthetic::Walked(2, {.count = 2})) {
     model.joints[1].type = JointType::kRevolute;
@@ -16,7 +16,7 @@ struct QuotedWalker : synthetic::Played {
   }
 };
 
-/// What a call is refused with.
+/// The message with which a call is refused.
 template <class Call>
 std::string RefusalText(Call call) {
   try {
@@ -27,7 +27,7 @@ std::string RefusalText(Call call) {
   return "nothing was refused";
 }
 
-/// Whether two vectors are the same to the bit.
+/// Whether two vectors are equal to the bit.
 inline bool AreSame(const VectorX& a, const VectorX& b) { return a.size() == b.size() && a == b; }
 
 }  // namespace gaitwright

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What comparisons print has the shapes that the schemas are made of; `compare` adds the files itself.
+// The JSON of comparisons has the shapes of the schemas; `compare` adds the files.
 #include <gtest/gtest.h>
 
 #include "playback/score/report_text.h"

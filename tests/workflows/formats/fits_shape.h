@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// Where a value does not have a shape, as a path with the reason; "" where it has.
+/// Path and reason of the first mismatch of a value with a shape; "" if it fits.
 inline std::string Misfit(const nlohmann::ordered_json& value, const DataShape& shape, const std::string& path = "$") {
   using Kind = DataShape::Kind;
   if (value.is_null() && shape.or_null) return "";
@@ -57,7 +57,7 @@ inline std::string Misfit(const nlohmann::ordered_json& value, const DataShape& 
   return why;
 }
 
-/// The same without one key of an object.
+/// The object without one key.
 inline nlohmann::ordered_json Without(nlohmann::ordered_json json, const std::string& key) {
   json.erase(key);
   return json;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the studies print has the shapes that the schemas are made of.
+// The JSON of studies has the shapes of the schemas.
 #include <gtest/gtest.h>
 
 #include "tests/workflows/formats/fits_shape.h"
@@ -34,7 +34,7 @@ TEST(StudyShapes, ATuningHasTheShapeOfItsResultHoweverItEnded) {
     EXPECT_EQ(Misfit(TuningObject(proof), TuneResultShape()), "") << static_cast<int>(proof);
 }
 
-/// The check itself: a key that is missing, one too many, and a value of another kind are found.
+/// Tests the check itself: it finds a missing key, an extra key, and a value of another type.
 TEST(StudyShapes, AnObjectThatIsSpoiltDoesNotFit) {
   Json tuning = TuningObject(MadeUpProof::kBetter);
   EXPECT_EQ(Misfit(Without(tuning, "verdict"), TuneResultShape()), "$ lacks verdict");

@@ -33,7 +33,7 @@ TEST(WalkShapes, AnAuditHasItsShape) {
   EXPECT_EQ(Misfit(Json::parse(AuditJson(report)), AuditShape()), "");
 }
 
-/// What ReportJson writes are members of the result of a walk, which the program adds to.
+/// The members that ReportJson writes are members of the result of a walk; the program adds others.
 TEST(WalkShapes, AReportHasTheMembersOfAWalksResult) {
   const synthetic::Played walker = synthetic::Walked(2, {.count = 2});
   synthetic::Played sunk = walker;
@@ -63,7 +63,7 @@ TEST(WalkShapes, FilesAreThoseOfTheirKindsAsFarAsWritten) {
   EXPECT_EQ(Misfit({{"plan", 3}}, files), "$.plan is no text");
 }
 
-/// Keys of every result are there once, or a reader could not tell which holds.
+/// Every key of a result is unique, since otherwise a reader could not tell which value counts.
 TEST(WalkShapes, NoResultHasAKeyTwice) {
   for (const DataShape& shape : {WalkResultShape(), DoResultShape(), AuditResultShape(), PreflightShape(),
                                  PlanResultShape(), TrialsResultShape(), SweepResultShape(), TuneResultShape(),

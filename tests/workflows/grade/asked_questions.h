@@ -14,7 +14,7 @@ inline QuestionValue Answer(std::vector<int> shape, std::vector<double> numbers)
   return {"answer", std::move(shape), std::move(numbers)};
 }
 
-/// A case of a question, as drawn with the usual ranges.
+/// A case of a question, drawn from the default ranges.
 inline std::vector<QuestionValue> Drawn(const std::string& name, const QuestionContext& context, int number = 0) {
   return DrawCase(QuestionOf(name), {}, context, 7, number);
 }

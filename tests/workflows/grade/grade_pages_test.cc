@@ -28,7 +28,7 @@ PartMark MarkedPart(const std::string& name, double points) {
   return part;
 }
 
-/// Two students; the second one's names would be formulas or markup.
+/// Two students; the names of the second one look like formulas or markup.
 ClassMarks MarkedClass() {
   ClassMarks marks;
   marks.title = "Walking & more";

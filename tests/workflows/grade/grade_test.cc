@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole class: its table, its pages, and what is told before anything is marked.
+// A whole class: its table, its pages, and failures before marking.
 #include "workflows/grade/grade.h"
 
 #include <fmt/format.h>
@@ -108,7 +108,7 @@ TEST_F(GradeClassTest, NamesAreNoFormulasAndNoMarkup) {
   }
 }
 
-/// The tests of code are skipped where it cannot be run confined; that nothing is run there is seen here.
+/// Other tests of code are skipped if it cannot be confined; this test checks that nothing runs in that case.
 TEST_F(GradeClassTest, CodeIsRunConfinedOrNotAtAll) {
   HandIn("class/ada", "work.py", kRight);
   const Result<ClassMarks> marks = Grade(RequestFor(kCode));
@@ -125,7 +125,7 @@ TEST_F(GradeClassTest, CodeIsRunConfinedOrNotAtAll) {
 }
 
 TEST_F(GradeClassTest, WordsOfASubmissionAreTextInItsPage) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/eve", "work.py", "raise ValueError('<img src=x onerror=alert(1)>\\n\\x1b[2J' + str(object()))\n");
   ASSERT_TRUE(Grade(RequestFor(kCode)).ok());
   const std::string& page = pages_[0].text;
@@ -156,9 +156,9 @@ TEST_F(GradeClassTest, GradesDoNotLieAmongTheSubmissions) {
   EXPECT_EQ(Grade(request).failure().code, FailureCode::kOutDir);
 }
 
-/// Nor its temporary folder's name, which is another each time.
+/// Messages do not contain the name of the temporary folder, which differs in each run.
 TEST_F(GradeClassTest, WordsOfASubmissionAreTheSameAgain) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/eve", "work.py", "import os\nopen(os.environ['HOME'] + '/none')\n");
   ASSERT_TRUE(Grade(RequestFor(kCode)).ok());
   const std::string page = pages_[0].text;
@@ -174,7 +174,7 @@ TEST_F(GradeClassTest, AClassWithoutStudentsIsRefused) {
 }
 
 TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/ada", "work.py", "");
   GradeRequest request = RequestFor(kCode);
   request.rubric_file = "/usr/lib/rubric.yaml";
@@ -183,7 +183,7 @@ TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {
 }
 
 TEST_F(GradeClassTest, APythonThatIsNoneIsTold) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/ada", "work.py", "");
   GradeRequest request = RequestFor(kCode);
   request.python = "/usr/bin/true";
@@ -200,7 +200,7 @@ TEST_F(GradeClassTest, ItEndsWhenAskedTo) {
   EXPECT_EQ(marks.failure().code, FailureCode::kInterrupted);
 }
 
-/// From now on this process has no Landlock, as on an older machine.
+/// From now on this process has no Landlock, as with an older kernel.
 void TakeLandlockAway() {
   sock_filter lines[] = {{BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
                          {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, SYS_landlock_create_ruleset},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Submissions that do not want to be marked: each gets nothing for it, and leaves nothing behind.
+// Hostile submissions: each gets no points and leaves nothing behind.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A part whose code may take so long: little where its end is what is looked at, else more than a busy machine takes.
+/// A part with this time limit: short if the test waits for the limit, otherwise longer than a busy machine needs.
 std::string PartOfLimit(double time_s) {
   return fmt::format(
       "{{name: zmp, kind: function, file: work.py, points: 10, reference: pendulum_zmp, cases: 3, "
@@ -31,11 +31,11 @@ const std::string kRightCode = "    return c[:2] - a[:2] * h / 9.81\n";
 class Hostile : public MadeClass {
  protected:
   void SetUp() override {
-    if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+    if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
     HandIn("eve", "secret.txt", "the solution");
     fs::create_directories(In("tmp"));
     fs::permissions(In("tmp"), fs::perms(0711));
-    setenv("TMPDIR", In("tmp").c_str(), 1);  // where submissions run
+    setenv("TMPDIR", In("tmp").c_str(), 1);  // folder in which submissions run
   }
   void TearDown() override {
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a process is left";
@@ -44,12 +44,12 @@ class Hostile : public MadeClass {
     EXPECT_TRUE(!fs::exists(In("tmp")) || fs::is_empty(In("tmp")));
     unsetenv("TMPDIR");
   }
-  /// The function's body, of a function that goes on to the right answer.
+  /// Marks a function whose body begins with this text and then returns the right answer.
   PartMark MarkBody(const std::string& body, double time_s = 30.0) const {
     return MarkCode(PartOfLimit(time_s), "import ctypes, os, socket, sys, time\ndef pendulum_zmp(c, a, h):\n    " +
                                              body + "\n" + kRightCode);
   }
-  /// What an attempt came to, in the submission's own words.
+  /// The result of an attempt, as reported by the submission.
   std::string Attempt(const std::string& expression) const {
     const PartMark mark = MarkBody("raise RuntimeError('it got ' + str(" + expression + "))");
     EXPECT_EQ(mark.points, 0.0);
@@ -75,7 +75,9 @@ TEST_F(Hostile, LoopsForEver) {
   ExpectNothing(MarkBody("exec('while True: pass')", kSoon), {"more than 1 s of CPU time"});
 }
 
-TEST_F(Hostile, Sleeps) { ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"the code slept for 11 s in all"}); }
+TEST_F(Hostile, Sleeps) {
+  ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"the code slept for more than 11 s in total"});
+}
 
 TEST_F(Hostile, TakesAllMemory) { ExpectNothing(MarkBody("bytearray(10 ** 10)"), {"MemoryError"}); }
 
@@ -137,8 +139,7 @@ TEST_F(Hostile, ReachesForOthers) {
   EXPECT_NE(Attempt("ctypes.CDLL(None).shmget(0, 4096, 0o1600)").find("it got -1"), std::string::npos);
 }
 
-/// Whatever a kernel has beside the calls that Python needs is out of reach; the whole list:
-/// system_call_filter_test.cc.
+/// System calls that Python does not need are refused; for the whole list see system_call_filter_test.cc.
 TEST_F(Hostile, MakesCallsThatAreNotOnTheList) {
   for (const long call : {SYS_io_uring_setup, SYS_userfaultfd, SYS_bpf, SYS_keyctl, SYS_process_vm_readv, SYS_splice,
                           SYS_inotify_init1, SYS_timer_create, SYS_execveat})
@@ -182,7 +183,7 @@ TEST_F(Hostile, AnswersTooMuch) {
 
 TEST_F(Hostile, PrintsWithoutEnd) {
   const PartMark mark = MarkBody("[os.write(1, b'x' * 1000000) for i in range(1000)]");
-  EXPECT_EQ(mark.points, 10.0) << mark.reasons.front();  // it went nowhere, and the answers are right
+  EXPECT_EQ(mark.points, 10.0) << mark.reasons.front();  // the attempt had no effect, and the answers are right
 }
 
 TEST_F(Hostile, FillsTheDisk) {
@@ -212,7 +213,7 @@ TEST_F(Hostile, HandsInWhatIsNoFile) {
   expect("bytes", "the submission says");
 }
 
-/// In a folder where the code of one student lies, another's links are not followed either.
+/// Links in the folder of a student's code are not followed.
 TEST_F(Hostile, OtherModulesThatAreLinksAreLeftOut) {
   HandIn("ada", "work.py", "");
   fs::create_symlink(In("eve") / "secret.txt", In("ada") / "stolen.py");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Marks of runs whose outcomes are made up, and what is refused before it is played.
+// Marks of runs with synthetic outcomes, and refusals before playback.
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
@@ -44,7 +44,7 @@ TEST(MarkOfRuns, AllPointsNeedNoReason) {
   EXPECT_EQ(mark.pages[0].title, "page");
 }
 
-// Of 4 trials in all 3 survived, and of 2 runs 1 passes its audit.
+// 3 of 4 trials survived, and 1 of 2 runs passes its audit.
 TEST(MarkOfRuns, SharesAreOverAllRunsAndTheirTrials) {
   const PartMark mark = MarkOfRuns(JudgedPart(), {Judged("a", true, 2, 2), Judged("b", false, 1, 2)}, {});
   ASSERT_EQ(mark.checks.size(), 2U);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 MadeClass::MadeClass() {
   std::string name = (fs::temp_directory_path() / "class-XXXXXX").string();
   folder_ = mkdtemp(name.data());
-  fs::permissions(folder_, fs::perms(0711));  // so that nobody can pass to what is below
+  fs::permissions(folder_, fs::perms(0711));  // so that user nobody can enter the folders below
 }
 
 MadeClass::~MadeClass() {
@@ -47,7 +47,7 @@ PartMark MadeClass::MarkCode(const std::string& part_yaml, const std::string& co
 }
 
 bool CanRunCode(bool package) {
-  if (!WhyNotConfined().empty()) return false;
+  if (!ReasonNotConfined().empty()) return false;
   const Result<PythonProgram> python = LookOver("");
   const bool serves = python.ok() && python->has_numpy && !(package && python->package.empty());
 #ifdef GAITWRIGHT_TESTS_HAVE_PYTHON

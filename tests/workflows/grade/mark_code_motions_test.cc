@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planners and controllers in Python: good, half good and bad ones.
+// Planners and controllers in Python: good, partly good and bad ones.
 #include <fmt/format.h>
 
 #include "tests/workflows/grade/made_class.h"
@@ -10,7 +10,7 @@ namespace {
 class MarkCodeOfMotions : public MadeClass {
  protected:
   void SetUp() override {
-    if (!CanRunCode(true)) GTEST_SKIP() << WhyNotConfined();
+    if (!CanRunCode(true)) GTEST_SKIP() << ReasonNotConfined();
   }
 };
 
@@ -18,7 +18,7 @@ const std::string kSteps =
     "{name: steps, kind: planner, file: work.py, points: 4, robot: nao, command: {goal_x_m: [0.08, 0.12]}, "
     "checks: [{measure: pass, points: 3}, {measure: goal_error_m, points: 1, full_at: 0.02}]}\n";
 
-/// A planner that goes a share of the way.
+/// A planner that covers a share of the distance.
 std::string Planner(double share) {
   return fmt::format(
       "import gaitwright as gw\n"
@@ -41,7 +41,7 @@ TEST_F(MarkCodeOfMotions, APlannerIsWalkedOver) {
   EXPECT_GT(half.checks[1].value.value_or(0.0), 0.03);
 }
 
-/// 12 cm are asked for; from 2 to 10 cm off, points fall off evenly.
+/// The goal is at 12 cm; points decrease linearly for errors from 2 to 10 cm.
 TEST_F(MarkCodeOfMotions, WhatGoesPartOfTheWayGetsItsShare) {
   const std::string part =
       "{name: steps, kind: planner, file: work.py, points: 3, robot: nao, command: {goal_x_m: 0.12}, "
@@ -65,7 +65,7 @@ TEST_F(MarkCodeOfMotions, StepsThatAreNoneAreToldSo) {
     return MarkCode(kSteps, "def plan_steps(robot, terrain, goal):\n    return " + steps + "\n");
   };
   ExpectNothing(gives("[]"), {"the planner gave no steps"});
-  ExpectNothing(gives("[('tail', 0, 0, 0)]"), {"a foot 'tail'; there are 'l_ankle', 'r_ankle'"});
+  ExpectNothing(gives("[('tail', 0, 0, 0)]"), {"unknown foot 'tail'; accepted: 'l_ankle', 'r_ankle'"});
   ExpectNothing(gives("[('l_ankle', float('nan'), 0, 0)]"), {"step 1, x is nan"});
   ExpectNothing(gives("[('l_ankle', 0, 0)]"), {"the submission says: ValueError"});
   ExpectNothing(gives("[('l_ankle', 0, 0, 0)] * 5000"), {"more than 1000 steps"});
@@ -110,7 +110,7 @@ TEST_F(MarkCodeOfMotions, AControllerThatFailsGetsNothing) {
                 {"negative stiffness or damping"});
   ExpectNothing(does("return {'score': 100}"), {"the submission says"});
   ExpectNothing(does("if now.time_s > 0.1: raise ValueError('enough')"), {"ValueError: enough"});
-  ExpectNothing(MarkCode(kControl, "def make_controller(plan): return 3\n"), {"gave no controller"});
+  ExpectNothing(MarkCode(kControl, "def make_controller(plan): return 3\n"), {"did not return a controller"});
 }
 
 }  // namespace

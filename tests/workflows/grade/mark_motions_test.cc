@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans, motions, parameters, planners and controllers: good, half good and bad ones, and ones that are not what they
-// say.
+// Plans, motions, parameters, planners and controllers: good, partly good, bad and falsified ones.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -31,7 +30,7 @@ MotionPlan Trot(double speed_m_s, double distance_m, const std::string& robot = 
   return planned->motion.plan;
 }
 
-/// The one that is asked for, made once.
+/// The requested plan, made once.
 const MotionPlan& GoodTrot() {
   static const MotionPlan plan = Trot(0.3, 0.3);
   return plan;
@@ -71,7 +70,7 @@ TEST_F(MarkPlan, OneForAnotherRobotGroundOrCommandGetsNothing) {
   ExpectNothing(MarkOfPlan(Trot(0.1, 0.1, "nao")), {"for robot 'nao'", "needs 'a1'"});
   ExpectNothing(MarkOfPlan(Trot(0.2, 0.3)), {"another command: speed_m_s is 0.2, not 0.3"});
   ExpectNothing(MarkOfPlan(Trot(0.3, 0.2)), {"another command: distance_m is 0.2, not 0.3"});
-  MotionPlan ahead = GoodTrot();  // past what is to be walked over, if there were any
+  MotionPlan ahead = GoodTrot();  // starts beyond the obstacles, if there were any
   for (VectorX& q : ahead.whole_body.q) q[0] += 3.0;
   ExpectNothing(MarkOfPlan(ahead), {"begins at x 3.00 m", "at the origin"});
   MotionPlan elsewhere = GoodTrot();
@@ -85,7 +84,7 @@ TEST_F(MarkPlan, OneThatSaysItIsAnotherIsFoundOut) {
   forged.robot_hash = GoodTrot().robot_hash;
   forged.parts = GoodTrot().parts;
   EXPECT_EQ(MarkOfPlan(forged).points, 0.0);
-  MotionPlan near = Trot(0.3, 0.1);  // a shorter walk that says it is the whole one
+  MotionPlan near = Trot(0.3, 0.1);  // a shorter walk that claims to be the whole one
   near.parts.front().command.distance_m = 0.3;
   const PartMark mark = MarkOfPlan(near);
   EXPECT_EQ(mark.checks[2].points, 0.0);

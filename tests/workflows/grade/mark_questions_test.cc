@@ -14,7 +14,7 @@ const std::string kHull = "{name: hull, kind: answers, file: hull.csv, points: 4
 class MarkFunction : public MadeClass {
  protected:
   void SetUp() override {
-    if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+    if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   }
 };
 
@@ -77,7 +77,7 @@ TEST_F(MarkFunction, ThePackageIsThereOnlyWhereTheRubricSaysSo) {
 
 class MarkAnswers : public MadeClass {
  protected:
-  /// Right answers to the first `count` cases, by the inputs that students get.
+  /// Right answers to the first `count` cases, from the inputs that students get.
   std::string Answers(int count) const {
     const CsvTable in = ParseCsvTable(InputsCsv(PartOf(kHull), 7), "inputs").value();
     std::string csv = "case,answer_0,answer_1\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs that are drawn from a rubric, and goals of commands.
+// Runs drawn from a rubric, and goals of commands.
 #include "workflows/grade/motion_run.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(DrawRuns, AreTheSameForOneSeedAndOthersForAnother) {
   EXPECT_NE(speeds(7), speeds(8));
 }
 
-// A number of a part does not depend on how many runs there are.
+// The values drawn for a run do not depend on the number of runs.
 TEST(DrawRuns, ARunDoesNotChangeWithTheNumberOfRuns) {
   RubricPart few = DrawnPart();
   few.motion.runs = 2;
@@ -102,7 +102,8 @@ TEST(GoalOf, AStraightWalkEndsInItsDirection) {
   EXPECT_EQ(goal.yaw_rad, 0.0);
 }
 
-// At 1 m/s and pi rad/s half a circle of radius 1 / pi is 1 m long: it ends 2 / pi to the left, the other way round.
+// At 1 m/s and pi rad/s, half a circle of radius 1 / pi is 1 m long: it ends 2 / pi to the left, with the opposite
+// heading.
 TEST(GoalOf, AnArcEndsOnItsCircle) {
   WalkCommand command;
   command.distance_m = 1.0;

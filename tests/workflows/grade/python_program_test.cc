@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pythons that submissions may run in.
+// Python interpreters for submissions.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// A program that is a script of a shell.
+/// A program that is a shell script.
 std::string ShellProgram(const std::string& name, const std::string& script) {
   const std::string path = ScratchFile(name);
   std::ofstream(path) << "#!/bin/sh\n" << script << "\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each question against closed forms that are written here by another road.
+// Each question is compared with closed forms that are derived independently here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,8 @@ TEST(QuestionsOfBalance, ZmpOfThePendulum) {
   EXPECT_NEAR(ErrorOf("pendulum_zmp", {6}, in, Answer({2}, {right[0] + 0.1, right[1]})), 0.1, 1e-12);
 }
 
-/// Each contact's vertical force is level with the ground where its line meets it; the mean of those by their weight.
+/// Each contact force acts where its line meets the ground; the ZMP is the mean of these points, weighted by the normal
+/// forces.
 TEST(QuestionsOfBalance, ZmpOfContactsIsTheWeightedMeanWhereTheirLinesMeetTheGround) {
   const QuestionContext context{5};
   const Values in = Drawn("contacts_zmp", context);

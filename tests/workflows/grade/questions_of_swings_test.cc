@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each question against closed forms that are written here by another road.
+// Each question is compared with closed forms that are derived independently here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::vector<QuestionValue>;
 
-/// Minimum jerk with a cubic bump, written out.
+/// Minimum jerk with a cubic bump, in explicit formulas.
 TEST(QuestionsOfSwings, ASwingIsMinimumJerkAndABump) {
   const Values in = Drawn("swing", {6});
   const double T = in[3].number(), u = in[4].number() / T, lift = in[2].number();
@@ -59,7 +59,7 @@ TEST(QuestionsOfSwings, ASwingOverAStepIsJudgedByWhatItDoes) {
   }
 }
 
-/// The same three figures by finite differences of the first, and symmetry about the middle.
+/// Rate and acceleration agree with finite differences of the value; the step is symmetric about its middle.
 TEST(QuestionsOfSwings, TheMinimumJerkStepHasItsOwnDerivatives) {
   const auto value = [](double u) { return 10 * std::pow(u, 3) - 15 * std::pow(u, 4) + 6 * std::pow(u, 5); };
   constexpr double kDelta = 1e-4;
@@ -73,7 +73,7 @@ TEST(QuestionsOfSwings, TheMinimumJerkStepHasItsOwnDerivatives) {
   }
 }
 
-/// A swing over a step that jumps to its end breaks a rule by as much as it jumps.
+/// A swing over a step that jumps to its end violates a rule by the size of the jump.
 TEST(QuestionsOfSwings, AJumpIsAnErrorOfItsSize) {
   const Values in = Drawn("swing_over_step", {6});
   const Vector3 start = in[0].Vec3(), end = in[1].Vec3();

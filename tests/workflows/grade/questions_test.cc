@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each question against closed forms that are written here by another road.
+// Each question is compared with closed forms that are derived independently here.
 #include "workflows/grade/questions.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(Questions, NothingIsRightWhereTheAnswerIsNoNumber) {
   EXPECT_TRUE(std::isinf(ErrorOf("dcm", {6}, in, Answer({2}, {42, 42}))));
 }
 
-/// By small steps of its differential equation.
+/// Integrates the differential equation in small steps.
 TEST(Questions, TheDcmOfStepsEndsOnTheLastZmp) {
   const QuestionContext context{3};
   const Values in = Drawn("dcm_of_steps", context);

@@ -23,7 +23,7 @@ void ExpectWords(const std::string& text, const std::vector<std::string>& words)
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
-/// A part's YAML, with the keys that its kind needs where they are not given.
+/// The YAML of a part, completed with the required keys of its kind.
 std::string WholePart(const std::string& yaml, PartKind kind) {
   std::string keys = "{name: p, kind: " + PartKindNames()[static_cast<std::size_t>(kind)] + ", file: f, points: 1";
   if (PlaysMotions(kind)) keys += ", checks: []";

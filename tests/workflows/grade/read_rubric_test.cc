@@ -103,7 +103,7 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
   ExpectRefused(kHead + "- {name: p, kind: function, file: ../f, points: 1, reference: dcm}\n",
                 {"'../f'", "without folders"});
   ExpectRefused(kHead + "- {name: p, kind: function, file: f, points: 0, reference: dcm}\n",
-                {"'points' is 0", "over zero"});
+                {"'points' is 0", "above 0"});
   ExpectRefused(kHead + kZmpRubric + "}\n" + kZmpRubric + "}\n", {"two parts are named 'zmp'"});
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 5, robot: nao" + kPass + "}\n", {"lacks a goal"});
   ExpectRefused("title: t\nparts: []\n", {"0 parts"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A submission in a process of its own: what it is asked, what it says, and how its words are shown.
+// A submission in its own process: requests, answers, and how its text is shown.
 #include "workflows/grade/student_python.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(ShownWords, HaveNoAddressesOfMemory) {
   EXPECT_EQ(ShownWords("0xff is short"), "0xff is short") << "a number of the student's";
 }
 
-// 400 bytes end inside of the 134th character of three bytes.
+// Byte 400 is inside the 134th character of three bytes.
 TEST(ShownWords, EndBetweenCharacters) {
   std::string words, shown;
   for (int i = 0; i < 200; ++i) words += "\u932f";
@@ -37,7 +37,7 @@ TEST(EndedIt, OnlyWhatTheSubmissionSaysLeavesItRunning) {
     EXPECT_TRUE(EndedIt(failure(code)));
 }
 
-/// A submission that runs with its limits only.
+/// A submission that runs with resource limits only, without confinement.
 class StudentPythonTest : public testing::Test {
  protected:
   void SetUp() override {

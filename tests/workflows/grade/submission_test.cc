@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// A class whose files are looked at, and not marked.
+/// A class whose files are read, but not marked.
 class SubmissionTest : public MadeClass {
  protected:
   std::string Read(const std::string& file, std::size_t most_bytes = 100) const {
@@ -69,7 +69,7 @@ TEST_F(SubmissionTest, AFileMayBeAsLargeAsTheLimitAndNoLarger) {
   EXPECT_EQ(Refusal("work.py", 99), "'work.py' has 100 bytes; at most 99 are accepted");
 }
 
-/// A pipe that nobody writes to would block who opens it.
+/// Opening a pipe without a writer would block.
 TEST_F(SubmissionTest, OnlyAFileIsRead) {
   HandIn("ada", "real.py", "x = 1\n");
   std::filesystem::create_symlink(In("ada") / "real.py", In("ada") / "link.py");

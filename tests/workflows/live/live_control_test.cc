@@ -11,7 +11,7 @@ namespace {
 
 const WalkPace kTrot = {.gait = "trot", .speed_m_s = 0.3};
 
-/// A robot with a controller, and what is done to it.
+/// A robot with a controller and manual actions.
 class Controlled {
  public:
   explicit Controlled(const std::string& controller) {
@@ -28,13 +28,13 @@ class Controlled {
     for (const double most = live_->time_s() + 3.0; live_->wanted() && live_->time_s() < most;) live_->Step();
     EXPECT_EQ(live_->mode(), LiveMode::kWalks) << Notes();
   }
-  /// Whether it stays up when it is pushed harder than standing bears.
+  /// Whether the robot survives a push that it cannot withstand without steps.
   bool BearsAPush() {
     live_->hands().Push(Vector3(-210.0, 0.0, 0.0), live_->time_s() + 0.1);
     GoOn(5.0);
     return live_->mode() == LiveMode::kStands;
   }
-  /// As a page does.
+  /// Changes controller options as a page does.
   void Say(const std::string& message) {
     LiveClock clock;
     ReadLiveRequest(model_, message)(*live_, clock, 1);
@@ -44,7 +44,7 @@ class Controlled {
     for (const std::string& note : live_->TakeNotes()) all += note + "\n";
     return all;
   }
-  /// In the mean of the feet.
+  /// Mean over the feet.
   double FeetAt_x() const {
     double sum = 0.0;
     for (const FootContact& foot : live_->world().feet()) sum += foot.p_W.x();

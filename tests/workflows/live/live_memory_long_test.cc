@@ -11,14 +11,14 @@
 namespace gaitwright {
 namespace {
 
-/// What the program holds on its heaps [MB]. What the allocator keeps of what was given back, up to 120 MB after plans
-/// that were made beside the session, is no part of it.
+/// Memory in use on the program's heaps [MB], without freed memory that the allocator keeps (up to 120 MB after plans
+/// that were made beside the session).
 double Held_mb() {
   const struct mallinfo2 heaps = mallinfo2();
   return 1e-6 * static_cast<double>(heaps.uordblks + heaps.hblkhd);
 }
 
-/// Ten minutes of simulated time with two pages, of which one reads nothing, while gait and speed change, the robot is
+/// Ten minutes of simulated time with two pages, one of which reads nothing. Gait and speed change; the robot is
 /// pushed, posed, stood up and reset.
 TEST(LiveMemory, IsFlatOverTenMinutes) {
   constexpr double kPicture_s = 1.0 / 60.0;

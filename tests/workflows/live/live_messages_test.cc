@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages to a page, as a page reads them.
+// Messages to a page.
 #include "workflows/live/live_messages.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(LiveMessages, TheGreetingHasRobotGaitsAndOptionsWithTheirRanges) {
   }
 }
 
-// A page that was open before the program was started again knows by it that the world is another.
+// A page that stayed open over a restart of the program detects the new world by this name.
 TEST(LiveMessages, EachGreetingHasANameOfItsOwn) {
   const LiveWorld& live = WorldOfMessages();
   EXPECT_NE(MessageJson::parse(LiveGreeting(live))["run"], MessageJson::parse(LiveGreeting(live))["run"]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// People's whole way: a browser shows a robot that is run in real time, and what is done on the page reaches it.
+// End-to-end: a browser shows a robot that runs in real time, and actions on the page reach the robot.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Mouse = Chromium::Mouse;
 
-/// A robot that is run, and a browser at its page.
+/// A running robot, and a browser that shows its page.
 class LivePageTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -28,7 +28,7 @@ class LivePageTest : public testing::Test {
     runs_ = std::thread([this] { LiveSession(*live_, *server_, {}).Run([this] { return stop_.load(); }); });
     browser_ = &SharedBrowser();
     ASSERT_TRUE(browser_->Open(server_->url()).ok());
-    // Four pictures a second are enough: each of a robot that moves is drawn without the help of a graphics card.
+    // Four frames per second are enough, because they are drawn without a graphics card.
     ASSERT_TRUE(browser_
                     ->Evaluate("(window.requestAnimationFrame = (draw) => setTimeout(() => "
                                "draw(performance.now()), 250), 0)")
@@ -38,20 +38,20 @@ class LivePageTest : public testing::Test {
   void TearDown() override {
     if (browser_ != nullptr) {
       for (const std::string& complaint : browser_->complaints()) ADD_FAILURE() << complaint;
-      static_cast<void>(browser_->Open("about:blank"));  // before its server is gone
+      static_cast<void>(browser_->Open("about:blank"));  // before the server ends
     }
     stop_ = true;
     if (runs_.joinable()) runs_.join();
   }
 
-  /// The value of an expression in which L is the page.
+  /// The value of an expression; L is the page.
   Json Ask(const std::string& expression) const {
     const auto answer =
         browser_->Evaluate("(() => { const L = window.gaitwright.live[0]; return " + expression + "; })()");
     if (!answer) throw std::runtime_error(answer.failure().message);
     return Json::parse(*answer);
   }
-  /// Waits until that holds.
+  /// Waits until the expression is true.
   void Await(const std::string& condition, double within_s = 300.0) const {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(within_s);
     while (std::chrono::steady_clock::now() < end) {
@@ -61,7 +61,7 @@ class LivePageTest : public testing::Test {
     ADD_FAILURE() << condition << " does not come; " << Ask("[L.frame.mode, L.frame.t, L.frame.wanted, L.frame.notes]");
   }
   void Click(const std::string& name) const { Ask("(document.querySelector('button[name=" + name + "]').click(), 0)"); }
-  /// A slider is moved and let go, or a menu is set.
+  /// Moves and releases a slider, or sets a menu.
   void Set(const std::string& selector, const std::string& value) const {
     Ask("((s) => { s.value = '" + value +
         "'; s.dispatchEvent(new Event('input', {bubbles: true})); s.dispatchEvent(new Event('change', {bubbles: "
@@ -78,7 +78,7 @@ class LivePageTest : public testing::Test {
   std::unique_ptr<LiveServer> server_;
   std::thread runs_;
   std::atomic<bool> stop_{false};
-  Chromium* browser_ = nullptr;  // the shared one
+  Chromium* browser_ = nullptr;  // the shared browser
 };
 
 TEST_F(LivePageTest, SlidersMoveTheJoints) {
@@ -116,7 +116,7 @@ TEST_F(LivePageTest, WalksAndChangesItsGaitSpeedAndHeadingAndStops) {
   Await("Math.abs(L.frame.heading_deg - 40) < 5");
   Await("L.frame.wanted_heading_deg === null");
   EXPECT_EQ(Ask("L.frame.mode"), "walks");
-  Click("walk");  // which is Stop now
+  Click("walk");  // the button is now Stop
   Await("L.frame.mode === 'stands'");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages of pages as they are read; what they do to a robot has tests of its own.
+// Reading messages of pages; their effects on a robot are tested elsewhere.
 #include "workflows/live/live_requests.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,8 @@ TEST(LiveMessages, WhatIsNoRequestIsRefusedInWords) {
   ExpectParts(RefusalOfMessage(R"({"do": "reset", "now": true})"), {"now"});
   ExpectParts(RefusalOfMessage(R"({"do": "pace"})"), {"gait"});
   ExpectParts(RefusalOfMessage(R"({"do": "reset", "do": "push"})"), {"do"});
-  EXPECT_EQ(RefusalOfMessage(std::string(kLongestLiveMessage + 1, ' ')), "the message is too long");
+  EXPECT_EQ(RefusalOfMessage(std::string(kLongestLiveMessage + 1, ' ')),
+            "the message has 65537 bytes; at most 65536 are read");
 }
 
 TEST(LiveMessages, ValuesOutOfRangeAreRefused) {
@@ -76,7 +77,7 @@ std::string PoseMessage(const VectorX& q) {
 TEST(LiveMessages, APoseIsWithinTheLimitsOfItsJoints) {
   const RobotModel model = synthetic::Robot(4, FootType::kSphere);
   VectorX q = VectorX::Zero(model.nq());
-  q[6] = 2.0;  // not quite unit, which is mended
+  q[6] = 2.0;  // not of unit length; it is normalised
   EXPECT_EQ(RefusalOfMessage(PoseMessage(q)), "");
   q[7] = 1.00005;
   EXPECT_EQ(RefusalOfMessage(PoseMessage(q)), "") << "rounding";

@@ -27,7 +27,7 @@ class Server : public testing::Test {
     EXPECT_EQ(client->Hear().value_or("").substr(0, 8), "{\"page\":");
     return client;
   }
-  /// What was said, once something was; or which page left.
+  /// Waits for the next message, or for the notice that a page left.
   std::vector<LiveSaying> Taken(bool left = false) const {
     for (int tries = 0; tries < 500; ++tries) {
       std::vector<LiveSaying> taken;

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 RobotModel Robot() { return ChooseRobot("a1", "").value(); }
 
-/// A world that stands, made once: what changes it begins with a reset.
+/// A standing world, made once; tests that change it begin with a reset.
 LiveWorld& World() {
   static const RobotModel model = Robot();
   static const std::unique_ptr<LiveWorld> live = MadeWorld(model);
@@ -44,14 +44,14 @@ class Session : public testing::Test {
     number_ = Json::parse(page_->Hear().value_or("null"))["page"];
   }
 
-  /// The next picture after so much of the wall's time.
+  /// The next frame after this real time.
   Json Picture(double wall_s) {
     session_.Turn(wall_s);
     return Json::parse(page_->Hear().value_or("null"));
   }
-  /// What the page is told next after having said that: a refusal, or a picture in which it is done.
+  /// The next message to the page after its request: a refusal, or a frame that shows its effect.
   Json Say(const Json& message) {
-    const std::string mark = "no more than that";  // whose refusal tells that all before it is done
+    const std::string mark = "no more than that";  // its refusal shows that all earlier messages are processed
     page_->Say(message.dump());
     page_->Say(Json({{"do", mark}}).dump());
     Json refusal, told;
@@ -77,7 +77,7 @@ class Session : public testing::Test {
   Json greeting_;
   HandId number_ = 0;
   std::vector<std::string> notes_, phases_;
-  double spent_s_ = 0.0, look_s_ = 0.0;  ///< work takes no time but for what each look at the clock adds
+  double spent_s_ = 0.0, look_s_ = 0.0;  ///< work takes no time, except that each reading of the clock adds this
 };
 
 TEST_F(Session, GreetsWithRobotGaitsAndOptions) {
@@ -123,9 +123,9 @@ TEST_F(Session, GoesAsFastAsTheWallsClock) {
 
 TEST_F(Session, SaysThatItFallsBehindAndNeverRushesAfter) {
   const double before = live_.time_s();
-  look_s_ = 1e-3;  // a step takes as long as it simulates
+  look_s_ = 1e-3;  // a step takes as long as its simulated time
   Json picture;
-  for (int i = 0; i < 8; ++i) picture = Picture(30.0);  // far more than can be done in one picture
+  for (int i = 0; i < 8; ++i) picture = Picture(30.0);  // far more than can be done in the time of one frame
   EXPECT_GT(picture["behind_s"].get<double>(), 0.1);
   EXPECT_LE(picture["behind_s"].get<double>(), LiveSession::kMostBehind);
   ASSERT_FALSE(notes_.empty());

@@ -116,7 +116,7 @@ TEST_F(Live, PosesAreNearAndTellNoOldForces) {
   q[0] += 99.0;
   live_->PutInPose(q);
   q[0] += 99.0;
-  live_->PutInPose(q);  // as far from where it is
+  live_->PutInPose(q);  // relative to its present place
   q[0] += 101.0;
   EXPECT_THROW(live_->PutInPose(q), InvalidArgument);
   const double time_s = live_->time_s();

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// A world with usual options. @throws std::runtime_error where the robot has no usual walk.
+/// A world with default options. @throws std::runtime_error if the robot has no default walk.
 inline std::unique_ptr<LiveWorld> MadeWorld(const RobotModel& model, const PlayRequest& play) {
   const WalkRequest walk;
   Result<std::unique_ptr<LiveWorld>> made = LiveWorld::Make(model, walk, play);

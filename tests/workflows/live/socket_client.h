@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a browser says to a live server, word by word.
+// A minimal client with the messages of a browser to a live server.
 #pragma once
 
 #include <chrono>
@@ -9,24 +9,24 @@
 
 namespace gaitwright {
 
-/// A connection of a WebSocket, or of HTTP alone. Calls wait for at most ten seconds.
+/// A WebSocket or plain HTTP connection. Calls wait for at most ten seconds.
 class SocketClient {
  public:
-  /// @throws std::runtime_error where nobody listens.
+  /// @throws std::runtime_error if no server listens.
   explicit SocketClient(int port);
   ~SocketClient();
 
   /// Sends any bytes as they are.
   void SendRaw(const std::string& bytes);
-  /// Asks for a path, with lines of a header each ended by \r\n. @return the whole answer of a server that then closes,
-  /// or its header where it becomes a WebSocket.
+  /// Requests a path, with header lines that each end in \r\n. @return the whole answer if the server then closes the
+  /// connection, or its header if the connection becomes a WebSocket.
   std::string Get(const std::string& path, const std::string& header);
-  /// Opens the WebSocket as that page. @return the status, 101 where it is open.
+  /// Opens the WebSocket with the origin of a page. @return the status; 101 if it is open.
   int Open(const std::string& path, const std::string& origin, const std::string& host);
 
-  /// A frame of text, masked as a client has to.
+  /// Sends a text frame, masked as required for clients.
   void Say(const std::string& text);
-  /// The next text; nothing where the connection was closed or none comes in time.
+  /// The next text; nothing if the connection was closed or no text arrives in time.
   std::optional<std::string> Hear(std::chrono::milliseconds within = std::chrono::seconds(10));
 
  private:

@@ -19,7 +19,7 @@ PacePlan Planned(const RobotModel& model, const WalkPace& from, const WalkPace& 
   return std::move(plan).value();
 }
 
-/// The first broken law, or nothing.
+/// The first violated check, or nothing.
 std::string Broken(const RobotModel& model, const MotionPlan& plan) {
   const AuditReport report = Audit(model, plan, {}).value();
   if (report.pass()) return "";

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// A preflight that nobody made: a go of a robot with two joints, with trials if asked for.
+/// A synthetic preflight: a go for a robot with two joints, with trials if requested.
 inline Preflight MakeUpPreflight(bool trials = false) {
   Preflight p;
   p.robot = "a<1>";

@@ -43,7 +43,7 @@ TEST(PreflightPaper, HashesAreWholeAndThereAreLinesToSign) {
   EXPECT_GT(TimesOnPage(page, "class=\"sign\""), 0);
 }
 
-/// A bar is as full as what is used of the limit.
+/// A bar shows the used share of a limit.
 TEST(PreflightPaper, BarsShowWhatIsUsedOfALimit) {
   Preflight p = MakeUpPreflight();
   EXPECT_GT(TimesOnPage(PreflightPage(p), "<i class=\"pass\" style=\"width:80%\">"), 0) << "20 % are left";

@@ -205,7 +205,7 @@ TEST(PreflightWithTrials, RefusesThoseOfAnotherPlanOrRobot) {
   EXPECT_TRUE(Says(of_robot.failure().message, "another robot"));
 }
 
-/// The trials' plan with one thing changed in it, which makes the trials another plan's.
+/// The plan of the trials with one change, so that the trials belong to another plan.
 void ExpectOther(const std::function<void(MotionPlan&)>& change, const std::string& part) {
   Walked changed = AWalk();
   change(changed.plan);
@@ -233,7 +233,7 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
   const Json json = Json::parse(PreflightJson(preflight)), trials = json.at("trials");
   for (const char* part :
        {"483 of 500 trials also passed every gate: 96.6 %", "a go requires a survival rate of at least 85 %",
-        "state true", "sensors not used", "command_delay_s 0", "play.friction 0.4 (usually 0)"}) {
+        "state true", "sensors not used", "command_delay_s 0", "play.friction 0.4 (default 0)"}) {
     EXPECT_TRUE(Says(text, part)) << part;
     EXPECT_TRUE(Says(page, part)) << part;
   }
@@ -252,7 +252,7 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
 TEST(PreflightAsText, HasTheMarginsOfEachJointAsThePageDoes) {
   const Preflight preflight = Of({});
   const JointMargins table = JointMarginsOf(preflight.audit.margins);
-  EXPECT_EQ(table.headings, (std::vector<std::string>{"to its stop", "speed", "torque"}));
+  EXPECT_EQ(table.headings, (std::vector<std::string>{"position", "speed", "torque"}));
   ASSERT_EQ(table.rows.size(), AWalk().model.dof_names.size());
   std::istringstream lines(PreflightText(preflight));
   std::map<std::string, std::string> found;

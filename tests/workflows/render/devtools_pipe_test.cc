@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages of a process that is a shell instead of a browser.
+// Messages of a shell process in place of a browser.
 #include <gtest/gtest.h>
 
 #include "workflows/render/devtools_pipe_internal.h"

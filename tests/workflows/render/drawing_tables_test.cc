@@ -39,7 +39,7 @@ TEST(DrawingTables, ASoleHasItsCornersAndItsSize) {
   EXPECT_EQ(RowsWith(table.svg, "sole of 4 corners, 160 x 80 mm"), 2);
 }
 
-/// Joints stand in as many columns as fit: a narrow table is higher.
+/// Joints are listed in as many columns as fit, so a narrow table is higher.
 TEST(DrawingTables, ANarrowTableIsHigherAndAllStaysInIt) {
   const RobotModel model = synthetic::Robot(4, FootType::kSphere);
   const DrawnTable wide = TablesOf(model, 1200.0), narrow = TablesOf(model, 320.0);

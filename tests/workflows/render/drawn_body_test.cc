@@ -21,7 +21,7 @@ Shape TrunkShape(ShapeType type, const Vector3& size, const Vector3& p_BS = Vect
   return shape;
 }
 
-/// The solids of a robot whose trunk, at the origin of W, has these shapes.
+/// The solids of a robot whose trunk has these shapes and is at the origin of W.
 std::vector<DrawnSolid> SolidsWith(const std::vector<Shape>& visual, const std::vector<Shape>& collision = {}) {
   RobotModel model = synthetic::Robot(2, FootType::kSole);
   model.visual_shapes = visual;
@@ -42,7 +42,7 @@ double AreaOf(const std::vector<Vector2>& outline) {
   return area;
 }
 
-/// The outline from the side of the only solid.
+/// The outline of the only solid in the side view.
 std::vector<Vector2> SideOutline(const Shape& shape) {
   const std::vector<DrawnSolid> solids = SolidsWith({shape});
   EXPECT_EQ(solids.size(), 1U);
@@ -83,7 +83,7 @@ TEST(DrawnBodies, SolidsNearTheReaderCoverThoseBehind) {
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   const DrawnSolid near{{Vector3(0, -1, 0), Vector3(0.1, -1, 0), Vector3(0, -1, 0.1)}, 0.0},
       far{{Vector3(5, 1, 0), Vector3(5.1, 1, 0), Vector3(5, 1, 0.1)}, 0.0};
-  const DrawnView view;  // from the right, where y is less
+  const DrawnView view;  // from the right, the side of negative y
   const std::string svg = DrawnBody(view, model, scratch, {near, far});
   EXPECT_EQ(XmlFault(svg), "");
   EXPECT_EQ(svg, DrawnBody(view, model, scratch, {far, near})) << "whatever their order";

@@ -17,7 +17,7 @@ int PartsOf(const std::string& svg, const std::string& part) {
   return count;
 }
 
-/// The side view, 500 px to a metre, of a large picture.
+/// The side view of a large picture, with 500 px per metre.
 DrawnView SideView() {
   DrawnView view;
   view.px_per_m = 500.0;
@@ -44,7 +44,7 @@ TEST(DrawnJointsOfView, AxesAlongTheWorldsHaveItsClassesWhicheverTheirSign) {
   EXPECT_NE(oblique.find("0.8"), std::string::npos) << oblique;
 }
 
-/// A point right of and above another is so in the picture, whose y goes down.
+/// A point to the right of and above another point is so in the picture too, whose y axis points down.
 TEST(DrawnJointsOfView, PointsOfTheWorldGoToThePictureToScale) {
   const DrawnView view = SideView();
   const Vector2 origin = view.ToPx(Vector3::Zero()), point = view.ToPx(Vector3(0.2, 5.0, 0.1));
@@ -55,7 +55,7 @@ TEST(DrawnJointsOfView, PointsOfTheWorldGoToThePictureToScale) {
 }
 
 TEST(DrawnJointsOfView, AJointBehindAParallelOneIsNotDrawn) {
-  const RobotModel model = synthetic::Robot(2, FootType::kSole);  // its legs are beside each other
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);  // its legs are side by side
   const std::string svg = JointsIn(SideView(), model);
   EXPECT_EQ(XmlFault(svg), "");
   DrawnView front = SideView();

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-/// What a picture and a film with a change of the options are refused with; both check the same.
+/// The message with which a picture and a film with changed options are refused; both have the same checks.
 std::string RefusedPicture(const std::function<void(PictureOptions&)>& change) {
   PictureOptions options;
   change(options);

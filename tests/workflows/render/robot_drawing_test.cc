@@ -18,7 +18,7 @@ int CountOf(const std::string& text, const std::string& part) {
   return count;
 }
 
-/// Middles [px] of the circles of a class in a part of an SVG.
+/// Centres [px] of the circles of a class in a part of an SVG.
 std::vector<Vector2> CirclesOf(const std::string& svg, const std::string& css) {
   const std::string begin = "<circle class=\"" + css + "\" cx=\"";
   std::vector<Vector2> middles;

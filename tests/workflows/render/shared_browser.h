@@ -5,9 +5,9 @@
 
 namespace gaitwright {
 
-/// An empty page in a headless Chromium that all tests of the process use one after the other: to start a browser and
-/// to compile the shaders of a 3D page takes longer than most tests of a page. Each of its pages has few pixels.
-/// @throws std::runtime_error where the browser does not start.
+/// An empty page in a headless Chromium that all tests of the process use in sequence, since starting a browser and
+/// compiling the shaders of a 3D page take longer than most tests. Its pages are small.
+/// @throws std::runtime_error if the browser does not start.
 Chromium& SharedBrowser();
 
 }  // namespace gaitwright

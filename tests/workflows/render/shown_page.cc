@@ -40,7 +40,7 @@ ShownPage::ShownPage(const std::string& html)
 }
 
 ShownPage::~ShownPage() {
-  static_cast<void>(browser_.Open("about:blank"));  // so that nothing is drawn any more
+  static_cast<void>(browser_.Open("about:blank"));  // stops all drawing
   std::filesystem::remove(file_);
 }
 

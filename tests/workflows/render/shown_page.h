@@ -17,18 +17,18 @@ struct ShownWalk {
   PlayedWalk played;
 };
 
-/// Plans and plays; fails the test where no plan exists. A push ends it early, if it is hard enough.
+/// Plans and plays a walk; fails the test if no plan exists. A strong push ends the walk early.
 ShownWalk MakeShownWalk(const std::string& robot, const WalkRequest& request, const Vector3& push_n = Vector3::Zero());
 
-/// A page of such walks, opened in the browser that the tests share: one at a time.
+/// A page with such walks in the shared browser; only one may exist at a time.
 class ShownPage {
  public:
-  /// @throws std::runtime_error where the browser does not start or the page does not load.
+  /// @throws std::runtime_error if the browser does not start or the page does not load.
   explicit ShownPage(const std::string& html);
   ~ShownPage();
 
-  /// The value of an expression of JavaScript, in which `v` is the page's first viewer.
-  /// @throws std::runtime_error with what it threw.
+  /// The value of a JavaScript expression; `v` is the page's first viewer.
+  /// @throws std::runtime_error with the message of its exception.
   nlohmann::json Ask(const std::string& expression) const;
   Chromium& browser() const { return browser_; }
   std::size_t bytes() const { return bytes_; }

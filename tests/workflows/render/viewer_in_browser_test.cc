@@ -27,7 +27,7 @@ WalkRequest Request(double distance_m, const std::string& terrain = "flat", cons
   return request;
 }
 
-/// Different colours in a picture of a canvas, from a sample of its points.
+/// Number of different colours in a picture of a canvas, from a sample of its points.
 constexpr char kColours[] =
     "((canvas) => { const copy = document.createElement('canvas'); copy.width = canvas.width; copy.height = "
     "canvas.height; const c = copy.getContext('2d'); c.drawImage(canvas, 0, 0); const d = c.getImageData(0, 0, "
@@ -39,7 +39,7 @@ void ExpectNoComplaint(const ShownPage& page) {
   for (const std::string& complaint : page.browser().complaints()) ADD_FAILURE() << complaint;
 }
 
-/// Every body is where the program's own kinematics has it: the page has none of its code.
+/// The poses of all bodies agree with the program's kinematics, which the page does not share.
 void ExpectBodiesAreWhereTheyAre(const ShownPage& page, const ShownWalk& walk) {
   DynamicsScratch scratch(walk.model);
   for (const std::size_t k : {std::size_t{0}, walk.played.log.samples.size() / 2, walk.played.log.samples.size() - 1}) {
@@ -192,7 +192,7 @@ TEST(ViewerInBrowser, IsDrivenByTheKeyboard) {
   ExpectNoComplaint(page);
 }
 
-/// Of the camera about what it looks at: heading and angle from up [degree], and its distance.
+/// Camera position relative to its target: heading and angle from the vertical [degree], and distance.
 std::array<double, 3> CameraOf(const ShownPage& page) {
   const auto p = page.Ask("v.stages[0].camera.position.clone().sub(v.stages[0].controls.target).toArray()");
   const Vector3 offset(p.at(0).get<double>(), p.at(1).get<double>(), p.at(2).get<double>());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Children that are shells: what they are asked and how they end. Confinement has tests of its own.
+// Shells as child processes: requests, answers and ends. Confinement is tested elsewhere.
 #include "workflows/sandbox/child_process.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// A shell that runs a script with the limits only.
+/// A shell that runs a script with resource limits only.
 class ChildShell : public testing::Test {
  protected:
   ChildShell() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a child is when its program begins: its files, limits, folder and group; and why one cannot begin.
+// State of a child when its program begins: files, limits, folder and group; and reasons why it cannot start.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -38,7 +38,7 @@ class StartChildTest : public testing::Test {
     return StartChild(setup_, reads_[0], writes_[1]);
   }
 
-  /// What a script writes to its file 4 until it ends, and its status.
+  /// The text that a script writes to its file 4, and its exit status.
   std::string Said(const std::string& script, int* status = nullptr) {
     const Result<pid_t> child = Start(script);
     if (!child) {
@@ -73,7 +73,7 @@ TEST_F(StartChildTest, ItReadsWhatIsSentToIt) {
   EXPECT_EQ(Said("read line <&3; echo \"<$line>\" >&4"), "<hello>\n");
 }
 
-// Files 0 to 2 are nothing: what it prints goes nowhere.
+// Files 0 to 2 are /dev/null, so that its output is discarded.
 TEST_F(StartChildTest, ItsUsualFilesAreNothing) {
   EXPECT_EQ(Said("echo lost; echo lost >&2; if read line; then echo read >&4; else echo end >&4; fi"), "end\n");
 }

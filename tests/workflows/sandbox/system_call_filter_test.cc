@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each attempt is made in a process of its own, which has the filter.
+// Each attempt runs in a separate process with the filter.
 #include "workflows/sandbox/system_call_filter.h"
 
 #include <asm/ioctls.h>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kNoFilter = 255;
 
-/// The wait status of a process that ends with the error number of `attempt`, 0 for none, or with kNoFilter.
+/// The wait status of a process whose exit status is the error number of `attempt` (0: no error), or kNoFilter.
 int StatusOf(const std::function<long()>& attempt) {
   std::array<int, 2> pipe{};
   EXPECT_EQ(pipe2(pipe.data(), O_CLOEXEC), 0);
@@ -90,7 +90,7 @@ TEST_F(SystemCallFilter, RefusesWhateverIsNotOnItsList) {
                              {"memfd_create", SYS_memfd_create},
                              {"mount", SYS_mount},
                              {"prctl", SYS_prctl},
-                             // These are on few lists of forbidden calls.
+                             // Lists of forbidden calls often miss these.
                              {"seccomp", SYS_seccomp},
                              {"splice", SYS_splice},
                              {"vmsplice", SYS_vmsplice},
@@ -124,7 +124,7 @@ TEST_F(SystemCallFilter, LooksAtArguments) {
     EXPECT_EQ(ErrorOf([&] { return syscall(SYS_ioctl, 0, command, 0); }), EPERM) << command;
 }
 
-/// Emptying a file is writing to it, however it is opened.
+/// Emptying a file is a write, however the file is opened.
 TEST_F(SystemCallFilter, EmptiesOnlyFilesThatAreOpenedForWriting) {
   for (const int flags : {O_TRUNC, O_TRUNC | O_RDONLY | O_CREAT, O_TRUNC | O_ACCMODE}) {
     EXPECT_EQ(ErrorOf([&] { return syscall(SYS_openat, AT_FDCWD, "/dev/null", flags, 0600); }), EPERM) << flags;

@@ -15,7 +15,7 @@ namespace {
 
 using solved_case::LawsOf, solved_case::Names, solved_case::Solve, solved_case::Solved;
 
-/// Swings over a ridge take the feet out of reach as the body was planned without them.
+/// If the body is planned without swings, swings over a ridge are out of reach.
 TEST(AuditedMotion, FeetInTheAirAreBroughtWithinReach) {
   const Solved solved = Solve("hyq-0-slope");
   const auto refined = [&](int rounds) { return *RefineByAudit(solved.ground, solved.plan, {}, rounds); };
@@ -27,7 +27,7 @@ TEST(AuditedMotion, FeetInTheAirAreBroughtWithinReach) {
   EXPECT_FALSE(after.choice.problem.swings.empty());
 }
 
-/// Onto a block of 0.5 m: no swing over its edge is within reach of the body as it was planned without swings.
+/// On a block of 0.5 m no swing over its edge is within reach if the body is planned without swings.
 TEST(AuditedMotion, SwingsOntoABlockArePlannedAlongWithTheBody) {
   const Solved solved = Solve("monoped-1-block");
   const AuditedMotion motion = *RefineByAudit(solved.ground, solved.plan, {}, 8);
@@ -36,7 +36,8 @@ TEST(AuditedMotion, SwingsOntoABlockArePlannedAlongWithTheBody) {
   const RigidBodyProblem& problem = motion.choice.problem;
   ASSERT_FALSE(problem.swings.empty());
   ASSERT_EQ(motion.plan.motion.detours_W.size(), problem.swings.size());
-  // By the problem's own words: the swing of the plan is within the workspace at shares that were not looked at.
+  // Independent check: the swing of the plan is within the problem's workspace at points that the planner did not
+  // check.
   const RobotModel robot = *RigidBodyRobot(problem, "monoped");
   const MotionPlan plan = *RigidBodyMotionPlan(robot, solved.ground, problem, motion.plan.motion);
   ASSERT_EQ(plan.swings.size(), problem.swings.size());
@@ -52,7 +53,7 @@ TEST(AuditedMotion, SwingsOntoABlockArePlannedAlongWithTheBody) {
   }
 }
 
-/// Breaks four times farther apart, and no refinement of the planner's own.
+/// Nodes four times farther apart, without the planner's own refinement.
 TEST(AuditedMotion, CoarseNodesFailTheAuditAndAreRefinedUntilItPasses) {
   RigidBodyOptions coarse;
   coarse.spacing_s *= 4.0;

@@ -65,7 +65,7 @@ TEST(PairedDifference, NoiseAloneIsSeldomBetter) {
   EXPECT_NEAR(better, 0.025 * 2000, 25) << "one end of a 95 % interval";
 }
 
-/// So many pairs that are so in both, after alone, before alone, in neither.
+/// Pairs with these counts: true in both, only after, only before, in neither.
 PairedDifference Shares(int both, int after, int before, int neither) {
   std::vector<double> first, second;
   const auto add = [&](int count, double was, double is) {
@@ -80,7 +80,7 @@ PairedDifference Shares(int both, int after, int before, int neither) {
 }
 
 TEST(PairedDifference, OfSharesIsNewcombes) {
-  const PairedDifference table = Shares(36, 12, 2, 0);  // of his table II
+  const PairedDifference table = Shares(36, 12, 2, 0);  // from Newcombe's table II
   EXPECT_NEAR(table.mean, 0.2, 1e-12);
   EXPECT_NEAR(table.low, 0.0569, 5e-5);
   EXPECT_NEAR(table.high, 0.3404, 5e-5);
@@ -101,7 +101,7 @@ TEST(PairedDifference, OfSharesHasAWidthWhereAllAreAlike) {
   EXPECT_LT(turned.low, 1.0);
 }
 
-/// Before and after exchanged is the same with the other sign.
+/// Exchanging before and after changes only the sign.
 TEST(PairedDifference, OfSharesIsFair) {
   for (const auto& [both, after, before, neither] : {std::tuple(30, 8, 3, 9), {0, 4, 4, 2}, {20, 20, 0, 20}}) {
     const PairedDifference there = Shares(both, after, before, neither), back = Shares(both, before, after, neither);

@@ -47,7 +47,7 @@ TEST(CentroidalProblems, TheBuiltInSetIsReadWhole) {
   }
 }
 
-/// Stances of each foot alternate with swings, fill the duration, and begin with one that is held.
+/// Stances of each foot alternate with swings and fill the duration; the first stance is fixed.
 TEST(CentroidalProblems, SchedulesAreStretchedToTheDuration) {
   const CentroidalProblemSet set = BuiltInSet();
   for (const auto& [name, robot] : set.robots) {

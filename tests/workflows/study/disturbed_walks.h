@@ -9,7 +9,7 @@
 
 namespace gaitwright {
 
-/// The walk under disturbances of examples/disturbances, `stabilised` by the state as hobby sensors have it estimated.
+/// The walk under the disturbances of examples/disturbances, with `stabilised` on a state estimated from hobby sensors.
 RobustnessReport TriedByHobbySensors(const std::string& robot, const WalkRequest& walk, const std::string& disturbances,
                                      int trials, int seed);
 

@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-/// The first trials of those that docs/sensing.md tells of. A share that falls is one that those had not.
+/// The first trials of the run in docs/sensing.md; a lower survival rate is a regression.
 constexpr int kTrials = 60, kFallen = 1;
 
 void ExpectToSurvive(const std::string& robot, const WalkRequest& walk, const std::string& disturbances) {

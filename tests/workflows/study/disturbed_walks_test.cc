@@ -6,8 +6,9 @@
 namespace gaitwright {
 namespace {
 
-/// On a slope that it does not know of, with a state that is as far off as the slope, a NAO leans and its legs weigh
-/// otherwise than planned. To bear all of that took from its balance what the legs' weight gives it, and it fell.
+/// On an unknown slope the estimated state has an error of the slope angle, so a NAO leans, and the weight of its legs
+/// acts differently from the plan. A controller that compensated all of this weight lost its contribution to balance,
+/// and the robot fell.
 TEST(DisturbedWalks, ANaoOnAnUnknownSlopeStandsByTheWeightOfItsLegs) {
   WalkRequest walk;
   walk.command.extent = WalkCommand::Extent::kSteps;

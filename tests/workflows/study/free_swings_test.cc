@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-/// Two feet that stand, swing by 0.3 m in turn, and stand again.
+/// Two feet that stand, swing by 0.3 m one after the other, and stand again.
 RigidBodyProblem TwoStepProblem() {
   RigidBodyProblem problem;
   problem.feet.resize(2);
@@ -58,7 +58,7 @@ TEST(FreeSwings, AreBetweenTheStancesOfTheirFoot) {
       << "no stance comes after it";
 }
 
-/// The control points of the detour are those of the bump, as nearly as a spline of eight has it.
+/// The detour approximates the bump as closely as a spline with eight control points can.
 TEST(FreeSwings, TheirDetourIsTheLiftOfTheCurve) {
   const MotionPlan plan = PlanOfSwing(0, 0.4, 0.9, 0.08);
   const RigidSwing swing = FreeSwingsOf(FlatTerrain(), TwoStepProblem(), plan, {0, 1}).at(0);

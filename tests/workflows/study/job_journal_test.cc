@@ -105,7 +105,7 @@ TEST_F(Journals, RefusalsSayWhy) {
   EXPECT_EQ(Text(), "gaitwright journal of work\n1 one\nxyz\n3 three\n") << "a refused file is left as it is";
 }
 
-/// Lines of so many bytes with holes in the file, which take no room on the disk.
+/// Lines of this size as holes in the file, which need no space on the disk.
 void WriteLongLines(const fs::path& path, std::size_t count, std::size_t bytes) {
   std::ofstream file(path, std::ios::binary);
   file << "gaitwright journal of work\n";
@@ -141,7 +141,7 @@ TEST_F(Journals, ALineThatCannotBeWrittenLeavesTheOthersWhole) {
   rlimit before = {}, few = {};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   few = before;
-  few.rlim_cur = good.size() + 4;  // as a disk that is full
+  few.rlim_cur = good.size() + 4;  // simulates a full disk
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &few), 0);
   std::string why;

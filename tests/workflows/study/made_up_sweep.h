@@ -8,16 +8,17 @@
 
 namespace gaitwright {
 
-/// A sweep that nobody ran: over speeds and cycle times, where slow points pass, faster ones fail in each way there is.
+/// A synthetic sweep over speeds and cycle times: slow points pass, and faster points fail in every possible way.
 struct MadeUpSweep {
   Study study;
   std::vector<PointOutcome> outcomes;
 };
 
-/// @param over  axes as of the flag; those beyond the first change nothing. @param trials  of each point that stands.
+/// @param over  axes as for the flag; axes beyond the first have no effect. @param trials number of trials of each
+///              point that does not fall.
 MadeUpSweep MakeUpSweep(const std::vector<std::string>& over, int trials = 0, int samples = 0);
 
-/// How often a text holds another.
+/// Number of occurrences of a text in another.
 int CountOf(const std::string& text, const std::string& part);
 
 }  // namespace gaitwright

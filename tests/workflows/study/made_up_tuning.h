@@ -5,14 +5,14 @@
 
 namespace gaitwright {
 
-/// A tuning that nobody ran, of a cycle time and a gain: the usual values, a better candidate, and one without a plan.
+/// A synthetic tuning of a cycle time and a gain: the present values, a better candidate, and one without a plan.
 struct MadeUpTuning {
   Study study;
   TuneReport report;
   TuneOptions options;
 };
 
-/// How the held-out test ended.
+/// Outcome of the held-out test.
 enum class MadeUpProof { kBetter, kNoBetter, kNone, kNothingBefore };
 
 MadeUpTuning MakeUpTuning(MadeUpProof proof);

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// Relative luminance of a colour as WCAG has it, from 0 of black to 1 of white, without its gamma.
+/// Relative luminance of a colour as in WCAG, from 0 (black) to 1 (white), without gamma correction.
 double Brightness(const std::string& colour) {
   const auto part = [&](std::size_t at) {
     return static_cast<double>(std::strtol(colour.substr(at, 2).c_str(), nullptr, 16)) / 255.0;
@@ -82,7 +82,7 @@ TEST(MapCell, IsWellFormedAndItsWordsAreEscaped) {
   }
 }
 
-/// A pattern that a cell uses is one that the picture defines.
+/// The picture defines every pattern that a cell uses.
 TEST(MapCell, PatternsThatAreUsedAreDefined) {
   const std::string patterns = MapPatterns();
   EXPECT_EQ(XmlFault(patterns), "");

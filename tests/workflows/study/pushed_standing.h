@@ -12,7 +12,7 @@
 
 namespace gaitwright {
 
-/// A robot that stands and is pushed, sometimes over.
+/// A standing robot that is pushed and sometimes falls.
 class PushedStanding : public testing::Test {
  protected:
   PushedStanding() {

@@ -33,7 +33,7 @@ TEST(RigidBodyRobot, HasTheMassTheInertiaAndTheReachOfItsProblem) {
     EXPECT_LT((CentreOfMass(*robot, scratch) - q.head<3>()).norm(), 1e-6);
     EXPECT_LT((LockedInertia(*robot, scratch) - problem.inertia_B).norm(), 1e-6);
     const std::vector<int> problem_foot = ProblemFeetOf(*robot, problem);
-    // By the kinematics: feet are in the workspace with their slides at both ends, and out of it 1 mm beyond.
+    // By the kinematics: feet are in the workspace with their prismatic joints at both ends, and outside 1 mm beyond.
     for (std::size_t f = 0; f < problem.feet.size(); ++f) {
       const RigidFoot& foot = problem.feet[static_cast<std::size_t>(problem_foot[f])];
       const auto out = [&](const VectorX& at) {
@@ -139,8 +139,8 @@ TEST(RigidBodyPlan, RefusesARobotThatIsNotItsOwnAndMomentumInside) {
   const RigidBodyMotion& motion = one.plan.plan.motion;
   EXPECT_THROW((void)RigidBodyMotionPlan(*robot, one.ground, one.plan.choice.problem, motion), InvalidArgument);
   RigidBodyProblem inner = one.plan.choice.problem;
-  inner.inner_momentum_W.assign(2, Vector3::Zero());
-  inner.inner_torque_W.assign(2, Vector3::Zero());
+  inner.leg_momentum_W.assign(2, Vector3::Zero());
+  inner.leg_torque_W.assign(2, Vector3::Zero());
   EXPECT_THROW((void)RigidBodyMotionPlan(*RigidBodyRobot(inner, "biped"), one.ground, inner, motion), InvalidArgument);
 }
 

@@ -58,7 +58,7 @@ TEST(RigidBodyRobot, HasTheMassAndTheCentreOfMassOfTheBody) {
   EXPECT_LT((CentreOfMass(robot, scratch) - q.head<3>()).norm(), 1e-6) << "the trunk's origin";
 }
 
-/// Joint positions are the foot's offset from its nominal place, in the trunk's axes.
+/// Joint positions are the offset of the foot from its nominal position, in the trunk's axes.
 TEST(RigidBodyRobot, SlidesMoveAFootFromItsNominalPlaceAlongTheBodysAxes) {
   const RigidBodyProblem problem = TwoFootedProblem();
   const RobotModel robot = RobotOf(problem);
@@ -88,7 +88,7 @@ TEST(RigidBodyRobot, LimitsOfTheSlidesAreTheWorkspace) {
   }
 }
 
-/// The largest force of a cone: its normal force on every point, and friction beside it.
+/// The largest force of a friction cone: the normal force at every point, plus friction.
 TEST(RigidBodyRobot, EffortsAreTheLargestForcesOfTheCones) {
   const RobotModel robot = RobotOf(TwoFootedProblem());
   EXPECT_NEAR(robot.dof_effort_limit(DofNamed(robot, "foot_0_z")), 300.0 * std::hypot(1.0, 0.5), 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which plans points share, with a walk that is refused before anything is planned.
+// Sharing of plans between points, with a walk that is refused before planning.
 #include "workflows/study/run_point.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// Points over a speed, which shapes the plan, and a friction of the playback, which does not.
+/// Points over a speed, which affects the plan, and a friction of the playback, which does not.
 Study SharingStudy() {
   Study study;
   study.model = synthetic::Robot(2, FootType::kSole);
@@ -56,7 +56,7 @@ TEST(RunPointPlans, APlanIsMadeOnceForAllThatShareIt) {
   EXPECT_NE(first, other);
 }
 
-/// A plan is dropped after the last point that was to request it.
+/// A plan is dropped after the last point has requested it.
 TEST(RunPointPlans, APlanThatNobodyWaitsForIsDropped) {
   const Study study = SharingStudy();
   StudyPlans plans(study, {0, 2});

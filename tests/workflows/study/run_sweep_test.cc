@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// A short walk of the a1 at two speeds, one of which no plan has, each played with two gains.
+/// A short walk of the a1 at two speeds, one of which is infeasible, each played with two gains.
 Study ShortStudy() {
   Study study;
   study.model = *LoadNamedRobot("a1");
@@ -59,7 +59,7 @@ TEST(RunSweep, GivesEachPointInItsPlaceForAnyNumberOfThreads) {
   }
   EXPECT_EQ(outcomes, RunWith(study, 3));
 
-  // Cut after one point, and one more whose line was cut short.
+  // Interrupted after one point and a second one with a truncated line.
   const std::filesystem::path path = ScratchFile("sweep.so-far");
   std::filesystem::remove(path);
   {

@@ -140,14 +140,14 @@ TEST_F(RunTrialsTest, StopsEarlyWhereTheIntervalIsNarrowWhoeverIsQuick) {
 }
 
 TEST_F(RunTrialsTest, PhysicsThatBlowsUpIsAFallAndNotTheEndOfTheRun) {
-  disturbances_.pushes.clear();  // which fell it before
+  disturbances_.pushes.clear();  // the pushes made it fall before
   for (const double at_s : {0.0, 0.3}) {
     request_.play.more_pushes = {{Vector3(0.0, std::nan(""), 0.0), at_s, 0.1, "base"}};
     const auto report = RunTrials(Study(), Some(3, 2));
     ASSERT_TRUE(report.ok()) << report.failure().message;
     EXPECT_EQ(report->survived, 0);
     ASSERT_EQ(report->causes.size(), 1U);
-    EXPECT_EQ(report->causes[0].what, "the physics came to no number");
+    EXPECT_EQ(report->causes[0].what, "the simulation diverged");
     for (const TrialOutcome& outcome : report->outcomes) {
       EXPECT_NEAR(outcome.ended_s, at_s, 0.01);
       EXPECT_NE(outcome.reason.find("the physics gave a state that is not finite"), std::string::npos)

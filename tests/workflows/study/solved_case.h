@@ -29,7 +29,7 @@ inline Solved Solve(const std::string& name, const RigidBodyOptions& options = {
   return solved;
 }
 
-/// The laws that a report names.
+/// The checks that a report names.
 inline std::vector<Law> LawsOf(const AuditReport& report) {
   std::vector<Law> laws;
   for (const Violation& v : report.violations) laws.push_back(v.law);

@@ -43,7 +43,7 @@ TEST(StudyAxes, RefusalsSayWhatIsWrongAndWhatIsAccepted) {
   EXPECT_EQ(Refusal("gait.cycle_s=0.3,0.4", kTuning), "'gait.cycle_s=0.3,0.4' is not an axis; accepted: KEY=FROM:TO");
   EXPECT_EQ(Refusal("sped=1:2:3", kGrid), "'sped=1:2:3': there is no option 'sped'; the nearest is 'speed'");
   EXPECT_EQ(Refusal("com-method=a,b", kGrid),
-            "'com-method=a,b': there is no option 'com-method'; --list-options=all prints all of them");
+            "'com-method=a,b': there is no option 'com-method'; --list-options=all prints all option keys");
   EXPECT_EQ(
       Refusal("gait.cycle=0.3:0.4:2", kGrid),
       "'gait.cycle=0.3:0.4:2': there is no option 'gait.cycle'; the nearest are 'gait.cycle_s', 'gait.cycle_step_s'");

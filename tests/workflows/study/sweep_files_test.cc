@@ -41,7 +41,7 @@ TEST(SweepCsv, HasARowForEachPointWithAsManyCellsAsHeads) {
   EXPECT_NE(last.find("\"the knee, \"\"FL_calf\"\", needs too much\""), std::string::npos) << last;
 }
 
-/// The sweep with its first point played in two engines, of which the second falls.
+/// The sweep with its first point played in two engines; the robot falls in the second.
 MadeUpSweep SweepInTwoEngines() {
   MadeUpSweep sweep = MakeUpSweep(kOver, 0);
   sweep.study.play.play.world.engine = "both";
@@ -73,7 +73,7 @@ TEST(SweepJson, APointHasTheVerdictsOfBothEngines) {
 
 TEST(EnginesText, CountsWhereTheyAgreeAndIsEmptyForOneEngine) {
   EXPECT_EQ(EnginesText(SweepInTwoEngines().outcomes),
-            "0 points pass in both, 1 in Bullet alone, 0 in MuJoCo alone, 0 in neither");
+            "0 points pass in both, 1 only in Bullet, 0 only in MuJoCo, 0 in neither");
   EXPECT_EQ(EnginesText(MakeUpSweep(kOver, 0).outcomes), "");
 }
 

@@ -57,7 +57,7 @@ TEST_F(BookOfTrials, TheBookCountsWhatItHas) {
   EXPECT_EQ(book.progress().survived, end - 1);
 }
 
-/// An outcome that nobody played.
+/// A synthetic outcome.
 TrialOutcome MadeUpOutcome(int number, bool survived = true) {
   TrialOutcome outcome;
   outcome.number = number;

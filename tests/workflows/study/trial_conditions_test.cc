@@ -8,8 +8,8 @@
 namespace gaitwright {
 namespace {
 
-/// What is told of a request, a line each.
-std::vector<std::string> Told(PlayRequest request) {
+/// The reported conditions of a request, one line each.
+std::vector<std::string> ConditionLines(PlayRequest request) {
   std::vector<std::string> lines;
   for (const OptionChange& condition : TrialConditions(TextsOf(request.Fields())))
     lines.push_back(ConditionText(condition));
@@ -19,25 +19,26 @@ std::vector<std::string> Told(PlayRequest request) {
 using Lines = std::vector<std::string>;
 
 TEST(TrialConditions, TellOfStateSensorsAndDelayWhateverTheyAre) {
-  EXPECT_EQ(Told({}), (Lines{"state true", "sensors not used", "command_delay_s 0"}));
+  EXPECT_EQ(ConditionLines({}), (Lines{"state true", "sensors not used", "command_delay_s 0"}));
   PlayRequest request;
   request.sensing.sensors = SensorsOfKind("hobby");
-  EXPECT_EQ(Told(request), (Lines{"state true", "sensors not used", "command_delay_s 0"})) << "with the true state";
+  EXPECT_EQ(ConditionLines(request), (Lines{"state true", "sensors not used", "command_delay_s 0"}))
+      << "with the true state";
   request.sensing.state = "estimated";
   request.sensing.command_delay_s = 0.004;
-  EXPECT_EQ(Told(request), (Lines{"state estimated (usually true)", "sensors hobby (usually ideal)",
-                                  "command_delay_s 0.004 (usually 0)"}));
+  EXPECT_EQ(ConditionLines(request), (Lines{"state estimated (default true)", "sensors hobby (default ideal)",
+                                            "command_delay_s 0.004 (default 0)"}));
 }
 
 TEST(TrialConditions, NameFiguresOfSensorsThatAreNotThoseOfTheNearestSet) {
   PlayRequest request;
   request.sensing.state = "measured";
-  EXPECT_EQ(Told(request)[1], "sensors ideal");
+  EXPECT_EQ(ConditionLines(request)[1], "sensors ideal");
   request.sensing.sensors = SensorsOfKind("good");
   request.sensing.sensors.encoder_bias_rad = 0.01;
   request.sensing.sensors.seed = 7;
-  EXPECT_EQ(Told(request), (Lines{"state measured (usually true)", "sensors good (usually ideal)",
-                                  "sensors.encoder_bias_rad 0.01 (usually 0)", "command_delay_s 0"}));
+  EXPECT_EQ(ConditionLines(request), (Lines{"state measured (default true)", "sensors good (default ideal)",
+                                            "sensors.encoder_bias_rad 0.01 (default 0)", "command_delay_s 0"}));
 }
 
 TEST(TrialConditions, NameEveryOptionThatIsNotAtItsUsualValue) {
@@ -45,8 +46,8 @@ TEST(TrialConditions, NameEveryOptionThatIsNotAtItsUsualValue) {
   request.play.world.friction = 0.4;
   request.stabilised.dcm_gain = 1.5;
   request.play.world.seed = 3;
-  EXPECT_EQ(Told(request), (Lines{"state true", "sensors not used", "command_delay_s 0",
-                                  "play.friction 0.4 (usually 0)", "stabilised.dcm_gain 1.5 (usually 1.3)"}));
+  EXPECT_EQ(ConditionLines(request), (Lines{"state true", "sensors not used", "command_delay_s 0",
+                                            "play.friction 0.4 (default 0)", "stabilised.dcm_gain 1.5 (default 1.3)"}));
 }
 
 TEST(TrialConditions, FlagsAreThoseThatAct) {

@@ -34,7 +34,7 @@ TEST_F(TrialOfStanding, WhatCannotBePlayedIsRefusedBeforeTheFirstTrial) {
     return report.ok() ? Failure() : report.failure();
   };
   const Disturbances before = disturbances_;
-  disturbances_.pushes[0][1].distribution = Distribution::Uniform(0.1, 1.0);  // most are in time
+  disturbances_.pushes[0][1].distribution = Distribution::Uniform(0.1, 1.0);  // most come before the end of the plan
   EXPECT_EQ(refusal().code, FailureCode::kLatePush);
   EXPECT_NE(refusal().message.find("the push begins at 1 s"), std::string::npos) << refusal().message;
   disturbances_.pushes[0] = {{"size_n", Distribution::Fixed(1.0)},

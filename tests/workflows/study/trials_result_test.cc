@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Twenty trials: the first fell, of the others two broke a gate.
+/// Twenty trials: the first fell, and two of the others failed a gate.
 Json Rows() {
   Json rows = Json::array();
   for (int i = 0; i < 20; ++i)
@@ -63,7 +63,7 @@ Json With(const char* key, const Json& value) {
   return json;
 }
 
-/// A good one with another value in a cell of its rows.
+/// A valid result with another value in one cell of its rows.
 Json WithCell(std::size_t row, std::size_t column, const Json& value) {
   Json json = Good();
   json["trials"]["rows"][row][column] = value;

@@ -22,7 +22,7 @@ StudyAxis Range(const std::string& key, double low, double high) {
   return {.key = key, .unit = "1", .values = {}, .low = low, .high = high};
 }
 
-/// Noise of a trial that all candidates share, and some of its own for each candidate.
+/// Noise of a trial: a part that all candidates share, and a part for each candidate.
 double Noise(const StudyPoint& values, int number, double shared, double own) {
   std::uint64_t seed = static_cast<std::uint64_t>(number) * 1000003U;
   SplitMix common(seed);
@@ -31,7 +31,7 @@ double Noise(const StudyPoint& values, int number, double shared, double own) {
   return shared * common.Normal() + own * each.Normal();
 }
 
-/// Best at a = 0.7, b = 0.3; the usual values are a = 0.2, b = 0.8.
+/// The optimum is at a = 0.7, b = 0.3; the present values are a = 0.2, b = 0.8.
 double Hill(const StudyPoint& values) {
   const double a = std::stod(values[0]) - 0.7, b = std::stod(values[1]) - 0.3;
   return 80.0 - 60.0 * a * a - 40.0 * b * b - 20.0 * a * b;
@@ -55,7 +55,7 @@ TuneResult Searched(const TuneProblem& problem, const TuneOptions& options, std:
   return std::move(*result);
 }
 
-/// How far the favourite is from the hill's top.
+/// Distance of the favourite from the optimum.
 double Missed(const TuneResult& result) {
   const StudyPoint& values = result.candidates[result.favourite].values;
   return std::hypot(std::stod(values[0]) - 0.7, std::stod(values[1]) - 0.3);
@@ -68,7 +68,7 @@ TEST(TuneSearch, ASmoothHillIsClimbedByItsSurface) {
   ASSERT_TRUE(result.proof);
   EXPECT_GT(result.proof->value.low, 10.0) << "the usual values lie 21 below the top";
   ASSERT_TRUE(result.surface);
-  EXPECT_GT(result.surface->foretold, 0.9);
+  EXPECT_GT(result.surface->predicted, 0.9);
   EXPECT_EQ(result.candidates.size(), 40U);
   EXPECT_EQ(result.candidates.front().found_by, "usual");
   EXPECT_EQ(result.candidates.back().found_by, "surface");
@@ -206,7 +206,7 @@ TEST(TuneSearch, WhenStoppedItTriesNothingMore) {
     TuneOptions options{.evaluations = 60};
     options.method = method;
     JobJournal none;
-    int asked = 0, told = 0;  // told to stop
+    int asked = 0, told = 0;  // `told`: number of calls after the stop
     const auto stop = [&] { return ++asked > 30 && ++told > 0; };
     const Result<TuneResult> cut = SearchTuning(problem, options, 1, none, {1, {}, stop});
     ASSERT_FALSE(cut);
@@ -215,7 +215,7 @@ TEST(TuneSearch, WhenStoppedItTriesNothingMore) {
   }
 }
 
-/// Refuses the usual values, or the favourite, from a trial on.
+/// Refuses the present values, or the favourite, from a given trial on.
 TuneProblem RefusingFrom(int first_refused, bool usual) {
   TuneProblem problem = Problem(Hill, 5.0, 0.5);
   const auto judge = problem.judge;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One wall put in the way of a walk that is fine without it.
+// A wall on the path of a walk that is feasible without it.
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// A goal straight ahead, with room beside the way.
+/// A goal straight forward, with room beside the path.
 struct Way {
   const char* robot;
   double goal_x_m;
@@ -30,7 +30,7 @@ class AddedWall : public testing::TestWithParam<Way> {
   const RobotModel model_ = *LoadNamedRobot(GetParam().robot);
 };
 
-/// How far the base goes to a side [m].
+/// Largest lateral distance of the base [m].
 double FarthestAside(const MotionPlan& plan) {
   double farthest = 0.0;
   for (const VectorX& q : plan.whole_body.q) farthest = std::max(farthest, std::abs(q[1]));
@@ -47,14 +47,14 @@ TEST_P(AddedWall, IsWalkedAround) {
   const auto with = Plan({Wall("wall", {Middle(), -half}, {Middle(), half})});
   ASSERT_TRUE(with.ok()) << with.failure().message;
   EXPECT_TRUE(with->audit.pass()) << AuditText(with->audit);
-  EXPECT_GT(FarthestAside(with->motion.plan), half);  // past its end
+  EXPECT_GT(FarthestAside(with->motion.plan), half);  // the base passes beyond the end of the wall
   const VectorX& last = with->motion.plan.whole_body.q.back();
   EXPECT_NEAR(last[0], GetParam().goal_x_m, 0.1);
   EXPECT_NEAR(last[1], 0.0, 0.1);
 }
 
 TEST_P(AddedWall, IsRefusedWhereItClosesTheWay) {
-  // Between two walls along the way, which leave room to walk.
+  // Between two walls along the path, with enough room to walk.
   const double aside = 2.0 * model_.leg_length_m(), end = GetParam().goal_x_m + 1.0;
   std::vector<Obstacle> walls = {
       Wall("left", {-1.0, aside}, {end, aside}), Wall("right", {-1.0, -aside}, {end, -aside}),

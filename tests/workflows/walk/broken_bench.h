@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of broken plans share: a robot, its whole plan, and how both judges are asked.
+// Parts that the tests of broken plans share: a robot, its plan, and calls of the audit and of physics.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace gaitwright {
 
-/// A robot and a plan of two short strides straight ahead, a little below its standing height, so that its legs have
-/// room for what is broken.
+/// A robot and a plan of two short strides straight forward, slightly below its standing height, so that its legs have
+/// room for the changes.
 struct Bench {
   RobotModel model;
   MotionPlan plan;
@@ -19,21 +19,21 @@ struct Bench {
 /// Made once for each robot.
 const Bench& BenchOf(const std::string& robot);
 
-/// The laws that the plan breaks, each once, in the audit's order.
+/// The checks that the plan fails, each once, in the audit's order.
 std::vector<Law> BrokenLaws(const RobotModel& model, const MotionPlan& plan);
 
-/// @throws std::logic_error when it cannot be played at all.
+/// @throws std::logic_error if it cannot be played at all.
 PlayedWalk Played(const RobotModel& model, const MotionPlan& plan, const std::string& controller = "joint-pd");
 
 bool Says(const std::string& text, const std::string& part);
 
-/// A phase about half way in which as many feet swing as ever do.
+/// A phase near the middle of the plan in which the largest number of feet swing.
 int MiddleSwingPhase(const MotionPlan& plan);
 
-/// The first foothold that is taken after 40 % of the time.
+/// The first foothold with a touch-down after 40 % of the time.
 std::size_t MiddleFoothold(const MotionPlan& plan);
 
-/// Every swing of one foot bent down through the ground, by a quarter of its lift.
+/// Bends every swing of one foot down into the ground, by a quarter of its lift.
 MotionPlan WithSwingsThroughTheGround(const Bench& bench, int foot);
 
 }  // namespace gaitwright

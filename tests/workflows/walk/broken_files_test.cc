@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans broken on purpose in one column of the finished file, so that the columns no longer agree: the audit names the
-// law; the playback fails where the column is one that the controller uses, and says why.
+// check; the playback fails if the controller uses the column, and gives the reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans broken on purpose before their last stages, so that all columns agree with each other: the audit names the law
-// that is broken and no other but its consequences, and the playback fails and says why.
+// Plans broken on purpose before their last stages, so that all columns agree with each other: the audit names the
+// failed check and only its consequences besides, and the playback fails and gives the reason.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -31,7 +31,7 @@ Vector3 TouchdownOf(const PlaybackLog& log, const Foothold& foothold) {
   return Vector3::Constant(std::nan(""));
 }
 
-/// From the middle of the feet that stand in a phase to that of those that swing.
+/// Vector from the centre of the stance feet of a phase to the centre of its swing feet.
 Vector3 TowardsTheSwingingFeet(const MotionPlan& plan, const ContactPhase& phase, int num_feet) {
   Vector3 swinging = Vector3::Zero(), standing = Vector3::Zero();
   const int stand = std::popcount(phase.stance);
@@ -43,7 +43,7 @@ Vector3 TowardsTheSwingingFeet(const MotionPlan& plan, const ContactPhase& phase
   return swinging / (num_feet - stand) - standing / stand;
 }
 
-/// Largest share of its normal force that a loaded foot pushes along the ground.
+/// Largest ratio of tangential to normal force of a loaded foot.
 double FrictionUsed(const Bench& bench) {
   double use = 0.0;
   for (const auto& wrenches : bench.plan.whole_body.wrenches) {
@@ -123,7 +123,7 @@ TEST_P(BrokenInput, AGroundMoreSlipperyThanThePlannerThoughtSlips) {
   for (const char* controller : {"joint-pd", "stabilised"}) {
     const StabilityReport report = Played(model(), ice, controller).report;
     EXPECT_FALSE(report.pass);
-    // A replay slides on; who balances may have fallen before a foot has slid far.
+    // In open-loop replay the foot slides on; with balance control the robot may fall before a foot has slid far.
     EXPECT_TRUE(!report.At("slip_max_step_m").pass || report.At("fell").value == 1.0) << report.reason;
     EXPECT_TRUE(Says(report.reason, "first, from")) << report.reason;
     EXPECT_TRUE(Says(report.reason, "a tangential force of up to")) << report.reason;

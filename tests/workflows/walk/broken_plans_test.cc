@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans broken on purpose in the finished file: the audit names the law that each breaks.
+// Plans broken on purpose in the finished file: the audit names the check that each fails.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -148,7 +148,7 @@ TEST_F(BrokenPlan, CruisesComeBackAndThoseThatAreNoShareAreRefused) {
 }
 
 TEST(Walk, A1LiftsItsFeetByDetours) {
-  // More clearance over the whole of mid swing than the closed form has at its edges.
+  // More clearance in the whole middle of the swing than the closed form has at its edges.
   const RobotModel a1 = *LoadNamedRobot("a1");
   WalkRequest request;
   request.command.speed_m_s = 0.3;
@@ -184,7 +184,7 @@ TEST_F(BrokenPlan, TruncatedForeignAndNewerFilesAreRefused) {
   }
 }
 
-// The judge in physics.
+// Playback in physics.
 
 TEST_F(BrokenPlan, TheWholeOneWalks) {
   const Result<PlayedWalk> played = PlayWalk(*model_, *plan_, {});

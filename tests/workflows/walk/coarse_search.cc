@@ -22,7 +22,7 @@
 namespace gaitwright {
 namespace {
 
-/// A place of a lattice, in cells along and across the way from start to goal and in parts of a turn.
+/// A place of a lattice, in cells along and across the line from start to goal and in fractions of a turn.
 struct Cell {
   int along = 0, across = 0, turn = 0;
 };
@@ -56,13 +56,13 @@ class Lattice {
   }
   int Start() const { return NumberOf({0, 0, 0}); }
   int Goal() const { return NumberOf(goal_); }
-  /// Cells to go, and turns.
+  /// Remaining cells and turns.
   double ToGoal(int place) const {
     const Cell cell = CellOf(place);
     const int turned = std::abs(cell.turn - goal_.turn);
     return std::hypot(cell.along - goal_.along, cell.across - goal_.across) + 0.5 * std::min(turned, kTurns - turned);
   }
-  /// The places that feet may step to when others stand at this one; itself among them.
+  /// The places to which feet may step while the other feet stand at this one, including itself.
   std::vector<int> Around(int place) const {
     std::vector<int> around;
     const Cell cell = CellOf(place);
@@ -77,7 +77,7 @@ class Lattice {
 
  private:
   void Widen(const Terrain& terrain, const TerrainScale& scale) {
-    constexpr double kAround = 0.75;  // of the body's diagonal
+    constexpr double kAround = 0.75;  // share of the body's diagonal
     const int margin = 1 + static_cast<int>(kAround * std::hypot(scale.body_length_m, scale.body_width_m) / cell_m_);
     for (const Obstacle& obstacle : terrain.obstacles) {
       for (const Vector3& corner : CornersOf(obstacle)) {
@@ -120,7 +120,7 @@ class Lattice {
   std::vector<Cell> moves_;
 };
 
-/// Footholds of the feet at places of the base, few each.
+/// A few footholds for each foot and place of the base.
 class Footholds {
  public:
   struct Choice {
@@ -131,20 +131,20 @@ class Footholds {
   Footholds(const RobotModel& model, const FootholdChecker& checker, const Lattice& lattice, int most)
       : model_(model), checker_(checker), lattice_(lattice), standing_(StandingFeet(model)), most_(most) {}
 
-  /// Where a foot belongs with the base at a place.
+  /// The nominal position of a foot for a place of the base.
   PlanarPose PlaceOf(int foot, int place) const {
     const Pose X_WF = Carried(lattice_.At(place), standing_[static_cast<std::size_t>(foot)]);
     return {X_WF.translation().x(), X_WF.translation().y(), YawOf(X_WF.linear())};
   }
 
-  /// The footholds of a foot, nearest to where it belongs first.
+  /// The footholds of a foot, the nearest to its nominal position first.
   const std::vector<int>& Near(int foot, int place, double radius_m) {
     const auto [entry, is_new] = near_.try_emplace({foot, place});
     if (is_new) entry->second = Find(foot, PlaceOf(foot, place), radius_m);
     return entry->second;
   }
 
-  /// The foothold of a foot just where it belongs; -1 where it cannot stand there.
+  /// The foothold of a foot at its nominal position; -1 if it cannot stand there.
   int Own(int foot, int place) {
     const PlanarPose at = PlaceOf(foot, place);
     const Placing placing = checker_.Place(foot, at);
@@ -155,7 +155,7 @@ class Footholds {
 
  private:
   std::vector<int> Find(int foot, const PlanarPose& at, double radius_m) {
-    constexpr double kApart = 1.0 / 16.0;  // of the leg length
+    constexpr double kApart = 1.0 / 16.0;  // share of the leg length
     std::vector<PlanarPose> places = {at};
     checker_.Near(foot, at, radius_m, places);
     for (const double share : {0.25, 0.5, 1.0}) {
@@ -182,7 +182,7 @@ class Footholds {
     return found;
   }
 
-  /// Footholds at the same place to a millimetre are one.
+  /// Footholds that are equal to a millimetre are stored once.
   int Number(const PlacedFoot& placed, const PlanarPose& at) {
     const auto unit = [](double value, double of) { return std::lround(value / of); };
     const auto key = std::make_tuple(placed.foot, unit(at.x_m, 1e-3), unit(at.y_m, 1e-3), unit(at.yaw_rad, 1e-2));
@@ -201,7 +201,7 @@ class Footholds {
   std::map<std::pair<int, int>, std::vector<int>> near_;
 };
 
-/// All that the search works with. The members refer to each other, so it stays where it is made.
+/// Data of the search. The members refer to each other, so it must not be moved.
 class Search {
  public:
   Search(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query, const WalkRequest& request)
@@ -236,11 +236,11 @@ class Search {
  private:
   struct State {
     std::vector<int> feet;  // footholds
-    int place = 0;          // of the group that stepped last
-    int next = 0;           // group
+    int place = 0;          // place of the group that stepped last
+    int next = 0;           // next group
   };
 
-  /// On level ground between walls feet stand where they belong.
+  /// On level ground between walls, feet stand at their nominal positions.
   static int ChoicesOf(const RobotModel& model, const WalkCommand& command) {
     if (command.extent == WalkCommand::Extent::kGoal) return 1;
     return model.feet.size() <= 2 ? 8 : 4;

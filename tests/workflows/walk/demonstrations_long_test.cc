@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the program promises of its two robots, played whole: with robot.yaml and from the URDF alone.
+// The demonstrated walks of the two main robots, in full length: with robot.yaml and from the URDF alone.
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
@@ -125,8 +125,8 @@ class Demonstration : public testing::TestWithParam<bool> {
     return report;
   }
 
-  /// Pushes from eight directions, 0.1 s each, at kTimes times of a cycle: four quarters of it, wherever they begin.
-  /// @return how many of the 32 plays of such four pass, at the beginning where the fewest do.
+  /// Pushes from eight directions, 0.1 s each, at kTimes times of a cycle, in sets of four times a quarter cycle apart.
+  /// @return the smallest number of passes among the 32 plays of a set, over all sets.
   int PushAround(const Walk& walk, double force_n, double from_s, double cycle_s) {
     constexpr int kTimes = 8, kQuarters = 4;
     const RobotModel& model = Robot(walk.robot, GetParam());
@@ -209,7 +209,7 @@ TEST_P(Demonstration, UnannouncedGround) {
 INSTANTIATE_TEST_SUITE_P(Robots, Demonstration, testing::Bool(),
                          [](const auto& with) { return with.param ? "WithYaml" : "FromUrdfAlone"; });
 
-/// Distance must not depend on how big a foot is: a ball rolls, and the plan knows.
+/// The distance must not depend on the radius of a foot: the plan takes rolling into account.
 TEST(FootRadius, DistanceHolds) {
   const RobotModel a1 = *LoadNamedRobot("a1");
   const std::string was = "<sphere radius=\"0.02\"/>";

@@ -37,7 +37,7 @@ TEST(DynamicWalksLong, ABipedHopsAheadAndRuns) {
   }
 }
 
-/// With flights of 0.05 s, near the most that its knees are fast enough for.
+/// Flights of 0.05 s are near the limit of its knee speed.
 TEST(DynamicWalksLong, TheNaoHopsInPlace) {
   WalkRequest request;
   request.gait = "hop";
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(A1, DynamicWalksLong,
                          testing::Values(DynamicWalk{"trot", 1.5, 5.0}, DynamicWalk{"trot", 1.0, 5.0, 0.4},
                                          DynamicWalk{"bound", 0.8, 5.0}, DynamicWalk{"pronk", 0.5, 5.0},
                                          DynamicWalk{"gallop", 1.0, 5.0}));
-// Near the most that the motors give; the bound's stances of 0.07 s take a finer grid than others.
+// Near the limits of the motors; the stances of the bound, 0.07 s, need a finer grid than other gaits.
 INSTANTIATE_TEST_SUITE_P(A1AtSpeed, DynamicWalksLong,
                          testing::Values(DynamicWalk{"trot", 2.5, 6.0}, DynamicWalk{"bound", 3.0, 6.0},
                                          DynamicWalk{"gallop", 1.5, 5.0}));

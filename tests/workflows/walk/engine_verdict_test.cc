@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-/// A playback with the verdict given, in the engine of that name.
+/// A playback with the given verdict in the given engine.
 ScoredPlayback MadeUpPlayback(const std::string& engine, bool pass, bool fell, double score) {
   ScoredPlayback played;
   played.log.options = {{"play.engine", engine}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motors that are told a torque at the start of a step, as on hardware: the gains have to know the step.
+// Motors that get a torque at the start of a step, as on hardware: the gains depend on the step.
 #include <gtest/gtest.h>
 
 #include "kinematics/base/result.h"
@@ -36,7 +36,7 @@ TEST_P(ExplicitTorque, WalksToTheEnd) {
   EXPECT_TRUE(played->report.pass) << played->report.reason;
 }
 
-// Replaying a trot without feedback needs more damping than a light leg allows at 1 ms; at a quarter of it, it has it.
+// Replaying a trot without feedback needs more damping than a light leg allows at 1 ms; 0.25 ms allows it.
 INSTANTIATE_TEST_SUITE_P(Robots, ExplicitTorque,
                          testing::Values(ExplicitCase{"a1", "stabilised", 1e-3},
                                          ExplicitCase{"nao", "stabilised", 1e-3}, ExplicitCase{"nao", "joint-pd", 1e-3},
@@ -76,7 +76,7 @@ TEST(LoopOfTheDrives, OnWhatIsSensedHasGainsForTheAgeOfThatAndNeedsTorques) {
   input.q = plan.whole_body.q.front();
   input.v = plan.whole_body.v.front();
   input.q.tail(12).array() += 0.1;
-  const auto push = [&](double delay_s) {  // what a joint that is off is pushed back with
+  const auto push = [&](double delay_s) {  // the restoring torque of a joint with a position error
     PlayRequest request;
     request.controller = "joint-pd";
     request.play.world.actuation = "torque";
@@ -104,7 +104,7 @@ TEST(LoopOfTheDrives, OnTheTrueStateAtOnceIsTheDrivesOwn) {
   EXPECT_LT((own.samples.back().q - sensed.samples.back().q).lpNorm<Eigen::Infinity>(), 1e-6);
 }
 
-/// Where losses do not act, nobody makes up for them: a robot that has some then plays as one that has none.
+/// If losses are disabled, the controller does not compensate them: a robot with losses then behaves as one without.
 TEST(JointLosses, ThatDoNotActAreNotMadeUpFor) {
   const RobotModel plain = *LoadNamedRobot("a1");
   RobotModel lossy = plain;

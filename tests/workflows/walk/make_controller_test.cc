@@ -7,7 +7,7 @@
 namespace gaitwright {
 namespace {
 
-/// The damping that `stabilised` gives the joints of legs that stand.
+/// The damping of `stabilised` for the joints of stance legs.
 double StanceDamping(const PlayRequest& request) {
   const RobotModel model = standing::Load("a1");
   const MotionPlan plan = standing::Plan(model, 0.6);

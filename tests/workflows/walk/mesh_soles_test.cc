@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A biped whose soles are meshes in place of boxes is the same robot: it has the same feet, and its plan walks, also
-// where the mesh files are gone.
+// A biped with mesh soles instead of boxes is the same robot: it has the same feet, and its plan walks, also without
+// the mesh files.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace {
 
 class MeshSoles : public testing::TestWithParam<std::string> {
  protected:
-  /// NAO with its soles read from files in a folder that is gone when this returns.
+  /// NAO with its soles read from files in a folder that is deleted before this returns.
   static RobotModel FromMeshes() {
     const RobotModel nao = LoadNamedRobot("nao").value();
     const std::string box = "<box size=\"0.157 0.088 0.02\"/>", mesh = "<mesh filename=\"" + GetParam() + "\"/>";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robots that come with the program: each walks a metre at its own speed, as it comes, from its URDF alone, and
-// written in other conventions; or tells why it cannot.
+// The built-in robots: each walks a metre at its default speed, with robot.yaml, from its URDF alone, and written in
+// other conventions; or the refusal gives the reason.
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(All, NamedQuadruped, testing::Values("a1", "go1", "laik
 
 TEST_P(NamedQuadruped, TrotsAMetre) { ExpectWalks(LoadNamedRobot(GetParam()).value(), "trot"); }
 
-/// Its soles are bars of 3 cm that no joint rolls: one of them alone tips as the body sways over it.
+/// Its soles are bars of 3 cm without an ankle roll joint, so a single foot tips when the body sways over it.
 TEST(NamedRobots, TheH1IsToldWhyItCannotWalk) {
   WalkRequest request;
   request.command.distance_m = 1.0;
@@ -53,7 +53,7 @@ TEST(NamedRobots, TheH1IsToldWhyItCannotWalk) {
       << planned.failure().message;
 }
 
-/// Stands for three seconds, and pushes of 10 N for half a second do not fell it.
+/// Stands for three seconds and withstands pushes of 10 N for half a second.
 void ExpectStandsAgainstPushes(const RobotModel& h1) {
   WalkRequest request;
   request.sequence = "stand: duration=3";
@@ -71,7 +71,7 @@ void ExpectStandsAgainstPushes(const RobotModel& h1) {
   }
 }
 
-/// It stands, though.
+/// The H1 can stand.
 TEST(NamedRobots, TheH1StandsAgainstPushes) { ExpectStandsAgainstPushes(LoadNamedRobot("h1").value()); }
 
 TEST(NamedRobots, TheH1StandsAgainstPushesFromItsUrdfAlone) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Standing robots that are pushed: 'recovering' against 'stabilised'.
+// Standing robots that are pushed: 'recovering' compared with 'stabilised'.
 #include "workflows/walk/plan_recovery.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-/// A robot that comes with the program, standing for 4 s.
+/// A built-in robot that stands for 4 s.
 struct Stander {
   RobotModel model;
   MotionPlan plan;
@@ -31,14 +31,14 @@ Stander Standing(const std::string& robot) {
   return stander;
 }
 
-/// What 'recovering' does with a robot, planned once for all tests.
+/// The recovery plans of a robot, made once for all tests.
 const RecoveryPlans& RecoveryOf(const RobotModel& model) {
   static std::map<std::string, RecoveryPlans> plans;
   const auto at = plans.find(model.name);
   return at != plans.end() ? at->second : plans.emplace(model.name, PlanRecovery(model).value()).first->second;
 }
 
-/// A push at 0.5 s for 0.1 s; the direction from ahead, over the left [degree].
+/// A push at 0.5 s for 0.1 s; its direction counts from forward to the left [degree].
 PlayRequest PushRequest(const std::string& controller, double force_n, double direction_deg) {
   const double angle = direction_deg * std::numbers::pi / 180.0;
   PlayRequest request;
@@ -82,13 +82,13 @@ TEST_P(Recovering, StepsWhereStandingDoesNotDo) {
 
 TEST(RecoveringStander, StandsStillWhereThatDoes) {
   const Stander stander = Standing("nao");
-  const PlayedWalk stood =  // recovery is planned now
+  const PlayedWalk stood =  // plans the recovery in this call
       PlayWalk(stander.model, stander.plan, PushRequest("recovering", 10.0, 0.0)).value();
   EXPECT_TRUE(stood.report.pass) << stood.report.reason;
   EXPECT_EQ(stood.log.stances.size(), 2U);
 }
 
-/// Kinetic energy when first something that is no foot touches the ground [J].
+/// Kinetic energy at the first ground contact of a link that is not a foot [J].
 double EnergyAtImpact(const RobotModel& model, const PlaybackLog& log) {
   EXPECT_FALSE(log.body_contacts.empty());
   if (log.body_contacts.empty()) return 0.0;
@@ -115,7 +115,7 @@ TEST(RecoveringStander, GetsDownBeforeAFallThatIsCertain) {
 }
 
 TEST(RecoveringStander, WithoutStepsItStands) {
-  const Stander stander = Standing("h1");  // on feet that are lines it does not step
+  const Stander stander = Standing("h1");  // it does not step, because its feet are lines
   EXPECT_FALSE(RecoveryOf(stander.model).steps.has_value());
   EXPECT_FALSE(Fell(Pushed(stander, "recovering", 10.0, 0.0)));
 }

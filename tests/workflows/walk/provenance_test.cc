@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a plan and a log say of how they came about: enough to make them again.
+// Provenance in plans and logs is sufficient to reproduce them.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -17,10 +17,10 @@
 namespace gaitwright {
 namespace {
 
-/// As it is written down: to four digits after the point.
+/// A value as written to the file: four digits after the decimal point.
 double Written(double value) { return std::round(1e4 * value) / 1e4; }
 
-/// Draws that are the same with every standard library.
+/// Random numbers that are equal with every standard library.
 class Draws {
  public:
   Draws(RandomGroundKind kind, std::uint64_t seed) : engine_(3 * seed + static_cast<std::uint64_t>(kind)) {}
@@ -29,7 +29,7 @@ class Draws {
     const double share = static_cast<double>(engine_() >> 11U) * 0x1p-53;
     return Written(low + share * (high - low));
   }
-  /// One of low to high, both among them.
+  /// An integer from low to high, both included.
   int Number(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
@@ -46,7 +46,7 @@ RandomGround Straight(const std::string& terrain, double distance_m) {
   return ground;
 }
 
-/// How far a robot goes on beyond a feature until all of it is past.
+/// Distance beyond a feature at which the whole robot has passed it.
 double Beyond(const TerrainScale& scale) { return scale.body_length_m - scale.front_m + 0.25 * scale.leg_length_m; }
 
 RandomGround Stones(Draws& draws, std::uint64_t seed, const TerrainScale& scale) {
@@ -74,7 +74,7 @@ RandomGround Rough(Draws& draws, std::uint64_t seed, const TerrainScale& scale) 
 struct Wall {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0, length_m = 0.0;
 
-  /// Distance of a point from its middle line.
+  /// Distance of a point from its centre line.
   double From(double x, double y) const {
     const double c = std::cos(yaw_rad), s = std::sin(yaw_rad);
     const double along = c * (x - x_m) + s * (y - y_m), across = c * (y - y_m) - s * (x - x_m);
@@ -83,7 +83,7 @@ struct Wall {
 };
 
 std::vector<Wall> WallsBetween(Draws& draws, const Vector2& goal_W, double radius_m) {
-  constexpr double kFreeStart = 1.5, kFreeGoal = 0.8;  // about them, of the robot's radius
+  constexpr double kFreeStart = 1.5, kFreeGoal = 0.8;  // free space around them, as multiples of the robot's radius
   std::vector<Wall> walls(static_cast<std::size_t>(draws.Number(2, 5)));
   for (Wall& wall : walls) {
     do {
@@ -121,7 +121,7 @@ std::string YamlOf(const std::vector<Wall>& walls, const TerrainScale& scale) {
 }
 
 RandomGround Walls(Draws& draws, std::uint64_t seed, const TerrainScale& scale, const std::string& folder) {
-  constexpr std::uint64_t kClosed = 6;  // one of so many is walled in
+  constexpr std::uint64_t kClosed = 6;  // one goal in this number is walled in
   const double leg = scale.leg_length_m, radius = 0.5 * std::hypot(scale.body_length_m, scale.body_width_m);
   RandomGround ground;
   WalkCommand& command = ground.command;

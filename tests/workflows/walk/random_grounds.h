@@ -10,20 +10,20 @@
 
 namespace gaitwright {
 
-/// What a random ground is made of.
+/// Kind of a random ground.
 enum class RandomGroundKind { kStones, kRough, kWalls };
 
 std::string NameOf(RandomGroundKind kind);
 void PrintTo(RandomGroundKind kind, std::ostream* out);
 
-/// A ground made by chance and a walk of 4 to 6 leg lengths over it, in the sizes of a robot.
+/// A random ground with sizes for a robot, and a walk of 4 to 6 leg lengths over it.
 struct RandomGround {
-  std::string terrain;  ///< as `--terrain` takes it
+  std::string terrain;  ///< text for `--terrain`
   WalkCommand command;
-  std::string flags;  ///< that ask for both on the command line
+  std::string flags;  ///< command-line flags for ground and walk
 };
 
-/// The ground of a seed, the same everywhere.
+/// The ground of a seed, equal on all machines.
 ///   stones   stepping stones of 2 to 3.5 leg lengths, from 0.8 to 1.3 times as large as they are by default, with gaps
 ///            of 0.08 to 0.4 leg lengths between them, moved by up to half of a gap and up or down by up to 0.1
 ///   rough    bumps from 0.5 to 1.5 times as high as they are by default, 3 leg lengths long

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grounds made by chance: plans hold or are refused with their reason, and most
-// of those that can be walked are.
+// Random grounds: a plan passes or is refused with its reason, and most walkable grounds are solved.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -26,13 +25,13 @@ namespace gaitwright {
 namespace {
 
 constexpr int kSeeds = 67;           // of each kind of ground
-constexpr double kLeastShare = 0.7;  // of the walks that a coarse search finds footholds for
+constexpr double kLeastShare = 0.7;  // share of the walks for which a coarse search finds footholds
 
-/// How the walks over the grounds of a kind ended.
+/// Results of the walks over the grounds of one kind.
 struct Tally {
   int solved = 0;
   int walkable = 0;         ///< grounds on which the coarse search finds footholds
-  int walkable_solved = 0;  ///< those of them that are solved
+  int walkable_solved = 0;  ///< walkable grounds that are solved
   std::map<std::string, std::vector<int>> refused =
       {};  ///< seeds, by the failure's code and the coarse search's answer
 

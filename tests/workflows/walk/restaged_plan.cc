@@ -13,9 +13,9 @@
 namespace gaitwright {
 namespace {
 
-/// Straight walks on level ground only: the base neither turns nor tilts.
+/// For straight walks on level ground only: the base neither turns nor tilts.
 BodyPath StraightAhead(const RobotModel& maker, const MotionPlan& plan) {
-  constexpr double kEven = 0.1;  // [s]; level ground is even
+  constexpr double kEven = 0.1;  // [s] time over which the tilt is averaged; it is zero here
   FootstepSkeleton skeleton;
   skeleton.path.time_s = {plan.schedule.start_s(), plan.schedule.end_s()};
   skeleton.path.pose.resize(2);
@@ -38,7 +38,7 @@ void PutSwingsOnFootholds(MotionPlan& plan) {
 }
 
 WholeBodySolution SolveAnew(const RobotModel& maker, MotionPlan& plan) {
-  constexpr int kPasses = 6;  // until the rolls of spheres have settled
+  constexpr int kPasses = 6;  // until the rolling of spheres has converged
   const BodyPath body = StraightAhead(maker, plan);
   std::vector<Foothold>& footholds = plan.footsteps.footholds;
   std::vector<Vector3> expected_roll(footholds.size(), Vector3::Zero());
@@ -64,7 +64,7 @@ WholeBodySolution SolveAnew(const RobotModel& maker, MotionPlan& plan) {
   return solution;
 }
 
-/// The pendulum's problem that the plan's own centre of mass answers.
+/// The pendulum problem whose solution is the plan's centre of mass.
 ZmpProblem ProblemOf(const MotionPlan& plan) {
   const CentroidalTrajectory& c = plan.centroidal;
   ZmpProblem problem;
@@ -90,7 +90,7 @@ MotionPlan WithWholeBodyAnew(const RobotModel& maker, MotionPlan plan) {
 }
 
 MotionPlan WithMotionAnew(const RobotModel& maker, MotionPlan plan) {
-  constexpr int kPasses = 3;  // until the multibody ZMP is on its reference
+  constexpr int kPasses = 3;  // until the multibody ZMP has converged to its reference
   ZmpProblem problem = ProblemOf(plan);
   SupportInputs support;
   support.start_W = problem.start_W;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan whose later stages are made anew after an earlier one was changed, so that all columns agree with each other.
+// Plans whose later stages are computed again after a change of an earlier stage, so that all columns agree.
 #pragma once
 
 #include "kinematics/model/robot_model.h"
@@ -7,15 +7,15 @@
 
 namespace gaitwright {
 
-/// Swings, joints, torques and forces anew from the footholds, centre of mass and swings' lifts that the plan has; the
-/// reference of the ZMP is what they do.
+/// Computes swings, joints, torques and forces again from the plan's footholds, centre of mass and swing lifts; the ZMP
+/// reference becomes the resulting ZMP.
 MotionPlan WithWholeBodyAnew(const RobotModel& maker, MotionPlan plan);
 
-/// The same, with the centre of mass planned anew for the plan's footholds first.
+/// As above, after planning the centre of mass again for the plan's footholds.
 MotionPlan WithMotionAnew(const RobotModel& maker, MotionPlan plan);
 
-/// Adds a shift to the reference of the ZMP in a range of phases of the schedule, rising over the phase before and
-/// falling over the one after; and to the centre of mass what the pendulum makes of it.
+/// Adds a shift to the ZMP reference in a range of phases of the schedule, rising over the phase before and falling
+/// over the phase after, and adds the pendulum's response to the centre of mass.
 void ShiftZmp(const Vector2& shift_W, int first_phase, int last_phase, MotionPlan& plan);
 
 }  // namespace gaitwright

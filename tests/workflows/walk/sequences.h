@@ -7,9 +7,9 @@
 
 namespace gaitwright {
 
-/// Plans parts one after the other for the A1 and plays them with the controller that there is by default; expects a
-/// plan of so many parts that passes its audit, where it is that of a rigid body one at rest in the middle of each part
-/// that stands still, and every gate to hold.
+/// Plans parts in sequence for the A1 and plays them with the default controller. Expects a plan with this number of
+/// parts that passes its audit, all gates passed, and, for rigid-body plans, rest in the middle of each part that
+/// stands still.
 void ExpectToWalk(const std::string& sequence, std::size_t parts);
 
 }  // namespace gaitwright

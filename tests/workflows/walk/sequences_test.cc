@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-/// Why a sequence of the A1 is refused; empty when it is not.
+/// Why a sequence of the A1 is refused; empty if it is accepted.
 std::string Why(const std::string& sequence, const std::string& terrain = "flat") {
   WalkRequest request;
   request.sequence = sequence;

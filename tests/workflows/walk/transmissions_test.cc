@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A biped of whose ankles two motors move pitch and roll together.
+// A biped with ankles whose pitch and roll are moved by two motors together.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-/// Ankles of both legs, with motors of these rows of ratios, torque and speed.
+/// Transmissions of both ankles, with motors of these ratios, torque and speed.
 std::string Ankles(const std::string& first, const std::string& second, double effort, double speed) {
   std::string yaml = "transmissions:\n";
   for (const std::string leg : {"l", "r"}) {
@@ -118,7 +118,7 @@ TEST(Transmissions, TheAuditFindsAMotorPastItsLimitWhereBoxesWouldPass) {
   EXPECT_TRUE(slow->violations[0].where.ends_with("_front") || slow->violations[0].where.ends_with("_rear"));
 }
 
-/// Largest share of a motor's limit of speed in a plan.
+/// Largest share of a motor's speed limit in a plan.
 double SpeedUseOf(const RobotModel& model, const MotionPlan& plan) {
   double most = 0.0;
   for (const VectorX& v : plan.whole_body.v)

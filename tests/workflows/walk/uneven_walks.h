@@ -8,19 +8,18 @@
 
 namespace gaitwright {
 
-/// A walk over ground by name, at the robot's own speed.
+/// A walk over a named ground, at the robot's default speed.
 struct UnevenWalk {
   std::string robot, terrain;
-  double distance_m = 0.0;                ///< straight ahead; or
-  double goal_x_m = 0.0, goal_y_m = 0.0;  ///< a goal, where it is not given
+  double distance_m = 0.0;                ///< straight forward, or
+  double goal_x_m = 0.0, goal_y_m = 0.0;  ///< a goal, if no distance is given
   std::string gait = {};
 };
 
 void PrintTo(const UnevenWalk& walk, std::ostream* out);
 
-/// Plans the walk, plays it with the controller that there is by default, and expects it to pass every gate, without a
-/// scuff, in the ground by a millimetre at most, and its feet over it as high as planned to 5 mm, or 2 mm for robots
-/// whose legs are shorter than 0.3 m.
+/// Plans the walk and plays it with the default controller. Expects all gates passed, no scuffs, a penetration of at
+/// most 1 mm, and a clearance within 5 mm of the planned one (2 mm for legs shorter than 0.3 m).
 void ExpectToWalk(const UnevenWalk& walk);
 
 }  // namespace gaitwright

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Longer walks over uneven ground and around what stands on it.
+// Longer walks over uneven ground and around obstacles.
 #include <gtest/gtest.h>
 
 #include "tests/workflows/walk/uneven_walks.h"

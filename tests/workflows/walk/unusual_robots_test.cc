@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Robots of other kinds and sizes, from their URDF alone: each walks at its own speed, or is told why it cannot.
+// Robots of other kinds and sizes, from their URDF alone: each walks at its default speed, or the refusal gives the
+// reason.
 #include "tests/unusual_robots.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ TEST_P(UnusualRobot, WalksAtItsOwnSpeed) {
   EXPECT_TRUE(played->report.pass) << played->report.reason;
 }
 
-/// Four-legged, with joints that are damped and rub: those of small geared motors, 3 % of its efforts.
+/// A quadruped with joint damping and friction of small geared motors, 3 % of its effort limits.
 std::string Rubbing() {
   std::string urdf = unusual::Plain();
   for (std::size_t at = 0; (at = urdf.find("<limit", at)) != std::string::npos; at += 50) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which playback decides, and what is refused before anything is played.
+// The decisive playback, and refusals before playback.
 #include "workflows/walk/walk.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(PlayedWalk, TheOneThatFailsDecidesElseTheLowerScore) {
   EXPECT_FALSE(second_decides(PlayedBy(true, 70.0, true, 70.0))) << "the first of equal ones";
 }
 
-// Explicit gains are bounded by the step and the delay of the loop that the sensors close.
+// Explicit gains are bounded by the step and the delay of the sensor feedback loop.
 TEST(GainsFor, ExplicitTorquesKnowTheirStep) {
   PlayRequest request;
   EXPECT_EQ(GainsFor(request).explicit_step_s, 0.0) << "implicit PD needs no bound";

@@ -12,7 +12,7 @@ using M = Meaning;
 
 std::vector<Item> ItemsWithAsides(const std::string& text) { return ItemsOf(text, LanguageOf(text), {{"door", 0}}); }
 
-/// The words that are left, each item parted by a bar; those that say nothing are left out.
+/// The remaining words, with a bar between items; words without a meaning are left out.
 std::string KeptWords(const std::string& text) {
   std::string kept;
   for (const Item& item : WithoutAsides(ItemsWithAsides(text))) {
@@ -58,7 +58,7 @@ TEST(Asides, WhenOthersActIsLeftOut) {
   EXPECT_FALSE(HasUnknown("squat while I take a picture"));
 }
 
-/// What waits for somebody else asks for more than anyone here can see.
+/// Conditions on other people are things that the robot cannot observe.
 TEST(Asides, ConditionsStayAndAreUnknown) { EXPECT_TRUE(HasUnknown("nod if the door is open")); }
 
 TEST(Asides, WhatIsOrderedIsNoAside) {
@@ -66,7 +66,7 @@ TEST(Asides, WhatIsOrderedIsNoAside) {
   EXPECT_FALSE(HasUnknown("nod before you bow"));
 }
 
-/// Leaving asides out twice leaves out no more.
+/// Removing asides a second time changes nothing.
 TEST(Asides, OnceIsEnough) {
   for (const std::string text :
        {"nod because the floor is wet, then bow", "妈妈接个电话，点头", "the nurse has to pass, nod"}) {

@@ -23,7 +23,7 @@ TaskScope BipedScope() {
   return scope;
 }
 
-/// A task and its draft, which says each parameter with some words.
+/// A task and its draft, with words for each parameter.
 struct Checked {
   Task task;
   Draft draft;
@@ -37,7 +37,7 @@ struct Checked {
     draft.said[key] = CheckedSpan(words);
     return *this;
   }
-  /// Nothing where it is accepted.
+  /// The refusal; nothing if the draft is accepted.
   std::optional<Refusal> Refused(const TaskScope& scope = BipedScope()) const {
     try {
       CheckDraft(kCheckedText, scope, task, draft);

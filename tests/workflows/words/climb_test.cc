@@ -31,7 +31,7 @@ Clause StairsClause(const std::vector<Item>& items) {
   return clause;
 }
 
-/// What is settled of an empty draft, or of one with an action.
+/// The result of Settle for an empty draft, or for one with an action.
 Draft Settled(const ClimbWords& words, const std::string& action = "") {
   Draft draft;
   draft.action = action;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Instructions with what they mean, as tests/workflows/words/*.yaml has them.
+// Instructions with their meanings, from tests/workflows/words/*.yaml.
 #pragma once
 
 #include <string>
@@ -23,14 +23,14 @@ struct RefusalEntry {
 std::vector<CorpusEntry> LoadCorpus(const std::string& file);
 std::vector<RefusalEntry> LoadRefusals(const std::string& file);
 
-/// What the robot of an entry can do, with the places that the corpus knows.
-/// @param ground  a built-in one, whose places there are instead.
+/// The abilities of the robot of an entry, with the places of the corpus.
+/// @param ground  a built-in ground, whose places are used instead.
 TaskScope CorpusScope(const std::string& robot, const std::string& ground = "");
 
 /// Tasks without the words that they come from.
 std::vector<Task> WithoutWords(std::vector<Task> tasks);
 
-/// Tasks as a text to compare and to read.
+/// Tasks as text, for comparison and messages.
 std::string TasksText(const std::vector<Task>& tasks);
 
 }  // namespace gaitwright

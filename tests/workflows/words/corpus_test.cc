@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The built-in grammar against instructions that were written before it.
+// The built-in grammar is tested with instructions that were written before it.
 #include "tests/workflows/words/corpus.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// How many of a corpus are understood as they are meant; each of the others is told where `all` are to be.
+/// Number of instructions of a corpus that are understood correctly; with `all`, each of the others is a test failure.
 int Understood(const std::vector<CorpusEntry>& corpus, bool all) {
   int count = 0;
   for (const CorpusEntry& entry : corpus) {
@@ -33,8 +33,8 @@ TEST(Corpus, IsUnderstood) {
   }
 }
 
-/// What is reached is kept, of those that the grammar was made better by and of those that nobody who wrote it has
-/// seen.
+/// The share of understood instructions must not decrease, both for the corpora used to improve the grammar and for
+/// unseen ones.
 TEST(Corpus, MostIsUnderstoodHoweverPeopleTalk) {
   const auto further = LoadCorpus("fourth.yaml"), held_back = LoadCorpus("held_back.yaml");
   ASSERT_GE(further.size(), 400U);
@@ -46,8 +46,7 @@ TEST(Corpus, MostIsUnderstoodHoweverPeopleTalk) {
   EXPECT_GE(unseen, 0.85 * static_cast<double>(held_back.size())) << unseen << " of " << held_back.size();
 }
 
-/// Leaving out reasons and what somebody else does must not leave out conditions, objects and what no robot here can
-/// do.
+/// Removing reasons and actions of other people must not remove conditions, objects and actions that no robot can do.
 TEST(Corpus, NothingThatMattersIsLeftOut) {
   const auto refusals = LoadRefusals("not_understood.yaml");
   ASSERT_GE(refusals.size(), 120U);
@@ -75,7 +74,7 @@ TEST(Corpus, WhatIsNotAcceptedIsRefusedByItsPart) {
   }
 }
 
-/// Each task tells the words that it comes from.
+/// Each task has the words that it comes from.
 TEST(Corpus, WordsAreKept) {
   const auto understood = words::Understand("Please walk two steps, then raise the right arm.", CorpusScope("nao"));
   const auto* plan = std::get_if<TaskPlan>(&understood);
@@ -91,7 +90,7 @@ TEST(Corpus, WordsAreKept) {
   EXPECT_EQ(walk.during.at(0).words, "挥手");
 }
 
-/// What nobody may do by saying that it is not to be done.
+/// A forbidden action is not carried out.
 TEST(Grammar, WhatIsNotToBeDoneIsNotDone) {
   const auto tasks = [](const std::string& text) {
     const auto understood = words::Understand(text, CorpusScope("a1"));

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// What an instruction led to.
+/// Results of an instruction.
 struct Done {
   PlannedTasks planned;
   PlayedWalk played;
@@ -16,10 +16,10 @@ struct Done {
 
 Result<PlannedTasks> PlannedInWords(const RobotModel& model, const std::string& text, const Terrain& terrain);
 
-/// Plans, audits, plays and scores; all has to pass.
+/// Plans, audits, plays and scores; all must pass.
 Done DoneInWords(const RobotModel& model, const std::string& text, const Terrain& terrain);
 
-/// How far the measured ZMP is from the planned one at the end [m].
+/// Distance of the measured ZMP from the planned one at the end [m].
 double ZmpErrorAtEnd(const Done& done);
 
 }  // namespace gaitwright

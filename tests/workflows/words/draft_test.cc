@@ -30,7 +30,7 @@ void Say(const std::string& key, TaskValue value, const std::string& words, Draf
   draft.said[key] = SpanIn(words);
 }
 
-/// The refusal of a call; one without words where none is thrown.
+/// The refusal of a call; one without words if none is thrown.
 template <class Call>
 Refusal RefusalOf(Call call) {
   try {
@@ -80,7 +80,7 @@ TEST(Drafts, LimbsInThePluralAreBothUnlessASideIsSaid) {
   EXPECT_EQ(WordOf(both, "side"), "both");
   Draft one = DraftOf("wave");
   one.plural = true;
-  one.side = "right";  // without words of its own: no way is meant
+  one.side = "right";  // without words in the text, so it is not a direction
   SettleSide(kDraftText, one);
   EXPECT_EQ(WordOf(one, "side"), "right");
   EXPECT_FALSE(one.plural);

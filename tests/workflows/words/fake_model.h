@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A stand-in for a language model on loopback, which answers what a test tells it to.
+// A stand-in for a language model on the loopback address, with the answers of a test.
 #pragma once
 
 #include <atomic>
@@ -10,16 +10,16 @@
 
 namespace gaitwright {
 
-/// What is answered to one request.
+/// The answer to one request.
 struct FakeAnswer {
   enum class Kind { kContent, kBody, kStatus, kSilence, kHangUp };
 
   Kind kind = Kind::kContent;
-  std::string text;  ///< the message's content; of kBody the whole body
+  std::string text;  ///< the content of the message; for kBody the whole body
   int status = 200;
 };
 
-/// An HTTP server that gives its answers in order, the last one for ever.
+/// An HTTP server that sends its answers in order and repeats the last one.
 class FakeModel {
  public:
   explicit FakeModel(std::vector<FakeAnswer> answers);
@@ -27,7 +27,7 @@ class FakeModel {
   FakeModel(const FakeModel&) = delete;
 
   std::string url() const { return "http://127.0.0.1:" + std::to_string(port_) + "/v1"; }
-  /// The requests so far, with their heads.
+  /// The requests so far, with their headers.
   std::vector<std::string> requests() const;
 
  private:

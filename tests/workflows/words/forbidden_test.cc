@@ -8,7 +8,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// The clause of a text that has one.
+/// The single clause of a text.
 Clause OnlyClause(const std::string& text) {
   const std::vector<Clause> clauses = ClausesOf(text, ItemsOf(text, LanguageOf(text), {}));
   EXPECT_EQ(clauses.size(), 1U) << text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a refusal tells a person to say instead.
+// Suggestions of other words in refusals.
 #include "workflows/words/hints.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Hints, FlagsBecomeWords) {
   EXPECT_EQ(said({Flag("lateral-speed", -0.2)}), Hints{"say 'at 0.2 m/s' or slower"});
   EXPECT_EQ(said({Flag("step-length", 0.05)}), Hints{"say 'steps of 0.05 m' or shorter"});
   EXPECT_EQ(said({Flag("step-length", -0.05)}, 4), Hints{"say 'steps of 0.2 m' or shorter"});
-  EXPECT_EQ(said({Flag("yaw-rate", 0.5)}), Hints{});  // nothing says how fast to turn
+  EXPECT_EQ(said({Flag("yaw-rate", 0.5)}), Hints{});  // no words set the yaw rate
   const Suggestion option{"pipeline.allow_limits", "true", Certainty::kUntried, "--set pipeline.allow_limits=true"};
   EXPECT_EQ(said({option}), Hints{option.text});
 }

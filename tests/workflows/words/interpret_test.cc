@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A language model that understands instructions, as a stand-in on loopback plays it: well, badly, dangerously, slowly
-// and not at all.
+// A language model for instructions, simulated by a stand-in on the loopback address: with good, bad, dangerous, slow
+// and missing answers.
 #include "workflows/words/interpret.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Interpret, AGoodAnswerIsTaken) {
   EXPECT_NE(requests[0].find("POST /v1/chat/completions"), std::string::npos);
   EXPECT_NE(requests[0].find("Bearer secret"), std::string::npos);
   EXPECT_NE(requests[0].find("a-model"), std::string::npos);
-  EXPECT_NE(requests[0].find("red marker"), std::string::npos);  // it is told the places, and what this robot can do
+  EXPECT_NE(requests[0].find("red marker"), std::string::npos);  // the prompt has the places and the robot's abilities
   EXPECT_EQ(requests[0].find("lie_down"), std::string::npos);
 }
 
@@ -46,7 +46,7 @@ TEST(Interpret, ABadAnswerIsAskedForOnceMoreWithTheError) {
   EXPECT_NE(fake.requests()[1].find("That is not valid"), std::string::npos);
 }
 
-/// Whatever it says, what is not valid for this robot does not get past; then the grammar understands.
+/// An answer that is not valid for this robot is never accepted; the grammar is used instead.
 TEST(Interpret, DangerousAnswersAreNeverTaken) {
   for (const char* dangerous :
        {R"({"schema": 1, "tasks": [{"action": "walk", "direction": "forward", "distance_m": 100000}]})",
@@ -106,7 +106,7 @@ TEST(Interpret, OnlyHttpIsSpoken) {
   }
 }
 
-/// One's own interpreter takes its place beside the two that there are.
+/// A user's own interpreter can be used besides the two built-in ones.
 class OneWord : public Interpreter {
  public:
   std::string name() const override { return "one word"; }

@@ -24,7 +24,7 @@ Meanings MeaningsIn(const std::string& text) {
   return meanings;
 }
 
-/// The only item of a meaning; one that is unknown and has no name where there is none or several.
+/// The only item with a meaning; an unknown item without a name if there is none or more than one.
 Item OnlyItem(const std::string& text, M meaning) {
   Item found;
   int count = 0;
@@ -113,7 +113,7 @@ TEST(Items, PlacesAreKnownByNameNumberAndTranslation) {
   EXPECT_EQ(OnlyItem("walk to stone one", M::kPlace).value, 1.0);
 }
 
-/// "step" is a place after "to" or with a number, and else something to do.
+/// "step" is a place after "to" or with a number, and otherwise an action.
 TEST(Items, ANameThatIsAnotherWordTooIsAPlaceOnlyWhereOneIsExpected) {
   EXPECT_EQ(OnlyItem("walk to the step", M::kPlace).name, "step");
   EXPECT_EQ(MeaningsIn("step forward"), (Meanings{M::kAction, M::kDirection}));

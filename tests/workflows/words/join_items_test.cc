@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Items that stand beside each other, put there by hand.
+// Hand-made rows of items.
 #include "workflows/words/join_items.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 
 using M = Meaning;
 
-/// Items of two bytes each, one behind the other.
+/// Consecutive items of two bytes each.
 class ItemRow {
  public:
   ItemRow& Add(M meaning, const std::string& name = "", double value = 0.0) {
@@ -98,7 +98,7 @@ TEST(JoinItems, AnUnknownAdverbSaysHow) {
   EXPECT_TRUE(ItemRow().Add(M::kUnknown).Add(M::kFiller, "的").Joined()[0].Is(M::kUnknown));
 }
 
-/// "to the step", where no place is called so.
+/// "to the step" without a place of this name.
 TEST(JoinItems, APlaceThatIsNotKnownIsUnknownWithItsArticle) {
   const auto items = ItemRow().Add(M::kTo).Add(M::kFiller, "the").Add(M::kAction, "walk").Joined();
   ASSERT_EQ(items.size(), 2U);

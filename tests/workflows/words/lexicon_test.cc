@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lists of words as they are read, and lists that are refused.
+// Reading of word lists, and refused lists.
 #include "workflows/words/lexicon.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(WordLists, HoldWhatTheFilesSay) {
   ASSERT_NE(around, nullptr);
   EXPECT_EQ(std::get<std::string>(around->parameters.at("direction")), "left");
   EXPECT_EQ(std::get<double>(around->parameters.at("angle_deg")), 180.0);
-  EXPECT_TRUE(English().Find("unless")->Is(Meaning::kUnknown));  // the last of Meaning
+  EXPECT_TRUE(English().Find("unless")->Is(Meaning::kUnknown));  // the last value of Meaning
   EXPECT_EQ(EnglishUnits().Find("km/h")->value, 1.0 / 3.6);
   EXPECT_EQ(English().Find("km/h"), nullptr);
   EXPECT_TRUE(Chinese().Find("挥手")->Is(Meaning::kAction));

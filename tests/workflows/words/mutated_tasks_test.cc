@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Task plans and instructions that are changed at random: nothing crashes, and nothing out of its range is let pass.
+// Random changes of task plans and instructions: nothing crashes, and no value out of range is accepted.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// Holds a task against the rules without the code that checks them.
+/// Checks a task against the rules, independently of the code under test.
 void ExpectWithinRules(const Task& task) {
   const ActionRule* rule = FindAction(task.action);
   ASSERT_NE(rule, nullptr);
@@ -92,10 +92,10 @@ TEST(MutatedTaskPlans, NoneOutOfRangeIsLetPass) {
     }
     for (const Task& task : plan->tasks) {
       ExpectWithinRules(task);
-      EXPECT_FALSE(WhyNotDone(task, scope));
+      EXPECT_FALSE(ReasonNotDone(task, scope));
     }
   }
-  EXPECT_GT(let_pass, kPlans / 50);  // harmless changes are
+  EXPECT_GT(let_pass, kPlans / 50);  // harmless changes are accepted
   EXPECT_GT(refused, kPlans / 2);
 }
 

@@ -9,7 +9,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// What a text says, the number of pieces that say it, and whether it is only an article.
+/// The number in a text, the number of its pieces, and whether it is only an article.
 struct Spoken {
   std::string text;
   double value;
@@ -67,7 +67,7 @@ TEST(Numbers, AreReadFromAnyPieceAndNoneBehindTheLast) {
   EXPECT_EQ(AfterUnit(pieces, 3).pieces, 0U);
 }
 
-/// Both languages and digits say each whole number the same.
+/// Digits and the words of both languages give the same whole numbers.
 TEST(Numbers, DigitsEnglishAndChineseAgreeUpToNinetyNine) {
   const std::array<const char*, 10> ones = {"", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
   const std::array<const char*, 10> tens = {"",      "",      "twenty",  "thirty", "forty",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Robots that nobody wrote for the program, in examples/robots: from their URDF alone they get up and walk a metre.
+// Robots in examples/robots that were not made for the program: from their URDF alone they get up and walk a metre.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(OddRobots, TheGoatTrotsTurnsAndSits) {
   DoneInWords(Odd("goat"), "stand up, trot half a metre, turn left, brace yourself, then sit", FlatTerrain());
 }
 
-/// Its servos are too slow for the speed that its legs' length gives it.
+/// Its servos are too slow for the default speed of its leg length.
 TEST(OddRobots, TheHexapodIsAsFastAsItsServos) {
   const RobotModel hexapod = Odd("hexapod");
   WalkRequest request;
@@ -65,10 +65,10 @@ TEST(OddRobots, TheHexapodTurnsAndCrouches) {
   DoneInWords(Odd("hexapod"), "turn left 30 degrees, then crouch walk 10 cm", FlatTerrain());
 }
 
-/// Its legs are half its weight and lie near the ground: braced, they must bear themselves where they are.
+/// Its legs have half its weight and are near the ground: in a brace they must carry their own weight there.
 TEST(OddRobots, TheHexapodBraces) { DoneInWords(Odd("hexapod"), "brace yourself", FlatTerrain()); }
 
-/// Knees that point at each other, and feet right under the hips, leave no room for a belly on the ground.
+/// With knees that point at each other and feet directly under the hips, the body cannot reach the ground.
 TEST(OddRobots, WhatCannotLieIsToldWhyAndGetsUpFromACrouch) {
   for (const auto& [name, why] :
        {std::pair("goat", "'TORSO' and 'Q3c' would collide"), std::pair("hexapod", "too close below")}) {
@@ -93,7 +93,7 @@ TEST(OddRobots, TheStorkSaysThatItCannotTurn) {
   const Result<PlannedWalk> curved = PlanWalk(Odd("stork"), curve);
   ASSERT_FALSE(curved.ok());
   EXPECT_EQ(curved.failure().code, FailureCode::kFreedoms);
-  EXPECT_NE(curved.failure().message.find("cannot turn as it walks"), std::string::npos) << curved.failure().message;
+  EXPECT_NE(curved.failure().message.find("cannot turn while it walks"), std::string::npos) << curved.failure().message;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(Pieces, WordsNumbersCharactersAndSignsArePartedAndLabelled) {
   EXPECT_TRUE(PiecesOf(" \t\r\n").empty());
 }
 
-/// The bytes of a piece are those of the text, whatever was respelt.
+/// The bytes of a piece refer to the original text, also after respelling.
 TEST(Pieces, PlacesCoverTheTextInOrderAndWithoutSpaces) {
   for (const std::string text : {"Don't  walk 1.5e3 m/s!", "請往前走３米，然後揮手。", "plz go\xC2\xA0on",
                                  "a\xFF"
@@ -94,9 +94,9 @@ TEST(Pieces, ShortFormsAreSpeltInFull) {
   EXPECT_EQ(TextsOfPieces("us"), Texts{"us"}) << "only the whole word";
 }
 
-/// What is no UTF-8 stands as signs of one byte each, and ends nothing.
+/// Bytes that are not UTF-8 become signs of one byte each, and reading continues.
 TEST(Pieces, BytesThatAreNoUtf8ArePassedOneByOne) {
-  const std::vector<Piece> pieces = PiecesOf("go\xE8\xB5");  // a character that is cut off
+  const std::vector<Piece> pieces = PiecesOf("go\xE8\xB5");  // a truncated character
   ASSERT_FALSE(pieces.empty());
   EXPECT_EQ(pieces.front().text.substr(0, 2), "go");
   EXPECT_EQ(pieces.back().end, 4U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Places of a ground that have names, and where they are.
+// Named places of a ground, and their positions.
 #include "workflows/words/places.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Places, GroundsWithoutStairsHaveNoEndsOfThem) {
     const std::vector<PlaceName> places = PlacesOf(MakeTerrain(name, TerrainScale{}).value());
     EXPECT_FALSE(Has(places, {kStartOfStairs, 0}) || Has(places, {kEndOfStairs, 0})) << name;
   }
-  // A single step says no way.
+  // A single step has no direction.
   EXPECT_FALSE(Has(PlacesOf(MakeTerrain("stairs:count=1", TerrainScale{}).value()), {kEndOfStairs, 0}));
   EXPECT_THROW(CentreOf(MakeTerrain("flat", TerrainScale{}).value(), {kEndOfStairs, 0}), InvalidArgument);
 }

@@ -35,7 +35,7 @@ TEST(Tasks, AreScoredByWhatWasDone) {
   EXPECT_EQ(all.asked, 3);
   ASSERT_TRUE(all.stability_m && all.jerk_rad_s3);
   EXPECT_GT(*all.stability_m, 0.0);
-  // What it takes at the least: to raise the body from the squat.
+  // Lower bound: the energy to raise the body from the squat.
   const auto& com = done.planned.plan.centroidal.p_WC;
   double lowest = com.back().z();
   for (const Vector3& p : com) lowest = std::min(lowest, p.z());

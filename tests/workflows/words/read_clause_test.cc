@@ -8,7 +8,7 @@
 namespace gaitwright::words {
 namespace {
 
-/// What the first clause of a text says.
+/// The draft of the first clause of a text.
 Draft ReadFirst(const std::string& text) {
   const std::vector<Clause> clauses = ClausesOf(text, ItemsOf(text, LanguageOf(text), {{"door", 0}, {"stone", 4}}));
   if (clauses.empty()) throw std::logic_error("no clause in: " + text);

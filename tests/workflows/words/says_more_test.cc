@@ -31,7 +31,7 @@ class SaidDraft {
 
 const std::string kTwelveLetters = "abcdefghijkl";
 
-/// A clause after a comma, whose first item is where the second draft is.
+/// A clause after a comma, whose first item is at the position of the second draft.
 Clause AfterComma() {
   Clause clause;
   clause.follows_break = true;
@@ -43,7 +43,7 @@ Clause AfterComma() {
   return clause;
 }
 
-/// Whether the second says more of the first; `last` has what both say then.
+/// Whether the second draft adds to the first; `last` then has the parameters of both.
 bool SaysMoreOf(const SaidDraft& before, const SaidDraft& said, Draft& last, Clause clause = AfterComma()) {
   last = before.draft();
   return SaysMore(kTwelveLetters, clause, said.draft(), last);
@@ -91,7 +91,7 @@ TEST(SaysMore, StandingForATimeIsHowLongABalanceLasts) {
   EXPECT_FALSE(SaysMoreOf(SaidDraft("bow"), stands));
 }
 
-/// What is only taken as read, such as a right hand, is not said again.
+/// Implied parameters, such as the right hand, are not additions.
 TEST(SaysMore, WhatIsTakenAsReadAddsNothing) {
   Draft last;
   EXPECT_TRUE(SaysMoreOf(SaidDraft("wave").Say("side", std::string("left")),

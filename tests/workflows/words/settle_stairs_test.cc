@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks on stairs of three steps, up and down again, task after task.
+// Walks up and down stairs of three steps, in sequences of tasks.
 #include <gtest/gtest.h>
 
 #include "workflows/words/climb.h"
@@ -15,7 +15,7 @@ const std::vector<PlaceName> kStairsUpAndDown = {
     {kStartOfStairs, 0}, {"step", 3}, {"step 1 down", 0}, {"step 2 down", 0}, {kEndOfStairs, 0}};
 const std::vector<PlaceName> kStairsUpAlone = {{kStartOfStairs, 0}, {"step", 3}};
 
-/// A walk on stairs: 1 up, -1 down, 2 to the next step; the whole way, or so many steps.
+/// A walk on stairs: 1 up, -1 down, 2 to the next step; to the end, or a number of steps.
 Draft StairsWalk(int stairs, int steps = 0) {
   Draft draft;
   draft.action = "walk";
@@ -94,7 +94,7 @@ TEST(SettleStairs, WhatTheStairsDoNotHaveIsRefused) {
   EXPECT_EQ(CodeOfStairs({StairsWalk(1), StairsWalk(1)}, kStairsUpAndDown), FailureCode::kCannot) << "up from the top";
 }
 
-/// A place that is said with up or down has to lie so.
+/// A place given with "up" or "down" must be above or below the robot.
 TEST(SettleStairs, APlaceThatIsSaidIsUpOrDownFromThere) {
   const auto to = [](int stairs, int step) {
     Draft draft = StairsWalk(stairs);
@@ -106,7 +106,7 @@ TEST(SettleStairs, APlaceThatIsSaidIsUpOrDownFromThere) {
   EXPECT_EQ(CodeOfStairs({StairsWalk(1, 1), to(-1, 3)}, kStairsUpAndDown), FailureCode::kCannot);
 }
 
-/// After a walk elsewhere it is not known on which step the robot is.
+/// After a walk to another place, the robot's step is unknown.
 TEST(SettleStairs, FromElsewhereOnlyTheWholeWayUpIsKnown) {
   Draft away;
   away.action = "walk";

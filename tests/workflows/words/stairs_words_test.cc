@@ -24,7 +24,7 @@ std::pair<Item, std::size_t> WordIn(const std::string& text, const std::vector<I
   return StairsWordAt(PiecesOf(text), 0, before);
 }
 
-/// The place that a phrase stands for; one without a name where it is none.
+/// The place of a phrase; a place without a name if there is none.
 PlaceName PlaceOfPhrase(const std::string& phrase, const std::vector<PlaceName>& places) {
   PlaceName found{"", 0};
   for (const auto& [named, place] : StairsPlaces(places)) {

@@ -14,7 +14,7 @@ class Quadruped : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Robots, Quadruped, testing::Values("a1", "go1", "laikago", "mini_cheetah"),
                          [](const auto& robot) { return robot.param; });
 
-/// Each phase ends when it is measured to be done, and the ZMP is where it should be at the end.
+/// Each phase ends on its measured condition, and the final ZMP is at its planned position.
 void ExpectStandsUpFromLyingInPhases(const RobotModel& model) {
   const Done done = DoneInWords(model, "stand up", FlatTerrain());
   const PlaybackLog& log = done.played.log;
@@ -78,7 +78,7 @@ TEST(Tasks, ABowTooDeepIsToldTheRange) {
   EXPECT_TRUE(Planned("a1", "bow " + most + " degrees", FlatTerrain()).ok()) << most;
 }
 
-/// An arm that goes up while one foot bears all has the body lean farther than the ankle turns.
+/// Raising an arm on one foot makes the body lean farther than the ankle can turn.
 TEST(PlanTasks, AMotionThatBreaksALawOfTheAuditIsRefusedByTheTaskThatDoesIt) {
   const Result<PlannedTasks> planned =
       Planned("nao", "squat, then balance on the left foot for 3 seconds while raising the right arm", FlatTerrain());
@@ -91,7 +91,7 @@ TEST(PlanTasks, AMotionThatBreaksALawOfTheAuditIsRefusedByTheTaskThatDoesIt) {
   EXPECT_NE(failure.suggestions[0].text.find("'then' instead of 'while'"), std::string::npos);
 }
 
-/// The same stance is no motion: the second task is where the first ends.
+/// An equal posture needs no motion: the second task starts at the end of the first.
 TEST(TaskPlanner, TasksEndOneAfterTheOther) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
   const Terrain ground = FlatTerrain();

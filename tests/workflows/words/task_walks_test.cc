@@ -33,7 +33,7 @@ TEST(Quadrupeds, A1WalksToAStepOfStairs) {
   }
 }
 
-/// All feet on one step: whatever the ground below is like, it goes on from there.
+/// With all feet on one step, the next task continues from there, whatever the ground below.
 TEST(OnStairs, GoesOnWhereAllFeetAreOnOneLevel) {
   const auto stairs = [](const std::string& parameters, const RobotModel& model) {
     return MakeTerrain("stairs:" + parameters, ScaleOf(model)).value();
@@ -53,7 +53,7 @@ TEST(OnStairs, GoesOnWhereAllFeetAreOnOneLevel) {
   EXPECT_GT(landing.planned.plan.footsteps.footholds.back().foot, 3) << "it lies on the landing";
 }
 
-/// Up to the landing, and down on the side that the robot faces: ahead, or after a turn the way that it came.
+/// Up to the landing, and down on the side that the robot faces: forward, or back after a turn.
 TEST(OnStairs, AreClimbedAndGoneDown) {
   struct Case {
     const char *robot, *text, *patch;
@@ -85,7 +85,7 @@ TEST(Quadrupeds, NothingIsDoneAfterAWalkThatEndsOnTwoSteps) {
   EXPECT_NE(planned.failure().message.find("task 2, 'bow'"), std::string::npos) << planned.failure().message;
 }
 
-/// The greatest speed of any joint coordinate outside the legs, by what the positions of two rows say.
+/// The largest speed of the joints outside the legs, from the positions of two rows.
 double FastestGesture(const RobotModel& model, const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   const std::vector<bool> of_leg = DofsOfLegs(model);
@@ -107,7 +107,7 @@ TEST(Tasks, GesturesOfOneWalkFollowEachOther) {
   }
 }
 
-/// A raised arm has the body sway farther than NAO's ankles roll, unless the ZMP goes less far to the outside.
+/// With a raised arm, the body sways farther than NAO's ankles can roll, unless the ZMP stays farther inward.
 TEST(Tasks, AWalkIsMadeToGiveAGestureRoom) { Do("nao", "walk four steps while raising your right arm"); }
 
 TEST(Tasks, AGestureThatAWalkHasNoRoomForIsRefused) {
@@ -142,7 +142,7 @@ TEST(Tasks, AWalkTooFastOrTooLongOfStepIsToldWhatToSay) {
   }
 }
 
-/// Joints of the legs stand as they stood; the others are where they were left.
+/// Leg joints keep their standing positions; other joints stay at their last positions.
 TEST(TaskWalks, APosedRobotStandsWithItsArmsElsewhere) {
   const RobotModel nao = LoadNamedRobot("nao").value();
   const VectorX moved = nao.standing_joints + VectorX::Constant(nao.num_dofs(), 0.1);

@@ -25,7 +25,7 @@ inline Done Do(const std::string& robot, const std::string& text) {
   return DoneInWords(LoadNamedRobot(robot).value(), text, WithMarkers());
 }
 
-/// Two instructions ask for the same, so that it is enough to plan and play one of them.
+/// Two instructions that mean the same, so that it is enough to plan and play one of them.
 inline void ExpectSameTasks(const RobotModel& model, const Terrain& terrain, const std::string& one,
                             const std::string& other) {
   TaskScope scope = ScopeOf(model);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How clauses become tasks: their order, what they take back, and what is refused.
+// From clauses to tasks: their order, cancelled tasks, and refusals.
 #include "workflows/words/understand.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-/// The actions that an instruction to NAO asks for, in their order; gestures behind a +.
+/// The actions that an instruction to NAO requests, in order; gestures follow a +.
 std::string UnderstoodActions(const std::string& text) {
   static const TaskScope scope = CorpusScope("nao");
   const auto understood = words::Understand(text, scope);

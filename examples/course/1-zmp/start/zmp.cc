@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Assignment 1: the zero-moment point and the support polygon. See ../README.md. SI units; z is up.
-//   zmp INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+//   zmp INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,28 +16,28 @@ using gaitwright::Vector2;
 using gaitwright::Vector3;
 using Points = std::vector<Vector2>;
 
-/// ZMP of a linear inverted pendulum of constant height.
+/// ZMP of a linear inverted pendulum with constant height.
 Vector2 PendulumZmp(const Vector3& com_m, const Vector3& /*acceleration_m_s2*/, double /*com_height_m*/) {
-  return com_m.head<2>();  // true only of a body that stands still
+  return com_m.head<2>();  // correct only for a body at rest
 }
 
-/// Point of level ground about which a wrench has no horizontal moment; the moment is about the point where it acts.
+/// Point of level ground about which a wrench has no horizontal moment. `moment_n_m` is about `point_m`.
 Vector2 WrenchZmp(const Vector3& point_m, const Vector3& /*force_n*/, const Vector3& /*moment_n_m*/,
                   double /*ground_height_m*/) {
-  return point_m.head<2>();  // true only of a force that is upright and has no moment
+  return point_m.head<2>();  // correct only for a vertical force without moment
 }
 
-/// The same of all forces at points together.
+/// ZMP of several forces, each of which acts at one of the points.
 Vector2 ContactsZmp(const std::vector<Vector3>& points_m, const std::vector<Vector3>& /*forces_n*/,
                     double /*ground_height_m*/) {
   Vector3 sum = Vector3::Zero();
   for (const Vector3& point_m : points_m) sum += point_m;
-  return sum.head<2>() / static_cast<double>(points_m.size());  // true only of equal forces
+  return sum.head<2>() / static_cast<double>(points_m.size());  // correct only for equal forces
 }
 
 /// Corners of the convex hull, counter-clockwise, none of them on an edge.
 Points SupportPolygon(const Points& points_m) {
-  return points_m;  // true only of points that are the corners already, and in order
+  return points_m;  // correct only if the points are the ordered corners
 }
 
 /// Distance of a point to the edge of a convex polygon (counter-clockwise), negative outside.
@@ -47,7 +47,7 @@ double SupportMargin(const Points& corners_m, const Vector2& point_m) {
   return nearest_m;  // the nearest corner is farther than the nearest edge
 }
 
-// From here on nothing is to be written: it reads the inputs and writes the answers.
+// Do not change the code below: it reads the inputs and writes the answers.
 
 std::vector<double> Numbers(const Vector2& p) { return {p.x(), p.y()}; }
 
@@ -78,7 +78,7 @@ std::vector<double> AnswerContacts(const AnswerCase& asked) {
   return Numbers(ContactsZmp(RowsOf(asked, "points_m"), RowsOf(asked, "forces_n"), asked.Number("ground_height_m")));
 }
 
-/// As many corners as there were points: the last one again and again.
+/// The corners, padded with copies of the last one to the number of points.
 std::vector<double> AnswerPolygon(const AnswerCase& asked) {
   const Points points_m = PointsOf(asked, "points_m");
   Points corners_m = SupportPolygon(points_m);

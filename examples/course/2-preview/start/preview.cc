@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Assignment 2: preview control of the zero-moment point. See ../README.md. SI units.
-//   preview INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+//   preview INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Setup {
   double jerk_weight;   // R [s^6/m^2]
 };
 
-/// The cart on its table in discrete time: x' = A x + b jerk, zmp = c . x, with x = (position, rate, acceleration).
+/// Cart-table model in discrete time: x' = A x + b jerk, zmp = c . x, with x = (position, rate, acceleration).
 struct CartTable {
   Matrix3 A;
   Vector3 b, c;
@@ -38,19 +38,19 @@ struct CartTable {
   return cart;
 }
 
-/// The gains of the preview controller: K_i, the three of K_x, then f_1 to f_N, N = preview / step.
+/// The gains of the preview controller: K_i, the three elements of K_x, then f_1 to f_N, N = preview / step.
 std::vector<double> PreviewGains(const Setup& setup) {
   const auto count = static_cast<std::size_t>(std::lround(setup.preview_s / setup.step_s));
-  return std::vector<double>(4 + count, 0.0);  // a cart that nobody pushes
+  return std::vector<double>(4 + count, 0.0);  // zero gains: the cart does not move
 }
 
-/// The centre of mass at each sample so that the ZMP follows the reference (one value a step) [m]. It starts at rest at
-/// `com_m`. Beyond the end of the reference its last value holds.
+/// The centre of mass at each sample, for which the ZMP follows the reference (one value per step) [m]. It starts at
+/// rest at `com_m`. Beyond the end of the reference, its last value holds.
 std::vector<double> FollowZmp(const Setup& /*setup*/, const VectorX& reference_m, double com_m) {
-  return std::vector<double>(static_cast<std::size_t>(reference_m.size()), com_m);  // a body that stays where it is
+  return std::vector<double>(static_cast<std::size_t>(reference_m.size()), com_m);  // the body does not move
 }
 
-// From here on nothing is to be written: it reads the inputs and writes the answers.
+// Do not change the code below: it reads the inputs and writes the answers.
 
 Setup SetupOf(const AnswerCase& asked) {
   return {asked.Number("com_height_m"), asked.Number("step_s"), asked.Number("preview_s"), asked.Number("error_weight"),

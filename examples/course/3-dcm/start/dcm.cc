@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Assignment 3: planning by the divergent component of motion. See ../README.md. SI units.
-//   dcm INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+// Assignment 3: planning with the divergent component of motion. See ../README.md. SI units.
+//   dcm INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <vector>
@@ -16,29 +16,30 @@ using gaitwright::Vector3;
 using gaitwright::VectorX;
 using Points = std::vector<Vector2>;
 
-/// The divergent component of motion of a centre of mass and its velocity. Gravity is gaitwright::kGravity [m/s^2].
+/// The divergent component of motion, from the centre of mass and its velocity. Gravity is gaitwright::kGravity
+/// [m/s^2].
 Vector2 Dcm(const Vector3& com_m, const Vector3& /*velocity_m_s*/, double /*com_height_m*/) {
-  return com_m.head<2>();  // true only of a body at rest
+  return com_m.head<2>();  // correct only for a body at rest
 }
 
-/// The DCM at the start of each step, such that it rests on the last ZMP when the last step is over.
-/// `zmp_m` is that of each step, held for the `step_s` that it lasts.
+/// The DCM at the start of each step, for which the DCM is at rest on the last ZMP when the last step ends.
+/// `zmp_m` has the ZMP of each step, which is constant for `step_s`.
 Points DcmOfSteps(const Points& zmp_m, double /*step_s*/, double /*com_height_m*/) {
-  return zmp_m;  // a body over its foot at the start of a step stays there
+  return zmp_m;  // correct only for a body that stays over its foot
 }
 
-/// The DCM of that plan at times since the start of the first step.
+/// The DCM of the plan of DcmOfSteps at times since the start of the first step.
 Points DcmAt(const Points& /*zmp_m*/, double /*step_s*/, double /*com_height_m*/, const VectorX& times_s) {
   return Points(static_cast<std::size_t>(times_s.size()), Vector2::Zero());
 }
 
-/// The centre of mass after a time with the ZMP held.
+/// The centre of mass after a time with constant ZMP.
 Vector2 ComAlongDcm(const Vector2& com_m, const Vector2& /*dcm_m*/, const Vector2& /*zmp_m*/, double /*com_height_m*/,
                     double /*time_s*/) {
   return com_m;
 }
 
-// From here on nothing is to be written: it reads the inputs and writes the answers.
+// Do not change the code below: it reads the inputs and writes the answers.
 
 Points PointsOf(const AnswerCase& asked, const char* name) {
   const gaitwright::MatrixX matrix = asked.Matrix(name);

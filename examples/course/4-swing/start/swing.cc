@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Assignment 4: how a foot swings. See ../README.md. SI units; z is up.
-//   swing INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+// Assignment 4: swing trajectories of a foot. See ../README.md. SI units; z is up.
+//   swing INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <vector>
@@ -15,9 +15,10 @@ using gaitwright::Vector3;
 using gaitwright::VectorX;
 using Points = std::vector<Vector3>;
 
-/// Value, rate and acceleration (by u) at u in [0, 1] of the smoothest way from 0 to 1 that rests at both ends.
+/// Value, first and second derivative with respect to u, at u in [0, 1], of the minimum-jerk curve from 0 to 1 that is
+/// at rest at both ends.
 Vector3 MinimumJerk(double u) {
-  return {u, 1.0, 0.0};  // a straight line: the foot is torn off the ground and hits it again
+  return {u, 1.0, 0.0};  // constant speed: the foot is not at rest at lift-off and touch-down
 }
 
 struct Swing {
@@ -34,19 +35,19 @@ Points SwingAt(const Swing& swing, double time_s) {
 
 struct Step {
   Vector3 start_m, end_m;
-  double edge_x_m;  // the ground is as high as the start before it, and as high as the end from there on
+  double edge_x_m;  // the ground has the start's height before the edge, the end's height after it
   double clearance_m, duration_s;
 };
 
-/// Positions at times of a swing onto or off a step.
+/// Positions at `times_s` of a swing up or down a step.
 Points SwingOverStep(const Step& step, const VectorX& times_s) {
   Points points;
   for (const double time_s : times_s)
-    points.push_back(step.start_m + time_s / step.duration_s * (step.end_m - step.start_m));  // through the edge
+    points.push_back(step.start_m + time_s / step.duration_s * (step.end_m - step.start_m));  // straight, hits the edge
   return points;
 }
 
-// From here on nothing is to be written: it reads the inputs and writes the answers.
+// Do not change the code below: it reads the inputs and writes the answers.
 
 std::vector<double> Numbers(const Points& points) {
   std::vector<double> numbers;

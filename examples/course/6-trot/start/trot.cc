@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Assignment 6: the parameters of a trot. See ../README.md. Tries options, prints what comes of them and writes them.
+// Assignment 6: the parameters of a trot. See ../README.md. Plays options, prints the results and writes the options.
 //   trot trot.yaml
 #include <fmt/format.h>
 
@@ -15,13 +15,13 @@ namespace {
 using namespace gaitwright;
 
 const OptionTexts kOptions = {
-    {"gait.cycle_s", "2.0"},       // time from one touch-down of a foot to its next
-    {"gait.duty_factor", "0.75"},  // share of it that a foot is on the ground
-    {"swing.height_m", "0.01"},    // of the swing's bump
+    {"gait.cycle_s", "2.0"},       // time from one touch-down of a foot to the next
+    {"gait.duty_factor", "0.75"},  // fraction of the cycle that a foot is on the ground
+    {"swing.height_m", "0.01"},    // height of the swing's bump
 };
 const std::vector<double> kSpeeds = {0.3, 0.6, 0.9};  // [m/s]
 
-/// A trot in physics.
+/// Plans a trot and plays it in physics.
 Result<PlayedWalk> Tried(const RobotModel& model, const OptionTexts& options, double speed_m_s) {
   WalkRequest request;
   request.gait = "trot";
@@ -35,7 +35,7 @@ Result<PlayedWalk> Tried(const RobotModel& model, const OptionTexts& options, do
   return PlayWalk(model, planned->motion.plan, as_usual);
 }
 
-/// One line of what was measured, or why there is no plan.
+/// One line with the measured values, or the reason why there is no plan.
 std::string Line(const Result<PlayedWalk>& played) {
   if (!played) return played.failure().message;
   std::string line;

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Assignment 6: the parameters of a trot. See ../README.md. Tries options, prints what comes of them and writes trot.yaml."""
+"""Assignment 6: the parameters of a trot. See ../README.md. Plays options, prints the results and writes trot.yaml."""
 
 import gaitwright as gw
 
 OPTIONS = {
-    "gait.cycle_s": 2.0,  # time from one touch-down of a foot to its next
-    "gait.duty_factor": 0.75,  # share of it that a foot is on the ground
-    "swing.height_m": 0.01,  # of the swing's bump
+    "gait.cycle_s": 2.0,  # time from one touch-down of a foot to the next
+    "gait.duty_factor": 0.75,  # fraction of the cycle that a foot is on the ground
+    "swing.height_m": 0.01,  # height of the swing's bump
 }
 SPEEDS = (0.3, 0.6, 0.9)  # [m/s]
 
 
 def tried(robot, options, speed):
-    """The figures of a trot in physics, or why there is none."""
+    """The measured values of a trot in physics, or None; and the reason of the verdict or failure."""
     try:
         plan = gw.plan_walk(robot, gait="trot", speed=speed, distance=1.5, options=options)
     except gw.GaitwrightError as error:

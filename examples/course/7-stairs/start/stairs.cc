@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Assignment 7: a footstep planner for stairs. See ../README.md. SI units.
-//   stairs plan.json    writes the plan over the footsteps, where there is one
+//   stairs plan.json    writes the plan over the footsteps, if one exists
 #include <fmt/format.h>
 
 #include <array>
@@ -21,10 +21,10 @@ namespace {
 using namespace gaitwright;
 
 const std::string kStairs = "stairs:start_m=0.41,rise_m=0.05,tread_m=0.31,count=3,landing_m=2";
-constexpr double kGoal = 1.2;    // [m], how far the body goes
-constexpr double kSpeed = 0.04;  // [m/s], how fast it is asked to be; a quarter longer is allowed
-constexpr double kStride = 0.1;  // [m], the farthest that it goes while each foot makes one step
-constexpr std::array<const char*, 4> kOrder = {"RR_foot", "FR_foot", "RL_foot", "FL_foot"};  // of a side rear, front
+constexpr double kGoal = 1.2;    // [m], distance of the goal
+constexpr double kSpeed = 0.04;  // [m/s], commanded speed; the walk may take a quarter longer
+constexpr double kStride = 0.1;  // [m], maximum advance of the body while each foot makes one step
+constexpr std::array<const char*, 4> kOrder = {"RR_foot", "FR_foot", "RL_foot", "FL_foot"};  // rear, front of each side
 
 int FootOf(const RobotModel& model, const std::string& name) {
   for (std::size_t i = 0; i < model.feet.size(); ++i) {
@@ -33,7 +33,7 @@ int FootOf(const RobotModel& model, const std::string& name) {
   throw InvalidArgument(fmt::format("robot '{}' has no foot '{}'", model.name, name));
 }
 
-/// One step after the other, until the body is at the goal. GroundAt(terrain, {x, y}).height_m tells the ground.
+/// The steps in order, until the body is at the goal. GroundAt(terrain, {x, y}).height_m is the height of the ground.
 std::vector<PlacedStep> PlanSteps(const RobotModel& model, const Terrain& /*terrain*/, double goal_m) {
   const std::vector<Pose> standing = StandingFeet(model);
   const int rounds = static_cast<int>(std::ceil(goal_m / kStride));
@@ -42,13 +42,13 @@ std::vector<PlacedStep> PlanSteps(const RobotModel& model, const Terrain& /*terr
     for (const char* name : kOrder) {
       const int foot = FootOf(model, name);
       const Vector3 p_WF = standing[static_cast<std::size_t>(foot)].translation();
-      steps.push_back({foot, {p_WF.x() + goal_m * i / rounds, p_WF.y(), 0.0}});  // wherever that is: on an edge, too
+      steps.push_back({foot, {p_WF.x() + goal_m * i / rounds, p_WF.y(), 0.0}});  // even on an edge
     }
   }
   return steps;
 }
 
-/// The motion of all the rest over the steps, with the command that it is for.
+/// Plans the rest of the motion over the steps, and sets the command of the plan.
 Result<MotionPlan> Planned(const RobotModel& model, const Terrain& terrain) {
   const std::vector<PlacedStep> steps = PlanSteps(model, terrain, kGoal);
   Result<MotionPlan> plan = PlanOverSteps(model, terrain, steps, {.swing_s = 0.4, .pause_s = 0.15});
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   if (!terrain) return 1;
   const Result<MotionPlan> plan = Planned(*model, *terrain);
   if (!plan) {
-    fmt::print("no walk: {}\n", plan.failure().message);
+    fmt::print("no plan: {}\n", plan.failure().message);
     return 0;
   }
   const PlayRequest as_usual;

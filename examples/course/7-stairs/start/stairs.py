@@ -5,21 +5,21 @@ import math
 
 import gaitwright as gw
 
-STRIDE = 0.1  # [m], the farthest that the body goes while each foot makes one step
-ORDER = ("RR_foot", "FR_foot", "RL_foot", "FL_foot")  # a crawl: of one side the rear foot, then the front foot
+STRIDE = 0.1  # [m], maximum advance of the body while each foot makes one step
+ORDER = ("RR_foot", "FR_foot", "RL_foot", "FL_foot")  # a crawl: rear foot, then front foot of each side
 
 
 def plan_steps(robot, terrain, goal):
-    """Gives (foot, x, y, yaw) of one step after the other, until the body is at the goal (x, y, yaw) [m, m, rad].
+    """Yields the steps (foot, x, y, yaw) in order, until the body is at the goal (x, y, yaw) [m, m, rad].
 
-    terrain.ground_at(x, y)["height_m"] tells the ground's height.
+    terrain.ground_at(x, y)["height_m"] is the height of the ground.
     """
     standing = {foot: gw.RobotState(robot).contact_frame(foot)[:2, 3] for foot in robot.feet}
     rounds = math.ceil(goal[0] / STRIDE)
     for i in range(1, rounds + 1):
         for foot in ORDER:
             x, y = standing[foot]
-            yield foot, x + goal[0] * i / rounds, y, 0.0  # wherever that is: on an edge, too
+            yield foot, x + goal[0] * i / rounds, y, 0.0  # even on an edge
 
 
 if __name__ == "__main__":
@@ -29,4 +29,4 @@ if __name__ == "__main__":
         print(gw.audit(plan))
         print(gw.play(plan))
     except gw.GaitwrightError as error:
-        print("no walk:", error)
+        print("no plan:", error)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Assignment 8: a trot that survives pushes. See ../README.md. Tries options, prints how often the robot survives, and
-// writes them.
+// Assignment 8: a trot that survives pushes. See ../README.md. Plays options in trials, prints how many the robot
+// survives, and writes the options.
 //   robustness robustness.yaml
 #include <fmt/format.h>
 
@@ -14,10 +14,10 @@ namespace {
 using namespace gaitwright;
 
 const OptionTexts kOptions = {
-    {"pipeline.com_height_m", "0.33"},  // of the centre of mass
+    {"pipeline.com_height_m", "0.33"},  // height of the centre of mass
 };
 
-/// Pushes to the sides, on ground that is more and less slippery. See docs/trials.md.
+/// Lateral pushes, on ground with different friction. See docs/trials.md.
 const std::string kDisturbances =
     "friction: {uniform: [0.5, 0.9]}\n"
     "pushes:\n"
@@ -38,7 +38,7 @@ Result<MotionPlan> Planned(const RobotModel& model, const OptionTexts& options) 
   return planned->motion.plan;
 }
 
-/// How many of `trials` the robot survives with joints held on the plan and nothing else.
+/// Number of survived trials with `joint-pd`, which tracks the planned joint positions and does not balance.
 Result<int> Survived(const RobotModel& model, const MotionPlan& plan, int trials) {
   PlayRequest play;
   play.controller = "joint-pd";
@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   if (!plan) {
     fmt::print("no plan: {}\n", plan.failure().message);
   } else if (const Result<int> survived = Survived(*model, *plan, kTrials)) {
-    fmt::print("it survives {} of {}\n", *survived, kTrials);
+    fmt::print("survives {} of {} trials\n", *survived, kTrials);
   }
   std::string yaml;
   for (const auto& [key, text] : kOptions) yaml += fmt::format("{}: {}\n", key, text);

@@ -9,14 +9,14 @@ import numpy as np
 
 
 class OpenLoop(gw.Controller):
-    """The plan's torques, whatever the robot does: it falls before its first step."""
+    """Applies the plan's torques without feedback: the robot falls before its first step."""
 
     def __init__(self, plan):
         super().__init__()
         self.plan = plan
 
     def update(self, now):
-        """Called each 1 ms. now.q: base (3), quaternion xyzw, joints.  now.v: velocity of the base, turning, joints."""
+        """Called every 1 ms. now.q: base (3), quaternion xyzw, joints.  now.v: linear and angular velocity, joint rates."""
         wanted = self.plan.at(now.time_s + now.step_s)
         return gw.JointCommand(now.q[7:], tau_ff=wanted["tau"])
 
@@ -26,7 +26,7 @@ def make_controller(plan):
 
 
 def survived(plan, n=10, seed=1):
-    """How many of n playbacks with a push to a side it survives."""
+    """Number of survived playbacks of n, each with a lateral push."""
     draw = random.Random(seed)
     count = 0
     for _ in range(n):
@@ -41,4 +41,4 @@ if __name__ == "__main__":
     playback = gw.play(trot, make_controller(trot))
     print(f"undisturbed: {playback.reason}")
     if playback.passed:
-        print(f"of 10 pushes it survived {survived(trot)}")
+        print(f"survived {survived(trot)} of 10 pushes")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A solution of assignment 1. SI units; z is up.
-//   zmp INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+//   zmp INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Vector2 PendulumZmp(const Vector3& com_m, const Vector3& acceleration_m_s2, doub
   return com_m.head<2>() - com_height_m / gaitwright::kGravity * acceleration_m_s2.head<2>();
 }
 
-/// Where the horizontal moment vanishes: M + (P - Z) x F = 0 in x and y.
+/// The point Z where the horizontal moment vanishes: M + (P - Z) x F = 0 in x and y.
 Vector2 WrenchZmp(const Vector3& point_m, const Vector3& force_n, const Vector3& moment_n_m, double ground_height_m) {
   const double height_m = point_m.z() - ground_height_m;
   return {point_m.x() - (moment_n_m.y() + height_m * force_n.x()) / force_n.z(),
@@ -40,13 +40,13 @@ Vector2 ContactsZmp(const std::vector<Vector3>& points_m, const std::vector<Vect
   return WrenchZmp(Vector3::Zero(), force_n, moment_n_m, ground_height_m);
 }
 
-/// Twice the area of a triangle: positive where a, b, c go to the left.
+/// Twice the signed area of a triangle: positive if a, b, c turn left.
 double Turn(const Vector2& a, const Vector2& b, const Vector2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// The hull's side to the right of points in the order of x, or in the reverse order, without its last corner
-/// (Andrew 1979).
+/// One chain of the convex hull without its last corner: the lower chain of points sorted by x, or the upper chain of
+/// points in the reverse order (Andrew 1979).
 template <class Iterator>
 void AddSide(Iterator begin, Iterator end, Points& corners) {
   const std::size_t before = corners.size();
@@ -68,7 +68,7 @@ Points SupportPolygon(Points points_m) {
   return corners_m;
 }
 
-/// The nearest point of each edge; the sign says whether the point is to the left of all of them.
+/// Distance to the nearest point of all edges. The point is inside if it is to the left of every edge.
 double SupportMargin(const Points& corners_m, const Vector2& point_m) {
   bool inside = true;
   double nearest_m = HUGE_VAL;
@@ -111,7 +111,7 @@ std::vector<double> AnswerContacts(const AnswerCase& asked) {
   return Numbers(ContactsZmp(RowsOf(asked, "points_m"), RowsOf(asked, "forces_n"), asked.Number("ground_height_m")));
 }
 
-/// As many corners as there were points: the last one again and again.
+/// The corners, padded with copies of the last one to the number of points.
 std::vector<double> AnswerPolygon(const AnswerCase& asked) {
   const Points points_m = PointsOf(asked, "points_m");
   Points corners_m = SupportPolygon(points_m);

@@ -12,7 +12,7 @@ def pendulum_zmp(com, acceleration, com_height):
 
 
 def wrench_zmp(point, force, moment, ground_height):
-    """Where the horizontal moment vanishes: M + (P - Z) x F = 0 in x and y."""
+    """The point Z where the horizontal moment vanishes: M + (P - Z) x F = 0 in x and y."""
     height = point[2] - ground_height
     x = point[0] - (moment[1] + height * force[0]) / force[2]
     y = point[1] + (moment[0] - height * force[1]) / force[2]
@@ -25,12 +25,12 @@ def contacts_zmp(points, forces, ground_height):
 
 
 def turn(a, b, c):
-    """Twice the area of a triangle: positive where a, b, c go to the left."""
+    """Twice the signed area of a triangle: positive if a, b, c turn left."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
 def lower_chain(points):
-    """The hull's lower side of points in the order of x (Andrew 1979)."""
+    """Lower chain of the convex hull of points sorted by x (Andrew 1979)."""
     chain = []
     for p in points:
         while len(chain) > 1 and turn(chain[-2], chain[-1], p) <= 1e-12:
@@ -45,7 +45,7 @@ def support_polygon(points):
 
 
 def support_margin(corners, point):
-    """The nearest point of each edge; the sign says whether the point is to the left of all of them."""
+    """Distance to the nearest point of all edges. The point is inside if it is to the left of every edge."""
     inside, nearest = True, np.inf
     for a, b in zip(corners, np.roll(corners, -1, axis=0)):
         share = np.clip((point - a) @ (b - a) / ((b - a) @ (b - a)), 0.0, 1.0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A solution of assignment 2: Kajita et al., ICRA 2003, with the summed error after Katayama et al., 1985.
-//   preview INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+// A solution of assignment 2: Kajita et al., ICRA 2003, with the summed error of Katayama et al., 1985.
+//   preview INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ struct Setup {
   double jerk_weight;   // R [s^6/m^2]
 };
 
-/// The cart on its table in discrete time: x' = A x + b jerk, zmp = c . x, with x = (position, rate, acceleration).
+/// Cart-table model in discrete time: x' = A x + b jerk, zmp = c . x, with x = (position, rate, acceleration).
 struct CartTable {
   Matrix3 A;
   Vector3 b, c;
@@ -40,7 +40,7 @@ CartTable MakeCartTable(const Setup& setup) {
   return cart;
 }
 
-/// P of the discrete algebraic Riccati equation, by going back over it until nothing changes.
+/// P of the discrete algebraic Riccati equation, by backward iteration until P does not change.
 Matrix4 Riccati(const Matrix4& A, const Vector4& b, const Matrix4& Q, double R) {
   Matrix4 P = Q;
   for (int i = 0; i < 100000; ++i) {
@@ -54,10 +54,10 @@ Matrix4 Riccati(const Matrix4& A, const Vector4& b, const Matrix4& Q, double R) 
   return P;
 }
 
-/// The gains of the preview controller: K_i, the three of K_x, then f_1 to f_N, N = preview / step.
+/// The gains of the preview controller: K_i, the three elements of K_x, then f_1 to f_N, N = preview / step.
 std::vector<double> PreviewGains(const Setup& setup) {
   const CartTable cart = MakeCartTable(setup);
-  // The error of the ZMP is the first state, the others are increments of x.
+  // The first state is the ZMP error; the others are the increments of x.
   Matrix4 A = Matrix4::Zero(), Q = Matrix4::Zero();
   A(0, 0) = 1.0;
   A.topRightCorner<1, 3>() = (cart.A.transpose() * cart.c).transpose();
@@ -78,13 +78,13 @@ std::vector<double> PreviewGains(const Setup& setup) {
   return gains;
 }
 
-/// The centre of mass at each sample so that the ZMP follows the reference (one value a step) [m].
+/// The centre of mass at each sample, for which the ZMP follows the reference (one value per step) [m].
 std::vector<double> FollowZmp(const Setup& setup, const VectorX& reference_m, double com_m) {
   const CartTable cart = MakeCartTable(setup);
   const std::vector<double> gains = PreviewGains(setup);
   const Vector3 K_x(gains[1], gains[2], gains[3]);
   const VectorX f = Eigen::Map<const VectorX>(gains.data() + 4, static_cast<Eigen::Index>(gains.size()) - 4);
-  const double beyond = K_x[0] - f.sum();  // what lies beyond the preview counts as standing still
+  const double beyond = K_x[0] - f.sum();  // beyond the preview the reference is constant
   VectorX padded(reference_m.size() + f.size());
   padded << reference_m, VectorX::Constant(f.size(), reference_m[reference_m.size() - 1]);
   Vector3 x(com_m, 0.0, 0.0);

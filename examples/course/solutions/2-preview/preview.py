@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solution of assignment 2: Kajita et al., ICRA 2003, with the summed error after Katayama et al., 1985."""
+"""A solution of assignment 2: Kajita et al., ICRA 2003, with the summed error of Katayama et al., 1985."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ def cart_table(com_height, step):
 
 
 def with_error(A, b, c):
-    """The same with the error of the ZMP as its first state; the others are increments of x."""
+    """The system whose first state is the ZMP error; the others are the increments of x."""
     big = np.zeros((4, 4))
     big[0, 0] = 1.0
     big[0, 1:] = c @ A
@@ -23,7 +23,7 @@ def with_error(A, b, c):
 
 
 def riccati(A, b, Q, R):
-    """P of the discrete algebraic Riccati equation, by going back over it until nothing changes."""
+    """P of the discrete algebraic Riccati equation, by backward iteration until P does not change."""
     P = Q.copy()
     for _ in range(100000):
         Pb, PA = P @ b, P @ A
@@ -54,7 +54,7 @@ def follow_zmp(reference, com, com_height, step, preview, error_weight, jerk_wei
     A, b, c = cart_table(com_height, step)
     gains = preview_gains(com_height, step, preview, error_weight, jerk_weight)
     K_i, K_x, f = gains[0], gains[1:4], gains[4:]
-    beyond = K_x[0] - f.sum()  # what lies beyond the preview counts as standing still
+    beyond = K_x[0] - f.sum()  # beyond the preview the reference is constant
     padded = np.concatenate([reference, np.full(len(f) + 1, reference[-1])])
     x, summed, path = np.array([com, 0.0, 0.0]), 0.0, []
     for k in range(len(reference)):

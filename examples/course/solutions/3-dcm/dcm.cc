@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A solution of assignment 3: Englsberger, Ott and Albu-Schaeffer, T-RO 31(2), 2015.
-//   dcm INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+//   dcm INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Vector2 Dcm(const Vector3& com_m, const Vector3& velocity_m_s, double com_height
   return com_m.head<2>() + velocity_m_s.head<2>() / OmegaOf(com_height_m);
 }
 
-/// Backward: the end of a step is the start of the next one, and the last ends on its own ZMP.
+/// Backward recursion: each step ends where the next one starts, and the last step ends on its own ZMP.
 Points DcmOfSteps(const Points& zmp_m, double step_s, double com_height_m) {
   const double shrink = std::exp(-OmegaOf(com_height_m) * step_s);
   Points starts_m(zmp_m.size());
@@ -38,7 +38,7 @@ Points DcmOfSteps(const Points& zmp_m, double step_s, double com_height_m) {
   return starts_m;
 }
 
-/// The DCM of that plan at times since the start of the first step.
+/// The DCM of the plan of DcmOfSteps at times since the start of the first step.
 Points DcmAt(const Points& zmp_m, double step_s, double com_height_m, const VectorX& times_s) {
   const Points starts_m = DcmOfSteps(zmp_m, step_s, com_height_m);
   Points at_m;
@@ -51,7 +51,7 @@ Points DcmAt(const Points& zmp_m, double step_s, double com_height_m, const Vect
   return at_m;
 }
 
-/// c' = omega (xi - c) with xi = p + e^{omega t} (xi_0 - p), solved.
+/// Solution of c' = omega (xi - c) with xi = p + e^{omega t} (xi_0 - p).
 Vector2 ComAlongDcm(const Vector2& com_m, const Vector2& dcm_m, const Vector2& zmp_m, double com_height_m,
                     double time_s) {
   const double away = std::exp(OmegaOf(com_height_m) * time_s);

@@ -15,7 +15,7 @@ def dcm(com, velocity, com_height):
 
 
 def dcm_of_steps(zmp, step_time, com_height):
-    """Backward: the end of a step is the start of the next one, and the last ends on its own ZMP."""
+    """Backward recursion: each step ends where the next one starts, and the last step ends on its own ZMP."""
     shrink = np.exp(-omega_of(com_height) * step_time)
     starts, end = np.zeros_like(zmp), zmp[-1]
     for i in range(len(zmp) - 1, -1, -1):
@@ -32,6 +32,6 @@ def dcm_at(zmp, step_time, com_height, times):
 
 
 def com_along_dcm(com, dcm_now, zmp, com_height, time):
-    """c' = omega (xi - c) with xi = p + e^{omega t} (xi_0 - p), solved."""
+    """Solution of c' = omega (xi - c) with xi = p + e^{omega t} (xi_0 - p)."""
     away, back = np.exp(omega_of(com_height) * time), np.exp(-omega_of(com_height) * time)
     return zmp + 0.5 * away * (dcm_now - zmp) + 0.5 * back * (2.0 * com - dcm_now - zmp)

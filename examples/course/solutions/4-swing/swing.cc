@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A solution of assignment 4: the minimum-jerk step of Flash and Hogan, J. Neuroscience 5(7), 1985, and a bump.
-//   swing INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+// A solution of assignment 4: the minimum-jerk curve of Flash and Hogan, J. Neuroscience 5(7), 1985, and a bump.
+//   swing INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,14 +16,16 @@ using gaitwright::Vector3;
 using gaitwright::VectorX;
 using Points = std::vector<Vector3>;
 
-/// Value, rate and acceleration (by u) at u in [0, 1] of the smoothest way from 0 to 1 that rests at both ends.
+/// Value, first and second derivative with respect to u, at u in [0, 1], of the minimum-jerk curve from 0 to 1 that is
+/// at rest at both ends.
 Vector3 MinimumJerk(double u) {
   const double u2 = u * u, u3 = u2 * u;
   return {10.0 * u3 - 15.0 * u3 * u + 6.0 * u3 * u2, 30.0 * u2 - 60.0 * u3 + 30.0 * u3 * u,
           60.0 * u - 180.0 * u2 + 120.0 * u3};
 }
 
-/// 64 u^3 (1 - u)^3 and its derivatives by u: up to 1 at 1/2 and back, at rest at both ends.
+/// 64 u^3 (1 - u)^3 and its derivatives with respect to u: rises to 1 at u = 1/2 and returns to 0, at rest at both
+/// ends.
 Vector3 Bump(double u) {
   const double w = u * (1.0 - u), slope = 1.0 - 2.0 * u;
   return {64.0 * w * w * w, 192.0 * w * w * slope, 384.0 * w * slope * slope - 384.0 * w * w};
@@ -34,7 +36,7 @@ struct Swing {
   double lift_m, duration_s;
 };
 
-/// By the chain rule each derivative by time is one by u, divided by the duration.
+/// By the chain rule, a derivative with respect to time is the derivative with respect to u divided by the duration.
 Points SwingAt(const Swing& swing, double time_s) {
   const double u = time_s / swing.duration_s;
   const Vector3 along = MinimumJerk(u), up = Bump(u), way_m = swing.end_m - swing.start_m;
@@ -50,16 +52,16 @@ Points SwingAt(const Swing& swing, double time_s) {
 
 struct Step {
   Vector3 start_m, end_m;
-  double edge_x_m;  // the ground is as high as the start before it, and as high as the end from there on
+  double edge_x_m;  // the ground has the start's height before the edge, the end's height after it
   double clearance_m, duration_s;
 };
 
-/// A minimum-jerk step between two shares of the time.
+/// Minimum-jerk curve from 0 at u = `first` to 1 at u = `last`.
 double Between(double u, double first, double last) {
   return MinimumJerk(std::clamp((u - first) / (last - first), 0.0, 1.0)).x();
 }
 
-/// Up at once, ahead in the middle, down at last: each a minimum-jerk step of its own, and they overlap.
+/// The foot moves up first, forward in the middle and down at the end: three minimum-jerk curves that overlap in time.
 Points SwingOverStep(const Step& step, const VectorX& times_s) {
   const double top_m = std::max(step.start_m.z(), step.end_m.z()) + step.clearance_m + 0.05;
   Points points;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solution of assignment 4: the minimum-jerk step of Flash and Hogan, J. Neuroscience 5(7), 1985, and a bump."""
+"""A solution of assignment 4: the minimum-jerk curve of Flash and Hogan, J. Neuroscience 5(7), 1985, and a bump."""
 
 import numpy as np
 
@@ -13,13 +13,13 @@ def minimum_jerk(u):
 
 
 def bump(u):
-    """64 u^3 (1 - u)^3 and its derivatives by u: up to 1 at 1/2 and back, at rest at both ends."""
+    """64 u^3 (1 - u)^3 and its derivatives with respect to u: 1 at u = 1/2, 0 and at rest at both ends."""
     w = u * (1 - u)
     return np.array([64 * w**3, 192 * w**2 * (1 - 2 * u), 384 * w * (1 - 2 * u) ** 2 - 384 * w**2])
 
 
 def swing(start, end, lift, duration, time):
-    """By the chain rule each derivative by time is one by u, divided by the duration."""
+    """By the chain rule, a derivative with respect to time is the derivative with respect to u divided by the duration."""
     u = time / duration
     along, up = minimum_jerk(u), bump(u)
     rows = np.outer(along, end - start)
@@ -29,10 +29,10 @@ def swing(start, end, lift, duration, time):
 
 
 def swing_over_step(start, end, edge_x, clearance, duration, times):
-    """Up at once, ahead in the middle, down at last: each a minimum-jerk step of its own, and they overlap.
+    """The foot moves up first, forward in the middle and down at the end: three minimum-jerk curves that overlap in time.
 
-    The foot is at its top from 0.4 to 0.6 of the time. Until then it has gone ahead by little, so that it is over the
-    edge where the edge is; ahead it goes from 0.15 to 0.85.
+    It moves forward from 0.15 to 0.85 of the duration, and is at its highest position from 0.4 to 0.6. Therefore it is
+    high enough when it passes the edge.
     """
     u = times / duration
     rise = minimum_jerk(np.clip(u / 0.4, 0.0, 1.0))[0]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A solution of assignment 5. SI units; x is ahead, y to the left, z up.
-//   ik INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+// A solution of assignment 5. SI units; x is forward, y to the left, z up.
+//   ik INPUTS ANSWERS    reads PART_inputs.csv from INPUTS, writes PART.csv to ANSWERS
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
@@ -27,12 +27,12 @@ using gaitwright::Vector6;
 constexpr double kA1Side = 0.0838, kA1Thigh = 0.2, kA1Shank = 0.2;                          // [m]
 const Vector3 kA1Lower(-0.80285, -1.04719, -2.69653), kA1Upper(0.80285, 4.18879, -0.9163);  // [rad]
 
-/// The hip in the base.
+/// Position of the hip in the base.
 Vector3 A1Hip(int leg) { return {leg < 2 ? 0.1805 : -0.1805, leg % 2 == 0 ? 0.047 : -0.047, 0.0}; }
 
 // NAO: the left leg is 0, the right one 1. The right leg is the mirror image of the left one.
 struct NaoJoint {
-  Vector3 place_m, axis;        // of the left leg: in the frame of the joint before, from the hip on
+  Vector3 place_m, axis;        // of the left leg, in the frame of the previous joint
   Vector2 left_rad, right_rad;  // limits
 };
 const std::array<NaoJoint, 6> kNaoJoints = {{
@@ -43,19 +43,19 @@ const std::array<NaoJoint, 6> kNaoJoints = {{
     {{0.0, 0.0, -0.1029}, {0.0, 1.0, 0.0}, {-1.18944, 0.92258}, {-1.1863, 0.932}},
     {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {-0.39776, 0.76899}, {-0.76899, 0.39776}},
 }};
-const Vector3 kNaoSole(0.0315, 0.006, -0.04511);  // [m], the middle of the sole in the frame of the last joint
+const Vector3 kNaoSole(0.0315, 0.006, -0.04511);  // [m], centre of the sole in the frame of the last joint
 
 Vector3 Mirrored(const Vector3& vector, int leg) {
   return {vector.x(), leg == 0 ? vector.y() : -vector.y(), vector.z()};
 }
 
-/// Hip yaw and pitch are one joint, which turns both legs alike about axes that mirror each other.
+/// Hip yaw and pitch are one joint. It rotates both legs by the same angle, about axes that mirror each other.
 Vector3 NaoAxis(std::size_t joint, int leg) {
   const Vector3& axis = kNaoJoints[joint].axis;
   return leg == 1 && joint == 0 ? Vector3(axis.x(), axis.y(), -axis.z()) : axis;
 }
 
-/// The middle of NAO's sole in its base.
+/// Pose of the centre of NAO's sole in the base.
 Pose NaoFoot(int leg, const Vector6& joints_rad) {
   Pose X = Pose::Identity();
   for (std::size_t i = 0; i < 6; ++i) {
@@ -66,7 +66,7 @@ Pose NaoFoot(int leg, const Vector6& joints_rad) {
   return X;
 }
 
-/// Hip and knee swing the leg in a plane, and abduction turns that plane about x.
+/// Hip and knee move the leg in a plane, and abduction rotates this plane about x.
 Vector3 A1LegFk(int leg, const Vector3& joints_rad) {
   const double thigh = joints_rad[1], shank = joints_rad[1] + joints_rad[2];
   const Vector3 unturned(-kA1Thigh * std::sin(thigh) - kA1Shank * std::sin(shank), leg % 2 == 0 ? kA1Side : -kA1Side,
@@ -74,12 +74,12 @@ Vector3 A1LegFk(int leg, const Vector3& joints_rad) {
   return A1Hip(leg) + gaitwright::RotationExp(joints_rad[0] * Vector3::UnitX()) * unturned;
 }
 
-/// How far joints are beyond their limits, at the most.
+/// Largest violation of the joint limits [rad]; negative if all limits are kept.
 double Beyond(const Vector3& joints_rad) {
   return std::max((kA1Lower - joints_rad).maxCoeff(), (joints_rad - kA1Upper).maxCoeff());
 }
 
-/// The same posture with angles moved by whole turns to the middle of their range.
+/// The same posture, with each angle moved by whole turns as close as possible to the middle of its range.
 Vector3 IntoLimits(Vector3 joints_rad) {
   for (int i = 0; i < 3; ++i) {
     const double middle = 0.5 * (kA1Lower[i] + kA1Upper[i]);
@@ -88,7 +88,8 @@ Vector3 IntoLimits(Vector3 joints_rad) {
   return joints_rad;
 }
 
-/// The leg's plane may be under the hip or above it, the knee bends one way: the one that keeps the limits.
+/// The knee has one bending direction, and the leg can point down from the hip or up. Returns the solution that keeps
+/// the limits.
 Vector3 A1LegIk(int leg, const Vector3& place_m) {
   const Vector3 p = place_m - A1Hip(leg);
   const double side = leg % 2 == 0 ? kA1Side : -kA1Side;
@@ -106,7 +107,7 @@ Vector3 A1LegIk(int leg, const Vector3& place_m) {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// How place and rotation of the sole move with each joint, in the base: axis x arm, and axis.
+/// Jacobian of position and rotation of the sole in the base; each column is (axis x arm, axis).
 Matrix6 NaoJacobian(int leg, const Vector6& joints_rad) {
   const Vector3 p_BS = NaoFoot(leg, joints_rad).translation();
   Matrix6 J;
@@ -132,8 +133,8 @@ std::pair<Vector6, Vector6> NaoLimits(int leg) {
   return {lower, upper};
 }
 
-/// Damped least squares, clipped to the limits: the less is left to do, the less they are damped. Moves `joints_rad`.
-/// @return what is left: metres and radians together.
+/// Damped least squares, clipped to the limits; the damping decreases with the error. Changes `joints_rad`.
+/// @return the norm of the remaining error, in metres and radians together.
 double NaoSearch(int leg, const Pose& sole, Vector6& joints_rad) {
   const auto [lower, upper] = NaoLimits(leg);
   Vector6 left = Vector6::Zero();
@@ -150,7 +151,7 @@ double NaoSearch(int leg, const Pose& sole, Vector6& joints_rad) {
   return left.norm();
 }
 
-/// From the middle of the limits, and where that does not lead there from other places between them.
+/// Searches from the middle of the limits; if this fails, from random postures between them.
 Vector6 NaoLegIk(int leg, const Pose& sole) {
   const auto [lower, upper] = NaoLimits(leg);
   std::mt19937 random(1);
@@ -188,7 +189,7 @@ std::vector<double> AnswerNaoIk(const AnswerCase& asked) {
   return {joints_rad.begin(), joints_rad.end()};
 }
 
-/// How far the posture that NaoLegIk gives leaves the sole from where it was to be.
+/// Position error of the sole when NaoLegIk is asked for the pose of the sole at `joints_rad` [m].
 double NaoMiss(int leg, const Vector6& joints_rad) {
   const Pose sole = NaoFoot(leg, joints_rad);
   return (NaoFoot(leg, NaoLegIk(leg, sole)).translation() - sole.translation()).norm();
@@ -198,7 +199,7 @@ double NaoMiss(int leg, const Vector6& joints_rad) {
 
 int main(int argc, char** argv) {
   const Vector6 posture = (Vector6() << -0.2, 0.1, -0.6, 1.1, -0.5, -0.1).finished();
-  fmt::print("NAO's left sole, there and back, is off by {:.2g} m\n", NaoMiss(0, posture));
+  fmt::print("NAO's left sole: forward of inverse kinematics is off by {:.2g} m\n", NaoMiss(0, posture));
   const auto written =
       gaitwright::WriteAnswers(argc > 1 ? argv[1] : ".", argc > 2 ? argv[2] : ".",
                                {{"a1_leg_fk", AnswerA1Fk}, {"a1_leg_ik", AnswerA1Ik}, {"nao_leg_ik", AnswerNaoIk}});

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solution of assignment 5. SI units; x is ahead, y to the left, z up."""
+"""A solution of assignment 5. SI units; x is forward, y to the left, z up."""
 
 import numpy as np
 
-# The legs of the A1 by the names of their feet: the hip in the base [m], and on which side the thigh is of it.
+# For each foot of the A1: the position of the hip in the base [m], and the side of the thigh (1 left, -1 right).
 A1_HIPS = {
     "FL_foot": (np.array([0.1805, 0.047, 0.0]), 1.0),
     "FR_foot": (np.array([0.1805, -0.047, 0.0]), -1.0),
@@ -13,10 +13,10 @@ A1_HIPS = {
 A1_SIDE, A1_THIGH, A1_SHANK = 0.0838, 0.2, 0.2  # [m]
 A1_LOWER, A1_UPPER = np.array([-0.80285, -1.04719, -2.69653]), np.array([0.80285, 4.18879, -0.9163])  # [rad]
 
-# The leg of NAO from the hip on: of each joint its place in the frame of the joint before [m] and its axis, for the left leg.
+# The left leg of NAO from the hip on: position [m] and axis of each joint in the frame of the previous joint.
 NAO_PLACES = np.array([[0.0, 0.05, -0.085], [0, 0, 0], [0, 0, 0], [0, 0, -0.1], [0, 0, -0.1029], [0, 0, 0]])
 NAO_AXES = np.array([[0.0, 0.5**0.5, -(0.5**0.5)], [1, 0, 0], [0, 1, 0], [0, 1, 0], [0, 1, 0], [1, 0, 0]])
-NAO_SOLE = np.array([0.0315, 0.006, -0.04511])  # [m], the middle of the sole in the frame of the last joint
+NAO_SOLE = np.array([0.0315, 0.006, -0.04511])  # [m], centre of the sole in the frame of the last joint
 NAO_LOWER = {
     "l_ankle": np.array([-1.14529, -0.37943, -1.53589, -0.09232, -1.18944, -0.39776]),
     "r_ankle": np.array([-1.14529, -0.79046, -1.53589, -0.09232, -1.1863, -0.76899]),
@@ -28,25 +28,25 @@ NAO_UPPER = {
 
 
 def mirrored(vector, foot):
-    """Of the left leg that of the right one, its y turned round."""
+    """A vector of the left leg, mirrored (y negated) for the right leg."""
     return vector * np.array([1.0, 1.0 if foot == "l_ankle" else -1.0, 1.0])
 
 
 def turned(axis, angle):
-    """The rotation by an angle about an axis of length 1 (Rodrigues)."""
+    """Rotation matrix for an angle about a unit axis (Rodrigues)."""
     x, y, z = axis
     K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     return np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * K @ K
 
 
 def nao_axis(joint, foot):
-    """Of the right leg: hip yaw and pitch are one joint, which turns both legs alike about axes that mirror each other."""
+    """Axis of a joint. Hip yaw and pitch are one joint: it rotates both legs by the same angle, about mirrored axes."""
     axis = NAO_AXES[joint]
     return axis * np.array([1.0, 1.0, -1.0]) if foot == "r_ankle" and joint == 0 else axis
 
 
 def nao_foot(foot, joints):
-    """Place (3) and rotation (3 x 3) of the middle of NAO's sole in its base."""
+    """Position (3) and rotation (3 x 3) of the centre of NAO's sole in the base."""
     place, rotation = np.zeros(3), np.eye(3)
     for i in range(6):
         place = place + rotation @ mirrored(NAO_PLACES[i], foot)
@@ -55,7 +55,7 @@ def nao_foot(foot, joints):
 
 
 def a1_leg_fk(foot, joints):
-    """Hip and knee swing the leg in a plane, and abduction turns that plane about x."""
+    """Hip and knee move the leg in a plane, and abduction rotates this plane about x."""
     hip, side = A1_HIPS[foot]
     abduction, thigh, knee = joints
     along = -A1_THIGH * np.sin(thigh) - A1_SHANK * np.sin(thigh + knee)
@@ -64,7 +64,7 @@ def a1_leg_fk(foot, joints):
 
 
 def into_limits(joints, lower, upper):
-    """The same posture with angles moved by whole turns to the middle of their range."""
+    """The same posture, with each angle moved by whole turns as close as possible to the middle of its range."""
     middle = 0.5 * (lower + upper)
     return joints - 2.0 * np.pi * np.round((joints - middle) / (2.0 * np.pi))
 
@@ -74,7 +74,7 @@ def beyond(joints, lower, upper):
 
 
 def a1_leg_ik(foot, place):
-    """The leg's plane may be under the hip or above it, the knee bends one way: the one that keeps the limits."""
+    """The knee has one bending direction, and the leg can point down from the hip or up: the solution within the limits."""
     hip, side = A1_HIPS[foot]
     x, y, z = place - hip
     depth = np.sqrt(max(y * y + z * z - A1_SIDE**2, 0.0))
@@ -96,7 +96,7 @@ def rotation_vector(rotation):
 
 
 def nao_jacobian(foot, joints):
-    """How place and rotation of the sole move with each joint, in the base: axis x arm, and axis."""
+    """Jacobian of position and rotation of the sole in the base; each column is (axis x arm, axis)."""
     place, rotation = np.zeros(3), np.eye(3)
     sole = nao_foot(foot, joints)[0]
     columns = []
@@ -109,7 +109,7 @@ def nao_jacobian(foot, joints):
 
 
 def nao_search(foot, place, rotation, joints):
-    """Damped least squares, clipped to the limits: the less is left to do, the less they are damped."""
+    """Damped least squares, clipped to the limits; the damping decreases with the error."""
     lower, upper = NAO_LOWER[foot], NAO_UPPER[foot]
     for _ in range(100):
         at, turn = nao_foot(foot, joints)
@@ -123,7 +123,7 @@ def nao_search(foot, place, rotation, joints):
 
 
 def nao_leg_ik(foot, place, rotation):
-    """From the middle of the limits, and where that does not lead there from other places between them."""
+    """Searches from the middle of the limits; if this fails, from random postures between them."""
     lower, upper = NAO_LOWER[foot], NAO_UPPER[foot]
     random = np.random.default_rng(1)
     best, least = None, np.inf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A solution of assignment 6: what the geometry allows first, then the cheapest of it in physics.
+// A solution of assignment 6: first the candidates that the geometry allows, then the cheapest of them in physics.
 //   trot trot.yaml
 #include <fmt/format.h>
 
@@ -18,10 +18,10 @@ using namespace gaitwright;
 
 constexpr double kTopSpeed = 0.9;  // [m/s]
 constexpr double kLeastClearance = 0.035, kMostSpeedUse = 0.85;
-constexpr double kLongestStance = 0.33;  // [m] on the ground at the top speed: 0.8 of a leg
+constexpr double kLongestStance = 0.33;  // [m], length of a stance at the top speed: 0.8 leg lengths
 constexpr double kQuickestSwing = 0.2;   // [s]
 
-/// Cycles and duty factors whose stance is short enough for the leg, and whose swing is slow enough for the joints.
+/// Cycle times and duty factors with stances short enough for the leg and swings slow enough for the joints.
 std::vector<OptionTexts> Candidates() {
   std::vector<OptionTexts> candidates;
   for (const double cycle_s : {0.4, 0.45, 0.5, 0.55}) {
@@ -35,7 +35,7 @@ std::vector<OptionTexts> Candidates() {
   return candidates;
 }
 
-/// A trot in physics.
+/// Plans a trot and plays it in physics.
 Result<PlayedWalk> Tried(const RobotModel& model, const OptionTexts& options, double speed_m_s) {
   WalkRequest request;
   request.gait = "trot";
@@ -49,7 +49,7 @@ Result<PlayedWalk> Tried(const RobotModel& model, const OptionTexts& options, do
   return PlayWalk(model, planned->motion.plan, as_usual);
 }
 
-/// Of transport at the top speed; infinite where a limit is not kept.
+/// Cost of transport at the top speed; infinite if a limit is violated.
 double Cost(const RobotModel& model, const OptionTexts& options) {
   const Result<PlayedWalk> played = Tried(model, options, kTopSpeed);
   if (!played || !played->report.pass) return HUGE_VAL;

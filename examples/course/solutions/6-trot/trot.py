@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solution of assignment 6: what the geometry allows first, then the cheapest of it in physics. Writes trot.yaml."""
+"""A solution of assignment 6: first the candidates that the geometry allows, then the cheapest of them in physics."""
 
 import gaitwright as gw
 
 SPEEDS = (0.3, 0.6, 0.9)  # [m/s]
 LEAST_CLEARANCE, MOST_SPEED_USE = 0.035, 0.85
-LONGEST_STANCE = 0.33  # [m] on the ground at the top speed: 0.8 of a leg
+LONGEST_STANCE = 0.33  # [m], length of a stance at the top speed: 0.8 leg lengths
 QUICKEST_SWING = 0.2  # [s]
 
 
 def candidates():
-    """Cycles and duty factors whose stance is short enough for the leg, and whose swing is slow enough for the joints."""
+    """Cycle times and duty factors with stances short enough for the leg and swings slow enough for the joints."""
     for cycle in (0.4, 0.45, 0.5, 0.55):
         for duty in (0.55, 0.6):
             if duty * cycle * SPEEDS[-1] <= LONGEST_STANCE and (1.0 - duty) * cycle >= QUICKEST_SWING:
@@ -18,7 +18,7 @@ def candidates():
 
 
 def cost(robot, options):
-    """Of transport at the top speed, where every limit is kept; else None."""
+    """Cost of transport at the top speed; None if a limit is violated."""
     try:
         plan = gw.plan_walk(robot, gait="trot", speed=SPEEDS[-1], distance=1.5, options=options)
     except gw.InfeasibleError:

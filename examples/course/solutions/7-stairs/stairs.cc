@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A solution of assignment 7: where a foot would stand near an edge, it stands on the nearest place that is level.
-//   stairs plan.json    writes the plan over the footsteps, where there is one
+// A solution of assignment 7: a foot that would be near an edge is placed on the nearest level position.
+//   stairs plan.json    writes the plan over the footsteps, if one exists
 #include <fmt/format.h>
 
 #include <array>
@@ -21,10 +21,10 @@ namespace {
 using namespace gaitwright;
 
 const std::string kStairs = "stairs:start_m=0.41,rise_m=0.05,tread_m=0.31,count=3,landing_m=2";
-constexpr double kGoal = 1.2;    // [m], how far the body goes
-constexpr double kSpeed = 0.04;  // [m/s], how fast it is asked to be; a quarter longer is allowed
-constexpr double kStride = 0.1;  // [m], the farthest that it goes while each foot makes one step
-constexpr std::array<const char*, 4> kOrder = {"RR_foot", "FR_foot", "RL_foot", "FL_foot"};  // of a side rear, front
+constexpr double kGoal = 1.2;    // [m], distance of the goal
+constexpr double kSpeed = 0.04;  // [m/s], commanded speed; the walk may take a quarter longer
+constexpr double kStride = 0.1;  // [m], maximum advance of the body while each foot makes one step
+constexpr std::array<const char*, 4> kOrder = {"RR_foot", "FR_foot", "RL_foot", "FL_foot"};  // rear, front of each side
 
 int FootOf(const RobotModel& model, const std::string& name) {
   for (std::size_t i = 0; i < model.feet.size(); ++i) {
@@ -33,10 +33,10 @@ int FootOf(const RobotModel& model, const std::string& name) {
   throw InvalidArgument(fmt::format("robot '{}' has no foot '{}'", model.name, name));
 }
 
-constexpr double kMargin = 0.04;  // [m] from a foot to the nearest edge, before it and behind it
-constexpr double kGrain = 0.005;  // [m] between places that are looked at
+constexpr double kMargin = 0.04;  // [m] from a foot to the nearest edge, forward and backward
+constexpr double kGrain = 0.005;  // [m] between tested positions
 
-/// Whether the ground about a place is as high as the place itself.
+/// Whether the ground around a position has the height of the position.
 bool IsLevel(const Terrain& terrain, double x_m, double y_m) {
   const double here_m = GroundAt(terrain, {x_m, y_m}).height_m;
   for (const double d : {-kMargin, -0.5 * kMargin, 0.5 * kMargin, kMargin}) {
@@ -45,17 +45,17 @@ bool IsLevel(const Terrain& terrain, double x_m, double y_m) {
   return true;
 }
 
-/// The nearest place before or behind where a foot may stand.
+/// The nearest position along x, forward or backward, where a foot may stand.
 double NearestLevel(const Terrain& terrain, double x_m, double y_m) {
   for (int i = 0; i < 60; ++i) {
     for (const double there_m : {x_m + i * kGrain, x_m - i * kGrain}) {
       if (IsLevel(terrain, there_m, y_m)) return there_m;
     }
   }
-  throw InvalidArgument(fmt::format("no level ground about x = {:.2f} m", x_m));
+  throw InvalidArgument(fmt::format("no level ground near x = {:.2f} m", x_m));
 }
 
-/// As the body goes on by a stride, each foot in turn goes to where it stands under the body, or near it.
+/// In each stride of the body, each foot steps to its nominal position below the body, or near it.
 std::vector<PlacedStep> PlanSteps(const RobotModel& model, const Terrain& terrain, double goal_m) {
   const std::vector<Pose> standing = StandingFeet(model);
   const int rounds = static_cast<int>(std::ceil(goal_m / kStride));
@@ -70,7 +70,7 @@ std::vector<PlacedStep> PlanSteps(const RobotModel& model, const Terrain& terrai
   return steps;
 }
 
-/// The motion of all the rest over the steps, with the command that it is for.
+/// Plans the rest of the motion over the steps, and sets the command of the plan.
 Result<MotionPlan> Planned(const RobotModel& model, const Terrain& terrain) {
   const std::vector<PlacedStep> steps = PlanSteps(model, terrain, kGoal);
   Result<MotionPlan> plan = PlanOverSteps(model, terrain, steps, {.swing_s = 0.4, .pause_s = 0.15});
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
   if (!terrain) return 1;
   const Result<MotionPlan> plan = Planned(*model, *terrain);
   if (!plan) {
-    fmt::print("no walk: {}\n", plan.failure().message);
+    fmt::print("no plan: {}\n", plan.failure().message);
     return 0;
   }
   const PlayRequest as_usual;

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solution of assignment 7: where a foot would stand near an edge, it stands on the nearest place that is level. SI units."""
+"""A solution of assignment 7: a foot that would be near an edge is placed on the nearest level position. SI units."""
 
 import math
 
 import gaitwright as gw
 
-STRIDE = 0.1  # [m], the farthest that the body goes while each foot makes one step
-ORDER = ("RR_foot", "FR_foot", "RL_foot", "FL_foot")  # a crawl: of one side the rear foot, then the front foot
+STRIDE = 0.1  # [m], maximum advance of the body while each foot makes one step
+ORDER = ("RR_foot", "FR_foot", "RL_foot", "FL_foot")  # a crawl: rear foot, then front foot of each side
 
 
-MARGIN = 0.04  # [m] from a foot to the nearest edge, before it and behind it
-SHIN = 0.08  # [m] behind a foot where no ground is higher: on the way down the shin leans back over it
-GRAIN = 0.005  # [m] between places that are looked at
+MARGIN = 0.04  # [m] from a foot to the nearest edge, forward and backward
+SHIN = 0.08  # [m] behind a foot without higher ground, because the shin leans backward on the way down
+GRAIN = 0.005  # [m] between tested positions
 
 
 def is_good(terrain, x, y):
-    """Whether the ground about a place is as high as the place itself, and none behind it higher."""
+    """Whether the ground around a position has its height, and the ground behind it is not higher."""
     here = terrain.ground_at(x, y)["height_m"]
     about = (-MARGIN, -0.5 * MARGIN, 0.5 * MARGIN, MARGIN)
     is_level = all(abs(terrain.ground_at(x + d, y)["height_m"] - here) < 1e-3 for d in about)
@@ -23,16 +23,16 @@ def is_good(terrain, x, y):
 
 
 def nearest_good(terrain, x, y):
-    """The nearest place before or behind where a foot may stand."""
+    """The nearest position along x, forward or backward, where a foot may stand."""
     for i in range(60):
         for there in (x + i * GRAIN, x - i * GRAIN):
             if is_good(terrain, there, y):
                 return there
-    raise ValueError(f"no good ground about x = {x:.2f} m")
+    raise ValueError(f"no suitable ground near x = {x:.2f} m")
 
 
 def plan_steps(robot, terrain, goal):
-    """As the body goes on by a stride, each foot in turn goes to where it stands under the body, or near it."""
+    """In each stride of the body, each foot steps to its nominal position below the body, or near it."""
     standing = {foot: gw.RobotState(robot).contact_frame(foot)[:2, 3] for foot in robot.feet}
     rounds = math.ceil(goal[0] / STRIDE)
     for i in range(1, rounds + 1):
@@ -48,4 +48,4 @@ if __name__ == "__main__":
         print(gw.audit(plan))
         print(gw.play(plan))
     except gw.GaitwrightError as error:
-        print("no walk:", error)
+        print("no plan:", error)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A solution of assignment 8: the lower the body and the feet in the air, the farther it may be pushed.
-// Tries them in trials, and writes the best.
+// A solution of assignment 8: a robot with a lower body and a lower swing withstands larger pushes. Plays combinations
+// of both heights in trials, and writes the best.
 //   robustness robustness.yaml
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace gaitwright;
 
-/// Pushes to the sides, on ground that is more and less slippery. See docs/trials.md.
+/// Lateral pushes, on ground with different friction. See docs/trials.md.
 const std::string kDisturbances =
     "friction: {uniform: [0.5, 0.9]}\n"
     "pushes:\n"
@@ -24,7 +24,7 @@ const std::string kDisturbances =
     "    at_share: {uniform: [0.2, 0.7]}\n"
     "    duration_s: 0.1\n";
 
-/// From high to low: the body, and the feet in the air, which are to be down again soon.
+/// Heights of body and swing, from high to low. A lower swing foot is on the ground again sooner after a push.
 std::vector<OptionTexts> Candidates() {
   std::vector<OptionTexts> candidates;
   for (const char* height : {"0.21", "0.19", "0.17"}) {
@@ -46,7 +46,7 @@ Result<MotionPlan> Planned(const RobotModel& model, const OptionTexts& options) 
   return planned->motion.plan;
 }
 
-/// How many of `trials` the robot survives with joints held on the plan and nothing else.
+/// Number of survived trials with `joint-pd`, which tracks the planned joint positions and does not balance.
 Result<int> Survived(const RobotModel& model, const MotionPlan& plan, int trials) {
   PlayRequest play;
   play.controller = "joint-pd";
@@ -74,9 +74,9 @@ int main(int argc, char** argv) {
     if (!plan) continue;
     const Result<int> survived = Survived(*model, *plan, kTrials);
     if (!survived) continue;
-    fmt::print("body {} m, lift {} m: it survives {} of {}\n", options[0].second, options[1].second, *survived,
+    fmt::print("body {} m, lift {} m: survives {} of {} trials\n", options[0].second, options[1].second, *survived,
                kTrials);
-    if (*survived >= most) best = options;  // of equals the last: the lower one
+    if (*survived >= most) best = options;  // of equal results the last, which is the lower one
     most = std::max(most, *survived);
   }
   std::string yaml;

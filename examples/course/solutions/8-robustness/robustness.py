@@ -1,29 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A solution of assignment 8: joints held on the plan, and feet put to where the body is being pushed. SI units."""
+"""A solution of assignment 8: joint PD about the plan, and swing feet that follow the push. SI units."""
 
 import math
 
 import gaitwright as gw
 import numpy as np
 
-REACH = 0.12  # [m], the farthest that a foot is put off its plan
-SWING_TIME, STANCE_TIME = 0.03, 0.3  # [s] in which the offset of a foot comes and goes
+REACH = 0.12  # [m], maximum offset of a foot from its plan
+SWING_TIME, STANCE_TIME = 0.03, 0.3  # [s], time constants of the offset: growth in swing, decay in stance
 
 
 def heading(q):
-    return 2.0 * math.atan2(q[5], q[6])  # of a body that is nearly level
+    return 2.0 * math.atan2(q[5], q[6])  # yaw of a nearly level body
 
 
 def ahead_and_left(q, v):
-    """The base's velocity along its own heading."""
+    """The base's velocity in the directions forward and left."""
     c, s = math.cos(heading(q)), math.sin(heading(q))
     return np.array([c * v[0] + s * v[1], -s * v[0] + c * v[1]])
 
 
 class CaptureSteps(gw.Controller):
-    """PD about the plan with its torques; a foot in the air is moved by sqrt(h / g) times the error of the velocity.
+    """PD about the plan with its torques; a swing foot is displaced by sqrt(h / g) times the velocity error.
 
-    That is where a pendulum of height h comes to rest (Pratt et al., Humanoids 2006). In stance the offset fades.
+    There, a pendulum of height h comes to rest (Pratt et al., Humanoids 2006). In stance the offset decays.
     """
 
     def __init__(self, plan):

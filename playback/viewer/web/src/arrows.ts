@@ -4,13 +4,13 @@ import { seenThrough } from "./palette";
 
 const kUp = new THREE.Vector3(0, 0, 1);
 
-/** Makes arrows of one thickness and colour, which can be seen through the robot. */
+/** Makes arrows of one thickness and colour, which are visible through the robot. */
 export class ArrowMaker {
   private readonly shaft: THREE.BufferGeometry;
   private readonly head: THREE.BufferGeometry;
   private readonly headLength: number;
 
-  /** @param size  of the robot [m]: a head is a tenth of it long. */
+  /** @param size  of the robot [m]: an arrow head is a tenth of it long. */
   constructor(
     size: number,
     private readonly material: THREE.Material,
@@ -42,7 +42,7 @@ export class Arrow {
     }
   }
 
-  /** Points along a vector, so long from end to tip. One that is shorter than two heads is smaller in all. */
+  /** Sets an arrow along a vector, with this length from end to tip. An arrow shorter than two heads is scaled down. */
   show(from: THREE.Vector3, direction: THREE.Vector3, length: number): void {
     this.root.position.copy(from);
     this.root.quaternion.setFromUnitVectors(kUp, this.along.copy(direction).normalize());

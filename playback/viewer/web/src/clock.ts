@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** The one time that everything on the page shows. */
+/** The common time of everything on the page. */
 export class Clock {
   speed = 1;
   private now: number;
@@ -22,7 +22,7 @@ export class Clock {
     return this.runs;
   }
 
-  /** Told now, and whenever time or playing is another. */
+  /** The listener is called now, and whenever the time or the playing state changes. */
   onChange(listener: (t: number) => void): void {
     this.listeners.push(listener);
     listener(this.now);
@@ -40,7 +40,7 @@ export class Clock {
     this.change(this.now, false);
   }
 
-  /** Goes on by so many seconds of the reader's time; stops at the end. */
+  /** Advances by a number of seconds of real time; stops at the end. */
   advance(seconds: number): void {
     if (!this.runs) return;
     const next = this.now + seconds * this.speed;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** What a colour stands for; the same as in the report's plots, which say how far apart they are for people who are colour-blind. */
+/** Meanings of colours; the same as in the report's plots, which document their contrast for colour-blind readers. */
 export const kInks = ["zmp", "com", "dcm", "foot", "joint", "limit", "support", "muted", "pull"] as const;
 export type Ink = (typeof kInks)[number];
 
 export interface Theme {
   dark: boolean;
   ink: Record<Ink, string>;
-  /** Of words, where what is drawn is too pale for them. */
+  /** Text colours for meanings whose drawing colour is too pale for text. */
   words: Partial<Record<Ink, string>>;
-  /** Of each foot's line, with three times the paper's contrast at least. */
+  /** Colours of the feet's lines, each with a contrast to the paper of at least 3. */
   feet: string[];
   paper: string;
   text: string;
@@ -56,10 +56,10 @@ export function themeOf(dark: boolean): Theme {
   return dark ? kDark : kLight;
 }
 
-/** Feet differ by colour and by dash, so that neither is needed alone; in pixels, on and off. */
+/** Feet differ by colour and by dash pattern, so that either is sufficient; in pixels, on and off. */
 export const kFootDashes = [[], [7, 3], [2, 3], [9, 3, 2, 3], [4, 4], [12, 4], [2, 2, 6, 2], [9, 2, 2, 2, 2, 2]];
 
-/** The colour of words, and the name by which style sheets have it. */
+/** The colour of text for a meaning, and its name in style sheets. */
 export function wordColour(theme: Theme, ink: Ink): string {
   return theme.words[ink] ?? theme.ink[ink];
 }

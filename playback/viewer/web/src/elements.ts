@@ -8,17 +8,17 @@ export function make<K extends keyof HTMLElementTagNameMap>(tag: K, className = 
   return made;
 }
 
-/** Writes a text where it is another than the one there. */
+/** Writes a text if it differs from the present one. */
 export function write(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** An attribute likewise. */
+/** Sets an attribute if it differs from the present one. */
 export function tell(element: HTMLElement, attribute: string, text: string): void {
   if (element.getAttribute(attribute) !== text) element.setAttribute(attribute, text);
 }
 
-/** A button that does something when it is pressed; its title says what, where its text is a sign. */
+/** A button with an action; its title describes the action, for buttons whose text is a symbol. */
 export function button(text: string, title: string, act: () => void, className = ""): HTMLButtonElement {
   const made = make("button", className, text);
   made.title = title;
@@ -28,7 +28,7 @@ export function button(text: string, title: string, act: () => void, className =
   return made;
 }
 
-/** Takes an element out of use while there is a reason; its title says which. */
+/** Disables an element while there is a reason; its title shows the reason. */
 export function disable(element: HTMLButtonElement | HTMLInputElement, why: string): void {
   element.dataset.use ??= element.title;
   if (element.disabled !== (why !== "")) element.disabled = why !== "";
@@ -36,7 +36,7 @@ export function disable(element: HTMLButtonElement | HTMLInputElement, why: stri
   if (element.title !== title) element.title = title;
 }
 
-/** A box to tick, with its label. */
+/** A check box with its label. */
 export function tickBox(text: string, className = ""): { label: HTMLLabelElement; box: HTMLInputElement } {
   const box = Object.assign(make("input"), { type: "checkbox", checked: true });
   const label = make("label", className, ` ${text}`);
@@ -44,7 +44,7 @@ export function tickBox(text: string, className = ""): { label: HTMLLabelElement
   return { label, box };
 }
 
-/** A menu that gives keys back to the page once a mouse or finger has chosen from it. */
+/** A menu that returns the keyboard focus to the page after a choice with mouse or finger. */
 export function menu(label: string): HTMLSelectElement {
   const made = make("select");
   let pointed = false;
@@ -61,7 +61,7 @@ export function menu(label: string): HTMLSelectElement {
 const kTakesText = "input:not([type=checkbox], [type=range]), select, textarea";
 const kTakesSpace = "button, summary, a, input[type=checkbox]";
 
-/** Whether a key is for the page: not for the browser, nor for the element that has the focus. */
+/** Whether a key is meant for the page, not for the browser or the focused element. */
 export function isForPage(event: KeyboardEvent): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
   const at = event.target as HTMLElement;

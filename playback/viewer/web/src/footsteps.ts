@@ -14,7 +14,7 @@ function sides(outline: Foothold["outline_m"], lift: number): number[] {
   return outline.flatMap((_, i) => [...corner(i), ...corner(i + 1)]);
 }
 
-/** Outlines of all soles; those that stand now once more over them. */
+/** Outlines of all soles; the outlines of standing feet are drawn again on top. */
 export class Footsteps {
   readonly root = new THREE.Group();
   private readonly outlines: Float32Array[];
@@ -30,7 +30,7 @@ export class Footsteps {
     const all = new THREE.BufferGeometry();
     all.setAttribute("position", new THREE.Float32BufferAttribute(this.outlines.flatMap((outline) => [...outline]), 3));
     const material = palette.line("foot");
-    material.transparent = true;  // so that it is drawn after the others
+    material.transparent = true;  // draws it after the others
     const now = new THREE.LineSegments(this.present, material);
     now.renderOrder = 1;
     now.frustumCulled = false;
@@ -47,7 +47,7 @@ export class Footsteps {
     this.upload(present);
   }
 
-  /** As much room as the most that ever stood at once need. */
+  /** Reserves room for the largest number of feet that stand at once. */
   private upload(present: number[]): void {
     const size = present.reduce((sum, number) => sum + this.outlines[number].length, 0);
     let position = this.present.attributes.position as THREE.BufferAttribute | undefined;

@@ -2,7 +2,7 @@
 
 const kMostPictures = 120;
 
-/** How many pictures are drawn in a second of late. */
+/** Number of pictures drawn per second recently. */
 export class FrameRate {
   private readonly times_ms: number[] = [];
 

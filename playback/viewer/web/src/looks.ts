@@ -6,7 +6,7 @@ import type { Stage, View } from "./stage";
 
 const kViewKeys: Record<string, View> = { "1": "corner", "2": "side", "3": "front", "4": "top" };
 
-/** What a key turns the camera by [rad], around and down, and the factor on its distance. */
+/** Steps of the camera keys [rad], around and down, and the factor on its distance. */
 const kTurn = Math.PI / 24;
 const kNearer = 0.9;
 const kOrbitKeys: Record<string, [number, number, number]> = {
@@ -18,24 +18,24 @@ const kOrbitKeys: Record<string, [number, number, number]> = {
   q: [0, 0, 1 / kNearer],
 };
 
-/** The keys of this file, for a line of help. */
+/** The keys of this file, for the help line. */
 export const kLooksHelp = "1 2 3 4 views \u00b7 A D W S turn \u00b7 E Q nearer, farther \u00b7 F follow \u00b7 G ghost \u00b7 T light or dark \u00b7 drag turns, wheel zooms, right drag shifts";
 
-/** How a page looks at its stages: from where, with what over the robot, light or dark; by button, box and key. */
+/** How a page shows its stages: camera, overlays, light or dark; by button, check box and key. */
 export class Looks {
-  /** Of cameras and theme, to be put in a bar. */
+  /** Buttons for cameras and theme, for a bar. */
   readonly controls: HTMLElement[];
   readonly legend = make("div", "gw-legend");
   private readonly follow = tickBox("follow");
   private readonly overlayBoxes = new Map<Overlay, HTMLInputElement>();
   private dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
-  /** Whether light or dark was chosen: then the system's is not followed any more. */
+  /** Whether light or dark was chosen: then the system's theme is not followed any more. */
   private chosen = false;
 
   /**
    * @param root  gets `data-theme`, and the theme's colours as variables.
-   * @param stages  of the page; others may come later, and are then to be told by `apply`.
-   * @param onPaint  told when the colours are others.
+   * @param stages  of the page; for stages that are added later, call `apply`.
+   * @param onPaint  called when the colours change.
    */
   constructor(
     private readonly root: HTMLElement,
@@ -44,8 +44,8 @@ export class Looks {
     private readonly onPaint: (theme: Theme) => void,
   ) {
     const views = make("span", "gw-group");
-    for (const [key, view] of Object.entries(kViewKeys)) views.append(button(view, `view from there (${key})`, () => this.look(view)));
-    this.follow.label.title = "the camera goes with the robot (F)";
+    for (const [key, view] of Object.entries(kViewKeys)) views.append(button(view, `camera view (${key})`, () => this.look(view)));
+    this.follow.label.title = "the camera follows the robot (F)";
     this.follow.box.addEventListener("change", () => this.setFollow(this.follow.box.checked));
     this.controls = [views, this.follow.label, button("\u25d0", "light or dark (T)", () => this.setDark(!this.dark))];
     for (const overlay of overlays) this.addToLegend(overlay);
@@ -88,14 +88,14 @@ export class Looks {
     this.onPaint(theme);
   }
 
-  /** Tells stages that are new what is chosen. */
+  /** Applies the present choices to new stages. */
   apply(): void {
     for (const [overlay, box] of this.overlayBoxes) this.setOverlay(overlay, box.checked);
     this.setFollow(this.follow.box.checked);
     this.paint();
   }
 
-  /** Does what a key asks for, if that is of this. */
+  /** Handles a key, if it belongs to this file. */
   press(key: string): boolean {
     const view = kViewKeys[key], orbit = kOrbitKeys[key.toLowerCase()];
     if (view) this.look(view);

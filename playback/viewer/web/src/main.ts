@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every element with `data-scene="ID"` becomes a viewer of the scene in the script element of that id; every element
-// with `data-live="PATH"` the page of a robot that is live behind the WebSocket at that path.
+// Every element with `data-scene="ID"` becomes a viewer of the scene in the script element with that id. Every element
+// with `data-live="PATH"` becomes the page of a live robot at the WebSocket of that path.
 import "uplot/dist/uPlot.min.css";
 import "./viewer.css";
 import "./live/live.css";
@@ -10,14 +10,14 @@ import { Viewer } from "./viewer";
 
 declare global {
   interface Window {
-    /** The viewers and live pages of the page, in its order: for scripts that make pictures, and for tests. */
+    /** The viewers and live pages of the page, in document order: for scripts that make pictures, and for tests. */
     gaitwright: { viewers: Viewer[]; live: LivePage[]; opened_ms: number };
   }
 }
 
 function sceneOf(id: string): SceneFile {
   const scene = JSON.parse(document.getElementById(id)?.textContent ?? "null") as SceneFile | null;
-  if (scene?.format !== "gaitwright-scene" || scene.schema !== 1) throw new Error(`element '${id}' holds no scene`);
+  if (scene?.format !== "gaitwright-scene" || scene.schema !== 1) throw new Error(`element '${id}' does not contain a scene`);
   return scene;
 }
 

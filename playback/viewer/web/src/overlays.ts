@@ -9,7 +9,7 @@ import { Footsteps } from "./footsteps";
 import { Palette, seenThrough, standStill } from "./palette";
 import { kMostCorners, mainTrack, row, unpack, type Motion, type Table, type Track } from "./scene";
 
-/** What can be shown over the robot, in the order of the legend. */
+/** The overlays of the robot, in the order of the legend. */
 export const kOverlays = ["ghost", "support", "zmp", "com", "dcm", "forces", "footsteps", "swings"] as const;
 export type Overlay = (typeof kOverlays)[number];
 
@@ -28,10 +28,10 @@ export const kOverlayInk: Record<Overlay, Ink> = {
   ghost: "com", support: "support", zmp: "zmp", com: "com", dcm: "dcm", forces: "foot", footsteps: "muted", swings: "foot",
 };
 
-/** Over the ground, so that nothing flickers. */
+/** Height above the ground, which avoids flicker. */
 const kLift = 0.003;
 const kTrailSeconds = 1.0;
-/** Of trails, in pixels: of what was planned and of what was measured. */
+/** Width of trails in pixels, planned and measured. */
 const kBroad = 4.5;
 const kThin = 1.5;
 
@@ -48,12 +48,12 @@ function upload(geometry: THREE.BufferGeometry, points: number): void {
   geometry.attributes.position.needsUpdate = true;
 }
 
-/** A point on the ground with the way it went in the last second. */
+/** A point on the ground with its path in the last second. */
 class Trace {
   readonly root = new THREE.Group();
   private readonly marker: THREE.Mesh;
   private readonly trail = new LineSegmentsGeometry();
-  /** Of each piece of the trail both ends. */
+  /** Both ends of each piece of the trail. */
   private readonly ends: THREE.InstancedInterleavedBuffer;
   private readonly most: number;
 
@@ -88,7 +88,7 @@ class Trace {
     this.ends.needsUpdate = true;
   }
 
-  /** From one sample to the next. @return whether it is at both. */
+  /** Path from one sample to the next. @return whether the point exists at both. */
   private addPiece(piece: number, i: number): boolean {
     const { values } = this.table, from = 3 * i;
     if (!Number.isFinite(values[from]) || !Number.isFinite(values[from + 3])) return false;
@@ -98,7 +98,7 @@ class Trace {
   }
 }
 
-/** All that is drawn beside robot and ground. */
+/** Everything that is drawn in addition to robot and ground. */
 export class Overlays {
   readonly root = new THREE.Group();
   private readonly groups = new Map<Overlay, THREE.Group>();
@@ -156,7 +156,7 @@ export class Overlays {
     if (this.group("footsteps").visible) this.footsteps.show(t);
   }
 
-  /** Planned points are rings with broad pale trails, measured ones are filled, with thin ones. */
+  /** Planned points are rings with broad pale trails; measured points are filled, with thin trails. */
   private addPoints(): void {
     const r = 0.05 * this.size;
     const disc = new THREE.CircleGeometry(r, 32);
@@ -234,7 +234,7 @@ export class Overlays {
     upload(this.drop.geometry, 2);
   }
 
-  /** The robot's weight is an arrow of 0.8 legs. */
+  /** The robot's weight is drawn as an arrow of 0.8 leg lengths. */
   private showForces(k: number): void {
     const metresPerNewton = (0.8 * this.size) / this.motion.file.robot.weight_n;
     const forces = row(this.track.force, k);

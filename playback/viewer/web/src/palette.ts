@@ -5,7 +5,7 @@ import type { Ink, Theme } from "./colours";
 
 type Painted = THREE.Material & { color: THREE.Color };
 
-/** Materials by what they stand for, painted anew when the theme changes. */
+/** Materials by meaning, coloured again when the theme changes. */
 export class Palette {
   private readonly all: { material: Painted; ink: Ink }[] = [];
 
@@ -20,7 +20,7 @@ export class Palette {
     );
   }
 
-  /** For lines of any width in pixels. */
+  /** Lines of any width in pixels. */
   wide(ink: Ink, width: number, opacity: number): LineMaterial {
     return this.keep(new LineMaterial({ linewidth: width, transparent: true, opacity, depthWrite: false }), ink);
   }
@@ -35,14 +35,14 @@ export class Palette {
   }
 }
 
-/** What is put in its place once and stays there, within its parent. */
+/** An object that never moves within its parent. */
 export function standStill<O extends THREE.Object3D>(object: O): O {
   object.updateMatrix();
   object.matrixAutoUpdate = false;
   return object;
 }
 
-/** Drawn over what is before it: a centre of mass is within a trunk, a ZMP below a sole. */
+/** Drawn on top of nearer objects: a centre of mass is inside a trunk, a ZMP below a sole. */
 export function seenThrough(object: THREE.Mesh | THREE.Line, material: THREE.Material): void {
   object.renderOrder = 2;
   material.depthTest = false;

@@ -14,7 +14,7 @@ interface Line {
   planned: boolean;
   width?: number;
   dash?: number[];
-  /** Shaded down to the line before. */
+  /** Shaded down to the previous line. */
   band?: boolean;
 }
 
@@ -24,10 +24,10 @@ interface Panel {
   lines: Line[];
 }
 
-/** uPlot takes null for what is not there. */
+/** uPlot uses null for missing values. */
 type Column = (number | null)[];
 
-/** A panel in the page; what it shows may become another. */
+/** A panel in the page; its contents may change. */
 interface Shown {
   panel: Panel;
   box: HTMLElement;
@@ -38,7 +38,7 @@ interface Shown {
 }
 
 const kPlotHeight = 150;
-/** Figures after the point, by unit; one more where all forces are below 10 N. */
+/** Decimals by unit; one more if all forces are below 10 N. */
 const kDigits: Record<string, number> = { m: 4, rad: 4, mm: 1, N: 0, "N m": 2 };
 const kSmallForce_n = 10;
 
@@ -115,7 +115,7 @@ export class Plots {
   private readonly time: number[];
   private theme: Theme | null = null;
 
-  /** They are drawn as soon as they are painted. */
+  /** They are drawn once colours are set. */
   constructor(
     root: HTMLElement,
     private readonly motion: Motion,
@@ -150,7 +150,7 @@ export class Plots {
     ];
   }
 
-  /** Of the joint that is chosen. */
+  /** Panels of the chosen joint. */
   private jointPanels(): Panel[] {
     const joint = Number(this.jointMenu.value || 0);
     const unit = this.motion.file.robot.dofs[joint]?.unit ?? "rad";
@@ -160,7 +160,7 @@ export class Plots {
     ];
   }
 
-  /** Their plots go on with other figures; all else in the page stays. */
+  /** The plots get new data; the rest of the page stays. */
   private changeJoint(): void {
     const shown = this.plots.slice(-2);
     this.jointPanels().forEach((panel, i) => {
@@ -187,7 +187,7 @@ export class Plots {
     return { panel, box, name, unit, plot: null, cursor: make("div", "gw-now") };
   }
 
-  /** The new plot comes before the old one goes, so that the page keeps its place. */
+  /** The new plot is added before the old one is removed, so that the page does not scroll. */
   private draw(shown: Shown, theme: Theme): void {
     const old = shown.plot;
     const plot = new uPlot(this.options(shown, theme), this.dataOf(shown.panel), shown.box);
@@ -242,7 +242,7 @@ export class Plots {
     });
   }
 
-  /** At a time beyond this motion there is no cursor. */
+  /** At a time outside this motion there is no cursor. */
   private showTime(t: number): void {
     const within = t >= this.time[0] && t <= this.time[this.time.length - 1];
     for (const { plot, cursor } of this.plots) {

@@ -48,7 +48,7 @@ export class RobotView {
     });
   }
 
-  /** Puts base and joints where a q has them: place, quaternion x y z w, joints. */
+  /** Moves base and joints to a configuration q: position, quaternion x y z w, joints. */
   pose(q: ArrayLike<number>): void {
     this.bodies[0].position.set(q[0], q[1], q[2]);
     this.bodies[0].quaternion.set(q[3], q[4], q[5], q[6]).normalize();
@@ -66,23 +66,23 @@ export class RobotView {
     });
   }
 
-  /** Where a body's frame is, in W. */
+  /** Origin of a body's frame in W. */
   bodyPosition(body: number): THREE.Vector3 {
     return this.bodies[body].getWorldPosition(new THREE.Vector3());
   }
 
-  /** What of the robot a ray meets first, if anything. */
+  /** First hit of a ray on the robot, if any. */
   hit(ray: THREE.Raycaster): { body: number; p_W: THREE.Vector3 } | null {
     const [first] = ray.intersectObject(this.root);
     return first ? { body: this.bodies.indexOf(first.object.parent as THREE.Group), p_W: first.point } : null;
   }
 
-  /** A point of W in a body's frame. */
+  /** Converts a point from W to a body's frame. */
   toBody(body: number, p_W: THREE.Vector3): THREE.Vector3 {
     return this.bodies[body].worldToLocal(p_W.clone());
   }
 
-  /** A point of a body's frame in W. */
+  /** Converts a point from a body's frame to W. */
   fromBody(body: number, p_Body: THREE.Vector3): THREE.Vector3 {
     return this.bodies[body].localToWorld(p_Body.clone());
   }
@@ -108,7 +108,7 @@ export class RobotView {
       transparent: this.ghost,
       opacity: this.ghost ? 0.28 : 1,
       depthWrite: !this.ghost,
-      // Where both are in one place the robot is seen.
+      // Where robot and ghost coincide, the robot is visible.
       polygonOffset: this.ghost,
       polygonOffsetFactor: 4,
       polygonOffsetUnits: 16,

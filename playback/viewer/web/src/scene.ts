@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a page is given to show, as the program writes it (docs/viewer.md): plain values, SI units, world z up.
+// The data of a page, as the program writes them (docs/viewer.md): plain values, SI units, world z up.
 
-/** Rows of numbers, one after the other: `columns` in each; base64 of little-endian values. */
+/** Rows of numbers, one after the other: `columns` per row; base64 of little-endian values. */
 export interface PackedColumns {
   columns: number;
   f32?: string;
@@ -18,7 +18,7 @@ export interface ShapeFile {
   pose: PoseRow;
   /** box: edges; cylinder, capsule: radius, length; sphere: radius; mesh: scale. */
   size_m: number[];
-  /** hull: its points; mesh: the number of one in `meshes`. */
+  /** hull: its points; mesh: its index in `meshes`. */
   points_m?: PackedColumns;
   mesh?: number;
 }
@@ -76,7 +76,7 @@ export interface TerrainFile {
   }[];
 }
 
-/** A motion by its samples; planned and measured have the same columns. Absent figures are NaN. */
+/** A motion by its samples; planned and measured motions have the same columns. Missing numbers are NaN. */
 export interface TrackFile {
   q: PackedColumns;
   tau: PackedColumns;
@@ -84,12 +84,12 @@ export interface TrackFile {
   dcm_m: PackedColumns;
   zmp_m: PackedColumns;
   zmp_margin_m: PackedColumns;
-  /** Of each foot three figures: where its contact frame is, and the force on it. */
+  /** Three numbers per foot: the origin of its contact frame, and the force on it. */
   foot_m: PackedColumns;
   force_n: PackedColumns;
-  /** Of each foot: height of its lowest point over the ground. */
+  /** Per foot: height of its lowest point above the ground. */
   foot_height_m: PackedColumns;
-  /** Of each foot: whether it bears. */
+  /** Per foot: whether it carries load. */
   contact: PackedColumns;
   /** Corners of the support polygon of sample k: rows support_first[k] to support_first[k + 1] of support_m. */
   support_first: PackedColumns;
@@ -143,19 +143,19 @@ export interface Track {
   support: Table;
 }
 
-/** A motion ready to be shown. */
+/** A motion ready for display. */
 export interface Motion {
   file: MotionFile;
-  /** Of each sample. */
+  /** One per sample. */
   time: Float64Array;
   planned: Track | null;
   measured: Track | null;
 }
 
-/** Corners of a support polygon, at most. */
+/** Maximum number of corners of a support polygon. */
 export const kMostCorners = 64;
 
-/** Times that differ by less are the same: samples are far more apart. */
+/** Times that differ by less are equal: the distance of samples is much larger. */
 const kSameTime_s = 1e-5;
 
 function bytesOf(base64: string): ArrayBuffer {
@@ -191,12 +191,12 @@ function unpackTrack(file: TrackFile): Track {
   };
 }
 
-/** Times as they were before they were packed: 32 bits hold seven digits, and what comes after them is not the time's. */
+/** Restores packed times: 32 bits hold seven digits, and further digits are rounding errors. */
 function unpackTimes(packed: PackedColumns): Float64Array {
   return Float64Array.from(unpack(packed).values, (t) => Number(t.toPrecision(7)));
 }
 
-/** Takes the columns out of a file: their texts are let go. */
+/** Extracts the columns of a file and releases their texts. */
 export function unpackMotion(file: MotionFile): Motion {
   const motion = {
     file,
@@ -209,7 +209,7 @@ export function unpackMotion(file: MotionFile): Motion {
   return motion;
 }
 
-/** Motions of one robot share it, so that its shapes are made once. */
+/** Motions of one robot share it, so that its shapes are made only once. */
 export function unpackScene(scene: SceneFile): Motion[] {
   const robots = new Map<string, RobotFile>();
   for (const motion of scene.motions) {
@@ -220,17 +220,17 @@ export function unpackScene(scene: SceneFile): Motion[] {
   return scene.motions.map(unpackMotion);
 }
 
-/** What tells each of several motions from the others; nothing where there is one. */
+/** Texts that distinguish several motions; empty for a single motion. */
 export function namesOf(motions: readonly Motion[]): string[] {
   const titles = motions.map((motion) => motion.file.title);
   if (titles.length < 2) return titles.map(() => "");
   return titles.map((title, i) => (titles.indexOf(title) === titles.lastIndexOf(title) ? title : `${title} (${i + 1})`));
 }
 
-/** What happened where that is known, else what was planned. */
+/** The measured motion if there is one, else the planned one. */
 export function mainTrack(motion: Motion): Track {
   const track = motion.measured ?? motion.planned;
-  if (!track) throw new Error("a motion with neither a plan nor a log");
+  if (!track) throw new Error("the motion has neither a plan nor a log");
   return track;
 }
 
@@ -239,7 +239,7 @@ export function row(table: Table, k: number): Float32Array {
   return (table.values as Float32Array).subarray(k * table.columns, (k + 1) * table.columns);
 }
 
-/** Number of the last sample at or before a time, but for what rounding leaves; 0 before the first. */
+/** Index of the last sample at or before a time, with a tolerance for rounding; 0 before the first. */
 export function sampleAt(time: Float64Array, t: number): number {
   const until = t + kSameTime_s;
   let low = 0;

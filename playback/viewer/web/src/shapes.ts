@@ -10,7 +10,7 @@ function pointsOf(packed: PackedColumns): THREE.Vector3[] {
   return points;
 }
 
-/** Cylinders and capsules lie along z, in three.js along y. */
+/** Cylinders and capsules have their axis along z, in three.js along y. */
 function alongZ(geometry: THREE.BufferGeometry): THREE.BufferGeometry {
   return geometry.rotateX(Math.PI / 2);
 }
@@ -34,7 +34,7 @@ export function shapeGeometry(
   }
 }
 
-/** Triangles of a mesh, corner by corner; a scale that mirrors takes them the other way round, so that outsides stay outside. */
+/** Triangles of a mesh, corner by corner. A mirroring scale reverses their order, so that outsides stay outside. */
 export function meshPositions(vertices: Table, triangles: Table, scale: number[]): Float32Array {
   const corners = triangles.values;
   const mirrored = scale[0] * scale[1] * scale[2] < 0;
@@ -55,7 +55,7 @@ function meshGeometry(vertices: Table, triangles: Table, scale: number[]): THREE
 
 const made = new WeakMap<RobotFile, THREE.BufferGeometry[]>();
 
-/** The shapes of a robot, in its order; made once, whoever shows it. */
+/** The shapes of a robot, in its order; made once for all viewers. */
 export function shapesOf(robot: RobotFile): THREE.BufferGeometry[] {
   const known = made.get(robot);
   if (known) return known;

@@ -5,14 +5,14 @@ import { Looks } from "./looks";
 import type { Overlay } from "./overlays";
 import type { Stage, View } from "./stage";
 
-/** A page with stages: what scripts ask of it, and the beat of its pictures. */
+/** A page with stages: the interface for scripts, and the loop of its pictures. */
 export abstract class ShownPage {
   readonly stages: Stage[] = [];
   protected readonly looks: Looks;
   private readonly frameRate = new FrameRate();
   private last_ms = 0;
 
-  /** @param onPaint  told when the colours are others. */
+  /** @param onPaint  called when the colours change. */
   protected constructor(root: HTMLElement, overlays: readonly Overlay[], onPaint: (theme: Theme) => void) {
     root.classList.add("gw-viewer");
     this.looks = new Looks(root, this.stages, overlays, onPaint);
@@ -30,12 +30,12 @@ export abstract class ShownPage {
     this.looks.setOverlay(overlay, visible);
   }
 
-  /** Pictures a second of late, and what one costs. */
+  /** Recent pictures per second, and the time that one picture takes. */
   rate(): { frames_per_s: number; calls: number; triangles: number } {
     return { frames_per_s: this.frameRate.perSecond(), ...(this.stages[0]?.cost() ?? { calls: 0, triangles: 0 }) };
   }
 
-  /** Goes on by so many seconds since the last picture. @return whether anything was drawn in 3D. */
+  /** Advances by the seconds since the last picture. @return whether anything was drawn in 3D. */
   protected abstract step(now_ms: number, seconds: number): boolean;
 
   protected begin(): void {

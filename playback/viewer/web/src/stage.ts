@@ -9,7 +9,7 @@ import { TerrainView } from "./terrain_view";
 
 export type View = "corner" | "side" | "front" | "top";
 
-/** Where the camera stands, as multiples of its distance from the robot. */
+/** Places of the camera, as multiples of its distance from the robot. */
 const kViews: Record<View, [number, number, number]> = {
   corner: [0.62, -0.92, 0.5],
   side: [0, -1.2, 0.18],
@@ -17,15 +17,15 @@ const kViews: Record<View, [number, number, number]> = {
   top: [-0.001, 0, 1.4],
 };
 
-/** Of the camera's distance from the robot, in reaches: near enough for a foot, and not in the fog. */
+/** Limits of the camera's distance in robot reaches: near enough for a foot, and not in the fog. */
 const kNearest = 0.3;
 const kFarthest = 24;
 const kMostPixels = 2;
 
-/** Of the line of sight from straight down [rad], where a heading would be lost. */
+/** Smallest angle of the line of sight from straight down [rad]; at zero the heading would be undefined. */
 const kSteepest = 1e-3;
 
-/** Share of the way to the robot that the camera makes up in a second, as e to the minus this. */
+/** Rate at which the camera approaches the robot [1/s]: the distance decays as exp(-rate t). */
 const kFollowRate = 6;
 
 /** One motion in 3D: ground, robot, ghost and overlays under one camera. */
@@ -42,14 +42,14 @@ export class Stage {
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0x98a4b0, 1.5);
   private readonly centre = new THREE.Vector3();
   private readonly ray = new THREE.Raycaster();
-  /** Of the robot from its middle, as it stands first. */
+  /** Distance of the robot's outermost point from its middle, as it first stands. */
   private readonly reach: number;
   private shown = 0;
   private shownAt = 0;
   private dirty = true;
   follow = true;
 
-  /** @throws where the browser has no WebGL. */
+  /** @throws if the browser has no WebGL. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly motion: Motion,
@@ -94,7 +94,7 @@ export class Stage {
     this.showSample(this.shown, this.shownAt);
   }
 
-  /** A camera from that side at the robot, as far off as shows all of it. */
+  /** A camera at that side of the robot, at a distance that shows the whole robot. */
   look(view: View): void {
     const distance = 3.9 * this.reach;
     const [x, y, z] = kViews[view];
@@ -104,7 +104,7 @@ export class Stage {
     this.dirty = true;
   }
 
-  /** Moves the camera about what it looks at: around and down by angles [rad], and to so many times its distance. */
+  /** Moves the camera about its target: around and down by angles [rad], and scales its distance by a factor. */
   orbit(around: number, down: number, farther: number): void {
     const offset = this.camera.position.clone().sub(this.controls.target);
     const length = clamped(offset.length() * farther, this.controls.minDistance, this.controls.maxDistance);
@@ -117,55 +117,55 @@ export class Stage {
     this.dirty = true;
   }
 
-  /** Shows the sample that holds at a time. */
+  /** Shows the current sample of a time. */
   show(t: number): void {
     const k = sampleAt(this.motion.time, t);
     if (k === this.shown) return;
     this.showSample(k, t);
   }
 
-  /** Shows the last sample anew: for a motion that rolls on. */
+  /** Shows the last sample again: for a motion that rolls on. */
   showLast(): void {
     const last = this.motion.time.length - 1;
     this.showSample(last, this.motion.time[last]);
   }
 
-  /** Something more to be shown. */
+  /** Adds another object. */
   add(object: THREE.Object3D): void {
     this.scene.add(object);
   }
 
-  /** What was added is another now. */
+  /** An added object has changed. */
   touch(): void {
     this.dirty = true;
   }
 
-  /** Where the ground has been moved to. */
+  /** Moves the ground to a pose. */
   placeGround(pose: PoseRow): void {
     setPose(this.terrain.root, pose);
     this.dirty = true;
   }
 
-  /** What of the robot is seen at a place of the window. */
+  /** The point of the robot that is visible at a place of the window. */
   hit(x: number, y: number): { body: number; p_W: THREE.Vector3 } | null {
     this.aim(x, y);
     return this.robot.hit(this.ray);
   }
 
-  /** The point at a place of the window that is as far before the camera as another. */
+  /** The point at a place of the window that has the same depth from the camera as another point. */
   pointAt(x: number, y: number, asFarAs_W: THREE.Vector3): THREE.Vector3 {
     this.aim(x, y);
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(new THREE.Vector3()), asFarAs_W);
     return this.ray.ray.intersectPlane(plane, new THREE.Vector3()) ?? asFarAs_W.clone();
   }
 
-  /** Where a point is seen, in pixels from the left and the top of the picture. */
+  /** Place of a point in the picture, in pixels from the left and the top. */
   seenAt(p_W: THREE.Vector3): { x: number; y: number } {
     const p = p_W.clone().project(this.camera);
     return { x: 0.5 * (1 + p.x) * this.canvas.clientWidth, y: 0.5 * (1 - p.y) * this.canvas.clientHeight };
   }
 
-  /** The camera goes after the robot, at once where `seconds` is infinite. */
+  /** The camera follows the robot; at once if `seconds` is infinite. */
   goAfter(seconds: number): void {
     if (!this.follow) return;
     const step = this.robotCentre().sub(this.centre).multiplyScalar(1 - Math.exp(-kFollowRate * seconds));
@@ -176,7 +176,7 @@ export class Stage {
     this.dirty = true;
   }
 
-  /** Draws, where something changed since the last time. */
+  /** Draws if anything has changed since the last time. */
   draw(): boolean {
     this.fit();
     if (!this.dirty) return false;
@@ -188,7 +188,7 @@ export class Stage {
     return true;
   }
 
-  /** Gives back what the browser holds for it; it shows nothing any more. */
+  /** Releases the browser's resources; afterwards it shows nothing. */
   dispose(): void {
     this.controls.dispose();
     this.renderer.dispose();
@@ -234,7 +234,7 @@ export class Stage {
     this.sun.shadow.radius = 4;
   }
 
-  /** The picture has the size of its place in the page. */
+  /** Sets the picture to the size of its place in the page. */
   private fit(): void {
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;

@@ -9,10 +9,10 @@ import { shapeGeometry } from "./shapes";
 const kSolidDepth = 1.0;
 const kPlaneSize = 60;
 const kTile = 0.5;
-/** So far off the middle of a plane's piece the robot may go before the piece goes after it. */
+/** Distance of the robot from the middle of a plane's piece beyond which the piece moves along. */
 const kAstray = 10;
 
-/** A square tile with an edge, over and over. */
+/** A square tile with an edge, repeated. */
 class Tiles {
   readonly texture: THREE.CanvasTexture;
   private readonly canvas = document.createElement("canvas");
@@ -37,7 +37,7 @@ class Tiles {
   }
 }
 
-/** The ground and what stands on it. */
+/** The ground and the obstacles on it. */
 export class TerrainView {
   readonly root = new THREE.Group();
   private readonly planes: THREE.Mesh[] = [];
@@ -73,7 +73,7 @@ export class TerrainView {
     this.line.color.set(theme.groundLine);
   }
 
-  /** Where planes have no end, the pieces of them that are shown go with the robot, by whole tiles. */
+  /** The visible pieces of infinite planes move with the robot, by whole tiles. */
   goWith(p_W: THREE.Vector3): void {
     for (const plane of this.planes) {
       const p = (plane.parent as THREE.Object3D).worldToLocal(p_W.clone()).setZ(0);
@@ -93,7 +93,7 @@ export class TerrainView {
     this.root.add(standStill(edges));
   }
 
-  /** A plane without end: a large piece of it, in tiles of half a metre to see motion by. */
+  /** An infinite plane: a large piece of it, with tiles of half a metre that make motion visible. */
   private addPlane(patch: TerrainFile["patches"][number]): void {
     const plane = new THREE.Mesh(new THREE.PlaneGeometry(kPlaneSize, kPlaneSize), this.ground);
     plane.receiveShadow = true;

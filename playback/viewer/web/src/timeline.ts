@@ -3,15 +3,15 @@ import type { Clock } from "./clock";
 import { make, tell } from "./elements";
 import { mainTrack, namesOf, sampleAt, type MarkFile, type Motion } from "./scene";
 
-/** Of a foot and of the room over a motion's feet, as in the style sheet. */
+/** Heights of a foot's row and of the room above a motion's feet, as in the style sheet. */
 const kRow = 13;
 const kHead = 18;
 const kLine = 10;
-/** Of a mark over the rows of its feet, and between a mark and its words. */
+/** Overhang of a mark above the rows of its feet; gap between a mark and its words. */
 const kOut = 4;
 const kGap = 8;
 
-/** The bar to scrub on: which feet bear when, what happened, and a slider that the keyboard moves too. */
+/** The time bar: contact of each foot, events, and a slider for mouse and keyboard. */
 export class Timeline {
   readonly root = make("div", "gw-timeline");
   private readonly bars = document.createElement("canvas");
@@ -19,7 +19,7 @@ export class Timeline {
   private readonly needle = make("div", "gw-now");
   private readonly track = make("div", "gw-track");
   private readonly names = make("div", "gw-feet");
-  /** What is written beside marks, and how much of the track is left for it. */
+  /** The words beside marks, and the share of the track that is free for them. */
   private readonly words: { element: HTMLElement; share: number }[] = [];
   private width = 0;
 
@@ -30,7 +30,7 @@ export class Timeline {
     Object.assign(this.slider, { type: "range", min: String(clock.start), max: String(clock.end), step: "0.005" });
     this.slider.setAttribute("aria-label", "time [s]");
     this.slider.addEventListener("input", () => {
-      const wanted = Number(this.slider.value);  // pausing moves the slider to the time that is
+      const wanted = Number(this.slider.value);  // pausing moves the slider to the present time
       clock.pause();
       clock.set(wanted);
     });
@@ -52,7 +52,7 @@ export class Timeline {
     clock.onChange((t) => this.showTime(t));
   }
 
-  /** Draws the bars in the colours that the page has now. */
+  /** Draws the bars in the current colours of the page. */
   draw(): void {
     const width = this.track.clientWidth;
     this.width = width;
@@ -108,7 +108,7 @@ export class Timeline {
   }
 
   /**
-   * @param motion  nothing where there is but one.
+   * @param motion  empty if there is only one.
    * @param isFirst  of its motion.
    */
   private addName(motion: string, foot: string, isFirst: boolean): void {
@@ -123,7 +123,7 @@ export class Timeline {
     this.names.append(name);
   }
 
-  /** On the rows of its own motion, with the reason of a fall beside it, where there is more room. */
+  /** Placed on the rows of its own motion. The reason of a fall is beside it, on the side with more room. */
   private addMark(motion: string, mark: MarkFile, top: number, height: number): void {
     const flag = make("button", `gw-mark gw-${mark.kind}`), share = this.share(mark.at_s);
     const isFall = mark.kind === "fall", head = isFall ? 0 : kHead - kOut;
@@ -158,7 +158,7 @@ function heightOf(motion: Motion): number {
   return kHead + motion.file.robot.feet.length * kRow;
 }
 
-/** Which feet bear at a time, by name. */
+/** Names of the feet that carry load at a time. */
 export function bearingFeet(motion: Motion, t: number): string[] {
   const { contact } = mainTrack(motion);
   const k = sampleAt(motion.time, t);

@@ -12,13 +12,13 @@ import { bearingFeet, Timeline } from "./timeline";
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const kStep_s = 0.005;
 const kBigStep_s = 0.1;
-/** A page that was hidden goes on where it was. */
+/** A page that was hidden continues at the same time. */
 const kLongestAdvance_s = 0.1;
 const kMicro = 1e6;
 const kHelp =
   "Space play or pause \u00b7 \u2190 \u2192 5 ms (Shift 0.1 s) \u00b7 Home End \u00b7 + \u2212 speed \u00b7 " + kLooksHelp;
 
-/** The whole of what the page shows and does. */
+/** The whole viewer with its controls. */
 export class Viewer extends ShownPage {
   readonly clock: Clock;
   readonly motions: Motion[];
@@ -28,7 +28,7 @@ export class Viewer extends ShownPage {
   private readonly speedMenu = menu("speed");
   private readonly readout = make("span", "gw-readout");
 
-  /** @param root  a page of its own where it has the class `gw-page`, else a part of one. */
+  /** @param root  a separate page if it has the class `gw-page`, else a part of a page. */
   constructor(
     private readonly root: HTMLElement,
     scene: SceneFile,
@@ -52,7 +52,7 @@ export class Viewer extends ShownPage {
     this.begin();
   }
 
-  /** Shows a time, with the cameras where they belong, at once: for pictures and tests. */
+  /** Shows a time at once, with the cameras at their places: for pictures and tests. */
   showNow(t: number): void {
     this.clock.pause();
     this.clock.set(t);
@@ -72,7 +72,10 @@ export class Viewer extends ShownPage {
     return drawn;
   }
 
-  /** All keys of a page of its own; of a part those while it has the focus, which a press anywhere in it gives it. */
+  /**
+   * A separate page handles all keys; a part of a page handles them while it has the focus. A press in it sets the
+   * focus.
+   */
   private takeKeys(): void {
     const whole = this.root.classList.contains("gw-page");
     this.root.tabIndex = whole ? -1 : 0;
@@ -102,7 +105,7 @@ export class Viewer extends ShownPage {
       try {
         this.stages.push(new Stage(canvas, motion));
       } catch (error) {
-        canvas.replaceWith(make("p", "gw-sorry", `This browser shows no 3D here (${String(error)}). Times and plots work.`));
+        canvas.replaceWith(make("p", "gw-sorry", `3D is not available in this browser (${String(error)}). Times and plots work.`));
       }
     }
     return area;
@@ -116,7 +119,7 @@ export class Viewer extends ShownPage {
     return caption;
   }
 
-  /** It scrolls where it is long, by keys too. */
+  /** A long reason scrolls, also by keys. */
   private reason(motion: Motion): HTMLElement[] {
     const { verdict } = motion.file;
     if (!verdict?.reason) return [];
@@ -130,7 +133,7 @@ export class Viewer extends ShownPage {
     for (const speed of kSpeeds) this.speedMenu.add(new Option(`${speed}\u00d7`, String(speed), speed === 1, speed === 1));
     this.speedMenu.title = "speed (+ and \u2212)";
     this.speedMenu.addEventListener("change", () => (this.clock.speed = Number(this.speedMenu.value)));
-    const back = button("\u25c2", "back (\u2190)", () => this.goOn(-kStep_s)), on = button("\u25b8", "on (\u2192)", () => this.goOn(kStep_s));
+    const back = button("\u25c2", "back (\u2190)", () => this.goOn(-kStep_s)), on = button("\u25b8", "forward (\u2192)", () => this.goOn(kStep_s));
     bar.append(this.playButton, back, on, this.speedMenu, ...this.looks.controls, this.readout);
     return bar;
   }
@@ -146,7 +149,7 @@ export class Viewer extends ShownPage {
     return area;
   }
 
-  /** By whole microseconds, so that many small steps are as long as a large one. */
+  /** In whole microseconds, so that many small steps add up to one large step. */
   private goOn(seconds: number): void {
     this.clock.pause();
     this.clock.set(Math.round((this.clock.time + seconds) * kMicro) / kMicro);

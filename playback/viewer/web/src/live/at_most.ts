@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Passes on the latest of many values, so many times a second at most; the last one always. */
+/** Passes on the latest of many values, at most so many times a second; the last value is always passed on. */
 export class AtMost<T> {
   private waiting: { value: T } | null = null;
   private timer = 0;
@@ -19,7 +19,7 @@ export class AtMost<T> {
     else this.timer = window.setTimeout(() => this.passOn(), left_ms);
   }
 
-  /** Forgets a value that waits. */
+  /** Discards a waiting value. */
   drop(): void {
     clearTimeout(this.timer);
     this.timer = 0;

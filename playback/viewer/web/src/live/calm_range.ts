@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** So long what is shown must need less room before it gets less. */
+/** Time for which the data must need a smaller range before the axis shrinks. */
 const kShrinkAfter_ms = 1000;
 const kStepsWide = 4;
 
-/** The least of 1, 2 and 5 times a power of ten that is no less than a figure. */
+/** The smallest of 1, 2 and 5 times a power of ten that is not less than a number. */
 export function roundStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * ([1, 2, 5].find((step) => step * power >= least * (1 - 1e-9)) ?? 10);
 }
 
-/** The ends of an axis: round figures around what there is; they give way at once, and come back after a while. */
+/** The ends of an axis: round numbers around the data. They widen at once and shrink after a delay. */
 export class CalmRange {
   private ends: [number, number] | null = null;
   private roomSince_ms = 0;
 
-  /** @param span  what is shown at least. */
+  /** @param span  smallest range shown. */
   constructor(
     private readonly span: number,
     private readonly withZero: boolean,
   ) {}
 
-  /** Of what lies between two figures. */
+  /** The range of an axis that contains two values. */
   around(low: number | null, high: number | null, now_ms: number): [number, number] {
     const { ends } = this;
     if (ends && (low === null || high === null)) return ends;

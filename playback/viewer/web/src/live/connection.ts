@@ -10,7 +10,7 @@ export interface ConnectionListener {
   lost(): void;
 }
 
-/** The WebSocket to the program. Where it is lost it is opened again, after waits that grow. */
+/** The WebSocket to the program. A lost connection is opened again after increasing delays. */
 export class Connection {
   private socket: WebSocket | null = null;
   private wait_ms = kFirstWait_ms;
@@ -27,12 +27,12 @@ export class Connection {
     return this.socket?.readyState === WebSocket.OPEN;
   }
 
-  /** How long the program has said nothing. */
+  /** Time since the last message of the program. */
   get silent_ms(): number {
     return performance.now() - this.lastTold_ms;
   }
 
-  /** @return whether it could be sent. What cannot is dropped: it would come too late. */
+  /** @return whether it was sent. A message that cannot be sent is dropped, because it would arrive too late. */
   send(saying: Saying): boolean {
     if (!this.connected) return false;
     this.socket?.send(JSON.stringify(saying));
@@ -60,7 +60,7 @@ export class Connection {
   }
 }
 
-/** The address of a path on the host that the page is from. */
+/** The address of a path on the host of this page. */
 export function socketUrl(path: string): string {
   return `${location.protocol === "https:" ? "wss:" : "ws:"}//${location.host}${path}`;
 }

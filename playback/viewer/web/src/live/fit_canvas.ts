@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** An empty canvas as large as its place in the page, in pixels of the page; null where it has no place. */
+/** An empty canvas with the size of its place in the page, in pixels of the page; null without a place. */
 export function fitCanvas(canvas: HTMLCanvasElement): CanvasRenderingContext2D | null {
   const ratio = window.devicePixelRatio;
   const width = Math.round(canvas.clientWidth * ratio);

@@ -6,11 +6,11 @@ import { OptionRow } from "./option_row";
 /** Known groups of options, in the order in which they are shown. */
 const kGroups: Record<string, string> = { gains: "Gains of the joints", stabilised: "Balance", recovering: "Steps and falls" };
 
-/** All options of the controller, in groups that can be folded. */
+/** All options of the controller, in groups that can be collapsed. */
 export class GainsPanel {
   readonly root = make("section", "gw-section gw-gains");
   private readonly rows: OptionRow[];
-  private readonly meaning = make("p", "gw-note gw-meaning", "What an option means is told here.");
+  private readonly meaning = make("p", "gw-note gw-meaning", "The meaning of an option is shown here.");
   private readonly refusal = make("p", "gw-refused");
 
   constructor(
@@ -19,7 +19,7 @@ export class GainsPanel {
   ) {
     this.rows = Object.entries(options).map(([key, option]) => new OptionRow(key, option));
     const head = make("div", "gw-beside");
-    head.append(make("h2", "", "Gains"), button("Back to usual", "all options as they were at first", () => this.backToUsual()));
+    head.append(make("h2", "", "Gains"), button("Reset to defaults", "sets all options to their initial values", () => this.backToUsual()));
     this.root.append(head);
     const prefixes = [...new Set([...Object.keys(kGroups), ...this.rows.map((row) => prefixOf(row))])];
     for (const prefix of prefixes) this.addGroup(prefix);

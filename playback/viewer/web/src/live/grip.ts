@@ -6,19 +6,19 @@ import type { Pull } from "./pull";
 const kLookEvery_ms = 50;
 
 /**
- * Takes hold of the robot with mouse or finger, and pulls.
+ * Holds the robot with mouse or finger, and pulls it.
  *
- * Presses on the robot do not reach the canvas, so that the camera stays; all others turn it.
+ * Presses on the robot do not reach the canvas, so that the camera does not move; all others turn the camera.
  */
 export class Grip {
   private pointer = -1;
   private x = 0;
   private y = 0;
   private looked_ms = 0;
-  /** Whether it can be taken now. */
+  /** Whether the robot can be held now. */
   allowed = true;
 
-  /** @param box  around the canvas: it hears of presses first. */
+  /** @param box  element around the canvas: it receives presses first. */
   constructor(
     private readonly box: HTMLElement,
     private readonly stage: Stage,
@@ -72,7 +72,7 @@ export class Grip {
     if (event.pointerId === this.pointer) this.letGo();
   }
 
-  /** A hand over the robot tells that it can be taken. */
+  /** The cursor becomes a hand over the robot to show that it can be held. */
   private look(event: PointerEvent): void {
     if (event.timeStamp - this.looked_ms < kLookEvery_ms) return;
     this.looked_ms = event.timeStamp;
@@ -81,8 +81,8 @@ export class Grip {
   }
 
   /**
-   * The hand goes as far as the pointer does in the picture. Where the camera goes changes nothing: it follows what the
-   * hand does to the robot, and late.
+   * The hand moves with the pointer in the picture, independent of the camera: the camera follows the robot, which the
+   * hand moves, with a delay.
    */
   private shift(x: number, y: number): void {
     const { hold } = this.pull;

@@ -18,10 +18,10 @@ export class GroundPanel {
       words: (value) => value.toFixed(2),
     });
     this.slope = new Slider({
-      name: "slope_deg", label: "Slope", title: "the ground turns about where the robot is", least: 0, most: 15, step: 0.5, value: 0, words: degrees,
+      name: "slope_deg", label: "Slope", title: "slope of the ground about the robot's place", least: 0, most: 15, step: 0.5, value: 0, words: degrees,
     });
     this.direction = new Slider({
-      name: "slope_direction_deg", label: "Rises to", title: "the direction in which it rises, from ahead of the world to the left",
+      name: "slope_direction_deg", label: "Rises to", title: "uphill direction, measured from the world's x axis to the left",
       least: -180, most: 180, step: 5, value: 0, words: (value) => `${value.toFixed(0)}\u00b0`, leftward: true,
     });
     this.root.append(make("h2", "", "Ground"));
@@ -30,12 +30,12 @@ export class GroundPanel {
       this.root.append(slider.root);
     }
     for (const name of engines) this.engine.append(new Option(name, name));
-    this.engine.title = "starts anew in this engine";
+    this.engine.title = "restarts in this engine";
     this.engine.addEventListener("change", () => this.send({ do: "reset", engine: this.engine.value }));
     const row = make("label", "gw-note", "Engine ");
     row.append(this.engine);
     if (engines.length > 1) this.root.append(row);
-    this.root.append(make("p", "gw-note", "A robot that walks does not know of the slope: its plan is for the ground as it was."));
+    this.root.append(make("p", "gw-note", "A walking robot does not know the slope: its plan is for the ground without it."));
   }
 
   show(frame: Frame): void {

@@ -8,13 +8,16 @@ export function wrapped(angle_deg: number): number {
   return angle_deg - 360 * Math.round(angle_deg / 360);
 }
 
-/** A compass seen from above: ahead of the world is up, the robot's heading a needle, the wanted one a mark at the rim. */
+/**
+ * A compass seen from above: the world's x axis is up, the needle is the robot's heading, the mark at the rim the
+ * wanted one.
+ */
 export class HeadingDial {
   readonly canvas = make("canvas", "gw-dial");
-  /** While a person turns it [degrees]. */
+  /** While a person turns the dial [degrees]. */
   onTurn: (heading_deg: number) => void = () => {};
   onSet: (heading_deg: number) => void = () => {};
-  /** Which turns it; -1 where none does. */
+  /** The pointer that turns the dial; -1 for none. */
   private pointer = -1;
   private heading_deg = 0;
   private wanted_deg = 0;
@@ -22,7 +25,7 @@ export class HeadingDial {
 
   constructor() {
     this.canvas.setAttribute("aria-hidden", "true");
-    this.canvas.title = "press where it is to head";
+    this.canvas.title = "press to set the heading";
     this.canvas.addEventListener("pointerdown", (event) => this.take(event));
     this.canvas.addEventListener("pointermove", (event) => {
       if (event.pointerId === this.pointer) this.onTurn(this.angleAt(event));
@@ -56,7 +59,7 @@ export class HeadingDial {
     this.onTurn(this.angleAt(event));
   }
 
-  /** @return whether that pointer turned it. */
+  /** @return whether that pointer turned the dial. */
   private release(event: PointerEvent): boolean {
     if (event.pointerId !== this.pointer) return false;
     this.pointer = -1;

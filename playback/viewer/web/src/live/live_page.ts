@@ -11,16 +11,16 @@ import { kPlanHelp } from "./plan_view";
 import { Session } from "./session";
 import { kTimeHelp, TimeBar } from "./time_bar";
 
-/** A program that says nothing for so long has stopped. */
+/** A program without a message for this time has stopped. */
 const kSilence_ms = 3000;
 const kHelp = `${kTimeHelp} \u00b7 Shift + arrows push \u00b7 ${kPlanHelp} \u00b7 ${kLooksHelp}`;
 
-/** The page of a robot that is live: it shows what the program tells, and tells it what is done here. */
+/** The page of a live robot: it shows the program's state and sends the user's actions to the program. */
 export class LivePage extends ShownPage {
-  /** What was told first, and last. */
+  /** The first and the latest message of the program. */
   greeting: Greeting | null = null;
   frame: Frame | null = null;
-  /** The number of this page at the program. */
+  /** The program's number for this page. */
   page: number | null = null;
   session: Session | null = null;
   readonly notes = new NoteList();
@@ -55,7 +55,7 @@ export class LivePage extends ShownPage {
     return this.connection.connected;
   }
 
-  /** The robot in 3D, as soon as there is one. */
+  /** The robot in 3D, once there is one. */
   get stage(): Stage | null {
     return this.session?.stage ?? null;
   }
@@ -79,7 +79,7 @@ export class LivePage extends ShownPage {
     else this.notes.add(message.refused, "gw-refused");
   }
 
-  /** What is no message of this version is told over the page, and what comes after it is left. */
+  /** Shows the error of an invalid message over the page, and ignores all later messages. */
   private understood(text: string): Heard | null {
     try {
       return heard(text);
@@ -91,7 +91,10 @@ export class LivePage extends ShownPage {
     }
   }
 
-  /** The same greeting after a lost connection leaves all as it is; the same robot in a program that was started anew, controls and cameras. */
+  /**
+   * After a lost connection, the same greeting changes nothing. If the program was restarted with the same robot,
+   * controls and cameras stay.
+   */
   private greet(greeting: Greeting): void {
     this.say("");
     this.greeting = greeting;
@@ -115,7 +118,7 @@ export class LivePage extends ShownPage {
   }
 
   private lose(): void {
-    this.say("connection lost, trying again");
+    this.say("connection lost; reconnecting");
     this.number(null);
     this.setConnected(false);
   }
@@ -147,7 +150,7 @@ export class LivePage extends ShownPage {
     this.session?.setConnected(connected);
   }
 
-  /** Tells what is wrong over the page; nothing where all is well. */
+  /** Shows an error over the page; an empty text removes it. */
   private say(text: string): void {
     if (this.banner.textContent === text) return;
     this.banner.textContent = text;

@@ -10,7 +10,7 @@ function inMillimetres(metres: number | null | undefined): number | null {
   return metres == null ? null : 1000 * metres;
 }
 
-/** How far the ZMP is within the support, over the last seconds. */
+/** Distance of the ZMP inside the support, over the last seconds. */
 export class MarginPlot {
   readonly root: HTMLElement;
   private readonly plot = new RollingPlot(

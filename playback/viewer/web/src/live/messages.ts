@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a live page is told by the program, and what it says to it (docs/live.md): JSON, SI units, world z up.
+// Messages between a live page and the program (docs/live.md): JSON, SI units, world z up.
 import type { PoseRow, RobotFile, TerrainFile } from "../scene";
 
 /** Numbers that are null where they are not finite. */
@@ -25,20 +25,20 @@ export interface OptionFile {
   meaning: string;
 }
 
-/** How a pull acts: by its length, and never harder than its most. */
+/** A pull: proportional to its length, up to a maximum. */
 export interface Spring {
   n_per_m: number;
   most_n: number;
 }
 
-/** The first message, and again where the robot is another. */
+/** The first message, sent again when the robot changes. */
 export interface Greeting {
   format: "gaitwright-live";
   schema: 1;
-  /** Of one start of the program, and of no other. */
+  /** Identifies one start of the program. */
   run: string;
   scene: { robot: RobotFile; terrain: TerrainFile };
-  /** Physics engines that the robot can stand in after a reset. */
+  /** Physics engines available after a reset. */
   engines: string[];
   gaits: string[];
   usual_pace: Pace;
@@ -49,7 +49,7 @@ export interface Greeting {
 
 export type Mode = "stands" | "walks" | "posed" | "fallen";
 
-/** How a robot is balanced, as planned or as measured. */
+/** The balance of a robot, planned or measured. */
 export interface Balance {
   com: Numbers;
   dcm: Numbers | null;
@@ -63,55 +63,55 @@ export interface Ground {
   friction: number;
   slope_deg: number;
   slope_direction_deg: number;
-  /** Where the terrain has been moved to. */
+  /** Pose to which the terrain has been moved. */
   pose: PoseRow;
 }
 
-/** A page that pulls at a point of a body, and how hard. */
+/** The pull of a page at a point of a body, and its force. */
 export interface PullFile {
   page: number;
   body: number;
   at_m: [number, number, number];
-  /** Where its hand took hold, which may walk along. */
+  /** Start of the hand's motion; it may move with the robot. */
   from_m: [number, number, number];
   force_n: [number, number, number];
 }
 
-/** How things stand at a moment. */
+/** The state at one time. */
 export interface Frame {
   t: number;
   mode: Mode;
   paused: boolean;
   behind_s: number;
   pace: Pace;
-  /** The pace that is being planned. */
+  /** The walking command that is being planned. */
   wanted: Pace | null;
   heading_deg: number | null;
-  /** The heading that was asked for, until it is reached or given up. */
+  /** The requested heading, until it is reached or given up. */
   wanted_heading_deg: number | null;
   q: Numbers;
   tau: Numbers;
-  /** What the joints are told. */
+  /** Target positions of the joints. */
   target: Numbers;
-  /** Of joints that follow a position, [N m/rad] and [N m s/rad], or [N/m] and [N s/m]. */
+  /** Gains of joints that follow a position, [N m/rad] and [N m s/rad], or [N/m] and [N s/m]. */
   stiffness: Numbers;
   damping: Numbers;
   ghost: Numbers | null;
   measured: Balance | null;
   planned: Balance | null;
   feet: { p: Numbers; f: Numbers | null; touching: boolean }[];
-  /** Of all pages, one each. */
+  /** Of all pages, one per page. */
   pulls: PullFile[];
-  /** On the base. */
+  /** Force on the base. */
   push_n: [number, number, number] | null;
   ground: Ground;
-  /** In the order of the greeting's. */
+  /** In the order of the greeting. */
   options: Numbers;
-  /** The latest, by numbers that grow. */
+  /** The latest notes, with increasing numbers. */
   notes: [number, string][];
 }
 
-/** What the program can be asked for. */
+/** Requests to the program. */
 export type Saying =
   | ({ do: "pace" } & Pace)
   | { do: "heading"; heading_deg: number }
@@ -125,27 +125,27 @@ export type Saying =
   | { do: "pose"; q: number[] }
   | { do: "nudge"; dof: number; by: number; for_s: number };
 
-/** @return whether it could be sent. */
+/** @return whether it was sent. */
 export type Send = (saying: Saying) => boolean;
 
-/** After the greeting a page is told its own number. */
+/** After the greeting, a page receives its own number. */
 export type Heard = { greeting: Greeting } | { page: number } | { frame: Frame } | { refused: string };
 
-/** @throws for what is no message of this version. */
+/** @throws if it is not a message of this version. */
 export function heard(text: string): Heard {
   const message = JSON.parse(text) as Partial<Greeting & Frame & { refused: string; page: number }>;
   if (message.refused !== undefined) return { refused: message.refused };
   if (message.q !== undefined) return { frame: message as Frame };
   if (message.page !== undefined) return { page: message.page };
   if (message.format === "gaitwright-live" && message.schema === 1) return { greeting: message as Greeting };
-  throw new Error("the program is of another version than this page: load the page again");
+  throw new Error("the program has another version than this page: reload the page");
 }
 
 export function isWalk(pace: Pace): boolean {
   return pace.gait !== "stand";
 }
 
-/** What the robot goes over to, or keeps. */
+/** The mode that the robot changes to, or keeps. */
 export function paceAhead(frame: Frame): Pace {
   return frame.wanted ?? frame.pace;
 }

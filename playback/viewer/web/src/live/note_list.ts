@@ -3,7 +3,7 @@ import { make } from "../elements";
 
 const kMostNotes = 30;
 
-/** What happened, newest first. */
+/** Events, newest first. */
 export class NoteList {
   readonly root = make("section", "gw-section gw-notes");
   private readonly list = make("ol");
@@ -11,12 +11,12 @@ export class NoteList {
 
   constructor() {
     this.list.setAttribute("aria-live", "polite");
-    this.list.setAttribute("aria-label", "what happened");
+    this.list.setAttribute("aria-label", "events");
     this.list.tabIndex = 0;
     this.root.append(make("h2", "", "Notes"), this.list);
   }
 
-  /** Takes in those of the program that are new, by their numbers. */
+  /** Adds the program's new notes, by their numbers. */
   show(notes: [number, string][]): void {
     for (const [number, text] of notes) {
       if (number <= this.last) continue;
@@ -30,7 +30,7 @@ export class NoteList {
     while (this.list.childElementCount > kMostNotes) this.list.lastElementChild?.remove();
   }
 
-  /** Where the program was started anew it counts anew. */
+  /** A restarted program counts from the beginning. */
   clear(): void {
     this.last = 0;
     this.list.replaceChildren();

@@ -3,13 +3,13 @@ import { button, make } from "../elements";
 import type { OptionFile } from "./messages";
 import { Slider } from "./slider";
 
-/** A slider's end is no farther from the usual value than this many times. */
+/** Largest distance of a slider's end from the default value, as a factor. */
 const kFarthest = 4;
 const kFarthestLogarithmic = 100;
 const kWideRange = 100;
 const kSteps = 200;
 
-/** What of an option's range its slider has: all of it, but for what is far from the usual value. */
+/** The part of an option's range that its slider has: the whole range, except values far from the default. */
 export function sliderRange(option: OptionFile): { least: number; most: number; logarithmic: boolean } {
   const lowest = option.lowest ?? Number.NEGATIVE_INFINITY, highest = option.highest ?? Number.POSITIVE_INFINITY;
   const usual = option.value, size = Math.abs(usual) || 1;
@@ -21,21 +21,21 @@ export function sliderRange(option: OptionFile): { least: number; most: number; 
   return { least: Math.max(lowest, usual - kFarthest * size), most: Math.min(highest, usual + kFarthest * size), logarithmic };
 }
 
-/** A number with as many digits as tell it. */
+/** A number with the digits that it needs. */
 export function figure(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
-/** "swing_acceleration_m_s2" as words; the unit stands by itself. */
+/** "swing_acceleration_m_s2" as words; the unit is shown separately. */
 function words(name: string): string {
   return name.replace(/(_rad_s2?|_m_s2?|_rad|_deg|_s|_m|_n)$/, "").replaceAll("_", " ").replace("dcm", "DCM");
 }
 
-/** One option of the controller: slider, number field, and a way back to its usual value. */
+/** One option of the controller: slider, number field, and a button for its default value. */
 export class OptionRow {
   readonly root = make("div", "gw-option");
   onSet: (value: number) => void = () => {};
-  /** When it is given what it does not take. */
+  /** Called for a value that is not accepted. */
   onRefuse: (why: string) => void = () => {};
   private readonly slider: Slider;
   private readonly field = make("input");
@@ -56,7 +56,7 @@ export class OptionRow {
     Object.assign(this.field, { type: "number", name: key, step: "any", min: String(option.lowest ?? ""), max: String(option.highest ?? "") });
     this.field.setAttribute("aria-label", key);
     this.field.addEventListener("change", () => this.take());
-    this.back.title = `back to usual: ${figure(option.value)}`;
+    this.back.title = `reset to the default, ${figure(option.value)}`;
     this.back.setAttribute("aria-label", `${key}: ${this.back.title}`);
     this.root.append(this.slider.root, this.field, make("small", "", option.unit === "1" ? "" : option.unit), this.back);
     this.tell();
@@ -72,7 +72,7 @@ export class OptionRow {
     this.tell();
   }
 
-  /** Shows a value without asking for it. */
+  /** Shows a value without a request. */
   show(value: number): void {
     this.slider.put(value);
     this.tell();
@@ -82,13 +82,13 @@ export class OptionRow {
     const { value } = this.field;
     if (value !== "" && this.field.checkValidity()) return this.set(this.field.valueAsNumber);
     this.tell();
-    this.onRefuse(`${this.key}: ${value === "" ? "no number" : `${value} is not taken`}; it goes ${this.limits()}`);
+    this.onRefuse(`${this.key}: ${value === "" ? "not a number" : `${value} is not accepted`}; accepted: ${this.limits()}`);
   }
 
   private limits(): string {
     const { lowest, highest, unit } = this.option;
     const ends = [lowest === null ? "" : `from ${figure(lowest)}`, highest === null ? "" : `to ${figure(highest)}`].filter(Boolean);
-    return `${ends.join(" ") || "anywhere"}${unit === "1" ? "" : ` ${unit}`}`;
+    return `${ends.join(" ") || "any number"}${unit === "1" ? "" : ` ${unit}`}`;
   }
 
   private set(value: number): void {

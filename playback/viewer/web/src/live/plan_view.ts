@@ -6,27 +6,27 @@ import { fitCanvas } from "./fit_canvas";
 import type { Balance, Frame, Numbers } from "./messages";
 import { plotFigure } from "./plot_figure";
 
-/** Of the legs' length: what is shown from the middle up and down. */
+/** Visible distance from the middle up and down, in leg lengths. */
 const kShown = 0.85;
 const kGrid_m = 0.1;
-/** So high a picture has marks of the usual size; in a larger one they are larger. */
+/** Height of a picture with marks of normal size; marks are larger in a larger picture. */
 const kUsualHeight = 160;
 const kLargestMarks = 2;
 
-/** The key of this file, for a line of help. */
-export const kPlanHelp = "P view from above large";
+/** The key of this file, for the help line. */
+export const kPlanHelp = "P large view from above";
 
-/** The balance from above, with the robot in the middle: ahead of the world is up, and the world's left is left. */
+/** The balance from above, with the robot in the middle: the world's x axis is up, its y axis is left. */
 export class PlanView {
   readonly root: HTMLElement;
   private readonly canvas = make("canvas", "gw-plan");
-  private readonly enlarger = button("enlarge", "large enough for a lecture hall, or as it was (P)", () => this.enlarge());
+  private readonly enlarger = button("enlarge", "large, for a lecture hall, or normal size (P)", () => this.enlarge());
   private readonly size: number;
   private theme: Theme | null = null;
   private context: CanvasRenderingContext2D | null = null;
-  /** Pixels by metre, and what is in the middle. */
+  /** Pixels per metre; the middle of the picture. */
   private scale = 1;
-  /** Of marks and lines. */
+  /** Scale of marks and lines. */
   private thick = 1;
   private middle: [number, number] = [0, 0];
 
@@ -47,14 +47,14 @@ export class PlanView {
     tell(this.enlarger, "aria-pressed", "false");
   }
 
-  /** Makes it the largest picture of the page, or what it was. */
+  /** Makes it the largest picture of the page, or restores its size. */
   enlarge(): void {
     const large = this.root.classList.toggle("gw-large");
     tell(this.enlarger, "aria-pressed", String(large));
     this.enlarger.textContent = large ? "make small" : "enlarge";
   }
 
-  /** Does what a key asks for, if that is of this. */
+  /** Handles a key, if it belongs to this view. */
   press(key: string): boolean {
     if (key.toLowerCase() !== "p") return false;
     this.enlarge();
@@ -84,7 +84,7 @@ export class PlanView {
     this.circle(frame.measured?.zmp ?? null, 5, ink.zmp, true);
   }
 
-  /** In pixels; what is outside is at the edge. */
+  /** In pixels; points outside are drawn at the edge. */
   private place(x: number, y: number, inside = false): [number, number] {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const at: [number, number] = [0.5 * width - (y - this.middle[1]) * this.scale, 0.5 * height - (x - this.middle[0]) * this.scale];
@@ -138,7 +138,7 @@ export class PlanView {
     else context.stroke();
   }
 
-  /** The way of the measured ZMP in the last second. */
+  /** The path of the measured ZMP in the last second. */
   private trail(now: number, colour: string): void {
     const zmp = this.motion.measured?.zmp;
     if (!zmp) return;

@@ -2,10 +2,10 @@
 import { inkVariable, type Ink } from "../colours";
 import { make } from "../elements";
 
-/** What a mark in a title looks like: a line, a broad pale one, a dashed one, a ring, a filled circle, an area. */
+/** Appearance of marks in titles: a line, a broad pale line, a dashed line, a ring, a filled circle, an area. */
 export type Mark = "\u2014" | "\u25ac" | "\u2504" | "\u25cb" | "\u25cf" | "\u25a0";
 
-/** A plot with its title and with what its colours stand for. */
+/** A plot with its title and the meanings of its colours. */
 export function plotFigure(title: string, marks: [Mark, Ink, string][], plot: HTMLElement, ...beside: HTMLElement[]): HTMLElement {
   const figure = make("figure", "gw-live-plot");
   const head = make("figcaption");

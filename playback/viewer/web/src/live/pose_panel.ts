@@ -9,7 +9,7 @@ import { Slider } from "./slider";
 import { kDegrees, scaleOf } from "./units";
 
 const kPosesPerSecond = 30;
-/** Where a joint has no limits. */
+/** Range of a joint without limits. */
 const kFreeTurn_deg = 180;
 const kFreeShift_mm = 1000;
 const kBaseShift_m = 1;
@@ -25,7 +25,7 @@ function jointSlider(dof: DofFile): Slider {
   });
 }
 
-/** Posing: each slider that is moved holds the whole robot where it is put, without physics. */
+/** Posing: moving a slider holds the whole robot in the chosen pose, without physics. */
 export class PosePanel {
   readonly root = make("section", "gw-section");
   private readonly joints: Slider[];
@@ -52,9 +52,9 @@ export class PosePanel {
       name: `base:${label}`, label, least: i === 1 ? -90 : -180, most: i === 1 ? 90 : 180, step: 0.5, value: 0,
       words: (value) => `${rounded(value, 1)}\u00b0`,
     }));
-    const standUp = button("Stand up", "back to physics, upright (U)", () => send({ do: "stand_up" }));
+    const standUp = button("Stand up", "back to physics, standing upright (U)", () => send({ do: "stand_up" }));
     const beside = make("div", "gw-beside");
-    beside.append(make("p", "gw-note", "A slider that is moved holds the robot as it is put, without physics."), standUp);
+    beside.append(make("p", "gw-note", "Moving a slider holds the robot in the chosen pose, without physics."), standUp);
     const [x, y, height] = this.places;
     const roots = (sliders: Slider[]) => sliders.map((slider) => slider.root);
     this.root.append(make("h2", "", "Pose"), beside, ...roots([height, ...this.turns, x, y]), make("h3", "", "Joints"), ...roots(this.joints));
@@ -78,7 +78,7 @@ export class PosePanel {
     return [this.places, this.turns, this.joints].some((sliders) => sliders.some((slider) => slider.busy));
   }
 
-  /** While it is being posed it goes on from what was asked for last, not from what has come back of it. */
+  /** During posing, it continues from the last request, not from the program's answers. */
   private change(put: (q: number[]) => void): void {
     if (this.latest.length === 0) return;
     if (this.q.length === 0) this.q = this.start();
@@ -86,7 +86,10 @@ export class PosePanel {
     this.say.put([...this.q]);
   }
 
-  /** As it is; physics may have a joint a little beyond its limits, where no pose may be. */
+  /**
+   * The present pose, within the limits: physics may have a joint slightly beyond its limits, where poses are not
+   * accepted.
+   */
   private start(): number[] {
     const q = this.latest.map((x) => x ?? 0);
     this.robot.dofs.forEach(({ lower, upper }, i) => (q[7 + i] = Math.min(Math.max(q[7 + i], lower ?? -Infinity), upper ?? Infinity)));

@@ -5,17 +5,17 @@ import type { Send } from "./messages";
 
 const kPullsPerSecond = 30;
 
-/** A point of the robot that is held, and how it is pulled. */
+/** A point of the robot that is held, and its pull. */
 export interface Hold {
   body: number;
   at_Body: THREE.Vector3;
-  /** How far the hand is from where it took hold. */
+  /** Displacement of the hand from its start. */
   by_W: THREE.Vector3;
-  /** Whether it walks along with the robot. */
+  /** Whether the hand moves along with the robot. */
   along: boolean;
 }
 
-/** The one pull of this page, whoever does it. */
+/** The one pull of this page. */
 export class Pull {
   private held: Hold | null = null;
   private readonly say: AtMost<Hold>;
@@ -30,13 +30,13 @@ export class Pull {
     return this.held;
   }
 
-  /** Takes hold, or goes on with it. */
+  /** Starts or continues a pull. */
   to(hold: Hold): void {
     this.held = hold;
     this.say.put(hold);
   }
 
-  /** Where this cannot be said the program knows: it lets go for a page that is lost. */
+  /** If this message cannot be sent, the program ends the pull itself, as for every lost page. */
   letGo(): void {
     if (!this.held) return;
     this.held = null;

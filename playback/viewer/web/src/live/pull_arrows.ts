@@ -9,7 +9,7 @@ import type { Frame, PullFile, Spring } from "./messages";
 import type { Pull } from "./pull";
 import { newtons } from "./words";
 
-/** What is weaker is not told. */
+/** Weaker forces are not shown. */
 const kLeast_n = 0.01;
 
 /** An arrow with its force beside the tip. */
@@ -28,7 +28,7 @@ class Told {
     return this.arrow.root.visible;
   }
 
-  /** @param force_n  null where it is not known yet. */
+  /** @param force_n  null if it is not known yet. */
   show(from: THREE.Vector3, way: THREE.Vector3, force_n: number | null): void {
     this.arrow.root.visible = true;
     this.arrow.show(from, way, way.length());
@@ -51,9 +51,9 @@ class Told {
   }
 }
 
-/** All that people do to the robot by hand: the pull of each page from where it holds, and the push on the base. */
+/** All forces that people apply to the robot: the pull of each page from its point, and the push on the base. */
 export class PullArrows {
-  /** Of the labels, to be put over the picture. */
+  /** Parent of the labels, which are placed over the picture. */
   readonly root = make("div");
   private readonly palette = new Palette();
   private readonly maker: ArrowMaker;
@@ -75,7 +75,7 @@ export class PullArrows {
     this.stage.touch();
   }
 
-  /** @param page  the number of this one: its own pull goes where its pointer does, without waiting for an answer. */
+  /** @param page  the number of this page: its own pull follows its pointer without waiting for an answer. */
   show(frame: Frame, page: number | null): void {
     const before = this.shown;
     this.shown = 0;
@@ -88,7 +88,7 @@ export class PullArrows {
     if (this.shown > 0 || before > 0) this.stage.touch();
   }
 
-  /** The camera may have moved: the labels are beside the tips. */
+  /** The camera may have moved: places the labels beside the tips. */
   place(): void {
     for (let i = 0; i < this.shown; ++i) this.all[i].place();
   }

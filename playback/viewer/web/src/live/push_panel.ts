@@ -10,19 +10,19 @@ const kUsualWeights = 0.5;
 
 export type Side = "ahead" | "left" | "right" | "back";
 
-/** Seen from the robot: x ahead, y to the left. */
+/** In the robot's axes: x forward, y to the left. */
 const kSides: Record<Side, [number, number]> = { ahead: [1, 0], left: [0, 1], right: [0, -1], back: [-1, 0] };
 const kSideKeys: Record<string, Side> = { ArrowUp: "ahead", ArrowLeft: "left", ArrowRight: "right", ArrowDown: "back" };
 
-/** Why a push does nothing; "" where it does. */
+/** Reason for which a push has no effect; "" if it has one. */
 function whyNot(frame: Frame): string {
-  return frame.mode === "posed" ? "no push while it is held in a pose: stand it up first (U)" : "";
+  return frame.mode === "posed" ? "no push while the robot is held in a pose: press U to stand it up first" : "";
 }
 
-/** Short pushes at the base, by button and key, of a force that can be chosen. */
+/** Short pushes on the base, by button and key, with a force that can be chosen. */
 export class PushPanel {
   readonly root = make("section", "gw-section");
-  /** When a key asks for what cannot be done. */
+  /** Called when a key requests an impossible action. */
   onRefuse: (why: string) => void = () => {};
   private readonly force: Slider;
   private readonly buttons: HTMLButtonElement[] = [];
@@ -41,12 +41,12 @@ export class PushPanel {
     });
     const cross = make("div", "gw-cross");
     for (const side of Object.keys(kSides) as Side[]) {
-      const push = button(side, `push it ${side} for ${kPush_s} s (Shift + arrow)`, () => this.start(side), `gw-${side}`);
+      const push = button(side, `push ${side} for ${kPush_s} s (Shift + arrow)`, () => this.start(side), `gw-${side}`);
       push.name = `push_${side}`;
       this.buttons.push(push);
       cross.append(push);
     }
-    const words = make("p", "gw-note", "Or drag the robot in the picture: it is pulled as by a rubber band.");
+    const words = make("p", "gw-note", "Or drag the robot in the picture: a spring pulls it.");
     const beside = make("div", "gw-beside");
     beside.append(cross, words);
     this.root.append(make("h2", "", "Push"), this.force.root, beside);
@@ -60,7 +60,7 @@ export class PushPanel {
     this.send({ do: "push", force_n: [force * x, force * y, 0], for_s: kPush_s });
   }
 
-  /** Does what a key asks for, if that is of this. */
+  /** Handles a key, if it belongs to this panel. */
   press(event: KeyboardEvent): boolean {
     const side = kSideKeys[event.key];
     if (!side || !event.shiftKey) return false;

@@ -14,13 +14,13 @@ const kKnock_s = 0.5;
 const kLeastSpan = 2;
 const kLeastEffort = 2;
 
-/** The joint that carries the first foot: one that has much to do. */
+/** The joint that carries the first foot's leg: a joint that moves much. */
 function nextToFoot(robot: RobotFile): number {
   const body = robot.feet[0]?.body ?? 0;
   return robot.joints[body - 1]?.dof ?? 0;
 }
 
-/** How one joint answers: what it is told, where it is and its torque, over the last seconds. */
+/** Response of one joint: target, position and torque, over the last seconds. */
 export class ResponsePlot {
   readonly root: HTMLElement;
   private readonly plot = new RollingPlot(
@@ -60,7 +60,7 @@ export class ResponsePlot {
     this.plot.push(frame.t, [frame.tau[dof] ?? null, scaled(frame.target[dof]), scaled(frame.q[7 + dof])]);
     this.showGains(frame.stiffness[dof], frame.damping[dof]);
     const down = frame.mode === "posed" || frame.mode === "fallen";
-    disable(this.knocker, down ? "its joints follow no target now: stand it up first (U)" : "");
+    disable(this.knocker, down ? "the joints follow no target now: press U to stand it up first" : "");
   }
 
   clear(): void {
@@ -83,7 +83,7 @@ export class ResponsePlot {
     return Number(this.menu.value);
   }
 
-  /** Those by which it follows its target; a leg that stands is moved by torques. */
+  /** Gains with which the joint follows its target; a stance leg is moved by torques. */
   private showGains(stiffness: number | null | undefined, damping: number | null | undefined): void {
     if (stiffness == null || damping == null) return write(this.gains, "");
     const [kp, kd] = this.dofs[this.dof]?.unit === "m" ? ["N/m", "N s/m"] : ["N m/rad", "N m s/rad"];

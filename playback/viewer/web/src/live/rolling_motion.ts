@@ -2,7 +2,7 @@
 import { kMostCorners, type Motion, type MotionFile, type RobotFile, type Table, type TerrainFile, type Track } from "../scene";
 import type { Balance, Frame, Numbers } from "./messages";
 
-/** At 60 pictures a second, a second and the moment itself. */
+/** One second at 60 pictures per second, plus the current one. */
 const kRows = 61;
 const kWindow_s = 1.0;
 
@@ -28,7 +28,7 @@ function emptyTrack(robot: RobotFile): Track {
   };
 }
 
-/** Writes numbers to a row from some column on; NaN for what is not there. */
+/** Writes numbers to a row from a column on; NaN for missing numbers. */
 function put(table: Table, row: number, numbers: Numbers | null | undefined, from = 0, count = table.columns): void {
   for (let i = 0; i < count; ++i) table.values[row * table.columns + from + i] = numbers?.[i] ?? Number.NaN;
 }
@@ -40,17 +40,17 @@ function putBalance(track: Track, row: number, balance: Balance | null): void {
   put(track.margin, row, balance ? [balance.margin_m] : null);
   const corners = Math.min(balance?.support.length ?? 0, kMostCorners);
   for (let i = 0; i < corners; ++i) put(track.support, i, balance?.support[i]);
-  // All corners are those of the last row.
+  // All corners belong to the last row.
   track.supportFirst.values[row + 1] = corners;
 }
 
-/** The last second of a robot that goes on, as a motion whose last row is now. */
+/** The last second of a moving robot, as a motion whose last row is the present. */
 export class RollingMotion {
   readonly motion: Motion;
   readonly now = kRows - 1;
   private readonly planned: Track;
   private readonly measured: Track;
-  /** Of each row; the motion's own are counted from now. */
+  /** Times of the rows; those of the motion are relative to now. */
   private readonly times: Float64Array;
   private readonly shifted: Table[];
 
@@ -69,7 +69,10 @@ export class RollingMotion {
     this.push(first);
   }
 
-  /** Takes in what is newest. Where time stands still it takes the place of the last; where time jumps the rest is forgotten. */
+  /**
+   * Adds the newest frame. If time has not advanced, it replaces the last one; if time jumps, the earlier ones are
+   * erased.
+   */
   push(frame: Frame): void {
     const last = this.times[this.now];
     if (frame.t < last || frame.t > last + kWindow_s) this.forget();
@@ -93,13 +96,13 @@ export class RollingMotion {
     for (const table of this.shifted) table.values.copyWithin(0, table.columns);
   }
 
-  /** Nothing was before now. */
+  /** Erases all earlier rows. */
   forget(): void {
     for (let row = 0; row < this.now; ++row) this.erase(row);
     this.times.fill(Number.NEGATIVE_INFINITY);
   }
 
-  /** What leaves a trail. */
+  /** Erases the values that are drawn as trails. */
   private erase(row: number): void {
     for (const track of [this.planned, this.measured]) for (const table of [track.com, track.dcm, track.zmp]) put(table, row, null);
   }

@@ -6,18 +6,18 @@ import { plotAxis } from "../plot_axis";
 import { CalmRange } from "./calm_range";
 
 const kWindow_s = 4;
-/** At 60 pictures a second, and some more. */
+/** For 60 pictures per second, with a margin. */
 const kRows = 260;
-/** What is as old as this when something new comes is no part of it. */
+/** Data older than this are dropped when new data arrive. */
 const kJump_s = kWindow_s;
 const kDrawEvery_ms = 33;
 
 export interface RollingLine {
   label: string;
   ink: Ink;
-  /** Broad and pale. */
+  /** Drawn broad and pale. */
   planned?: boolean;
-  /** Of the right-hand axis. */
+  /** Belongs to the right-hand axis. */
   right?: boolean;
 }
 
@@ -26,14 +26,14 @@ export class RollingPlot {
   readonly root = make("div", "gw-rolling");
   private readonly data: (number | null)[][];
   private readonly times = new Float64Array(kRows);
-  /** Of the left and of the right axis. */
+  /** Ranges of the left and of the right axis. */
   private readonly ranges: CalmRange[];
   private plot: uPlot | null = null;
   private theme: Theme | null = null;
   private fresh = false;
   private drawn_ms = 0;
 
-  /** @param spans  least span of the left and of the right axis. */
+  /** @param spans  smallest range of the left and of the right axis. */
   constructor(
     private readonly lines: RollingLine[],
     spans: [number, number?],
@@ -65,7 +65,7 @@ export class RollingPlot {
     this.fresh = true;
   }
 
-  /** Draws what is new, not too often. */
+  /** Draws new data, at a limited rate. */
   draw(now_ms: number): void {
     if (!this.fresh || !this.plot || now_ms - this.drawn_ms < kDrawEvery_ms) return;
     this.fresh = false;

@@ -21,7 +21,7 @@ import { WalkPanel } from "./walk_panel";
 
 const kPanelsEvery_ms = 66;
 
-/** All that a page shows of one robot, from its greeting on. */
+/** Everything that a page shows of one robot, from its greeting on. */
 export class Session {
   readonly stage: Stage | null;
   readonly pull: Pull;
@@ -30,7 +30,7 @@ export class Session {
   readonly stageBox = make("figure", "gw-stage");
   readonly plots = make("div", "gw-strip");
   readonly tabs: Tabs;
-  /** The number of this page at the program. */
+  /** The program's number for this page. */
   page: number | null = null;
   private readonly rolling: RollingMotion;
   private readonly status: StatusLine;
@@ -73,7 +73,7 @@ export class Session {
     this.showPanels();
   }
 
-  /** Takes in how things stand now; it is drawn with the next picture. */
+  /** Stores the current state; it is drawn with the next picture. */
   take(frame: Frame): void {
     this.frame = frame;
     this.rolling.push(frame);
@@ -84,21 +84,24 @@ export class Session {
     this.fresh = true;
   }
 
-  /** The program is another, though the robot is the same: what was before is no part of what comes. */
+  /** The program has restarted with the same robot: earlier data do not belong to the new motion. */
   beginAnew(): void {
     this.rolling.forget();
     this.margin.clear();
     this.response.clear();
   }
 
-  /** While the page is lost nothing can be asked for, and its hand is off the robot, as the program has it. */
+  /**
+   * While the connection is lost, nothing can be requested, and this page does not hold the robot; the program does the
+   * same.
+   */
   setConnected(connected: boolean): void {
     this.connected = connected;
     for (const part of [this.tabs.root, this.plots]) part.inert = !connected;
     this.allowGrip();
   }
 
-  /** Draws what is new. @return whether the picture of the robot was drawn. */
+  /** Draws new data. @return whether the picture of the robot was drawn. */
   draw(now_ms: number, seconds: number): boolean {
     if (this.fresh) this.showFrame();
     if (now_ms - this.panels_ms > kPanelsEvery_ms) this.showPanels(now_ms);
@@ -128,7 +131,7 @@ export class Session {
     this.stage?.dispose();
   }
 
-  /** What is held in a pose is not pulled. */
+  /** A posed robot is not pulled. */
   private allowGrip(): void {
     if (!this.grip) return;
     this.grip.allowed = this.connected && this.frame.mode !== "posed";
@@ -143,7 +146,7 @@ export class Session {
     try {
       return new Stage(canvas, this.rolling.motion);
     } catch (error) {
-      canvas.replaceWith(make("p", "gw-sorry", `This browser shows no 3D here (${String(error)}). Controls and plots work.`));
+      canvas.replaceWith(make("p", "gw-sorry", `3D is not available in this browser (${String(error)}). Controls and plots work.`));
       return null;
     }
   }
@@ -164,7 +167,10 @@ export class Session {
     this.stage?.placeGround(pose);
   }
 
-  /** What can be seen of the controls; all of the time, since those that were held follow again after a while. */
+  /**
+   * The visible controls. Updated all of the time, since a control that was held follows the program again after a
+   * while.
+   */
   private showPanels(now_ms = performance.now()): void {
     this.panels_ms = now_ms;
     for (const panel of this.panels) if (!panel.root.hidden) panel.show(this.frame);

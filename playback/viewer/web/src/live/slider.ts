@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { disable, make, write } from "../elements";
 
-/** So long after it was moved a slider does not follow the program: its answer is on the way. */
+/** Time after a motion of the slider during which it does not follow the program, because the answer is on the way. */
 const kQuiet_ms = 500;
 const kLogarithmicSteps = 400;
 
 export interface SliderOptions {
-  /** Of the input, for scripts and tests. */
+  /** Name of the input element, for scripts and tests. */
   name: string;
   label: string;
   title?: string;
-  /** Where its words say less than it must be called. */
+  /** Accessible name, if the label alone is not clear. */
   spoken?: string;
   least: number;
   most: number;
   step: number;
   value: number;
-  /** The figure as it is read. */
+  /** The number as shown. */
   words: (value: number) => string;
   logarithmic?: boolean;
-  /** What is more is on the left, as what turns and shifts a robot to the left is. */
+  /** Larger values are on the left, for quantities that turn or shift a robot to the left. */
   leftward?: boolean;
-  /** What stands at its ends: where what is set must end. */
+  /** Labels of its ends, for values with hard limits. */
   ends?: [string, string];
-  /** The range goes along where what it follows leaves it. */
+  /** The range moves along if the followed value leaves it. */
   wanders?: boolean;
 }
 
-/** A figure that a person sets and the program may change too: label, slider and readout. */
+/** A number that a person sets and that the program may change too: label, slider and readout. */
 export class Slider {
   readonly root = make("label", "gw-slide");
   readonly input = make("input");
-  /** While it is moved. */
+  /** Called while it is moved. */
   onMove: (value: number) => void = () => {};
-  /** When it has been let go. */
+  /** Called when it is released. */
   onSet: (value: number) => void = () => {};
   private readonly readout = make("span", "gw-value");
   private now: number;
@@ -62,7 +62,7 @@ export class Slider {
     return this.now;
   }
 
-  /** Whether a person is at it. */
+  /** Whether a person is moving it. */
   get busy(): boolean {
     return this.held || performance.now() - this.moved_ms < kQuiet_ms;
   }
@@ -71,18 +71,18 @@ export class Slider {
     return this.input.disabled;
   }
 
-  /** @param why  where it can do nothing. */
+  /** @param why  reason for which it is disabled; "" enables it. */
   disable(why: string): void {
     disable(this.input, why);
   }
 
-  /** Shows a value that comes from elsewhere, unless a person is at it. */
+  /** Shows a value from the program, unless a person is moving the slider. */
   follow(value: number | null | undefined): void {
     if (value == null || value === this.now || this.busy) return;
     this.set(value);
   }
 
-  /** Shows a value that has been asked for otherwise. */
+  /** Shows a value that was requested by another control. */
   put(value: number): void {
     this.moved_ms = performance.now();
     this.set(value);
@@ -104,7 +104,7 @@ export class Slider {
     this.show();
   }
 
-  /** Wherever it is let go. */
+  /** Handles a release anywhere. */
   private holdUntilLetGo(): void {
     this.held = true;
     const ended = new AbortController();
@@ -139,7 +139,7 @@ export class Slider {
     return logarithmic ? (kLogarithmicSteps * Math.log(value / least)) / Math.log(most / least) : value;
   }
 
-  /** With three digits where it is logarithmic. */
+  /** With three digits if it is logarithmic. */
   private fromThumb(thumb: number): number {
     const { logarithmic, least, most } = this.options;
     if (!logarithmic) return thumb;

@@ -6,7 +6,7 @@ import { kModeWords, paceWords } from "./words";
 
 const kBehind_s = 0.1;
 
-/** How the robot is, in a line over the picture. */
+/** The robot's state, in a line over the picture. */
 export class StatusLine {
   readonly root = make("figcaption", "gw-status");
   private readonly mode = make("b", "gw-mode");

@@ -3,10 +3,10 @@ import { button, make } from "../elements";
 
 let made = 0;
 
-/** Panels of which one is shown; arrow keys go from one to the next. */
+/** Panels, one of which is shown; arrow keys switch between them. */
 export class Tabs {
   readonly root = make("div", "gw-tabs");
-  /** When another panel is shown. */
+  /** Called when another panel is shown. */
   onShow: () => void = () => {};
   private readonly row = make("div", "gw-group");
   private readonly pages: { tab: HTMLButtonElement; panel: HTMLElement }[] = [];

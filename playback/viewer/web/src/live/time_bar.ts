@@ -2,22 +2,22 @@
 import { button, disable, make, tell, write } from "../elements";
 import type { Frame, Send } from "./messages";
 
-/** So many time steps a press of the step button does, and with Shift. */
+/** Time steps per press of the step button, and with Shift. */
 const kSteps = 1;
 const kManySteps = 10;
 
-export const kTimeHelp = "Space pause or go on \u00b7 . one time step (Shift ten) \u00b7 R reset \u00b7 U stand up";
+export const kTimeHelp = "Space pause or continue \u00b7 . one time step (Shift ten) \u00b7 R reset \u00b7 U stand up";
 
-/** What is done to time, and to a robot that has gone astray. */
+/** Controls for time, and for a robot that fell or walked away. */
 export class TimeBar {
   readonly root = make("span", "gw-times");
-  private readonly pause = button("", "pause or go on (Space)", () => this.toggle(), "gw-play");
-  private readonly step = button("step", "one time step while it is paused (.)", () => this.steps(kSteps));
+  private readonly pause = button("", "pause or continue (Space)", () => this.toggle(), "gw-play");
+  private readonly step = button("step", "one time step, if paused (.)", () => this.steps(kSteps));
   private paused = false;
 
   constructor(private readonly send: Send) {
-    const reset = button("reset", "back to the beginning (R)", () => send({ do: "reset" }));
-    const standUp = button("stand up", "upright, where it is (U)", () => send({ do: "stand_up" }));
+    const reset = button("reset", "returns to the start (R)", () => send({ do: "reset" }));
+    const standUp = button("stand up", "stands upright at its place (U)", () => send({ do: "stand_up" }));
     [this.pause, this.step, reset, standUp].forEach((made, i) => (made.name = ["pause", "step", "reset", "stand_up"][i]));
     const group = make("span", "gw-group");
     group.append(reset, standUp);
@@ -27,11 +27,11 @@ export class TimeBar {
   show(frame: Frame): void {
     this.paused = frame.paused;
     write(this.pause, frame.paused ? "\u25b6" : "\u275a\u275a");
-    tell(this.pause, "aria-label", frame.paused ? "go on" : "pause");
-    disable(this.step, frame.paused ? "" : "one time step (.): pause it first (Space)");
+    tell(this.pause, "aria-label", frame.paused ? "continue" : "pause");
+    disable(this.step, frame.paused ? "" : "one time step (.): pause first (Space)");
   }
 
-  /** Does what a key asks for, if that is of this. */
+  /** Handles a key, if it belongs to this bar. */
   press(event: KeyboardEvent): boolean {
     const act = this.actOf(event);
     if (!act) return false;
@@ -39,7 +39,7 @@ export class TimeBar {
     return true;
   }
 
-  /** A key that is held down does not pause, reset and stand up over and over. */
+  /** A key that is held down does not repeat pause, reset and stand up. */
   private actOf(event: KeyboardEvent): ((event: KeyboardEvent) => void) | null {
     if (event.key === " ") return () => this.toggle();
     if (event.code === "Period" || event.key === ".") return this.goOn;

@@ -6,22 +6,22 @@ import { isWalk, kStand, paceAhead, type Frame, type Greeting, type Pace, type S
 import { Slider } from "./slider";
 import { sided } from "./words";
 
-/** Of the robot's own speed. */
+/** Share of the robot's normal speed. */
 const kFastest = 4;
 const kFastestAside = 1;
 const kQuickestTurn_rad_s = 1;
-/** So long the menu does not follow the program: while it may be open, and until an answer is there. */
+/** Time during which the menu does not follow the program: it may be open, or an answer is on the way. */
 const kMenuOpen_ms = 4000;
 const kQuiet_ms = 500;
 
 let made = 0;
 
-/** An end of a slider that is easy to read. */
+/** A slider's end as a round number. */
 function oneDigit(value: number): number {
   return Number(value.toPrecision(1));
 }
 
-/** How the robot is to walk: gait, speeds and heading. What is changed while it walks is asked for at once. */
+/** Walking command: gait, speeds and heading. A change during walking is requested at once. */
 export class WalkPanel {
   readonly root = make("section", "gw-section");
   private readonly gait = menu("gait");
@@ -54,7 +54,7 @@ export class WalkPanel {
       value: usual.yaw_rate_rad_s, words: leftward(" rad/s"), leftward: true,
     });
     this.heading = new Slider({
-      name: "heading_deg", label: "Heading", title: "it turns to that heading while it walks, and goes on straight", least: -180, most: 180,
+      name: "heading_deg", label: "Heading", title: "a walking robot turns to this heading and then walks straight", least: -180, most: 180,
       step: 1, value: 0, words: (value) => sided(value, 0, "\u00b0"), leftward: true,
     });
     this.fill();
@@ -71,7 +71,7 @@ export class WalkPanel {
     this.walking = !down && isWalk(ahead);
     write(this.walk, this.walking ? "Stop (stand)" : "Walk");
     this.walk.classList.toggle("gw-on", this.walking);
-    disable(this.walk, down ? "stand it up first (U)" : "");
+    disable(this.walk, down ? "press U to stand it up first" : "");
     if (this.walking) this.follow(ahead);
     this.showHeading(frame);
   }
@@ -132,10 +132,10 @@ export class WalkPanel {
     this.turn.follow(pace.yaw_rate_rad_s);
   }
 
-  /** The heading that is wanted, else the one that is. */
+  /** The wanted heading, else the present one. */
   private showHeading(frame: Frame): void {
     const now_deg = frame.heading_deg ?? 0;
-    this.heading.disable(frame.mode === "walks" ? "" : "it turns to a heading while it walks");
+    this.heading.disable(frame.mode === "walks" ? "" : "the robot turns to a heading only while it walks");
     if (!this.dial.held) this.heading.follow(Math.round(wrapped(frame.wanted_heading_deg ?? now_deg)));
     this.dial.show(now_deg, this.heading.value);
   }
@@ -144,7 +144,7 @@ export class WalkPanel {
     this.gait.add(new Option(gait, gait));
   }
 
-  /** Shows a gait in the menu, which may not have had it. */
+  /** Shows a gait in the menu; adds it if the menu does not have it. */
   private choose(gait: string): void {
     if (!gait) return;
     if (!Array.from(this.gait.options).some((option) => option.value === gait)) this.offer(gait);

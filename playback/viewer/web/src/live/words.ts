@@ -9,13 +9,13 @@ export const kModeWords: Record<Mode, string> = {
   fallen: "has fallen",
 };
 
-/** A force as it is read: light robots are pushed by less than a newton. */
+/** A force as text, with more digits for small forces of light robots. */
 export function newtons(force_n: number): string {
   const size = Math.abs(force_n);
   return `${rounded(force_n, size < 1 ? 2 : size < 10 ? 1 : 0)} N`;
 }
 
-/** A figure, its unit as it is written after it, and its side: left where it is positive. */
+/** A number, its unit as written after it, and its side: left if positive. */
 export function sided(value: number, digits: number, unit: string): string {
   const figure = Math.abs(value).toFixed(digits);
   return `${figure}${unit}${Number(figure) === 0 ? "" : value > 0 ? " left" : " right"}`;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 
 #include <fmt/format.h>
 
@@ -12,14 +12,14 @@
 namespace gaitwright {
 namespace {
 
-/// What the trajectory asks of a joint's position, and of the speed and effort of the motor of the same index, beyond
-/// their limits; not positive where it keeps them.
-struct LimitExcess {
+/// Limit violations of a joint's position, and of the speed and effort of the motor with the same index; not positive
+/// if the limits are kept.
+struct LimitViolation {
   double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
 };
 
-LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, const Actuator& motor, int dof,
-                     double spare) {
+LimitViolation ViolationOf(const RobotModel& model, const WholeBodyTrajectory& motion, const Actuator& motor, int dof,
+                           double spare) {
   const double first = model.dof_lower(dof), last = model.dof_upper(dof), standing = model.standing_joints[dof];
   const double kept = std::isfinite(last - first) ? spare * (last - first) : 0.0;
   const double lower = std::min(first + kept, std::max(first, standing));
@@ -37,11 +37,11 @@ LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion,
 
 }  // namespace
 
-double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion, double spare) {
+double TotalViolation(const RobotModel& model, const WholeBodyTrajectory& motion, double spare) {
   double total = 0.0;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const Actuator motor = ActuatorOf(model, d);
-    const LimitExcess over = ExcessOf(model, motion, motor, d, spare);
+    const LimitViolation over = ViolationOf(model, motion, motor, d, spare);
     if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
     if (over.speed > 0.0) total += over.speed / std::max(motor.velocity_limit, 1e-6);
     if (over.torque > 0.0) total += over.torque / std::max(motor.effort_limit, 1e-6);
@@ -53,7 +53,7 @@ std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyT
   std::vector<std::string> warnings;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const Actuator motor = ActuatorOf(model, d);
-    const LimitExcess over = ExcessOf(model, motion, motor, d, 0.0);
+    const LimitViolation over = ViolationOf(model, motion, motor, d, 0.0);
     const auto warn = [&](const std::string& name, double by, int decimals, const char* unit, const char* limit) {
       if (by > 0.0) warnings.push_back(fmt::format("{} is {:.{}f} {} {} limit", name, by, decimals, unit, limit));
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/limit_violation.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace gaitwright {
 namespace {
 
-/// One row with the standing posture, but for one joint's position or speed.
-class LimitExcess : public ::testing::Test {
+/// One row with the standing posture, except for one joint's position or speed.
+class LimitViolation : public ::testing::Test {
  protected:
   WholeBodyTrajectory With(double position, double speed = 0.0) const {
     WholeBodyTrajectory motion;
@@ -21,32 +21,32 @@ class LimitExcess : public ::testing::Test {
     motion.v[0][6 + knee_] = speed;
     return motion;
   }
-  double Excess(double position, double spare) const { return TotalExcess(model_, With(position), spare); }
+  double ViolationSum(double position, double spare) const { return TotalViolation(model_, With(position), spare); }
 
   RobotModel model_ = LoadNamedRobot("a1").value();
   int knee_ = model_.DofIndex("FL_calf_joint");
   double upper_ = model_.dof_upper(knee_), range_ = upper_ - model_.dof_lower(knee_);
 };
 
-TEST_F(LimitExcess, IsASumOfSharesOfTheLimits) {
-  EXPECT_EQ(Excess(upper_ - 1e-9, 0.0), 0.0);
-  EXPECT_NEAR(Excess(upper_ + 0.1 * range_, 0.0), 0.1, 1e-9);
+TEST_F(LimitViolation, IsASumOfSharesOfTheLimits) {
+  EXPECT_EQ(ViolationSum(upper_ - 1e-9, 0.0), 0.0);
+  EXPECT_NEAR(ViolationSum(upper_ + 0.1 * range_, 0.0), 0.1, 1e-9);
   const double fast = 1.5 * model_.dof_velocity_limit(knee_);
-  EXPECT_NEAR(TotalExcess(model_, With(upper_ + 0.1 * range_, -fast), 0.0), 0.6, 1e-9);
+  EXPECT_NEAR(TotalViolation(model_, With(upper_ + 0.1 * range_, -fast), 0.0), 0.6, 1e-9);
   EXPECT_EQ(LimitWarnings(model_, With(upper_ + 0.1, fast)).size(), 2u);
 }
 
-TEST_F(LimitExcess, TheEndOfARangeIsSparedOtherThanToStand) {
+TEST_F(LimitViolation, TheEndOfARangeIsSparedOtherThanToStand) {
   constexpr double kSpare = 0.05;
-  EXPECT_EQ(Excess(upper_ - 1.01 * kSpare * range_, kSpare), 0.0);
-  EXPECT_NEAR(Excess(upper_ - 0.03 * range_, kSpare), 0.02, 1e-9);
+  EXPECT_EQ(ViolationSum(upper_ - 1.01 * kSpare * range_, kSpare), 0.0);
+  EXPECT_NEAR(ViolationSum(upper_ - 0.03 * range_, kSpare), 0.02, 1e-9);
   EXPECT_TRUE(LimitWarnings(model_, With(upper_ - 0.03 * range_)).empty()) << "that is no limit";
   model_.standing_joints[knee_] = upper_ - 0.03 * range_;
-  EXPECT_EQ(Excess(upper_ - 0.03 * range_, kSpare), 0.0);
-  EXPECT_NEAR(Excess(upper_ - 0.02 * range_, kSpare), 0.01, 1e-9);
+  EXPECT_EQ(ViolationSum(upper_ - 0.03 * range_, kSpare), 0.0);
+  EXPECT_NEAR(ViolationSum(upper_ - 0.02 * range_, kSpare), 0.01, 1e-9);
 }
 
-TEST_F(LimitExcess, OfMotorsThatDriveSeveralJointsIsTheirs) {
+TEST_F(LimitViolation, OfMotorsThatDriveSeveralJointsIsTheirs) {
   const int thigh = model_.DofIndex("FL_thigh_joint");
   Transmission leg{.name = "leg", .dofs = {thigh, knee_}, .motors = {}, .ratios = MatrixX(2, 2), .inverse = {}};
   leg.ratios << 1.0, 1.0, 1.0, -1.0;
@@ -57,7 +57,7 @@ TEST_F(LimitExcess, OfMotorsThatDriveSeveralJointsIsTheirs) {
   motion.tau[0][thigh] = motion.tau[0][knee_] = 12.0;  // within the box of 20: 12 and 0
   motion.v[0][6 + thigh] = 3.0;
   motion.v[0][6 + knee_] = -3.0;  // within the box of 4: 0 and 6
-  EXPECT_NEAR(TotalExcess(model_, motion, 0.0), 0.2 + 0.5, 1e-9);
+  EXPECT_NEAR(TotalViolation(model_, motion, 0.0), 0.2 + 0.5, 1e-9);
   const std::vector<std::string> warnings = LimitWarnings(model_, motion);
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_TRUE(warnings[0].starts_with("front is 2.00 N m over")) << warnings[0];

@@ -10,7 +10,7 @@ namespace gaitwright {
 
 /// A straight path from start to goal in plan view, at constant speed from the first lift-off to the last touch-down,
 /// at the nominal height above the ground below the feet; level.
-BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, double spacing_s);
+BodyTrajectory StraightPath(const Terrain& terrain, const RigidBodyProblem& problem, double spacing_s);
 
 /// Moves the path and the free footholds so that feet are within reach and near their nominal positions, and the path
 /// is smooth. It minimises
@@ -18,13 +18,13 @@ BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, dou
 ///   + sum of squares of the distances of feet to their nominal positions, and of 30 times their distances out of
 ///     reach.
 /// Footholds stay on their patches' planes, and in their regions.
-void FitBodyWay(RigidBodyProblem& problem, BodyWay& way);
+void FitBodyTrajectory(RigidBodyProblem& problem, BodyTrajectory& way);
 
 /// Nominal position of a stance's foot, averaged over its time [m].
-Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance);
+Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance);
 
-/// Cost of a foothold on a path: the sum that FitBodyWay minimises, over this stance.
-double StanceMisfit(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance);
+/// Cost of a foothold on a path: the sum that FitBodyTrajectory minimises, over this stance.
+double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance);
 
 /// Smallest distance out of its workspace that a stance's foot can have in its region, for the given body pose, at the
 /// worst time [m].
@@ -34,14 +34,14 @@ double LeastOutOfReach(const RigidBodyProblem& problem, std::size_t stance, cons
 const RigidFoot& FootOf(const RigidBodyProblem& problem, std::size_t stance);
 
 /// Distances of feet out of reach on a path.
-struct BodyWayMisfit {
+struct BodyTrajectoryMisfit {
   double largest_m = 0.0, at_s = 0.0;
   double sum = 0.0;  ///< of squares, over times and sides [m^2]
   int stance = -1;   ///< the stance farthest out; -1 if all are within reach
 };
 
-/// Of one stance's foot, and of all.
-BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance);
-BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way);
+/// Misfit of one stance's foot; below, of all feet.
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance);
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way);
 
 }  // namespace gaitwright

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/paths/coarse_way.h"
+#include "planning/paths/coarse_route.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,9 @@ CoarseProblem CoarseTo(const PlanarPose& goal, double half_width_m = 3.0) {
   return problem;
 }
 
-CoarseWay CoarseWayOn(const Terrain& terrain, const CoarseProblem& problem) {
+CoarseRoute CoarseRouteOn(const Terrain& terrain, const CoarseProblem& problem) {
   PoseCheck check(NamedRobot("a1"), terrain, {});
-  return FindCoarseWay(check, problem);
+  return FindCoarseRoute(check, problem);
 }
 
 double LeastAbove(const std::vector<PlanarPose>& way, double x_m) {
@@ -34,11 +34,11 @@ double LeastAbove(const std::vector<PlanarPose>& way, double x_m) {
   return y;
 }
 
-TEST(CoarseWay, InTheOpenLeadsStraightToTheGoal) {
+TEST(CoarseRoute, InTheOpenLeadsStraightToTheGoal) {
   const Terrain flat = FlatTerrain();
   for (const double yaw_rad : {0.0, 0.5, -1.2}) {
     const PlanarPose goal{2.0, 0.0, yaw_rad};
-    const CoarseWay way = CoarseWayOn(flat, CoarseTo(goal));
+    const CoarseRoute way = CoarseRouteOn(flat, CoarseTo(goal));
     EXPECT_TRUE(way.complete);
     EXPECT_FALSE(way.hindrance);
     ASSERT_GT(way.poses.size(), 3U);
@@ -47,9 +47,9 @@ TEST(CoarseWay, InTheOpenLeadsStraightToTheGoal) {
   }
 }
 
-TEST(CoarseWay, GoesFromCellToCellFacingEighthsOfATurn) {
+TEST(CoarseRoute, GoesFromCellToCellFacingEighthsOfATurn) {
   const Terrain flat = FlatTerrain();
-  const CoarseWay way = CoarseWayOn(flat, CoarseTo({1.5, 1.0, 0.0}));
+  const CoarseRoute way = CoarseRouteOn(flat, CoarseTo({1.5, 1.0, 0.0}));
   ASSERT_TRUE(way.complete);
   for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
     const double eighths = way.poses[i].yaw_rad / (0.25 * std::numbers::pi);
@@ -63,10 +63,10 @@ TEST(CoarseWay, GoesFromCellToCellFacingEighthsOfATurn) {
   }
 }
 
-TEST(CoarseWay, GoesAroundAWallOnTheShorterSide) {
+TEST(CoarseRoute, GoesAroundAWallOnTheShorterSide) {
   for (const double side : {1.0, -1.0}) {
     const Terrain terrain = Walled({Wall("wall", {1.0, -side * 2.5}, {1.0, side * 0.6})});
-    const CoarseWay way = CoarseWayOn(terrain, CoarseTo({2.0, 0.0, 0.0}, 4.0));
+    const CoarseRoute way = CoarseRouteOn(terrain, CoarseTo({2.0, 0.0, 0.0}, 4.0));
     ASSERT_TRUE(way.complete);
     double y = 0.0;
     for (const PlanarPose& pose : way.poses) y = std::abs(pose.y_m) > std::abs(y) ? pose.y_m : y;
@@ -77,20 +77,20 @@ TEST(CoarseWay, GoesAroundAWallOnTheShorterSide) {
   }
 }
 
-TEST(CoarseWay, AMirroredProblemCostsAsMuch) {
+TEST(CoarseRoute, AMirroredProblemCostsAsMuch) {
   const TravelWeights weights;
   double cost[2];
   for (const int i : {0, 1}) {
     const double side = i == 0 ? 1.0 : -1.0;
     const Terrain terrain = Walled({Wall("wall", {1.0, -side * 1.0}, {1.0, side * 0.5})});
-    cost[i] = TravelCost(CoarseWayOn(terrain, CoarseTo({2.0, side * 0.3, 0.0})).poses, weights);
+    cost[i] = TravelCost(CoarseRouteOn(terrain, CoarseTo({2.0, side * 0.3, 0.0})).poses, weights);
   }
   EXPECT_NEAR(cost[0], cost[1], 0.02 * cost[0]);
 }
 
-TEST(CoarseWay, WhereNothingLeadsThroughWhatIsInTheWayIsNamed) {
+TEST(CoarseRoute, WhereNothingLeadsThroughWhatIsInTheWayIsNamed) {
   const Terrain terrain = Walled({Wall("barrier", {1.0, -3.5}, {1.0, 3.5})});
-  const CoarseWay way = CoarseWayOn(terrain, CoarseTo({2.0, 0.0, 0.0}));
+  const CoarseRoute way = CoarseRouteOn(terrain, CoarseTo({2.0, 0.0, 0.0}));
   EXPECT_FALSE(way.complete);
   ASSERT_TRUE(way.hindrance);
   EXPECT_EQ(way.hindrance->what, "barrier");
@@ -98,24 +98,24 @@ TEST(CoarseWay, WhereNothingLeadsThroughWhatIsInTheWayIsNamed) {
   EXPECT_EQ(way.poses.back().x_m, 2.0) << "it goes through";
 }
 
-TEST(CoarseWay, OfTwoWallsThatCloseTheWayTheThinnerPlaceIsPassed) {
-  // A box around the goal that is thick ahead and thin behind.
+TEST(CoarseRoute, OfTwoWallsThatCloseTheWayTheThinnerPlaceIsPassed) {
+  // A box around the goal that is thick in front and thin behind.
   const Terrain terrain =
       Walled({Wall("thick", {1.5, -1.5}, {1.5, 1.5}, 1.0), Wall("left", {1.0, 1.5}, {4.0, 1.5}, 1.0),
               Wall("right", {1.0, -1.5}, {4.0, -1.5}, 1.0), Wall("thin", {4.0, -1.5}, {4.0, 1.5}, 0.05)});
   CoarseProblem problem = CoarseTo({3.0, 0.0, 0.0});
   problem.extent = PlaneExtent(Vector2(-1.0, -4.0), Vector2(6.0, 4.0));
-  const CoarseWay way = CoarseWayOn(terrain, problem);
+  const CoarseRoute way = CoarseRouteOn(terrain, problem);
   EXPECT_FALSE(way.complete);
   ASSERT_TRUE(way.hindrance);
   EXPECT_EQ(way.hindrance->what, "thin");
 }
 
-TEST(CoarseWay, StaysWithinItsExtent) {
+TEST(CoarseRoute, StaysWithinItsExtent) {
   const Terrain terrain = Walled({Wall("wall", {1.0, -0.8}, {1.0, 2.0})});
   CoarseProblem problem = CoarseTo({2.0, 0.0, 0.0});
   problem.extent = PlaneExtent(Vector2(-0.5, -0.5), Vector2(2.5, 4.0));
-  const CoarseWay way = CoarseWayOn(terrain, problem);
+  const CoarseRoute way = CoarseRouteOn(terrain, problem);
   EXPECT_TRUE(way.complete) << "around the far end, as the near one is outside";
   for (const PlanarPose& pose : way.poses) EXPECT_TRUE(problem.extent.contains(Vector2(pose.x_m, pose.y_m)));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/tasks/free_way.h"
+#include "planning/tasks/free_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 namespace gaitwright {
 
-WayCheck::WayCheck(const RobotModel& model, const VectorX& q_base)
+PathCheck::PathCheck(const RobotModel& model, const VectorX& q_base)
     : model_(model), scratch_(model), collision_(model), q_(q_base) {}
 
-std::optional<Overlap> WayCheck::FirstMeeting(const VectorX& from, const VectorX& to) {
+std::optional<Overlap> PathCheck::FirstMeeting(const VectorX& from, const VectorX& to) {
   double pieces = 1.0;
   for (int d = 0; d < model_.num_dofs(); ++d)
     pieces = std::max(pieces, std::abs(to[d] - from[d]) / (Slides(model_, d) ? 1e-3 : 1e-2));
@@ -22,7 +22,7 @@ std::optional<Overlap> WayCheck::FirstMeeting(const VectorX& from, const VectorX
   return std::nullopt;
 }
 
-std::optional<Overlap> WayCheck::MeetingAt(const VectorX& joints) {
+std::optional<Overlap> PathCheck::MeetingAt(const VectorX& joints) {
   q_.tail(model_.num_dofs()) = joints;
   ForwardKinematics(model_, q_, scratch_);
   const std::vector<Overlap>& overlaps = collision_.Overlaps(scratch_);

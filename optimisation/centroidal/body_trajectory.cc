@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/body_trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +13,17 @@
 namespace gaitwright {
 namespace {
 
-/// Weights of what is out of reach and of what is out of a region, over that of what is not where it likes to be.
+/// Weights of distances out of reach and out of a region, relative to the distance from a nominal position.
 constexpr double kReach = 30.0, kRegion = 100.0;
-/// Accelerations that are as bad as a metre [m/s^2], [rad/s^2], and what a radian of tilt is as bad as [m].
+/// Accelerations that cost as much as one metre [m/s^2], [rad/s^2]; cost of a radian of tilt [m].
 constexpr double kAcceleration = 20.0, kTurning = 60.0, kTilt = 0.3;
 
 Matrix3 HeadingAt(const RigidBodyProblem& problem, double time_s) {
   return YawRotation(WantedAngles(problem, time_s).z());
 }
 
-/// Numbers of the times within a stance; the nearest one where there is none.
-std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyWay& way) {
+/// Indices of the times within a stance; the nearest time if there is none.
+std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyTrajectory& way) {
   std::vector<std::size_t> times;
   for (std::size_t k = 0; k < way.time_s.size(); ++k) {
     if (way.time_s[k] >= stance.start_s - 1e-9 && way.time_s[k] <= stance.end_s + 1e-9) times.push_back(k);
@@ -33,19 +33,19 @@ std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyWay& way) 
   return {static_cast<std::size_t>(nearest - way.time_s.begin())};
 }
 
-/// How far a place from the centre of mass is beyond a side of a workspace; 0 where it is not.
+/// Distance of a point beyond a side of a workspace, in coordinates from the centre of mass; 0 inside.
 double Beyond(const WorkspaceSide& side, const Vector3& p_B) {
   return std::max(0.0, side.normal.dot(p_B) - side.offset);
 }
 
-/// A stance's foothold from the centre of mass, in the body's frame.
-Vector3 FromBody(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance, std::size_t k) {
+/// A stance's foothold relative to the centre of mass, in the body's frame.
+Vector3 FromBody(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance, std::size_t k) {
   return RotationOf(way.angles_rad[k]).transpose() * (problem.stances[stance].X_WF.translation() - way.p_WC[k]);
 }
 
-/// How far a stance's foot is out of reach at one time.
-BodyWayMisfit At(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance, std::size_t k) {
-  BodyWayMisfit misfit;
+/// Distance of a stance's foot out of reach at one time.
+BodyTrajectoryMisfit At(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance, std::size_t k) {
+  BodyTrajectoryMisfit misfit;
   const Vector3 p_B = FromBody(problem, way, stance, k);
   for (const WorkspaceSide& side : FootOf(problem, stance).workspace_B) {
     const double out = Beyond(side, p_B);
@@ -57,20 +57,20 @@ BodyWayMisfit At(const RigidBodyProblem& problem, const BodyWay& way, std::size_
   return misfit;
 }
 
-/// The worse of both, with the sum of both.
-BodyWayMisfit Worse(const BodyWayMisfit& a, const BodyWayMisfit& b) {
-  BodyWayMisfit worse = b.largest_m > a.largest_m ? b : a;
+/// The worse of two misfits, with the sum of both.
+BodyTrajectoryMisfit Worse(const BodyTrajectoryMisfit& a, const BodyTrajectoryMisfit& b) {
+  BodyTrajectoryMisfit worse = b.largest_m > a.largest_m ? b : a;
   worse.sum = a.sum + b.sum;
   return worse;
 }
 
-/// A foothold from the centre of mass at one time: less where the foot likes to stand, and weighed by how far it is
-/// beyond each side of the workspace.
+/// Rows of a foothold at one time: its position relative to the centre of mass, minus the nominal position, and the
+/// weighted distances beyond the sides of the workspace.
 struct StandingRows {
   RigidFoot foot;
-  Vector3 origin;                    // of the foothold's plane,
-  Eigen::Matrix<double, 3, 2> axes;  // its axes, and
-  int foothold;                      // its unknowns; -1 where it is held
+  Vector3 origin;                    // origin of the foothold's plane
+  Eigen::Matrix<double, 3, 2> axes;  // axes of that plane
+  int foothold;                      // index of its unknowns; -1 if it is fixed
   AffineVector com, angles;
 
   void operator()(const VectorX& x, VectorX& value, MatrixX* J) const {
@@ -97,7 +97,7 @@ struct StandingRows {
   }
 };
 
-/// How far a foothold is beyond each side of its region, weighed.
+/// Weighted distances of a foothold beyond the sides of its region.
 struct RegionRows {
   std::vector<Vector2> corners;
 
@@ -113,10 +113,10 @@ struct RegionRows {
   }
 };
 
-/// The least-squares problem of FitBodyWay.
+/// The least-squares problem of FitBodyTrajectory.
 class Fit {
  public:
-  Fit(RigidBodyProblem& problem, BodyWay& way)
+  Fit(RigidBodyProblem& problem, BodyTrajectory& way)
       : problem_(problem), way_(way), p_(way.time_s.size()), angles_(p_.size()), foothold_(problem.stances.size(), -1) {
     int size = 0;
     p_.front().constant = way.p_WC.front();
@@ -150,7 +150,7 @@ class Fit {
     options.max_outer = 2;
     options.max_inner = 20;
     ConstrainedSolution at;
-    (void)Solve(rows_, options, &at);  // where it has not settled it is a way all the same
+    (void)Solve(rows_, options, &at);  // the result is usable without convergence
     for (std::size_t k = 1; k + 1 < p_.size(); ++k) {
       way_.p_WC[k] = p_[k].At(at.x);
       way_.angles_rad[k] = angles_[k].At(at.x);
@@ -167,7 +167,7 @@ class Fit {
     if (!seen.variables().empty()) rows_.residuals.emplace_back(std::move(rows), seen.variables());
   }
 
-  /// Accelerations over one that is bad; at rest at both ends, as if the body came from where it goes to.
+  /// Accelerations divided by `bad`. Both ends are at rest, so the path is extended by its mirror image there.
   void AddBends(const std::vector<AffineVector>& path, double bad) {
     const double h = way_.time_s[1] - way_.time_s[0];
     for (std::size_t k = 0; k < path.size(); ++k) {
@@ -206,9 +206,9 @@ class Fit {
   }
 
   RigidBodyProblem& problem_;
-  BodyWay& way_;
+  BodyTrajectory& way_;
   std::vector<AffineVector> p_, angles_;  // by time
-  std::vector<int> foothold_;             // first unknown by stance, -1 where it is held
+  std::vector<int> foothold_;             // first unknown by stance; -1 if it is fixed
   ConstrainedProblem rows_;
 };
 
@@ -222,12 +222,12 @@ double LeastOutOfReach(const RigidBodyProblem& problem, std::size_t stance, cons
   RigidBodyProblem alone = problem;
   alone.stances = {problem.stances[stance]};
   alone.stances.front().held = false;
-  BodyWay still{{0.0, problem.duration_s}, {body.p_WC, body.p_WC}, {body.angles_rad, body.angles_rad}};
-  FitBodyWay(alone, still);
+  BodyTrajectory still{{0.0, problem.duration_s}, {body.p_WC, body.p_WC}, {body.angles_rad, body.angles_rad}};
+  FitBodyTrajectory(alone, still);
   return OutOfReach(alone, still).largest_m;
 }
 
-BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, double spacing_s) {
+BodyTrajectory StraightPath(const Terrain& terrain, const RigidBodyProblem& problem, double spacing_s) {
   double first_liftoff = problem.duration_s, last_touchdown = 0.0;
   for (const RigidStance& stance : problem.stances) {
     if (stance.end_s < problem.duration_s) first_liftoff = std::min(first_liftoff, stance.end_s);
@@ -238,7 +238,7 @@ BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, dou
     last_touchdown = problem.duration_s;
   }
   const int parts = std::max(4, static_cast<int>(std::lround(problem.duration_s / spacing_s)));
-  BodyWay way;
+  BodyTrajectory way;
   for (int k = 0; k <= parts; ++k) {
     const double t = problem.duration_s * k / parts;
     const double u = std::clamp((t - first_liftoff) / (last_touchdown - first_liftoff), 0.0, 1.0);
@@ -260,9 +260,9 @@ BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, dou
   return way;
 }
 
-void FitBodyWay(RigidBodyProblem& problem, BodyWay& way) { Fit(problem, way).Run(); }
+void FitBodyTrajectory(RigidBodyProblem& problem, BodyTrajectory& way) { Fit(problem, way).Run(); }
 
-Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance) {
+Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
   Vector3 sum = Vector3::Zero();
   const std::vector<std::size_t> times = TimesOf(problem.stances[stance], way);
   for (const std::size_t k : times)
@@ -270,7 +270,7 @@ Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyWay& way, std:
   return sum / static_cast<double>(times.size());
 }
 
-double StanceMisfit(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance) {
+double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
   double sum = 0.0;
   for (const std::size_t k : TimesOf(problem.stances[stance], way)) {
     const Vector3 p_B = FromBody(problem, way, stance, k);
@@ -281,14 +281,14 @@ double StanceMisfit(const RigidBodyProblem& problem, const BodyWay& way, std::si
   return sum;
 }
 
-BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance) {
-  BodyWayMisfit worst;
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
+  BodyTrajectoryMisfit worst;
   for (const std::size_t k : TimesOf(problem.stances[stance], way)) worst = Worse(worst, At(problem, way, stance, k));
   return worst;
 }
 
-BodyWayMisfit OutOfReach(const RigidBodyProblem& problem, const BodyWay& way) {
-  BodyWayMisfit worst;
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way) {
+  BodyTrajectoryMisfit worst;
   for (std::size_t s = 0; s < problem.stances.size(); ++s) worst = Worse(worst, OutOfReach(problem, way, s));
   return worst;
 }

@@ -9,18 +9,17 @@
 
 namespace gaitwright {
 
-/// Holds straight ways in the space of joints against self-collision.
-class WayCheck {
+/// Checks straight lines in joint space for self-collision.
+class PathCheck {
  public:
-  /// @param q_base  size nq; its base is where the robot is, which changes nothing.
-  WayCheck(const RobotModel& model, const VectorX& q_base);
+  /// @param q_base  size nq; only its base pose is used, which does not affect self-collision.
+  PathCheck(const RobotModel& model, const VectorX& q_base);
 
-  /// The first pair that collides on the straight line in joint space, checked every hundredth of a radian
-  /// (millimetre), if any.
+  /// The first pair of links that collides on the straight line in joint space, if any. Checked every 0.01 rad (1 mm).
   /// @param from, to  independent joints, size n.
   std::optional<Overlap> FirstMeeting(const VectorX& from, const VectorX& to);
 
-  /// A pair that meets at a posture, if one does.
+  /// A pair of links that collides at a posture, if any.
   std::optional<Overlap> MeetingAt(const VectorX& joints);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/paths/direct_way.h"
+#include "planning/paths/direct_route.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ PlanarPose After(const PlanarPose& a, const PlanarPose& step) {
   return {a.x_m + c * step.x_m - s * step.y_m, a.y_m + s * step.x_m + c * step.y_m, a.yaw_rad + step.yaw_rad};
 }
 
-/// b as seen from a.
+/// Pose b in the frame of a.
 PlanarPose SeenFrom(const PlanarPose& a, const PlanarPose& b) {
   const double c = std::cos(a.yaw_rad), s = std::sin(a.yaw_rad), dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
   return {c * dx + s * dy, c * dy - s * dx, b.yaw_rad - a.yaw_rad};
@@ -33,13 +33,13 @@ std::vector<PlanarPose> Arc(const PlanarPose& a, const PlanarPose& b, const Spac
   return way;
 }
 
-/// Corners of a direct way that goes straight.
-std::vector<PlanarPose> CornersOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b) {
+/// Corners of a direct path that consists of straight lines.
+std::vector<PlanarPose> CornersOf(DirectRoute kind, const PlanarPose& a, const PlanarPose& b) {
   PlanarPose end = b;
   end.yaw_rad = UnwrappedNear(b.yaw_rad, a.yaw_rad);
-  if (kind == DirectWay::kStraight) return {a, end};
+  if (kind == DirectRoute::kStraight) return {a, end};
   double heading = std::atan2(b.y_m - a.y_m, b.x_m - a.x_m);
-  if (kind == DirectWay::kBackward) heading += std::numbers::pi;
+  if (kind == DirectRoute::kBackward) heading += std::numbers::pi;
   heading = UnwrappedNear(heading, a.yaw_rad);
   end.yaw_rad = UnwrappedNear(b.yaw_rad, heading);
   return {a, {a.x_m, a.y_m, heading}, {b.x_m, b.y_m, heading}, end};
@@ -60,13 +60,14 @@ std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& way, const Spac
   return dense;
 }
 
-std::vector<PlanarPose> WaypointsOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const Spacing& spacing) {
-  if (kind != DirectWay::kTwist) return Densified(CornersOf(kind, a, b), spacing);
+std::vector<PlanarPose> WaypointsOf(DirectRoute kind, const PlanarPose& a, const PlanarPose& b,
+                                    const Spacing& spacing) {
+  if (kind != DirectRoute::kTwist) return Densified(CornersOf(kind, a, b), spacing);
   return Arc(a, {b.x_m, b.y_m, UnwrappedNear(b.yaw_rad, a.yaw_rad)}, spacing);
 }
 
-double CostOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights) {
-  if (kind != DirectWay::kTwist) {
+double CostOf(DirectRoute kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights) {
+  if (kind != DirectRoute::kTwist) {
     const std::vector<PlanarPose> corners = CornersOf(kind, a, b);
     return TravelCost(corners, weights);
   }
@@ -75,10 +76,10 @@ double CostOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const Tr
   return std::hypot(along, weights.lateral * twist.y_m, weights.turn_m_rad * twist.yaw_rad);
 }
 
-std::vector<std::pair<double, DirectWay>> ByCost(const PlanarPose& a, const PlanarPose& b,
-                                                 const TravelWeights& weights) {
-  std::vector<std::pair<double, DirectWay>> ways;
-  for (const DirectWay kind : kDirectWays) ways.emplace_back(CostOf(kind, a, b, weights), kind);
+std::vector<std::pair<double, DirectRoute>> ByCost(const PlanarPose& a, const PlanarPose& b,
+                                                   const TravelWeights& weights) {
+  std::vector<std::pair<double, DirectRoute>> ways;
+  for (const DirectRoute kind : kDirectRoutes) ways.emplace_back(CostOf(kind, a, b, weights), kind);
   std::sort(ways.begin(), ways.end());
   return ways;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/paths/smooth_way.h"
+#include "planning/paths/smooth_route.h"
 
 #include <algorithm>
 #include <array>
@@ -9,26 +9,26 @@
 namespace gaitwright {
 namespace {
 
-/// A waypoint that parts of a way may be replaced between.
+/// A waypoint between which parts of a path may be replaced.
 struct Node {
   PlanarPose pose;
-  std::size_t place = 0;  ///< along the way
+  std::size_t place = 0;  ///< index along the path
   double cost = std::numeric_limits<double>::infinity();
   std::size_t from = 0;
-  DirectWay kind = DirectWay::kStraight;
-  bool original = false;  ///< the way goes from the one before to it as it did
+  DirectRoute kind = DirectRoute::kStraight;
+  bool original = false;  ///< true if the path reaches it from the previous node as before
 };
 
-/// A way of getting to a node.
+/// A possible edge to a node.
 struct Edge {
   double cost;
   std::size_t from;
-  DirectWay kind;
+  DirectRoute kind;
   bool original;
   bool operator<(const Edge& other) const { return cost < other.cost; }
 };
 
-/// Places along a way for each of which there are nodes: facing as it did, and facing along the way.
+/// Nodes for each place of a path: with the original heading, and with the heading along the path.
 std::vector<Node> NodesOf(const std::vector<PlanarPose>& way) {
   std::vector<Node> nodes;
   for (std::size_t i = 0; i < way.size(); ++i) {
@@ -41,7 +41,7 @@ std::vector<Node> NodesOf(const std::vector<PlanarPose>& way) {
   return nodes;
 }
 
-/// Shortest way over nodes whose edges are looked at, cheapest first, only until one is free.
+/// Shortest path over nodes. Edges are checked in the order of their cost, only until one is free.
 class Shortcuts {
  public:
   Shortcuts(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights)
@@ -63,7 +63,7 @@ class Shortcuts {
   }
 
  private:
-  static constexpr std::size_t kMostPlaces = 16;  // that one direct way leads past
+  static constexpr std::size_t kMostPlaces = 16;  // largest number of places that one direct path may skip
 
   std::vector<Edge> EdgesTo(std::size_t to) const {
     std::vector<Edge> edges;
@@ -72,9 +72,9 @@ class Shortcuts {
       if (node.place + kMostPlaces < nodes_[to].place) break;
       if (node.place == nodes_[to].place || !std::isfinite(node.cost)) continue;
       const bool as_it_was = node.place + 1 == nodes_[to].place && IsOfWay(from) && IsOfWay(to);
-      for (const DirectWay kind : kDirectWays) {
+      for (const DirectRoute kind : kDirectRoutes) {
         const double cost = CostOf(kind, node.pose, nodes_[to].pose, weights_);
-        edges.push_back({node.cost + cost, from, kind, as_it_was && kind == DirectWay::kStraight});
+        edges.push_back({node.cost + cost, from, kind, as_it_was && kind == DirectRoute::kStraight});
       }
     }
     std::sort(edges.begin(), edges.end());
@@ -82,7 +82,7 @@ class Shortcuts {
   }
   bool IsOfWay(std::size_t i) const { return i == 0 || nodes_[i - 1].place != nodes_[i].place; }
 
-  bool IsFree(const PlanarPose& from, std::size_t to, DirectWay kind) const {
+  bool IsFree(const PlanarPose& from, std::size_t to, DirectRoute kind) const {
     return check_.IsFreeAlong(WaypointsOf(kind, from, nodes_[to].pose, spacing_));
   }
 
@@ -104,7 +104,7 @@ class Shortcuts {
   std::vector<Node> nodes_;
 };
 
-/// Moves waypoints by ever smaller steps while that makes their way cheaper and it stays free.
+/// Moves waypoints by ever smaller steps while this reduces the cost and the path stays free.
 class Relaxation {
  public:
   Relaxation(PoseCheck& check, const TravelWeights& weights, double step_m)
@@ -112,7 +112,7 @@ class Relaxation {
 
   void Run(std::vector<PlanarPose>& way) {
     constexpr int kMostSweeps = 24;
-    constexpr double kSmallest = 0.05;  // of the first step
+    constexpr double kSmallest = 0.05;  // share of the first step
     double share = 1.0;
     for (int sweep = 0; sweep < kMostSweeps && share > kSmallest; ++sweep) {
       bool moved = false;
@@ -157,7 +157,7 @@ class Relaxation {
   double step_m_, turn_rad_;
 };
 
-/// At most so many waypoints, and none farther apart than a spacing where that allows.
+/// At most a given number of waypoints, if possible with no more than a given spacing.
 std::vector<PlanarPose> Sampled(const std::vector<PlanarPose>& way, double leg) {
   constexpr double kMost = 60.0;
   double turned = 0.0;
@@ -167,7 +167,8 @@ std::vector<PlanarPose> Sampled(const std::vector<PlanarPose>& way, double leg) 
 
 }  // namespace
 
-std::vector<PlanarPose> SmoothWay(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights) {
+std::vector<PlanarPose> SmoothRoute(PoseCheck& check, const std::vector<PlanarPose>& way,
+                                    const TravelWeights& weights) {
   const double leg = check.space().leg_length_m;
   std::vector<PlanarPose> best = way;
   for (const double spacing : {2.0, 1.0, 0.5}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/paths/coarse_way.h"
+#include "planning/paths/coarse_route.h"
 
 #include <algorithm>
 #include <array>
@@ -15,28 +15,28 @@ namespace gaitwright {
 namespace {
 
 constexpr double kStepOfLeg = 0.25;        // edge of a cell in leg lengths
-constexpr double kFineStepOfLeg = 0.1;     // where a shorter way is looked for
-constexpr int kMostFineStates = 50000;     // that are visited for it
-constexpr double kMostCells = 2e5;         // of the grid; beyond that cells grow
-constexpr double kThroughHindrance = 1e4;  // what a metre through a hindrance costs
+constexpr double kFineStepOfLeg = 0.1;     // used to look for a shorter path
+constexpr int kMostFineStates = 50000;     // limit of states visited on the fine grid
+constexpr double kMostCells = 2e5;         // of the grid; with more, cells become larger
+constexpr double kThroughHindrance = 1e4;  // cost of a metre through an obstacle
 constexpr int kHeadings = 8;
-constexpr double kTurn = 0.25 * std::numbers::pi;  // between them
+constexpr double kTurn = 0.25 * std::numbers::pi;  // angle between two headings
 
-/// What a search may do.
+/// Limits of a search.
 struct Limits {
-  bool through = false;                                   // pass hindrances
-  double cost = std::numeric_limits<double>::infinity();  // of a way
-  int states = std::numeric_limits<int>::max();           // to visit
+  bool through = false;                                   // may pass through obstacles
+  double cost = std::numeric_limits<double>::infinity();  // largest cost of a path
+  int states = std::numeric_limits<int>::max();           // largest number of visited states
 };
 
-/// A search over cells, in each of which the body faces one of eight ways. A state is cell * kHeadings + heading.
+/// A search over cells. In each cell the body has one of eight headings. A state is cell * kHeadings + heading.
 class Grid {
  public:
   Grid(PoseCheck& check, const CoarseProblem& problem, double step_of_leg) : check_(check), problem_(problem) {
     const PlaneExtent& extent = problem.extent;
     const PlanarPose& start = problem.start;
     step_m_ = std::max(step_of_leg * check.space().leg_length_m, std::sqrt(extent.sizes().prod() / kMostCells));
-    // The start is the middle of a cell.
+    // The start is at the middle of a cell.
     const Vector2 low = (Vector2(start.x_m, start.y_m) - extent.min()) / step_m_;
     before_ = {static_cast<int>(low.x()), static_cast<int>(low.y())};
     columns_ = before_[0] + 1 + static_cast<int>((extent.max().x() - start.x_m) / step_m_);
@@ -46,7 +46,7 @@ class Grid {
     turns_.assign(states, kUnknown);
   }
 
-  /// The poses of the cheapest way; empty when there is none.
+  /// The poses of the cheapest path; empty if no path exists.
   std::vector<PlanarPose> Search(const Limits& limits);
 
  private:
@@ -63,7 +63,7 @@ class Grid {
       return estimate != other.estimate ? estimate > other.estimate : state > other.state;
     }
   };
-  /// What the search knows of a state.
+  /// Search data of a state.
   struct Visit {
     double cost = std::numeric_limits<double>::infinity();
     int parent = -1;
@@ -84,7 +84,7 @@ class Grid {
     if (known == kUnknown) known = check_.IsFree(PoseOf(state)) ? kFree : kBlocked;
     return known == kFree;
   }
-  /// Whether the body can turn left from a state to the next heading; both are known to hold.
+  /// Whether the body can turn left from a state to the next heading; both states are known to be free.
   bool TurnsLeft(int state) {
     Known& known = turns_[static_cast<std::size_t>(state)];
     for (const double share : {0.5, 0.25, 0.75}) {
@@ -103,7 +103,7 @@ class Grid {
   PoseCheck& check_;
   const CoarseProblem& problem_;
   double step_m_;
-  std::array<int, 2> before_{};  // columns and rows before the start's
+  std::array<int, 2> before_{};  // number of columns and rows before the start's
   int columns_, rows_;
   std::vector<Known> holds_, turns_;  // by state
 };
@@ -115,7 +115,8 @@ Grid::Move Grid::Turned(int state, int side) {
   return {next, cost, Holds(state) && Holds(next) && TurnsLeft(side > 0 ? state : next)};
 }
 
-/// One cell on; `direction` is against the heading, in eighths of a turn and even: ahead, left, back, right.
+/// The neighbouring cell. `direction` is relative to the heading, in eighths of a turn and even: forward, left, back,
+/// right.
 Grid::Move Grid::Moved(int state, int direction) {
   static constexpr std::array<std::array<int, 2>, kHeadings> kSteps = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -171,26 +172,26 @@ std::vector<PlanarPose> Grid::Search(const Limits& limits) {
   return {};
 }
 
-/// Why a pose cannot be had, or not reached from the one before.
-std::optional<Hindrance> WhyNotReached(PoseCheck& check, const PlanarPose& from, const PlanarPose& to) {
-  if (auto why = check.WhyNot(Between(from, to, 0.5))) return why;
-  return check.WhyNot(to);
+/// Reason why a pose is not free, or not reachable from the previous one.
+std::optional<Hindrance> ReasonNotReached(PoseCheck& check, const PlanarPose& from, const PlanarPose& to) {
+  if (auto why = check.ReasonRefused(Between(from, to, 0.5))) return why;
+  return check.ReasonRefused(to);
 }
 
-/// The first hindrance along a way that ends where it is free.
+/// The first obstacle along a path whose end is free.
 std::optional<Hindrance> FirstHindrance(PoseCheck& check, const std::vector<PlanarPose>& way) {
   for (std::size_t i = 1; i < way.size(); ++i) {
-    if (auto why = WhyNotReached(check, way[i - 1], way[i])) return why;
+    if (auto why = ReasonNotReached(check, way[i - 1], way[i])) return why;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-CoarseWay FindCoarseWay(PoseCheck& check, const CoarseProblem& problem) {
+CoarseRoute FindCoarseRoute(PoseCheck& check, const CoarseProblem& problem) {
   constexpr double kMuchLonger = 1.3, kNotablyShorter = 0.85;
   Grid grid(check, problem, kStepOfLeg);
-  CoarseWay way;
+  CoarseRoute way;
   way.poses = grid.Search({});
   const double straight = std::hypot(problem.goal.x_m - problem.start.x_m, problem.goal.y_m - problem.start.y_m);
   const double cost = way.poses.empty() ? kInfinity : TravelCost(way.poses, problem.weights);

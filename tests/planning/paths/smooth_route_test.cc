@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/paths/smooth_way.h"
+#include "planning/paths/smooth_route.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "planning/paths/direct_way.h"
+#include "planning/paths/direct_route.h"
 #include "tests/named_robot.h"
 #include "tests/planning/paths/walled_grounds.h"
 
@@ -16,14 +16,14 @@ const TravelWeights kSmoothWeights;
 
 std::vector<PlanarPose> SmoothedOn(const Terrain& terrain, const std::vector<PlanarPose>& way) {
   PoseCheck check(NamedRobot("a1"), terrain, {});
-  return SmoothWay(check, way, kSmoothWeights);
+  return SmoothRoute(check, way, kSmoothWeights);
 }
 
-/// A wall ahead, and a way around its left end in right angles, facing ahead all the time.
+/// A wall in front, and a path around its left end with right angles and constant heading.
 Terrain SmoothWall() { return Walled({Wall("wall", {1.0, -2.0}, {1.0, 0.3})}); }
 std::vector<PlanarPose> AroundTheWall() { return {{0.0, 0.0, 0.0}, {0.0, 1.6, 0.0}, {2.0, 1.6, 0.0}, {2.0, 0.0, 0.0}}; }
 
-TEST(SmoothWay, InTheOpenADetourBecomesADirectWay) {
+TEST(SmoothRoute, InTheOpenADetourBecomesADirectWay) {
   const Terrain flat = FlatTerrain();
   const std::vector<PlanarPose> detour = {{0.0, 0.0, 0.0}, {1.0, 1.5, 0.0}, {2.0, -1.0, 0.0}, {3.0, 0.0, 0.0}};
   const std::vector<PlanarPose> smooth = SmoothedOn(flat, detour);
@@ -33,7 +33,7 @@ TEST(SmoothWay, InTheOpenADetourBecomesADirectWay) {
   EXPECT_NEAR(TravelCost(smooth, kSmoothWeights), 3.0, 0.05);
 }
 
-TEST(SmoothWay, AStraightWayStaysAsItIs) {
+TEST(SmoothRoute, AStraightWayStaysAsItIs) {
   const Terrain flat = FlatTerrain();
   for (const PlanarPose& pose : SmoothedOn(flat, {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}})) {
     EXPECT_NEAR(pose.y_m, 0.0, 1e-9);
@@ -41,7 +41,7 @@ TEST(SmoothWay, AStraightWayStaysAsItIs) {
   }
 }
 
-TEST(SmoothWay, AroundAWallIsCheaperAndFreeAllAlong) {
+TEST(SmoothRoute, AroundAWallIsCheaperAndFreeAllAlong) {
   const Terrain terrain = SmoothWall();
   const std::vector<PlanarPose> way = AroundTheWall(), smooth = SmoothedOn(terrain, way);
   EXPECT_LT(TravelCost(smooth, kSmoothWeights), 0.8 * TravelCost(way, kSmoothWeights));
@@ -54,19 +54,19 @@ TEST(SmoothWay, AroundAWallIsCheaperAndFreeAllAlong) {
   EXPECT_EQ(smooth.back().y_m, way.back().y_m);
 }
 
-TEST(SmoothWay, NeverCostsMoreAndTwiceGainsHardlyAnything) {
+TEST(SmoothRoute, NeverCostsMoreAndTwiceGainsHardlyAnything) {
   const Terrain terrain = SmoothWall();
   const std::vector<PlanarPose> once = SmoothedOn(terrain, AroundTheWall()), twice = SmoothedOn(terrain, once);
   EXPECT_LE(TravelCost(twice, kSmoothWeights), TravelCost(once, kSmoothWeights) * (1.0 + 1e-9));
   EXPECT_GT(TravelCost(twice, kSmoothWeights), 0.9 * TravelCost(once, kSmoothWeights));
 }
 
-TEST(SmoothWay, GivesTheSameAgain) {
+TEST(SmoothRoute, GivesTheSameAgain) {
   const Terrain terrain = SmoothWall();
   EXPECT_EQ(SmoothedOn(terrain, AroundTheWall()), SmoothedOn(terrain, AroundTheWall()));
 }
 
-TEST(SmoothWay, DearSideStepsAreReplacedByTurning) {
+TEST(SmoothRoute, DearSideStepsAreReplacedByTurning) {
   const Terrain flat = FlatTerrain();
   const std::vector<PlanarPose> smooth = SmoothedOn(flat, {{0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}});
   EXPECT_LT(TravelCost(smooth, kSmoothWeights), 3.0 + 3.2 * kSmoothWeights.turn_m_rad + 0.2);
