@@ -193,8 +193,6 @@ TEST(XacroExpression, RefusesWhatHasNoValueByNameAndLine) {
 }
 
 TEST(XacroExpression, FormatsOfTextsMakeNames) {
-  EXPECT_EQ(ValueOfXacro("'{}_{}'.format('left', 'hip')"), "left_hip");
-  EXPECT_EQ(ValueOfXacro("'{side}_{0}_{n:02d}'.format('leg', side='l', n=3)"), "l_leg_03");
   EXPECT_EQ(ValueOfXacro("'%s_%d' % ('leg', 2)"), "leg_2");
   EXPECT_EQ(InnerXacro("<a b=\"x_${'{:.2f}'.format(0.125 + 1)}\"/>"), "<a b=\"x_1.12\"/>");
 }
