@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -47,6 +48,23 @@ bool MirrorAtZero(const std::vector<Pose>& X_OB, const Leg& left, const Leg& rig
   return true;
 }
 
+/// A value with its unit. @param value  infinite where the limit is not known.
+std::string ValueText(double value, const char* unit) {
+  return std::isfinite(value) ? fmt::format("{:.4g}{}", value, unit) : "unknown (no limit)";
+}
+
+/// A position range with its unit. @param unlimited  the text for a range that is infinite on both sides.
+std::string RangeText(double lower, double upper, const char* unit, const char* unlimited) {
+  if (!std::isfinite(lower) && !std::isfinite(upper)) return unlimited;
+  const auto end = [](double limit) { return std::isfinite(limit) ? fmt::format("{:.4g}", limit) : "no limit"; };
+  return fmt::format("{} to {} {}", end(lower), end(upper), unit);
+}
+
+/// The limit of effort or speed as the file means it: numbers that stand for an unknown one are infinite.
+double KnownLimit(double limit, bool is_placeholder) {
+  return is_placeholder && limit > 0.0 ? std::numeric_limits<double>::infinity() : limit;
+}
+
 /// Compares the range of a joint with that of its mirror, both ends, for legs that are mirror images at zero.
 void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Finding>& findings) {
   constexpr double kOfRange = 0.03;  // share of the range by which the stops of both sides may differ
@@ -61,8 +79,9 @@ void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Findin
   const char* unit = a.is_prismatic() ? "m" : "rad";
   findings.push_back(
       {FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
-       fmt::format("its range is {:.4g} to {:.4g} {}, but its mirror '{}' has {:.4g} to {:.4g} {}{}", a.lower, a.upper,
-                   unit, b.name, b.lower, b.upper, unit, sense < 0 ? ", where signs are opposite" : "")});
+       fmt::format("its range is {}, but its mirror '{}' has {}{}", RangeText(a.lower, a.upper, unit, "unlimited"),
+                   b.name, RangeText(b.lower, b.upper, unit, "no limits"),
+                   sense < 0 ? ", where signs are opposite" : "")});
 }
 
 /// Compares left and right of a pair of legs that mirror each other.
@@ -81,12 +100,14 @@ void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::
     const auto compare = [&](const char* what, double of_a, double of_b, const char* unit) {
       if (!NumbersDiffer(of_a, of_b)) return;
       findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
-                          fmt::format("its {} is {:.4g}{}, but that of its mirror '{}' is {:.4g}{}", what, of_a, unit,
-                                      b.name, of_b, unit)});
+                          fmt::format("its {} is {}, but that of its mirror '{}' is {}", what, ValueText(of_a, unit),
+                                      b.name, ValueText(of_b, unit))});
     };
     const bool slides = a.is_prismatic();
-    compare("effort limit", a.effort_limit, b.effort_limit, slides ? " N" : " N m");
-    compare("speed limit", a.velocity_limit, b.velocity_limit, slides ? " m/s" : " rad/s");
+    compare("effort limit", KnownLimit(a.effort_limit, a.effort_limit_is_placeholder),
+            KnownLimit(b.effort_limit, b.effort_limit_is_placeholder), slides ? " N" : " N m");
+    compare("speed limit", KnownLimit(a.velocity_limit, a.velocity_limit_is_placeholder),
+            KnownLimit(b.velocity_limit, b.velocity_limit_is_placeholder), slides ? " m/s" : " rad/s");
     CompareRanges(a, b, mirror_at_zero ? MirroredSense(model, X_OB, left.joints[i], right.joints[i]) : 0, findings);
     compare("distance from the joint before", a.X_PJ.translation().norm(), b.X_PJ.translation().norm(), " m");
     compare("link's mass", model.bodies[static_cast<std::size_t>(left.joints[i]) + 1].mass,

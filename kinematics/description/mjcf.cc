@@ -19,8 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestMjcfFile = std::size_t{16} << 20;  // [byte]
 
 /// Inertias and shapes of the robot's bodies.
-void ReadMjcfBodies(MjcfContext& context, MjcfRobot& robot) {
-  const MjcfMeshAssets assets = ReadMjcfMeshes(context);
+void ReadMjcfBodies(MjcfContext& context, const MjcfMeshAssets& assets, MjcfRobot& robot) {
   const std::set<std::string> paired = MjcfPairedGeoms(context);
   const std::size_t count = robot.tree.bodies.size();
   robot.inertias.resize(count);
@@ -68,7 +67,8 @@ ConvertedMjcf ConvertMjcfOrThrow(const std::string& text, const MjcfFiles& files
   MjcfRobot robot;
   robot.name = NameOfMjcf(context);
   robot.tree = ReadMjcfTree(context);
-  ReadMjcfBodies(context, robot);
+  MjcfMeshAssets assets = ReadMjcfMeshes(context);
+  ReadMjcfBodies(context, assets, robot);
   SetMjcfTotalMass(context, robot);
   robot.drives = ReadMjcfDrives(context, robot.tree);
   DriveMjcfJointsByTendons(context, robot.tree, robot.drives);
@@ -90,6 +90,9 @@ ConvertedMjcf ConvertMjcfOrThrow(const std::string& text, const MjcfFiles& files
   converted.yaml = WriteMjcfYaml(robot);
   robot.posture.clear();
   converted.yaml_without_posture = WriteMjcfYaml(robot);
+  for (auto& [label, asset] : assets) {
+    if (!asset.inner.vertices.empty()) converted.meshes.push_back({asset.file, std::move(asset.inner)});
+  }
   converted.notes = std::move(context.notes);
   return converted;
 }

@@ -10,20 +10,27 @@
 
 namespace gaitwright {
 
+/// Triangles of a mesh, in its own frame and unit.
+struct MjcfMesh {
+  std::vector<Vector3> vertices;
+  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
+};
+
+/// A mesh given by its vertices in the model itself.
+struct MjcfInlineMesh {
+  std::string file;  ///< name that the URDF has in place of a file: "inline:NAME"
+  MjcfMesh mesh;
+};
+
 /// The robot of a MuJoCo model (MJCF) as texts for LoadRobotFromText.
 struct ConvertedMjcf {
   std::string urdf;
+  std::vector<MjcfInlineMesh> meshes;  ///< meshes that the model contains instead of naming a file
   std::string yaml;                  ///< name, standing posture, gains, rotor inertias: data that a URDF cannot contain
   std::string yaml_without_posture;  ///< `yaml` without the posture of the keyframe, for a keyframe that is refused
                                      ///< (code `robot_yaml`) because the feet are not on level ground
   std::vector<std::string>
       notes;  ///< elements that were left out or converted differently, each with file, line and element
-};
-
-/// Triangles of a mesh file, in its own frame and unit.
-struct MjcfMesh {
-  std::vector<Vector3> vertices;
-  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
 };
 
 /// Reads a mesh file by the path in the URDF, which is absolute or relative to the model's folder. Only needed for

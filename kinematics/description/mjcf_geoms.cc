@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/description/mjcf_geoms_internal.h"
+#include "kinematics/spatial/solid_hull.h"
 
 namespace gaitwright {
 namespace {
@@ -126,6 +128,36 @@ std::string MjcfMeshFile(const MjcfAttributes& attributes, const MjcfCompiler& c
   return (fs::path(compiler.meshdir) / path).lexically_normal().string();
 }
 
+/// The mesh of 'vertex' and 'face'; without 'face' it is the convex hull of the vertices, as in MuJoCo.
+MjcfMesh ReadMjcfVertices(const MjcfAttributes& attributes) {
+  constexpr std::size_t kLeast = 12, kMost = 999999;  // numbers: four points make a solid
+  const auto threes = [&](const char* key, std::size_t least) {
+    std::vector<Vector3> rows;
+    const std::vector<double> numbers = attributes.Numbers(key, least, kMost);
+    if (numbers.size() % 3 != 0)
+      RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: '{}' has {} numbers; three for each {} are needed",
+                                                     attributes.owner(), key, numbers.size(), key));
+    for (std::size_t i = 0; i < numbers.size(); i += 3) rows.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    return rows;
+  };
+  MjcfMesh mesh{threes("vertex", kLeast), {}};
+  const double count = static_cast<double>(mesh.vertices.size());
+  for (const Vector3& corners : threes("face", 3)) {
+    for (const double corner : corners) {
+      if (corner >= 0.0 && corner < count && corner == std::floor(corner)) continue;
+      RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: 'face' names the vertex {}; accepted: whole numbers from 0 "
+                                                     "to {}",
+                                                     attributes.owner(), corner, count - 1.0));
+    }
+    mesh.triangles.emplace_back(corners.cast<int>());
+  }
+  if (mesh.triangles.empty()) mesh.triangles = HullTriangles(mesh.vertices);
+  if (mesh.triangles.empty())
+    RefuseMjcf(FailureCode::kMjcfMesh,
+               fmt::format("{}: the points of 'vertex' lie in one plane; a mesh needs a volume", attributes.owner()));
+  return mesh;
+}
+
 }  // namespace
 
 MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
@@ -153,8 +185,13 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     if (name.empty()) name = std::filesystem::path(mesh.file).stem().string();
     if (name.empty())
       RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has neither 'name' nor 'file'", mesh.owner));
-    if (!assets.emplace(name, mesh).second)
-      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: two meshes are named '{}'", mesh.owner, ShownMjcf(name)));
+    if (mesh.file.empty() && attributes.Has("vertex")) {
+      mesh.file = "inline:" + name;
+      mesh.inner = ReadMjcfVertices(attributes);
+    }
+    if (!assets.emplace(name, std::move(mesh)).second)
+      RefuseMjcf(FailureCode::kDoubleName,
+                 fmt::format("{}: two meshes are named '{}'", attributes.owner(), ShownMjcf(name)));
   }
   return assets;
 }

@@ -30,7 +30,8 @@ struct MjcfGeom {
 
 /// A mesh asset: a point p of the file is the point A p + b of the geom.
 struct MjcfMeshAsset {
-  std::string owner, file;  ///< file as in the URDF; "" if the mesh is in the model itself
+  std::string owner, file;  ///< file as the URDF has it, "inline:NAME" for vertices in the model; "" for neither
+  MjcfMesh inner;           ///< with "inline:NAME": the mesh; its convex hull where the model gives no triangles
   Vector3 scale = Vector3::Ones(), p_ref = Vector3::Zero();
   Matrix3 R_ref = Matrix3::Identity();
   bool is_shell = false;  ///< mass is on the surface

@@ -93,12 +93,13 @@ Matrix3 InertiaOfMjcfVolume(const MjcfVolume& volume, double mass) {
 MjcfVolume MjcfInertias::VolumeOfMesh(const MjcfGeom& geom) {
   const MjcfMeshAsset& asset = MjcfMeshOf(geom, assets_);
   if (!of_file_.contains(asset.file)) {
-    if (asset.file.empty() || !context_.files.mesh)
+    const bool is_inner = !asset.inner.vertices.empty();
+    if (asset.file.empty() || (!is_inner && !context_.files.mesh))
       RefuseMjcf(FailureCode::kMjcfInertia,
                  fmt::format("{}: the inertia of its body comes from the mesh '{}', which cannot be "
                              "read here; give the body an <inertial>",
                              geom.owner, geom.mesh));
-    const Result<MjcfMesh> mesh = context_.files.mesh(asset.file);
+    const Result<MjcfMesh> mesh = is_inner ? Result<MjcfMesh>(asset.inner) : context_.files.mesh(asset.file);
     if (!mesh)
       RefuseMjcf(FailureCode::kMjcfInertia, fmt::format("{}: the inertia of its body comes from the mesh '{}': {}",
                                                         geom.owner, geom.mesh, mesh.failure().message));

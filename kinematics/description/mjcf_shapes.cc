@@ -36,9 +36,11 @@ MjcfUrdfShape AroundMjcfEllipsoid(MjcfContext& context, const MjcfGeom& geom) {
   return MjcfRound("capsule", middle, 2.0 * (longest - middle), X_BS);
 }
 
-/// The reason why a mesh file cannot be used; "" if it can be used.
-std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset) {
-  if (asset.file.empty()) return "its mesh is in the model itself and not in a file";
+/// The reason why a mesh cannot be used; "" if it can be used. A collision mesh file that cannot be read is reported
+/// when it is loaded.
+std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset, bool collides) {
+  if (asset.file.empty()) return "its mesh has neither 'file' nor 'vertex'";
+  if (!asset.inner.vertices.empty() || collides) return "";
   const std::string kind = LowerCase(std::filesystem::path(asset.file).extension().string());
   if (kind == ".stl" || kind == ".obj" || kind == ".dae") return "";
   return fmt::format("its mesh '{}' has an unsupported format; accepted: '.stl', '.obj', '.dae'",
@@ -47,7 +49,7 @@ std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset) {
 
 std::optional<MjcfUrdfShape> MeshOfMjcfGeom(MjcfContext& context, const MjcfGeom& geom, const MjcfMeshAssets& assets) {
   const MjcfMeshAsset& asset = MjcfMeshOf(geom, assets);
-  if (const std::string reason = ReasonNoMjcfMesh(asset); !reason.empty()) {
+  if (const std::string reason = ReasonNoMjcfMesh(asset, geom.collides); !reason.empty()) {
     context.Note(geom.owner, reason + "; it is left out");
     return std::nullopt;
   }

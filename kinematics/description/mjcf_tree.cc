@@ -153,7 +153,8 @@ void ChooseMjcfRobot(MjcfContext& context, MjcfTree& tree) {
     ++size[static_cast<std::size_t>(root[b])];
   }
   if (tree.bodies.empty())
-    RefuseMjcf(FailureCode::kMjcfBodies, "the model has no body: its <worldbody> contains no robot");
+    RefuseMjcf(FailureCode::kMjcfBodies, fmt::format("{}: the model has no body: its <worldbody> contains no robot",
+                                                     context.document.Owner(context.document.root())));
   tree.root = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     tree.in_robot.push_back(root[b] == tree.root);

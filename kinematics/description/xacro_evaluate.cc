@@ -236,14 +236,16 @@ class XacroEvaluator {
     const bool method = callee.kind == XacroNodeKind::kMember && !IsModule(callee.children[0]);
     if (callee.kind != XacroNodeKind::kName && callee.kind != XacroNodeKind::kMember)
       RefuseXacroType("only functions and methods can be called by their names");
-    const bool is_dict = !method && callee.text == "dict";
+    const bool is_dict = !method && callee.text == "dict", is_format = method && callee.text == "format";
     const auto named =
         std::find_if(node.operators.begin(), node.operators.end(), [](const auto& k) { return !k.empty(); });
-    if (named != node.operators.end() && !is_dict)
+    if (named != node.operators.end() && !is_dict && !is_format)
       throw XacroProblem{FailureCode::kXacroSyntax,
                          fmt::format("{}() has no argument with the name '{}'", callee.text, *named)};
     if (method) {
       const XacroValue object = Value(callee.children[0]);
+      if (is_format && object.text() != nullptr)
+        return FormatXacroText(*object.text(), ArgumentsOf(node), context_.budget);
       return CallXacroMethod(object, callee.text, Values(node, 1), context_.budget);
     }
     const std::vector<XacroValue> arguments = Values(node, 1);
@@ -255,6 +257,17 @@ class XacroEvaluator {
     throw XacroProblem{
         FailureCode::kUnknownFunction,
         fmt::format("the function '{}' is not known{}", Shortened(callee.text), NearestHint(callee.text, names))};
+  }
+
+  XacroArguments ArgumentsOf(const XacroNode& call) {
+    XacroArguments arguments;
+    for (std::size_t i = 1; i < call.children.size(); ++i) {
+      if (call.operators[i - 1].empty())
+        arguments.unnamed.push_back(Value(call.children[i]));
+      else
+        arguments.named.emplace_back(call.operators[i - 1], Value(call.children[i]));
+    }
+    return arguments;
   }
 
   /// dict(a=1, b=2), dict(other, a=1) or dict([['a', 1]]).

@@ -53,6 +53,16 @@ bool XacroCompared(const std::string& operation, const XacroValue& left, const X
 /// `FORMAT % value` with the conversions of C.
 std::string XacroFormatted(const std::string& format, const XacroValue& value, XacroBudget& budget);
 
+/// The arguments of a call, those without a name and those with one.
+struct XacroArguments {
+  std::vector<XacroValue> unnamed;
+  std::vector<std::pair<std::string, XacroValue>> named;
+};
+
+/// `FORMAT.format(arguments)` with the fields {}, {0} and {name}, each with a format of a number or text, as Python has
+/// it.
+XacroValue FormatXacroText(const std::string& format, const XacroArguments& arguments, XacroBudget& budget);
+
 /// Calls a function of Python or of its module math; nothing for an unknown function.
 std::optional<XacroValue> CallXacroFunction(const std::string& name, const std::vector<XacroValue>& arguments,
                                             XacroBudget& budget);

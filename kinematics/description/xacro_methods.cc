@@ -13,17 +13,24 @@
 namespace gaitwright {
 namespace {
 
-const std::vector<std::string> kXacroTextMethods = {"lower",      "upper", "strip",    "lstrip",  "rstrip",
-                                                    "capitalize", "title", "split",    "join",    "replace",
-                                                    "find",       "count", "endswith", "isdigit", "startswith"};
+const std::vector<std::string> kXacroTextMethods = {
+    "lower", "upper",   "strip", "lstrip", "rstrip",   "capitalize", "title",      "split",
+    "join",  "replace", "find",  "count",  "endswith", "isdigit",    "startswith", "format"};
 const std::vector<std::string> kXacroDictMethods = {"get", "keys", "values", "items"};
 const std::vector<std::string> kXacroListMethods = {"index", "count", "pop"};
 
 /// The largest number of arguments of each method.
-const std::map<std::string, std::size_t> kMostMethodArguments = {
-    {"lower", 0}, {"upper", 0}, {"strip", 1},   {"lstrip", 1}, {"rstrip", 1},     {"capitalize", 0}, {"title", 0},
-    {"split", 2}, {"join", 1},  {"replace", 3}, {"find", 1},   {"count", 1},      {"endswith", 1},   {"isdigit", 0},
-    {"get", 2},   {"keys", 0},  {"values", 0},  {"items", 0},  {"startswith", 1}, {"index", 1},      {"pop", 1}};
+const std::map<std::string, std::size_t> kMostMethodArguments = {{"lower", 0},      {"upper", 0},
+                                                                 {"strip", 1},      {"lstrip", 1},
+                                                                 {"rstrip", 1},     {"capitalize", 0},
+                                                                 {"title", 0},      {"split", 2},
+                                                                 {"join", 1},       {"replace", 3},
+                                                                 {"find", 1},       {"count", 1},
+                                                                 {"endswith", 1},   {"isdigit", 0},
+                                                                 {"get", 2},        {"keys", 0},
+                                                                 {"values", 0},     {"items", 0},
+                                                                 {"startswith", 1}, {"index", 1},
+                                                                 {"pop", 1},        {"format", kMostXacroItems}};
 
 /// The argument at index `place`, which must be a text.
 const std::string& XacroTextArgument(const std::vector<XacroValue>& arguments, std::size_t place,
@@ -120,6 +127,7 @@ std::string StrippedText(const std::string& text, const std::string& characters,
 XacroValue TextMethod(const std::string& text, const std::string& name, const std::vector<XacroValue>& arguments,
                       XacroBudget& budget) {
   budget.Spend(1 + text.size() / 8);
+  if (name == "format") return FormatXacroText(text, {arguments, {}}, budget);
   if (name == "lower") return {LowerCase(text)};
   if (name == "upper") {
     std::string upper = text;

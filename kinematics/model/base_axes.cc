@@ -75,14 +75,20 @@ double Spread(const std::vector<Limb>& limbs, int axis) {
   return high->to[axis] - low->to[axis];
 }
 
-/// Whether the limbs bend about x: more of their joints rotate about x than about y, and no joint rotates about z,
-/// which would rotate the plane of a leg. If no joint rotates about y, no leg can step along x. Otherwise the limbs
-/// must mirror each other along x too.
-bool BendSideways(const std::vector<Limb>& limbs, bool mirror_along_x) {
+/// Number of joints of all limbs that rotate about each axis.
+std::array<int, 3> Turning(const std::vector<Limb>& limbs) {
   std::array<int, 3> turning = {};
   for (const Limb& limb : limbs) {
     for (std::size_t axis = 0; axis < 3; ++axis) turning[axis] += limb.turning[axis];
   }
+  return turning;
+}
+
+/// Whether the limbs bend about x: more of their joints rotate about x than about y, and no joint rotates about z,
+/// which would rotate the plane of a leg. If no joint rotates about y, no leg can step along x. Otherwise the limbs
+/// must mirror each other along x too.
+bool BendSideways(const std::vector<Limb>& limbs, bool mirror_along_x) {
+  const std::array<int, 3> turning = Turning(limbs);
   return turning[2] == 0 && turning[0] > turning[1] && (mirror_along_x || turning[1] == 0);
 }
 
@@ -128,6 +134,8 @@ BaseAxes DeriveBaseAxes(const RobotModel& model) {
   int across = mirrors[0] || sideways ? 0 : 2;
   if (mirrors[0] && mirrors[2]) across = Spread(limbs, 0) < Spread(limbs, 2) ? 0 : 2;
   const int ahead = 3 - up - across;
+  // Legs that bend about y step along x, though their sides are not quite alike.
+  if (const std::array<int, 3> turning = Turning(limbs); up == 2 && ahead == 1 && turning[1] > turning[0]) return {};
   return {Signed(ahead, middle[ahead]), Signed(up, -hang[up])};
 }
 

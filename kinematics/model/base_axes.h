@@ -23,8 +23,9 @@ std::string NameOfAxis(const Vector3& axis);
 
 /// Derives the axes from the tree at joint positions zero: a robot whose limbs mirror each other about y = 0 has x
 /// forward and z up, as usual. If its limbs mirror each other only along another axis, or also along x and bend about
-/// x, or bend only about x, that axis is lateral; limbs hang down, and feet are longer in front than behind. Names are
-/// not used; a robot with x up and y lateral is not recognised. Needs bodies, joints and collision shapes.
+/// x, or bend only about x, that axis is lateral; limbs hang down, and feet are longer in front than behind. Limbs that
+/// bend about y more than about x step along x even if their sides are not alike. Names are not used; a robot with x up
+/// and y lateral is not recognised. Needs bodies, joints and collision shapes.
 BaseAxes DeriveBaseAxes(const RobotModel& model);
 
 /// Rotates everything on the base, so that the base frame has x forward and z up.

@@ -122,7 +122,7 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
         fmt::format("link '{}': its collision shape cannot be loaded: {}; it ends a leg, and nothing else describes "
                     "the foot's contact",
                     gone->link, gone->why),
-        {"add the missing mesh file",
+        {"add the mesh as an .stl, .obj or .dae file",
          fmt::format("describe the foot in robot.yaml: feet: [{}], with R in m; for a sole, give its corners: 'sole_m'",
                      feet)}};
   }

@@ -20,24 +20,17 @@ const MeshHull* HullOf(const std::string& file, const MeshSource& source, std::v
 
 }  // namespace
 
-Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
-                                         std::vector<MissingMesh>& missing) {
+std::vector<MeshHull> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
+                                 std::vector<MissingMesh>& missing) {
   std::vector<MeshHull> meshes;
   for (Shape& shape : shapes) {
     if (shape.type != ShapeType::kMesh) continue;
     auto known = std::find_if(meshes.begin(), meshes.end(), [&](const auto& m) { return m.file == shape.mesh_file; });
     if (known == meshes.end()) {
       Result<std::vector<Vector3>> hull = source(shape.mesh_file);
-      if (!hull && hull.failure().code == FailureCode::kNoFile) {
+      if (!hull) {
         missing.push_back({shape.link, hull.failure().message});
         continue;
-      }
-      if (!hull) {
-        Failure failure = hull.failure();
-        failure.message =
-            fmt::format("link '{}': its collision shape cannot be loaded: {}", shape.link, failure.message);
-        failure.stage = "LoadRobot";
-        return failure;
       }
       known = meshes.insert(meshes.end(), {shape.mesh_file, std::move(*hull)});
     }

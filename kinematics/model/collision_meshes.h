@@ -14,9 +14,10 @@ namespace gaitwright {
 /// Returns the hull of a mesh for the file name in the URDF.
 using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
 
-/// Sets the vertices of the collision meshes and removes meshes whose files are missing. @return the hulls used.
-Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
-                                         std::vector<MissingMesh>& missing);
+/// Gives the collision meshes their vertices, and takes out those that do not exist or cannot be read.
+/// @return the hulls used.
+std::vector<MeshHull> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
+                                 std::vector<MissingMesh>& missing);
 
 /// Uses the visual shapes of a foot without collision shapes for contact.
 /// @param named  feet that the user names; empty if the feet are derived.

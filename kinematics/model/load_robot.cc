@@ -23,6 +23,7 @@
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/mesh_file.h"
+#include "kinematics/model/mesh_hulls_internal.h"
 #include "kinematics/model/name_of_description.h"
 #include "kinematics/model/reroot_urdf.h"
 #include "kinematics/model/robot_yaml.h"
@@ -89,9 +90,7 @@ struct BuiltTree {
 Result<BuiltTree> BuildTree(const std::string& tree, const RobotTexts& texts, double scale, const MeshSource& source) {
   BuiltTree built;
   UrdfParts parts = SplitUrdf(tree, scale);
-  Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, built.missing);
-  if (!meshes) return meshes.failure();
-  built.meshes = std::move(*meshes);
+  built.meshes = FillMeshes(parts.collision, source, built.missing);
   for (const MissingMesh& mesh : built.missing) parts.incomplete.insert(mesh.link);
   Result<RobotModel> model = BuildModel(parts, texts.name, scale, texts.strict);
   if (!model) return model.failure();
@@ -183,9 +182,23 @@ Result<RobotModel> LoadGuarded(const RobotTexts& texts, const MeshSource& source
   }
 }
 
+const MeshHull* HullNamed(const std::vector<MeshHull>& meshes, const std::string& file) {
+  const auto at = std::find_if(meshes.begin(), meshes.end(), [&](const MeshHull& mesh) { return mesh.file == file; });
+  return at == meshes.end() ? nullptr : &*at;
+}
+
+/// Visual geometry whose mesh the description itself contains is drawn as its hull.
+void TakeInnerPictures(const std::vector<MeshHull>& meshes, RobotModel& model) {
+  for (Shape& shape : model.visual_shapes) {
+    const MeshHull* hull = shape.type == ShapeType::kMesh ? HullNamed(meshes, shape.mesh_file) : nullptr;
+    if (hull == nullptr) continue;
+    for (const Vector3& v : hull->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
+  }
+}
+
 void NoteMissingPictures(const std::string& folder, const PackageFolders& packages, RobotModel& model) {
   for (const Shape& shape : model.visual_shapes) {
-    if (shape.type != ShapeType::kMesh) continue;
+    if (shape.type != ShapeType::kMesh || !shape.vertices.empty()) continue;
     const Result<std::string> file = FindMeshFile(shape.mesh_file, folder, packages);
     if (!file) model.notes.push_back(fmt::format("link '{}' is not drawn: {}", shape.link, file.failure().message));
   }
@@ -213,8 +226,15 @@ void FillLines(const std::string& text, std::vector<Finding>& findings) {
   }
 }
 
-/// Puts file and line before a message about a link or a joint.
+/// Puts file and line before a message on a link or a joint, and the file before one on the whole document.
 Failure WithLine(Failure failure, const std::string& path, const std::string& text) {
+  for (const FailureCode code :
+       {FailureCode::kNotXml, FailureCode::kNotUrdf, FailureCode::kUrdfRoots, FailureCode::kUrdfMissing}) {
+    const bool is_of_part = failure.message.starts_with("link '") || failure.message.starts_with("joint '");
+    if (failure.code != code || is_of_part) continue;
+    failure.message = fmt::format("{}: {}", fs::path(path).filename().string(), failure.message);
+    return failure;
+  }
   for (const char* kind : {"link '", "joint '"}) {
     if (!failure.message.starts_with(kind)) continue;
     const std::size_t end = failure.message.find('\'', std::char_traits<char>::length(kind));
@@ -233,9 +253,7 @@ std::string RobotsFolder() { return DataPath("robots", "GAITWRIGHT_ROBOTS"); }
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
                                      const std::string& name, const std::vector<MeshHull>& meshes, bool strict) {
   const MeshSource source = [&](const std::string& file) -> Result<std::vector<Vector3>> {
-    for (const MeshHull& mesh : meshes) {
-      if (mesh.file == file) return mesh.vertices;
-    }
+    if (const MeshHull* mesh = HullNamed(meshes, file)) return mesh->vertices;
     return BadInput(FailureCode::kNoFile, fmt::format("the mesh '{}' was not given with the robot's text", file));
   };
   return LoadGuarded({urdf_text, yaml_text, name, strict}, source);
@@ -252,11 +270,10 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
   const std::string name = NameOfDescription(path, description->urdf);
   const PackageFolders packages(loading.packages.begin(), loading.packages.end());
   const MeshSource source = [&](const std::string& file) -> Result<std::vector<Vector3>> {
+    if (const MeshHull* inner = HullNamed(description->meshes, file)) return inner->vertices;
     const Result<std::string> mesh_path = FindMeshFile(file, folder.string(), packages);
     if (!mesh_path) return mesh_path.failure();
-    Result<Mesh> mesh = ReadMesh(*mesh_path);
-    if (!mesh) return mesh.failure();
-    return HullPoints(std::move(mesh->vertices));
+    return HullsOfThisRun().Of(*mesh_path);
   };
   Result<RobotModel> model = LoadGuarded({description->urdf, description->yaml, name, loading.strict}, source);
   const bool has_key =
@@ -277,6 +294,7 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
   const Result<std::string> text = ReadFile(path);
   const bool has_lines = description->findings.empty() && !(text && IsMjcf(*text));
   if (!model) return has_lines ? WithLine(model.failure(), path, description->urdf) : model.failure();
+  TakeInnerPictures(description->meshes, *model);
   NoteMissingPictures(folder.string(), packages, *model);
   if (has_lines) {
     FillLines(description->urdf, model->findings);

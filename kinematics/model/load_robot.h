@@ -11,9 +11,9 @@
 namespace gaitwright {
 
 /// The robot of a URDF, xacro or MJCF file. Errors with one clear meaning are repaired and listed in the model's
-/// findings. Its collision meshes are read (see FindMeshFile). An unreadable mesh is a failure that names the file and
-/// the link, and so is a missing mesh that alone defines the shape of a foot. Any other missing mesh is a note. The
-/// robot.yaml overrides derived data.
+/// findings. Its collision meshes are read (see FindMeshFile). A mesh that is missing or cannot be read is a failure
+/// that names the file and the link if it alone defines the shape of a foot; any other one is a finding. The robot.yaml
+/// overrides derived data.
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const RobotLoading& loading);
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 

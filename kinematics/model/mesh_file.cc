@@ -112,7 +112,7 @@ std::vector<Vector3> FarthestAlong(const std::vector<Vector3>& points, const std
 
 }  // namespace
 
-Result<Mesh> ReadMesh(const std::string& path) {
+Result<std::string> ReadMeshBytes(const std::string& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error))
     return Refused(FailureCode::kNoFile, fmt::format("file '{}' does not exist", path));
@@ -120,7 +120,7 @@ Result<Mesh> ReadMesh(const std::string& path) {
     return Refused(FailureCode::kMeshKind,
                    fmt::format("'{}' is a mesh in an unsupported format; accepted: {}", path, QuotedList(kKinds)));
   }
-  const Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
+  Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
   if (!bytes) return bytes.failure();
   if (bytes->starts_with("version https://git-lfs")) {
     return Refused(
@@ -128,9 +128,13 @@ Result<Mesh> ReadMesh(const std::string& path) {
         fmt::format("the mesh '{}' is a Git LFS pointer, not the file itself; fetch the file with 'git lfs pull'",
                     path));
   }
+  return bytes;
+}
+
+Result<Mesh> MeshOfBytes(const std::string& path, const std::string& bytes) {
   Mesh mesh;
   try {
-    mesh = Kind(path) == ".stl" ? ParseStl(*bytes) : Kind(path) == ".obj" ? ParseObj(*bytes) : ParseCollada(*bytes);
+    mesh = Kind(path) == ".stl" ? ParseStl(bytes) : Kind(path) == ".obj" ? ParseObj(bytes) : ParseCollada(bytes);
   } catch (const InvalidArgument& bad) {
     return Refused(FailureCode::kMeshUnreadable, fmt::format("the mesh '{}' cannot be read: {}", path, bad.what()));
   }
@@ -144,6 +148,12 @@ Result<Mesh> ReadMesh(const std::string& path) {
     }
   }
   return OnlyUsed(mesh);
+}
+
+Result<Mesh> ReadMesh(const std::string& path) {
+  const Result<std::string> bytes = ReadMeshBytes(path);
+  if (!bytes) return bytes.failure();
+  return MeshOfBytes(path, *bytes);
 }
 
 std::vector<Vector3> HullPoints(std::vector<Vector3> points) {

@@ -19,6 +19,11 @@ Mesh ParseObj(const std::string& text);
 /// The mesh of a Collada file: the geometries of its scene with triangles, polygon lists, strips and fans.
 Mesh ParseCollada(const std::string& text);
 
+/// The bytes of a mesh file. Failure as of ReadMesh.
+Result<std::string> ReadMeshBytes(const std::string& path);
+/// The mesh of the bytes of a file, whose ending tells the format. Failure as of ReadMesh.
+Result<Mesh> MeshOfBytes(const std::string& path, const std::string& bytes);
+
 /// Adds a face of three or more corners as triangles, by cutting off ears (Meisters, 1975). The face may be not convex.
 /// @param corners  indices into the mesh's vertices. @throws InvalidArgument for fewer than three or too many.
 void AddFace(const std::vector<int>& corners, Mesh& mesh);

@@ -10,7 +10,7 @@
 namespace gaitwright {
 
 bool NamesDescription(const std::string& text) {
-  constexpr std::array kEndings = {".urdf", ".xacro", ".xml", ".mjcf"};
+  constexpr std::array kEndings = {".urdf", ".xacro", ".xml", ".mjcf", ".sdf"};
   const std::string ending = LowerCase(std::filesystem::path(text).extension().string());
   return text.find('/') != std::string::npos || std::count(kEndings.begin(), kEndings.end(), ending) > 0;
 }

@@ -5,8 +5,8 @@
 
 namespace gaitwright {
 
-/// Whether a text is the file name of a robot description, not the name of a robot: it is a path or has the ending of a
-/// URDF, xacro or MJCF file.
+/// Whether a text names a robot description rather than a robot by its name: a path, or an ending of a URDF, xacro,
+/// MJCF or SDF file.
 bool NamesDescription(const std::string& text);
 
 }  // namespace gaitwright

@@ -70,7 +70,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
   const fs::path folder = fs::path(path).parent_path();
   const Result<std::string> yaml = ReadYaml(folder, loading.yaml_path);
   if (!yaml) return yaml.failure();
-  RobotDescription description{*text, *yaml, "", {}};
+  RobotDescription description{*text, *yaml, "", {}, {}};
   const auto note = [&](FailureCode code, const std::string& message) {
     description.findings.push_back({FindingLevel::kInfo, code, "robot", 0, message});
   };
@@ -79,6 +79,8 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
         ConvertMjcf(path, [&](const std::string& mesh) { return ReadMjcfMesh(mesh, folder); });
     if (!converted) return converted.failure();
     description.urdf = std::move(converted->urdf);
+    for (MjcfInlineMesh& inner : converted->meshes)
+      description.meshes.push_back({inner.file, HullPoints(std::move(inner.mesh.vertices))});
     try {
       description.yaml = Joined(*yaml, converted->yaml);
       description.yaml_without_posture = Joined(*yaml, converted->yaml_without_posture);

@@ -7,6 +7,7 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/model/finding.h"
+#include "kinematics/model/robot_model.h"
 
 namespace gaitwright {
 
@@ -23,6 +24,7 @@ struct RobotDescription {
   std::string urdf;
   std::string yaml;                  ///< the robot.yaml, completed by data of an MJCF that a URDF cannot contain
   std::string yaml_without_posture;  ///< for an MJCF, `yaml` without the posture of its keyframe; else ""
+  std::vector<MeshHull> meshes;      ///< hulls of the meshes that an MJCF contains itself
   std::vector<Finding> findings;     ///< findings about reading the file
 };
 

@@ -81,7 +81,7 @@ struct MeshHull {
   bool operator==(const MeshHull&) const = default;
 };
 
-/// A missing collision mesh of the URDF; contacts of its link are unknown.
+/// A collision mesh of the URDF that is missing or cannot be read; contacts of its link are unknown.
 struct MissingMesh {
   std::string link;
   std::string why;  ///< reason, with the name of the file

@@ -36,13 +36,13 @@ struct Tree {
 
 /// The name of a link or a joint.
 std::string NameOf(const XMLElement& element, const std::string& what) {
-  std::string name = Attribute(element, "name", what);
+  std::string name = Attribute(element, "name", fmt::format("{} in line {}", what, element.GetLineNum()));
   if (name.empty())
     Refuse(FailureCode::kUrdfMissing, fmt::format("{} in line {} has an empty name", what, element.GetLineNum()));
   return name;
 }
 
-void CheckJoint(const XMLElement& joint, Tree& tree) {
+void CheckJoint(const XMLElement& joint, bool strict, Tree& tree) {
   const std::string name = NameOf(joint, "a joint");
   const std::string owner = fmt::format("joint '{}'", name);
   if (!tree.joint_names.insert(name).second) {
@@ -74,7 +74,7 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   tree.joint_of[ends[1]] = name;
   if (type == "spherical" && joint.FirstChildElement("mimic") != nullptr)
     Refuse(FailureCode::kBadMimic, fmt::format("{}: a spherical joint cannot mimic another joint", owner));
-  if (type != "fixed") CheckMotion(joint, type, owner);
+  if (type != "fixed") CheckMotion(joint, type, strict, owner);
 }
 
 void CheckRoots(const Tree& tree) {
@@ -83,7 +83,9 @@ void CheckRoots(const Tree& tree) {
     if (!tree.parent_of.contains(link)) roots.push_back(link);
   }
   if (roots.size() > 1) {
-    Refuse(FailureCode::kUrdfRoots, fmt::format("the links {} have no parent: one root is needed", QuotedList(roots)));
+    Refuse(FailureCode::kUrdfRoots,
+           fmt::format("the links {} have no parent: one root is needed; connect the others by joints",
+                       QuotedList(roots)));
   }
   for (const std::string& link : tree.link_names) {
     std::string at = link;
@@ -157,7 +159,8 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf_text.c_str(), urdf_text.size()) != tinyxml2::XML_SUCCESS) {
     Refuse(FailureCode::kNotXml,
-           fmt::format("the URDF is not XML: line {}: {}", document.ErrorLineNum(), document.ErrorName()));
+           fmt::format("the URDF is not XML: line {}: an element is not closed, or the text is damaged ({})",
+                       document.ErrorLineNum(), document.ErrorName()));
   }
   const XMLElement* robot = document.RootElement();
   if (robot == nullptr || std::strcmp(robot->Name(), "robot") != 0) {
@@ -179,7 +182,7 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
   if (tree.links.empty()) Refuse(FailureCode::kNotUrdf, "the URDF has no link");
   for (const XMLElement* joint = robot->FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
-    CheckJoint(*joint, tree);
+    CheckJoint(*joint, strict, tree);
   }
   CheckMimics(*robot);
   CheckRoots(tree);

@@ -13,7 +13,7 @@ namespace gaitwright {
 /// cycle; numbers that are not finite or far too large; a negative mass; a zero axis; a missing or inverted limit; a
 /// mimic of an unknown or fixed joint, of itself, in a cycle or with multiplier 0; an unsupported joint type; a size
 /// that is not positive; a mesh without a file.
-/// @param strict  a non-physical inertia is refused too; otherwise it is repaired later.
+/// @param strict  a non-physical inertia, an inertia without mass and a position range of 0 to 0 are refused too.
 /// @return the first error, with the element, or nothing.
 std::optional<Failure> CheckUrdf(const std::string& urdf_text, bool strict = false);
 

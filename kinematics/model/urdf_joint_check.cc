@@ -23,7 +23,7 @@ double PositionLimit(const XMLElement& limit, const char* name, const std::strin
   return Number(limit, name, owner);
 }
 
-void CheckLimit(const XMLElement& joint, const std::string& type, const std::string& owner) {
+void CheckLimit(const XMLElement& joint, const std::string& type, bool strict, const std::string& owner) {
   const bool is_free = type == "continuous" || type == "spherical";
   const XMLElement* limit = joint.FirstChildElement("limit");
   if (limit == nullptr) {
@@ -31,14 +31,18 @@ void CheckLimit(const XMLElement& joint, const std::string& type, const std::str
     Refuse(FailureCode::kMissingLimit, fmt::format("{}: a {} joint needs a <limit>", owner, type));
   }
   for (const char* name : {"effort", "velocity"}) {
-    if (Number(*limit, name, owner) < 0.0)
-      Refuse(FailureCode::kBadLimit, fmt::format("{}: its {} limit is negative", owner, name));
+    if (const double value = Number(*limit, name, owner); value < 0.0)
+      Refuse(FailureCode::kBadLimit,
+             fmt::format("{}: its {} limit is {}, which is negative; zero or more is accepted", owner, name, value));
   }
   if (is_free) return;
   const double lower = PositionLimit(*limit, "lower", owner), upper = PositionLimit(*limit, "upper", owner);
   if (lower > upper)
     Refuse(FailureCode::kBadLimit,
            fmt::format("{}: its lower limit {} is above its upper limit {}", owner, lower, upper));
+  if (strict && lower == 0.0 && upper == 0.0 && joint.FirstChildElement("mimic") == nullptr)
+    Refuse(FailureCode::kMissingLimit,
+           fmt::format("{}: its position range is 0 to 0; give its range, or make the joint fixed", owner));
 }
 
 /// Checks optional numbers of an element of a joint. @param positive  refuses negative numbers.
@@ -81,13 +85,15 @@ void CheckMimic(const XMLElement& mimic, const std::map<std::string, std::string
 
 }  // namespace
 
-void CheckMotion(const XMLElement& joint, const std::string& type, const std::string& owner) {
+void CheckMotion(const XMLElement& joint, const std::string& type, bool strict, const std::string& owner) {
   const XMLElement* axis = joint.FirstChildElement("axis");
   if (axis != nullptr && type != "spherical") {
     const auto a = Numbers(Attribute(*axis, "xyz", owner), 3, owner + ", axis");
-    if (std::hypot(a[0], a[1], a[2]) < 1e-9) Refuse(FailureCode::kZeroAxis, fmt::format("{}: its axis is zero", owner));
+    if (std::hypot(a[0], a[1], a[2]) < 1e-9)
+      Refuse(FailureCode::kZeroAxis,
+             fmt::format("{}: its axis is zero; give a direction, such as xyz=\"0 1 0\"", owner));
   }
-  CheckLimit(joint, type, owner);
+  CheckLimit(joint, type, strict, owner);
   CheckNumbers(joint, "dynamics", {"damping", "friction"}, true, owner);
   CheckNumbers(joint, "calibration", {"rising", "falling", "reference_position"}, false, owner);
   CheckNumbers(joint, "safety_controller", {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"}, false,

@@ -33,6 +33,10 @@ void CheckInertial(const XMLElement& link, bool strict, const std::string& owner
     Refuse(FailureCode::kNegativeMass, fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, m));
   const auto I = [&](const char* name) { return Number(*inertia, name, owner, kHeaviest); };
   const Matrix3 tensor = SymmetricMatrix(I("ixx"), I("ixy"), I("ixz"), I("iyy"), I("iyz"), I("izz"));
+  constexpr double kRounding = 1e-9;  // [kg m^2]
+  if (strict && m == 0.0 && tensor.cwiseAbs().maxCoeff() > kRounding)
+    Refuse(FailureCode::kNoMass,
+           fmt::format("{}: its mass is 0 but its inertia is not; give its mass, or make all moments 0", owner));
   const std::string broken = tensor.isZero(0.0) ? "" : BrokenInertiaLaw(tensor, m);
   if (strict && !broken.empty())
     Refuse(FailureCode::kImpossibleInertia, fmt::format("{}: its inertia {}", owner, broken));

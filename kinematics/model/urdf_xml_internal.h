@@ -26,11 +26,12 @@ double Number(const tinyxml2::XMLElement& element, const char* name, const std::
 /// Refuses an <origin> in `parent` with invalid numbers.
 void CheckOrigin(const tinyxml2::XMLElement& parent, const std::string& owner);
 
-/// Refuses an impossible mass or geometry of a link and, if `strict`, a non-physical inertia.
+/// Refuses an impossible mass or geometry of a link, and where `strict` an impossible inertia or one without mass.
 void CheckLink(const tinyxml2::XMLElement& link, bool strict, const std::string& owner);
 
-/// Refuses missing or wrong axis, limits and dynamics of a joint.
-void CheckMotion(const tinyxml2::XMLElement& joint, const std::string& type, const std::string& owner);
+/// Refuses a joint's axis, limits and dynamics that are missing or wrong, and where `strict` a position range of 0 to
+/// 0.
+void CheckMotion(const tinyxml2::XMLElement& joint, const std::string& type, bool strict, const std::string& owner);
 
 /// Refuses a mimic of an unknown or fixed joint, of the joint itself, in a cycle, or with invalid numbers.
 void CheckMimics(const tinyxml2::XMLElement& robot);

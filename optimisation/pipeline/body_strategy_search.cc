@@ -46,12 +46,21 @@ class BodyStrategySearch {
     for (const Change& change : ChangesFor(problem_)) {
       if (change.applies && ViolationSum(best_) > 0.0) Try(change);
     }
-    if (problem_.asked_m == 0.0 && ViolationSum(best_) > 0.0) Lower();
+    if (problem_.asked_m != 0.0 || ViolationSum(best_) == 0.0 || !Lower()) return std::move(best_);
+    // A change that did not help the higher body may help the lower one.
+    for (const Change& change : ChangesFor(problem_)) {
+      const bool is_posture = change.lean_rad != 0.0 || change.inward != 1.0;
+      if (change.applies && is_posture && !IsMade(change) && ViolationSum(best_) > 0.0) Try(change);
+    }
     return std::move(best_);
   }
 
  private:
   static double ViolationSum(const Result<MotionPass>& pass) { return pass ? pass->violation : kUnbounded; }
+
+  bool IsMade(const Change& change) const {
+    return change.lean_rad != 0.0 ? strategy_.lean_rad != 0.0 : strategy_.zmp_inward != problem_.zmp_inward;
+  }
 
   void Try(const Change& change) {
     BodyStrategy changed = strategy_;
@@ -70,7 +79,8 @@ class BodyStrategySearch {
     return true;
   }
 
-  void Lower() {
+  /// @return whether a lower body has a smaller violation; it is kept.
+  bool Lower() {
     constexpr double kStep = 0.02, kLowest = 0.8;  // share of the standing height
     constexpr int kPatience = 2;                   // number of heights without improvement
     const auto at = [&](double share) {
@@ -79,20 +89,22 @@ class BodyStrategySearch {
       return lower;
     };
     // A foothold out of reach at the lowest height is out of reach at all heights.
-    if (!best_ && !trials_.reaches(at(kLowest))) return;
+    if (!best_ && !trials_.reaches(at(kLowest))) return false;
+    const double before = strategy_.com_height_m;
     double gain = kUnbounded;
     int without_gain = 0;
     for (double share = 1.0 - kStep; share >= kLowest && ViolationSum(best_) > 0.0 && without_gain < kPatience;
          share -= kStep) {
       // Each further lowering helps less, so the search ends if the remaining heights cannot suffice.
       const double least = ViolationSum(best_), steps_left = std::round((share - kLowest) / kStep) + 1.0;
-      if (least - gain * steps_left > (least > infeasible_ ? infeasible_ : 0.0)) return;
+      if (least - gain * steps_left > (least > infeasible_ ? infeasible_ : 0.0)) break;
       Result<MotionPass> lower = trials_.plan(at(share), infeasible_);
       const double violation = ViolationSum(lower);
       without_gain = violation < least || !lower ? 0 : without_gain + 1;
       gain = !lower ? gain : std::max(0.0, least - violation);
-      Take(std::move(lower));
+      if (Take(std::move(lower))) strategy_ = at(share);
     }
+    return strategy_.com_height_m != before;
   }
 
   const BodyStrategyProblem& problem_;

@@ -49,6 +49,16 @@ std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double
   return feet;
 }
 
+/// Violation of a body whose height changes so quickly that it hops: legs that straighten and bend again within one
+/// step keep their limits, but controllers do not follow them. It stays below the bound that ends a search, so that
+/// such a motion is used if no other body strategy is better.
+double HopViolation(const CentroidalTrajectory& motion) {
+  constexpr double kQuick = 0.1 * kGravity, kMost = 0.04;
+  double quickest = 0.0;
+  for (const Vector3& a_WC : motion.a_WC) quickest = std::max(quickest, std::abs(a_WC.z()));
+  return std::clamp(kMost * (quickest / kQuick - 1.0), 0.0, kMost);
+}
+
 }  // namespace
 
 MotionPasses::MotionPasses(const MotionTask& task, const BodyStrategy& strategy)
@@ -191,6 +201,7 @@ Result<MotionPass> MotionPasses::MakePass() {
   }
   pass.outside_m = Outside(pass);
   pass.violation = TotalViolation(model_, pass.solution.trajectory, kRangeMargin);
+  if (in_reach_) pass.violation += HopViolation(pass.centroidal);
   return pass;
 }
 

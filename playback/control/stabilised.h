@@ -86,10 +86,10 @@ struct StabilisedOptions {
              "Share of the friction coefficient that the commanded contact forces may use."},
             {"ahead_error", &ahead_error, "1", 0.001, 100.0,
              "In plans with flight: position error [leg lengths] or velocity error [sqrt(g x leg length)] that costs "
-             "as much as changing contact forces by their full load; smaller values correct errors more."},
+             "as much as changing contact forces by their full load."},
             {"ahead_turn_rad", &ahead_turn_rad, "rad", 0.001, 100.0,
              "In plans with flight: attitude error, or rate error in units of sqrt(g / leg length), that costs as much "
-             "as changing contact forces by their full load; smaller values correct errors more."},
+             "as changing contact forces by their full load."},
             {"ahead_step", &ahead_step, "1", 0.001, 100.0,
              "In plans with flight: foothold shift [leg lengths] that costs as much as changing contact forces by "
              "their full load; larger values shift footholds more."},

@@ -36,6 +36,35 @@ TEST(CheckSides, RangesAreComparedAsMirrorImages) {
   EXPECT_EQ(CountOf(WithAbductions(out, "lower='-0.9' upper='0.4'"), FailureCode::kSidesDiffer), 1);
 }
 
+/// The message on the first joint whose sides differ; "" where none do.
+std::string MessageOfSides(const std::string& urdf) {
+  for (const Finding& finding : CheckRobot(LoadRobotFromText(urdf, "").value())) {
+    if (finding.code == FailureCode::kSidesDiffer) return finding.message;
+  }
+  return "";
+}
+
+TEST(CheckSides, AnUnknownLimitIsCalledSo) {
+  const auto with = [](const std::string& left, const std::string& right) {
+    std::string urdf = FourLegs();
+    for (const auto& [joint, effort] : {std::pair("'A_knee'", left), std::pair("'B_knee'", right)})
+      urdf.replace(urdf.find("'30'", urdf.find(joint)), 4, "'" + effort + "'");
+    return MessageOfSides(urdf);
+  };
+  EXPECT_EQ(with("30", "30"), "");
+  EXPECT_EQ(with("1e6", "1e9"), "") << "both stand for an unknown limit";
+  EXPECT_EQ(with("1e6", "30"), "its effort limit is unknown (no limit), but that of its mirror 'B_knee' is 30 N m");
+  EXPECT_EQ(with("30", "1e6"), "its effort limit is 30 N m, but that of its mirror 'B_knee' is unknown (no limit)");
+  EXPECT_EQ(with("20", "30"), "its effort limit is 20 N m, but that of its mirror 'B_knee' is 30 N m");
+}
+
+TEST(CheckSides, ARangeWithoutLimitsIsCalledSo) {
+  std::string urdf = FourLegs();
+  urdf.replace(urdf.find("'revolute'", urdf.find("'B_knee'")), 10, "'continuous'");
+  urdf.replace(urdf.find(" lower='-2' upper='1'", urdf.find("'B_knee'")), 21, "");
+  EXPECT_EQ(MessageOfSides(urdf), "its range is -2 to 1 rad, but its mirror 'B_knee' has no limits");
+}
+
 TEST(CheckSides, BuiltInRobotsHaveNone) {
   for (const char* name : {"a1", "nao", "h1"})
     EXPECT_EQ(CountOf(LoadNamedRobot(name)->urdf_text, FailureCode::kSidesDiffer), 0) << name;

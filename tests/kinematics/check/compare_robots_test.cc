@@ -46,6 +46,18 @@ TEST(CompareRobots, PlacesAxesMassesCentresAndInertiasAreCompared) {
   EXPECT_EQ(DifferentParts(four, heavy), knee) << "the whole robot's mass differs by less than 1 %";
 }
 
+TEST(CompareRobots, ALimitThatOneRobotLacksIsCalledSo) {
+  const std::string four = FourLegs();
+  const RobotModel with = LoadRobotFromText(four, "").value();
+  const RobotModel without =
+      LoadRobotFromText(FirstReplaced(four, "name='A_knee'", "effort='30'", "effort='1e6'"), "").value();
+  ASSERT_EQ(CompareRobots(with, without).size(), 1U);
+  EXPECT_EQ(CompareRobots(with, without)[0].message,
+            "its effort limit is 30 N m here and does not exist in the other robot");
+  EXPECT_EQ(CompareRobots(without, with)[0].message,
+            "its effort limit does not exist here and is 30 N m in the other robot");
+}
+
 TEST(CompareRobots, WhereTheRootLinkHasItsOriginIsNoDifference) {
   const std::string raised =
       Replaced(FourLegs(), "</robot>",

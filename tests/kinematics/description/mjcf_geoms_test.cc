@@ -100,11 +100,12 @@ TEST(MjcfGeoms, RefusesByCode) {
 TEST(MjcfMeshes, AreNamedByThemselvesOrByTheirFile) {
   const MjcfMeshAssets meshes = MeshesOf(
       "<compiler meshdir='m'/><asset><mesh file='a/leg.stl'/><mesh name='n' file='../b.obj'/><mesh name='inner' "
-      "vertex='0 0 0'/><texture name='t'/></asset>");
-  ASSERT_EQ(meshes.size(), 3U);
+      "vertex='0 0 0 1 0 0 0 1 0 0 0 1'/><mesh name='none'/><texture name='t'/></asset>");
+  ASSERT_EQ(meshes.size(), 4U);
   EXPECT_EQ(meshes.at("leg").file, "m/a/leg.stl");
   EXPECT_EQ(meshes.at("n").file, "b.obj");
-  EXPECT_EQ(meshes.at("inner").file, "");
+  EXPECT_EQ(meshes.at("inner").file, "inline:inner");
+  EXPECT_EQ(meshes.at("none").file, "");
   EXPECT_EQ(MeshesOf("<compiler strippath='true'/><asset><mesh file='a/leg.stl'/></asset>").at("leg").file, "leg.stl");
 }
 
@@ -115,6 +116,32 @@ TEST(MjcfMeshes, ThePointOfReferenceBecomesTheOrigin) {
   // Half a turn about z, then scaled.
   const Vector3 step = mesh.A() * (mesh.p_ref + Vector3(1, 1, 1)) + mesh.b();
   EXPECT_LT((step - Vector3(-2, -3, -4)).norm(), 1e-12);
+}
+
+TEST(MjcfMeshes, VerticesWithoutFacesAreTheirConvexHull) {
+  const std::string corners = "0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1";
+  const auto inner = [&](const std::string& attributes) {
+    return MeshesOf("<asset><mesh name='m' vertex='" + corners + attributes + "/></asset>").at("m").inner;
+  };
+  const MjcfMesh hull = inner(" 0.5 0.5 0.5'");
+  EXPECT_EQ(hull.vertices.size(), 9U);
+  EXPECT_EQ(hull.triangles.size(), 12U);
+  const MjcfMesh given = inner("' face='0 1 2 1 3 2'");
+  ASSERT_EQ(given.triangles.size(), 2U);
+  EXPECT_EQ(given.triangles[1], Eigen::Vector3i(1, 3, 2));
+}
+
+TEST(MjcfMeshes, RefusesVerticesByLine) {
+  const auto message = [](const std::string& mesh) {
+    return MjcfFailureOf([&] { MeshesOf("<asset>\n<mesh name='m' " + mesh + "/></asset>"); }).message;
+  };
+  const std::string four = "vertex='0 0 0 1 0 0 0 1 0 0 0 1' ";
+  ExpectSays(message("vertex='0 0 0'"), {"line 2: mesh 'm'", "'vertex' is '0 0 0'", "3 numbers"});
+  ExpectSays(message("vertex='0 0 0 1 0 0 0 1 0 0 0 1 1'"), {"'vertex' has 13 numbers"});
+  ExpectSays(message("vertex='0 0 0 1 0 0 0 1 0 1 1 0'"), {"lie in one plane"});
+  ExpectSays(message(four + "face='0 1 4'"), {"'face' names the vertex 4", "0 to 3"});
+  ExpectSays(message(four + "face='0 1 1.5'"), {"'face' names the vertex 1.5"});
+  ExpectSays(message(four + "face='0 1'"), {"'face' is '0 1'", "2 numbers"});
 }
 
 TEST(MjcfMeshes, RefusesByCode) {

@@ -99,11 +99,22 @@ TEST(MjcfShapes, OfMeshesAreMovedFromTheirReference) {
   EXPECT_LT((v - Vector3(0, -0.5, 1)).norm(), 1e-12) << v.transpose();
 }
 
+TEST(MjcfShapes, OfVerticesInTheModelNameTheirMesh) {
+  const std::string asset = "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 0 0 1' scale='2 2 2'/></asset>";
+  const ConvertedMjcf converted = WithGeom("type='mesh' mesh='m'", asset);
+  ExpectSays(converted.urdf, {"<mesh filename=\"inline:m\" scale=\"2 2 2\"/>"});
+  ASSERT_EQ(converted.meshes.size(), 1U);
+  EXPECT_EQ(converted.meshes[0].file, "inline:m");
+  EXPECT_EQ(converted.meshes[0].mesh.vertices.size(), 4U);
+  // A file for collision that cannot be read is left to who loads it, who has a replacement.
+  ExpectSays(WithGeom("type='mesh' mesh='m'", "<asset><mesh file='m.msh'/></asset>").urdf, {"\"m.msh\""});
+}
+
 TEST(MjcfShapes, LeaveOutWhatARobotHasNoUseFor) {
   ExpectNote(WithGeom("type='plane' size='1 1 1'"), {"geom 'g'", "type 'plane' is left out"});
-  ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh name='m' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/></asset>"),
-             {"geom 'g'", "not in a file"});
-  ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh file='m.msh'/></asset>"),
+  ExpectNote(WithGeom("type='mesh' mesh='m'", "<asset><mesh name='m'/></asset>"),
+             {"geom 'g'", "neither 'file' nor 'vertex'"});
+  ExpectNote(WithGeom("type='mesh' mesh='m' contype='0' conaffinity='0'", "<asset><mesh file='m.msh'/></asset>"),
              {"geom 'g'", "'m.msh' has an unsupported format"});
   ExpectNote(WithGeom("type='box' mesh='m'", "<asset><mesh file='m.stl'/></asset>"),
              {"geom 'g'", "the mesh is used instead of the box"});

@@ -178,6 +178,8 @@ TEST(XacroExpression, RefusesWhatHasNoValueByNameAndLine) {
       {"sine(1)", {"unknown_function", "'sine'", "'sin'"}},
       {"'a'.uper()", {"unknown_function", "'uper'", "'upper'"}},
       {"sin(1, 2)", {"xacro_type", "sin() takes 1 arguments, not 2"}},
+      {"'{a}'.format(b=1)", {"xacro_type", "field 'a'", "'b'", "a=VALUE"}},
+      {"'a'.upper(b=1)", {"xacro_syntax", "no argument with the name 'b'"}},
       {"sin(x=1)", {"xacro_syntax", "no argument with the name 'x'"}},
       {"leg", {"unknown_property", "'leg' is not defined"}},
       {"math.foo", {"unknown_property", "'math.foo'"}},
@@ -188,6 +190,13 @@ TEST(XacroExpression, RefusesWhatHasNoValueByNameAndLine) {
     for (const std::string& part : parts)
       EXPECT_NE(message.find(part), std::string::npos) << expression << " gives '" << message << "', without " << part;
   }
+}
+
+TEST(XacroExpression, FormatsOfTextsMakeNames) {
+  EXPECT_EQ(ValueOfXacro("'{}_{}'.format('left', 'hip')"), "left_hip");
+  EXPECT_EQ(ValueOfXacro("'{side}_{0}_{n:02d}'.format('leg', side='l', n=3)"), "l_leg_03");
+  EXPECT_EQ(ValueOfXacro("'%s_%d' % ('leg', 2)"), "leg_2");
+  EXPECT_EQ(InnerXacro("<a b=\"x_${'{:.2f}'.format(0.125 + 1)}\"/>"), "<a b=\"x_1.12\"/>");
 }
 
 TEST(XacroExpression, TextsHoldSeveralExpressionsAndEscapes) {

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The expected values are those of Python 3.11.
+// Known answers are those of Python 3.11.
+#include <limits>
+#include <tuple>
+
 #include "tests/kinematics/description/xacro_values.h"
 
 namespace gaitwright {
 namespace {
+
+void ExpectPart(const std::string& message, const std::string& part) {
+  EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' should say '" << part << "'";
+}
 
 std::string ReprOfMethod(const XacroValue& object, const std::string& name,
                          const std::vector<XacroValue>& arguments = {}) {
@@ -98,6 +105,69 @@ TEST(XacroTextMethods, RefuseArgumentsThatTheyDoNotTake) {
       {"split", {text, WholeValue(1), WholeValue(1)}}};
   for (const auto& [name, arguments] : rows)
     EXPECT_EQ(CodeOfMethod(text, name, arguments), FailureCode::kXacroType) << name << " of " << arguments.size();
+}
+
+TEST(XacroTextMethods, FormatFillsFieldsByPlaceAndByName) {
+  const auto filled = [](const std::string& format, const XacroArguments& arguments) {
+    XacroBudget budget;
+    return ReprOf(FormatXacroText(format, arguments, budget));
+  };
+  const std::vector<XacroValue> two = {TextValue("left"), WholeValue(2)};
+  EXPECT_EQ(filled("{}_{}", {two, {}}), "'left_2'");
+  EXPECT_EQ(filled("{1}{0}{1}", {two, {}}), "'2left2'");
+  EXPECT_EQ(filled("{}_{side}", {two, {{"side", TextValue("r")}}}), "'left_r'");
+  EXPECT_EQ(filled("{{{}}}", {two, {}}), "'{left}'");
+  EXPECT_EQ(filled("none", {two, {}}), "'none'");
+  EXPECT_EQ(ReprOfMethod(TextValue("{}"), "format", {RealValue(1.0)}), "'1.0'");
+}
+
+TEST(XacroTextMethods, FormatPrintsNumbersAsPythonDoes) {
+  const auto filled = [](const std::string& format, const XacroValue& value) {
+    return ReprOfMethod(TextValue(format), "format", {value});
+  };
+  EXPECT_EQ(filled("{:.3f}|", RealValue(0.12349)), "'0.123|'");
+  EXPECT_EQ(filled("{:03d}", WholeValue(7)), "'007'");
+  EXPECT_EQ(filled("{:+05.1f}", RealValue(-1.25)), "'-01.2'");
+  EXPECT_EQ(filled("{:+d}", WholeValue(3)), "'+3'");
+  EXPECT_EQ(filled("{: g}", RealValue(0.5)), "' 0.5'");
+  EXPECT_EQ(filled("{:.2e}", WholeValue(1234)), "'1.23e+03'");
+  EXPECT_EQ(filled("{:x}{{", WholeValue(255)), "'ff{'");
+  EXPECT_EQ(filled("{:X}", WholeValue(-255)), "'-FF'");
+  EXPECT_EQ(filled("{:*^7}", RealValue(0.5)), "'**0.5**'");
+  EXPECT_EQ(filled("{:5}", WholeValue(42)), "'   42'");
+  EXPECT_EQ(filled("{:5}|", TextValue("ab")), "'ab   |'");
+  EXPECT_EQ(filled("{:>5s}", TextValue("ab")), "'   ab'");
+  EXPECT_EQ(filled("{:.1}", TextValue("ab")), "'a'");
+  EXPECT_EQ(filled("{}", {}), "'None'");
+  EXPECT_EQ(filled("{:f}", {true}), "'1.000000'");
+  EXPECT_EQ(filled("{:d}", WholeValue(std::numeric_limits<std::int64_t>::min())), "'-9223372036854775808'");
+}
+
+TEST(XacroTextMethods, FormatRefusesWhatItDoesNotKnow) {
+  const auto message = [](const std::string& format, const std::vector<XacroValue>& arguments) {
+    return ProblemOf([&] { ReprOfMethod(TextValue(format), "format", arguments); }).message;
+  };
+  const std::vector<std::tuple<std::string, XacroValue, std::string>> rows = {
+      {"{}{}", WholeValue(1), "argument 1"},
+      {"{3}", WholeValue(1), "argument 3"},
+      {"{}{0}", WholeValue(1), "mixed"},
+      {"{a}", WholeValue(1), "field 'a'"},
+      {"{", WholeValue(1), "single"},
+      {"}", WholeValue(1), "single"},
+      {"{:{}}", WholeValue(1), "nested"},
+      {"{0.x}", WholeValue(1), "'{0.x}'"},
+      {"{!r}", WholeValue(1), "'{!r}'"},
+      {"{:,}", WholeValue(1), "':,'"},
+      {"{:.f}", WholeValue(1), "':.f'"},
+      {"{:123d}", WholeValue(1), "two digits"},
+      {"{:d}", RealValue(1.5), "not 1.5"},
+      {"{:.2d}", WholeValue(1), "no precision"},
+      {"{:.2}", RealValue(1.5), "needs a type"},
+      {"{:d}", TextValue("a"), "the text 'a'"},
+      {"{:s}", WholeValue(1), "does not fit"},
+      {"{:5}", ListValue({}), "does not fit"},
+      {"{99999999999999999999}", WholeValue(1), "99999999999999999999"}};
+  for (const auto& [format, value, part] : rows) ExpectPart(message(format, {value}), part);
 }
 
 TEST(XacroDictMethods, GiveKeysValuesAndPairsInTheirOrder) {

@@ -75,7 +75,19 @@ TEST(BaseAxes, FourLegsHangDownAndStandFartherApartAlong) {
   }
 }
 
-/// Legs without a joint about y cannot step along x. Left and right are not exactly symmetric.
+/// Front and back are alike, and left and right are not: the right feet are farther out.
+TEST(BaseAxes, LegsThatBendAboutYStepAlongXThoughSidesDiffer) {
+  std::string urdf = FourLegs();
+  for (const char* leg : {"B", "D"}) {
+    const std::size_t at = urdf.find("xyz='0 0 -0.2'", urdf.find(std::string("'") + leg + "_knee'"));
+    urdf.replace(at, 14, "xyz='0 -0.06 -0.2'");
+  }
+  const Result<RobotModel> model = LoadRobotFromText(urdf, "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  EXPECT_TRUE(DeriveBaseAxes(*model).are_usual());
+}
+
+/// Legs of which no joint turns about y cannot step along x, though left and right are not quite alike.
 TEST(BaseAxes, LegsThatTurnAboutXAloneStepAlongY) {
   std::string urdf = Replaced(FourLegs(), "<axis xyz='0 1 0'/>", "<axis xyz='1 0 0'/>");
   for (const std::string y : {"0.1", "-0.1"}) urdf = Replaced(urdf, "xyz='0.2 " + y + " 0'", "xyz='0.26 " + y + " 0'");

@@ -176,7 +176,6 @@ Vector3 SecondMoments(const Matrix3& I) { return Vector3::Constant(0.5 * I.trace
 
 TEST(MendInertia, WhatABodyHasStays) {
   EXPECT_FALSE(MendInertia(Vector3(1.0, 2.0, 3.0).asDiagonal(), 1.0, {}).has_value());
-  EXPECT_FALSE(MendInertia(Vector3(1.0, 1.0, 0.0).asDiagonal(), 1.0, {}).has_value()) << "a thin rod";
   EXPECT_FALSE(MendInertia(Matrix3::Zero(), 1.0, {}).has_value()) << "a point mass";
   EXPECT_FALSE(MendInertia(Matrix3::Zero(), 0.0, {}).has_value());
 }
@@ -208,6 +207,34 @@ TEST(MendInertia, WhereNumbersTellNothingTheShapesDo) {
   EXPECT_NEAR(mended->I(2, 2), 2.0 * (0.16 + 0.04) / 12.0, 1e-12);
   const auto near = MendInertia(Vector3(1.0, 1.0, 2.1).asDiagonal(), 2.0, {&box});
   EXPECT_NEAR(near->I(2, 2), 2.1, 1e-4) << "what is nearly right is kept";
+}
+
+TEST(MendInertia, AnInfinitelyThinRodIsThickened) {
+  Shape rod;
+  rod.size = Vector3(0.02, 0.02, 0.4);
+  const Matrix3 I = Vector3(0.5, 0.5, 0.0).asDiagonal();
+  const auto by_shapes = MendInertia(I, 3.0, {&rod});
+  ASSERT_TRUE(by_shapes.has_value());
+  EXPECT_TRUE(by_shapes->I.isApprox(Matrix3(Vector3(0.5, 0.5, 3.0 * 0.0008 / 12.0).asDiagonal()), 1e-9));
+  ExpectSays(by_shapes->was, {"principal moment of zero"});
+  const auto without = MendInertia(I, 3.0, {});
+  ASSERT_TRUE(without.has_value());
+  EXPECT_NEAR(without->I(2, 2), 0.5 * 12.0 / 800.0, 1e-12);
+  ExpectSays(without->used, {"ten times as long as thick"});
+  EXPECT_FALSE(MendInertia(I, 0.0, {}).has_value()) << "a rotor without mass";
+  EXPECT_FALSE(MendInertia(Vector3(0.5, 0.5, 2e-6).asDiagonal(), 3.0, {}).has_value());
+  EXPECT_FALSE(MendInertia(Vector3(1e-10, 1e-10, 0.0).asDiagonal(), 3.0, {}).has_value()) << "by rounding";
+}
+
+TEST(MendInertia, ALinkThatIsAThinRodIsReportedAndRefusedStrictly) {
+  const std::string shank = SmallLink("A_shank"), rod = Replaced(shank, "izz='0.01'", "izz='0'");
+  const std::string urdf = Replaced(FourLegs(), shank, rod);
+  const Result<RobotModel> model = LoadRobotFromText(urdf, "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  const Finding* finding = FindingOf(*model, FailureCode::kImpossibleInertia);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->part, "link 'A_shank'");
+  ExpectSays(MessageOf(urdf, "", true), {"link 'A_shank'", "principal moment of zero"});
 }
 
 TEST(MendInertia, ARobotIsToldHowMuchItChanges) {

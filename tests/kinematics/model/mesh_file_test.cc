@@ -74,7 +74,7 @@ TEST_F(MeshFile, ManyPointsOfABallKeepItsSurface) {
 }
 
 TEST_F(MeshFile, RefusesWhatIsNoMeshWithTheReason) {
-  ExpectSays(ReasonRefused(folder_ + "/no.stl"), {"no file", "no.stl"});
+  ExpectSays(ReasonRefused(folder_ + "/no.stl"), {"does not exist", "no.stl"});
   ExpectSays(ReasonRefused(Write("a.ply", "ply")), {"a.ply", "'.stl', '.obj', '.dae'"});
   ExpectSays(ReasonRefused(Write("cut.stl", BinaryStl(kHalf).substr(0, 200))), {"cut.stl", "cannot be read"});
   ExpectSays(ReasonRefused(Write("empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")), {"empty.obj"});
@@ -177,6 +177,28 @@ TEST_F(MeshFile, TheCoreOfItsInertiaBoxStandsForAMissingMesh) {
   EXPECT_EQ(warning->part, "link 'A_thigh'");
 }
 
+TEST_F(MeshFile, AMeshThatCannotBeReadIsReplacedAsAMissingOneIs) {
+  const std::string thigh = SmallLink("A_thigh");
+  Write("bad.stl", "solid nonsense");
+  Write("skin.ply", "ply");
+  for (const auto& [mesh, reason] :
+       {std::pair("bad.stl", "has no triangles"), std::pair("skin.ply", "in an unsupported format")}) {
+    const std::string with =
+        Replaced(thigh, "</link>",
+                 std::string("<collision><geometry><mesh filename='") + mesh + "'/></geometry></collision></link>");
+    const std::string file = Write("robot.urdf", Replaced(FourLegs(), thigh, with));
+    const Result<RobotModel> model = LoadRobot(file);
+    ASSERT_TRUE(model.ok()) << model.failure().message;
+    const auto warning = std::find_if(model->findings.begin(), model->findings.end(),
+                                      [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
+    ASSERT_NE(warning, model->findings.end()) << mesh;
+    EXPECT_EQ(warning->part, "link 'A_thigh'");
+    ExpectSays(warning->message, {mesh, reason, "inertia's box"});
+    EXPECT_FALSE(LoadRobot(file, {.strict = true}).ok());
+    ExpectSays(Load(std::string("<mesh filename='") + mesh + "'/>"), {"robot.urdf, line 1: link 'A_foot'", reason});
+  }
+}
+
 TEST_F(MeshFile, AMissingMeshIsAWarningWhereNothingStandsForIt) {
   const std::string mesh = "<collision><geometry><mesh filename='no.stl'/></geometry></collision></link>";
   const std::string thigh = SmallLink("A_thigh");
@@ -199,6 +221,20 @@ TEST_F(MeshFile, ARefusalHasFileAndLine) {
   const Result<RobotModel> model = LoadRobot(file);
   ASSERT_FALSE(model.ok());
   ExpectSays(model.failure().message, {"robot.urdf, line 3: link 'A_shank': its mass is -1 kg"});
+}
+
+TEST_F(MeshFile, ARefusalOfTheWholeDocumentHasTheFile) {
+  const auto message = [&](const std::string& text) {
+    const Result<RobotModel> model = LoadRobot(Write("robot.urdf", text));
+    return model.ok() ? "" : model.failure().message;
+  };
+  ExpectSays(message("<robot>\n<link name='a'>\n</robot>"), {"robot.urdf: ", "not XML: line", "not closed"});
+  ExpectSays(message("<html/>"), {"robot.urdf: the root element is <html>"});
+  ExpectSays(message("<robot/>"), {"robot.urdf: the URDF has no link"});
+  ExpectSays(message("<robot>\n<link/></robot>"), {"robot.urdf: a link in line 2", "has no 'name'"});
+  const std::string apart = Replaced(FourLegs(), "<child link='A_thigh'/>", "<child link='A_foot'/>");
+  ExpectSays(message(Replaced(apart, "<link name='A_foot'", "<link name='B_extra'/><link name='A_foot'")),
+             {"robot.urdf"});
 }
 
 TEST_F(MeshFile, APointerOfGitLfsAndAnEmptyFileAreNamed) {

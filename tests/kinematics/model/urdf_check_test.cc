@@ -80,6 +80,7 @@ TEST(UrdfCheck, RefusesNumbersThatAreNoneOrAbsurdByName) {
   ExpectSays(With("sphere radius='0.02'", "sphere radius='inf'"), {"link 'A_foot'", "'inf' is not a finite number"});
   ExpectSays(With("damping='0.1'", "damping='nan'"), {"joint 'A_hip'", "damping", "not a finite number"});
   ExpectSays(With("damping='0.1'", "damping='-3'"), {"joint 'A_hip'", "damping is -3"});
+  ExpectSays(With("effort='30'", "effort='-30'"), {"joint 'A_hip'", "its effort limit is -30"});
   ExpectSays(With("damping='0.1'", "friction='-3'"), {"joint 'A_hip'", "friction is -3"});
   ExpectSays(MessageOf(FourLegsWhere("C", "<safety_controller k_velocity='inf'/>")), {"joint 'C_knee'", "k_velocity"});
   ExpectSays(With("mass value='1'", "mass value='0'"), {"robot 'robot'", "total mass of 0 kg"});

@@ -10,13 +10,13 @@
 namespace gaitwright {
 namespace {
 
-/// The failure of a refused joint of a type; code kInternal if it is accepted.
-Failure CheckedJoint(const std::string& type, const std::string& inside) {
+/// Why a joint of a type is refused; code kInternal where it is not.
+Failure CheckedJoint(const std::string& type, const std::string& inside, bool strict = false) {
   tinyxml2::XMLDocument xml;
   xml.Parse(("<joint>" + inside + "</joint>").c_str());
   EXPECT_FALSE(xml.Error()) << inside;
   try {
-    CheckMotion(*xml.RootElement(), type, "joint 'j'");
+    CheckMotion(*xml.RootElement(), type, strict, "joint 'j'");
   } catch (const Failure& failure) {
     return failure;
   }
@@ -51,6 +51,17 @@ TEST(UrdfJointCheck, SoundJointsPass) {
   EXPECT_EQ(CheckedJoint("continuous", "<limit effort='5' velocity='6'/>").message, "");
   EXPECT_EQ(CheckedJoint("spherical", "<axis xyz='0 0 0'/>").message, "") << "a ball joint has no axis";
   EXPECT_EQ(CheckedJoint("revolute", std::string(kFullLimit) + "<safety_controller k_position='-5'/>").message, "");
+}
+
+TEST(UrdfJointCheck, StrictlyARangeOfZeroIsRefused) {
+  const std::string zero = "<limit lower='0' upper='0.0' effort='5' velocity='6'/>";
+  EXPECT_EQ(CheckedJoint("revolute", zero).message, "");
+  const Failure failure = CheckedJoint("revolute", zero, true);
+  EXPECT_EQ(failure.code, FailureCode::kMissingLimit);
+  ExpectSays(failure.message, {"joint 'j'", "0 to 0", "make the joint fixed"});
+  EXPECT_EQ(CheckedJoint("continuous", zero, true).message, "");
+  EXPECT_EQ(CheckedJoint("revolute", zero + MimicOf("other"), true).message, "") << "its leader has the range";
+  EXPECT_EQ(CheckedJoint("revolute", kFullLimit, true).message, "");
 }
 
 TEST(UrdfJointCheck, RefusesByCode) {

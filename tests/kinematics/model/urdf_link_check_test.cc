@@ -80,6 +80,15 @@ TEST(UrdfLinkCheck, AnInertiaThatNoBodyHasIsRefusedStrictlyOnly) {
   EXPECT_EQ(CheckedLink(InertialOf("1", "ixx='0.1' iyy='0.1' izz='0.2'"), true).message, "") << "a flat plate";
 }
 
+TEST(UrdfLinkCheck, AnInertiaWithoutMassIsRefusedStrictlyOnly) {
+  const std::string massless = InertialOf("0", "ixx='0.1' iyy='0.1' izz='0.1'");
+  EXPECT_EQ(CheckedLink(massless).message, "");
+  const Failure failure = CheckedLink(massless, true);
+  EXPECT_EQ(failure.code, FailureCode::kNoMass);
+  ExpectSays(failure.message, {"link 'l'", "its mass is 0 but its inertia is not"});
+  EXPECT_EQ(CheckedLink(InertialOf("0", "ixx='1e-22' iyy='0' izz='0'"), true).message, "") << "by rounding";
+}
+
 TEST(UrdfNumbers, AreReadExactlyOrRefused) {
   EXPECT_EQ(Numbers(" 1\t-2.5 +3e0\n", 3, "it"), (std::vector<double>{1.0, -2.5, 3.0}));
   EXPECT_EQ(Numbers("5", 1, "it", 5.0).front(), 5.0);

@@ -66,6 +66,29 @@ TEST(FindBodyStrategy, KeepsAHeightThatIsAskedFor) {
   EXPECT_EQ(tried.found->violation, 0.48);
 }
 
+TEST(FindBodyStrategy, WhatDidNotHelpTheHigherBodyIsTriedWithTheLowerOne) {
+  BodyStrategyProblem problem = Standing();
+  problem.on_one_sole = true;
+  // The ZMP farther inward helps a body that is low, and no other.
+  const auto violation = [](const BodyStrategy& c) {
+    const double high = std::max(0.01, c.com_height_m - 0.45);
+    return c.zmp_inward > 0.15 ? (c.com_height_m < 0.47 ? 0.0 : 0.2) : high;
+  };
+  const Tried tried = Find(problem, violation);
+  ASSERT_TRUE(tried.found.ok());
+  EXPECT_EQ(tried.found->violation, 0.0);
+  EXPECT_EQ(tried.strategies.back().zmp_inward, 0.2);
+  EXPECT_LT(tried.strategies.back().com_height_m, 0.47);
+}
+
+TEST(FindBodyStrategy, TheZmpIsNotMovedInwardTwice) {
+  BodyStrategyProblem problem = Standing();
+  problem.on_one_sole = true;
+  const Tried tried = Find(
+      problem, [](const BodyStrategy& c) { return 0.02 + 0.1 * c.com_height_m - (c.zmp_inward > 0.15 ? 0.01 : 0.0); });
+  for (const BodyStrategy& strategy : tried.strategies) EXPECT_LE(strategy.zmp_inward, 0.2);
+}
+
 TEST(FindBodyStrategy, GivesUpWhereLoweringCannotBeEnough) {
   const Tried tried = Find(Standing(), [](const BodyStrategy& c) { return 1.0 + 0.01 * c.com_height_m; });
   EXPECT_EQ(tried.strategies.size(), 2U);

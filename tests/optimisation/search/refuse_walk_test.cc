@@ -96,7 +96,7 @@ TEST(WhyForbidden, NamesTheWorstLimitAndHowManyThereAre) {
       WalkWith({Broken(Law::kJointPosition, "hip", 1.05, 1.0), Broken(Law::kJointTorque, "knee", 44.0, 40.0, "N m"),
                 Broken(Law::kDynamics, "base", 9.0, 1.0)}));
   EXPECT_EQ(two.violation->where, "knee");
-  EXPECT_NE(two.message.find("worst of 2 limits"), std::string::npos) << two.message;
+  EXPECT_NE(two.message.find("worst of 2 violated limits"), std::string::npos) << two.message;
 }
 
 TEST(WhyForbidden, WithoutABrokenLimitHasTheCodeOfTheFirstLaw) {

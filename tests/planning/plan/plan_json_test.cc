@@ -118,7 +118,8 @@ TEST(PlanJson, TextsThatBreakSayWhere) {
       WhyPlanJsonRefused(good + "}}").find("its JSON has a syntax error at byte " + std::to_string(good.size() + 1)),
       0U);
   EXPECT_EQ(WhyPlanJsonRefused(std::string("\x01\x02")), "its JSON has a syntax error at byte 1");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')), "its lists and objects are nested more than 64 levels deep");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')),
+            "its lists and objects are nested more than 64 levels deep, the maximum");
   EXPECT_EQ(WhyPlanJsonRefused(std::string("[1, 2]")), "it is not a motion plan");
   EXPECT_EQ(WhyPlanJsonRefused(std::string("{\"format\": \"x\"}")), "it is not a motion plan");
 }

@@ -134,7 +134,7 @@ TEST(MeshTerrain, WrongFilesAreRefused) {
   AddRectangle(upside, {0, 0, 0}, {0, 1, 0}, {1, 0, 0});
   EXPECT_TRUE(Says(WhyRefused(Written("up.stl", Stl(upside))), "no face that points up"));
   EXPECT_TRUE(Says(WhyRefused(Written("no.obj", "v 0 0 0\n")), "no.obj"));
-  EXPECT_TRUE(Says(WhyRefused(terrain_files::Folder() + "none.obj"), "there is no terrain file"));
+  EXPECT_TRUE(Says(WhyRefused(terrain_files::Folder() + "none.obj"), "does not exist"));
   EXPECT_TRUE(Says(WhyRefused(Written("ok.stl", Stl(StairsMesh())) + ":scale=0"), "'scale' is 0"));
 }
 

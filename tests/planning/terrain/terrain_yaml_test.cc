@@ -77,8 +77,8 @@ TEST(TerrainYaml, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_TRUE(Says(WhyYamlRefused("patches: []\n"), "there is no ground"));
   EXPECT_TRUE(Says(WhyYamlRefused("- a\n"), "a map of keys is needed"));
   EXPECT_TRUE(Says(WhyYamlRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: there is no terrain file"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is also YAML"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: terrain file"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is a YAML file"));
 }
 
 TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {

@@ -67,7 +67,8 @@ TEST(FootstepFile, IsReadStrictly) {
   ExpectNoSteps("swing_s: 0.4\n", "footsteps");
   ExpectNoSteps("footsteps: []\n", "footsteps is empty");
   ExpectNoSteps("footsteps: [{foot: LF, x_m: 0, y_m: 0}]\n", "robot 'a1' has no foot 'LF'; it has ");
-  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\n", "needs lift_off_s and touch_down_s, or swing_s");
+  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\n",
+                "needs lift_off_s and touch_down_s, or a swing_s");
   ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1}]\n", "must be given together");
   ExpectNoSteps("swing_s: 0.4\nfootsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, z_m: 0.1}]\n",
                 "z_m = 0.1 m is not on the ground");
@@ -90,7 +91,7 @@ TEST(FootstepFile, WhatTakesMoreThanAnHourIsRefusedWithTheLine) {
   ExpectNoSteps(
       "final_stand_s: 3000\nfootsteps:\n- {foot: RL_foot, x_m: 0, y_m: 0.13, lift_off_s: 900, touch_down_s: "
       "901}\n",
-      "line 3: foot 'RL_foot' touches down at 901 s, 3000 s before the end");
+      "line 3: foot 'RL_foot' touches down at 901 s and the motion ends 3000 s later");
   ExpectNoSteps("initial_stand_s: 1e9\nfootsteps: []\n", "accepted: 0 to 3600");
 }
 

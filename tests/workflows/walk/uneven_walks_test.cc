@@ -21,6 +21,7 @@ INSTANTIATE_TEST_SUITE_P(A1, UnevenWalks,
 
 INSTANTIATE_TEST_SUITE_P(Nao, UnevenWalks,
                          testing::Values(UnevenWalk{"nao", "slope:angle_deg=5", 1.5},
+                                         UnevenWalk{"nao", "rough:amplitude_m=0.005", 0.7},
                                          UnevenWalk{"nao", "rough:amplitude_m=0.005", 1.0},
                                          UnevenWalk{"nao", "stepping-stones", 1.0}));
 
