@@ -24,7 +24,8 @@ std::string Explain::Json() const {
                     {"value", tried.pace_value},
                     {"unit", tried.unit},
                     {"cycle_s", tried.cycle_s},
-                    {"refused", refused}});
+                    {"refused", refused},
+                    {"free_footholds", tried.free_footholds}});
   }
   return list.dump();
 }

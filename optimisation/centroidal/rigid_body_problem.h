@@ -16,6 +16,7 @@ struct RigidFoot {
   std::vector<Vector3> contacts_F = {Vector3::Zero()};  ///< contact points of the sole, in the foothold's frame [m]
   double force_max_n = 1e4;                             ///< largest normal force of each of these points
   std::vector<WorkspaceSide> workspace_in_air_B = {};   ///< workspace during swings; empty if equal to workspace_B
+  double radius_m = 0.0;  ///< radius of a spherical foot above the contact point; 0 if none
 };
 
 /// Limits of a leg's motors: lower <= by_force (f_1; f_2; ..) <= upper for the forces on the foot's points [N], in W.

@@ -166,4 +166,46 @@ double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>&
   return most_m_s2;
 }
 
+MotorLimits MotorLimitsOf(const RobotModel& model, const WholeBodyTrajectory& rows, std::size_t row, int foot,
+                          DynamicsScratch& scratch) {
+  constexpr double kUse = 0.95;  // of what the motors give at most
+  const Foot& described = model.feet[static_cast<std::size_t>(foot)];
+  ForwardKinematics(model, rows.q[row], scratch);
+  const Pose X_WF = ContactFrame(model, scratch, foot);
+  const std::vector<Vector3> points = ContactPoints(described, X_WF);
+  const Pose X_WB = FramePose(scratch, described.body, Pose::Identity());
+  MatrixX by_force(model.num_dofs(), static_cast<Eigen::Index>(3 * points.size()));
+  MatrixX J(6, model.nv());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointJacobian(model, scratch, described.body, X_WB.inverse() * points[i], J);
+    by_force.middleCols<3>(static_cast<Eigen::Index>(3 * i)) = J.topRightCorner(3, model.num_dofs()).transpose();
+  }
+  VectorX given = VectorX::Zero(model.nv());
+  const ContactWrench& wrench = rows.wrenches[row][static_cast<std::size_t>(foot)];
+  Vector6 w;
+  w << wrench.force_W, wrench.moment_W;
+  AddPointWrench(model, scratch, described.body, X_WF.translation(), w, given);
+  std::vector<Actuator> own;
+  std::vector<VectorX> by_force_of;
+  for (const Actuator& motor : ActuatorsOf(model)) {
+    VectorX by = VectorX::Zero(by_force.cols());
+    for (const Actuator::Term& term : motor.terms) by += term.by_effort * by_force.row(term.dof).transpose();
+    if (by.norm() <= 1e-9 || !std::isfinite(motor.effort_limit)) continue;
+    own.push_back(motor);
+    by_force_of.push_back(by);
+  }
+  const VectorX free = rows.tau[row] + given.tail(model.num_dofs());  // torques without contacts
+  const auto n = static_cast<Eigen::Index>(own.size());
+  MotorLimits limits{MatrixX(n, by_force.cols()), VectorX(n), VectorX(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Actuator& motor = own[static_cast<std::size_t>(i)];
+    // tau = tau without contacts - J^T f
+    const double alone = motor.Effort(free), most = kUse * motor.effort_limit;
+    limits.by_force.row(i) = by_force_of[static_cast<std::size_t>(i)].transpose();
+    limits.lower[i] = alone - most;
+    limits.upper[i] = limits.lower[i] + 2.0 * most;
+  }
+  return limits;
+}
+
 }  // namespace gaitwright

@@ -3,7 +3,10 @@
 
 #include <vector>
 
+#include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/robot_model.h"
+#include "optimisation/centroidal/rigid_body_problem.h"
+#include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
 
@@ -28,5 +31,9 @@ std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reser
 /// body falls freely and reacts by rotation [m/s^2].
 /// @param feet  moving feet; the others are fixed to the body.
 double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>& feet);
+
+/// Forces on a foot that its leg's motors can hold in the posture of a row: all but what they need for the motion.
+MotorLimits MotorLimitsOf(const RobotModel& model, const WholeBodyTrajectory& rows, std::size_t row, int foot,
+                          DynamicsScratch& scratch);
 
 }  // namespace gaitwright

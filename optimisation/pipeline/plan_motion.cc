@@ -14,10 +14,10 @@
 #include "optimisation/pipeline/body_strategy_search.h"
 #include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
-#include "optimisation/pipeline/free_footholds.h"
 #include "optimisation/pipeline/gait_timing.h"
 #include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/motion_passes.h"
+#include "optimisation/pipeline/rigid_body_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/swing/swing_ground.h"
@@ -51,9 +51,9 @@ Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
 
 /// The motion of a rigid body, crouched as far as flights need it.
 Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch>& crouch, int& passes) {
-  if (!crouch) return RunRigidBodyPasses(task, nullptr, passes);
+  if (!crouch) return RigidBodyPasses(task).Run(passes);
   const MotionTask crouched{crouch->model, task.terrain, task.skeleton, task.options, task.body, task.cycle_s};
-  return RunRigidBodyPasses(crouched, &*crouch, passes);
+  return RigidBodyPasses(crouched, &*crouch).Run(passes);
 }
 
 /// Whether short stances, or short flights near the motors' speed limits, have too few rows of the grid. A grid with
@@ -105,7 +105,7 @@ void WarnOfIdleOptions(const MotionOptions& options, std::vector<std::string>& w
                     key, value));
   };
   if (options.timing != MotionOptions().timing) warn("timing", options.timing);
-  if (options.footholds != MotionOptions().footholds) warn("footholds", options.footholds);
+  if (options.footholds == "free") warn("footholds", options.footholds);
 }
 
 /// Plans a motion over fixed footsteps, by passes of the pendulum or of the rigid body.

@@ -68,7 +68,7 @@ struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;
   RigidBodyOptions rigid_body = {.method = "ceres", .swing_lead_s = 0.02};
-  std::string footholds = "held";
+  std::string footholds = "as-needed";
   std::string timing = "fixed";
   TimingOptions timing_bounds;
   SwingOptions swing;
@@ -83,23 +83,25 @@ struct MotionOptions {
 
  private:
   OptionFields ContactFields() {
-    return Joined({{{"footholds",
-                     &footholds,
-                     "",
-                     0.0,
-                     0.0,
-                     "Footholds of rigid-body gaits on uneven ground: 'held' keeps those of the search, 'free' also "
-                     "moves them on their patches; feet with soles are held.",
-                     {"held", "free"}},
-                    {"timing",
-                     &timing,
-                     "",
-                     0.0,
-                     0.0,
-                     "Contact times of rigid-body gaits: 'fixed' keeps those of the gait, 'optimised' finds times "
-                     "within the cycle that need less torque.",
-                     {"fixed", "optimised"}}},
-                   Prefixed("timing", timing_bounds.PhaseFields())});
+    return Joined(
+        {{{"footholds",
+           &footholds,
+           "",
+           0.0,
+           0.0,
+           "Footholds of rigid-body gaits on uneven ground: 'held' keeps those of the footstep search, 'free' "
+           "moves them on their patches and to other ones, 'as-needed' does so if no plan with held "
+           "footholds passes its audit; feet with soles are held.",
+           {"held", "as-needed", "free"}},
+          {"timing",
+           &timing,
+           "",
+           0.0,
+           0.0,
+           "Contact times of rigid-body gaits: 'fixed' keeps those of the gait, 'optimised' finds times "
+           "within the cycle that need less torque.",
+           {"fixed", "optimised"}}},
+         Prefixed("timing", timing_bounds.PhaseFields())});
   }
 };
 
@@ -124,7 +126,7 @@ FootstepOptions StandingOptions(const MotionOptions& options);
 /// multibody ZMP from inverse dynamics corrects the pendulum of the next pass, until it agrees with its reference. Once
 /// the rolling of the feet has converged, a pass that does not improve the result is dropped. A plan that violates
 /// joint limits is returned with warnings; its passes end early unless pipeline.allow_limits is set. PlanWalk refuses
-/// such a plan.
+/// such a plan. With footholds "as-needed" the footholds are held; PlanWalk also frees them.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options);
 

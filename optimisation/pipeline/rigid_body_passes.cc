@@ -12,21 +12,23 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
-#include "kinematics/model/actuator.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/body_limits.h"
+#include "optimisation/centroidal/plan_over_terrain.h"
+#include "optimisation/pipeline/leg_motors.h"
 #include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/mean_height.h"
 #include "optimisation/pipeline/names_of_feet.h"
 #include "optimisation/pipeline/roll_moments.h"
+#include "optimisation/pipeline/swings_along.h"
 #include "optimisation/pipeline/walk_problem.h"
+#include "optimisation/swing/free_swings.h"
 #include "optimisation/swing/plan_swings.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kFollows = 0.05;   // share of the leg length: correction of the body's motion for swings out of reach
-constexpr double kMotorUse = 0.95;  // share of the motors' effort limits
+constexpr double kFollows = 0.05;  // share of the leg length: correction of the body's motion for swings out of reach
 
 /// Rotation of the base in a motion at a row.
 BaseTurning TurningOf(const RigidBodySample& sample, const Matrix3& inertia_B) {
@@ -76,6 +78,10 @@ RigidBodyPasses::RigidBodyPasses(const MotionTask& task, const Crouch* crouch)
       clearance_(task.model, task.terrain),
       shapes_(task.model, task.skeleton.schedule, task.options.swing),
       problem_(WalkProblem(task, body_, crouch, shapes_)),
+      uneven_(KindOfGround(task.terrain) != GroundKind::kFlat),
+      free_(HasFreeFootholds(task)),
+      mending_(free_ ? Mending::kRolling : Mending::kNone),
+      patches_(PatchesOf(task, problem_)),
       method_(task.options.rigid_body.method) {
   expected_roll_.assign(problem_.stances.size(), Vector3::Zero());
   roll_ = expected_roll_;
@@ -85,16 +91,20 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   constexpr double kGain = 0.9;
   constexpr int kFreePasses = 2;  // passes with free footholds; then they are fixed, so that postures converge
   constexpr int kIdle = 3;        // passes without improvement
+  constexpr int kResting = 4;     // passes after which swings are close to those of the previous pass
+  constexpr int kMending = 10;    // passes with corrected swings
   int idle = 0;
+  bool mended = false;
   MotionPass best;
   const double tolerance = task_.options.pipeline.residual;
   const RigidBodyOptions options = Options();
   auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use);
-  if (!failure) failure = ReasonNotCarried(problem_, options);
+  if (!failure && !free_) failure = ReasonNotCarried(problem_, options);
   if (failure) return WithNamesOfFeet(model_, *failure);
-  for (passes = 0; passes < task_.options.pipeline.max_body_passes;) {
+  int most = task_.options.pipeline.max_body_passes;
+  for (passes = 0; passes < most;) {
     Result<MotionPass> made = MakePass();
-    if (!made && best.settled) break;  // the audit decides whether that one is good enough
+    if (!made && (best.settled || mended)) break;  // the audit decides whether that one is good enough
     if (!made) return made;
     ++passes;
     Learn(*made);
@@ -108,14 +118,43 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
       idle = 0;
     }
     if (made->BetterThan(best)) best = std::move(*made);
-    if ((best.settled && best.error_m < tolerance) || idle == kIdle) break;
+    if ((best.settled && best.error_m < tolerance) || idle == kIdle || passes == most) {
+      if (passes < kResting || !MendSwings()) break;
+      most = passes + kMending;
+      mended = true;
+      best.settled = false;
+      idle = 0;
+    }
   }
   return best;
 }
 
+/// On uneven ground, if feet in the air touch solids: by knowing how they roll, then by swings that are planned
+/// together with the body, once each. @return whether passes should go on.
+bool RigidBodyPasses::MendSwings() {
+  if (!uneven_ || !numbers_ || mending_ == Mending::kAlong) return false;
+  const PlanOverPatches now{{problem_, patches_}, {motion_, {}, *numbers_}};
+  if (mending_ == Mending::kNone) {
+    if (!SwingsTouch(task_, now, former_)) return false;
+    mending_ = Mending::kRolling;
+    return true;
+  }
+  mending_ = Mending::kAlong;
+  RigidBodyOptions options = Options();
+  options.method = "interior-point";
+  std::optional<PlanOverPatches> found = WithSwingsAlong(task_, now, options, former_);
+  if (!found) return false;
+  former_.swings.clear();
+  for (std::size_t i = 0; i < found->choice.problem.swings.size(); ++i)
+    former_.swings.push_back(SwingOf(found->choice.problem, found->plan.motion, i, task_.skeleton.schedule.start_s()));
+  problem_ = std::move(found->choice.problem);
+  numbers_ = std::move(found->plan.numbers);
+  return true;
+}
+
 RigidBodyOptions RigidBodyPasses::Options() const {
   RigidBodyOptions options = WalkOptions(task_, problem_);
-  options.method = method_;
+  options.method = free_ && stage_ == Stage::kFree ? "interior-point" : method_;
   return options;
 }
 
@@ -144,6 +183,7 @@ FootstepPlan RigidBodyPasses::FootstepsOf(const RigidBodyMotion& motion) const {
   for (std::size_t i = 0; i < footsteps.footholds.size(); ++i) {
     footsteps.footholds[i].X_WF = motion.X_WF[i];
     footsteps.footholds[i].roll_W = roll_[i];
+    if (patches_[i] >= 0) footsteps.footholds[i].patch = patches_[i];
   }
   return footsteps;
 }
@@ -169,6 +209,22 @@ std::vector<ReachSide> RigidBodyPasses::ReachAt(int foot, double time_s) const {
                       RotationOf(sample.angles_rad), kFollows * model_.leg_length_m());
 }
 
+/// With free footholds: plans over the patches on which constraints are violated least.
+Result<RigidBodyPlan> RigidBodyPasses::PlanFree(const RigidBodyOptions& options, RigidBodyPlan& last) {
+  constexpr double kNear = 0.5;  // share of the leg length: distance of another patch
+  if (!free_ || stage_ != Stage::kFree) return PlanRigidBody(problem_, options, &last);
+  PatchSearchOptions search;
+  search.near_m = kNear * model_.leg_length_m();
+  PlanOverPatches best;
+  const Result<PlanOverPatches> plan =
+      PlanOverChoice(task_.terrain, {problem_, patches_}, WalkPatchRules(task_), options, search, &best);
+  problem_ = std::move(best.choice.problem);
+  patches_ = std::move(best.choice.patches);
+  last = std::move(best.plan);
+  if (!plan) return plan.failure();
+  return last;
+}
+
 /// Plans with the wanted clearance from the ground; if no motion keeps it, with the required clearance. A motion with
 /// small violations is accepted in a pass, because the next pass corrects it; the audit checks the final motion.
 Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options) {
@@ -183,7 +239,7 @@ Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options
           numbers_ ? PlanRigidBodyFrom(problem_, held, *numbers_) : PlanRigidBody(problem_, held);
       if (plan) return plan;
     }
-    Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options, &last);
+    Result<RigidBodyPlan> plan = PlanFree(options, last);
     if (plan) return plan;
     if (!problem_.clearances.empty() && clearance_.Ease()) continue;
     if (last.summary.violation < kLittle) return last;
@@ -203,13 +259,13 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   pass.footsteps = FootstepsOf(motion_);
   SetCentroidal(samples_, pass);
   std::function<std::vector<ReachSide>(int, double)> reach;
-  if (KindOfGround(task_.terrain) != GroundKind::kFlat)
-    reach = [this](int foot, double time_s) { return ReachAt(foot, time_s); };
+  if (uneven_) reach = [this](int foot, double time_s) { return ReachAt(foot, time_s); };
+  const FormerMotion known = mending_ == Mending::kNone ? FormerMotion() : former_;
   Result<std::vector<SwingTrajectory>> swings =
       PlanSwings(model_, task_.terrain, pass.footsteps, task_.options.swing,
                  {{},
-                  {},
-                  {},
+                  known.roll,
+                  known.swings,
                   [&](const SwingTrajectory& swing) { return shapes_.At(swing.start_s, swing.end_s).lift_m; },
                   [&](const SwingTrajectory& swing) { return shapes_.At(swing.start_s, swing.end_s).cruise; },
                   reach});
@@ -237,50 +293,6 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   pass.lacks_m = clearance_.Look(pass.solution.trajectory, samples_);
   pass.settled = pass.lacks_m <= 0.0;
   return pass;
-}
-
-/// Limits of a foot's forces from the motors of its leg in the posture of a row. The torques that the motion needs are
-/// subtracted.
-MotorLimits RigidBodyPasses::MotorsOf(const MotionPass& pass, int foot, std::size_t row,
-                                      DynamicsScratch& scratch) const {
-  const WholeBodyTrajectory& rows = pass.solution.trajectory;
-  const Foot& described = model_.feet[static_cast<std::size_t>(foot)];
-  ForwardKinematics(model_, rows.q[row], scratch);
-  const Pose X_WF = ContactFrame(model_, scratch, foot);
-  const std::vector<Vector3> points = ContactPoints(described, X_WF);
-  const Pose X_WB = FramePose(scratch, described.body, Pose::Identity());
-  MatrixX by_force(model_.num_dofs(), static_cast<Eigen::Index>(3 * points.size()));
-  MatrixX J(6, model_.nv());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    PointJacobian(model_, scratch, described.body, X_WB.inverse() * points[i], J);
-    by_force.middleCols<3>(static_cast<Eigen::Index>(3 * i)) = J.topRightCorner(3, model_.num_dofs()).transpose();
-  }
-  VectorX given = VectorX::Zero(model_.nv());
-  const ContactWrench& wrench = rows.wrenches[row][static_cast<std::size_t>(foot)];
-  Vector6 w;
-  w << wrench.force_W, wrench.moment_W;
-  AddPointWrench(model_, scratch, described.body, X_WF.translation(), w, given);
-  std::vector<Actuator> own;
-  std::vector<VectorX> by_force_of;
-  for (const Actuator& motor : ActuatorsOf(model_)) {
-    VectorX by = VectorX::Zero(by_force.cols());
-    for (const Actuator::Term& term : motor.terms) by += term.by_effort * by_force.row(term.dof).transpose();
-    if (by.norm() <= 1e-9 || !std::isfinite(motor.effort_limit)) continue;
-    own.push_back(motor);
-    by_force_of.push_back(by);
-  }
-  const VectorX free = rows.tau[row] + given.tail(model_.num_dofs());  // torques without contacts
-  const auto n = static_cast<Eigen::Index>(own.size());
-  MotorLimits limits{MatrixX(n, by_force.cols()), VectorX(n), VectorX(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Actuator& motor = own[static_cast<std::size_t>(i)];
-    // tau = tau without contacts - J^T f
-    const double alone = motor.Effort(free), most = kMotorUse * motor.effort_limit;
-    limits.by_force.row(i) = by_force_of[static_cast<std::size_t>(i)].transpose();
-    limits.lower[i] = alone - most;
-    limits.upper[i] = limits.lower[i] + 2.0 * most;
-  }
-  return limits;
 }
 
 /// Updates the legs' angular momentum by a fixed-point iteration. The step length comes from the last two differences
@@ -335,6 +347,7 @@ void RigidBodyPasses::Learn(const MotionPass& pass) {
   const WholeBodySolution& solution = pass.solution;
   DynamicsScratch scratch(model_);
   LearnSwings(pass.swings);
+  if (uneven_) former_ = MotionOf(model_, solution.trajectory, pass.swings);
   const double step_s = pass.centroidal.step_s;
   for (std::size_t i = 0; i < problem_.stances.size(); ++i) {
     RigidStance& stance = problem_.stances[i];
@@ -347,7 +360,7 @@ void RigidBodyPasses::Learn(const MotionPass& pass) {
     stance.motors.clear();
     for (std::size_t k = first; k <= last; ++k) {
       stance.moved_W.push_back(contact[k] - contact[first]);
-      stance.motors.push_back(MotorsOf(pass, stance.foot, k, scratch));
+      stance.motors.push_back(MotorLimitsOf(model_, solution.trajectory, k, stance.foot, scratch));
     }
   }
   UpdateLegMotion(solution.trajectory, scratch);

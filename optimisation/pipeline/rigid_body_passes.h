@@ -18,6 +18,11 @@ namespace gaitwright {
 /// which the pendulum model fails. The first pass treats the robot as one rigid body; each later pass includes the leg
 /// angular momentum, the rolling of the feet, and the places where body and upper legs came too close to the ground in
 /// the previous pass, until motors and contacts of the whole robot can produce the motion without collision.
+///
+/// With free footholds (HasFreeFootholds), constraints that stay violated in the first passes let stances change to
+/// other patches (PlanOverChoice). If feet touch solids in the air when the passes have come to rest, more passes
+/// include the rolling of the feet in their swings; if they still do, their swings are planned together with the body
+/// (WithSwingsAlong).
 class RigidBodyPasses {
  public:
   explicit RigidBodyPasses(const MotionTask& task, const Crouch* crouch = nullptr);
@@ -32,19 +37,24 @@ class RigidBodyPasses {
   /// continues from them.
   enum class Stage { kFree, kQuick, kExact };
 
+  /// What is done about feet in the air that touch solids: nothing yet; swings include the rolling of the feet in the
+  /// pass before; they were planned together with the body.
+  enum class Mending { kNone, kRolling, kAlong };
+
   Result<MotionPass> MakePass();
   RigidBodyOptions Options() const;
   std::vector<ReachSide> ReachAt(int foot, double time_s) const;
   Result<RigidBodyPlan> PlanClear(const RigidBodyOptions& options);
+  Result<RigidBodyPlan> PlanFree(const RigidBodyOptions& options, RigidBodyPlan& last);
   /// The footholds of a motion.
   FootstepPlan FootstepsOf(const RigidBodyMotion& motion) const;
   void SetCentroidal(const std::vector<RigidBodySample>& samples, MotionPass& pass) const;
   bool StaysPastLimits(const MotionPass& pass, int passes);
   void HoldFootholds(const FootstepPlan& footsteps);
+  bool MendSwings();
   void Learn(const MotionPass& pass);
   void UpdateLegMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
   void LearnSwings(const std::vector<SwingTrajectory>& swings);
-  MotorLimits MotorsOf(const MotionPass& pass, int foot, std::size_t row, DynamicsScratch& scratch) const;
 
   const MotionTask task_;
   const RobotModel& model_;
@@ -52,7 +62,12 @@ class RigidBodyPasses {
   BodyClearance clearance_;
   const FlightSwings shapes_;
   RigidBodyProblem problem_;
-  RigidBodyMotion motion_;  // of the last pass
+  const bool uneven_;  // the ground is not flat
+  const bool free_;    // footholds move on their patches and to other ones
+  Mending mending_;
+  std::vector<int> patches_;  // by stance; -1 if it is fixed
+  FormerMotion former_;       // of the last pass, over uneven ground
+  RigidBodyMotion motion_;    // of the last pass
   Stage stage_ = Stage::kFree;
   std::string method_;                       // the requested method until it fails
   std::optional<RigidBodyNumbers> numbers_;  // of the last motion with fixed footholds

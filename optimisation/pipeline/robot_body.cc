@@ -43,6 +43,7 @@ RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, c
     rigid.contacts_F.clear();
     for (const Vector2& corner : described.sole_F) rigid.contacts_F.emplace_back(corner.x(), corner.y(), 0.0);
   }
+  rigid.radius_m = described.radius;
   rigid.force_max_n = MostUpright(model, scratch, foot);
   const double farthest = kFarthest * model.legs[static_cast<std::size_t>(foot)].length_m;
   // Shift of coordinates: from the controlled frame relative to the base, to the contact frame relative to the centre

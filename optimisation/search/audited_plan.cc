@@ -7,6 +7,15 @@
 
 namespace gaitwright {
 
+MotionOptions WithFootholds(MotionOptions options, bool other) {
+  options.footholds = (options.footholds == "free") != other ? "free" : "held";
+  return options;
+}
+
+bool MayMoveFeet(const MotionOptions& options, const Terrain& terrain) {
+  return options.footholds != "held" && KindOfGround(terrain) != GroundKind::kFlat;
+}
+
 Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const AuditOptions& options,
                             bool only_sound) {
   if (!motion) return motion.failure();

@@ -5,6 +5,12 @@
 
 namespace gaitwright {
 
+/// The options with footholds "held" or "free": as requested, "held" for "as-needed"; the opposite of it with `other`.
+MotionOptions WithFootholds(MotionOptions options, bool other);
+
+/// Whether both may be tried: footholds as-needed or free, on ground that is not flat.
+bool MayMoveFeet(const MotionOptions& options, const Terrain& terrain);
+
 /// The motion with its audit, or the reason why there is no motion.
 /// @param only_sound  a motion that violates limits is returned without an audit, because it is not sound anyway.
 Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const AuditOptions& options = {},

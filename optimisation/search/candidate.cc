@@ -10,7 +10,8 @@ constexpr Variation kSlowerFirst[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}
                                       {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},  {1.0, 6}};
 constexpr Variation kSlowerSteps[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
 constexpr Variation kSlowerWalks[] = {{1.0, -1}, {0.7, 0}, {0.7, -1}, {0.7, -2}, {0.5, -1}, {0.35, -2}};
-constexpr Variation kOtherFlights[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}};
+/// Other flights, then other footholds.
+constexpr Variation kOtherLeaps[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}, {1.0, 0, 1.0, true}};
 
 }  // namespace
 
@@ -20,8 +21,11 @@ std::span<const Variation> VariationsFor(const SearchSituation& s) {
       return s.refused_by_ground ? kSlowerFirst : kQuickerFirst;
     case SearchSituation::Kind::kUneven:
       return s.may_slow_down ? std::span<const Variation>(kSlowerWalks) : kSlowerSteps;
-    case SearchSituation::Kind::kFlying:
-      return s.may_vary_flight ? std::span<const Variation>(kOtherFlights) : std::span<const Variation>();
+    case SearchSituation::Kind::kFlying: {
+      const std::span<const Variation> all(kOtherLeaps), flights = all.first(2), feet = all.last(1);
+      if (s.may_vary_flight) return s.may_move_feet ? all : flights;
+      return s.may_move_feet ? feet : std::span<const Variation>();
+    }
   }
   return {};
 }

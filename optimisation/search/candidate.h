@@ -10,6 +10,8 @@ struct Candidate {
   double pace = 0.0;    ///< in the unit of the command's speed, see PaceOf
   int cycle = 0;        ///< index of the gait's cycle, see GaitCycles
   double flight = 1.0;  ///< factor of the gait's flight times; 0: its duty factors at speed zero
+  /// Footholds are free instead of held, or held instead of free (MotionOptions::footholds).
+  bool other_footholds = false;
 
   bool operator==(const Candidate&) const = default;
 };
@@ -28,6 +30,7 @@ struct Variation {
   double pace_share = 1.0;  ///< factor of the requested speed
   int cycle = 0;
   double flight = 1.0;
+  bool other_footholds = false;
 };
 
 /// Properties of a walk that decide which candidates may be better.
@@ -41,12 +44,14 @@ struct SearchSituation {
   bool refused_by_ground = false;  ///< friction or support forbids the requested walk, not the robot's limits
   bool may_slow_down = false;      ///< the request does not set the speed
   bool may_vary_flight = false;    ///< counted leaps on uneven ground, with no flight time in the request
+  bool may_move_feet = false;      ///< footholds on uneven ground that may be held or free
 };
 
 /// Candidates that replace the requested walk, in the order of their evaluation. For violated joint limits, shorter
 /// cycles come before longer ones; for too little friction or support, longer cycles. On uneven ground the terrain
 /// determines the step length, so only longer cycles are tried, and fewer of them, because each takes longer to plan.
-/// For leaps onto other ground, longer or shorter flights are tried.
+/// For leaps onto other ground, longer or shorter flights are tried; for motions of a rigid body over uneven ground,
+/// footholds that move on their patches.
 std::span<const Variation> VariationsFor(const SearchSituation& situation);
 
 /// Evaluation of a variation before the whole walk is planned; kWhole for none.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "optimisation/pipeline/dynamic_motion.h"
 #include "optimisation/search/audited_plan.h"
 #include "optimisation/search/plan_within.h"
 #include "optimisation/search/refuse_walk.h"
@@ -76,19 +77,35 @@ Failure RefusedWhole(const Result<PlannedWalk>& planned) {
   return failure;
 }
 
+/// The plan of all parts with its audit. If it is not sound, it is planned with other footholds, where these may move.
+Result<PlannedWalk> PlanWhole(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                              const std::vector<WalkPart>& parts) {
+  const auto plan = [&](bool other_footholds) {
+    return Audited(model, PlanMotion(model, terrain, parts, WithFootholds(request.motion, other_footholds)));
+  };
+  Result<PlannedWalk> planned = plan(false);
+  const bool flies = std::any_of(parts.begin(), parts.end(), [&](const WalkPart& part) {
+    return IsDynamic(part.gait, request.motion.centre_of_mass);
+  });
+  if (IsSound(planned) || request.motion.pipeline.allow_limits || !flies || !MayMoveFeet(request.motion, terrain))
+    return planned;
+  Result<PlannedWalk> other = plan(true);
+  return IsSound(other) ? other : planned;
+}
+
 }  // namespace
 
 Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                     const std::vector<AskedPart>& asked, SearchTrace* trace) {
   const Result<std::vector<WalkPart>> fitted = Fitted(model, request, asked);
   if (!fitted) return fitted.failure();
-  Result<PlannedWalk> planned = Audited(model, PlanMotion(model, terrain, *fitted, request.motion));
+  Result<PlannedWalk> planned = PlanWhole(model, terrain, request, *fitted);
   if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
   if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
   const Result<ServingParts> serving = ServingAlone(model, terrain, request, asked, *fitted, trace);
   if (!serving) return serving.failure();
   if (serving->parts == *fitted) return RefusedWhole(planned);
-  planned = Audited(model, PlanMotion(model, terrain, serving->parts, request.motion));
+  planned = PlanWhole(model, terrain, request, serving->parts);
   if (!IsSound(planned)) return RefusedWhole(planned);
   planned->motion.plan.adjustments = serving->adjustments;
   return planned;

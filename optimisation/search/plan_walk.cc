@@ -68,8 +68,12 @@ Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, 
   CheckOptions(checked.Fields());
   Result<PlannedWalk> planned = PlanAsked(model, terrain, request, trace);
   if (!planned) return planned;
-  planned->motion.plan.provenance.seed = request.seed;
-  planned->motion.plan.provenance.options = TextsOf(RequestFields(checked));
+  Provenance& provenance = planned->motion.plan.provenance;
+  for (const auto& [key, value] : provenance.options) {
+    if (key == "footholds") checked.motion.footholds = value;  // held or free, where as-needed was asked for
+  }
+  provenance.seed = request.seed;
+  provenance.options = TextsOf(RequestFields(checked));
   planned->planning_cpu_s = clock.elapsed_s();
   return planned;
 }

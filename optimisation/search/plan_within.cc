@@ -57,6 +57,7 @@ SearchProblem ProblemOf(const RobotModel& model, const Terrain& terrain, const W
   problem.situation.kind = flies(gait) ? Kind::kFlying : without_flight;
   problem.situation.may_slow_down = IsOwnPace(request);
   problem.situation.may_vary_flight = MayVaryFlight(request, gait, terrain);
+  problem.situation.may_move_feet = flies(gait) && MayMoveFeet(request.motion, terrain);
   problem.paces = PacesOf(model, request.command);
   problem.in_place = IsInPlace(request.command);
   problem.any_plan = request.motion.pipeline.allow_limits;

@@ -18,6 +18,7 @@ struct TriedPlan {
   std::string unit;
   double cycle_s = 0.0;
   std::optional<FailureCode> refused;  ///< nothing for a sound plan
+  bool free_footholds = false;         ///< on ground that is not flat
 
   bool operator==(const TriedPlan&) const = default;
 };

@@ -85,7 +85,7 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
   if (!cycles) return Refused(cycles.failure());
   const Gait gait = GaitOf(candidate, *cycles);
   const WalkCommand command = CommandOf(candidate);
-  const Key key{effort, PaceFlags(command), gait.cycle_s, gait.duty_factor.front()};
+  const Key key{effort, PaceFlags(command), gait.cycle_s, gait.duty_factor.front(), candidate.other_footholds};
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   if (static_cast<int>(known_.size()) >= request_.search.max_plans) {
     return Refused(
@@ -96,7 +96,7 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
          {{"search.max_plans", 2.0 * request_.search.max_plans, Certainty::kEstimated, "a larger search.max_plans"}}});
   }
   Evaluation evaluation = Made(candidate, effort, *cycles, gait);
-  Trace(effort, gait, command, evaluation);
+  Trace(candidate, effort, gait, evaluation);
   Evaluation& kept = known_[key] = evaluation;
   kept.planned.reset();
   return evaluation;
@@ -104,14 +104,17 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
 
 Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait) {
   const WalkCommand command = CommandOf(candidate);
-  const Key start{Effort::kStart, PaceFlags(command), gait.cycle_s, gait.duty_factor.front()};
+  const Key start{Effort::kStart, PaceFlags(command), gait.cycle_s, gait.duty_factor.front(),
+                  candidate.other_footholds};
+  WalkRequest request = request_;
+  request.motion = WithFootholds(request_.motion, candidate.other_footholds);
   switch (effort) {
     case Effort::kStartLook:
-      return Look(gait, command, false);
+      return Look(request, gait, command, false);
     case Effort::kFirstLook:
-      return Look(gait, command, true);
+      return Look(request, gait, command, true);
     case Effort::kStart: {
-      Evaluation evaluation = EvaluationOf(Start(gait, cycles.fitted.cycle_s, command));
+      Evaluation evaluation = EvaluationOf(Start(request, gait, cycles.fitted.cycle_s, command));
       if (evaluation.sound()) com_height_m_[start] = evaluation.planned->motion.plan.centroidal.p_WC.front().z();
       return evaluation;
     }
@@ -120,16 +123,17 @@ Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const 
   }
   // Try first the body height for which the start is sound.
   if (const auto height = com_height_m_.find(start); height != com_height_m_.end()) {
-    WalkRequest at_height = request_;
+    WalkRequest at_height = request;
     at_height.motion.pipeline.com_height_m = height->second;
     Result<PlannedWalk> planned = Whole(at_height, gait, command, true);
     if (planned && planned->motion.limit_excess < kSlightViolation) return EvaluationOf(std::move(planned));
   }
-  return EvaluationOf(Whole(request_, gait, command, candidate != Candidate{asked_}));
+  return EvaluationOf(Whole(request, gait, command, candidate != Candidate{asked_}));
 }
 
-Evaluation WalkEvaluator::Look(const Gait& gait, const WalkCommand& command, bool whole) const {
-  const FirstLook look = LookAt(model_, terrain_, request_, gait, command, whole);
+Evaluation WalkEvaluator::Look(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
+                               bool whole) const {
+  const FirstLook look = LookAt(model_, terrain_, request, gait, command, whole);
   Evaluation evaluation;
   evaluation.refusal = look.refusal;
   evaluation.ease = look.ease;
@@ -143,19 +147,23 @@ Result<PlannedWalk> WalkEvaluator::Whole(const WalkRequest& request, const Gait&
 }
 
 /// Uses twice the time step if a cycle of `fitted_s` has enough steps.
-Result<PlannedWalk> WalkEvaluator::Start(const Gait& gait, double fitted_s, const WalkCommand& command) const {
+Result<PlannedWalk> WalkEvaluator::Start(const WalkRequest& request, const Gait& gait, double fitted_s,
+                                         const WalkCommand& command) const {
   AuditOptions seldom;
   seldom.rate_hz *= 0.5;
-  const WalkRequest coarse = Coarse(request_, fitted_s);
+  const WalkRequest coarse = Coarse(request, fitted_s);
   return Audited(model_, PlanMotion(model_, terrain_, gait, StartOfWalk(model_, command, gait), coarse.motion), seldom,
                  true);
 }
 
-void WalkEvaluator::Trace(Effort effort, const Gait& gait, const WalkCommand& command, const Evaluation& evaluation) {
+void WalkEvaluator::Trace(const Candidate& candidate, Effort effort, const Gait& gait, const Evaluation& evaluation) {
   if (trace_ == nullptr) return;
+  const WalkCommand command = CommandOf(candidate);
   const Pace pace = PaceOf(command);
+  const bool free = MayMoveFeet(request_.motion, terrain_) && IsDynamic(gait, request_.motion.centre_of_mass) &&
+                    WithFootholds(request_.motion, candidate.other_footholds).footholds == "free";
   trace_->push_back({effort, PaceFlag(pace), PaceValue(model_, command), PaceUnit(pace), gait.cycle_s,
-                     evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt});
+                     evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt, free});
 }
 
 }  // namespace gaitwright

@@ -29,14 +29,16 @@ class WalkEvaluator : public Evaluator {
   Gait GaitOf(const Candidate& candidate, const GaitCycles& cycles) const;
 
  private:
-  using Key = std::tuple<Effort, std::string, double, double>;  // flags of the speed, cycle and first duty factor
+  /// Flags of the speed, cycle, first duty factor, and other footholds.
+  using Key = std::tuple<Effort, std::string, double, double, bool>;
 
   Evaluation Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait);
-  Evaluation Look(const Gait& gait, const WalkCommand& command, bool whole) const;
+  Evaluation Look(const WalkRequest& request, const Gait& gait, const WalkCommand& command, bool whole) const;
   Result<PlannedWalk> Whole(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
                             bool only_sound) const;
-  Result<PlannedWalk> Start(const Gait& gait, double fitted_s, const WalkCommand& command) const;
-  void Trace(Effort effort, const Gait& gait, const WalkCommand& command, const Evaluation& evaluation);
+  Result<PlannedWalk> Start(const WalkRequest& request, const Gait& gait, double fitted_s,
+                            const WalkCommand& command) const;
+  void Trace(const Candidate& candidate, Effort effort, const Gait& gait, const Evaluation& evaluation);
 
   const RobotModel& model_;
   const Terrain& terrain_;

@@ -94,7 +94,8 @@ DataShape TriedShape() {
                       {"value", Number(), "Value of the speed, in its unit."},
                       {"unit", Text()},
                       {"cycle_s", Number()},
-                      {"refused", OrNull(Text(FailureCodeNames())), "Failure code; null if the plan is sound."}}));
+                      {"refused", OrNull(Text(FailureCodeNames())), "Failure code; null if the plan is sound."},
+                      {"free_footholds", Truth(), "True if footholds could move on their patches."}}));
 }
 
 DataShape EnginesShape() {

@@ -22,10 +22,8 @@ struct AuditedMotion {
   int changes = 0;           ///< rounds in which stances were moved to other patches
 };
 
-/// Audits a motion as the plan of a robot (rigid_body_plan.h) and plans it again until it passes: with half the node
-/// spacing; if swing feet leave their workspaces, with swings planned together with the body, within reach and
-/// separated from solids by planes (RigidSwing, swing_planes.h); if no such motion is found, with other patches for the
-/// violated stances. At most `most_rounds` times; 0 only audits. Failures as of RigidBodyMotionPlan.
+/// RefineMotion by the audit of the motion as the plan of a robot (rigid_body_plan.h), in at most `most_rounds` rounds;
+/// 0 only audits. Failures as of RigidBodyMotionPlan.
 Result<AuditedMotion> RefineByAudit(const Terrain& ground, const PlanOverPatches& plan, RigidBodyOptions options,
                                     int most_rounds);
 

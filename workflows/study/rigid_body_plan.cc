@@ -15,6 +15,7 @@
 #include "kinematics/stability/polygon.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/swing/free_swings.h"
 #include "optimisation/swing/plan_swings.h"
 #include "planning/audit/audit.h"
 #include "planning/plan/robot_of_plan.h"
@@ -143,18 +144,12 @@ class Converter {
     std::vector<SwingTrajectory> swings;
     for (std::size_t i = 0; i < motion_.detours_W.size(); ++i) {
       if (motion_.detours_W[i].empty()) continue;
-      const RigidStance &from = problem_.stances[problem_.swings[i].from],
-                        &to = problem_.stances[problem_.swings[i].to];
-      SwingTrajectory swing;
-      swing.foot = static_cast<int>(FootIndex(from));
-      swing.start_s = from.end_s;
-      swing.end_s = to.start_s;
-      swing.X_WF_start = motion_.X_WF[problem_.swings[i].from] * MiddleOf(from);
-      swing.X_WF_end = motion_.X_WF[problem_.swings[i].to] * MiddleOf(to);
-      swing.cruise = problem_.swings[i].cruise;
-      swing.detour_W = motion_.detours_W[i];
-      swing.lift_m = LiftAtHalfTime(CurveOf(swing));
-      swings.push_back(std::move(swing));
+      swings.push_back(SwingOf(problem_, motion_, i));
+      SwingTrajectory& swing = swings.back();
+      const Eigen::Translation3d middle = MiddleOf(problem_.stances[problem_.swings[i].from]);
+      swing.foot = foot_of_[static_cast<std::size_t>(swing.foot)];
+      swing.X_WF_start = swing.X_WF_start * middle;
+      swing.X_WF_end = swing.X_WF_end * middle;
     }
     return swings;
   }

@@ -193,7 +193,7 @@ TEST_F(MeshFile, AMeshThatCannotBeReadIsReplacedAsAMissingOneIs) {
                                       [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
     ASSERT_NE(warning, model->findings.end()) << mesh;
     EXPECT_EQ(warning->part, "link 'A_thigh'");
-    ExpectSays(warning->message, {mesh, reason, "inertia's box"});
+    ExpectSays(warning->message, {mesh, reason, "inertia box"});
     EXPECT_FALSE(LoadRobot(file, {.strict = true}).ok());
     ExpectSays(Load(std::string("<mesh filename='") + mesh + "'/>"), {"robot.urdf, line 1: link 'A_foot'", reason});
   }

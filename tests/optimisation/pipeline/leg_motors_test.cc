@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/model/load_robot.h"
 #include "tests/unusual_robots.h"
 
@@ -84,6 +86,39 @@ TEST(LegMotors, LightLegsOfAStrongRobotMoveFasterInFlightThanHeavyOnesOfAWeakOne
   EXPECT_GT(a1, 500.0);
   EXPECT_GT(nao, kGravity) << "else its feet could not follow its body";
   EXPECT_LT(nao, 100.0);
+}
+
+/// With what contacts give in a row, the motors' efforts are those of the row.
+TEST(MotorLimitsOf, AreTheMotorsRoomForForcesOnAFoot) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  DynamicsScratch scratch(a1);
+  const VectorX q = StandingConfiguration(a1), none = VectorX::Zero(a1.nv());
+  WholeBodyTrajectory rows;
+  rows.q = {q};
+  rows.v = rows.a = {none};
+  VectorX tau;
+  InverseDynamics(a1, q, none, none, scratch, tau);
+  std::vector<ContactWrench> wrenches(a1.feet.size());
+  const Vector3 force_W(3.0, -2.0, 0.25 * a1.weight_n());
+  for (int f = 0; f < static_cast<int>(a1.feet.size()); ++f) {
+    wrenches[static_cast<std::size_t>(f)].force_W = force_W;
+    AddPointForce(a1, scratch, a1.feet[static_cast<std::size_t>(f)].body, ContactFrame(a1, scratch, f).translation(),
+                  -force_W, tau);
+  }
+  rows.tau = {tau.tail(a1.num_dofs())};
+  rows.wrenches = {wrenches};
+  const MotorLimits limits = MotorLimitsOf(a1, rows, 0, 1, scratch);
+  ASSERT_EQ(limits.by_force.rows(), 3) << "of the leg";
+  const VectorX alone = 0.5 * (limits.lower + limits.upper), efforts = alone - limits.by_force * force_W;
+  Eigen::Index row = 0;
+  for (const Actuator& motor : ActuatorsOf(a1)) {
+    const double effort = motor.Effort(rows.tau[0]);
+    if (row == 3 || std::abs(efforts[row] - effort) > 1e-9) continue;
+    EXPECT_NEAR(limits.upper[row] - limits.lower[row], 2.0 * 0.95 * motor.effort_limit, 1e-9);
+    ++row;
+  }
+  EXPECT_EQ(row, 3) << "each of the three is the effort of one motor";
+  EXPECT_GT(limits.by_force.norm(), 0.1);
 }
 
 }  // namespace

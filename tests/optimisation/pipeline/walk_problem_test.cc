@@ -69,5 +69,28 @@ TEST(WalkProblem, FootholdsThatAreFreeStayOnTheirPatchesAndNearToWhereTheyWere) 
   EXPECT_GT(freed, 4);
 }
 
+TEST(WalkPatchRules, FeetStandOnOtherPatchesThatAreNotTooSteep) {
+  const OverStones walk;
+  Terrain ground{"steep",
+                 {PatchThrough("level", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, 0.6),
+                  PatchThrough("steep", {{1, -1, 0}, {2, -1, 1}, {2, 1, 1}, {1, 1, 0}}, 0.6)},
+                 {},
+                 {}};
+  const MotionOptions options;
+  const BodyPath path(walk.model, walk.skeleton, walk.gait.cycle_s);
+  const MotionTask task{walk.model, ground, walk.skeleton, options, path, walk.gait.cycle_s};
+  const PatchRules rules = WalkPatchRules(task);
+  EXPECT_FALSE(rules.fits_way) << "the path is that of the walk";
+  RigidStance stance;
+  stance.held = true;
+  EXPECT_FALSE(rules.put(1, {1.5, 0.0, 0.5}, stance)) << "45 degrees";
+  EXPECT_TRUE(stance.region_F.empty()) << "nothing changes then";
+  ASSERT_TRUE(rules.put(0, {1.5, 0.0, 0.5}, stance));
+  EXPECT_NEAR(stance.X_WF.translation().x(), 1.0 - options.footsteps.foothold.margin_m - walk.model.feet[0].radius,
+              1e-9);
+  EXPECT_NEAR(stance.friction, 0.6 * options.whole_body.friction_use, 1e-12);
+  EXPECT_EQ(PatchesOf(task, walk.held), std::vector<int>(walk.held.stances.size(), -1));
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -50,6 +50,9 @@ TEST(SearchTrace, TheTextHasALineForEachPlan) {
   const std::string text = TraceText({{Effort::kStart, "speed", 0.5, "m/s", 0.4, FailureCode::kLimits},
                                       {Effort::kWhole, "speed", 0.4, "m/s", 0.4, std::nullopt}});
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  EXPECT_EQ(text.find("free footholds"), std::string::npos);
+  EXPECT_NE(TraceText({{Effort::kWhole, "speed", 0.4, "m/s", 0.4, std::nullopt, true}}).find("free footholds"),
+            std::string::npos);
   EXPECT_NE(text.find("limits"), std::string::npos) << text;
   EXPECT_NE(text.find("sound"), std::string::npos) << text;
 }

@@ -93,6 +93,20 @@ TEST(FindSound, APaceIsLoweredOnlyWhereNobodyAskedForIt) {
   EXPECT_DOUBLE_EQ(result.candidate.pace, 0.31);
 }
 
+TEST(FindSound, FootholdsMoveWhereNoFlightIsSound) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.other_footholds; });
+  SearchProblem problem = ProblemAt(Kind::kFlying, 0.5);
+  EXPECT_FALSE(FindSound(problem, evaluator).evaluation.sound());
+  EXPECT_EQ(evaluator.asked.size(), 1U) << "they may not move";
+  problem.situation.may_move_feet = true;
+  EXPECT_EQ(FindSound(problem, evaluator).candidate, (Candidate{0.5, 0, 1.0, true}));
+  problem.situation.may_vary_flight = true;
+  evaluator.asked.clear();
+  EXPECT_TRUE(FindSound(problem, evaluator).candidate.other_footholds);
+  EXPECT_EQ(evaluator.Count(Effort::kFirstLook), 4) << "as asked for, two other flights, other footholds";
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 1);
+}
+
 TEST(FindSound, TheLargestPaceIsThatOfTheBestCycle) {
   // The largest possible speed is 0.42 at cycle 5; whole walks are slightly worse than their starts.
   const auto largest = [](int cycle) { return 0.42 - 0.02 * std::abs(cycle - 5); };

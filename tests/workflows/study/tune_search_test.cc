@@ -234,7 +234,7 @@ TEST(TuneSearch, HeldOutTrialsThatCannotBePlayedAreNoZeros) {
     const Result<TuneResult> result = SearchTuning(RefusingFrom(3 * 4 + 10, usual), options, 1, none, {1});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.failure().code, FailureCode::kHeldOut);
-    EXPECT_NE(result.failure().message.find(usual ? "of the usual values" : "of the favourite values"),
+    EXPECT_NE(result.failure().message.find(usual ? "of the present values" : "of the favourite values"),
               std::string::npos)
         << result.failure().message;
     EXPECT_NE(result.failure().message.find("no such ground"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/study/free_swings.h"
+#include "optimisation/swing/free_swings.h"
 
 #include <algorithm>
 #include <optional>
@@ -59,9 +59,14 @@ std::vector<Vector3> DetourOf(const SwingTrajectory& swing) {
   return points;
 }
 
-/// Planes that separate a swing from nearby solids, each valid from one fraction to the next.
-std::vector<SwingPlane> PlanesBeside(const Terrain& ground, const SwingCurve& curve,
-                                     const std::vector<double>& shares) {
+double RadiusOf(const RigidBodyProblem& problem, const RigidSwing& swing) {
+  return problem.feet[static_cast<std::size_t>(problem.stances[swing.from].foot)].radius_m;
+}
+
+/// Planes that separate a swing from nearby solids, each valid from one fraction to the next. The curve is that of the
+/// contact point, which is the lowest point of a sphere. Beside a plane that is not level, the sphere needs more room.
+std::vector<SwingPlane> PlanesBeside(const Terrain& ground, const SwingCurve& curve, const std::vector<double>& shares,
+                                     double radius_m) {
   constexpr int kPieces = 4;
   constexpr double kNear = 0.3, kClearance = 5e-3;  // [m]
   std::vector<SwingPlane> planes;
@@ -76,7 +81,9 @@ std::vector<SwingPlane> PlanesBeside(const Terrain& ground, const SwingCurve& cu
       if (std::min(plane.Beyond(way_W.front()), plane.Beyond(way_W.back())) > kNear) continue;
       for (const double share : {shares[i], shares[i + 1]}) {
         if (share > 0.0 && share < 1.0)
-          planes.push_back({share, plane.normal_W, plane.offset_m + kClearance * ClearanceRamp(share)});
+          planes.push_back(
+              {share, plane.normal_W,
+               plane.offset_m + radius_m * (1.0 - plane.normal_W.z()) + kClearance * ClearanceRamp(share)});
       }
     }
   }
@@ -85,21 +92,22 @@ std::vector<SwingPlane> PlanesBeside(const Terrain& ground, const SwingCurve& cu
 
 }  // namespace
 
-std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProblem& problem, const MotionPlan& plan,
-                                     const std::vector<int>& problem_foot) {
-  std::vector<RigidSwing> swings;
-  for (const SwingTrajectory& of : plan.swings) {
+std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProblem& problem,
+                                     const std::vector<SwingTrajectory>& swings, const std::vector<int>& problem_foot,
+                                     double start_s) {
+  std::vector<RigidSwing> free;
+  for (const SwingTrajectory& of : swings) {
     const int foot = problem_foot[static_cast<std::size_t>(of.foot)];
-    std::optional<RigidSwing> swing = SwingAt(problem, foot, 0.5 * (of.start_s + of.end_s));
+    std::optional<RigidSwing> swing = SwingAt(problem, foot, 0.5 * (of.start_s + of.end_s) - start_s);
     if (!swing) continue;
     swing->free = true;
     swing->cruise = of.cruise;
     swing->detour_W = DetourOf(of);
     swing->shares = SharesLookedAt();
-    swing->planes = PlanesBeside(ground, CurveOf(of), swing->shares);
-    swings.push_back(std::move(*swing));
+    swing->planes = PlanesBeside(ground, CurveOf(of), swing->shares, RadiusOf(problem, *swing));
+    free.push_back(std::move(*swing));
   }
-  return swings;
+  return free;
 }
 
 std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProblem& problem,
@@ -111,9 +119,27 @@ std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProbl
     swing.detour_W = motion.detours_W[i];
     swing.planes = PlanesBeside(
         ground, {0.0, 1.0, motion.X_WF[swing.from], motion.X_WF[swing.to], 0.0, swing.detour_W, swing.cruise},
-        swing.shares);
+        swing.shares, RadiusOf(problem, swing));
   }
   return swings;
+}
+
+SwingTrajectory SwingOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion, std::size_t swing,
+                        double start_s) {
+  const RigidSwing& of = problem.swings[swing];
+  const RigidStance &from = problem.stances[of.from], &to = problem.stances[of.to];
+  SwingTrajectory made;
+  made.foot = from.foot;
+  made.start_s = start_s + from.end_s;
+  made.end_s = start_s + to.start_s;
+  made.X_WF_start = motion.X_WF[of.from];
+  if (!from.moved_W.empty()) made.X_WF_start.translation() += from.moved_W.back();
+  made.X_WF_end = motion.X_WF[of.to];
+  made.cruise = of.cruise;
+  made.lift_m = of.lift_m;
+  made.detour_W = of.free ? motion.detours_W[swing] : of.detour_W;
+  if (of.free) made.lift_m = LiftAtHalfTime(CurveOf(made));
+  return made;
 }
 
 void TakeSwings(const std::vector<RigidSwing>& swings, RigidBodyProblem& problem, VectorX& numbers) {
