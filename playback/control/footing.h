@@ -12,7 +12,6 @@ struct Footing {
   std::vector<Vector3> offset_W;            ///< by foot: contact point less its planned place [m]
   Vector3 ground_tilt_W = Vector3::Zero();  ///< rotation vector of the ground relative to the plan's
   Vector3 mean_offset_W = Vector3::Zero();  ///< of the feet that should stand [m]
-  Vector3 middle_W = Vector3::Zero();       ///< mean of their planned places [m]
 };
 
 }  // namespace gaitwright

@@ -115,6 +115,23 @@ void LegTargets::Hold(int leg, const Vector3& normal_W, double creep_m_s, const 
   SetRates(leg, speed > creep_m_s ? Vector6(creep_m_s / speed * moves) : moves, v);
 }
 
+VectorX LegTargets::SettlingShares(int leg, const Vector3& normal_W) const {
+  constexpr double kTurns = 0.5;  // cosine of the angle between axis and normal
+  const Foot& foot = model_.feet[static_cast<std::size_t>(leg)];
+  const double length = model_.legs[static_cast<std::size_t>(leg)].length_m;
+  VectorX shares = VectorX::Ones(jacobian_.cols());
+  double radius = 0.0;
+  for (const Vector2& p_F : foot.sole_F) radius = std::max(radius, p_F.norm());
+  if (radius == 0.0 || length <= 0.0) return shares;
+  for (Eigen::Index c = 0; c < shares.size(); ++c) {
+    const Vector3 turn = jacobian_.col(c).tail<3>();
+    if (std::abs(turn.dot(normal_W)) >= kTurns * turn.norm()) continue;  // also a prismatic joint
+    const double arm = jacobian_.col(c).head<3>().norm() / turn.norm();
+    shares[c] = std::pow(std::min(std::max(arm, radius) / length, 1.0), 2);
+  }
+  return shares;
+}
+
 VectorX LegTargets::ExtraTorque(int leg, const FootMotion& wanted, const MatrixX& M) const {
   const std::vector<int>& dofs = dofs_[static_cast<std::size_t>(leg)];
   Vector6 rows = Vector6::Zero();

@@ -37,6 +37,12 @@ class LegTargets {
   /// mostly noise.
   void Hold(int leg, const Vector3& normal_W, double creep_m_s, const VectorX& q, VectorX& v);
 
+  /// Factors on the damping of a standing leg's joints, by dof of the leg; 1 for a foot without a sole. The joints'
+  /// gains hold a foot at the end of the whole leg, m l^2 w. A joint at the distance r from the sole's middle moves the
+  /// foot by r only, so it gets m r^2 w; r is at least the radius of the sole. A stiffer ankle would keep a sole on its
+  /// edge. Joints that turn a sole about its normal have the factor 1. Call Hold first.
+  VectorX SettlingShares(int leg, const Vector3& normal_W) const;
+
   /// Torques of the leg's joints for the extra acceleration: M_ll J_l^+ a. Call Solve first.
   /// @param M  mass matrix of the robot, nv x nv.
   VectorX ExtraTorque(int leg, const FootMotion& wanted, const MatrixX& M) const;

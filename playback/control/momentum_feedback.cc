@@ -32,14 +32,11 @@ MomentumFeedback::MomentumFeedback(const RobotModel& model, const MotionPlan& pl
 void MomentumFeedback::Update(const Situation& now, const Footing& footing) {
   if (!active()) return;
   row_ = &gains_.At(now.time_s);
-  const double height = now.planned.p_WC.z() - now.ground_m;
-  const Vector3 leant(height * footing.ground_tilt_W.y(), -height * footing.ground_tilt_W.x(),
-                      footing.mean_offset_W.z());
-  const Matrix3 R_wanted = RotationExp(footing.ground_tilt_W) * now.planned.R_WB();
   error_.setZero();
-  error_.segment<3>(0) = now.measured.p_WC - now.planned.p_WC - leant;
+  error_.segment<3>(0) = now.measured.p_WC - now.planned.p_WC;
+  error_[2] -= footing.mean_offset_W.z();
   error_.segment<3>(3) = now.measured.v_WC - now.planned.v_WC;
-  error_.segment<3>(6) = RotationLog(now.measured.R_WB() * R_wanted.transpose());
+  error_.segment<3>(6) = RotationLog(now.measured.R_WB() * now.planned.R_WB().transpose());
   error_.segment<3>(9) = LockedInertia(model_, now.measured.scratch).inverse() * (now.measured.l_W - now.planned.l_W);
   for (std::size_t f = 0; f < model_.feet.size(); ++f) {
     if (!Contains(now.scheduled, static_cast<int>(f))) continue;

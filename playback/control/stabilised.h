@@ -37,7 +37,6 @@ struct StabilisedOptions {
   double settle_s = 0.03;
   double hover = 0.004;
   double search_m_s = 0.6;
-  double lean_s = 0.2;
   double ahead_error = 0.1;
   double ahead_turn_rad = 0.1;
   double ahead_step = 0.1;
@@ -85,8 +84,6 @@ struct StabilisedOptions {
              "foot stays loaded."},
             {"friction_use", &friction_use, "1", 0.1, 1.0,
              "Share of the friction coefficient that the commanded contact forces may use."},
-            {"lean_s", &lean_s, "s", 0.01, 100.0,
-             "Time constant with which the base follows an unplanned slope that the soles measure."},
             {"ahead_error", &ahead_error, "1", 0.001, 100.0,
              "In plans with flight: position error [leg lengths] or velocity error [sqrt(g x leg length)] that costs "
              "as much as changing contact forces by their full load."},
@@ -105,10 +102,11 @@ struct StabilisedOptions {
 ///
 ///   attitude, height:  M = I (k^2 e_R + 2 k e_w),  F_z = m (k^2 e_z + 2 k e_vz)
 ///   DCM:               the ZMP is moved by dcm_gain times the error xi - xi_planned, as a horizontal force on C
-///   lean:              the soles of standing feet measure the ground's tilt; the base leans with it, so
-///                      that swings meet the ground
+///   ground:            a plane through the contact points of the soles gives height and slope of the ground for the
+///                      next foothold; the base stays upright
 ///   split:             planned wrench plus feedback over the feet in stance, inside their cones;
 ///                      tau -= J^T (f - f_planned)
+///   soles:             turn onto the ground that they find: ankles have almost no damping
 ///   standing legs:     tau += M J^+ a, the torque for their inertia under the vertical acceleration beyond the plan's
 ///   foot placement:    the DCM error predicted for touch-down, e^{w t} (dxi - dp) + dp, is corrected by a foothold
 ///                      shift of (e^{w T} - lambda) / (e^{w T} - 1) times it, T the next stance plus the flight after

@@ -40,14 +40,13 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
   contact_foot_.clear();
   usable_.clear();
   lifted_m_s2_ = 0.0;
-  const Vector2 lean = Lean(now, footing);
   dcm_error_W_ = DivergentComponent(now.measured.p_WC, now.measured.v_WC, now.omega_rad_s) -
-                 DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s) - lean;
+                 DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s);
   if (planar_) return;
   const PointWrench planned = PlannedWrench(now);
   if (now.bearing != 0 && planned.force_W.z() > kLeastPlanned * model_.weight_n()) {
     GatherContacts(now, planned.force_W.z());
-    planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.support).head<2>();
+    planned_zmp_W_ = ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.support).head<2>();
     FindUsable(now, footing);
     const bool looks_ahead = ahead != nullptr && ahead->active();
     const PointWrench wanted = looks_ahead ? ahead->Wanted(now) : WantedWrench(now, footing, planned);
@@ -56,11 +55,6 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
   }
   AddTorques(now, tau);
   BearLegs(now, tau);
-}
-
-/// Lean of the base with ground that is tilted relative to the plan, at the height of the centre of mass [m].
-Vector2 StanceFeedback::Lean(const Situation& now, const Footing& footing) {
-  return (now.planned.p_WC.z() - now.ground_m) * Vector2(footing.ground_tilt_W.y(), -footing.ground_tilt_W.x());
 }
 
 /// Wrench about the measured centre of mass. The attitude has priority: the moment is given, and the force puts the ZMP
@@ -73,7 +67,7 @@ PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& fo
   constexpr double kLow = 0.3;  // of the planned height: lower is a fall
   const double weight = model_.weight_n(), kz = options_.height_rad_s;
   const Vector3& p_WC = now.measured.p_WC;
-  const Vector3 moment = WantedMoment(now, footing, planned.moment_W);
+  const Vector3 moment = WantedMoment(now, planned.moment_W);
   const double rise = now.planned.p_WC.z() + footing.mean_offset_W.z() - p_WC.z();
   const double rate = now.planned.v_WC.z() - now.measured.v_WC.z();
   const double lift = planned.force_W.z() + model_.total_mass_kg * kz * (kz * rise + 2.0 * rate);
@@ -144,9 +138,9 @@ void StanceFeedback::GatherContacts(const Situation& now, double total_normal_n)
   support_ = ConvexHull(corners);
 }
 
-Vector3 StanceFeedback::WantedMoment(const Situation& now, const Footing& footing, const Vector3& planned_W) const {
-  const Matrix3 R_wanted = RotationExp(footing.ground_tilt_W) * now.planned.R_WB();
-  const Vector3 turn = RotationLog(R_wanted * now.measured.R_WB().transpose());
+/// The base keeps its planned attitude on any ground: a base that leaned with the soles would rock on bumps.
+Vector3 StanceFeedback::WantedMoment(const Situation& now, const Vector3& planned_W) const {
+  const Vector3 turn = RotationLog(now.planned.R_WB() * now.measured.R_WB().transpose());
   const Vector3 spin = now.planned.w_WB() - now.measured.w_WB();
   const double k = options_.attitude_rad_s;
   const Matrix3& R_WB = now.planned.R_WB();

@@ -37,10 +37,9 @@ class StanceFeedback {
  private:
   void GatherContacts(const Situation& now, double total_normal_n);
   PointWrench PlannedWrench(const Situation& now) const;
-  Vector3 WantedMoment(const Situation& now, const Footing& footing, const Vector3& planned_W) const;
+  Vector3 WantedMoment(const Situation& now, const Vector3& planned_W) const;
   PointWrench WantedWrench(const Situation& now, const Footing& footing, const PointWrench& planned) const;
   void FindUsable(const Situation& now, const Footing& footing);
-  static Vector2 Lean(const Situation& now, const Footing& footing);
   Vector2 ZmpFor(const Vector2& dcm_error_W) const;
   void Split(const Situation& now, PointWrench wanted, double least_share);
   void AddTorques(const Situation& now, VectorX& tau) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/spatial/rotation.h"
@@ -23,42 +24,48 @@ SwingFeedback::SwingFeedback(const RobotModel& model, const MotionPlan& plan, co
 
 void SwingFeedback::Reset() {
   footing_ = {};
+  ground_.Reset(model_.feet.size());
   footing_.offset_W.assign(model_.feet.size(), Vector3::Zero());
   offsets_.assign(model_.feet.size(), {});
 }
 
 const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
   constexpr double kSettle = 0.02;  // [s]
-  constexpr double kBearing = 0.3;  // of the weight
-  Vector3 tilt = Vector3::Zero();
-  int flat = 0, standing = 0;
-  Vector3 offset = Vector3::Zero(), middle = Vector3::Zero();
+  const double share = std::min(now.step_s / kSettle, 1.0);
+  int standing = 0;
+  Vector3 offset = Vector3::Zero();
   for (std::size_t f = 0; f < model_.feet.size(); ++f) {
     const int foot = static_cast<int>(f);
-    if (!Contains(now.bearing, foot)) continue;
+    if (!Contains(now.bearing, foot)) {
+      ground_.Leave(f);
+      continue;
+    }
     const Vector3 seen = now.measured.X_WF[f].translation() - now.planned.X_WF[f].translation();
-    footing_.offset_W[f] += std::min(now.step_s / kSettle, 1.0) * (seen - footing_.offset_W[f]);
+    footing_.offset_W[f] += share * (seen - footing_.offset_W[f]);
     if (!Contains(now.scheduled, foot)) continue;
     offset += footing_.offset_W[f];
-    middle += now.planned.X_WF[f].translation();
     ++standing;
-    // Soles under load lie flat on a plane: their tilt relative to the plan is the tilt of the ground.
-    if (model_.feet[f].sole_F.empty() || !now.swings.Under(foot, now.time_s).is_plane ||
-        now.wrenches[f].force_W.z() < kBearing * model_.weight_n())
-      continue;
-    tilt += RotationLog(now.measured.X_WF[f].linear() * now.planned.X_WF[f].linear().transpose());
-    ++flat;
+    if (!model_.feet[f].sole_F.empty()) RecordGround(now, foot);
   }
-  if (standing > 0) {  // in flight the ground estimate does not change
-    footing_.mean_offset_W = offset / standing;
-    footing_.middle_W = middle / standing;
-  }
-  if (flat > 0) {
-    tilt /= flat;
-    tilt.z() = 0.0;
-    footing_.ground_tilt_W += std::min(now.step_s / options_.lean_s, 1.0) * (tilt - footing_.ground_tilt_W);
-  }
+  if (standing > 0) footing_.mean_offset_W = offset / standing;  // in flight the ground estimate does not change
+  ground_.Fit();
+  footing_.ground_tilt_W += share * (ground_.Tilt_W() - footing_.ground_tilt_W);
   return footing_;
+}
+
+/// Corners of a sole under load lie on the ground. On a height field a sole rocks, so it is not used.
+void SwingFeedback::RecordGround(const Situation& now, int foot) {
+  constexpr double kBearing = 0.3;  // of the weight
+  const auto f = static_cast<std::size_t>(foot);
+  if (now.wrenches[f].force_W.z() < kBearing * model_.weight_n()) return;
+  std::vector<GroundFit::Point> points;
+  if (now.swings.Under(foot, now.time_s).is_plane) {
+    now.PointsAt(foot, now.measured, measured_W_);
+    now.PointsAt(foot, now.planned, planned_W_);
+    for (std::size_t i = 0; i < measured_W_.size(); ++i)
+      points.push_back({planned_W_[i].head<2>(), measured_W_[i].z() - planned_W_[i].z()});
+  }
+  ground_.Stand(f, std::move(points));
 }
 
 void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, JointCommand& command,
@@ -108,10 +115,11 @@ Vector2 SwingFeedback::WantedStep(const Situation& now, const SwingNow& swing, c
   return away.norm() > reach ? Vector2(drift.com_W + away * reach / away.norm()) : caught;
 }
 
-/// Height of the ground under the standing feet.
+/// Height of the ground at the planned place, relative to the plan: of the plane through the soles' contact points,
+/// else under the standing feet.
 double SwingFeedback::WantedHeight(const Situation& now, int foot) const {
-  const Vector3 arm = now.planned.X_WF[static_cast<std::size_t>(foot)].translation() - footing_.middle_W;
-  return footing_.mean_offset_W.z() + footing_.ground_tilt_W.cross(arm).z();
+  const Vector3 p_WF = now.planned.X_WF[static_cast<std::size_t>(foot)].translation();
+  return ground_.has_points() ? ground_.RiseAt(p_WF.head<2>()) : footing_.mean_offset_W.z();
 }
 
 /// Moves along a minimum-jerk trajectory from the current to the wanted offset, at rest at touch-down. The move is
@@ -174,21 +182,25 @@ FootMotion SwingFeedback::WantedMotion(int foot, const Motion1& hover) const {
   return wanted;
 }
 
-/// Contact forces keep the balance; the motors only keep the foot from sliding.
+/// Contact forces keep the balance; the motors only keep the foot from sliding. They let a sole turn onto the ground
+/// that it finds.
 void SwingFeedback::CommandStance(const Situation& now, int leg, const StanceFeedback& stance, JointCommand& command) {
   v_ = now.measured.v;
   const double creep_m_s = options_.stance_creep * std::sqrt(kGravity * model_.leg_length_m());
-  legs_.Hold(leg, now.swings.Under(leg, now.time_s).normal_W, creep_m_s, now.measured.q, v_);
-  for (const int dof : legs_.dofs(leg)) {
+  const Vector3& normal_W = now.swings.Under(leg, now.time_s).normal_W;
+  legs_.Hold(leg, normal_W, creep_m_s, now.measured.q, v_);
+  const VectorX shares = legs_.SettlingShares(leg, normal_W);
+  const std::vector<int>& dofs = legs_.dofs(leg);
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const int dof = dofs[i];
     command.q[dof] = now.measured.q[7 + dof];
     command.v[dof] = v_[6 + dof];
     command.stiffness[dof] = 0.0;
-    command.damping[dof] *= options_.stance_damping;
+    command.damping[dof] *= options_.stance_damping * shares[static_cast<Eigen::Index>(i)];
   }
   FootMotion wanted;
   wanted.a_extra_WF.z() = -stance.lifted_m_s2();
   const VectorX extra = legs_.ExtraTorque(leg, wanted, mass_);
-  const std::vector<int>& dofs = legs_.dofs(leg);
   for (std::size_t i = 0; i < dofs.size(); ++i) command.tau_ff[dofs[i]] += extra[static_cast<Eigen::Index>(i)];
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kinematics/trajectory/swing_curve.h"
+#include "playback/control/ground_fit_internal.h"
 #include "playback/control/leg_targets.h"
 #include "playback/control/momentum_feedback.h"
 #include "playback/control/situation.h"
@@ -35,6 +36,7 @@ class SwingFeedback {
     Vector3 wanted = Vector3::Zero();
   };
 
+  void RecordGround(const Situation& now, int foot);
   Vector2 WantedStep(const Situation& now, const SwingNow& swing, const StanceFeedback& stance) const;
   double WantedHeight(const Situation& now, int foot) const;
   void MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const;
@@ -49,11 +51,13 @@ class SwingFeedback {
   const StabilisedOptions& options_;
   LegTargets legs_;
   Footing footing_;
+  GroundFit ground_;
   std::vector<Offset> offsets_;
   WholeBodySample next_;
   DynamicsScratch next_scratch_, mass_scratch_;
   MatrixX mass_;
   VectorX q_, v_;
+  std::vector<Vector3> measured_W_, planned_W_;  // contact points of one foot
 };
 
 }  // namespace gaitwright

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "kinematics/dynamics/foot_contact.h"
@@ -304,6 +305,26 @@ TEST(LegTargets, LegsWithFewMotorsAreLeftAlone) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   ASSERT_EQ(model->legs.size(), 2U);
   EXPECT_TRUE(LegTargets(*model).dofs(0).empty());
+}
+
+TEST(SettlingShares, AreSmallAtTheAnkleAndOneForYawAndForFeetWithoutASole) {
+  const RobotModel nao = Robot("nao");
+  LegTargets legs(nao);
+  VectorX v = VectorX::Zero(nao.nv());
+  legs.Hold(0, Vector3::UnitZ(), 0.0, StandingConfiguration(nao), v);
+  const VectorX shares = legs.SettlingShares(0, Vector3::UnitZ());
+  double radius = 0.0;
+  for (const Vector2& p_F : nao.feet[0].sole_F) radius = std::max(radius, p_F.norm());
+  const double edge = std::pow(radius / nao.legs[0].length_m, 2);
+  EXPECT_NEAR(shares.tail<2>().maxCoeff(), edge, 1e-9) << "ankle pitch and roll are nearer than the sole's edge";
+  EXPECT_GE(shares.minCoeff(), edge - 1e-9);
+  EXPECT_LE(shares.maxCoeff(), 1.0);
+
+  const RobotModel a1 = Robot("a1");
+  LegTargets points(a1);
+  v = VectorX::Zero(a1.nv());
+  points.Hold(0, Vector3::UnitZ(), 0.0, StandingConfiguration(a1), v);
+  EXPECT_EQ(points.SettlingShares(0, Vector3::UnitZ()), VectorX::Ones(3));
 }
 
 }  // namespace

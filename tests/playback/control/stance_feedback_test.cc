@@ -192,16 +192,15 @@ TEST_P(OnFourFeet, FeetInTheAirAreNotAskedForAnything) {
   EXPECT_GT(planned.tail(model_.num_dofs()).norm(), 1.0);
 }
 
-TEST_P(OnFourFeet, LeaningWithTheGroundIsNoError) {
+TEST_P(OnFourFeet, TheBaseStaysUprightOnTiltedGround) {
   const Vector3 turn(0.02, -0.03, 0.0);
   const ControlInput leaning = displaced::Carried(Pose(RotationExp(turn)), on_plan_);
-  const Vector3 upright = case_.Ask(leaning).moment_W;
+  const Reaction level = case_.Ask(leaning);
   case_.footing.ground_tilt_W = turn;
-  const Reaction asked = case_.Ask(leaning);
-  EXPECT_GT(upright.norm(), 0.1);
-  EXPECT_LT(asked.moment_W.norm(), 0.02 * upright.norm());
-  EXPECT_LT(asked.force_W.head<2>().norm(), 2e-3 * model_.weight_n()) << "the ZMP goes along with the centre of mass";
-  EXPECT_GT((asked.zmp_W - case_.Ask(on_plan_).zmp_W).norm(), 0.002);
+  const Reaction tilted = case_.Ask(leaning);
+  EXPECT_GT(level.moment_W.norm(), 0.1);
+  EXPECT_LT((tilted.moment_W - level.moment_W).norm(), 1e-9);
+  EXPECT_LT((tilted.zmp_W - level.zmp_W).norm(), 1e-9);
 }
 
 TEST_P(OnFourFeet, TheSameElsewhereAsksForTheSame) {
