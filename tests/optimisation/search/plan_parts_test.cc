@@ -35,7 +35,7 @@ TEST(PlanParts, TheWholeIsSoundAndTellsThatFootholdsWereHeld) {
   EXPECT_TRUE(planned->audit.pass());
   EXPECT_EQ(planned->motion.plan.parts.size(), 2U);
   EXPECT_TRUE(planned->motion.plan.adjustments.empty());
-  EXPECT_EQ(FootholdsOf(planned->motion.plan), "held");
+  EXPECT_EQ(FootholdsOf(planned->motion.plan), "as-needed");
 }
 
 TEST(PlanParts, FootholdsOfGaitsThatFlyMoveFirstWhereThatIsAskedFor) {
@@ -43,7 +43,7 @@ TEST(PlanParts, FootholdsOfGaitsThatFlyMoveFirstWhereThatIsAskedFor) {
   const Result<PlannedWalk> held = PartsOn(WithStepBeside(), bound), free = PartsOn(WithStepBeside(), bound, "free");
   ASSERT_TRUE(held.ok()) << held.failure().message;
   ASSERT_TRUE(free.ok()) << free.failure().message;
-  EXPECT_EQ(FootholdsOf(held->motion.plan), "held");
+  EXPECT_EQ(FootholdsOf(held->motion.plan), "as-needed");
   EXPECT_EQ(FootholdsOf(free->motion.plan), "free");
 }
 

@@ -84,7 +84,6 @@ TEST(PlanWalkOn, APlanTellsItsSeedAndItsGround) {
   ASSERT_TRUE(planned.ok()) << planned.failure().message;
   const Provenance& provenance = planned->motion.plan.provenance;
   EXPECT_EQ(provenance.seed, 77U);
-  request.motion.footholds = "held";  // as they were on flat ground
   EXPECT_EQ(provenance.options, TextsOf(RequestFields(request)));
   EXPECT_GE(planned->planning_cpu_s, 0.0);
 }
