@@ -8,8 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "optimisation/numerics/check_problem.h"
-#include "optimisation/numerics/sparse_rows.h"
+#include "optimisation/numerics/elastic_rows_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -48,21 +47,19 @@ struct Move {
 ///   y      multipliers of equality rows
 class ElasticSolver {
  public:
-  ElasticSolver(const ConstrainedProblem& problem, const ElasticOptions& options)
-      : options_(options), rows_(problem), penalty_(options.penalty) {
-    Index row = rows_.residuals();
-    for (const Constraint& c : problem.constraints) {
-      for (Index i = 0; i < c.lower.size(); ++i, ++row) {
-        if (c.lower[i] == c.upper[i]) {
-          fixed_.push_back({row, c.lower[i]});
-          continue;
-        }
-        if (std::isfinite(c.upper[i])) sides_.push_back({row, 1.0, c.upper[i]});
-        if (std::isfinite(c.lower[i])) sides_.push_back({row, -1.0, c.lower[i]});
+  ElasticSolver(ElasticRows& rows, const VectorX& start, const ElasticOptions& options)
+      : options_(options), rows_(rows), penalty_(options.penalty) {
+    for (Index row = rows_.residuals(); row < rows_.count(); ++row) {
+      const RowBounds bounds = rows_.BoundsOf(row);
+      if (bounds.lower == bounds.upper) {
+        fixed_.push_back({row, bounds.lower});
+        continue;
       }
+      if (std::isfinite(bounds.upper)) sides_.push_back({row, 1.0, bounds.upper});
+      if (std::isfinite(bounds.lower)) sides_.push_back({row, -1.0, bounds.lower});
     }
     const auto n = static_cast<Index>(sides_.size()), m = static_cast<Index>(fixed_.size());
-    at_ = step_ = {problem.start, VectorX::Zero(n), VectorX::Zero(n), VectorX::Zero(m), VectorX::Zero(n)};
+    at_ = step_ = {start, VectorX::Zero(n), VectorX::Zero(n), VectorX::Zero(m), VectorX::Zero(n)};
     c_ = VectorX::Zero(m);
     h_ = wanted_s_ = wanted_t_ = VectorX::Zero(n);
   }
@@ -106,7 +103,7 @@ class ElasticSolver {
   }
 
   const ElasticOptions options_;
-  SparseRows rows_;
+  ElasticRows& rows_;
   std::vector<Side> sides_;
   std::vector<Fixed> fixed_;
   Move at_, step_;
@@ -133,10 +130,10 @@ void ElasticSolver::Start() {
   Evaluate(at_.x);
   for (Index row = 0; row < rows_.count(); ++row) {
     if (std::isfinite(rows_.value()[row])) continue;
-    const Constraint* of = rows_.ConstraintOf(row);
-    throw InvalidArgument(of == nullptr
-                              ? "SolveElastic: a residual is not finite at the start"
-                              : fmt::format("SolveElastic: constraint '{}' is not finite at the start", of->name));
+    throw InvalidArgument(
+        row < rows_.residuals()
+            ? "SolveElastic: a residual is not finite at the start"
+            : fmt::format("SolveElastic: constraint '{}' is not finite at the start", rows_.NameOf(row)));
   }
   for (Index i = 0; i < h_.size(); ++i) {
     at_.t[i] = std::max(h_[i], 0.0) + kRoom;
@@ -164,7 +161,7 @@ void ElasticSolver::Finish() {
   std::map<std::string, double> by;
   const auto look = [&](Index row, double violation) {
     if (violation <= options_.tolerance) return;
-    double& worst = by[rows_.ConstraintOf(row)->name];
+    double& worst = by[rows_.NameOf(row)];
     worst = std::max(worst, violation);
   };
   for (std::size_t i = 0; i < fixed_.size(); ++i) look(fixed_[i].row, std::abs(c_[static_cast<Index>(i)]));
@@ -265,7 +262,7 @@ void ElasticSolver::TakeStep() {
   const double unbalanced = Unbalanced();
   const double slope = gradient_.dot(step_.x) + penalty_ * step_.t.sum() -
                        mean_ * (step_.s.cwiseQuotient(at_.s).sum() + step_.t.cwiseQuotient(at_.t).sum());
-  if (unbalanced > 1e-9) {
+  if (unbalanced > rows_.unnoticed()) {
     const double needed = slope / (0.9 * unbalanced);
     if (weight_ < needed) weight_ = 1.5 * needed;
   }
@@ -358,14 +355,11 @@ OptionFields ElasticOptions::Fields() {
       {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
 }
 
-Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options,
-                                         ConstrainedSolution* last) {
+Result<ConstrainedSolution> SolveElasticRows(ElasticRows& rows, const VectorX& start, const ElasticOptions& options,
+                                             ConstrainedSolution* last) {
   ElasticOptions checked = options;
   CheckOptions(checked.Fields());
-  CheckConstrainedProblem(problem);
-  if (problem.lower.size() + problem.upper.size() > 0)
-    throw InvalidArgument("SolveElastic: bounds are not supported; give them as constraints");
-  ElasticSolver solver(problem, checked);
+  ElasticSolver solver(rows, start, checked);
   Result<ConstrainedSolution> solution = solver.Run();
   if (last != nullptr) *last = solver.solution();
   return solution;

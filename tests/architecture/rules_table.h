@@ -36,9 +36,10 @@ inline const std::vector<Layer> kLayers = {
     {"optimisation/numerics", 30},
     {"optimisation/centroidal", 31},
     {"optimisation/swing", 32},
-    {"optimisation/whole_body", 33},
-    {"optimisation/pipeline", 34},
-    {"optimisation/search", 35},
+    {"optimisation/trajectory", 33},
+    {"optimisation/whole_body", 34},
+    {"optimisation/pipeline", 35},
+    {"optimisation/search", 36},
 
     {"playback/log", 40},
     {"playback/engine", 41},

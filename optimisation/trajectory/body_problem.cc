@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "optimisation/trajectory/body_problem_internal.h"
+
+namespace gaitwright {
+
+int FootGoal::count() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }
+
+void StateOf(const TurningChart& chart, const VectorJet& jet, ChartedState& state) {
+  const Eigen::Index n = jet.x.size();
+  state.turn = chart.At({jet.x.segment<3>(3), jet.rate.segment<3>(3), jet.acceleration.segment<3>(3)});
+  state.q.resize(n + 1);
+  state.q.head<3>() = jet.x.head<3>();
+  state.q.segment<4>(3) = Quaternion(state.turn.R).coeffs();
+  state.q.tail(n - 6) = jet.x.tail(n - 6);
+  state.v = jet.rate;
+  state.v.segment<3>(3) = state.turn.w;
+  state.a = jet.acceleration;
+  state.a.segment<3>(3) = state.turn.alpha;
+}
+
+VectorJet JetOf(const TurningChart& chart, const VectorX& q, const VectorX& v, const VectorX& a, const VectorX& near) {
+  const AngleJet turn = chart.JetOf(BaseRotation(q), v.segment<3>(3), a.segment<3>(3), near.segment<3>(3));
+  VectorJet jet;
+  jet.x.resize(v.size());
+  jet.x << q.head<3>(), turn.x, q.tail(q.size() - 7);
+  jet.rate = v;
+  jet.rate.segment<3>(3) = turn.rate;
+  jet.acceleration = a;
+  jet.acceleration.segment<3>(3) = turn.acceleration;
+  return jet;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "optimisation/trajectory/chain_spline_internal.h"
+#include "optimisation/trajectory/knot_model_internal.h"
+#include "optimisation/trajectory/turning_chart_internal.h"
+
+namespace gaitwright {
+
+/// A foot's contact with the ground at a knot: forces are unknowns, inside friction cones.
+struct PressingFoot {
+  KnotContact contact;
+  Matrix3 axes_W = Matrix3::Identity();  ///< two tangents of the ground, and its normal
+  double friction = 0.8;                 ///< that forces may use
+};
+
+/// Where a foot is to be at a knot.
+///
+/// A sphere that turns rolls: with its radius r and the normal n, the origin of F is to be at
+///   p_W + r log(R R_roll^T) x n,   R its rotation, R_roll the one for which p_W was reckoned.
+struct FootGoal {
+  int foot = 0;
+  Vector3 p_W = Vector3::Zero();         ///< of the origin of F [m]
+  Matrix3 R_W = Matrix3::Identity();     ///< of a sole
+  Matrix3 R_roll = Matrix3::Identity();  ///< of a sphere
+  Vector3 normal_W = Vector3::UnitZ();   ///< of a sphere
+  Matrix3 axes_W = Matrix3::Identity();  ///< along which the position's rows are
+  std::array<bool, 6> rows{};            ///< position by axis, rotation by axis of F
+  bool swings = false;                   ///< for messages
+
+  int count() const;
+};
+
+/// What is asked at a knot. Vectors are in the coordinates of BodyProblem.
+struct BodyKnot {
+  std::vector<PressingFoot> pressing;
+  std::vector<FootGoal> feet;
+  VectorJet reference;       ///< what the motion is to be near
+  bool pins_place = false;   ///< the position is that of the reference
+  bool pins_motion = false;  ///< rate and acceleration are those of the reference
+};
+
+/// Weights of the cost, each for a unit of what it weighs and for 10 ms.
+struct BodyWeights {
+  double base_position = 20.0;       ///< distance from the reference [1/m]
+  double base_rotation = 10.0;       ///< [1/rad]
+  double joint = 2.0;                ///< [1/rad]
+  double base_acceleration = 0.05;   ///< difference from the reference's [s^2/m], [s^2/rad]
+  double joint_acceleration = 1e-3;  ///< [s^2/rad]
+  double effort = 0.3;               ///< share of a motor's limit
+  double force = 0.1;                ///< force of a contact point over the weight
+};
+
+/// Shares of limits that a motion may use at knots, so that there is room for what happens in between.
+struct BodyLimitUse {
+  double effort = 0.98, speed = 0.99;
+  double range_margin = 1e-3;  ///< to the ends of a joint's range [rad], [m]
+};
+
+/// A motion of the whole body and of the forces on its feet over a schedule of contacts, as a spline over knots.
+///
+/// Unknowns: the control points of a ChainSpline of the coordinates
+///   x = [p_WB (3), angles of TurningChart (3), independent joints (n)],
+/// and at each knot the force at each contact point, in units of the weight; between knots forces are linear. At knots
+/// hold: Newton's and Euler's equations of the whole (six rows), feet on their goals, forces inside their cones,
+/// positions, speeds and efforts within limits, torque-speed curves included.
+struct BodyProblem {
+  const RobotModel* model = nullptr;
+  TurningChart chart;
+  std::vector<double> time_s;   ///< of the knots
+  std::vector<BodyKnot> knots;  ///< as many
+  BodyWeights weights;
+  BodyLimitUse use;
+};
+
+/// State of the robot for a jet of the coordinates.
+struct ChartedState {
+  VectorX q, v, a;
+  ChartedTurn turn;
+};
+void StateOf(const TurningChart& chart, const VectorJet& jet, ChartedState& state);
+
+/// The reverse. @param near  coordinates of a state nearby, for angles beyond pi.
+VectorJet JetOf(const TurningChart& chart, const VectorX& q, const VectorX& v, const VectorX& a, const VectorX& near);
+
+}  // namespace gaitwright

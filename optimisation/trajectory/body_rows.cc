@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "kinematics/spatial/rotation.h"
+#include "optimisation/trajectory/body_rows_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kUnit = 0.01;  // [s] of time that weights are for
+
+/// Change of the rotation vector of R when R turns by a small vector in W: the inverse of the left Jacobian of SO(3).
+Matrix3 LogDerivative(const Vector3& turn) {
+  const double angle = turn.norm();
+  const Matrix3 K = Skew(turn);
+  constexpr double kSmall = 1e-4;
+  const double second = angle < kSmall
+                            ? 1.0 / 12.0
+                            : (1.0 - 0.5 * angle * std::cos(0.5 * angle) / std::sin(0.5 * angle)) / (angle * angle);
+  return Matrix3::Identity() - 0.5 * K + second * K * K;
+}
+
+/// A side of the pyramid inside a friction cone: the force along it is at most zero.
+Vector3 SideOf(const PressingFoot& foot, int side) {
+  const double angle = 2.0 * std::numbers::pi * side / kPyramidSides;
+  return foot.axes_W *
+         Vector3(std::cos(angle), std::sin(angle), -foot.friction * std::cos(std::numbers::pi / kPyramidSides));
+}
+
+}  // namespace
+
+BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
+    : problem_(problem),
+      model_(*problem.model),
+      spline_(problem.time_s),
+      motors_(*problem.model, problem.use),
+      knot_model_(*problem.model),
+      n_(problem.model->nv()),
+      chain_(n_, spline_.points()) {
+  for (int d = 0; d < model_.num_dofs(); ++d) {
+    if (std::isfinite(model_.dof_lower(d)) || std::isfinite(model_.dof_upper(d))) ranged_.push_back(d);
+  }
+  ListRows();
+  if (start.size() != size()) throw InvalidArgument("BodyRows: the start does not have the size of the unknowns");
+  Evaluate(start);
+  Differentiate();
+}
+
+void BodyRows::ListRows() {
+  const std::vector<double>& times = spline_.times_s();
+  points_size_ = n_ * spline_.points();
+  knots_.resize(times.size());
+  for (std::size_t k = 0; k < knots_.size(); ++k) {
+    const double before = k > 0 ? times[k] - times[k - 1] : 0.0,
+                 after = k + 1 < times.size() ? times[k + 1] - times[k] : 0.0;
+    share_.push_back(std::sqrt(0.5 * (before + after) / kUnit));
+    Knot& knot = knots_[k];
+    knot.force = points_size_ + forces_size_;
+    for (const PressingFoot& foot : Asked(k).pressing) {
+      knot.contacts.push_back(foot.contact);
+      knot.forces += static_cast<Index>(3 * foot.contact.points_F.size());
+    }
+    forces_size_ += knot.forces;
+    for (int kind = kNear; kind < kDynamics; ++kind) {
+      knot.row[kind] = residuals_;
+      residuals_ += CountOf(knot, Asked(k), static_cast<Kind>(kind));
+    }
+  }
+  Index rows = residuals_;
+  for (std::size_t k = 0; k < knots_.size(); ++k) {
+    Knot& knot = knots_[k];
+    for (int kind = kDynamics; kind < kKinds; ++kind) {
+      knot.row[kind] = rows;
+      rows += CountOf(knot, Asked(k), static_cast<Kind>(kind));
+    }
+    knot.row[kKinds] = rows;
+    knot.y = VectorX::Zero(3 * n_ + knot.forces);
+    knot.dense = VectorX::Zero(6 + motors_.count());
+    knot.D = MatrixX::Zero(knot.dense.size(), knot.y.size());
+    knot.feet = VectorX::Zero(CountOf(knot, Asked(k), kFeet));
+    knot.J = MatrixX::Zero(knot.feet.size(), n_);
+  }
+  value_ = VectorX::Zero(rows);
+}
+
+Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) const {
+  switch (kind) {
+    case kNear:
+    case kNearAcceleration:
+      return n_;
+    case kEffort:
+      return motors_.count();
+    case kForce:
+      return knot.forces;
+    case kDynamics:
+      return 6;
+    case kFeet: {
+      if (asked.pins_place) return 0;
+      Index rows = 0;
+      for (const FootGoal& goal : asked.feet) rows += goal.count();
+      return rows;
+    }
+    case kEffortLimit:
+      return static_cast<Index>(motors_.limited().size());
+    case kCurve:
+      return asked.pins_motion ? 0 : static_cast<Index>(motors_.curves().size());
+    case kRange:
+      return asked.pins_place ? 0 : static_cast<Index>(ranged_.size());
+    case kCone:
+      return knot.forces / 3 * kPyramidSides;
+    case kPinnedPlace:
+      return asked.pins_place ? n_ : 0;
+    case kPinnedMotion:
+      return asked.pins_motion ? 2 * n_ : 0;
+    case kKinds:
+      break;
+  }
+  return 0;
+}
+
+RowBounds BodyRows::BoundsOf(Index row) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto above = std::upper_bound(knots_.begin(), knots_.end(), row,
+                                      [](Index r, const Knot& knot) { return r < knot.row[kDynamics]; });
+  const Knot& knot = *(above - 1);
+  if (row >= knot.row[kEffortLimit] && row < knot.row[kRange]) return {-1.0, 1.0};
+  if (row >= knot.row[kRange] && row < knot.row[kCone]) {
+    const int dof = ranged_[static_cast<std::size_t>(row - knot.row[kRange])];
+    const double lower = model_.dof_lower(dof), upper = model_.dof_upper(dof);
+    const double margin = std::min(problem_.use.range_margin, 0.25 * (upper - lower));
+    return {lower + margin, upper - margin};
+  }
+  if (row >= knot.row[kCone] && row < knot.row[kPinnedPlace]) return {-kNone, 0.0};
+  return {0.0, 0.0};
+}
+
+std::string BodyRows::NameOf(Index row) const {
+  const auto above = std::upper_bound(knots_.begin(), knots_.end(), row,
+                                      [](Index r, const Knot& knot) { return r < knot.row[kDynamics]; });
+  const auto k = static_cast<std::size_t>(above - knots_.begin() - 1);
+  const Knot& knot = knots_[k];
+  const auto at = [&](Kind kind) { return static_cast<std::size_t>(row - knot.row[kind]); };
+  const auto motor = [&](int index) { return motors_.motors()[static_cast<std::size_t>(index)].name; };
+  const auto within = [&](Kind kind) { return row >= knot.row[kind] && row < knot.row[kind + 1]; };
+  std::string what = "start and end";
+  if (within(kDynamics)) what = at(kDynamics) < 3 ? "balance of forces" : "balance of moments";
+  if (within(kEffortLimit)) what = fmt::format("torque of '{}'", motor(motors_.limited()[at(kEffortLimit)]));
+  if (within(kCurve)) {
+    const MotorRows::Curve& curve = motors_.curves()[at(kCurve)];
+    what = fmt::format("{} of '{}'", curve.by_effort > 0.0 ? "torque at speed" : "speed", motor(curve.motor));
+  }
+  if (within(kRange))
+    what = fmt::format("position of '{}'", model_.dof_names[static_cast<std::size_t>(ranged_[at(kRange)])]);
+  const auto foot_name = [&](int foot) { return model_.feet[static_cast<std::size_t>(foot)].name; };
+  if (within(kFeet)) {
+    Index left = row - knot.row[kFeet];
+    for (const FootGoal& goal : Asked(k).feet) {
+      if (left >= 0 && left < goal.count())
+        what = fmt::format("{} of foot '{}'", goal.swings ? "swing" : "foothold", foot_name(goal.foot));
+      left -= goal.count();
+    }
+  }
+  if (within(kCone)) {
+    Index left = (row - knot.row[kCone]) / kPyramidSides;
+    for (const PressingFoot& foot : Asked(k).pressing) {
+      const auto points = static_cast<Index>(foot.contact.points_F.size());
+      if (left >= 0 && left < points) what = fmt::format("friction cone of foot '{}'", foot_name(foot.contact.foot));
+      left -= points;
+    }
+  }
+  return fmt::format("{} at {:.3f} s", what, problem_.time_s[k]);
+}
+
+double BodyRows::NearWeight(Index i) const {
+  const BodyWeights& w = problem_.weights;
+  return i < 3 ? w.base_position : i < 6 ? w.base_rotation : w.joint;
+}
+
+double BodyRows::AccelerationWeight(Index i) const {
+  const BodyWeights& w = problem_.weights;
+  return i < 6 ? w.base_acceleration : w.joint_acceleration;
+}
+
+void BodyRows::SetState(Knot& knot, ChartedState& state) {
+  StateOf(problem_.chart, {knot.y.head(n_), knot.y.segment(n_, n_), knot.y.segment(2 * n_, n_)}, state);
+}
+
+void BodyRows::Evaluate(const VectorX& z) {
+  const double weight = model_.weight_n(), moment = weight * model_.leg_length_m();
+  ChartedState state;
+  VectorX needed;
+  for (std::size_t k = 0; k < knots_.size(); ++k) {
+    Knot& knot = knots_[k];
+    Flat(k, z, knot.y);
+    SetState(knot, state);
+    knot_model_.Evaluate(state.q, state.v, state.a, knot.contacts, weight * knot.y.tail(knot.forces), needed);
+    knot.dense.head<3>() = needed.head<3>() / weight;
+    knot.dense.segment<3>(3) = needed.segment<3>(3) / moment;
+    motors_.Efforts(needed.tail(n_ - 6), state.v.tail(n_ - 6), state.a.tail(n_ - 6), knot.dense.tail(motors_.count()));
+    EvaluateFeet(knot, Asked(k), nullptr);
+    FillRows(k, knot.y, knot.dense, knot.feet, true, value_);
+  }
+}
+
+void BodyRows::Differentiate() {
+  const double weight = model_.weight_n(), moment = weight * model_.leg_length_m();
+  const Index joints = n_ - 6, m = motors_.count();
+  ChartedState state;
+  for (std::size_t k = 0; k < knots_.size(); ++k) {
+    Knot& knot = knots_[k];
+    SetState(knot, state);
+    knot_model_.Differentiate(state.q, state.v, state.a, knot.contacts, weight * knot.y.tail(knot.forces), forces_);
+    const auto set = [&](Index column, const MatrixX& by, double unit) {
+      auto block = knot.D.middleCols(column, by.cols());
+      block.topRows<3>() = unit / weight * by.topRows<3>();
+      block.middleRows<3>(3) = unit / moment * by.middleRows<3>(3);
+      motors_.ToMotors(by.bottomRows(joints), block.bottomRows(m));
+      if (unit != 1.0) block.bottomRows(m) *= unit;
+    };
+    set(0, forces_.by_q, 1.0);
+    set(n_, forces_.by_v, 1.0);
+    set(2 * n_, forces_.by_a, 1.0);
+    set(3 * n_, forces_.by_force, weight);
+    motors_.AddLosses(knot.D.block(6, n_ + 6, m, joints), knot.D.block(6, 2 * n_ + 6, m, joints));
+    auto by_q = knot.D.middleCols<3>(3), by_v = knot.D.middleCols<3>(n_ + 3), by_a = knot.D.middleCols<3>(2 * n_ + 3);
+    by_q = (by_q * state.turn.E + by_v * state.turn.w_by_x + by_a * state.turn.alpha_by_x).eval();
+    by_v = (by_v * state.turn.E + by_a * state.turn.alpha_by_rate).eval();
+    by_a = (by_a * state.turn.E).eval();
+    EvaluateFeet(knot, Asked(k), &state);
+  }
+}
+
+/// Needs the knot model where the knot is.
+void BodyRows::EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives) {
+  if (knot.feet.size() == 0) return;
+  Index row = 0;
+  MatrixX by_v;
+  for (const FootGoal& goal : asked.feet) {
+    const Foot& foot = model_.feet[static_cast<std::size_t>(goal.foot)];
+    knot_model_.FootAt(goal.foot, with_derivatives != nullptr, foot_);
+    Vector6 off;
+    const Vector3 rolled = foot.radius > 0.0 ? RotationLog(foot_.R_WF * goal.R_roll.transpose()) : Vector3::Zero();
+    const Vector3 turned = RotationLog(foot_.R_WF * goal.R_W.transpose());
+    off << goal.axes_W.transpose() * (foot_.p_WF - goal.p_W - foot.radius * rolled.cross(goal.normal_W)),
+        goal.R_W.transpose() * turned;
+    if (with_derivatives != nullptr) {
+      by_v.resize(6, n_);
+      by_v.topRows<3>() =
+          goal.axes_W.transpose() *
+          (foot_.J.topRows<3>() + foot.radius * Skew(goal.normal_W) * LogDerivative(rolled) * foot_.J.bottomRows<3>());
+      by_v.bottomRows<3>() = goal.R_W.transpose() * LogDerivative(turned) * foot_.J.bottomRows<3>();
+      by_v.middleCols<3>(3) = (by_v.middleCols<3>(3) * with_derivatives->turn.E).eval();
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (!goal.rows[i]) continue;
+      knot.feet[row] = off[static_cast<Index>(i)];
+      if (with_derivatives != nullptr) knot.J.row(row) = by_v.row(static_cast<Index>(i));
+      ++row;
+    }
+  }
+}
+
+/// The rows of a knot at y, or without constants their changes by y.
+void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& feet, bool constants,
+                        VectorX& rows) const {
+  const Knot& knot = knots_[k];
+  const BodyKnot& asked = Asked(k);
+  const VectorJet& reference = asked.reference;
+  const double constant = constants ? 1.0 : 0.0;
+  const auto x = y.head(n_), rate = y.segment(n_, n_), acceleration = y.segment(2 * n_, n_);
+  for (Index i = 0; i < n_; ++i) {
+    rows[knot.row[kNear] + i] = share_[k] * NearWeight(i) * (x[i] - constant * reference.x[i]);
+    rows[knot.row[kNearAcceleration] + i] =
+        share_[k] * AccelerationWeight(i) * (acceleration[i] - constant * reference.acceleration[i]);
+  }
+  const Index m = motors_.count();
+  rows.segment(knot.row[kEffort], m) = share_[k] * problem_.weights.effort * dense.tail(m);
+  rows.segment(knot.row[kForce], knot.forces) = share_[k] * problem_.weights.force * y.tail(knot.forces);
+  rows.segment<6>(knot.row[kDynamics]) = dense.head<6>();
+  rows.segment(knot.row[kFeet], feet.size()) = feet;
+  Index row = knot.row[kEffortLimit];
+  for (const int motor : motors_.limited()) rows[row++] = dense[6 + motor];
+  for (const MotorRows::Curve& curve : motors_.curves()) {
+    if (row == knot.row[kRange]) break;
+    const Actuator& motor = motors_.motors()[static_cast<std::size_t>(curve.motor)];
+    rows[row++] = curve.by_effort * dense[6 + curve.motor] + motor.Speed(rate.tail(n_ - 6)) / curve.speed_scale;
+  }
+  for (Index i = 0; i < knot.row[kCone] - knot.row[kRange]; ++i)
+    rows[knot.row[kRange] + i] = x[6 + ranged_[static_cast<std::size_t>(i)]];
+  row = knot.row[kCone];
+  Index force = 3 * n_;
+  for (const PressingFoot& foot : asked.pressing) {
+    for (std::size_t p = 0; p < foot.contact.points_F.size(); ++p, force += 3) {
+      for (int side = 0; side < kPyramidSides; ++side) rows[row++] = SideOf(foot, side).dot(y.segment<3>(force));
+    }
+  }
+  if (asked.pins_place) rows.segment(knot.row[kPinnedPlace], n_) = x - constant * reference.x;
+  if (!asked.pins_motion) return;
+  rows.segment(knot.row[kPinnedMotion], n_) = rate - constant * reference.rate;
+  rows.segment(knot.row[kPinnedMotion] + n_, n_) = acceleration - constant * reference.acceleration;
+}
+
+void BodyRows::Flat(std::size_t k, const VectorX& z, VectorX& y) const {
+  const Knot& knot = knots_[k];
+  const KnotBasis& basis = spline_.At(static_cast<int>(k));
+  y.setZero(3 * n_ + knot.forces);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto point = z.segment(static_cast<Index>(k + i) * n_, n_);
+    y.head(n_) += basis.value[i] * point;
+    y.segment(n_, n_) += basis.rate[i] * point;
+    y.segment(2 * n_, n_) += basis.acceleration[i] * point;
+  }
+  y.tail(knot.forces) = z.segment(knot.force, knot.forces);
+}
+
+VectorX BodyRows::Moved(const VectorX& by) const {
+  VectorX moved = VectorX::Zero(count());
+  for (std::size_t k = 0; k < knots_.size(); ++k) {
+    const Knot& knot = knots_[k];
+    Flat(k, by, flat_);
+    dense_.noalias() = knot.D * flat_;
+    feet_.noalias() = knot.J * flat_.head(n_);
+    FillRows(k, flat_, dense_, feet_, false, moved);
+  }
+  return moved;
+}
+
+VectorX BodyRows::Joined(const MatrixX& points, const std::vector<VectorX>& forces) const {
+  VectorX z(size());
+  z.head(points_size_) = Eigen::Map<const VectorX>(points.data(), points.size());
+  for (std::size_t k = 0; k < knots_.size(); ++k) z.segment(knots_[k].force, knots_[k].forces) = forces[k];
+  return z;
+}
+
+MatrixX BodyRows::PointsOf(const VectorX& z) const { return Eigen::Map<const MatrixX>(z.data(), n_, spline_.points()); }
+
+std::vector<VectorX> BodyRows::ForcesOf(const VectorX& z) const {
+  std::vector<VectorX> forces;
+  for (const Knot& knot : knots_) forces.emplace_back(z.segment(knot.force, knot.forces));
+  return forces;
+}
+
+}  // namespace gaitwright

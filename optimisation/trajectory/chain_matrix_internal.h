@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// A symmetric positive definite matrix of square blocks in which block i meets blocks i - 2 to i + 2 alone, and its
+/// Cholesky factors, which have the same pattern: their cost is linear in the number of blocks.
+class ChainMatrix {
+ public:
+  ChainMatrix(Eigen::Index block_size, int blocks);
+
+  /// The matrix of `damping` on the diagonal.
+  void SetDiagonal(double damping);
+  /// Where a lower triangle of three blocks squared is to be added, its first block on block `first` of the diagonal.
+  void Add(int first, const Eigen::Ref<const MatrixX>& lower);
+  /// @return false if the matrix is not positive definite.
+  bool Factor();
+  /// Solves in place with the factors.
+  void Solve(Eigen::Ref<VectorX> right) const;
+
+ private:
+  /// Block column: what is at and below the diagonal.
+  auto Column(int block) { return columns_.middleCols(block * size_, size_); }
+  auto Column(int block) const { return columns_.middleCols(block * size_, size_); }
+
+  Eigen::Index size_;
+  int blocks_;
+  MatrixX columns_;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// Weights of the three control points that decide a cubic spline and its derivatives at one of its knots.
+struct KnotBasis {
+  std::array<double, 3> value{}, rate{}, acceleration{};
+};
+
+/// A vector over time.
+struct VectorJet {
+  VectorX x, rate, acceleration;
+};
+
+/// A cubic spline of vectors over knots at given times: its acceleration is continuous, and linear between knots. Knot
+/// k is decided by control points k, k + 1 and k + 2 alone, so that what holds at knots makes a banded system.
+class ChainSpline {
+ public:
+  /// @throws InvalidArgument for fewer than two times or where they do not increase.
+  explicit ChainSpline(std::vector<double> time_s);
+
+  int knots() const { return static_cast<int>(time_s_.size()); }
+  int points() const { return knots() + 2; }
+  const std::vector<double>& times_s() const { return time_s_; }
+  const KnotBasis& At(int knot) const { return basis_[static_cast<std::size_t>(knot)]; }
+
+  /// The control points (columns) of the spline through values (columns, one by knot), with rates at both ends.
+  MatrixX Through(const MatrixX& values, const VectorX& first_rate, const VectorX& last_rate) const;
+
+  /// The spline of control points (columns) at a time, which is taken into its range.
+  void Sample(const Eigen::Ref<const MatrixX>& points, double at_s, VectorJet& jet) const;
+
+ private:
+  std::vector<double> time_s_;
+  std::vector<KnotBasis> basis_;
+};
+
+}  // namespace gaitwright

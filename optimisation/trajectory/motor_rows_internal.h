@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/actuator.h"
+#include "optimisation/trajectory/body_problem_internal.h"
+
+namespace gaitwright {
+
+/// Efforts of the motors of a robot as linear functions of what its bodies need, and of speeds and accelerations: with
+/// the rotors' inertia and viscous friction. Dry friction is taken off the limit, in either direction.
+///
+/// All efforts and speeds are shares of what a motor may use.
+class MotorRows {
+ public:
+  MotorRows(const RobotModel& model, const BodyLimitUse& use);
+
+  /// A motor with a limit of its speed or a torque-speed curve:
+  ///   effort * by_effort + speed / speed_scale within [-1, 1].
+  struct Curve {
+    int motor;
+    double by_effort;    ///< of the share of effort that may be used; 0 for a limit of speed alone
+    double speed_scale;  ///< [rad/s]
+  };
+
+  int count() const { return static_cast<int>(motors_.size()); }
+  const std::vector<Actuator>& motors() const { return motors_; }
+  /// Motors whose effort is limited: their share is to be within [-1, 1].
+  const std::vector<int>& limited() const { return limited_; }
+  const std::vector<Curve>& curves() const { return curves_; }
+
+  /// Shares of efforts. @param torque  that the bodies take, by independent joint; v and a are those of the joints.
+  void Efforts(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
+               const Eigen::Ref<const VectorX>& a, Eigen::Ref<VectorX> shares) const;
+
+  /// Rows by joint of some derivative of torques, to rows by motor of that of shares.
+  void ToMotors(const Eigen::Ref<const MatrixX>& of_torque, Eigen::Ref<MatrixX> of_shares) const;
+  /// Adds the direct effect of speeds and accelerations of joints (columns by joint) to the rows of shares.
+  void AddLosses(Eigen::Ref<MatrixX> by_v, Eigen::Ref<MatrixX> by_a) const;
+
+ private:
+  std::vector<Actuator> motors_;
+  std::vector<double> scale_;    // by motor: effort that may be used
+  std::vector<double> damping_;  // by joint
+  std::vector<double> rotor_;    // by motor, along its own speed
+  std::vector<int> limited_;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "optimisation/trajectory/body_problem_internal.h"
+#include "optimisation/whole_body/foot_course_internal.h"
+
+namespace gaitwright {
+
+/// What turns a plan into a BodyProblem.
+struct FinishSettings {
+  double knot_step_s = 0.01;
+  double friction_use = 0.9;
+  BodyWeights weights;
+  BodyLimitUse use;
+};
+
+/// Knots over a schedule: at all its changes, and at most so far apart in between; where the plan's rows are, if they
+/// are at the changes.
+std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s);
+
+/// Rows of a foot's position and rotation that no other foot's rows before it fix already, in the standing posture: a
+/// leg that cannot roll its ankle has no row for it. By foot of a leg.
+std::vector<std::array<bool, 6>> FreeFootRows(const RobotModel& model);
+
+/// The problem of a plan's motion over knots: its footholds and swings are held, its base and joints are what the
+/// motion is to be near, and its forces are free.
+/// The first posture is that of the plan, and the motion is at rest at both ends.
+BodyProblem ProblemOf(const RobotModel& model, const MotionPlan& plan, const std::vector<FootCourse>& courses,
+                      const std::vector<double>& knots_s, const FinishSettings& settings);
+
+/// Sets where feet that roll are to be, from what they roll over a motion.
+void SetRolledGoals(const RobotModel& model, const WholeBodyTrajectory& motion, const FootRolls& rolls,
+                    const std::vector<FootCourse>& courses, BodyProblem& problem);
+
+/// Forces at the knots of a problem in units of the weight: those of a plan's wrenches, shared evenly among the points
+/// of a foot; where it has none, the weight shared evenly.
+std::vector<VectorX> FirstForces(const RobotModel& model, const MotionPlan& plan, const BodyProblem& problem);
+
+}  // namespace gaitwright

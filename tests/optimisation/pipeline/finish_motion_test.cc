@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "optimisation/pipeline/finish_motion_internal.h"
+#include "optimisation/pipeline/plan_motion.h"
+#include "planning/audit/audit.h"
+#include "planning/gait/find_gait.h"
+#include "planning/plan/built_in_terrain.h"
+#include "tests/named_robot.h"
+
+namespace gaitwright {
+namespace {
+
+MotionPlan Planned(const RobotModel& model, const std::string& gait, double speed_m_s, double distance_m) {
+  WalkCommand command;
+  command.speed_m_s = speed_m_s;
+  command.distance_m = distance_m;
+  const Result<Gait> found = FindGait(model, gait, speed_m_s, {});
+  EXPECT_TRUE(found.ok());
+  const Result<PlannedMotion> planned = PlanMotion(model, FlatTerrain(0.8), *found, command, {});
+  EXPECT_TRUE(planned.ok()) << (planned.ok() ? "" : planned.failure().message);
+  return planned->plan;
+}
+
+const MotionPlan& Trot() {
+  static const MotionPlan plan = Planned(NamedRobot("a1"), "trot", 0.5, 0.3);
+  return plan;
+}
+
+void ExpectSound(const RobotModel& model, const MotionPlan& plan) {
+  const Result<AuditReport> audit = Audit(model, plan, {});
+  ASSERT_TRUE(audit.ok());
+  for (const Violation& v : audit->violations)
+    ADD_FAILURE() << LawName(v.law) << " at " << v.at_s << ", " << v.where << ": " << v.value << " over " << v.limit;
+}
+
+TEST(FinishMotion, BalancesATrotBetweenKnots) {
+  const RobotModel& model = NamedRobot("a1");
+  FinishReport report;
+  const Result<MotionPlan> finished = FinishMotion(model, Trot(), {}, &report);
+  ASSERT_TRUE(finished.ok()) << finished.failure().message;
+  ExpectSound(model, *finished);
+  EXPECT_LE(report.residual_force, 2e-3);
+  EXPECT_LE(report.residual_moment, 1e-3);
+  EXPECT_GT(report.knots, 100);
+  EXPECT_LT((finished->whole_body.q.front() - Trot().whole_body.q.front()).norm(), 1e-6);
+  for (std::size_t i = 0; i < Trot().footsteps.footholds.size(); ++i) {
+    const Pose &before = Trot().footsteps.footholds[i].X_WF, &after = finished->footsteps.footholds[i].X_WF;
+    EXPECT_LT((before.translation() - after.translation()).norm(), 5e-3);
+  }
+}
+
+TEST(FinishMotion, MendsAMotionThatDoesNotBalance) {
+  const RobotModel& model = NamedRobot("a1");
+  MotionPlan plan = Trot();
+  const double length = plan.duration_s();
+  for (int row = 0; row < plan.whole_body.size(); ++row) {
+    const auto k = static_cast<std::size_t>(row);
+    const double share = row * plan.whole_body.step_s / length;
+    plan.whole_body.q[k].y() += 0.02 * std::pow(std::sin(3.14159265 * share), 4.0);
+    for (ContactWrench& wrench : plan.whole_body.wrenches[k]) wrench = {};
+  }
+  const Result<AuditReport> broken = Audit(model, plan, {});
+  ASSERT_TRUE(broken.ok());
+  EXPECT_FALSE(broken->violations.empty());
+  const Result<MotionPlan> finished = FinishMotion(model, plan, {});
+  ASSERT_TRUE(finished.ok()) << finished.failure().message;
+  ExpectSound(model, *finished);
+}
+
+TEST(FinishMotion, GivesTheSameBytesEachTime) {
+  const RobotModel& model = NamedRobot("a1");
+  const FinishOptions quick{.max_refinements = 0};
+  const Result<MotionPlan> first = FinishMotion(model, Trot(), quick), second = FinishMotion(model, Trot(), quick);
+  ASSERT_TRUE(first.ok() && second.ok());
+  EXPECT_EQ(first->whole_body.q, second->whole_body.q);
+  EXPECT_EQ(first->whole_body.tau, second->whole_body.tau);
+}
+
+TEST(FinishMotion, KeepsSolesOnTheirFootholds) {
+  const RobotModel& model = NamedRobot("nao");
+  const Result<MotionPlan> finished =
+      FinishMotion(model, Planned(model, "walk", 0.05, 0.04), {.knot_step_s = 0.02, .max_refinements = 1});
+  ASSERT_TRUE(finished.ok()) << finished.failure().message;
+  ExpectSound(model, *finished);
+}
+
+TEST(FinishMotion, NamesWhatForbidsAMotion) {
+  RobotModel weak = NamedRobot("a1");
+  for (Joint& joint : weak.joints) {
+    if (joint.name.find("calf") != std::string::npos) joint.effort_limit = 1.0;
+  }
+  const Result<MotionPlan> finished = FinishMotion(weak, Trot(), {.max_refinements = 0});
+  ASSERT_FALSE(finished.ok());
+  EXPECT_EQ(finished.failure().kind, FailureKind::kInfeasible);
+  EXPECT_NE(finished.failure().message.find("torque of '"), std::string::npos) << finished.failure().message;
+}
+
+TEST(FinishMotion, RefusesWhatItDoesNotTake) {
+  const RobotModel& model = NamedRobot("a1");
+  MotionPlan plan = Trot();
+  plan.swings.pop_back();
+  EXPECT_NE(ReasonNotFinished(model, plan).find("swing between"), std::string::npos);
+  EXPECT_THROW(static_cast<void>(FinishMotion(model, plan, {})), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(FinishMotion(model, MotionPlan{}, {})), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(FinishMotion(model, Trot(), {.knot_step_s = 1.0})), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "optimisation/trajectory/chain_matrix_internal.h"
+#include "tests/kinematics/random_state.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr int kSize = 4;
+
+MatrixX RandomSquare(RandomState& random) {
+  const MatrixX root = Eigen::Map<const MatrixX>(random.Vector(9 * kSize * kSize).eval().data(), 3 * kSize, 3 * kSize);
+  return root * root.transpose();
+}
+
+TEST(ChainMatrix, SolvesAsADenseFactorisationDoes) {
+  RandomState random(3);
+  for (const int blocks : {3, 4, 9}) {
+    ChainMatrix chain(kSize, blocks);
+    MatrixX dense = 0.5 * MatrixX::Identity(kSize * blocks, kSize * blocks);
+    chain.SetDiagonal(0.5);
+    for (int k = 0; k + 2 < blocks; ++k) {
+      const MatrixX square = RandomSquare(random);
+      dense.block(k * kSize, k * kSize, 3 * kSize, 3 * kSize) += square;
+      chain.Add(k, square);
+    }
+    const VectorX right = random.Vector(kSize * blocks);
+    VectorX solved = right;
+    ASSERT_TRUE(chain.Factor());
+    chain.Solve(solved);
+    EXPECT_LT((solved - dense.llt().solve(right)).norm(), 1e-9 * solved.norm());
+  }
+}
+
+TEST(ChainMatrix, SaysWhereItIsNotPositiveDefinite) {
+  ChainMatrix chain(kSize, 3);
+  chain.SetDiagonal(1.0);
+  chain.Add(0, -2.0 * MatrixX::Identity(3 * kSize, 3 * kSize));
+  EXPECT_FALSE(chain.Factor());
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "optimisation/trajectory/motor_rows_internal.h"
+#include "planning/audit/motor_effort.h"
+#include "tests/kinematics/made_robots.h"
+
+namespace gaitwright {
+namespace {
+
+class RowsOfMotors : public testing::TestWithParam<const char*> {
+ protected:
+  RowsOfMotors() {
+    for (Joint& joint : model_.joints) joint.friction = 0.0;
+    model_.joints[1].damping = 0.4;
+    model_.motors[0].rotor_inertia = 0.05;
+  }
+
+  RobotModel model_ = AnyRobot(GetParam());
+};
+
+TEST_P(RowsOfMotors, EffortsAreSharesOfThoseOfTheAudit) {
+  const BodyLimitUse use;
+  const MotorRows rows(model_, use);
+  const MotorEffort effort(model_);
+  RandomState random(1);
+  const VectorX torque = random.Vector(model_.num_dofs()), v = random.Vector(model_.num_dofs()),
+                a = random.Vector(model_.num_dofs());
+  VectorX shares(rows.count());
+  rows.Efforts(torque, v, a, shares);
+  ASSERT_FALSE(rows.limited().empty());
+  for (const int motor : rows.limited()) {
+    const double limit = rows.motors()[static_cast<std::size_t>(motor)].effort_limit;
+    EXPECT_NEAR(shares[motor] * use.effort * limit, effort.Of(motor, torque, v, a), 1e-12 * limit);
+  }
+}
+
+TEST_P(RowsOfMotors, DerivativesAreLinear) {
+  const MotorRows rows(model_, {});
+  RandomState random(2);
+  const Eigen::Index n = model_.num_dofs();
+  const VectorX v = random.Vector(n), a = random.Vector(n);
+  MatrixX torque = MatrixX::Zero(n, 1), by_torque(rows.count(), 1);
+  torque.col(0) = random.Vector(n);
+  rows.ToMotors(torque, by_torque);
+  MatrixX by_v = MatrixX::Zero(rows.count(), n), by_a = by_v;
+  rows.AddLosses(by_v, by_a);
+  VectorX shares(rows.count());
+  rows.Efforts(torque.col(0), v, a, shares);
+  EXPECT_LT((by_torque.col(0) + by_v * v + by_a * a - shares).norm(), 1e-12);
+}
+
+TEST(MotorRows, KeepsTorqueSpeedCurves) {
+  RobotModel model = AnyRobot("a1");
+  model.motors[0].corner_speed = 5.0;
+  model.motors[0].no_load_speed = 12.0;
+  const MotorRows rows(model, {});
+  const auto curve = std::find_if(rows.curves().begin(), rows.curves().end(),
+                                  [](const MotorRows::Curve& c) { return c.motor == 0 && c.by_effort > 0.0; });
+  ASSERT_NE(curve, rows.curves().end());
+  // At the bound: the whole torque at the corner, none at the no-load speed.
+  EXPECT_NEAR(curve->by_effort + 5.0 / curve->speed_scale, 1.0, 1e-12);
+  EXPECT_NEAR(12.0 / curve->speed_scale, 1.0, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, RowsOfMotors, testing::ValuesIn(kAnyRobots));
+
+}  // namespace
+}  // namespace gaitwright
