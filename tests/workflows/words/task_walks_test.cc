@@ -43,7 +43,8 @@ TEST(OnStairs, GoesOnWhereAllFeetAreOnOneLevel) {
       nao, "walk to the first step, raise the right arm, walk to the second step, balance on your left foot, and squat",
       stairs("tread_m=0.2", nao));
   const VectorX standing = StandingConfiguration(nao), &end = up.played.log.samples.back().q;
-  EXPECT_NEAR(end[2], standing[2] + 0.04, 0.01) << "two steps of 2 cm";
+  EXPECT_NEAR(up.planned.plan.footsteps.footholds.back().X_WF.translation().z(), 0.04, 1e-6) << "two steps of 2 cm";
+  EXPECT_NEAR(end[2], 0.04 + standing[2], 0.15 * standing[2]) << "the body may be lower than in standing";
   const Done landing =
       DoneInWords(a1, "walk to the third step, bow, turn left, then lie down", stairs("landing_m=2", a1));
   for (const Foothold& foothold : landing.planned.plan.footsteps.footholds) {
