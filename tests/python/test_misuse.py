@@ -47,7 +47,7 @@ def test_a_world_is_stepped_by_one_thread_at_a_time(a1):
 def test_arrays_stay_what_they_are(a1):
     measured = gw.World(a1).measured()
     q = measured.q
-    with pytest.raises(ValueError, match="3 numbers; 19 are needed"):
+    with pytest.raises(ValueError, match="3 numbers are given; 19 are needed"):
         measured.q = [0.0] * 3
     measured.q = np.arange(19.0)
     assert q[18] == 18.0, "the same array"
