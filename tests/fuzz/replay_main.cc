@@ -85,7 +85,7 @@ std::string FileBytes(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The corpus and its mutations. A corpus of which nothing, or everything, is accepted tests little.
+/// Reads each file of the corpus and its mutations. Fails if the reader accepts none of them, or all of them.
 int Run(const Reader& reader, int inputs, std::uint64_t seed) {
   const std::vector<Seed> seeds = SeedsOf(reader);
   int accepted = 0, of_seeds = 0;
