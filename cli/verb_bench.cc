@@ -9,6 +9,7 @@
 #include "cli/json_text_internal.h"
 #include "cli/program.h"
 #include "workflows/study/centroidal_bench.h"
+#include "workflows/study/whole_body_bench.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -137,6 +138,55 @@ int RunBench(BenchSettings& a) {
   return kPass;
 }
 
+struct WholeBodySettings {
+  Common common;
+  std::string filter;
+  MotionOptions motion;
+};
+
+Json OutcomeJson(const WholeBodyOutcome& o) {
+  Json json = {{"case", o.one.name},
+               {"robot", o.one.robot},
+               {"gait", o.one.gait},
+               {"speed_m_s", o.one.speed_m_s},
+               {"distance_m", o.one.distance_m},
+               {"reason", o.reason},
+               {"planning_cpu_s", o.planning_cpu_s},
+               {"audit", o.passes_audit ? "pass" : "fail"}};
+  if (!o.finished) return json;
+  json["knots"] = o.finished->knots;
+  json["variables"] = o.finished->variables;
+  json["solves"] = o.finished->solves;
+  json["iterations"] = o.finished->iterations;
+  json["ms_an_iteration"] = o.MsAnIteration();
+  json["residual_force_mg"] = o.finished->residual_force;
+  json["residual_moment_mgl"] = o.finished->residual_moment;
+  return json;
+}
+
+int RunWholeBody(WholeBodySettings& a) {
+  ApplySets("--set", a.common.sets, a.motion.Fields());
+  const std::vector<WholeBodyCase> cases = WholeBodyCases(a.filter);
+  if (cases.empty()) {
+    return Report({FailureKind::kBadInput,
+                   FailureCode::kNoSuchCase,
+                   "bench",
+                   fmt::format("no case name contains '{}'", a.filter),
+                   {"a case name is ROBOT-GAIT-SPEED, such as a1-trot-3.5"}},
+                  a.common);
+  }
+  std::vector<WholeBodyOutcome> outcomes;
+  for (const WholeBodyCase& one : cases) outcomes.push_back(RunWholeBodyCase(one, a.motion));
+  if (!a.common.json) {
+    fmt::print("{}", WholeBodyTable(outcomes));
+    return kPass;
+  }
+  Json list = Json::array();
+  for (const WholeBodyOutcome& outcome : outcomes) list.push_back(OutcomeJson(outcome));
+  PrintJson(Json{{"bench", "whole-body"}, {"cases", list}});
+  return kPass;
+}
+
 }  // namespace
 
 void AddBench(Verb program, int& status) {
@@ -160,9 +210,16 @@ void AddBench(Verb program, int& status) {
             {"bench centroidal --only hyq-1-gap", "bench centroidal --only biped-0-flat --duration 3.6 --json",
              "bench centroidal --only hyq-1 --as-asked --timing fixed"});
   AddOptionList(centroidal, a->Fields(), a->common.json);
+  auto b = std::make_shared<WholeBodySettings>();
+  const Verb whole_body = verb.AddVerb("whole-body", "Plan walks by whole-body trajectory optimisation");
+  AddText(whole_body, "--only", "TEXT", b->filter,
+          "Run only cases whose name (ROBOT-GAIT-SPEED, such as a1-trot-3.5) contains this text; default: all.");
+  AddCommon(whole_body, b->common, {"bench whole-body --only a1-pronk", "bench whole-body --only nao --json"});
+  AddOptionList(whole_body, b->motion.Fields(), b->common.json);
   AddCommon(verb, a->common, {"bench centroidal --only hyq-1-gap"});
   verb.RequireVerbs(1, 1);
   SetWork(centroidal, a->common, status, [a] { return RunBench(*a); });
+  SetWork(whole_body, b->common, status, [b] { return RunWholeBody(*b); });
 }
 
 }  // namespace gaitwright::cli

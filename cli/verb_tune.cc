@@ -106,7 +106,7 @@ void AddTuneFlags(Verb verb, TuneSettings& a) {
   AddField(verb, "--finalists", fields, "finalists");
   AddField(verb, "--held-out", fields, "held_out");
   AddField(verb, "--survival-weight", fields, "survival_weight");
-  AddField(verb, "--method", fields, "method");
+  AddField(verb, "--search-method", fields, "method");
   AddField(verb, "--smooth-above", fields, "smooth_above");
   a.study.disturbances.AddTo(verb);
   a.study.AddWorkTo(verb);

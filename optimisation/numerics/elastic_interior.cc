@@ -97,6 +97,12 @@ class ElasticSolver {
   /// Mean of these products.
   double Mean(double gap) const { return gap / std::max(1.0, 2.0 * static_cast<double>(sides_.size())); }
   double Unbalanced() const { return c_.lpNorm<1>() + (h_ + at_.s - at_.t).lpNorm<1>(); }
+  /// What a whole step leaves of Unbalanced by the linearised rows: equalities yield while multipliers grow.
+  double Left() const {
+    double left = 0.0;
+    for (std::size_t i = 0; i < fixed_.size(); ++i) left += std::abs(c_[static_cast<Index>(i)] + moved_[fixed_[i].row]);
+    return left;
+  }
   double Merit() const {
     return half_cost_ + penalty_ * at_.t.sum() - mean_ * (at_.s.array().log().sum() + at_.t.array().log().sum()) +
            weight_ * Unbalanced();
@@ -259,14 +265,14 @@ double ElasticSolver::Bend(const Move& from, double share) {
 void ElasticSolver::TakeStep() {
   constexpr double kEnough = 1e-4, kRound = 1e-10;
   constexpr int kMostHalvings = 8;
-  const double unbalanced = Unbalanced();
+  const double balanced = Unbalanced() - Left();  // by the whole step
   const double slope = gradient_.dot(step_.x) + penalty_ * step_.t.sum() -
                        mean_ * (step_.s.cwiseQuotient(at_.s).sum() + step_.t.cwiseQuotient(at_.t).sum());
-  if (unbalanced > rows_.unnoticed()) {
-    const double needed = slope / (0.9 * unbalanced);
+  if (balanced > rows_.unnoticed()) {
+    const double needed = slope / (0.9 * balanced);
     if (weight_ < needed) weight_ = 1.5 * needed;
   }
-  const double descent = slope - weight_ * unbalanced, before = Merit();
+  const double descent = slope - weight_ * balanced, before = Merit();
   const auto most = [&](double share) { return before + kEnough * share * descent + kRound * std::abs(before); };
   const Move from = at_, straight = step_;
   double share = PrimalShare(kKeep);

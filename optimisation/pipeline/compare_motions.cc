@@ -28,7 +28,7 @@ TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion
 bool IsBetterMotion(const MotionFigures& motion, const std::optional<MotionFigures>& former, double residual) {
   constexpr double kLess = 0.99;      // required ratio to the former value
   constexpr double kSlight = 1e-3;    // violation that the audit accepts
-  constexpr double kBalanced = 10.0;  // multiple of the passes' final residual; the audit accepts far more
+  constexpr double kBalanced = 10.0;  // multiple of the target residual; the audit accepts far more
   if (!former) return true;
   const double violation = std::max(motion.limit_excess, kSlight), was = std::max(former->limit_excess, kSlight);
   if (violation > kSlight || was > kSlight) return violation < kLess * was;

@@ -26,7 +26,7 @@ struct MotionFigures {
 /// Whether a motion is better than the former one (always true without a former one): it has a smaller limit violation,
 /// if the former motion violates limits; or it is balanced by its contacts and the former motion is not; or the product
 /// of both figures of TorqueUse is smaller by at least 1 %.
-/// @param residual  target residual of the passes.
+/// @param residual  target residual of a finished motion.
 bool IsBetterMotion(const MotionFigures& motion, const std::optional<MotionFigures>& former, double residual);
 
 }  // namespace gaitwright

@@ -8,6 +8,7 @@
 #include "kinematics/base/cpu_clock.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/trajectory/body_rows_internal.h"
 
 namespace gaitwright {
@@ -15,27 +16,30 @@ namespace {
 
 constexpr double kViolation = 1e-5;    // [m g, rad, m] that constraints at knots may be off by
 constexpr double kGoodEnough = 1e-4;   // of a solve that was ended by its iterations
-constexpr double kFinestRows = 1e-3;   // [s]
+constexpr double kGive = 1e-6;         // see ElasticOptions
+constexpr int kScreening = 20;         // iterations, and
+constexpr double kFar = 0.3;           // sum of violations after them of a motion that does not exist
+constexpr double kFinestRows = 1e-3;   // [s] of a row's step
 constexpr double kRolledAside = 1e-4;  // [m] that feet may be off where they roll to
 
-FinishSettings SettingsOf(const FinishOptions& options) {
+FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use) {
   FinishSettings settings;
   settings.knot_step_s = options.knot_step_s;
-  settings.friction_use = options.friction_use;
+  settings.friction_use = friction_use;
   BodyWeights& w = settings.weights;
   for (double* weight : {&w.base_position, &w.base_rotation, &w.joint}) *weight *= options.near;
   w.effort = options.effort;
   return settings;
 }
 
-/// Solves over knots, refines them, and brings plan and rolls along.
+/// Solves over knots until the motion balances between them, and brings plan and rolls along.
 class Finisher {
  public:
-  Finisher(const RobotModel& model, const MotionPlan& plan, const FinishOptions& options)
+  Finisher(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options, double friction_use)
       : model_(model),
         plan_(plan),
         options_(options),
-        settings_(SettingsOf(options)),
+        settings_(SettingsOf(options, friction_use)),
         courses_(CoursesOf(model, plan)),
         knots_s_(KnotTimesOf(plan, options.knot_step_s)),
         finished_(plan) {
@@ -49,17 +53,17 @@ class Finisher {
  private:
   void SetCourses();
   Result<bool> SolveOnce(const BodyProblem& problem, MatrixX& points);
-  bool Refine(const PlanResidual& residual);
-  void TakeOver(const BodyProblem& problem, const ChainSpline& spline, const MatrixX& points);
+  void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
-  MatrixX FirstPoints(const BodyProblem& problem, const ChainSpline& spline) const;
+  bool TightenLimits(BodyLimitUse& use) const;
+  MatrixX FirstPoints(const BodyProblem& problem) const;
 
   const RobotModel& model_;
   const MotionPlan& plan_;
-  const FinishOptions& options_;
+  const TrajectoryOptions& options_;
   const FinishSettings settings_;
   std::vector<FootCourse> courses_;
-  std::vector<double> knots_s_;
+  const std::vector<double> knots_s_;
   MotionPlan finished_;          // of the last solve; at first the plan
   FootRolls rolls_;              // of that
   std::vector<VectorX> forces_;  // of the last solve, at its knots
@@ -80,12 +84,12 @@ void Finisher::SetCourses() {
   }
 }
 
-/// The spline through the motion so far.
-MatrixX Finisher::FirstPoints(const BodyProblem& problem, const ChainSpline& spline) const {
-  const BodyProblem near = ProblemOf(model_, finished_, courses_, problem.time_s, settings_);
-  MatrixX values(model_.nv(), spline.knots());
-  for (int k = 0; k < spline.knots(); ++k) values.col(k) = near.knots[static_cast<std::size_t>(k)].reference.x;
-  return spline.Through(values, VectorX::Zero(model_.nv()), VectorX::Zero(model_.nv()));
+/// The spline through the plan.
+MatrixX Finisher::FirstPoints(const BodyProblem& problem) const {
+  MatrixX values(model_.nv(), static_cast<Eigen::Index>(knots_s_.size()));
+  for (std::size_t k = 0; k < knots_s_.size(); ++k)
+    values.col(static_cast<Eigen::Index>(k)) = problem.knots[k].reference.x;
+  return ChainSpline(knots_s_).Through(values, VectorX::Zero(model_.nv()), VectorX::Zero(model_.nv()));
 }
 
 Result<bool> Finisher::SolveOnce(const BodyProblem& problem, MatrixX& points) {
@@ -93,6 +97,9 @@ Result<bool> Finisher::SolveOnce(const BodyProblem& problem, MatrixX& points) {
   elastic.tolerance = kViolation;
   elastic.cost_tolerance = 2e-3;
   elastic.max_iterations = options_.max_iterations;
+  elastic.screening = kScreening;
+  elastic.infeasible = kFar;
+  elastic.give = kGive;
   VectorX start(points.size());
   start = Eigen::Map<const VectorX>(points.data(), points.size());
   Eigen::Index size = start.size();
@@ -121,7 +128,8 @@ Result<bool> Finisher::SolveOnce(const BodyProblem& problem, MatrixX& points) {
   return true;
 }
 
-void Finisher::TakeOver(const BodyProblem& problem, const ChainSpline& spline, const MatrixX& points) {
+/// On rows that meet the knots, where a step of at least kFinestRows does.
+void Finisher::TakeOver(const SolvedTrajectory& solved) {
   double step_s = plan_.whole_body.step_s;
   const auto on_rows = [&] {
     return std::all_of(knots_s_.begin(), knots_s_.end(), [&](double time_s) {
@@ -130,7 +138,7 @@ void Finisher::TakeOver(const BodyProblem& problem, const ChainSpline& spline, c
     });
   };
   while (!on_rows() && 0.5 * step_s >= kFinestRows) step_s *= 0.5;
-  SetRows(model_, {problem, spline, points, forces_}, step_s, finished_);
+  SetRows(model_, solved, step_s, finished_);
   rolls_ = RollsOf(model_, finished_.whole_body, courses_);
 }
 
@@ -151,47 +159,51 @@ double Finisher::RolledAside(const BodyProblem& problem) const {
   return aside;
 }
 
-/// Halves the intervals between knots that leave too much; on rows of a finer grid where knots are on the plan's rows.
-/// @return whether there were any.
-bool Finisher::Refine(const PlanResidual& residual) {
-  const double start_s = knots_s_.front();
-  double finest_s = plan_.whole_body.step_s;
-  while (0.5 * finest_s >= kFinestRows) finest_s *= 0.5;
-  const auto to_row = [&](double time_s) { return start_s + finest_s * std::round((time_s - start_s) / finest_s); };
-  const bool on_rows = std::all_of(knots_s_.begin(), knots_s_.end(),
-                                   [&](double time_s) { return std::abs(to_row(time_s) - time_s) < 1e-9; });
-  std::vector<double> finer;
-  bool refined = false;
-  for (std::size_t k = 0; k + 1 < knots_s_.size(); ++k) {
-    finer.push_back(knots_s_[k]);
-    const double length = knots_s_[k + 1] - knots_s_[k];
-    if (residual.by_interval[k] <= options_.residual || length < 1.9 * finest_s) continue;
-    const double middle_s = knots_s_[k] + 0.5 * length;
-    finer.push_back(on_rows ? to_row(middle_s) : middle_s);
-    refined = true;
+/// Lowers the shares of limits for knots by as much as motors exceed their limits between knots.
+/// @return whether any does.
+bool Finisher::TightenLimits(BodyLimitUse& use) const {
+  constexpr double kRoom = 2e-3, kLeast = 0.9;  // of a limit
+  const WholeBodyTrajectory& motion = finished_.whole_body;
+  const MotorRows motors(model_, {1.0, 1.0, 0.0, 0.0});
+  MotorRows::Largest largest;
+  for (std::size_t k = 0; k < motion.q.size(); ++k) {
+    const auto n = model_.num_dofs();
+    const MotorRows::Largest now = motors.LargestAt(motion.tau[k], motion.v[k].tail(n), motion.a[k].tail(n));
+    largest.effort = std::max(largest.effort, now.effort);
+    largest.curve = std::max(largest.curve, now.curve);
   }
-  finer.push_back(knots_s_.back());
-  knots_s_ = std::move(finer);
-  return refined;
+  bool exceeds = false;
+  const auto tighten = [&](double share, double& of_limit) {
+    if (share <= 1.0) return;
+    exceeds = true;
+    of_limit = std::max(kLeast, of_limit / share - kRoom);
+  };
+  tighten(largest.effort, use.effort);
+  tighten(largest.curve, use.speed);
+  return exceeds;
 }
 
 Result<MotionPlan> Finisher::Run() {
-  constexpr int kMostRolls = 3;  // solves, after each of which feet roll otherwise
+  BodyProblem problem = ProblemOf(model_, plan_, courses_, knots_s_, settings_);
+  MatrixX points = FirstPoints(problem);
+  forces_ = FirstForces(model_, finished_, problem);
   PlanResidual residual;
-  for (;; ++report_.refinements) {
-    BodyProblem problem = ProblemOf(model_, plan_, courses_, knots_s_, settings_);
-    const ChainSpline spline(knots_s_);
-    MatrixX points = FirstPoints(problem, spline);
-    forces_ = FirstForces(model_, finished_, problem);
-    for (int solve = 0; solve < kMostRolls; ++solve) {
-      SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, problem);
-      if (Result<bool> solved = SolveOnce(problem, points); !solved) return solved.failure();
-      TakeOver(problem, spline, points);
-      if (RolledAside(problem) <= kRolledAside) break;
+  bool full = false;  // the motion does not keep the room that controllers would like to have
+  for (report_.solves = 1;; ++report_.solves) {
+    SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, problem);
+    if (Result<bool> solved = SolveOnce(problem, points); !solved) {
+      if (full || report_.solves == options_.max_solves) return solved.failure();
+      full = true;
+      problem.use = kFullUse;
+      continue;
     }
-    residual = ResidualOf(model_, finished_, knots_s_);
-    const double most = *std::max_element(residual.by_interval.begin(), residual.by_interval.end());
-    if (most <= options_.residual || report_.refinements == options_.max_refinements || !Refine(residual)) break;
+    const SolvedTrajectory solved(problem, points, forces_);
+    TakeOver(solved);
+    residual = ResidualOf(model_, finished_);
+    const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
+    const bool exceeds = TightenLimits(problem.use);
+    if ((balanced && !exceeds) || report_.solves == options_.max_solves) break;
+    for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].left = solved.LeftAtKnots()[k];
   }
   SetFootholds(rolls_, courses_, finished_);
   SetCentroidal(model_, finished_);
@@ -224,16 +236,37 @@ std::string ReasonNotFinished(const RobotModel& model, const MotionPlan& plan) {
   return "";
 }
 
-Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan, const FinishOptions& options,
-                                FinishReport* report) {
-  FinishOptions checked = options;
+Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
+                                double friction_use, FinishReport* report) {
+  TrajectoryOptions checked = options;
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FinishMotion: " + reason);
-  Finisher finisher(model, plan, options);
+  Finisher finisher(model, plan, options, friction_use);
   Result<MotionPlan> finished = finisher.Run();
   if (report != nullptr) *report = finisher.report();
   return finished;
+}
+
+void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned) {
+  if (!ReasonNotFinished(model, planned.plan).empty()) return;
+  FinishReport report;
+  Result<MotionPlan> finished =
+      FinishMotion(model, planned.plan, options.trajectory, options.whole_body.friction_use, &report);
+  if (!finished) {
+    planned.unfinished = finished.failure();
+    return;
+  }
+  const std::vector<std::string> before = LimitWarnings(model, planned.plan.whole_body);
+  std::erase_if(finished->warnings, [&](const std::string& warning) {
+    return std::find(before.begin(), before.end(), warning) != before.end();
+  });
+  for (std::string& warning : LimitWarnings(model, finished->whole_body)) finished->warnings.push_back(warning);
+  planned.plan = std::move(*finished);
+  planned.finished = report;
+  planned.residual = std::max(report.residual_force, report.residual_moment * model.leg_length_m());
+  planned.limit_excess = TotalViolation(model, planned.plan.whole_body, 0.0);
+  planned.summary += "; " + report.summary;
 }
 
 }  // namespace gaitwright

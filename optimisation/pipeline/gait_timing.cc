@@ -158,7 +158,7 @@ Result<PlannedMotion> PlanAtBestTimes(const RobotModel& model, const Terrain& te
     if (!timed || timed->parts == parts) break;
     const std::vector<WalkPart> other = Between(parts, timed->parts, share);
     Result<PlannedMotion> planned = PlanMotion(model, terrain, other, at_fixed);
-    if (!planned || !IsBetterMotion(FiguresOf(model, *planned), former, options.pipeline.residual)) continue;
+    if (!planned || !IsBetterMotion(FiguresOf(model, *planned), former, options.trajectory.residual)) continue;
     best = std::move(planned);
     TellTimes(parts, other, why, best->plan);
     break;

@@ -14,6 +14,7 @@
 #include "optimisation/pipeline/body_strategy_search.h"
 #include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
+#include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/gait_timing.h"
 #include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/motion_passes.h"
@@ -137,6 +138,7 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   (dynamic ? planned.residual : planned.zmp_error_max_m) = pass->error_m;
   planned.summary = fmt::format("{:.2f} s, {} footholds, {} passes, {}", plan.duration_s(),
                                 plan.footsteps.footholds.size(), planned.passes, left);
+  if (dynamic || task.options.trajectory.method == "whole-body") FinishPlanned(model, task.options, planned);
   return planned;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "kinematics/base/options.h"
@@ -25,7 +26,6 @@ struct PipelineOptions {
   int max_passes = 6;
   int max_body_passes = 12;
   double zmp_tolerance_m = 0.001;
-  double residual = 3e-4;
   double zmp_inward = 0.08;
   static constexpr double kMostInward = 0.4;
   double com_height_m = 0.0;
@@ -40,11 +40,10 @@ struct PipelineOptions {
           "Maximum number of passes that correct the multibody ZMP; up to twice as many while the error still falls "
           "and would fail the audit."},
          {"max_body_passes", &max_body_passes, "1", 1.0, 50.0,
-          "Maximum number of passes that alternate between the rigid-body plan and the leg motions."},
+          "Maximum number of passes that alternate between the rigid-body plan and the leg motions; there is more than "
+          "one only over uneven ground."},
          {"zmp_tolerance_m", &zmp_tolerance_m, "m", 1e-6, 0.1,
           "Largest distance between the multibody ZMP and its reference at which the passes end."},
-         {"residual", &residual, "1", 1e-6, 0.02,
-          "Largest unbalanced force (and moment, in metres) divided by the weight at which the rigid-body passes end."},
          {"com_height_m", &com_height_m, "m", 0.0, 5.0,
           "Height of the centre of mass above the ground; 0 uses the standing height, lowered if the legs or flights "
           "need it."},
@@ -59,6 +58,43 @@ struct PipelineOptions {
   }
 };
 
+/// Whole-body trajectory optimisation of a plan (FinishMotion).
+///
+/// Tuning
+///   the motion strays far from the plan        raise near
+///   motors are near their limits               raise effort
+///   feet slip between knots of a fast motion   lower knot_step_s
+struct TrajectoryOptions {
+  std::string method = "as-needed";
+  double knot_step_s = 0.01;
+  double residual = 1e-3;
+  int max_solves = 6;
+  int max_iterations = 60;
+  double near = 1.0;
+  double effort = 0.3;
+
+  OptionFields Fields() {
+    return WithBasics(
+        {"method"},
+        {{"method",
+          &method,
+          "",
+          0.0,
+          0.0,
+          "'whole-body' optimises the motion of the whole body and its contact forces together, starting from the "
+          "planning passes; 'as-needed' does so for rigid-body gaits, and where passes do not settle.",
+          {"as-needed", "whole-body"}},
+         {"knot_step_s", &knot_step_s, "s", 0.001, 0.05, "Longest time between knots of the optimisation."},
+         {"residual", &residual, "1", 1e-6, 0.02,
+          "Largest unbalanced force divided by the weight, and moment divided by the weight times the leg length, "
+          "at 1 kHz; solves are repeated until it is reached."},
+         {"max_solves", &max_solves, "1", 1, 20, "Maximum number of solves."},
+         {"max_iterations", &max_iterations, "1", 1, 1000, "Maximum number of iterations of each solve."},
+         {"near", &near, "1", 1e-3, 1e3, "Weight on the distance of base and joints from the plan of the passes."},
+         {"effort", &effort, "1", 0.0, 1e3, "Weight on the efforts of motors, as shares of their limits."}});
+  }
+};
+
 /// All options that shape a motion. The same keys are used in YAML, in `--set` and in the plan's provenance.
 ///
 /// Tuning
@@ -67,18 +103,20 @@ struct PipelineOptions {
 struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;
-  RigidBodyOptions rigid_body = {.method = "ceres", .swing_lead_s = 0.02};
+  RigidBodyOptions rigid_body = {.method = "ceres", .swing_lead_s = 0.02, .tolerance = 1e-3, .max_refinements = 0};
   std::string footholds = "as-needed";
   std::string timing = "fixed";
   TimingOptions timing_bounds;
   SwingOptions swing;
   WholeBodyOptions whole_body;
+  TrajectoryOptions trajectory;
   PipelineOptions pipeline;
 
   OptionFields Fields() {
     return Joined({Prefixed("footsteps", footsteps.Fields()), Prefixed("centre_of_mass", centre_of_mass.Fields()),
                    Prefixed("rigid_body", rigid_body.Fields()), ContactFields(), Prefixed("swing", swing.Fields()),
-                   Prefixed("whole_body", whole_body.Fields()), Prefixed("pipeline", pipeline.Fields())});
+                   Prefixed("whole_body", whole_body.Fields()), Prefixed("trajectory", trajectory.Fields()),
+                   Prefixed("pipeline", pipeline.Fields())});
   }
 
  private:
@@ -104,14 +142,27 @@ struct MotionOptions {
   }
 };
 
+/// How the whole-body trajectory optimisation finished a plan.
+struct FinishReport {
+  int knots = 0, variables = 0, solves = 0;
+  int iterations = 0;            ///< of all solves
+  double solve_cpu_s = 0.0;      ///< in these
+  double residual_force = 0.0;   ///< at 1 kHz, over the weight
+  double residual_moment = 0.0;  ///< at 1 kHz, over the weight times the leg's length
+  double residual_at_s = 0.0;
+  std::string summary;  ///< one line
+};
+
 /// A plan with results of the planner.
 struct PlannedMotion {
   MotionPlan plan;
   int passes = 0;                ///< of the ZMP correction or of the rigid body
   double zmp_error_max_m = 0.0;  ///< pendulum: largest distance of the multibody ZMP from its reference
-  double residual = 0.0;         ///< rigid body: unbalanced force / (m g) [1] or moment / (m g) [m]
+  double residual = 0.0;         ///< rigid body, whole body: unbalanced force / (m g) [1] or moment / (m g) [m]
   double limit_excess = 0.0;     ///< violation of joint limits, summed in shares of the limits
   std::string summary;           ///< one line
+  std::optional<FinishReport> finished = {};  ///< whole body
+  std::optional<Failure> unfinished = {};     ///< why the motion of the passes, then the plan, could not be finished
 };
 
 /// Origin of a plan with these options.

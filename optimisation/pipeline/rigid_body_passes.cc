@@ -81,50 +81,32 @@ RigidBodyPasses::RigidBodyPasses(const MotionTask& task, const Crouch* crouch)
       uneven_(KindOfGround(task.terrain) != GroundKind::kFlat),
       free_(HasFreeFootholds(task)),
       mending_(free_ ? Mending::kRolling : Mending::kNone),
-      patches_(PatchesOf(task, problem_)),
-      method_(task.options.rigid_body.method) {
+      patches_(PatchesOf(task, problem_)) {
   expected_roll_.assign(problem_.stances.size(), Vector3::Zero());
   roll_ = expected_roll_;
 }
 
 Result<MotionPass> RigidBodyPasses::Run(int& passes) {
-  constexpr double kGain = 0.9;
-  constexpr int kFreePasses = 2;  // passes with free footholds; then they are fixed, so that postures converge
-  constexpr int kIdle = 3;        // passes without improvement
-  constexpr int kResting = 4;     // passes after which swings are close to those of the previous pass
-  constexpr int kMending = 10;    // passes with corrected swings
-  int idle = 0;
-  bool mended = false;
-  MotionPass best;
-  const double tolerance = task_.options.pipeline.residual;
+  const int at_least = uneven_ ? 2 : 1;  // over uneven ground, swings need to know the motion of the legs
+  constexpr int kMending = 3;            // passes after swings have changed
   const RigidBodyOptions options = Options();
   auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use);
   if (!failure && !free_) failure = ReasonNotCarried(problem_, options);
   if (failure) return WithNamesOfFeet(model_, *failure);
-  int most = task_.options.pipeline.max_body_passes;
+  MotionPass best;
+  int most = task_.options.pipeline.max_body_passes, least = std::min(at_least, most);
   for (passes = 0; passes < most;) {
     Result<MotionPass> made = MakePass();
-    if (!made && (best.settled || mended)) break;  // the audit decides whether that one is good enough
+    if (!made && passes > 0) break;  // the audit decides whether the last one is good enough
     if (!made) return made;
     ++passes;
     Learn(*made);
-    if (passes == kFreePasses) HoldFootholds(made->footsteps);
-    if (StaysPastLimits(*made, passes)) return made;
-    const bool gains =
-        made->settled == best.settled && made->settled ? made->error_m < kGain * best.error_m : made->BetterThan(best);
-    idle = gains ? 0 : idle + 1;
-    if (stage_ == Stage::kQuick && !gains) {
-      stage_ = Stage::kExact;
-      idle = 0;
-    }
-    if (made->BetterThan(best)) best = std::move(*made);
-    if ((best.settled && best.error_m < tolerance) || idle == kIdle || passes == most) {
-      if (passes < kResting || !MendSwings()) break;
-      most = passes + kMending;
-      mended = true;
-      best.settled = false;
-      idle = 0;
-    }
+    if (passes == 2) HoldFootholds(made->footsteps);
+    if (made->settled || !best.settled) best = std::move(*made);
+    if (passes < least || (!best.settled && passes < most)) continue;
+    if (!MendSwings()) break;
+    least = most = passes + kMending;
+    best.settled = false;
   }
   return best;
 }
@@ -154,20 +136,8 @@ bool RigidBodyPasses::MendSwings() {
 
 RigidBodyOptions RigidBodyPasses::Options() const {
   RigidBodyOptions options = WalkOptions(task_, problem_);
-  options.method = free_ && stage_ == Stage::kFree ? "interior-point" : method_;
+  if (free_) options.method = "interior-point";
   return options;
-}
-
-/// Whether joint limits are violated as in the previous pass. Further passes do not help then: legs are too short, or
-/// too slow for their swings. A large violation shows this after fewer passes.
-bool RigidBodyPasses::StaysPastLimits(const MotionPass& pass, int passes) {
-  constexpr double kLeast = 1e-3, kFall = 0.9, kFar = 0.2, kFarFall = 0.8;
-  constexpr int kSettling = 4, kFarSettling = 2;  // number of passes
-  const double before = std::exchange(past_limits_, TotalViolation(model_, pass.solution.trajectory, 0.0));
-  if (task_.options.pipeline.allow_limits) return false;
-  const bool far = std::min(before, past_limits_) > kFar && past_limits_ > kFarFall * before;
-  const bool past = std::min(before, past_limits_) > kLeast && past_limits_ > kFall * before;
-  return (passes >= kFarSettling && far) || (passes >= kSettling && past);
 }
 
 void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {
@@ -175,7 +145,7 @@ void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {
     problem_.stances[i].X_WF = footsteps.footholds[i].X_WF;
     problem_.stances[i].held = true;
   }
-  stage_ = Stage::kQuick;
+  holds_ = true;
 }
 
 FootstepPlan RigidBodyPasses::FootstepsOf(const RigidBodyMotion& motion) const {
@@ -212,7 +182,7 @@ std::vector<ReachSide> RigidBodyPasses::ReachAt(int foot, double time_s) const {
 /// With free footholds: plans over the patches on which constraints are violated least.
 Result<RigidBodyPlan> RigidBodyPasses::PlanFree(const RigidBodyOptions& options, RigidBodyPlan& last) {
   constexpr double kNear = 0.5;  // share of the leg length: distance of another patch
-  if (!free_ || stage_ != Stage::kFree) return PlanRigidBody(problem_, options, &last);
+  if (!free_ || holds_) return PlanRigidBody(problem_, options, &last);
   PatchSearchOptions search;
   search.near_m = kNear * model_.leg_length_m();
   PlanOverPatches best;
@@ -232,11 +202,8 @@ Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options
   while (true) {
     problem_.clearances = clearance_.Wanted();
     RigidBodyPlan last;
-    if (stage_ != Stage::kFree) {
-      RigidBodyOptions held = options;
-      if (stage_ == Stage::kQuick) held.method = "interior-point";
-      Result<RigidBodyPlan> plan =
-          numbers_ ? PlanRigidBodyFrom(problem_, held, *numbers_) : PlanRigidBody(problem_, held);
+    if (numbers_) {
+      Result<RigidBodyPlan> plan = PlanRigidBodyFrom(problem_, options, *numbers_);
       if (plan) return plan;
     }
     Result<RigidBodyPlan> plan = PlanFree(options, last);
@@ -251,9 +218,8 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   const RigidBodyOptions options = Options();
   Result<RigidBodyPlan> plan = PlanClear(options);
   if (!plan) return WithNamesOfFeet(model_, plan.failure());
-  if (plan->summary.gave_up) method_ = "interior-point";
   motion_ = std::move(plan->motion);
-  if (stage_ != Stage::kFree) numbers_ = std::move(plan->numbers);
+  if (holds_) numbers_ = std::move(plan->numbers);
   samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);
   MotionPass pass;
   pass.footsteps = FootstepsOf(motion_);
@@ -295,36 +261,23 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   return pass;
 }
 
-/// Updates the legs' angular momentum by a fixed-point iteration. The step length comes from the last two differences
-/// between the result of a pass and its assumption (Irons and Tuck, Int. J. Numerical Methods in Engineering 1, 1969).
+/// Sets the legs' angular momentum and its rate: those of the whole body less those of the rigid body.
 void RigidBodyPasses::UpdateLegMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch) {
-  constexpr double kLeast = 0.6, kMost = 2.0;
   VectorX needed;
   const std::size_t n = samples_.size();
   const std::vector<Vector3> roll_moment = RollMoments(problem_, motion_, samples_);
   Vector3 by_roll = Vector3::Zero();
   problem_.leg_momentum_W.resize(n, Vector3::Zero());
   problem_.leg_torque_W.resize(n, Vector3::Zero());
-  std::vector<Vector3> off(n), torque_off(n);
-  double along = 0.0, change = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
     InverseDynamics(model_, rows.q[k], rows.v[k], rows.a[k], scratch, needed);
     const Vector3 arm = scratch.p_WB[0] - CentreOfMass(model_, scratch);
     const Vector3 of_box = RotationOf(samples_[k].angles_rad) * problem_.inertia_B * samples_[k].w_WB_B;
     if (k > 0) by_roll += 0.5 * rows.step_s * (roll_moment[k - 1] + roll_moment[k]);
-    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll - problem_.leg_momentum_W[k];
-    torque_off[k] = needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - roll_moment[k] -
-                    problem_.leg_torque_W[k];
-    if (off_.empty()) continue;
-    along += off_[k].dot(off[k] - off_[k]);
-    change += (off[k] - off_[k]).squaredNorm();
+    problem_.leg_momentum_W[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll;
+    problem_.leg_torque_W[k] =
+        needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - roll_moment[k];
   }
-  if (change > 0.0) step_ = std::clamp(-step_ * along / change, kLeast, kMost);
-  for (std::size_t k = 0; k < n; ++k) {
-    problem_.leg_momentum_W[k] += step_ * off[k];
-    problem_.leg_torque_W[k] += step_ * torque_off[k];
-  }
-  off_ = std::move(off);
 }
 
 /// Stores the swing paths over the ground, whose lift may exceed the bump, or which may have a detour.

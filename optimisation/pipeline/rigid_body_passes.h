@@ -17,26 +17,20 @@ namespace gaitwright {
 /// Plans the stages after the footsteps as the motion of a single rigid body, for gaits with flight and for speeds at
 /// which the pendulum model fails. The first pass treats the robot as one rigid body; each later pass includes the leg
 /// angular momentum, the rolling of the feet, and the places where body and upper legs came too close to the ground in
-/// the previous pass, until motors and contacts of the whole robot can produce the motion without collision.
+/// the previous pass. FinishMotion then makes motion and forces of the whole robot agree.
 ///
-/// With free footholds (HasFreeFootholds), constraints that stay violated in the first passes let stances change to
-/// other patches (PlanOverChoice). If feet touch solids in the air when the passes have come to rest, more passes
-/// include the rolling of the feet in their swings; if they still do, their swings are planned together with the body
-/// (WithSwingsAlong).
+/// With free footholds (HasFreeFootholds), constraints that stay violated let stances change to other patches
+/// (PlanOverChoice). If feet touch solids in the air after the passes, more passes include the rolling of the feet in
+/// their swings; if they still do, their swings are planned together with the body (WithSwingsAlong).
 class RigidBodyPasses {
  public:
   explicit RigidBodyPasses(const MotionTask& task, const Crouch* crouch = nullptr);
 
-  /// Runs passes until the unbalanced force and moment of the whole body are small. `error_m` of a pass is the larger
-  /// of unbalanced force / m g [1] and moment / m g [m].
+  /// Runs one pass, over uneven ground two, and more until the body is clear of the ground. `error_m` of a pass is the
+  /// larger of unbalanced force / m g [1] and moment / m g [m].
   Result<MotionPass> Run(int& passes);
 
  private:
-  /// Footholds are free at first. Then they are fixed, and motions are found by the faster interior-point method, each
-  /// slightly suboptimal. If these differ too much for the leg angular momentum to converge, the requested method
-  /// continues from them.
-  enum class Stage { kFree, kQuick, kExact };
-
   /// What is done about feet in the air that touch solids: nothing yet; swings include the rolling of the feet in the
   /// pass before; they were planned together with the body.
   enum class Mending { kNone, kRolling, kAlong };
@@ -49,7 +43,6 @@ class RigidBodyPasses {
   /// The footholds of a motion.
   FootstepPlan FootstepsOf(const RigidBodyMotion& motion) const;
   void SetCentroidal(const std::vector<RigidBodySample>& samples, MotionPass& pass) const;
-  bool StaysPastLimits(const MotionPass& pass, int passes);
   void HoldFootholds(const FootstepPlan& footsteps);
   bool MendSwings();
   void Learn(const MotionPass& pass);
@@ -65,16 +58,12 @@ class RigidBodyPasses {
   const bool uneven_;  // the ground is not flat
   const bool free_;    // footholds move on their patches and to other ones
   Mending mending_;
-  std::vector<int> patches_;  // by stance; -1 if it is fixed
-  FormerMotion former_;       // of the last pass, over uneven ground
-  RigidBodyMotion motion_;    // of the last pass
-  Stage stage_ = Stage::kFree;
-  std::string method_;                       // the requested method until it fails
+  std::vector<int> patches_;                 // by stance; -1 if it is fixed
+  FormerMotion former_;                      // of the last pass, over uneven ground
+  RigidBodyMotion motion_;                   // of the last pass
+  bool holds_ = false;                       // footholds are those of the second pass
   std::optional<RigidBodyNumbers> numbers_;  // of the last motion with fixed footholds
   std::vector<RigidBodySample> samples_;     // samples of that motion, by row of the grid
-  std::vector<Vector3> off_;                 // leg angular momentum of the last pass minus its assumption
-  double past_limits_ = 0.0;                 // TotalViolation of the last pass
-  double step_ = 1.0;                        // share of that difference that was applied
   std::vector<Vector3> expected_roll_;       // by foothold
   std::vector<Vector3> roll_;                // by foothold, over its stance
 };

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "optimisation/pipeline/finish_motion_internal.h"
-#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/search/refuse_walk.h"
 
 namespace gaitwright {
@@ -21,21 +20,6 @@ bool IsUnsettled(const PlannedWalk& planned) {
                      [&](const Violation& v) { return disagrees(v) || v.law == Law::kZmpSupport; });
 }
 
-/// Replaces a plan that passes have left unsettled by one that is optimised as a whole, if that is sound.
-void FinishUnsettled(const RobotModel& model, const AuditOptions& options, PlannedWalk& planned) {
-  if (!ReasonNotFinished(model, planned.motion.plan).empty()) return;
-  FinishReport report;
-  Result<MotionPlan> finished = FinishMotion(model, planned.motion.plan, {}, &report);
-  if (!finished) return;
-  const Result<AuditReport> audit = Audit(model, *finished, options);
-  if (!audit || !audit->violations.empty()) return;
-  planned.motion.plan = std::move(*finished);
-  planned.motion.residual = std::max(report.residual_force, report.residual_moment * model.leg_length_m());
-  planned.motion.limit_excess = TotalViolation(model, planned.motion.plan.whole_body, 0.0);
-  planned.motion.summary += "; " + report.summary;
-  planned.audit = *audit;
-}
-
 }  // namespace
 
 MotionOptions WithFootholds(MotionOptions options, bool other) {
@@ -47,17 +31,22 @@ bool MayMoveFeet(const MotionOptions& options, const Terrain& terrain) {
   return options.footholds != "held" && KindOfGround(terrain) != GroundKind::kFlat;
 }
 
-Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const AuditOptions& options,
-                            bool only_sound) {
+Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const MotionOptions& options,
+                            const AuditOptions& audit_options, bool only_sound) {
   if (!motion) return motion.failure();
   PlannedWalk planned;
   planned.motion = std::move(*motion);
   if (planned.motion.limit_excess >= kSlightViolation && only_sound) return planned;
-  const Result<AuditReport> audit = Audit(model, planned.motion.plan, options);
+  const Result<AuditReport> audit = Audit(model, planned.motion.plan, audit_options);
   if (!audit) return audit.failure();
   planned.audit = *audit;
-  if (IsUnsettled(planned)) FinishUnsettled(model, options, planned);
-  return planned;
+  if (planned.motion.unfinished || !IsUnsettled(planned)) return planned;
+  PlannedWalk finished = planned;
+  FinishPlanned(model, options, finished.motion);
+  const Result<AuditReport> again = Audit(model, finished.motion.plan, audit_options);
+  if (!again || !again->violations.empty()) return planned;
+  finished.audit = *again;
+  return finished;
 }
 
 }  // namespace gaitwright

@@ -13,9 +13,9 @@ MotionOptions WithFootholds(MotionOptions options, bool other);
 bool MayMoveFeet(const MotionOptions& options, const Terrain& terrain);
 
 /// The motion with its audit, or the reason why there is no motion. If the audit fails only because motion and forces
-/// do not agree, FinishMotion optimises the motion of the whole body; the result is used if it is sound.
+/// do not agree, FinishPlanned optimises the motion of the whole body; the result is used if it is sound.
 /// @param only_sound  a motion that violates limits is returned without an audit, because it is not sound anyway.
-Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const AuditOptions& options = {},
-                            bool only_sound = false);
+Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const MotionOptions& options,
+                            const AuditOptions& audit_options = {}, bool only_sound = false);
 
 }  // namespace gaitwright

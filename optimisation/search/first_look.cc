@@ -18,7 +18,7 @@ constexpr double kFarEase = 0.5;  // factor of the speed if a violated constrain
 
 /// The request, changed to few and cheap passes.
 WalkRequest Cheap(const WalkRequest& request) {
-  constexpr int kPasses = 3;  // footholds are fixed from the third pass, so that its limits are those of the plan
+  constexpr int kPasses = 2;
   WalkRequest cheap = request;
   cheap.motion.rigid_body.method = "interior-point";  // fast if no motion exists
   cheap.motion.pipeline.max_body_passes = std::min(kPasses, request.motion.pipeline.max_body_passes);

@@ -81,7 +81,8 @@ Failure RefusedWhole(const Result<PlannedWalk>& planned) {
 Result<PlannedWalk> PlanWhole(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                               const std::vector<WalkPart>& parts) {
   const auto plan = [&](bool other_footholds) {
-    return Audited(model, PlanMotion(model, terrain, parts, WithFootholds(request.motion, other_footholds)));
+    const MotionOptions options = WithFootholds(request.motion, other_footholds);
+    return Audited(model, PlanMotion(model, terrain, parts, options), options);
   };
   Result<PlannedWalk> planned = plan(false);
   const bool flies = std::any_of(parts.begin(), parts.end(), [&](const WalkPart& part) {

@@ -135,10 +135,7 @@ double LargestOnTheGround(const SearchProblem& problem, Evaluator& evaluator) {
 
 SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   const Candidate as_asked{problem.paces.asked};
-  const bool looks_first = problem.situation.kind == Kind::kFlying && !problem.any_plan;
-  SearchResult result{as_asked, {}, {}};
-  if (looks_first) result.evaluation = evaluator.Evaluate(as_asked, Effort::kFirstLook);
-  if (result.evaluation.sound()) result.evaluation = evaluator.Evaluate(as_asked, Effort::kWhole);
+  SearchResult result{as_asked, evaluator.Evaluate(as_asked, Effort::kWhole), {}};
   if (problem.any_plan || result.evaluation.sound() || result.evaluation.at_every_pace) return result;
   result.why = result.evaluation.refusal->code;
   SearchSituation situation = problem.situation;

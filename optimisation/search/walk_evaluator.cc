@@ -143,7 +143,7 @@ Evaluation WalkEvaluator::Look(const WalkRequest& request, const Gait& gait, con
 
 Result<PlannedWalk> WalkEvaluator::Whole(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
                                          bool only_sound) const {
-  return Audited(model_, PlanMotion(model_, terrain_, gait, command, request.motion), {}, only_sound);
+  return Audited(model_, PlanMotion(model_, terrain_, gait, command, request.motion), request.motion, {}, only_sound);
 }
 
 /// Uses twice the time step if a cycle of `fitted_s` has enough steps.
@@ -152,8 +152,8 @@ Result<PlannedWalk> WalkEvaluator::Start(const WalkRequest& request, const Gait&
   AuditOptions seldom;
   seldom.rate_hz *= 0.5;
   const WalkRequest coarse = Coarse(request, fitted_s);
-  return Audited(model_, PlanMotion(model_, terrain_, gait, StartOfWalk(model_, command, gait), coarse.motion), seldom,
-                 true);
+  return Audited(model_, PlanMotion(model_, terrain_, gait, StartOfWalk(model_, command, gait), coarse.motion),
+                 coarse.motion, seldom, true);
 }
 
 void WalkEvaluator::Trace(const Candidate& candidate, Effort effort, const Gait& gait, const Evaluation& evaluation) {

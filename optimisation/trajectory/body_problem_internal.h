@@ -39,7 +39,9 @@ struct FootGoal {
 struct BodyKnot {
   std::vector<PressingFoot> pressing;
   std::vector<FootGoal> feet;
-  VectorJet reference;       ///< what the motion is to be near
+  VectorJet reference;  ///< what the motion is to be near
+  /// Wrench on the base about its origin that the spline leaves unbalanced [N, N m]; see SolvedTrajectory.
+  Vector6 left = Vector6::Zero();
   bool pins_place = false;   ///< the position is that of the reference
   bool pins_motion = false;  ///< rate and acceleration are those of the reference
 };
@@ -55,11 +57,16 @@ struct BodyWeights {
   double force = 0.1;                ///< force of a contact point over the weight
 };
 
-/// Shares of limits that a motion may use at knots, so that there is room for what happens in between.
+/// Shares of limits that a motion may use at knots. Controllers need room for corrections, and more is used between
+/// knots.
 struct BodyLimitUse {
-  double effort = 0.98, speed = 0.99;
-  double range_margin = 1e-3;  ///< to the ends of a joint's range [rad], [m]
+  double effort = 0.92, speed = 0.97;
+  double range_margin = 0.015;  ///< to the ends of a joint's range [rad], [m]; smaller near the start and end
+  double cone_margin = 1e-3;    ///< of the force at a contact point to its friction cone, over the weight
 };
+
+/// For motions that need nearly all that the robot has.
+inline constexpr BodyLimitUse kFullUse = {0.98, 0.99, 1e-3, 0.0};
 
 /// A motion of the whole body and of the forces on its feet over a schedule of contacts, as a spline over knots.
 ///

@@ -14,7 +14,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kUnit = 0.01;  // [s] of time that weights are for
+constexpr double kUnit = 0.01;     // [s] of time that weights are for
+constexpr double kToMargin = 0.3;  // [s] in which joints that stand at the end of their range come to its margin
+constexpr double kFootUnit =
+    100.0;  // rows of feet are in cm, so that their multipliers are as large as those of others
 
 /// Change of the rotation vector of R when R turns by a small vector in W: the inverse of the left Jacobian of SO(3).
 Matrix3 LogDerivative(const Vector3& turn) {
@@ -135,9 +138,14 @@ RowBounds BodyRows::BoundsOf(Index row) const {
     const int dof = ranged_[static_cast<std::size_t>(row - knot.row[kRange])];
     const double lower = model_.dof_lower(dof), upper = model_.dof_upper(dof);
     const double margin = std::min(problem_.use.range_margin, 0.25 * (upper - lower));
-    return {lower + margin, upper - margin};
+    const double standing = std::clamp(model_.standing_joints[dof], lower, upper);
+    const double now_s = problem_.time_s[static_cast<std::size_t>(&knot - knots_.data())];
+    const double ramp =
+        std::min(1.0, std::min(now_s - problem_.time_s.front(), problem_.time_s.back() - now_s) / kToMargin);
+    const double low = lower + margin, high = upper - margin;
+    return {low + (1.0 - ramp) * std::min(0.0, standing - low), high + (1.0 - ramp) * std::max(0.0, standing - high)};
   }
-  if (row >= knot.row[kCone] && row < knot.row[kPinnedPlace]) return {-kNone, 0.0};
+  if (row >= knot.row[kCone] && row < knot.row[kPinnedPlace]) return {-kNone, -problem_.use.cone_margin};
   return {0.0, 0.0};
 }
 
@@ -260,8 +268,8 @@ void BodyRows::EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedStat
     }
     for (std::size_t i = 0; i < 6; ++i) {
       if (!goal.rows[i]) continue;
-      knot.feet[row] = off[static_cast<Index>(i)];
-      if (with_derivatives != nullptr) knot.J.row(row) = by_v.row(static_cast<Index>(i));
+      knot.feet[row] = kFootUnit * off[static_cast<Index>(i)];
+      if (with_derivatives != nullptr) knot.J.row(row) = kFootUnit * by_v.row(static_cast<Index>(i));
       ++row;
     }
   }
@@ -284,6 +292,9 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
   rows.segment(knot.row[kEffort], m) = share_[k] * problem_.weights.effort * dense.tail(m);
   rows.segment(knot.row[kForce], knot.forces) = share_[k] * problem_.weights.force * y.tail(knot.forces);
   rows.segment<6>(knot.row[kDynamics]) = dense.head<6>();
+  rows.segment<3>(knot.row[kDynamics]) -= constant / model_.weight_n() * asked.left.head<3>();
+  rows.segment<3>(knot.row[kDynamics] + 3) -=
+      constant / (model_.weight_n() * model_.leg_length_m()) * asked.left.tail<3>();
   rows.segment(knot.row[kFeet], feet.size()) = feet;
   Index row = knot.row[kEffortLimit];
   for (const int motor : motors_.limited()) rows[row++] = dense[6 + motor];

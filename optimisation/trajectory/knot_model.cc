@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Cholesky>
+
 #include "kinematics/dynamics/chain_kinematics.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/trajectory/knot_model_internal.h"
@@ -45,7 +47,7 @@ void KnotModel::Evaluate(const VectorX& q, const VectorX& v, const VectorX& a, c
 
 void KnotModel::AddContact(const KnotContact& contact, const Eigen::Ref<const VectorX>& forces_W,
                            VectorX& needed) const {
-  const DynamicsScratch& s = differentiated_ ? derivatives_.kinematics() : scratch_;
+  const DynamicsScratch& s = kinematics();
   const Foot& foot = model_.feet[static_cast<std::size_t>(contact.foot)];
   const FootWrench w = WrenchOf(contact, FramePose(s, foot.body, foot.X_BF), forces_W);
   needed.head<3>() -= w.force_W;
@@ -131,7 +133,7 @@ void KnotModel::AddContactDerivatives(const KnotContact& contact, const Eigen::R
 }
 
 void KnotModel::FootAt(int foot, bool with_jacobian, KnotFoot& result) const {
-  const DynamicsScratch& s = differentiated_ ? derivatives_.kinematics() : scratch_;
+  const DynamicsScratch& s = kinematics();
   const Foot& of = model_.feet[static_cast<std::size_t>(foot)];
   const Pose X_WF = FramePose(s, of.body, of.X_BF);
   result.p_WF = X_WF.translation();
@@ -139,6 +141,24 @@ void KnotModel::FootAt(int foot, bool with_jacobian, KnotFoot& result) const {
   if (!with_jacobian) return;
   result.J.resize(6, model_.nv());
   PointJacobian(model_, s, of.body, of.X_BF.translation(), result.J);
+}
+
+Vector6 KnotModel::LockedAcceleration(const Vector6& wrench_W) const {
+  const DynamicsScratch& s = kinematics();
+  const Vector3 arm = CentreOfMass(model_, s) - s.p_WB[0], force = wrench_W.head<3>();
+  Vector6 acceleration;
+  acceleration.tail<3>() = LockedInertia(model_, s).llt().solve(wrench_W.tail<3>() - arm.cross(force));
+  acceleration.head<3>() = force / model_.total_mass_kg - acceleration.tail<3>().cross(arm);
+  return acceleration;
+}
+
+Vector6 KnotModel::LockedWrench(const Vector6& acceleration_W) const {
+  const DynamicsScratch& s = kinematics();
+  const Vector3 arm = CentreOfMass(model_, s) - s.p_WB[0], turning = acceleration_W.tail<3>();
+  Vector6 wrench;
+  wrench.head<3>() = model_.total_mass_kg * (acceleration_W.head<3>() + turning.cross(arm));
+  wrench.tail<3>() = LockedInertia(model_, s) * turning + arm.cross(wrench.head<3>());
+  return wrench;
 }
 
 }  // namespace gaitwright

@@ -53,12 +53,18 @@ class KnotModel {
   /// A foot after either call; `J` only where asked for.
   void FootAt(int foot, bool with_jacobian, KnotFoot& result) const;
 
+  /// Acceleration [linear of the base's origin; angular] in W that a wrench on the base about its origin gives to the
+  /// robot at rest with its joints locked, after either call; and the reverse.
+  Vector6 LockedAcceleration(const Vector6& wrench_W) const;
+  Vector6 LockedWrench(const Vector6& acceleration_W) const;
+
   const RobotModel& model() const { return model_; }
 
  private:
   void AddContact(const KnotContact& contact, const Eigen::Ref<const VectorX>& forces_W, VectorX& needed) const;
   void AddContactDerivatives(const KnotContact& contact, const Eigen::Ref<const VectorX>& forces_W, Eigen::Index column,
                              KnotForces& result);
+  const DynamicsScratch& kinematics() const { return differentiated_ ? derivatives_.kinematics() : scratch_; }
   const std::vector<int>& ChainOf(int foot) const { return chain_[static_cast<std::size_t>(foot)]; }
 
   const RobotModel& model_;

@@ -47,6 +47,19 @@ void MotorRows::Efforts(const Eigen::Ref<const VectorX>& torque, const Eigen::Re
   }
 }
 
+MotorRows::Largest MotorRows::LargestAt(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
+                                        const Eigen::Ref<const VectorX>& a) const {
+  VectorX shares(count());
+  Efforts(torque, v, a, shares);
+  Largest largest;
+  for (const int motor : limited_) largest.effort = std::max(largest.effort, std::abs(shares[motor]));
+  for (const Curve& curve : curves_) {
+    const double speed = motors_[static_cast<std::size_t>(curve.motor)].Speed(v) / curve.speed_scale;
+    largest.curve = std::max(largest.curve, std::abs(curve.by_effort * shares[curve.motor] + speed));
+  }
+  return largest;
+}
+
 void MotorRows::ToMotors(const Eigen::Ref<const MatrixX>& of_torque, Eigen::Ref<MatrixX> of_shares) const {
   for (std::size_t m = 0; m < motors_.size(); ++m) {
     auto row = of_shares.row(static_cast<Eigen::Index>(m));

@@ -101,6 +101,7 @@ def made(tmp_path_factory):
     keep("options", "walk", "--list-options")
     keep("schemas", "reference")
     keep("written", "reference", "--out-dir", "pages")
+    keep("whole-body-bench", "bench", "whole-body", "--only", "a1-chain-200")
     keep("bench", "bench", "centroidal", "--only", "hyq-1-flat", "--timing", "fixed", "--audit", statuses=(0, 3))
     keep("error", "audit", "none.json", statuses=(1,))
     return folder
@@ -121,6 +122,7 @@ def block_named(name):
     ("grade-result", ["grade.json", "inputs.json"]), ("robots-result", ["robots.json", "robot.json"]),
     ("gaits-result", ["gaits.json"]), ("terrains-result", ["terrains.json", "terrain.json", "ground.json", "porch.json"]),
     ("view-result", ["view.json"]), ("render-result", ["figure.json"]), ("bench-result", ["bench.json"]),
+    ("whole-body-bench-result", ["whole-body-bench.json"]),
     ("option-list", ["options.json"]), ("reference-result", ["schemas.json", "written.json"]), ("error", ["error.json"]), ("options", ["tuned.yaml"])])
 def test_what_is_written_fits_its_schema(made, name, files):
     for file in files:

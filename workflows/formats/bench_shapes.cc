@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output of bench centroidal.
+// Output of bench.
 #include "workflows/formats/result_shapes_internal.h"
 
 namespace gaitwright {
@@ -74,6 +74,25 @@ DataShape BenchResultShape() {
                                 {"audit", OrNull(AuditRoundsShape())},
                                 {"peak_memory_mb", Number()}});
   return Object({{"bench", Text({"centroidal"})}, {"cases", List(one)}, {"files", FilesShape({"problems"})}});
+}
+
+DataShape WholeBodyBenchShape() {
+  const DataShape one = Object({{"case", Text(), "ROBOT-GAIT-SPEED."},
+                                {"robot", Text()},
+                                {"gait", Text()},
+                                {"speed_m_s", Number()},
+                                {"distance_m", Number()},
+                                {"reason", Text(), "Reason why there is no finished plan, or empty."},
+                                {"planning_cpu_s", Number()},
+                                {"audit", VerdictShape()},
+                                Optional("knots", Whole()),
+                                Optional("variables", Whole()),
+                                Optional("solves", Whole()),
+                                Optional("iterations", Whole(), "Of all solves."),
+                                Optional("ms_an_iteration", Number(), "CPU time."),
+                                Optional("residual_force_mg", Number(), "At 1 kHz, divided by the weight."),
+                                Optional("residual_moment_mgl", Number())});
+  return Object({{"bench", Text({"whole-body"})}, {"cases", List(one)}});
 }
 
 }  // namespace gaitwright

@@ -70,6 +70,7 @@ std::vector<Document> Documents() {
       Made("render-result", "Output of render", "json-output.md", RenderResultShape()),
       Made("live-result", "Output of live", "json-output.md", LiveResultShape()),
       Made("bench-result", "Output of bench centroidal", "json-output.md", BenchResultShape()),
+      Made("whole-body-bench-result", "Output of bench whole-body", "json-output.md", WholeBodyBenchShape()),
       Made("option-list", "Output of --list-options", "json-output.md", OptionListShape()),
       Made("reference-result", "Output of reference", "json-output.md", ReferenceResultShape()),
       Made("error", "Error output of every verb", "json-output.md", ErrorShape()),

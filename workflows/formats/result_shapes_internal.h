@@ -35,6 +35,7 @@ DataShape ViewResultShape();
 DataShape RenderResultShape();
 DataShape LiveResultShape();
 DataShape BenchResultShape();
+DataShape WholeBodyBenchShape();
 DataShape OptionListShape();
 DataShape ReferenceResultShape();
 DataShape ErrorShape();

@@ -93,6 +93,19 @@ TEST_P(KnotModels, FeetMoveByTheirJacobians) {
   }
 }
 
+TEST_P(KnotModels, LockedAccelerationsAndWrenchesAreThoseOfTheMassMatrix) {
+  const Eigen::Index nv = model_.nv();
+  const VectorX q = random_.Configuration(model_), none = VectorX::Zero(nv);
+  VectorX needed;
+  knot_.Evaluate(q, none, none, contacts_, forces_, needed);
+  const Vector6 wrench = random_.Vector(6), acceleration = knot_.LockedAcceleration(wrench);
+  EXPECT_LT((knot_.LockedWrench(acceleration) - wrench).norm(), 1e-10);
+  DynamicsScratch scratch(model_);
+  MatrixX M;
+  MassMatrix(model_, q, scratch, M);
+  EXPECT_LT((M.topLeftCorner<6, 6>() * acceleration - wrench).norm(), 1e-9);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, KnotModels, testing::ValuesIn(kAnyRobots));
 
 }  // namespace

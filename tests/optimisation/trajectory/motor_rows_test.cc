@@ -63,6 +63,21 @@ TEST(MotorRows, KeepsTorqueSpeedCurves) {
   EXPECT_NEAR(12.0 / curve->speed_scale, 1.0, 1e-12);
 }
 
+TEST(MotorRows, NameTheLargestShares) {
+  RobotModel model = AnyRobot("a1");
+  model.motors[0].corner_speed = 5.0;
+  model.motors[0].no_load_speed = 12.0;
+  const MotorRows rows(model, {1.0, 1.0, 0.0, 0.0});
+  const Eigen::Index n = model.num_dofs();
+  VectorX torque = VectorX::Zero(n), v = VectorX::Zero(n);
+  torque[0] = 0.5 * rows.motors()[0].effort_limit;
+  const MotorRows::Largest still = rows.LargestAt(torque, v, v);
+  EXPECT_NEAR(still.effort, 0.5, 1e-9);
+  EXPECT_NEAR(still.curve, 0.5 * (12.0 - 5.0) / 12.0, 1e-9);
+  v[0] = 6.0;
+  EXPECT_NEAR(rows.LargestAt(torque, v, 0.0 * v).curve, 0.5 * (12.0 - 5.0) / 12.0 + 0.5, 0.02);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, RowsOfMotors, testing::ValuesIn(kAnyRobots));
 
 }  // namespace
