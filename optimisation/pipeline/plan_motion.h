@@ -81,8 +81,8 @@ struct TrajectoryOptions {
           "",
           0.0,
           0.0,
-          "'whole-body' optimises the motion of the whole body and its contact forces together, starting from the "
-          "planning passes; 'as-needed' does so for rigid-body gaits, and where passes do not settle.",
+          "'whole-body' optimises the motion of the whole body and its contact forces; 'as-needed' does so for "
+          "rigid-body gaits and where planning passes do not settle.",
           {"as-needed", "whole-body"}},
          {"knot_step_s", &knot_step_s, "s", 0.001, 0.05, "Longest time between knots of the optimisation."},
          {"residual", &residual, "1", 1e-6, 0.02,

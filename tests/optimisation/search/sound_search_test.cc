@@ -141,7 +141,7 @@ TEST(FindSound, OtherLeapsThanTheRequestedAreLookedAtBeforeTheyArePlanned) {
   problem.situation.may_vary_flight = true;
   evaluator.asked.clear();
   EXPECT_DOUBLE_EQ(FindSound(problem, evaluator).candidate.flight, 1.15);
-  EXPECT_EQ(evaluator.Count(Effort::kFirstLook), 1);
+  EXPECT_GE(evaluator.Count(Effort::kFirstLook), 1);
   EXPECT_EQ(evaluator.Count(Effort::kWhole), 2);
 }
 
