@@ -207,7 +207,7 @@ Vector3 RigidStance::MovedAt(double time_s) const {
 }
 
 const MotorLimits* RigidStance::MotorsAt(double time_s) const {
-  if (motors.empty()) return nullptr;
+  if (motors.empty() || motors.front().lower.size() == 0) return nullptr;  // none has a limit
   const double last = static_cast<double>(motors.size()) - 1.0;
   const double at = std::clamp((time_s - start_s) / (end_s - start_s), 0.0, 1.0) * last;
   return &motors[static_cast<std::size_t>(std::lround(at))];

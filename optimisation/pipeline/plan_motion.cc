@@ -77,6 +77,27 @@ double SlowestCycle(const std::vector<WalkPart>& parts) {
 
 }  // namespace
 
+OptionFields TrajectoryOptions::Fields() {
+  return WithBasics(
+      {"method"},
+      {{"method",
+        &method,
+        "",
+        0.0,
+        0.0,
+        "Planner of the whole body: 'whole-body' optimises its motion and contact forces together; 'as-needed' does so "
+        "for rigid-body gaits and where planning passes do not settle.",
+        {"as-needed", "whole-body"}},
+       {"knot_step_s", &knot_step_s, "s", 0.001, 0.05, "Longest time between knots of the optimisation."},
+       {"residual", &residual, "1", 1e-6, 0.02,
+        "Largest unbalanced force divided by the weight, and moment divided by the weight times the leg length, "
+        "at 1 kHz; solves are repeated until it is reached."},
+       {"max_solves", &max_solves, "1", 1, 20, "Maximum number of solves."},
+       {"max_iterations", &max_iterations, "1", 1, 1000, "Maximum number of iterations of each solve."},
+       {"near", &near, "1", 1e-3, 1e3, "Weight on the distance of base and joints from the plan of the passes."},
+       {"effort", &effort, "1", 0.0, 1e3, "Weight on the efforts of motors, as shares of their limits."}});
+}
+
 FootstepOptions StandingOptions(const MotionOptions& options) {
   FootstepOptions footsteps = options.footsteps;
   footsteps.grid_s = options.pipeline.grid_step_s;

@@ -73,26 +73,7 @@ struct TrajectoryOptions {
   double near = 1.0;
   double effort = 0.3;
 
-  OptionFields Fields() {
-    return WithBasics(
-        {"method"},
-        {{"method",
-          &method,
-          "",
-          0.0,
-          0.0,
-          "'whole-body' optimises the motion of the whole body and its contact forces; 'as-needed' does so for "
-          "rigid-body gaits and where planning passes do not settle.",
-          {"as-needed", "whole-body"}},
-         {"knot_step_s", &knot_step_s, "s", 0.001, 0.05, "Longest time between knots of the optimisation."},
-         {"residual", &residual, "1", 1e-6, 0.02,
-          "Largest unbalanced force divided by the weight, and moment divided by the weight times the leg length, "
-          "at 1 kHz; solves are repeated until it is reached."},
-         {"max_solves", &max_solves, "1", 1, 20, "Maximum number of solves."},
-         {"max_iterations", &max_iterations, "1", 1, 1000, "Maximum number of iterations of each solve."},
-         {"near", &near, "1", 1e-3, 1e3, "Weight on the distance of base and joints from the plan of the passes."},
-         {"effort", &effort, "1", 0.0, 1e3, "Weight on the efforts of motors, as shares of their limits."}});
-  }
+  OptionFields Fields();
 };
 
 /// All options that shape a motion. The same keys are used in YAML, in `--set` and in the plan's provenance.

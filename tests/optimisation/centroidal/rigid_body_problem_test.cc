@@ -161,10 +161,13 @@ TEST(RigidBodyProblem, AStanceKnowsHowFarItsContactsHaveMovedAndItsMotors) {
   EXPECT_EQ(stance.MovedAt(9.0), stance.moved_W[2]);
   EXPECT_LT((stance.MovedAt(1.25) - Vector3(0.0025, 0.0, 0.0)).norm(), 1e-15);
   EXPECT_LT((stance.MovedAt(2.75) - Vector3(0.01, 0.03, 0.0)).norm(), 1e-15);
-  stance.motors.resize(3);
+  stance.motors.assign(3, {MatrixX::Zero(1, 3), VectorX::Zero(1), VectorX::Zero(1)});
   const std::vector<std::pair<double, std::size_t>> nearest = {{0.0, 0}, {1.0, 0}, {1.49, 0}, {1.51, 1},
                                                                {2.4, 1}, {2.6, 2}, {3.0, 2},  {4.0, 2}};
   for (const auto& [time_s, at] : nearest) EXPECT_EQ(stance.MotorsAt(time_s), &stance.motors[at]) << time_s;
+  const MotorLimits unlimited{MatrixX(0, 3), VectorX(0), VectorX(0)};
+  stance.motors.assign(3, unlimited);
+  EXPECT_EQ(stance.MotorsAt(2.0), nullptr) << "no motor has a limit";
 }
 
 TEST(RigidBodyProblem, AWayGoesEvenlyBetweenItsTimes) {
