@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/finish_json_internal.h"
 #include "cli/flags.h"
 #include "cli/json_text_internal.h"
 #include "cli/program.h"
@@ -103,6 +104,14 @@ Json OutcomeJson(const CentroidalOutcome& o) {
           {"peak_memory_mb", o.peak_memory_mb}};
 }
 
+Failure NoSuchCase(const std::string& filter, const std::string& hint) {
+  return {FailureKind::kBadInput,
+          FailureCode::kNoSuchCase,
+          "bench",
+          fmt::format("no case name contains '{}'", filter),
+          {hint}};
+}
+
 int RunBench(BenchSettings& a) {
   if (a.timing_choice == "free") {
     a.timing.least_total = 1.0 / kFreeTotal;
@@ -118,12 +127,7 @@ int RunBench(BenchSettings& a) {
                             a.friction.value_or(set->friction)};
   const std::vector<CentroidalCase> cases = CasesOf(*set, a.filter);
   if (cases.empty()) {
-    return Report({FailureKind::kBadInput,
-                   FailureCode::kNoSuchCase,
-                   "bench",
-                   fmt::format("no case name contains '{}'", a.filter),
-                   {"a case name is ROBOT-NUMBER-GROUND, such as hyq-1-gap"}},
-                  a.common);
+    return Report(NoSuchCase(a.filter, "a case name is ROBOT-NUMBER-GROUND, such as hyq-1-gap"), a.common);
   }
   std::vector<CentroidalOutcome> outcomes;
   for (const CentroidalCase& one : cases)
@@ -145,35 +149,23 @@ struct WholeBodySettings {
 };
 
 Json OutcomeJson(const WholeBodyOutcome& o) {
-  Json json = {{"case", o.one.name},
-               {"robot", o.one.robot},
-               {"gait", o.one.gait},
-               {"speed_m_s", o.one.speed_m_s},
-               {"distance_m", o.one.distance_m},
-               {"reason", o.reason},
-               {"planning_cpu_s", o.planning_cpu_s},
-               {"audit", o.passes_audit ? "pass" : "fail"}};
-  if (!o.finished) return json;
-  json["knots"] = o.finished->knots;
-  json["variables"] = o.finished->variables;
-  json["solves"] = o.finished->solves;
-  json["iterations"] = o.finished->iterations;
-  json["ms_an_iteration"] = o.MsAnIteration();
-  json["residual_force_mg"] = o.finished->residual_force;
-  json["residual_moment_mgl"] = o.finished->residual_moment;
-  return json;
+  return {{"case", o.one.name},
+          {"robot", o.one.robot},
+          {"gait", o.one.gait},
+          {"speed_m_s", o.one.speed_m_s},
+          {"distance_m", o.one.distance_m},
+          {"reason", o.reason},
+          {"planning_cpu_s", o.planning_cpu_s},
+          {"audit", o.passes_audit ? "pass" : "fail"},
+          {"whole_body", FinishJson(o.finished)},
+          {"ms_an_iteration", o.MsAnIteration()}};
 }
 
 int RunWholeBody(WholeBodySettings& a) {
   ApplySets("--set", a.common.sets, a.motion.Fields());
   const std::vector<WholeBodyCase> cases = WholeBodyCases(a.filter);
   if (cases.empty()) {
-    return Report({FailureKind::kBadInput,
-                   FailureCode::kNoSuchCase,
-                   "bench",
-                   fmt::format("no case name contains '{}'", a.filter),
-                   {"a case name is ROBOT-GAIT-SPEED, such as a1-trot-3.5"}},
-                  a.common);
+    return Report(NoSuchCase(a.filter, "a case name is ROBOT-GAIT-SPEED, such as a1-trot-3.5"), a.common);
   }
   std::vector<WholeBodyOutcome> outcomes;
   for (const WholeBodyCase& one : cases) outcomes.push_back(RunWholeBodyCase(one, a.motion));

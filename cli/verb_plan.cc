@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/explain.h"
+#include "cli/finish_json_internal.h"
 #include "cli/json_text_internal.h"
 #include "cli/options_file.h"
 #include "cli/paths.h"
@@ -24,16 +25,6 @@ struct PlanSettings {
   Explain explain;
 };
 
-nlohmann::ordered_json WholeBodyJson(const std::optional<FinishReport>& finished) {
-  if (!finished) return {};
-  return {{"knots", finished->knots},
-          {"solves", finished->solves},
-          {"iterations", finished->iterations},
-          {"solve_cpu_s", finished->solve_cpu_s},
-          {"residual_force_mg", finished->residual_force},
-          {"residual_moment_mgl", finished->residual_moment}};
-}
-
 void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Explain& explain, const Common& common) {
   if (common.json) {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();
@@ -47,7 +38,7 @@ void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Exp
                                    {"footholds", planned.motion.plan.footsteps.footholds.size()},
                                    {"zmp_error_max_m", planned.motion.zmp_error_max_m},
                                    {"residual", planned.motion.residual},
-                                   {"whole_body", WholeBodyJson(planned.motion.finished)},
+                                   {"whole_body", FinishJson(planned.motion.finished)},
                                    {"planning_cpu_s", planned.planning_cpu_s},
                                    {"warnings", planned.motion.plan.warnings},
                                    {"adjustments", ParsedJson(AdjustmentsJson(planned.motion.plan.adjustments))},

@@ -97,20 +97,22 @@ class ElasticSolver {
   /// Mean of these products.
   double Mean(double gap) const { return gap / std::max(1.0, 2.0 * static_cast<double>(sides_.size())); }
   double UnbalancedSides() const { return (h_ + at_.s - at_.t).lpNorm<1>(); }
-  /// What a whole step leaves of the equalities' errors by the linearised rows: they yield while multipliers grow.
-  double Left() const {
-    double left = 0.0;
-    for (std::size_t i = 0; i < fixed_.size(); ++i) left += std::abs(c_[static_cast<Index>(i)] + moved_[fixed_[i].row]);
-    return left;
+  /// Sum of the equalities' errors that the linearised rows predict after a whole step: `give` lets errors remain until
+  /// the multipliers have grown.
+  double RemainingErrors() const {
+    double remaining = 0.0;
+    for (std::size_t i = 0; i < fixed_.size(); ++i)
+      remaining += std::abs(c_[static_cast<Index>(i)] + moved_[fixed_[i].row]);
+    return remaining;
   }
-  /// Equalities in the merit function: their errors; or, if a step leaves most of them, the augmented Lagrangian, for
-  /// which the step is a descent direction then too.
-  double OfEqualities() const {
+  /// Share of the equalities in the merit function: their weighted absolute errors; or, if the step removes less than
+  /// half of them, their terms of the augmented Lagrangian, for which the step is always a descent direction.
+  double EqualityMerit() const {
     return yields_ ? merit_y_.dot(c_) + 0.5 / options_.give * c_.squaredNorm() : weight_ * c_.lpNorm<1>();
   }
   double Merit() const {
     return half_cost_ + penalty_ * at_.t.sum() - mean_ * (at_.s.array().log().sum() + at_.t.array().log().sum()) +
-           weight_ * UnbalancedSides() + OfEqualities();
+           weight_ * UnbalancedSides() + EqualityMerit();
   }
 
   const ElasticOptions options_;
@@ -121,7 +123,7 @@ class ElasticSolver {
   VectorX gradient_, c_, h_, wanted_s_, wanted_t_, moved_;  // wanted: products of s and z, t and w
   double half_cost_ = 0.0, last_total_ = std::numeric_limits<double>::infinity();
   double penalty_, mean_ = 0.0;  // mean_: target of the products
-  bool yields_ = false;          // see OfEqualities; merit_y_: their multipliers at the start of the step
+  bool yields_ = false;          // see EqualityMerit; merit_y_: their multipliers at the start of the step
   VectorX merit_y_;
   double weight_ = 1.0, damping_ = kLittle;  // weight_: of the equality violations in the merit function
   static constexpr double kLittle = 1e-8, kKeep = 0.99;
@@ -273,8 +275,8 @@ void ElasticSolver::TakeStep() {
   constexpr double kEnough = 1e-4, kRound = 1e-10;
   constexpr int kMostHalvings = 8;
   constexpr double kMost = 0.5;  // of the equalities' errors that a step may leave
-  const double left = Left(), equalities = c_.lpNorm<1>(), unbalanced = UnbalancedSides();
-  yields_ = left > kMost * equalities;
+  const double remaining = RemainingErrors(), equalities = c_.lpNorm<1>(), unbalanced = UnbalancedSides();
+  yields_ = remaining > kMost * equalities;
   merit_y_ = at_.y;
   double slope = gradient_.dot(step_.x) + penalty_ * step_.t.sum() -
                  mean_ * (step_.s.cwiseQuotient(at_.s).sum() + step_.t.cwiseQuotient(at_.t).sum());
@@ -282,7 +284,7 @@ void ElasticSolver::TakeStep() {
     const auto k = static_cast<Index>(i);
     slope += (at_.y[k] + c_[k] / options_.give) * moved_[fixed_[i].row];
   }
-  const double balanced = unbalanced + (yields_ ? 0.0 : equalities - left);  // by the whole step
+  const double balanced = unbalanced + (yields_ ? 0.0 : equalities - remaining);  // by the whole step
   if (balanced > rows_.unnoticed()) {
     const double needed = slope / (0.9 * balanced);
     if (weight_ < needed) weight_ = 1.5 * needed;

@@ -17,8 +17,8 @@ namespace {
 constexpr double kViolation = 1e-5;    // [m g, rad, m] that constraints at knots may be off by
 constexpr double kGoodEnough = 1e-4;   // of a solve that was ended by its iterations
 constexpr double kGive = 1e-6;         // see ElasticOptions
-constexpr int kScreening = 20;         // iterations, and
-constexpr double kFar = 0.3;           // sum of violations after them of a motion that does not exist
+constexpr int kScreening = 20;         // iterations after which a solve ends if the violations
+constexpr double kFar = 0.3;           // sum to more than this
 constexpr double kFinestRows = 1e-3;   // [s] of a row's step
 constexpr double kRolledAside = 1e-4;  // [m] that feet may be off where they roll to
 
@@ -203,7 +203,7 @@ Result<MotionPlan> Finisher::Run() {
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
     const bool exceeds = TightenLimits(problem.use);
     if ((balanced && !exceeds) || report_.solves == options_.max_solves) break;
-    for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].left = solved.LeftAtKnots()[k];
+    for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].residual_W = solved.ResidualsAtKnots()[k];
   }
   SetFootholds(rolls_, courses_, finished_);
   SetCentroidal(model_, finished_);

@@ -40,8 +40,8 @@ struct PipelineOptions {
           "Maximum number of passes that correct the multibody ZMP; up to twice as many while the error still falls "
           "and would fail the audit."},
          {"max_body_passes", &max_body_passes, "1", 1.0, 50.0,
-          "Maximum number of passes that alternate between the rigid-body plan and the leg motions; there is more than "
-          "one only over uneven ground."},
+          "Maximum number of passes that alternate between the rigid-body plan and the leg motions; one is usual, and "
+          "more are made over uneven ground or for clearance."},
          {"zmp_tolerance_m", &zmp_tolerance_m, "m", 1e-6, 0.1,
           "Largest distance between the multibody ZMP and its reference at which the passes end."},
          {"com_height_m", &com_height_m, "m", 0.0, 5.0,

@@ -87,8 +87,10 @@ RigidBodyPasses::RigidBodyPasses(const MotionTask& task, const Crouch* crouch)
 }
 
 Result<MotionPass> RigidBodyPasses::Run(int& passes) {
-  const int at_least = uneven_ ? 2 : 1;  // over uneven ground, swings need to know the motion of the legs
-  constexpr int kMending = 3;            // passes after swings have changed
+  constexpr int kFreePasses = 2;  // passes with free footholds; then they are fixed
+  constexpr int kMending = 3;     // passes after swings have changed
+  // Over uneven ground, swings need to know the motion of the legs over fixed footholds.
+  const int at_least = uneven_ ? kFreePasses + 1 : 1;
   const RigidBodyOptions options = Options();
   auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use);
   if (!failure && !free_) failure = ReasonNotCarried(problem_, options);
@@ -101,7 +103,7 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
     if (!made) return made;
     ++passes;
     Learn(*made);
-    if (passes == 2) HoldFootholds(made->footsteps);
+    if (passes == kFreePasses) HoldFootholds(made->footsteps);
     if (made->settled || !best.settled) best = std::move(*made);
     if (passes < least || (!best.settled && passes < most)) continue;
     if (!MendSwings()) break;

@@ -26,8 +26,8 @@ class RigidBodyPasses {
  public:
   explicit RigidBodyPasses(const MotionTask& task, const Crouch* crouch = nullptr);
 
-  /// Runs one pass, over uneven ground two, and more until the body is clear of the ground. `error_m` of a pass is the
-  /// larger of unbalanced force / m g [1] and moment / m g [m].
+  /// Runs one pass, over uneven ground three, and more until the body is clear of the ground. `error_m` of a pass is
+  /// the larger of unbalanced force / m g [1] and moment / m g [m].
   Result<MotionPass> Run(int& passes);
 
  private:

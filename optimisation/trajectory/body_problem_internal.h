@@ -41,7 +41,7 @@ struct BodyKnot {
   std::vector<FootGoal> feet;
   VectorJet reference;  ///< what the motion is to be near
   /// Wrench on the base about its origin that the spline leaves unbalanced [N, N m]; see SolvedTrajectory.
-  Vector6 left = Vector6::Zero();
+  Vector6 residual_W = Vector6::Zero();
   bool pins_place = false;   ///< the position is that of the reference
   bool pins_motion = false;  ///< rate and acceleration are those of the reference
 };

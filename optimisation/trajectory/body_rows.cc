@@ -292,9 +292,9 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
   rows.segment(knot.row[kEffort], m) = share_[k] * problem_.weights.effort * dense.tail(m);
   rows.segment(knot.row[kForce], knot.forces) = share_[k] * problem_.weights.force * y.tail(knot.forces);
   rows.segment<6>(knot.row[kDynamics]) = dense.head<6>();
-  rows.segment<3>(knot.row[kDynamics]) -= constant / model_.weight_n() * asked.left.head<3>();
+  rows.segment<3>(knot.row[kDynamics]) -= constant / model_.weight_n() * asked.residual_W.head<3>();
   rows.segment<3>(knot.row[kDynamics] + 3) -=
-      constant / (model_.weight_n() * model_.leg_length_m()) * asked.left.tail<3>();
+      constant / (model_.weight_n() * model_.leg_length_m()) * asked.residual_W.tail<3>();
   rows.segment(knot.row[kFeet], feet.size()) = feet;
   Index row = knot.row[kEffortLimit];
   for (const int motor : motors_.limited()) rows[row++] = dense[6 + motor];

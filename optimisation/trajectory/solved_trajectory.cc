@@ -29,10 +29,10 @@ SolvedTrajectory::SolvedTrajectory(const BodyProblem& problem, MatrixX points, s
       forces_(std::move(forces)),
       corrections_(problem.time_s.size() - 1),
       at_knots_(problem.time_s.size(), Vector6::Zero()),
-      left_(problem.time_s.size(), Vector6::Zero()) {
+      residual_W_(problem.time_s.size(), Vector6::Zero()) {
   KnotModel model(*problem.model);
   BalanceIntervals(model);
-  SetLeft(model);
+  SetResiduals(model);
 }
 
 std::size_t SolvedTrajectory::IntervalAt(double time_s) const {
@@ -111,7 +111,7 @@ void SolvedTrajectory::BalanceIntervals(KnotModel& model) {
   for (auto& value : values) value.setZero();
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t k = 1; k < last; ++k)  // the robot rests at both ends
-      at_knots_[k] += NeededCorrection(model, problem_.time_s[k], sweep == 0 ? &left_[k] : nullptr);
+      at_knots_[k] += NeededCorrection(model, problem_.time_s[k], sweep == 0 ? &residual_W_[k] : nullptr);
     for (std::size_t k = 0; k < last; ++k) {
       for (int node = 1; node < kPieces; ++node)
         values[k].col(node) += NeededCorrection(model, problem_.time_s[k] + LengthOf(k) * node / kPieces);
@@ -133,7 +133,7 @@ void SolvedTrajectory::BalanceIntervals(KnotModel& model) {
 }
 
 /// Takes the piecewise linear part of d'' out: the knots are to leave as much less unbalanced.
-void SolvedTrajectory::SetLeft(KnotModel& model) {
+void SolvedTrajectory::SetResiduals(KnotModel& model) {
   const std::size_t last = problem_.time_s.size() - 1;
   if (last < 2) return;
   // Tridiagonal: (h_k-1 x_k-1 + 2 (h_k-1 + h_k) x_k + h_k x_k+1) / 6 = -jump_k, by elimination.
@@ -157,7 +157,7 @@ void SolvedTrajectory::SetLeft(KnotModel& model) {
     VectorX needed;
     model.Evaluate(state.q, state.v, state.a, {}, VectorX(), needed);
     acceleration.tail<3>() = (state.turn.E * acceleration.tail<3>()).eval();
-    left_[k] -= model.LockedWrench(acceleration);
+    residual_W_[k] -= model.LockedWrench(acceleration);
   }
 }
 

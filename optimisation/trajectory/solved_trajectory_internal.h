@@ -14,9 +14,9 @@ namespace gaitwright {
 /// is a polynomial of degree 4 in each interval, and which is zero at the knots.
 ///
 /// The rate of d is continuous at a knot k where the integral of hat_k d'' over time is zero, hat_k being linear, 1 at
-/// that knot and 0 at all others. The spline has to leave a small wrench unbalanced at knots for this; LeftAtKnots says
-/// which. (This is Galerkin's condition with linear functions, whose values at knots are exact: Tong, AIAA Journal 7,
-/// 1969.)
+/// that knot and 0 at all others. The spline has to leave a small wrench unbalanced at knots for this; ResidualsAtKnots
+/// says which. (This is Galerkin's condition with linear functions, whose values at knots are exact: Tong, AIAA Journal
+/// 7, 1969.)
 class SolvedTrajectory {
  public:
   /// The problem must outlive this. @param points  control points, as of ChainSpline. @param forces  by knot, in units
@@ -29,8 +29,8 @@ class SolvedTrajectory {
   /// Contacts at a time, and forces at their points in units of the weight.
   void ForcesAt(double time_s, std::vector<KnotContact>& contacts, VectorX& forces) const;
 
-  /// By knot: the wrench that the spline is to leave unbalanced there (BodyKnot::left).
-  const std::vector<Vector6>& LeftAtKnots() const { return left_; }
+  /// By knot: the wrench that the spline is to leave unbalanced there (BodyKnot::residual_W).
+  const std::vector<Vector6>& ResidualsAtKnots() const { return residual_W_; }
 
   /// Largest change of the base's velocity at a knot [m/s], [rad/s].
   double largest_jump() const { return largest_jump_; }
@@ -51,7 +51,7 @@ class SolvedTrajectory {
   double LengthOf(std::size_t interval) const { return problem_.time_s[interval + 1] - problem_.time_s[interval]; }
   Vector6 NeededCorrection(KnotModel& model, double time_s, Vector6* wrench = nullptr) const;
   void BalanceIntervals(KnotModel& model);
-  void SetLeft(KnotModel& model);
+  void SetResiduals(KnotModel& model);
 
   const BodyProblem& problem_;
   ChainSpline spline_;
@@ -59,7 +59,7 @@ class SolvedTrajectory {
   std::vector<VectorX> forces_;
   std::vector<Correction> corrections_;  // by interval
   std::vector<Vector6> at_knots_;        // d'' by knot
-  std::vector<Vector6> left_;
+  std::vector<Vector6> residual_W_;
   double largest_jump_ = 0.0;
 };
 

@@ -63,9 +63,9 @@ TEST_F(Bench, WholeBodiesAreFinished) {
   EXPECT_EQ(ran.status, 0) << ran.err;
   const Json one = ran.json().at("cases")[0];
   EXPECT_EQ(one.at("audit"), "pass") << one.at("reason");
-  EXPECT_LE(one.at("residual_force_mg").get<double>(), 1e-3);
-  EXPECT_LE(one.at("residual_moment_mgl").get<double>(), 1e-3);
-  EXPECT_GT(one.at("knots").get<int>(), 150);
+  EXPECT_LE(one.at("whole_body").at("residual_force_mg").get<double>(), 1e-3);
+  EXPECT_LE(one.at("whole_body").at("residual_moment_mgl").get<double>(), 1e-3);
+  EXPECT_GT(one.at("whole_body").at("knots").get<int>(), 150);
   const Ran table = Run({"bench", "whole-body", "--only", "a1-chain-200"});
   EXPECT_NE(table.out.find("a1-chain-200"), std::string::npos) << table.out;
   ExpectRefused(Run({"bench", "whole-body", "--only", "horse"}), 1, {"no case name contains 'horse'", "a1-trot-3.5"});

@@ -85,13 +85,8 @@ DataShape WholeBodyBenchShape() {
                                 {"reason", Text(), "Reason why there is no finished plan, or empty."},
                                 {"planning_cpu_s", Number()},
                                 {"audit", VerdictShape()},
-                                Optional("knots", Whole()),
-                                Optional("variables", Whole()),
-                                Optional("solves", Whole()),
-                                Optional("iterations", Whole(), "Of all solves."),
-                                Optional("ms_an_iteration", Number(), "CPU time."),
-                                Optional("residual_force_mg", Number(), "At 1 kHz, divided by the weight."),
-                                Optional("residual_moment_mgl", Number())});
+                                {"whole_body", OrNull(FinishShape())},
+                                {"ms_an_iteration", Number(), "CPU time."}});
   return Object({{"bench", Text({"whole-body"})}, {"cases", List(one)}});
 }
 

@@ -11,6 +11,7 @@ DataShape TextsShape();       ///< a list of sentences
 DataShape SurvivalMembers();  ///< an object whose members are the survival rate and its interval
 DataShape FilesShape(const std::vector<std::string>& kinds);  ///< paths of the written files by kind
 DataShape AuditShape();                                       ///< the member `audit` of every verb
+DataShape FinishShape();                                      ///< the member `whole_body` of plan and bench
 DataShape MarginShape();                                      ///< a margin of the audit
 
 // Output of a verb with --json.

@@ -160,14 +160,18 @@ DataShape DoResultShape() {
                                   {"scores", scores}});
 }
 
+DataShape FinishShape() {
+  return Object({{"knots", Whole()},
+                 {"variables", Whole()},
+                 {"solves", Whole()},
+                 {"iterations", Whole(), "Of all solves."},
+                 {"solve_cpu_s", Number()},
+                 {"residual_force_mg", Number(), "At 1 kHz, divided by the weight."},
+                 {"residual_moment_mgl", Number(), "At 1 kHz, divided by the weight and the leg length."}});
+}
+
 DataShape PlanResultShape() {
   const DataShape part = Object({{"gait", Text()}, {"start_s", Number()}, {"end_s", Number()}});
-  const DataShape finished = Object({{"knots", Whole()},
-                                     {"solves", Whole()},
-                                     {"iterations", Whole(), "Of all solves."},
-                                     {"solve_cpu_s", Number()},
-                                     {"residual_force_mg", Number(), "At 1 kHz, divided by the weight."},
-                                     {"residual_moment_mgl", Number()}});
   return Object({{"robot", Text()},
                  {"verdict", VerdictShape(), "Verdict of the audit."},
                  {"gait", Text()},
@@ -176,7 +180,7 @@ DataShape PlanResultShape() {
                  {"footholds", Whole(), "Number of footholds."},
                  {"zmp_error_max_m", Number()},
                  {"residual", Number()},
-                 {"whole_body", OrNull(finished)},
+                 {"whole_body", OrNull(FinishShape())},
                  {"planning_cpu_s", Number()},
                  {"warnings", TextsShape()},
                  {"adjustments", AdjustmentsShape()},

@@ -102,9 +102,9 @@ TEST_P(Solved, BalancesTheBaseBetweenKnots) {
 TEST_P(Solved, AsksTheKnotsForWhatMakesTheVelocityContinuous) {
   const SolvedTrajectory solved(any_.problem, points_, forces_);
   EXPECT_GT(solved.largest_jump(), 0.0);
-  ASSERT_EQ(solved.LeftAtKnots().size(), any_.problem.time_s.size());
-  EXPECT_EQ(solved.LeftAtKnots().front().norm(), 0.0) << "the robot rests";
-  for (const Vector6& left : solved.LeftAtKnots()) EXPECT_TRUE(left.allFinite());
+  ASSERT_EQ(solved.ResidualsAtKnots().size(), any_.problem.time_s.size());
+  EXPECT_EQ(solved.ResidualsAtKnots().front().norm(), 0.0) << "the robot rests";
+  for (const Vector6& residual_W : solved.ResidualsAtKnots()) EXPECT_TRUE(residual_W.allFinite());
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Solved, testing::ValuesIn(kAnyRobots));
