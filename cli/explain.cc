@@ -25,7 +25,8 @@ std::string Explain::Json() const {
                     {"unit", tried.unit},
                     {"cycle_s", tried.cycle_s},
                     {"refused", refused},
-                    {"free_footholds", tried.free_footholds}});
+                    {"free_footholds", tried.free_footholds},
+                    {"whole_body", tried.whole_body}});
   }
   return list.dump();
 }

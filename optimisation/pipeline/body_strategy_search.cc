@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "optimisation/pipeline/limit_violation.h"
+
 namespace gaitwright {
 namespace {
 
@@ -43,6 +45,7 @@ class BodyStrategySearch {
   Result<MotionPass> Run() {
     best_ = trials_.plan(strategy_, infeasible_);
     if (!best_ && best_.failure().code != FailureCode::kOutOfReach) return best_;
+    if (best_ && best_->violation >= kSlightViolation && trials_.mends(*best_)) return std::move(best_);
     for (const Change& change : ChangesFor(problem_)) {
       if (change.applies && ViolationSum(best_) > 0.0) Try(change);
     }

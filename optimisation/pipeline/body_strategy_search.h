@@ -24,10 +24,13 @@ struct BodyStrategyTrials {
   std::function<Result<MotionPass>(const BodyStrategy&, double infeasible)> plan;
   /// Whether all feet reach their footholds.
   std::function<bool(const BodyStrategy&)> reaches;
+  /// Whether the motion of the preferred posture, which violates limits, can be made to keep them by other means. The
+  /// search then ends.
+  std::function<bool(const MotionPass&)> mends;
 };
 
-/// Finds the height, lean and preferred ZMP of the body. The preferred posture is tried first. If it violates limits,
-/// other postures are tried, and each is kept if it reduces the limit violation. On uneven ground the body is
+/// Finds the height, lean and preferred ZMP of the body. The preferred posture is tried first. If it violates limits
+/// and cannot be mended, other postures are tried, and each is kept if it reduces the limit violation. On uneven ground the body is
 /// temporarily higher or lower. Above single soles it also leans forward, so that the rear hip bends less; on one sole
 /// the ZMP moves inward, which helps ankles and hips with small roll ranges. Finally, unless a height is requested, the
 /// body is lowered step by step while that brings feet into reach or reduces violations, for example of straight knees.

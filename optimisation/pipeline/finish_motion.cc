@@ -55,7 +55,7 @@ class Finisher {
   Result<bool> SolveOnce(const BodyProblem& problem, MatrixX& points);
   void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
-  bool TightenLimits(BodyLimitUse& use) const;
+  bool TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) const;
   MatrixX FirstPoints(const BodyProblem& problem) const;
 
   const RobotModel& model_;
@@ -161,14 +161,24 @@ double Finisher::RolledAside(const BodyProblem& problem) const {
 
 /// Lowers the shares of limits for knots by as much as motors exceed their limits between knots.
 /// @return whether any does.
-bool Finisher::TightenLimits(BodyLimitUse& use) const {
+bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) const {
   constexpr double kRoom = 2e-3, kLeast = 0.9;  // of a limit
-  const WholeBodyTrajectory& motion = finished_.whole_body;
+  constexpr double kStep = 1e-3;                // [s]
   const MotorRows motors(model_, {1.0, 1.0, 0.0, 0.0});
   MotorRows::Largest largest;
-  for (std::size_t k = 0; k < motion.q.size(); ++k) {
-    const auto n = model_.num_dofs();
-    const MotorRows::Largest now = motors.LargestAt(motion.tau[k], motion.v[k].tail(n), motion.a[k].tail(n));
+  KnotModel knot(model_);
+  VectorJet jet;
+  ChartedState state;
+  std::vector<KnotContact> contacts;
+  VectorX forces_W, needed;
+  const auto n = model_.num_dofs();
+  for (double time_s = knots_s_.front(); time_s < knots_s_.back(); time_s += kStep) {
+    solved.Sample(time_s, jet);
+    StateOf(solved.problem().chart, jet, state);
+    solved.ForcesAt(time_s, contacts, forces_W);
+    forces_W *= model_.weight_n();
+    knot.Evaluate(state.q, state.v, state.a, contacts, forces_W, needed);
+    const MotorRows::Largest now = motors.LargestAt(needed.tail(n), state.v.tail(n), state.a.tail(n));
     largest.effort = std::max(largest.effort, now.effort);
     largest.curve = std::max(largest.curve, now.curve);
   }
@@ -201,7 +211,7 @@ Result<MotionPlan> Finisher::Run() {
     TakeOver(solved);
     residual = ResidualOf(model_, finished_);
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
-    const bool exceeds = TightenLimits(problem.use);
+    const bool exceeds = TightenLimits(solved, problem.use);
     if ((balanced && !exceeds) || report_.solves == options_.max_solves) break;
     for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].residual_W = solved.ResidualsAtKnots()[k];
   }

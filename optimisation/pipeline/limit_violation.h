@@ -12,6 +12,9 @@ namespace gaitwright {
 /// Margin of a plan to both ends of a joint's range, if possible, as a share of the range.
 inline constexpr double kRangeMargin = 0.01;
 
+/// Largest total limit violation of a sound plan; the audit may accept it.
+inline constexpr double kSlightViolation = 1e-5;
+
 /// Limit violations of joints and motors (Actuator), summed in shares of the limits; 0 if all limits are kept.
 /// @param spare  margin to both ends of a joint's range, as a share of the range. It is part of the limit, except for
 ///               postures like the standing posture.

@@ -35,21 +35,6 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
   });
 }
 
-/// The motion with the best body posture that is found, and the number of its passes.
-Result<MotionPass> RunPendulum(const MotionTask& task, int& passes) {
-  const BodyStrategyProblem problem{StandingCentreOfMass(task.model).z(),
-                                    task.options.pipeline.com_height_m,
-                                    task.options.pipeline.zmp_inward,
-                                    KindOfGround(task.terrain) > GroundKind::kLevel,
-                                    StandsOnOneSole(task.model, task.skeleton.schedule),
-                                    task.options.pipeline.allow_limits};
-  return FindBodyStrategy(problem,
-                          {[&](const BodyStrategy& strategy, double infeasible) {
-                             return MotionPasses(task, strategy).Run(passes, infeasible);
-                           },
-                           [&](const BodyStrategy& strategy) { return MotionPasses(task, strategy).RunOnce().ok(); }});
-}
-
 /// The motion of a rigid body, crouched as far as flights need it.
 Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch>& crouch, int& passes) {
   if (!crouch) return RigidBodyPasses(task).Run(passes);
@@ -130,37 +115,101 @@ void WarnOfIdleOptions(const MotionOptions& options, std::vector<std::string>& w
   if (options.footholds == "free") warn("footholds", options.footholds);
 }
 
-/// Plans a motion over fixed footsteps, by passes of the pendulum or of the rigid body.
-Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::optional<Crouch>& crouch) {
+/// The plan of a pass.
+PlannedMotion PlannedBy(const MotionTask& task, MotionPass pass, bool dynamic, int passes) {
   PlannedMotion planned;
-  Result<MotionPass> pass = dynamic ? RunDynamic(task, crouch, planned.passes) : RunPendulum(task, planned.passes);
-  if (!pass) return pass.failure();
-  const RobotModel& model = task.model;
-  if (auto tipped = TippedSole(model, task.terrain, pass->solution.trajectory)) return *tipped;
+  planned.passes = passes;
   MotionPlan& plan = planned.plan;
-  SetRobot(model, plan);
+  SetRobot(task.model, plan);
   plan.provenance = ProvenanceOf(task.options);
   plan.parts = task.skeleton.parts;
   plan.goal = task.skeleton.goal;
   plan.terrain = task.terrain;
   plan.schedule = task.skeleton.schedule;
-  plan.footsteps = std::move(pass->footsteps);
-  plan.centroidal = std::move(pass->centroidal);
-  plan.swings = std::move(pass->swings);
-  plan.whole_body = std::move(pass->solution.trajectory);
+  plan.footsteps = std::move(pass.footsteps);
+  plan.centroidal = std::move(pass.centroidal);
+  plan.swings = std::move(pass.swings);
+  plan.whole_body = std::move(pass.solution.trajectory);
   plan.warnings = task.skeleton.warnings;
   if (!dynamic) WarnOfIdleOptions(task.options, plan.warnings);
-  planned.limit_excess = TotalViolation(model, plan.whole_body, 0.0);
-  const auto limits = LimitWarnings(model, plan.whole_body);
+  planned.limit_excess = TotalViolation(task.model, plan.whole_body, 0.0);
+  const auto limits = LimitWarnings(task.model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
-  const std::string left = dynamic
-                               ? fmt::format("contact forces leave at most {:.1e} m g unbalanced", pass->error_m)
-                               : fmt::format("multibody ZMP within {:.1f} mm of its reference", 1e3 * pass->error_m);
-  (dynamic ? planned.residual : planned.zmp_error_max_m) = pass->error_m;
+  const std::string left = dynamic ? fmt::format("contact forces leave at most {:.1e} m g unbalanced", pass.error_m)
+                                   : fmt::format("multibody ZMP within {:.1f} mm of its reference", 1e3 * pass.error_m);
+  (dynamic ? planned.residual : planned.zmp_error_max_m) = pass.error_m;
   planned.summary = fmt::format("{:.2f} s, {} footholds, {} passes, {}", plan.duration_s(),
                                 plan.footsteps.footholds.size(), planned.passes, left);
-  if (dynamic || task.options.trajectory.method == "whole-body") FinishPlanned(model, task.options, planned);
   return planned;
+}
+
+Result<PlannedMotion> PlanDynamic(const MotionTask& task, const std::optional<Crouch>& crouch) {
+  int passes = 0;
+  Result<MotionPass> pass = RunDynamic(task, crouch, passes);
+  if (!pass) return pass.failure();
+  if (auto tipped = TippedSole(task.model, task.terrain, pass->solution.trajectory)) return *tipped;
+  PlannedMotion planned = PlannedBy(task, std::move(*pass), true, passes);
+  FinishPlanned(task.model, task.options, planned);
+  return planned;
+}
+
+/// Plans by passes of the pendulum with the best body posture that is found. With trajectory.method=whole-body a motion
+/// is finished by the whole body; if it violates limits even then, other postures are tried.
+class PendulumPlan {
+ public:
+  explicit PendulumPlan(const MotionTask& task) : task_(task) {}
+
+  Result<PlannedMotion> Run() {
+    Result<MotionPass> pass = FindBodyStrategy(Problem(), Trials());
+    if (!pass) return pass.failure();
+    const bool is_tried = pass->violation == tried_violation_;
+    if (is_tried && tried_ && !tried_->unfinished) return std::move(*tried_);
+    if (auto tipped = TippedSole(task_.model, task_.terrain, pass->solution.trajectory)) return *tipped;
+    PlannedMotion planned = PlannedBy(task_, std::move(*pass), false, passes_);
+    if (is_tried && tried_)
+      planned.unfinished = tried_->unfinished;
+    else if (finishes_)
+      FinishPlanned(task_.model, task_.options, planned);
+    return planned;
+  }
+
+ private:
+  BodyStrategyProblem Problem() const {
+    return {StandingCentreOfMass(task_.model).z(),
+            task_.options.pipeline.com_height_m,
+            task_.options.pipeline.zmp_inward,
+            KindOfGround(task_.terrain) > GroundKind::kLevel,
+            StandsOnOneSole(task_.model, task_.skeleton.schedule),
+            task_.options.pipeline.allow_limits};
+  }
+
+  BodyStrategyTrials Trials() {
+    return {[this](const BodyStrategy& strategy, double infeasible) {
+              return MotionPasses(task_, strategy).Run(passes_, infeasible);
+            },
+            [this](const BodyStrategy& strategy) { return MotionPasses(task_, strategy).RunOnce().ok(); },
+            [this](const MotionPass& pass) { return Mends(pass); }};
+  }
+
+  /// Whether the whole body finishes a motion within its limits.
+  bool Mends(const MotionPass& pass) {
+    if (!finishes_ || TippedSole(task_.model, task_.terrain, pass.solution.trajectory)) return false;
+    tried_ = PlannedBy(task_, pass, false, passes_);
+    tried_violation_ = pass.violation;
+    FinishPlanned(task_.model, task_.options, *tried_);
+    return tried_->finished && tried_->limit_excess < kSlightViolation;
+  }
+
+  const MotionTask& task_;
+  const bool finishes_ = task_.options.trajectory.method == "whole-body";
+  int passes_ = 0;
+  std::optional<PlannedMotion> tried_;  // by Mends
+  double tried_violation_ = -1.0;       // of the motion that was tried
+};
+
+/// Plans a motion over fixed footsteps, by passes of the pendulum or of the rigid body.
+Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::optional<Crouch>& crouch) {
+  return dynamic ? PlanDynamic(task, crouch) : PendulumPlan(task).Run();
 }
 
 /// The crouch for a schedule; nothing for a pendulum's motion.

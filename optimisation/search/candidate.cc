@@ -10,6 +10,7 @@ constexpr Variation kSlowerFirst[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}
                                       {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},  {1.0, 6}};
 constexpr Variation kSlowerSteps[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
 constexpr Variation kSlowerWalks[] = {{1.0, -1}, {0.7, 0}, {0.7, -1}, {0.7, -2}, {0.5, -1}, {0.35, -2}};
+constexpr Variation kFinished[] = {{1.0, 0, 1.0, false, true}, {1.0, 3, 1.0, false, true}, {1.0, 6, 1.0, false, true}};
 /// Other flights, then other footholds.
 constexpr Variation kOtherLeaps[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}, {1.0, 0, 1.0, true}};
 
@@ -26,6 +27,18 @@ std::span<const Variation> VariationsFor(const SearchSituation& s) {
       if (s.may_vary_flight) return s.may_move_feet ? all : flights;
       return s.may_move_feet ? feet : std::span<const Variation>();
     }
+  }
+  return {};
+}
+
+std::span<const Variation> FinishedVariationsFor(const SearchSituation& s) {
+  switch (s.kind) {
+    case SearchSituation::Kind::kLevel:
+      return s.refused_by_ground ? std::span<const Variation>() : kFinished;
+    case SearchSituation::Kind::kUneven:
+      return std::span<const Variation>(kFinished).first(1);
+    case SearchSituation::Kind::kFlying:
+      break;
   }
   return {};
 }

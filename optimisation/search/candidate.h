@@ -12,6 +12,7 @@ struct Candidate {
   double flight = 1.0;  ///< factor of the gait's flight times; 0: its duty factors at speed zero
   /// Footholds are free instead of held, or held instead of free (MotionOptions::footholds).
   bool other_footholds = false;
+  bool finishes = false;  ///< the whole body is optimised (`trajectory.method=whole-body`)
 
   bool operator==(const Candidate&) const = default;
 };
@@ -31,6 +32,7 @@ struct Variation {
   int cycle = 0;
   double flight = 1.0;
   bool other_footholds = false;
+  bool finishes = false;
 };
 
 /// Properties of a walk that decide which candidates may be better.
@@ -53,6 +55,10 @@ struct SearchSituation {
 /// For leaps onto other ground, longer or shorter flights are tried; for motions of a rigid body over uneven ground,
 /// footholds that move on their patches.
 std::span<const Variation> VariationsFor(const SearchSituation& situation);
+
+/// Candidates for which the whole body is optimised, after all others: they cost seconds, and can walk where the passes
+/// of the pendulum exceed limits of joints and motors. None for motions of a rigid body, which are always finished so.
+std::span<const Variation> FinishedVariationsFor(const SearchSituation& situation);
 
 /// Evaluation of a variation before the whole walk is planned; kWhole for none.
 Effort ScreeningOf(SearchSituation::Kind kind);

@@ -25,7 +25,8 @@ Result<GaitCycles> FindCycles(const RobotModel& model, const WalkRequest& reques
   const Result<double> longest = LongestCycle(model, request.gait, request.gait_options);
   if (!shortest || !longest) return shortest ? longest.failure() : shortest.failure();
   // For steps of a given length, a shorter cycle has no advantage.
-  const double least_s = PaceOf(command) == Pace::kStepLength ? gait->cycle_s : *shortest;
+  const double least_s =
+      PaceOf(command) == Pace::kStepLength ? gait->cycle_s : std::max(*shortest, 0.5 * gait->cycle_s);
   return GaitCycles{*gait, least_s, *longest, request.gait_options.cycle_step_s};
 }
 

@@ -68,7 +68,8 @@ Failure WhyForbidden(const PlannedWalk& planned) {
   return {FailureKind::kInfeasible,
           limits > 0 ? FailureCode::kLimits : FailureCodeOf(forbidding.front().law),
           "PlanWalk",
-          LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} violated limits)", limits) : ""),
+          LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} violated limits)", limits) : "") +
+              (planned.motion.unfinished ? "; " + planned.motion.unfinished->message : ""),
           {AllowLimits()},
           forbidding.front()};
 }

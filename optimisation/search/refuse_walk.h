@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/search/plan_walk.h"
 
 namespace gaitwright {
@@ -14,9 +15,6 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit);
 
 /// All violations for which a plan is refused: limits, worst first, then other checks in the audit's order.
 std::vector<Violation> Forbidding(const AuditReport& audit);
-
-/// Largest total limit violation of a sound plan; the audit may accept it.
-inline constexpr double kSlightViolation = 1e-5;
 
 /// True for failures that a slower walk may avoid. False if the gait, the robot's structure or the ground is the
 /// reason.

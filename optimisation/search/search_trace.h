@@ -19,6 +19,7 @@ struct TriedPlan {
   double cycle_s = 0.0;
   std::optional<FailureCode> refused;  ///< nothing for a sound plan
   bool free_footholds = false;         ///< on ground that is not flat
+  bool whole_body = false;             ///< the whole body was optimised at any rate
 
   bool operator==(const TriedPlan&) const = default;
 };

@@ -18,8 +18,8 @@ using Sound = std::optional<std::pair<Candidate, Evaluation>>;
 /// The only loop over a table: returns the first row whose whole walk is sound.
 Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
   for (const Variation& v : variations) {
-    const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
-                              v.other_footholds};
+    const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight, v.other_footholds,
+                              v.finishes};
     if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
     if (whole.sound()) return std::pair(candidate, std::move(whole));
@@ -107,6 +107,31 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   return 0.0;
 }
 
+/// Whether joints or motors refuse a walk: optimising the whole body can avoid that.
+bool IsOfJoints(const Failure& refusal) {
+  if (!refusal.violation) return false;
+  const Law law = refusal.violation->law;
+  return law == Law::kJointPosition || law == Law::kJointVelocity || law == Law::kJointTorque ||
+         law == Law::kTorqueSpeed;
+}
+
+/// A larger speed than that of the passes, up to the requested one, at which a start with the whole body optimised is
+/// sound; 0 if none is found. By bisection with few trials, because each takes seconds.
+double LargestFinished(const PaceRange& paces, double known, Evaluator& evaluator) {
+  constexpr int kTrials = 3;
+  double best = 0.0, low = known, high = paces.asked;
+  for (int i = 0; i < kTrials; ++i) {
+    const double middle = TowardsZero(0.5 * (low + high), 2);
+    if (middle <= low) break;
+    Candidate candidate{middle};
+    candidate.finishes = true;
+    const bool sound = evaluator.Evaluate(candidate, Effort::kStart).sound();
+    (sound ? low : high) = middle;
+    if (sound) best = middle;
+  }
+  return best;
+}
+
 /// A slower walk without flight: on level ground the fastest one, over other ground the first sound one of a few.
 Sound SlowerWithoutFlight(const SearchProblem& problem, Kind kind, double flight, Evaluator& evaluator) {
   if (kind == Kind::kLevel) return LargestOnLevelGround(problem.paces, flight, evaluator);
@@ -141,6 +166,8 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;
   Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
+  if (!sound && IsOfJoints(*result.evaluation.refusal))
+    sound = FirstSound(FinishedVariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
   if (!sound && situation.may_slow_down && situation.kind == Kind::kLevel)
     sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
   if (sound) std::tie(result.candidate, result.evaluation) = std::move(*sound);
@@ -156,7 +183,12 @@ SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator)
     return {leaping > 0.0 ? leaping : LargestOnTheGround(problem, evaluator), Known::kMay};
   }
   if (situation.may_slow_down) return {};
+  const Evaluation asked = evaluator.Evaluate({problem.paces.asked}, Effort::kWhole);  // known already
   const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, evaluator);
+  if (situation.kind == Kind::kLevel && sound && asked.refusal && IsOfJoints(*asked.refusal)) {
+    const double finished = LargestFinished(problem.paces, sound->first.pace, evaluator);
+    if (finished > 0.0) return {finished, Known::kMay};
+  }
   return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kFeasible};
 }
 

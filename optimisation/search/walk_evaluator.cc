@@ -16,6 +16,9 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kKnotStep_s = 0.02;  // motions without flight are slow enough
+constexpr int kStartIterations = 30;  // of an optimised whole body
+
 /// The request for plans that only test feasibility: with twice the time step if a cycle has enough steps, and without
 /// optimality.
 WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
@@ -85,7 +88,12 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
   if (!cycles) return Refused(cycles.failure());
   const Gait gait = GaitOf(candidate, *cycles);
   const WalkCommand command = CommandOf(candidate);
-  const Key key{effort, PaceFlags(command), gait.cycle_s, gait.duty_factor.front(), candidate.other_footholds};
+  const Key key{effort,
+                PaceFlags(command),
+                gait.cycle_s,
+                gait.duty_factor.front(),
+                candidate.other_footholds,
+                candidate.finishes};
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   if (static_cast<int>(known_.size()) >= request_.search.max_plans) {
     return Refused(
@@ -104,10 +112,16 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
 
 Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait) {
   const WalkCommand command = CommandOf(candidate);
-  const Key start{Effort::kStart, PaceFlags(command), gait.cycle_s, gait.duty_factor.front(),
-                  candidate.other_footholds};
+  const Key start{Effort::kStart,           PaceFlags(command),        gait.cycle_s,
+                  gait.duty_factor.front(), candidate.other_footholds, candidate.finishes};
   WalkRequest request = request_;
   request.motion = WithFootholds(request_.motion, candidate.other_footholds);
+  if (candidate.finishes) {
+    TrajectoryOptions& trajectory = request.motion.trajectory;
+    trajectory.method = "whole-body";
+    trajectory.knot_step_s = std::max(trajectory.knot_step_s, kKnotStep_s);
+    if (effort == Effort::kStart) trajectory.max_iterations = std::min(trajectory.max_iterations, kStartIterations);
+  }
   switch (effort) {
     case Effort::kStartLook:
       return Look(request, gait, command, false);
@@ -162,8 +176,9 @@ void WalkEvaluator::Trace(const Candidate& candidate, Effort effort, const Gait&
   const Pace pace = PaceOf(command);
   const bool free = MayMoveFeet(request_.motion, terrain_) && IsDynamic(gait, request_.motion.centre_of_mass) &&
                     WithFootholds(request_.motion, candidate.other_footholds).footholds == "free";
+  const bool finishes = candidate.finishes || request_.motion.trajectory.method == "whole-body";
   trace_->push_back({effort, PaceFlag(pace), PaceValue(model_, command), PaceUnit(pace), gait.cycle_s,
-                     evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt, free});
+                     evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt, free, finishes});
 }
 
 }  // namespace gaitwright

@@ -30,7 +30,7 @@ class WalkEvaluator : public Evaluator {
 
  private:
   /// Flags of the speed, cycle, first duty factor, and other footholds.
-  using Key = std::tuple<Effort, std::string, double, double, bool>;
+  using Key = std::tuple<Effort, std::string, double, double, bool, bool>;
 
   Evaluation Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait);
   Evaluation Look(const WalkRequest& request, const Gait& gait, const WalkCommand& command, bool whole) const;

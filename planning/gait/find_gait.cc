@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kShortest = 0.5, kLongest = 2.0;  // as a multiple of the default cycle, if that scales with the leg
+constexpr double kLongest = 2.0;  // as a multiple of the default cycle, if that scales with the leg
 // A gait that needs a cycle shorter than kQuick times its default gets a cycle of kRunning times the default and a
 // smaller duty factor.
 constexpr double kQuick = 0.57, kRunning = 0.6;
@@ -127,7 +127,7 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
     const double duty = *std::max_element(gait.duty_factor.begin(), gait.duty_factor.end());
     const double travel = options.stance_travel * model.leg_length_m();
     const double wanted = travel / std::max(speed_m_s * duty, 1e-9);
-    gait.cycle_s = std::clamp(wanted, kShortest * own, own);
+    gait.cycle_s = std::clamp(wanted, entry.shortest_cycle * own, own);
     const bool may_run = options.duty_factor == 0.0 && gait.num_feet() >= kRunningFeet && duty <= kRunningDuty;
     if (may_run && wanted < kQuick * own) {
       gait.cycle_s = kRunning * own;
@@ -142,11 +142,12 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
   return gait;
 }
 
-/// The default cycle times `scale`, or the cycle in the options if one is given.
-Result<double> ScaledCycle(const RobotModel& model, const std::string& name, const GaitOptions& options, double scale) {
+/// The shortest or the longest cycle of a gait, or the cycle in the options if one is given.
+Result<double> ScaledCycle(const RobotModel& model, const std::string& name, const GaitOptions& options, bool longest) {
   const Result<GaitEntry> entry = FindEntry(name, static_cast<int>(model.feet.size()));
   if (!entry) return entry.failure();
   if (options.cycle_s > 0.0) return options.cycle_s;
+  const double scale = longest ? kLongest : entry->shortest_cycle;
   return (entry->gait.cycle_s > 0.0 ? 1.0 : scale) * OwnCycle(*entry, model);
 }
 
@@ -176,11 +177,11 @@ Result<Gait> FindGait(const RobotModel& model, const std::string& name, double s
 std::string GaitFileOf(const std::string& name) { return SplitName(name).file; }
 
 Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options) {
-  return ScaledCycle(model, name, options, kShortest);
+  return ScaledCycle(model, name, options, false);
 }
 
 Result<double> LongestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options) {
-  return ScaledCycle(model, name, options, kLongest);
+  return ScaledCycle(model, name, options, true);
 }
 
 Result<double> OwnStride(const RobotModel& model, const std::string& name) {

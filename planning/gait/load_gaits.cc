@@ -28,7 +28,9 @@ DataShape GaitShape() {
                 "Cycle time divided by sqrt(leg length / g), for robots of any size."),
        {"duty_factor", ByFootShape(0.05, 0.99), "Share of the cycle during which a foot is on the ground."},
        {"phase", ByFootShape(0.0, 0.9999999), "Share of the cycle at which a foot touches down."},
-       Optional("stride_per_leg", Number(0.05, 10.0), "Largest stride in leg lengths, used if no speed is given.")},
+       Optional("stride_per_leg", Number(0.05, 10.0), "Largest stride in leg lengths, used if no speed is given."),
+       Optional("shortest_cycle", Number(0.05, 1.0),
+                "Shortest cycle for high speeds as a share of the default cycle; default 0.5.")},
       {{"cycle_s", "cycle_per_leg_time"}});
 }
 
@@ -72,6 +74,7 @@ GaitEntry ParseGait(const std::string& name, const YAML::Node& node) {
   entry.gait.cycle_s = number("cycle_s");
   entry.cycle_per_leg_time = number("cycle_per_leg_time");
   entry.stride_per_leg = number("stride_per_leg");
+  if (map.Find("shortest_cycle") != nullptr) entry.shortest_cycle = number("shortest_cycle");
   entry.gait.duty_factor = by_foot("duty_factor", feet);
   entry.gait.phase = by_foot("phase", feet);
   return entry;

@@ -14,6 +14,7 @@ struct GaitEntry {
   Gait gait;                        ///< cycle_s is 0 when it scales with the leg
   double cycle_per_leg_time = 0.0;  ///< cycle divided by sqrt(leg length / g)
   double stride_per_leg = 0.0;      ///< largest stride / leg length without a given speed; 0 is unlimited
+  double shortest_cycle = 0.5;      ///< shortest cycle for speed / cycle
 };
 
 /// Reads and validates a file of gaits, see docs/gaits.md. Failure kBadInput, with file and line, for: invalid YAML;

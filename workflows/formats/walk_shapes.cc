@@ -89,13 +89,15 @@ DataShape MetricsShape() {
 
 /// The list of --explain.
 DataShape TriedShape() {
-  return List(Object({{"extent", Text({"start-look", "first-look", "start", "whole"})},
-                      {"pace", Text(), "Flag that sets the speed, without dashes."},
-                      {"value", Number(), "Value of the speed, in its unit."},
-                      {"unit", Text()},
-                      {"cycle_s", Number()},
-                      {"refused", OrNull(Text(FailureCodeNames())), "Failure code; null if the plan is sound."},
-                      {"free_footholds", Truth(), "True if footholds could move on their patches."}}));
+  return List(
+      Object({{"extent", Text({"start-look", "first-look", "start", "whole"})},
+              {"pace", Text(), "Flag that sets the speed, without dashes."},
+              {"value", Number(), "Value of the speed, in its unit."},
+              {"unit", Text()},
+              {"cycle_s", Number()},
+              {"refused", OrNull(Text(FailureCodeNames())), "Failure code; null if the plan is sound."},
+              {"free_footholds", Truth(), "True if footholds could move on their patches."},
+              {"whole_body", Truth(), "True if the whole body was optimised (trajectory.method=whole-body)."}}));
 }
 
 DataShape EnginesShape() {

@@ -21,8 +21,9 @@ struct Tried {
 };
 
 /// Runs the search over motions with the limit violation given by a function of the posture; infinite means out of
-/// reach.
-Tried Find(const BodyStrategyProblem& problem, const std::function<double(const BodyStrategy&)>& violation) {
+/// reach. Motions with at most `mended` are mended.
+Tried Find(const BodyStrategyProblem& problem, const std::function<double(const BodyStrategy&)>& violation,
+           double mended = 0.0) {
   Tried tried;
   const auto plan = [&](const BodyStrategy& strategy, double) -> Result<MotionPass> {
     tried.strategies.push_back(strategy);
@@ -32,7 +33,8 @@ Tried Find(const BodyStrategyProblem& problem, const std::function<double(const 
     pass.violation = value;
     return pass;
   };
-  tried.found = FindBodyStrategy(problem, {plan, [&](const BodyStrategy& c) { return violation(c) != kOutOfReach; }});
+  tried.found = FindBodyStrategy(problem, {plan, [&](const BodyStrategy& c) { return violation(c) != kOutOfReach; },
+                                           [&](const MotionPass& pass) { return pass.violation <= mended; }});
   return tried;
 }
 
@@ -48,6 +50,13 @@ TEST(FindBodyStrategy, TakesThePreferredOneWhereItKeepsLimits) {
   ASSERT_EQ(tried.strategies.size(), 1U);
   EXPECT_EQ(tried.strategies.front().com_height_m, 0.5);
   EXPECT_EQ(tried.strategies.front().zmp_inward, 0.1);
+}
+
+TEST(FindBodyStrategy, EndsWhereThePreferredOneIsMended) {
+  const auto violation = [](const BodyStrategy& c) { return std::max(0.0, c.com_height_m - 0.45); };
+  const Tried mended = Find(Standing(), violation, 0.1), not_mended = Find(Standing(), violation, 0.01);
+  EXPECT_EQ(mended.strategies.size(), 1U);
+  EXPECT_EQ(not_mended.strategies.size(), 6U);
 }
 
 TEST(FindBodyStrategy, LowersTheBodyUntilLimitsAreKept) {
@@ -150,7 +159,8 @@ TEST(FindBodyStrategy, OtherFailuresEndTheSearch) {
     ++tries;
     return Failure{FailureKind::kInfeasible, FailureCode::kNoSupport, "Made up", "", {}};
   };
-  const Result<MotionPass> found = FindBodyStrategy(Standing(), {plan, [](const BodyStrategy&) { return true; }});
+  const Result<MotionPass> found = FindBodyStrategy(
+      Standing(), {plan, [](const BodyStrategy&) { return true; }, [](const MotionPass&) { return false; }});
   EXPECT_EQ(found.failure().code, FailureCode::kNoSupport);
   EXPECT_EQ(tries, 1);
 }

@@ -57,6 +57,19 @@ TEST(Limits, SideStepsAndTurnsInOrdinaryRangesAreSteppedQuickerAtTheSpeedAskedFo
   }
 }
 
+/// Passes of the pendulum exceed torques and ranges of the ankles at this speed.
+TEST(Limits, ABipedWalksFastWithItsWholeBodyOptimised) {
+  const RobotModel nao = *LoadNamedRobot("nao");
+  WalkRequest request = Asked(0.25, 0.0, 0.0);
+  request.command.distance_m = 0.4;
+  SearchTrace trace;
+  const Result<PlannedWalk> planned = PlanWalk(nao, request, &trace);
+  ExpectSound(planned);
+  EXPECT_TRUE(planned->motion.finished);
+  EXPECT_FALSE(trace.front().whole_body);
+  EXPECT_TRUE(trace.back().whole_body);
+}
+
 TEST(Limits, AGivenTimeOfSteppingStays) {
   const RobotModel nao = *LoadNamedRobot("nao");
   WalkRequest request = Asked(0.0, -0.06, 0.0);
@@ -71,7 +84,7 @@ TEST(Limits, AGivenTimeOfSteppingStays) {
 TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHasLeft) {
   const std::string root = SourceFolder();
   const RobotModel nao = *LoadRobot(root + "/robots/nao/robot.urdf", root + "/examples/motors/nao.yaml");
-  WalkRequest request = Asked(0.2, 0.0, 0.0);
+  WalkRequest request = Asked(0.6, 0.0, 0.0);
   request.command.distance_m = 1.0;
   const Result<PlannedWalk> planned = PlanWalk(nao, request);
   ASSERT_FALSE(planned.ok());

@@ -27,7 +27,10 @@ class MadeUp : public Evaluator {
     asked.emplace_back(candidate, effort);
     Evaluation evaluation = refused;
     evaluation.refusal.reset();
-    if (!sound_(candidate, effort)) evaluation.refusal = TooMuch();
+    if (!sound_(candidate, effort)) {
+      evaluation.refusal = TooMuch();
+      if (breaks) evaluation.refusal->violation = Violation{*breaks, 0.0, "", 0.0, 0.0, ""};
+    }
     return evaluation;
   }
   bool Flies(const Candidate& candidate) override { return candidate.pace > flies_above; }
@@ -38,7 +41,8 @@ class MadeUp : public Evaluator {
   }
 
   std::vector<std::pair<Candidate, Effort>> asked;
-  Evaluation refused;  // set except for its refusal
+  std::optional<Law> breaks;  // law that refusals violate
+  Evaluation refused;         // set except for its refusal
   double flies_above = std::numeric_limits<double>::infinity();
 
  private:
@@ -80,6 +84,20 @@ TEST(FindSound, WhatTheGroundForbidsIsTriedWithSlowerStepsFirst) {
   EXPECT_EQ(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate.cycle, 1);
   evaluator.refused.by_ground = true;
   EXPECT_EQ(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate.cycle, -1);
+}
+
+TEST(FindSound, TheWholeBodyIsOptimisedWhereJointsRefuseAllPasses) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.finishes && c.cycle == 3; });
+  EXPECT_FALSE(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).evaluation.sound()) << "no law of joints is violated";
+  for (const auto& [law, is_of_joints] : {std::pair(Law::kJointPosition, true), std::pair(Law::kJointTorque, true),
+                                          std::pair(Law::kSelfCollision, false)}) {
+    evaluator.breaks = law;
+    const SearchResult result = FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator);
+    EXPECT_EQ(result.evaluation.sound(), is_of_joints);
+    EXPECT_EQ(result.candidate.finishes, is_of_joints);
+    EXPECT_EQ(result.candidate.cycle, is_of_joints ? 3 : 0);
+    EXPECT_FALSE(FindSound(ProblemAt(Kind::kFlying, 0.5), evaluator).evaluation.sound());
+  }
 }
 
 TEST(FindSound, APaceIsLoweredOnlyWhereNobodyAskedForIt) {
@@ -159,6 +177,16 @@ TEST(SlowerThatIsSound, NamesTheLargestPaceOnLevelGround) {
     EXPECT_DOUBLE_EQ(slower.value, limit);
     EXPECT_EQ(slower.known, SlowerPace::Known::kLargest);
   }
+}
+
+TEST(SlowerThatIsSound, IsLargerWithTheOptimisedWholeBody) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.pace <= (c.finishes ? 0.41 : 0.2); });
+  evaluator.breaks = Law::kJointTorque;
+  const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.6), evaluator);
+  EXPECT_DOUBLE_EQ(slower.value, 0.4);
+  EXPECT_EQ(slower.known, SlowerPace::Known::kMay);
+  evaluator.breaks.reset();
+  EXPECT_DOUBLE_EQ(SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.6), evaluator).value, 0.2);
 }
 
 TEST(SlowerThatIsSound, OfAGaitThatFliesIsAsMuchSlowerAsItsLimitsSay) {
