@@ -58,6 +58,7 @@ struct ImportOptions {
   double lift_m = 0.0;
   double contact_height = 0.01, contact_speed = 0.05, contact_least_s = 0.03;
   double load_ramp_s = 0.1, friction_use = 0.9;
+  bool any_height = false;  ///< no option of users: feet may be far from the ground
 
   /// The unit of times [s].
   double time_unit_s() const;
