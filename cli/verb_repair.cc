@@ -47,16 +47,22 @@ int RunRepair(RepairSettings& a) {
     if (!findings) return Report(findings.failure(), a.common);
     return PrintRepair({*model, *findings}, "", a.common);
   }
-  const Result<RepairedMotion> repaired = RepairMotion(*model, a.request);
+  PlayRequest play;
+  play.play.world.engine = ProvingEngine();
+  std::optional<Result<PlayedWalk>> played;
+  const auto proves = [&](const MotionPlan& plan) {
+    if (a.no_play) return true;
+    played = PlayWalk(*model, plan, play);
+    return *played && (*played)->pass();
+  };
+  const Result<RepairedMotion> repaired = RepairMotion(*model, a.request, proves);
   if (!repaired) return Report(repaired.failure(), a.common);
   const Result<std::string> saved = SavePlan(repaired->plan, a.out);
   if (!saved) return Report(saved.failure(), a.common);
   if (a.no_play) return PrintRepair({*model, repaired->findings, &*repaired}, a.out, a.common);
-  PlayRequest play;
-  play.play.world.engine = ProvingEngine();
-  const Result<PlayedWalk> played = PlayWalk(*model, repaired->plan, play);
-  if (!played) return Report(played.failure(), a.common);
-  return PrintRepair({*model, repaired->findings, &*repaired, &*played}, a.out, a.common);
+  if (!repaired->was_sound) played = PlayWalk(*model, repaired->plan, play);
+  if (!*played) return Report(played->failure(), a.common);
+  return PrintRepair({*model, repaired->findings, &*repaired, &**played}, a.out, a.common);
 }
 
 }  // namespace

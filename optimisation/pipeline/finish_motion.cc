@@ -34,7 +34,7 @@ FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use)
 
 /// Moves the points at which soles press inward, see FollowOptions.
 void KeepFromEdges(double margin_m, BodyProblem& problem) {
-  constexpr double kMost = 0.35;
+  constexpr double kMost = 0.5;
   for (BodyKnot& knot : problem.knots) {
     for (PressingFoot& foot : knot.pressing) {
       std::vector<Vector3>& points = foot.contact.points_F;
@@ -284,6 +284,7 @@ Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan,
   settings.knot_step_s = options.knot_step_s;
   settings.friction_use = follow.friction_use;
   settings.weights = follow.weights;
+  settings.use.effort = follow.effort_use;
   Finisher finisher(model, plan, options, settings, &follow);
   Result<MotionPlan> followed = finisher.Run();
   if (report != nullptr) *report = finisher.report();

@@ -43,9 +43,10 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
 struct FollowOptions {
   BodyWeights weights;
   double friction_use = 0.9;
-  /// Distance that pressure keeps from the edges of soles [m], at most 35 % of the distance from the sole's middle to
+  /// Distance that pressure keeps from the edges of soles [m], at most half the distance from the sole's middle to
   /// the edge. It is given up if there is no solution with it.
   double sole_margin_m = 0.0;
+  double effort_use = 0.92;  ///< share of motors' limits; given up likewise
 };
 
 /// Like FinishMotion, for a motion that nobody planned: it may be far from dynamically consistent, so that a solve is

@@ -128,10 +128,23 @@ class ContactFinder {
     return std::any_of(stands_.begin(), stands_.end(), [&](const std::vector<bool>& of) { return of[Row(row)]; });
   }
 
+  /// Mean of the base while all feet are clearly over the ground; 0 if they never are.
+  double VerticalAcceleration(int begin, int end) const {
+    const double height_m = options_.stand_height * model_.leg_length_m() + found_.height_m;
+    double sum = 0.0;
+    int rows = 0;
+    for (int k = begin; k < end; ++k) {
+      if (feet_[Row(LowestFoot(k))].height_m[Row(k)] < height_m) continue;
+      sum += motion_.a[Row(k)][2];
+      ++rows;
+    }
+    return rows == 0 ? 0.0 : sum / rows;
+  }
+
   /// Where no foot stands although the base does not fall, the foot that stood last keeps standing for half of the
   /// time, and then the foot that stands next does.
   void FillFalseFlights() {
-    constexpr double kFalls = 0.5;  // of g
+    constexpr double kFalls = 0.3;  // of g
     for (int begin = 0; begin < motion_.size();) {
       int end = begin;
       while (end < motion_.size() && !AnyStands(end)) ++end;
@@ -139,10 +152,8 @@ class ContactFinder {
         ++begin;
         continue;
       }
-      double acceleration = 0.0;
-      for (int k = begin; k < end; ++k) acceleration += motion_.a[Row(k)][2] / (end - begin);
       const bool whole = begin == 0 && end == motion_.size();
-      if (acceleration > -kFalls * kGravity && !whole) {
+      if (VerticalAcceleration(begin, end) > -kFalls * kGravity && !whole) {
         ++found_.false_flights;
         const int middle = begin == 0 ? begin : end == motion_.size() ? end : (begin + end) / 2;
         Extend(begin - 1, begin, middle);

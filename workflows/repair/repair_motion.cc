@@ -79,6 +79,7 @@ struct Prepared {
   Terrain terrain;
   std::string text;
   EvenMotion original;  ///< with the times of `rested`
+  std::optional<MotionPlan> as_it_is;  ///< the file's motion, if it can be audited
   MotionFindings findings;
 };
 
@@ -88,8 +89,8 @@ void AuditBefore(const RobotModel& model, const RepairRequest& request, EvenMoti
     options.any_height = true;
     ImportNotes ignored;
     motion.contact = prepared.findings.contacts.stance;
-    const MotionPlan plan = PlanOfMotion(model, prepared.terrain, std::move(motion), options, {}, ignored);
-    Result<AuditReport> audit = Audit(model, plan, {});
+    prepared.as_it_is = PlanOfMotion(model, prepared.terrain, std::move(motion), options, {}, ignored);
+    Result<AuditReport> audit = Audit(model, *prepared.as_it_is, {});
     if (audit) prepared.findings.before = std::move(*audit);
   } catch (const InvalidArgument& error) {
     prepared.findings.not_audited = error.what();
@@ -106,7 +107,7 @@ Result<Prepared> Prepare(const RobotModel& model, RepairRequest request) {
     return RefusedMotion(request.source.file, "contains footsteps; 'import' plans a motion for them");
   Result<MotionTable> table = ReadMotionTable(model, *text, request.source);
   if (!table) return table.failure();
-  Prepared prepared{*terrain, text->text, {}, {}};
+  Prepared prepared{*terrain, text->text, {}, {}, {}};
   MotionFindings& findings = prepared.findings;
   findings.format = table->format;
   findings.rows = table->rows();
@@ -170,6 +171,7 @@ FollowOptions FollowOf(const RobotModel& model, const RepairRequest& request) {
   w.effort = request.repair.effort;
   follow.friction_use = request.source.options.friction_use;
   follow.sole_margin_m = request.repair.sole_margin * model.leg_length_m();
+  follow.effort_use = request.repair.effort_use;
   return follow;
 }
 
@@ -194,20 +196,36 @@ Provenance ProvenanceOf(RepairRequest request, const Prepared& prepared) {
   return provenance;
 }
 
-Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& request, Prepared prepared) {
-  const CleanMotion& clean = prepared.findings.clean;
+/// Whether a motion needs no repair.
+bool IsSound(const Prepared& prepared, const std::function<bool(const MotionPlan&)>& proves) {
+  const MotionFindings& findings = prepared.findings;
+  const RestedMotion& rested = findings.rested;
+  const double added = rested.slowed_start_s + rested.slowed_end_s + rested.stood_start_s + rested.stood_end_s;
+  return added == 0.0 && findings.before && findings.before->pass() && (!proves || proves(*prepared.as_it_is));
+}
+
+/// The plan near the clean motion.
+Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, const Prepared& prepared,
+                            FinishReport& report) {
   ImportNotes ignored;
-  const MotionPlan reference = PlanOfMotion(model, prepared.terrain, Smooth(model, clean.motion, kCleanCutoff),
-                                            request.source.options, {}, ignored);
+  const MotionPlan reference =
+      PlanOfMotion(model, prepared.terrain, Smooth(model, prepared.findings.clean.motion, kCleanCutoff),
+                   request.source.options, {}, ignored);
+  Result<MotionPlan> followed = FollowMotion(model, reference, request.trajectory, FollowOf(model, request), &report);
+  if (followed) return followed;
+  Failure failure = followed.failure();
+  failure.stage = "RepairMotion";
+  return failure;
+}
+
+Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& request, Prepared prepared,
+                              const std::function<bool(const MotionPlan&)>& proves) {
   RepairedMotion repaired;
-  Result<MotionPlan> followed =
-      FollowMotion(model, reference, request.trajectory, FollowOf(model, request), &repaired.finished);
-  if (!followed) {
-    Failure failure = followed.failure();
-    failure.stage = "RepairMotion";
-    return failure;
-  }
-  repaired.plan = std::move(*followed);
+  repaired.was_sound = IsSound(prepared, proves);
+  Result<MotionPlan> plan = repaired.was_sound ? Result<MotionPlan>(*prepared.as_it_is)
+                                               : Followed(model, request, prepared, repaired.finished);
+  if (!plan) return plan.failure();
+  repaired.plan = std::move(*plan);
   SetGoal(repaired.plan);
   repaired.plan.provenance = ProvenanceOf(request, prepared);
   Result<AuditReport> audit = Audit(model, repaired.plan, {});
@@ -241,12 +259,13 @@ Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairReques
   }
 }
 
-Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request) {
+Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request,
+                                    const std::function<bool(const MotionPlan&)>& proves) {
   CheckRequest(request);
   try {
     Result<Prepared> prepared = Prepare(model, request);
     if (!prepared) return prepared.failure();
-    return Repair(model, request, std::move(*prepared));
+    return Repair(model, request, std::move(*prepared), proves);
   } catch (const InvalidArgument& error) {
     return RefusedMotion(request.source.file, error.what());
   }

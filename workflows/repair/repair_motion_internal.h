@@ -54,6 +54,7 @@ struct RepairedMotion {
   MotionFindings findings;
   MotionDistance distance;  ///< from the file's motion
   FinishReport finished;
+  bool was_sound = false;  ///< the file's motion passed, and was kept
 };
 
 /// Reads a motion as ImportMotion does and finds what is wrong with it.
@@ -62,6 +63,9 @@ Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairReques
 /// Makes a plan of the nearest motion that the robot can do: contacts are made clean (CleanContacts), then motion and
 /// contact forces of the whole body are optimised together near the clean motion. Failure kBadInput for files that are
 /// wrong or probably misinterpreted; kInfeasible if no such motion is found, with the constraint and the time.
-Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request);
+/// A motion that passes the audit as it is, and for which `proves` returns true, is kept.
+/// @param proves  whether a plan that passes the audit stays up in physics; if empty, the audit alone decides.
+Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request,
+                                    const std::function<bool(const MotionPlan&)>& proves = {});
 
 }  // namespace gaitwright

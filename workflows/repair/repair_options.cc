@@ -23,8 +23,11 @@ OptionFields RepairOptions::Fields() {
        {"clearance", &clearance, "1", 0.0, 0.5,
         "Least height of the whole sole in the middle of a swing, as a share of the leg length."},
        {"sole_margin", &sole_margin, "1", 0.0, 0.5,
-        "Distance that the pressure under a sole keeps from its edges, as a share of the leg length; at most 35 % of "
+        "Distance that the pressure under a sole keeps from its edges, as a share of the leg length; at most half "
         "the distance from the middle to the edge. It is given up if no motion keeps it."},
+       {"effort_use", &effort_use, "1", 0.1, 1.0,
+        "Share of the motors' limits that the motion may use, so that controllers have the rest; nearly all of them if "
+        "no motion keeps it."},
        {"base_position", &base_position, "1/m", 0.0, 1e4, "Weight on the distance of the base from the motion."},
        {"base_rotation", &base_rotation, "1/rad", 0.0, 1e4, "Weight on the turn of the base from the motion."},
        {"joint", &joint, "1/rad", 0.0, 1e4, "Weight on the distance of each joint from the motion."},

@@ -18,7 +18,7 @@ struct RepairOptions {
   double stand_height = 0.02, stand_speed = 0.1, stand_tilt_rad = 0.25;
   double leave = 1.8;
   double least_stance_s = 0.1, least_swing_s = 0.1;
-  double clearance = 0.015, sole_margin = 0.025;
+  double clearance = 0.015, sole_margin = 0.025, effort_use = 0.65;
   double base_position = 8.0, base_rotation = 6.0, joint = 2.0, acceleration = 1.0, effort = 0.1;
   double rest_s = 0.6;
 

@@ -127,10 +127,14 @@ std::string RepairText(const RepairResult& result) {
   for (const DerivedPart& part : findings.notes.derived) text += fmt::format("derived: {}: {}\n", part.what, part.how);
   for (const std::string& warning : findings.notes.warnings) text += fmt::format("warning: {}\n", warning);
   text += BeforeText(findings);
-  for (const RepairChange& change : ChangesOf(result.model, findings)) text += change.text + "\n";
+  const bool kept = result.repaired != nullptr && result.repaired->was_sound;
+  for (const RepairChange& change : ChangesOf(result.model, findings)) {
+    if (!kept || change.what == "smoothed") text += change.text + "\n";
+  }
   if (result.repaired == nullptr) return text;
+  if (kept) text += "the motion is sound as it is, and was kept\n";
   text += DistanceText(result.repaired->distance);
-  text += result.repaired->finished.summary + "\n";
+  if (!kept) text += result.repaired->finished.summary + "\n";
   text += "after: " + AuditText(result.repaired->after);
   if (result.played == nullptr) return text;
   const std::vector<EngineVerdict> verdicts = VerdictsOf(*result.played);
@@ -143,7 +147,10 @@ std::string RepairText(const RepairResult& result) {
 std::string RepairJson(const RepairResult& result, const std::string& plan_path) {
   const MotionFindings& findings = result.findings;
   Json changes = Json::array(), derived = Json::array();
-  for (const RepairChange& change : ChangesOf(result.model, findings)) changes.push_back(ChangeJson(change));
+  const bool kept = result.repaired != nullptr && result.repaired->was_sound;
+  for (const RepairChange& change : ChangesOf(result.model, findings)) {
+    if (!kept || change.what == "smoothed") changes.push_back(ChangeJson(change));
+  }
   for (const DerivedPart& part : findings.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
   Json json = {{"robot", result.model.name},
                {"verdict", result.pass() ? "pass" : "fail"},
@@ -153,6 +160,7 @@ std::string RepairJson(const RepairResult& result, const std::string& plan_path)
                {"smoothing_hz", findings.smoothing_hz},
                {"derived", derived},
                {"warnings", findings.notes.warnings},
+               {"kept", kept},
                {"before", findings.before ? ViolationsJson(*findings.before) : Json()},
                {"changes", changes}};
   if (result.repaired == nullptr) return json.dump(2);
