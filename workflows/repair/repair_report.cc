@@ -51,9 +51,7 @@ void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& c
   }
 }
 
-Json ViolationsJson(const AuditReport& report) {
-  return Json::parse(AuditJson(report)).at("violations");
-}
+Json AuditOf(const AuditReport& report) { return Json::parse(AuditJson(report)); }
 
 Json ChangeJson(const RepairChange& change) {
   return {{"what", change.what},   {"where", change.where}, {"start_s", change.start_s}, {"end_s", change.end_s},
@@ -161,12 +159,12 @@ std::string RepairJson(const RepairResult& result, const std::string& plan_path)
                {"derived", derived},
                {"warnings", findings.notes.warnings},
                {"kept", kept},
-               {"before", findings.before ? ViolationsJson(*findings.before) : Json()},
+               {"before", findings.before ? AuditOf(*findings.before) : Json()},
                {"changes", changes}};
   if (result.repaired == nullptr) return json.dump(2);
   const FinishReport& finished = result.repaired->finished;
   json["distance"] = DistanceJson(result.repaired->distance);
-  json["after"] = ViolationsJson(result.repaired->after);
+  json["after"] = AuditOf(result.repaired->after);
   json["optimisation"] = {{"knots", finished.knots},
                           {"solves", finished.solves},
                           {"iterations", finished.iterations},
