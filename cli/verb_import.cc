@@ -84,9 +84,10 @@ int RunImport(ImportSettings& a) {
 void AddImport(Verb program, int& status) {
   auto a = std::make_shared<ImportSettings>();
   const Verb verb = program.AddVerb("import", "Turn a motion of other software into a plan, and audit it");
-  AddText(verb, "FILE", "FILE", a->request.file,
-          "The motion: a CSV with named columns, from OCS2, or with frames without names (.csv, .tsv, .txt); a ROS joint "
-          "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
+  AddText(
+      verb, "FILE", "FILE", a->request.file,
+      "The motion: a CSV with named columns, from OCS2, or with frames without names (.csv, .tsv, .txt); a ROS joint "
+      "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
       .Require();
   verb.SetGroup("Robot and ground");
   a->robot.AddTo(verb);

@@ -70,9 +70,10 @@ int RunRepair(RepairSettings& a) {
 void AddRepair(Verb program, int& status) {
   auto a = std::make_shared<RepairSettings>();
   const Verb verb = program.AddVerb("repair", "Make the nearest motion that the robot can do from anyone's motion");
-  AddText(verb, "MOTION", "FILE", a->request.source.file,
-          "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
-          ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
+  AddText(
+      verb, "MOTION", "FILE", a->request.source.file,
+      "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
+      ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
       .Require();
   verb.SetGroup("Robot and ground");
   a->robot.AddTo(verb);

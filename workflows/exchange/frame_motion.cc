@@ -43,9 +43,7 @@ class FrameTable {
     for (const std::string& name : order_) {
       dofs_.push_back(model.DofIndex(name));
       const bool prismatic = model.LeaderOf(dofs_.back()).is_prismatic();
-      scale_.push_back(prismatic                      ? LengthUnit()
-                       : options.angle_unit == "deg" ? std::numbers::pi / 180.0
-                                                     : 1.0);
+      scale_.push_back(prismatic ? LengthUnit() : options.angle_unit == "deg" ? std::numbers::pi / 180.0 : 1.0);
     }
   }
 
@@ -65,9 +63,9 @@ class FrameTable {
 
   MotionTable Take() {
     table_.derived.push_back(
-        {"columns", fmt::format("base x y z, quaternion {}, then {} joints in the order of the robot's description: {}",
-                                options_.quaternion_order == "wxyz" ? "w x y z" : "x y z w", order_.size(),
-                                JoinedNames(order_))});
+        {"columns",
+         fmt::format("base x y z, quaternion {}, then {} joints in the order of the robot's description: {}",
+                     options_.quaternion_order == "wxyz" ? "w x y z" : "x y z w", order_.size(), JoinedNames(order_))});
     return std::move(table_);
   }
 
@@ -149,8 +147,9 @@ Result<MotionTable> ParseJsonFrames(const RobotModel& model, const std::string& 
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const std::vector<double> frame = rows[row].Numbers();
       if (frame.size() != static_cast<std::size_t>(frames.columns())) {
-        rows[row].Refuse(fmt::format("has {} numbers; robot '{}' needs {}: base x y z, quaternion x y z w, and {} joints",
-                                     frame.size(), model.name, frames.columns(), frames.columns() - kOfBase));
+        rows[row].Refuse(
+            fmt::format("has {} numbers; robot '{}' needs {}: base x y z, quaternion x y z w, and {} joints",
+                        frame.size(), model.name, frames.columns(), frames.columns() - kOfBase));
       }
       frames.Add(static_cast<double>(row) * step_s, frame.data());
     }

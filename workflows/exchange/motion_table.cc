@@ -88,7 +88,8 @@ OptionFields ImportOptions::Fields() {
        "Longest time over which the load of a foot rises after touch-down and falls before lift-off."},
       {"friction_use", &friction_use, "1", 0.05, 1.0,
        "Share of the friction coefficient that computed contact forces may use."}};
-  fields = WithBasics({"velocities", "missing_joints", "rate_hz", "smoothing_hz", "lift_m", "contact_height"}, std::move(fields));
+  fields = WithBasics({"velocities", "missing_joints", "rate_hz", "smoothing_hz", "lift_m", "contact_height"},
+                      std::move(fields));
   return Joined({UnitFields(), std::move(fields)});
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/exchange/read_motion_internal.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -16,6 +14,7 @@
 #include "workflows/exchange/frame_motion_internal.h"
 #include "workflows/exchange/joint_trajectory.h"
 #include "workflows/exchange/motion_file.h"
+#include "workflows/exchange/read_motion_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -104,14 +103,14 @@ EvenMotion EvenMotionOf(const RobotModel& model, const Terrain& terrain, const I
                         ImportNotes& notes) {
   ImportOptions options = asked;
   notes.derived = table.derived;
-  if (options.smoothing_hz == 0.0 && table.format.starts_with("frames")) options.smoothing_hz = CoarseSmoothingHz(table);
+  if (options.smoothing_hz == 0.0 && table.format.starts_with("frames"))
+    options.smoothing_hz = CoarseSmoothingHz(table);
   CheckMotionTable(model, terrain, options, table);
   const bool placed = !table.base_m.empty(), turned = !table.quaternion.empty();
   if (!placed) table.base_m.assign(table.time_s.size(), Vector3::Zero());
   if (!turned) table.quaternion.assign(table.time_s.size(), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
   EvenMotion motion = Resample(model, table, options, notes.derived, notes.warnings);
-  if (!placed)
-    BlameJoints(model, table, [&] { DeriveBase(model, terrain, options, turned, motion, notes.derived); });
+  if (!placed) BlameJoints(model, table, [&] { DeriveBase(model, terrain, options, turned, motion, notes.derived); });
   return motion;
 }
 

@@ -145,7 +145,8 @@ DataShape RepairResultShape() {
                                      {"base_turn_rms_rad", Number()}});
   const DataShape optimisation =
       Object({{"knots", Whole()}, {"solves", Whole()}, {"iterations", Whole()}, {"solve_cpu_s", Number()}});
-  const DataShape engine = Object({{"verdict", Text({"pass", "fail", "fell"})}, {"score", Number()}, {"cause", Text()}});
+  const DataShape engine =
+      Object({{"verdict", Text({"pass", "fail", "fell"})}, {"score", Number()}, {"cause", Text()}});
   return Object({{"robot", Text()},
                  {"verdict", VerdictShape(), "Of the audit and the engines; with --check of the audit of the file."},
                  {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json"})},

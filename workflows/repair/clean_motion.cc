@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/clean_motion_internal.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "kinematics/trajectory/swing_curve.h"
 #include "workflows/exchange/knot_spline.h"
 #include "workflows/exchange/median_internal.h"
+#include "workflows/repair/clean_motion_internal.h"
 #include "workflows/repair/nearest_posture_internal.h"
 
 namespace gaitwright {
@@ -34,8 +33,8 @@ Matrix3 MeanRotation(const std::vector<Pose>& X, const RowRange& rows) {
 
 class Cleaner {
  public:
-  Cleaner(const RobotModel& model, const Terrain& terrain, const EvenMotion& motion,
-          const std::vector<FootSet>& stance, const RepairOptions& options)
+  Cleaner(const RobotModel& model, const Terrain& terrain, const EvenMotion& motion, const std::vector<FootSet>& stance,
+          const RepairOptions& options)
       : model_(model), terrain_(terrain), motion_(motion), options_(options), tracks_(FeetOf(model, terrain, motion)) {
     clean_.motion.contact = stance;
   }
@@ -70,9 +69,10 @@ class Cleaner {
     for (int k = rows.first; k <= rows.last; ++k) mean += X[At(k)].translation() / (rows.last - rows.first + 1);
     const GroundPoint ground = GroundAt(terrain_, mean.head<2>());
     if (ground.patch < 0) {
-      throw InvalidArgument(fmt::format("foot '{}' stands at {:.3f} s at x = {:.3f} m, y = {:.3f} m, where there is no "
-                                        "ground",
-                                        model_.feet[At(f)].name, motion_.TimeOf(rows.first), mean.x(), mean.y()));
+      throw InvalidArgument(
+          fmt::format("foot '{}' stands at {:.3f} s at x = {:.3f} m, y = {:.3f} m, where there is no "
+                      "ground",
+                      model_.feet[At(f)].name, motion_.TimeOf(rows.first), mean.x(), mean.y()));
     }
     const Matrix3 R = MeanRotation(X, rows);
     stance.X_WF.linear() = RotationBetween(R.col(2), ground.normal_W).toRotationMatrix() * R;
@@ -88,8 +88,7 @@ class Cleaner {
     PinnedStance pinned{f, motion_.TimeOf(stance.rows.first), motion_.TimeOf(stance.rows.last)};
     std::vector<double> heights;
     for (int k = rows.first; k <= rows.last; ++k) {
-      pinned.slid_m =
-          std::max(pinned.slid_m, (Unrolled(f, k) - stance.X_WF.translation()).head<2>().norm());
+      pinned.slid_m = std::max(pinned.slid_m, (Unrolled(f, k) - stance.X_WF.translation()).head<2>().norm());
       heights.push_back(tracks_[At(f)].height_m[At(k)]);
       if (!model_.feet[At(f)].has_sole()) continue;
       const Vector3 up = tracks_[At(f)].X_WF[At(k)].linear().col(2);

@@ -29,10 +29,10 @@ struct CleanMotion {
   double unreached_s = 0.0;
 };
 
-/// Makes the contacts of a motion clean. Each stance is pinned to the mean of the foot's positions and headings over it,
-/// with the sole flat on the ground. The base moves by the mean of what its standing feet move by, smoothed over time.
-/// Swings begin and end on the pinned places and keep a clearance. Joints follow by inverse kinematics that moves base
-/// and joints as little as possible, within the joints' ranges.
+/// Makes the contacts of a motion clean. Each stance is pinned to the mean of the foot's positions and headings over
+/// it, with the sole flat on the ground. The base moves by the mean of what its standing feet move by, smoothed over
+/// time. Swings begin and end on the pinned places and keep a clearance. Joints follow by inverse kinematics that moves
+/// base and joints as little as possible, within the joints' ranges.
 /// @throws InvalidArgument if a foot stands where there is no ground.
 CleanMotion CleanContacts(const RobotModel& model, const Terrain& terrain, const EvenMotion& motion,
                           const std::vector<FootSet>& stance, const RepairOptions& options);

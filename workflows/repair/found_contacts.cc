@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/found_contacts_internal.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "kinematics/spatial/pose.h"
 #include "workflows/exchange/median_internal.h"
+#include "workflows/repair/found_contacts_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -82,7 +81,8 @@ class ContactFinder {
     for (int k = 0; k < motion_.size(); ++k) {
       const int f = LowestFoot(k);
       all.push_back(feet_[Row(f)].height_m[Row(k)]);
-      if (MiddleSpeed(feet_[Row(f)], k, motion_.step_s) < options_.stand_speed * SpeedUnit()) slow.push_back(all.back());
+      if (MiddleSpeed(feet_[Row(f)], k, motion_.step_s) < options_.stand_speed * SpeedUnit())
+        slow.push_back(all.back());
     }
     return MedianOf(slow.size() * kFew < all.size() ? all : slow);
   }
@@ -100,7 +100,8 @@ class ContactFinder {
     return stands;
   }
 
-  /// Leaves out rows at both ends of a stance in which the foot is not at its usual height or moves: it lands or leaves.
+  /// Leaves out rows at both ends of a stance in which the foot is not at its usual height or moves: it lands or
+  /// leaves.
   void TrimStances(int f, int least) {
     constexpr double kStill = 0.004, kSlow = 0.5;  // of the leg length, of stand_speed
     const FootTrack& foot = feet_[Row(f)];

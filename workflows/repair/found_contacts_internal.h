@@ -12,11 +12,11 @@ namespace gaitwright {
 
 /// Contacts of a motion that may float, sink and slide.
 struct FoundContacts {
-  double height_m = 0.0;         ///< median height of feet that stand: above zero floats, below it sinks
-  std::vector<FootSet> stance;   ///< by row
-  int short_stances = 0;         ///< stances that were too short and became part of a swing
-  int short_swings = 0;          ///< swings that were too short and became part of a stance
-  int false_flights = 0;         ///< times without a foot on the ground in which the robot did not fall
+  double height_m = 0.0;        ///< median height of feet that stand: above zero floats, below it sinks
+  std::vector<FootSet> stance;  ///< by row
+  int short_stances = 0;        ///< stances that were too short and became part of a swing
+  int short_swings = 0;         ///< swings that were too short and became part of a stance
+  int false_flights = 0;        ///< times without a foot on the ground in which the robot did not fall
 };
 
 /// Finds the feet that stand. A foot begins to stand where it is low, slow and flat, and begins to swing where it is no

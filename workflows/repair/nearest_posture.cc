@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/nearest_posture_internal.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/whole_body/finish_problem_internal.h"
+#include "workflows/repair/nearest_posture_internal.h"
 
 namespace gaitwright {
 
@@ -53,8 +52,11 @@ void NearestPosture::Move(const VectorX& q_given, VectorX& q) {
   constexpr double kMargin = 0.02;  // [rad], [m]: what the optimisation of the whole body keeps, and a little
   const Eigen::Index n = model_.num_dofs();
   for (Eigen::Index d = 0; d < n; ++d) {
-    const double lower = model_.dof_lower(static_cast<int>(d)) + kMargin,
-                 upper = model_.dof_upper(static_cast<int>(d)) - kMargin, given = q_given[7 + d];
+    const int dof = static_cast<int>(d);
+    const double given = q_given[7 + d], lowest = model_.dof_lower(dof), highest = model_.dof_upper(dof);
+    // A posture that is nearer to an end than the margin may stay there.
+    const double lower = std::min(lowest + kMargin, std::max(given, lowest)),
+                 upper = std::max(highest - kMargin, std::min(given, highest));
     if (lower > upper) continue;
     const double inside = std::clamp(given + e_[6 + d], lower, upper);
     if (inside != given + e_[6 + d]) held_[static_cast<std::size_t>(d)] = true;

@@ -29,7 +29,8 @@ class NearestPosture {
   const RobotModel& model_;
   DynamicsScratch scratch_;
   std::vector<std::array<bool, 6>> rows_;
-  VectorX give_, e_;  // by velocity coordinate: inverse of the squared weight; change so far (also the next first guess)
+  VectorX give_,
+      e_;  // by velocity coordinate: inverse of the squared weight; change so far (also the next first guess)
   std::vector<bool> held_;
   MatrixX J_, foot_J_;
   VectorX error_;

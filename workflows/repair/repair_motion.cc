@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/repair_motion_internal.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "workflows/exchange/frame_motion_internal.h"
 #include "workflows/exchange/knot_spline.h"
 #include "workflows/exchange/read_motion_internal.h"
+#include "workflows/repair/repair_motion_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -78,7 +77,7 @@ EvenMotion Smooth(const RobotModel& model, const EvenMotion& rows, double cutoff
 struct Prepared {
   Terrain terrain;
   std::string text;
-  EvenMotion original;  ///< with the times of `rested`
+  EvenMotion original;                 ///< with the times of `rested`
   std::optional<MotionPlan> as_it_is;  ///< the file's motion, if it can be audited
   MotionFindings findings;
 };
@@ -245,7 +244,8 @@ void CheckRequest(const RepairRequest& request) {
 }  // namespace
 
 OptionFields RepairRequest::Fields() {
-  return Joined({source.options.Fields(), Prefixed("repair", repair.Fields()), Prefixed("trajectory", trajectory.Fields())});
+  return Joined(
+      {source.options.Fields(), Prefixed("repair", repair.Fields()), Prefixed("trajectory", trajectory.Fields())});
 }
 
 Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairRequest& request) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/repair_report_internal.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "workflows/repair/repair_report_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -27,10 +27,11 @@ void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& c
   const RestedMotion& r = findings.rested;
   const double end_s = r.motion.TimeOf(r.motion.size() - 1);
   if (r.stood_start_s > 0.0) {
-    changes.push_back({"stood", "", 0.0, r.stood_start_s, r.stood_start_s, "s",
-                       fmt::format("stood: {:.2f} s were added at the start, because the file begins with a foot in the "
-                                   "air; the robot first stands on all feet and lifts it",
-                                   r.stood_start_s)});
+    changes.push_back(
+        {"stood", "", 0.0, r.stood_start_s, r.stood_start_s, "s",
+         fmt::format("stood: {:.2f} s were added at the start, because the file begins with a foot in the "
+                     "air; the robot first stands on all feet and lifts it",
+                     r.stood_start_s)});
   }
   if (r.slowed_start_s > 0.0) {
     changes.push_back({"slowed", "", r.stood_start_s, r.stood_start_s + r.slowed_start_s, 0.5 * r.slowed_start_s, "s",
@@ -44,35 +45,33 @@ void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& c
                                    0.5 * r.slowed_end_s, r.slowed_end_s)});
   }
   if (r.stood_end_s > 0.0) {
-    changes.push_back({"stood", "", end_s - r.stood_end_s, end_s, r.stood_end_s, "s",
-                       fmt::format("stood: {:.2f} s were added at the end, because the file ends with a foot in the air; "
-                                   "the robot sets it down and stands",
-                                   r.stood_end_s)});
+    changes.push_back(
+        {"stood", "", end_s - r.stood_end_s, end_s, r.stood_end_s, "s",
+         fmt::format("stood: {:.2f} s were added at the end, because the file ends with a foot in the air; "
+                     "the robot sets it down and stands",
+                     r.stood_end_s)});
   }
 }
 
 Json AuditOf(const AuditReport& report) { return Json::parse(AuditJson(report)); }
 
 Json ChangeJson(const RepairChange& change) {
-  return {{"what", change.what},   {"where", change.where}, {"start_s", change.start_s}, {"end_s", change.end_s},
-          {"by", change.by},       {"unit", change.unit},   {"text", change.text}};
+  return {{"what", change.what}, {"where", change.where}, {"start_s", change.start_s}, {"end_s", change.end_s},
+          {"by", change.by},     {"unit", change.unit},   {"text", change.text}};
 }
 
 Json DistanceJson(const MotionDistance& d) {
-  return {{"joint_rms_rad", d.joint_rms_rad},
-          {"joint_mean_rad", d.joint_mean_rad},
-          {"joint_largest_rad", d.joint_largest_rad},
-          {"joint_largest", d.joint_largest},
-          {"joint_largest_at_s", d.joint_largest_s},
-          {"base_rms_m", d.base_rms_m},
-          {"base_largest_m", d.base_largest_m},
-          {"base_largest_at_s", d.base_largest_s},
+  return {{"joint_rms_rad", d.joint_rms_rad},         {"joint_mean_rad", d.joint_mean_rad},
+          {"joint_largest_rad", d.joint_largest_rad}, {"joint_largest", d.joint_largest},
+          {"joint_largest_at_s", d.joint_largest_s},  {"base_rms_m", d.base_rms_m},
+          {"base_largest_m", d.base_largest_m},       {"base_largest_at_s", d.base_largest_s},
           {"base_turn_rms_rad", d.base_turn_rms_rad}};
 }
 
 std::string DistanceText(const MotionDistance& d) {
   return fmt::format(
-      "distance from the file: joints {:.4f} rad RMS, at most {:.3f} rad ('{}' at {:.2f} s); base {:.1f} mm RMS, at most "
+      "distance from the file: joints {:.4f} rad RMS, at most {:.3f} rad ('{}' at {:.2f} s); base {:.1f} mm RMS, at "
+      "most "
       "{:.1f} mm at {:.2f} s; base turned {:.4f} rad RMS\n",
       d.joint_rms_rad, d.joint_largest_rad, d.joint_largest, d.joint_largest_s, 1e3 * d.base_rms_m,
       1e3 * d.base_largest_m, d.base_largest_s, d.base_turn_rms_rad);
@@ -95,10 +94,10 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
   AddTimeChanges(findings, changes);
   const double lift_m = findings.clean.lift_m;
   if (std::abs(lift_m) > kMovedLittle) {
-    changes.push_back({"lifted", "", 0.0, findings.duration_s, lift_m, "m",
-                       fmt::format("lifted: the base was moved {} by {:.1f} mm, because the feet {}",
-                                   lift_m > 0.0 ? "up" : "down", 1e3 * std::abs(lift_m),
-                                   lift_m > 0.0 ? "sink into the ground" : "float above it")});
+    changes.push_back(
+        {"lifted", "", 0.0, findings.duration_s, lift_m, "m",
+         fmt::format("lifted: the base was moved {} by {:.1f} mm, because the feet {}", lift_m > 0.0 ? "up" : "down",
+                     1e3 * std::abs(lift_m), lift_m > 0.0 ? "sink into the ground" : "float above it")});
   }
   for (const PinnedStance& stance : findings.clean.stances) {
     if (stance.slid_m < kMovedLittle && stance.tilt_rad < kTiltedLittle) continue;
@@ -136,9 +135,9 @@ std::string RepairText(const RepairResult& result) {
   text += "after: " + AuditText(result.repaired->after);
   if (result.played == nullptr) return text;
   const std::vector<EngineVerdict> verdicts = VerdictsOf(*result.played);
-  text += verdicts.empty() ? fmt::format("played: {}, {:.1f}\n", result.played->pass() ? "pass" : "fail",
-                                         result.played->score())
-                           : "played: " + VerdictsText(verdicts) + "\n";
+  text += verdicts.empty()
+              ? fmt::format("played: {}, {:.1f}\n", result.played->pass() ? "pass" : "fail", result.played->score())
+              : "played: " + VerdictsText(verdicts) + "\n";
   return text;
 }
 

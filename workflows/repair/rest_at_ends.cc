@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/rest_at_ends_internal.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "planning/plan/sample_plan.h"
+#include "workflows/repair/rest_at_ends_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -22,8 +21,7 @@ EndOfMotion EndOf(const RobotModel& model, const EvenMotion& motion, FootSet sta
   constexpr double kSlow = 0.02, kSlowJoint = 0.1;  // of sqrt(g l), [rad/s]
   const VectorX& v = motion.v[row];
   const double slow = kSlow * std::sqrt(kGravity * model.leg_length_m());
-  const bool moves =
-      v.head<3>().norm() > slow || v.tail(v.size() - 3).lpNorm<Eigen::Infinity>() > kSlowJoint;
+  const bool moves = v.head<3>().norm() > slow || v.tail(v.size() - 3).lpNorm<Eigen::Infinity>() > kSlowJoint;
   const FootSet all = AllFeet(static_cast<int>(model.legs.size()));
   EndOfMotion end;
   const double length_s = motion.TimeOf(motion.size() - 1);
@@ -64,7 +62,8 @@ RestedMotion WithRestAtEnds(const RobotModel& model, const EvenMotion& motion, c
     SampleWholeBody(of_file, file_s, sample);
     rested.motion.q.push_back(sample.q);
     rested.file_s.push_back(file_s);
-    const auto row = static_cast<std::size_t>(std::clamp(std::lround(file_s / motion.step_s), 0L, static_cast<long>(last)));
+    const auto row =
+        static_cast<std::size_t>(std::clamp(std::lround(file_s / motion.step_s), 0L, static_cast<long>(last)));
     const bool stands = k * motion.step_s < kStands * start.hold_s || end_s - k * motion.step_s < kStands * end.hold_s;
     rested.stance.push_back(stands ? stance[row] | all : stance[row]);
   }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/exchange/frame_motion_internal.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/named_robot.h"
 #include "workflows/exchange/csv_table.h"
+#include "workflows/exchange/frame_motion_internal.h"
 
 namespace gaitwright {
 namespace {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/clean_motion_internal.h"
-
 #include <gtest/gtest.h>
 
 #include "kinematics/base/result.h"
 #include "planning/terrain/load_terrain.h"
 #include "tests/workflows/repair/standing_motion.h"
+#include "workflows/repair/clean_motion_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr int kRows = 200;
+constexpr int kCleanedRows = 200;
 
 CleanMotion Cleaned(const RobotModel& model, const EvenMotion& motion) {
   const Terrain flat = LoadTerrain("flat", ScaleOf(model)).value();
@@ -21,8 +20,9 @@ CleanMotion Cleaned(const RobotModel& model, const EvenMotion& motion) {
 TEST(CleanMotion, PinsTheFeetOfARobotThatFloatsAndDrifts) {
   for (const char* name : {"a1", "h1"}) {
     const RobotModel& model = NamedRobot(name);
-    EvenMotion motion = synthetic::Standing(model, kRows);
-    for (int k = 0; k < kRows; ++k) motion.q[static_cast<std::size_t>(k)].head<3>() += Vector3(0.0, 2e-4 * k, 0.02);
+    EvenMotion motion = synthetic::Standing(model, kCleanedRows);
+    for (int k = 0; k < kCleanedRows; ++k)
+      motion.q[static_cast<std::size_t>(k)].head<3>() += Vector3(0.0, 2e-4 * k, 0.02);
     const CleanMotion clean = Cleaned(model, motion);
     EXPECT_NEAR(clean.lift_m, -0.02, 1e-3) << name;
     ASSERT_EQ(clean.stances.size(), model.legs.size());
@@ -32,7 +32,7 @@ TEST(CleanMotion, PinsTheFeetOfARobotThatFloatsAndDrifts) {
     const std::vector<FootTrack> feet = FeetOf(model, LoadTerrain("flat", ScaleOf(model)).value(), cleaned);
     for (const FootTrack& foot : feet) {
       EXPECT_LT((foot.X_WF.back().translation() - foot.X_WF.front().translation()).norm(), 1e-5) << name;
-      EXPECT_NEAR(foot.height_m[kRows / 2], 0.0, 1e-5) << name;
+      EXPECT_NEAR(foot.height_m[kCleanedRows / 2], 0.0, 1e-5) << name;
     }
     for (const VectorX& q : clean.motion.q)
       EXPECT_LT((q - motion.q.front()).tail(model.num_dofs()).lpNorm<Eigen::Infinity>(), 0.03) << "the base drifts";
@@ -41,7 +41,7 @@ TEST(CleanMotion, PinsTheFeetOfARobotThatFloatsAndDrifts) {
 
 TEST(CleanMotion, SwingsKeepClearOfTheGround) {
   const RobotModel& model = NamedRobot("a1");
-  EvenMotion motion = synthetic::Standing(model, kRows);
+  EvenMotion motion = synthetic::Standing(model, kCleanedRows);
   synthetic::BendKnee(model, 1, 80, 120, motion);
   const CleanMotion clean = Cleaned(model, motion);
   EvenMotion cleaned = clean.motion;
@@ -54,8 +54,8 @@ TEST(CleanMotion, SwingsKeepClearOfTheGround) {
 
 TEST(CleanMotion, RefusesAFootThatNeverStands) {
   const RobotModel& model = NamedRobot("a1");
-  EvenMotion motion = synthetic::Standing(model, kRows);
-  synthetic::BendKnee(model, 1, 0, kRows, motion);
+  EvenMotion motion = synthetic::Standing(model, kCleanedRows);
+  synthetic::BendKnee(model, 1, 0, kCleanedRows, motion);
   try {
     Cleaned(model, motion);
     FAIL() << "it was not refused";

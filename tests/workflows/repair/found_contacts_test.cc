@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/found_contacts_internal.h"
-
 #include <gtest/gtest.h>
 
 #include "planning/terrain/load_terrain.h"
 #include "tests/workflows/repair/standing_motion.h"
+#include "workflows/repair/found_contacts_internal.h"
 
 namespace gaitwright {
 namespace {

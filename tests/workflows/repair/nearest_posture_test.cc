@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/nearest_posture_internal.h"
-
 #include <gtest/gtest.h>
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "tests/workflows/repair/standing_motion.h"
+#include "workflows/repair/nearest_posture_internal.h"
 
 namespace gaitwright {
 namespace {

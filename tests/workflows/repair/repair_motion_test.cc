@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/repair_motion_internal.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,6 +6,7 @@
 
 #include "tests/scratch_folder.h"
 #include "tests/workflows/repair/standing_motion.h"
+#include "workflows/repair/repair_motion_internal.h"
 #include "workflows/repair/repair_report_internal.h"
 
 namespace gaitwright {
@@ -35,7 +34,7 @@ RepairRequest RequestOf(const std::string& text, const std::string& name = "moti
 TEST(RepairMotion, MakesASoundPlanOfAMotionThatFloatsAndSkates) {
   for (const char* name : {"a1", "h1"}) {
     const RobotModel& model = NamedRobot(name);
-    const auto repaired = RepairMotion(model, RequestOf(synthetic::FramesOf(Skating(model, 0.02))));
+    const auto repaired = RepairMotion(model, RequestOf(synthetic::FramesOf(model, Skating(model, 0.02))));
     ASSERT_TRUE(repaired.ok()) << repaired.failure().message;
     ASSERT_TRUE(repaired->findings.before);
     EXPECT_FALSE(repaired->findings.before->pass());
@@ -64,7 +63,7 @@ TEST(RepairMotion, MakesASoundPlanOfAMotionThatFloatsAndSkates) {
 
 TEST(RepairMotion, KeepsAMotionThatIsSound) {
   const RobotModel& model = NamedRobot("a1");
-  const RepairRequest request = RequestOf(synthetic::FramesOf(synthetic::Standing(model, 101)));
+  const RepairRequest request = RequestOf(synthetic::FramesOf(model, synthetic::Standing(model, 101)));
   auto repaired = RepairMotion(model, request);
   ASSERT_TRUE(repaired.ok()) << repaired.failure().message;
   EXPECT_TRUE(repaired->was_sound);
@@ -79,7 +78,7 @@ TEST(RepairMotion, KeepsAMotionThatIsSound) {
 
 TEST(RepairMotion, FindsWhatIsWrongWithoutRepair) {
   const RobotModel& model = NamedRobot("a1");
-  const auto found = ExamineMotion(model, RequestOf(synthetic::FramesOf(Skating(model, -0.03))));
+  const auto found = ExamineMotion(model, RequestOf(synthetic::FramesOf(model, Skating(model, -0.03))));
   ASSERT_TRUE(found.ok()) << found.failure().message;
   EXPECT_NEAR(found->clean.lift_m, 0.03, 1e-3);
   const RepairResult result{model, *found};
@@ -89,12 +88,8 @@ TEST(RepairMotion, FindsWhatIsWrongWithoutRepair) {
 
 TEST(RepairMotion, ReadsFramesOfMotionImitation) {
   const RobotModel& model = NamedRobot("a1");
-  std::string frames;
-  for (const VectorX& q : Skating(model, 0.0).q) {
-    frames += frames.empty() ? "[" : ",\n[";
-    for (Eigen::Index i = 0; i < q.size(); ++i) frames += (i == 0 ? "" : ", ") + std::to_string(q[i]);
-    frames += "]";
-  }
+  std::string frames = synthetic::FramesOf(model, Skating(model, 0.0), "[", "],");
+  frames.pop_back();
   const std::string text = "{\"LoopMode\": \"Wrap\", \"FrameDuration\": 0.01, \"Frames\": [" + frames + "]}";
   const auto repaired = RepairMotion(model, RequestOf(text, "motion.txt"));
   ASSERT_TRUE(repaired.ok()) << repaired.failure().message;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/repair/rest_at_ends_internal.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/workflows/repair/standing_motion.h"
+#include "workflows/repair/rest_at_ends_internal.h"
 
 namespace gaitwright {
 namespace {

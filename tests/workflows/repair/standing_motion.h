@@ -6,6 +6,7 @@
 
 #include "tests/named_robot.h"
 #include "workflows/exchange/even_motion.h"
+#include "workflows/exchange/frame_motion_internal.h"
 
 namespace gaitwright::synthetic {
 
@@ -27,11 +28,15 @@ inline void BendKnee(const RobotModel& model, int leg, int first, int behind, Ev
 }
 
 /// Frames without names, at 100 Hz.
-inline std::string FramesOf(const EvenMotion& motion) {
+inline std::string FramesOf(const RobotModel& model, const EvenMotion& motion, const std::string& before = "",
+                            const std::string& after = "\n") {
+  const std::vector<std::string> order = DescribedJointOrder(model);
   std::string text;
   for (const VectorX& q : motion.q) {
-    for (Eigen::Index i = 0; i < q.size(); ++i) text += (i == 0 ? "" : ",") + std::to_string(q[i]);
-    text += "\n";
+    text += before;
+    for (Eigen::Index i = 0; i < 7; ++i) text += (i == 0 ? "" : ",") + std::to_string(q[i]);
+    for (const std::string& joint : order) text += "," + std::to_string(q[7 + model.DofIndex(joint)]);
+    text += after;
   }
   return text;
 }
