@@ -9,11 +9,7 @@
 
 namespace gaitwright {
 
-namespace {
-
 constexpr double kFinestGrid = 0.0005, kCoarsestGrid = 0.01;  // [s]
-
-}  // namespace
 
 double ImportOptions::time_unit_s() const {
   if (time_unit == "ms") return 1e-3;
