@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   AddExport(program, status);
   AddCompare(program, status);
   AddImport(program, status);
+  AddRepair(program, status);
   AddView(program, status);
   AddRender(program, status);
   AddLive(program, status);

@@ -58,6 +58,7 @@ void AddBench(Verb program, int& status);
 void AddExport(Verb program, int& status);
 void AddCompare(Verb program, int& status);
 void AddImport(Verb program, int& status);
+void AddRepair(Verb program, int& status);
 void AddView(Verb program, int& status);
 void AddRender(Verb program, int& status);
 void AddLive(Verb program, int& status);

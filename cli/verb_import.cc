@@ -84,9 +84,10 @@ int RunImport(ImportSettings& a) {
 void AddImport(Verb program, int& status) {
   auto a = std::make_shared<ImportSettings>();
   const Verb verb = program.AddVerb("import", "Turn a motion of other software into a plan, and audit it");
-  AddText(verb, "FILE", "FILE", a->request.file,
-          "The motion: a CSV with named columns or from OCS2 (.csv, .tsv, .txt); a ROS joint trajectory or footsteps "
-          "(.yaml, .yml, .json).")
+  AddText(
+      verb, "FILE", "FILE", a->request.file,
+      "The motion: a CSV with named columns, from OCS2, or with frames without names (.csv, .tsv, .txt); a ROS joint "
+      "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
       .Require();
   verb.SetGroup("Robot and ground");
   a->robot.AddTo(verb);
@@ -96,6 +97,7 @@ void AddImport(Verb program, int& status) {
   AddText(verb, "--columns", "FILE", a->request.columns_file,
           "YAML file that maps the CSV's columns, see docs/import.md; default: by its first line.");
   const OptionFields fields = a->request.Fields();
+  AddField(verb, "--rate-hz", fields, "rate_hz");
   AddField(verb, "--quaternion-order", fields, "quaternion_order");
   AddField(verb, "--angle-unit", fields, "angle_unit");
   AddField(verb, "--length-unit", fields, "length_unit");

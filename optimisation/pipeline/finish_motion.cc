@@ -32,14 +32,35 @@ FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use)
   return settings;
 }
 
+/// Moves the points at which soles press inward, see FollowOptions.
+void KeepFromEdges(double margin_m, BodyProblem& problem) {
+  constexpr double kMost = 0.5;
+  for (BodyKnot& knot : problem.knots) {
+    for (PressingFoot& foot : knot.pressing) {
+      std::vector<Vector3>& points = foot.contact.points_F;
+      Vector3 low = points.front(), high = low;
+      for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+      const Vector3 middle = 0.5 * (low + high), half = 0.5 * (high - low);
+      for (Vector3& p : points) {
+        for (Eigen::Index i = 0; i < 2; ++i) {
+          if (half[i] > 0.0) p[i] = middle[i] + (p[i] - middle[i]) * (1.0 - std::min(kMost, margin_m / half[i]));
+        }
+      }
+    }
+  }
+}
+
 /// Solves over knots until the motion balances between them, and brings plan and rolls along.
 class Finisher {
  public:
-  Finisher(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options, double friction_use)
+  /// @param follow  given for FollowMotion.
+  Finisher(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
+           const FinishSettings& settings, const FollowOptions* follow = nullptr)
       : model_(model),
         plan_(plan),
         options_(options),
-        settings_(SettingsOf(options, friction_use)),
+        settings_(settings),
+        follow_(follow),
         courses_(CoursesOf(model, plan)),
         knots_s_(KnotTimesOf(plan, options.knot_step_s)),
         finished_(plan) {
@@ -62,6 +83,7 @@ class Finisher {
   const MotionPlan& plan_;
   const TrajectoryOptions& options_;
   const FinishSettings settings_;
+  const FollowOptions* const follow_;  // null: finishes a plan
   std::vector<FootCourse> courses_;
   const std::vector<double> knots_s_;
   MotionPlan finished_;          // of the last solve; at first the plan
@@ -97,7 +119,7 @@ Result<bool> Finisher::SolveOnce(const BodyProblem& problem, MatrixX& points) {
   elastic.tolerance = kViolation;
   elastic.cost_tolerance = 2e-3;
   elastic.max_iterations = options_.max_iterations;
-  elastic.screening = kScreening;
+  elastic.screening = follow_ != nullptr ? options_.max_iterations : kScreening;
   elastic.infeasible = kFar;
   elastic.give = kGive;
   VectorX start(points.size());
@@ -195,6 +217,9 @@ bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) 
 
 Result<MotionPlan> Finisher::Run() {
   BodyProblem problem = ProblemOf(model_, plan_, courses_, knots_s_, settings_);
+  problem.knots.front().pins_place = follow_ == nullptr;
+  const BodyProblem to_edges = problem;
+  if (follow_ != nullptr) KeepFromEdges(follow_->sole_margin_m, problem);
   MatrixX points = FirstPoints(problem);
   forces_ = FirstForces(model_, finished_, problem);
   PlanResidual residual;
@@ -205,6 +230,7 @@ Result<MotionPlan> Finisher::Run() {
       if (full || report_.solves == options_.max_solves) return solved.failure();
       full = true;
       problem.use = kFullUse;
+      for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].pressing = to_edges.knots[k].pressing;
       continue;
     }
     const SolvedTrajectory solved(problem, points, forces_);
@@ -252,10 +278,27 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FinishMotion: " + reason);
-  Finisher finisher(model, plan, options, friction_use);
+  Finisher finisher(model, plan, options, SettingsOf(options, friction_use));
   Result<MotionPlan> finished = finisher.Run();
   if (report != nullptr) *report = finisher.report();
   return finished;
+}
+
+Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
+                                const FollowOptions& follow, FinishReport* report) {
+  TrajectoryOptions checked = options;
+  CheckOptions(checked.Fields());
+  if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
+    throw InvalidArgument("FollowMotion: " + reason);
+  FinishSettings settings;
+  settings.knot_step_s = options.knot_step_s;
+  settings.friction_use = follow.friction_use;
+  settings.weights = follow.weights;
+  settings.use.effort = follow.effort_use;
+  Finisher finisher(model, plan, options, settings, &follow);
+  Result<MotionPlan> followed = finisher.Run();
+  if (report != nullptr) *report = finisher.report();
+  return followed;
 }
 
 void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned) {

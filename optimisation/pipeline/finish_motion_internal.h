@@ -39,6 +39,21 @@ std::string ReasonNotFinished(const RobotModel& model, const MotionPlan& plan);
 Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
                                 double friction_use = 0.9, FinishReport* report = nullptr);
 
+/// How FollowMotion stays near a motion.
+struct FollowOptions {
+  BodyWeights weights;
+  double friction_use = 0.9;
+  /// Distance that pressure keeps from the edges of soles [m], at most half the distance from the sole's middle to
+  /// the edge. It is given up if there is no solution with it.
+  double sole_margin_m = 0.0;
+  double effort_use = 0.92;  ///< share of motors' limits; given up likewise
+};
+
+/// Like FinishMotion, for a motion that nobody planned: it may be far from dynamically consistent, so that a solve is
+/// not ended early, and the first posture is free.
+Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
+                                const FollowOptions& follow, FinishReport* report = nullptr);
+
 /// Replaces a plan by the finished one (FinishMotion), with its warnings, figures and summary; otherwise sets
 /// `unfinished`. A plan that FinishMotion does not take stays as it is.
 void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned);

@@ -121,7 +121,19 @@ bool AllNumbers(const std::vector<std::string>& cells) {
 /// Reads a table line by line.
 class CsvReader {
  public:
-  CsvReader(const std::string& text, CsvTable& table) : lines_(text), table_(table) {}
+  CsvReader(const std::string& text, CsvTable& table, bool numbered = false)
+      : lines_(text), table_(table), numbered_(numbered) {}
+
+  /// Whether the first line that is not a comment has only numbers, and no comment before it names them.
+  bool LacksNames() {
+    if (!NextLine()) return false;
+    delimiter_ = DelimiterOf(line_);
+    SplitCells(line_, delimiter_, lines_.number(), cells_);
+    if (cells_.size() > 1 && cells_.back().empty()) cells_.pop_back();
+    std::vector<std::string> names;
+    SplitCells(comment_, DelimiterOf(comment_), lines_.number(), names);
+    return AllNumbers(cells_) && (comment_.empty() || names.size() != cells_.size() || AllNumbers(names));
+  }
 
   void Read() {
     if (!NextLine()) throw InvalidArgument("is empty; its first line must name the columns");
@@ -153,6 +165,14 @@ class CsvReader {
     delimiter_ = DelimiterOf(line_);
     SplitCells(line_, delimiter_, lines_.number(), cells_);
     std::vector<std::string> names = cells_;
+    if (numbered_) {
+      header_is_comment_ = true;  // the first line is a row
+      for (std::size_t i = 0; i < names.size(); ++i) names[i] = std::to_string(i + 1);
+      if (names.size() > 1 && cells_.back().empty()) names.pop_back();
+      names_line_ = lines_.number();
+      TakeNames(names);
+      return;
+    }
     header_is_comment_ = AllNumbers(cells_);
     if (header_is_comment_) {
       SplitCells(comment_, DelimiterOf(comment_), lines_.number(), names);
@@ -225,6 +245,7 @@ class CsvReader {
   char delimiter_ = ',';
   int names_line_ = 0;
   bool trailing_ = false, header_is_comment_ = false, first_ = true;
+  const bool numbered_;
 };
 
 }  // namespace
@@ -250,6 +271,27 @@ Result<CsvTable> ParseCsvTable(const std::string& text, const std::string& sourc
   table.source = source;
   try {
     CsvReader(text, table).Read();
+  } catch (const InvalidArgument& error) {
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kCsv, "ReadCsvTable", fmt::format("'{}': {}", source, error.what()), {}};
+  }
+  return table;
+}
+
+bool LacksColumnNames(const std::string& text) {
+  CsvTable ignored;
+  try {
+    return CsvReader(text, ignored).LacksNames();
+  } catch (const InvalidArgument&) {
+    return false;  // the reader reports what is wrong
+  }
+}
+
+Result<CsvTable> ParseNumberTable(const std::string& text, const std::string& source) {
+  CsvTable table;
+  table.source = source;
+  try {
+    CsvReader(text, table, true).Read();
   } catch (const InvalidArgument& error) {
     return Failure{
         FailureKind::kBadInput, FailureCode::kCsv, "ReadCsvTable", fmt::format("'{}': {}", source, error.what()), {}};

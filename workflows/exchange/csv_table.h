@@ -45,6 +45,12 @@ struct CsvTable {
 /// no rows, and more than kMostCsvRows, kMostCsvColumns or kMostCsvCells.
 Result<CsvTable> ParseCsvTable(const std::string& text, const std::string& source);
 
+/// Whether the first line of numbers in a text has no line of names before it.
+bool LacksColumnNames(const std::string& text);
+
+/// Reads such a table: its columns are named by their numbers, from 1. Failures as of ParseCsvTable.
+Result<CsvTable> ParseNumberTable(const std::string& text, const std::string& source);
+
 /// Reads a table from a file in UTF-8, with or without a byte-order mark; failures as of ParseCsvTable.
 Result<CsvTable> ReadCsvTable(const std::string& path);
 

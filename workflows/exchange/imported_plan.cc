@@ -57,7 +57,7 @@ class Builder {
       lowest.push_back(least);
     }
     const double height = MedianOf(std::move(lowest)), lift_m = options_.lift_m - height;
-    if (!(std::abs(height) <= kFar * model_.leg_length_m())) {
+    if (!options_.any_height && !(std::abs(height) <= kFar * model_.leg_length_m())) {
       throw InvalidArgument(fmt::format(
           "the robot's lowest foot is {:.3f} m {} the ground in most rows; at most {:.3f} m is accepted. base_z_m "
           "belongs to the URDF's root link; --set lift_m={} moves the base, --terrain sets another ground",

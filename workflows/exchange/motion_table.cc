@@ -9,11 +9,7 @@
 
 namespace gaitwright {
 
-namespace {
-
 constexpr double kFinestGrid = 0.0005, kCoarsestGrid = 0.01;  // [s]
-
-}  // namespace
 
 double ImportOptions::time_unit_s() const {
   if (time_unit == "ms") return 1e-3;
@@ -69,11 +65,13 @@ OptionFields ImportOptions::Fields() {
        0.0,
        "Joints that the file lacks: an error (refuse), or held in the standing posture (standing).",
        {"refuse", "standing"}},
+      {"rate_hz", &rate_hz, "Hz", 1.0, 10000.0, "Frames per second of a file without names and times of its columns."},
       {"grid_step_s", &grid_step_s, "s", 0.0, kCoarsestGrid,
        "Time step of the plan's uniform grid, at least 0.0005; 0 uses the file's step if it is uniform and 1 to 10 ms, "
        "otherwise 5 ms."},
       {"smoothing_hz", &smoothing_hz, "Hz", 0.0, 1000.0,
-       "Cut-off frequency of the smoothing of positions before differentiation; 0 disables smoothing."},
+       "Cut-off frequency of the smoothing of positions before differentiation; 0 smooths only frames without names "
+       "that are more than 10 ms apart, at a fifth of their rate."},
       {"lift_m", &lift_m, "m", -10.0, 10.0, "Height added to the base."},
       {"contact_height", &contact_height, "1", 0.0, 0.5,
        "Largest height of a stance foot above the ground, as a share of the leg length; unused if the file has contact "
@@ -86,7 +84,8 @@ OptionFields ImportOptions::Fields() {
        "Longest time over which the load of a foot rises after touch-down and falls before lift-off."},
       {"friction_use", &friction_use, "1", 0.05, 1.0,
        "Share of the friction coefficient that computed contact forces may use."}};
-  fields = WithBasics({"velocities", "missing_joints", "smoothing_hz", "lift_m", "contact_height"}, std::move(fields));
+  fields = WithBasics({"velocities", "missing_joints", "rate_hz", "smoothing_hz", "lift_m", "contact_height"},
+                      std::move(fields));
   return Joined({UnitFields(), std::move(fields)});
 }
 

@@ -25,7 +25,7 @@ struct DerivedPart {
 /// A motion as in a file, in SI units and in this robot's order. An optional list is empty if the file lacks the data;
 /// otherwise it has one entry per row. Rows may be at any increasing times.
 struct MotionTable {
-  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory"
+  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json"
   std::vector<double> time_s;
   std::vector<Vector3> base_m;              ///< p_WB, of the URDF's root link
   std::vector<Eigen::Vector4d> quaternion;  ///< quaternion of R_WB, x y z w
@@ -52,11 +52,13 @@ struct MotionTable {
 struct ImportOptions {
   std::string quaternion_order = "detect", angle_unit = "detect", length_unit = "detect", time_unit = "detect";
   std::string velocities = "given", missing_joints = "refuse";
+  double rate_hz = 30.0;
   double grid_step_s = 0.0;
   double smoothing_hz = 0.0;
   double lift_m = 0.0;
   double contact_height = 0.01, contact_speed = 0.05, contact_least_s = 0.03;
   double load_ramp_s = 0.1, friction_use = 0.9;
+  bool any_height = false;  ///< no option of users: feet may be far from the ground
 
   /// The unit of times [s].
   double time_unit_s() const;

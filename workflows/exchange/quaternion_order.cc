@@ -38,11 +38,10 @@ class Looker {
       Place(row, w_first);
       tilts.push_back(std::acos(std::clamp((R_WB_ * up_B_).z(), -1.0, 1.0)));
       if (table_.base_m.empty()) continue;
-      const std::vector<Vector3> before = Feet();
-      const std::size_t lowest = LowestOf(before);
-      heights.push_back(Height(before[lowest]));
+      const Lowest before = LowestPoint();
+      heights.push_back(Height(before.p_W));
       Place(row + 1, w_first);
-      slid_m += (Feet()[lowest] - before[lowest]).head<2>().norm();
+      slid_m += (PointOf(before) - before.p_W).head<2>().norm();
       const auto k = static_cast<std::size_t>(row);
       time_s += table_.time_s[k + 1] - table_.time_s[k];
     }
@@ -69,21 +68,26 @@ class Looker {
   double Height(const Vector3& p_W) const {
     return ground_ == nullptr ? p_W.z() : p_W.z() - GroundAt(*ground_, p_W.head<2>()).height_m;
   }
-  std::size_t LowestOf(const std::vector<Vector3>& feet) const {
-    std::size_t lowest = 0;
-    for (std::size_t f = 1; f < feet.size(); ++f) lowest = Height(feet[f]) < Height(feet[lowest]) ? f : lowest;
-    return lowest;
-  }
-  /// The lowest contact point of each foot.
-  std::vector<Vector3> Feet() const {
-    std::vector<Vector3> feet;
+  /// The lowest contact point of all feet. All corners of a flat sole are lowest, so that it is kept by its index.
+  struct Lowest {
+    int foot = 0;
+    std::size_t point = 0;
+    Vector3 p_W = Vector3::Zero();
+  };
+  Lowest LowestPoint() const {
+    Lowest lowest;
+    bool first = true;
     for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
       const std::vector<Vector3> points = ContactPoints(model_, scratch_, f);
-      feet.push_back(*std::min_element(points.begin(), points.end(),
-                                       [](const Vector3& a, const Vector3& b) { return a.z() < b.z(); }));
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!first && !(Height(points[i]) < Height(lowest.p_W))) continue;
+        lowest = {f, i, points[i]};
+        first = false;
+      }
     }
-    return feet;
+    return lowest;
   }
+  Vector3 PointOf(const Lowest& lowest) const { return ContactPoints(model_, scratch_, lowest.foot)[lowest.point]; }
 
   const RobotModel& model_;
   const Terrain* ground_;

@@ -114,7 +114,7 @@ DataShape ImportResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
   return Object({{"robot", Text()},
                  {"verdict", VerdictShape(), "Verdict of the audit."},
-                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps"})},
+                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps", "frames-csv", "frames-json"})},
                  {"rows", Whole(), "Number of rows of the file."},
                  {"duration_s", Number()},
                  {"footholds", Whole(), "Number of footholds."},
@@ -123,6 +123,48 @@ DataShape ImportResultShape() {
                  {"warnings", TextsShape()},
                  {"audit", AuditShape()},
                  {"files", FilesShape({"plan"})}});
+}
+
+DataShape RepairResultShape() {
+  const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
+  const DataShape change = Object({{"what", Text({"smoothed", "contacts", "stood", "slowed", "lifted", "pinned"})},
+                                   {"where", Text(), "Foot; empty for the whole robot."},
+                                   {"start_s", Number()},
+                                   {"end_s", Number()},
+                                   {"by", Number(), "In `unit`."},
+                                   {"unit", Text()},
+                                   {"text", Text()}});
+  const DataShape distance = Object({{"joint_rms_rad", Number()},
+                                     {"joint_mean_rad", Number()},
+                                     {"joint_largest_rad", Number()},
+                                     {"joint_largest", Text(), "The joint."},
+                                     {"joint_largest_at_s", Number()},
+                                     {"base_rms_m", Number()},
+                                     {"base_largest_m", Number()},
+                                     {"base_largest_at_s", Number()},
+                                     {"base_turn_rms_rad", Number()}});
+  const DataShape optimisation =
+      Object({{"knots", Whole()}, {"solves", Whole()}, {"iterations", Whole()}, {"solve_cpu_s", Number()}});
+  const DataShape engine =
+      Object({{"verdict", Text({"pass", "fail", "fell"})}, {"score", Number()}, {"cause", Text()}});
+  return Object({{"robot", Text()},
+                 {"verdict", VerdictShape(), "Of the audit and the engines; with --check of the audit of the file."},
+                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json"})},
+                 {"rows", Whole(), "Number of rows of the file."},
+                 {"duration_s", Number(), "Of the file's motion."},
+                 {"smoothing_hz", Number(), "Cut-off frequency of the smoothing; 0 without it."},
+                 {"derived", List(derived), "Derived quantities and their derivation."},
+                 {"warnings", TextsShape()},
+                 {"kept", Truth(), "True if the file's motion was sound and was kept."},
+                 {"before", OrNull(AuditShape()), "Audit of the file's motion; null if it cannot be audited."},
+                 {"changes", List(change), "Without the optimisation of the whole body."},
+                 Optional("distance", distance, "From the file's motion; this and the following without --check."),
+                 Optional("after", AuditShape(), "Audit of the plan."),
+                 Optional("optimisation", optimisation),
+                 Optional("score", Number(), "The lower one of the engines."),
+                 Optional("reason", Text()),
+                 Optional("engines", MapOf(engine), "By engine, if both played."),
+                 Optional("files", FilesShape({"plan"}))});
 }
 
 }  // namespace gaitwright

@@ -28,6 +28,7 @@ DataShape MotionComparisonShape();
 DataShape ReportComparisonShape();
 DataShape ExportResultShape();
 DataShape ImportResultShape();
+DataShape RepairResultShape();
 DataShape GradeResultShape();
 DataShape RobotsResultShape();
 DataShape GaitsResultShape();

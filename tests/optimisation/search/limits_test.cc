@@ -84,13 +84,12 @@ TEST(Limits, AGivenTimeOfSteppingStays) {
 TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHasLeft) {
   const std::string root = SourceFolder();
   const RobotModel nao = *LoadRobot(root + "/robots/nao/robot.urdf", root + "/examples/motors/nao.yaml");
-  WalkRequest request = Asked(0.6, 0.0, 0.0);
+  WalkRequest request = Asked(0.2, 0.0, 0.0);
   request.command.distance_m = 1.0;
-  const Result<PlannedWalk> planned = PlanWalk(nao, request);
-  ASSERT_FALSE(planned.ok());
-  EXPECT_NE(planned.failure().message.find("' moves at "), std::string::npos) << planned.failure().message;
   request.motion.pipeline.allow_limits = true;
   const std::vector<Violation> broken = BrokenLimits(PlanWalk(nao, request)->audit);
+  ASSERT_FALSE(broken.empty());
+  EXPECT_EQ(broken.front().law, Law::kJointVelocity);
   EXPECT_TRUE(std::any_of(broken.begin(), broken.end(), [](const auto& v) { return v.law == Law::kTorqueSpeed; }));
 }
 

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <variant>
+
 #include "kinematics/model/load_robot.h"
 #include "optimisation/search/plan_walk.h"
 #include "planning/plan/plan_json.h"

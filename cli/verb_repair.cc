@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "cli/flags.h"
+#include "cli/paths.h"
+#include "cli/program.h"
+#include "cli/robot_input.h"
+#include "planning/plan/plan_json.h"
+#include "workflows/repair/repair_report_internal.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct RepairSettings {
+  Common common;
+  RepairRequest request;
+  RobotFlags robot;
+  std::string out = "repaired.json";
+  bool check = false, no_play = false;
+};
+
+int PrintRepair(const RepairResult& result, const std::string& path, const Common& common) {
+  if (common.json) {
+    fmt::print("{}\n", RepairJson(result, path));
+  } else if (common.quiet) {
+    fmt::print("{}\n", result.pass() ? "pass" : "fail");
+  } else {
+    fmt::print("{}{}", RepairText(result), path.empty() ? "" : fmt::format("plan    {}\n", path));
+  }
+  return result.pass() ? kPass : kVerdictFail;
+}
+
+int RunRepair(RepairSettings& a) {
+  ApplySets("--set", a.common.sets, a.request.Fields());
+  Paths paths;
+  paths.Read("the motion", a.request.source.file);
+  paths.Read("--columns", a.request.source.columns_file);
+  if (!a.check) paths.Write("the plan", a.out, {".json"});
+  a.robot.AddTo(paths);
+  paths.AddTerrain(a.request.source.terrain);
+  CheckPaths(paths);
+  const Result<RobotModel> model = ReadRobot(a.robot);
+  if (!model) return Report(model.failure(), a.common);
+  if (a.check) {
+    const Result<MotionFindings> findings = ExamineMotion(*model, a.request);
+    if (!findings) return Report(findings.failure(), a.common);
+    return PrintRepair({*model, *findings}, "", a.common);
+  }
+  PlayRequest play;
+  play.play.world.engine = ProvingEngine();
+  std::optional<Result<PlayedWalk>> played;
+  const auto proves = [&](const MotionPlan& plan) {
+    if (a.no_play) return true;
+    played = PlayWalk(*model, plan, play);
+    return *played && (*played)->pass();
+  };
+  const Result<RepairedMotion> repaired = RepairMotion(*model, a.request, proves);
+  if (!repaired) return Report(repaired.failure(), a.common);
+  const Result<std::string> saved = SavePlan(repaired->plan, a.out);
+  if (!saved) return Report(saved.failure(), a.common);
+  if (a.no_play) return PrintRepair({*model, repaired->findings, &*repaired}, a.out, a.common);
+  if (!repaired->was_sound) played = PlayWalk(*model, repaired->plan, play);
+  if (!*played) return Report(played->failure(), a.common);
+  return PrintRepair({*model, repaired->findings, &*repaired, &**played}, a.out, a.common);
+}
+
+}  // namespace
+
+void AddRepair(Verb program, int& status) {
+  auto a = std::make_shared<RepairSettings>();
+  const Verb verb = program.AddVerb("repair", "Make the nearest motion that the robot can do from anyone's motion");
+  AddText(
+      verb, "MOTION", "FILE", a->request.source.file,
+      "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
+      ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
+      .Require();
+  verb.SetGroup("Robot and ground");
+  a->robot.AddTo(verb);
+  AddText(verb, "--terrain", "NAME", a->request.source.terrain,
+          "Ground of the motion, by name or file, see 'gaitwright terrains'; default flat.");
+  verb.SetGroup("Reading the file");
+  AddText(verb, "--columns", "FILE", a->request.source.columns_file,
+          "YAML file that maps the CSV's columns, see docs/import.md; default: by its first line.");
+  const OptionFields fields = a->request.Fields();
+  AddField(verb, "--rate-hz", fields, "rate_hz");
+  AddField(verb, "--quaternion-order", fields, "quaternion_order");
+  AddField(verb, "--angle-unit", fields, "angle_unit");
+  AddField(verb, "--length-unit", fields, "length_unit");
+  AddField(verb, "--time-unit", fields, "time_unit");
+  verb.SetGroup("Output");
+  AddText(verb, "--out", "FILE", a->out,
+          "Plan file to write; its folder is created if missing; default repaired.json.");
+  verb.AddSwitch("--check", a->check, "Only say what is wrong with the motion; default: no.");
+  verb.AddSwitch("--no-play", a->no_play, "Do not play the plan in physics; default: no.");
+  AddCommon(verb, a->common,
+            {"repair dance.csv --urdf g1.urdf --out dance.json", "repair pace.txt --robot laikago --check --json"});
+  AddOptionList(verb, a->request.Fields(), a->common.json);
+  SetWork(verb, a->common, status, [a] { return RunRepair(*a); });
+}
+
+}  // namespace gaitwright::cli

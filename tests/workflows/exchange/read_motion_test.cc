@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/named_robot.h"
+#include "tests/scratch_folder.h"
+#include "workflows/exchange/read_motion_internal.h"
+
+namespace gaitwright {
+namespace {
+
+Result<MotionText> TextOf(const std::string& name, const std::string& text) {
+  std::ofstream(ScratchFile(name)) << text;
+  ImportRequest request;
+  request.file = ScratchFile(name);
+  return ReadMotionText(request);
+}
+
+TEST(ReadMotion, TellsFormatsByEndingAndContent) {
+  EXPECT_TRUE(TextOf("a.csv", "time_s,x\n0,1\n")->is_csv);
+  EXPECT_TRUE(TextOf("a.txt", "0,1\n").value().is_csv);
+  EXPECT_FALSE(TextOf("b.txt", "{\"FrameDuration\": 0.1, \"Frames\": []}")->is_csv) << "JSON in a text file";
+  EXPECT_TRUE(TextOf("a.yaml", "footsteps: []\n")->has_footsteps);
+  EXPECT_FALSE(TextOf("a.json", "{\"joint_names\": [], \"points\": []}")->has_footsteps);
+}
+
+TEST(ReadMotion, RefusesOtherFiles) {
+  EXPECT_NE(TextOf("a.bvh", "HIERARCHY").failure().message.find("a file of type '.bvh' is not a known motion"),
+            std::string::npos);
+  EXPECT_NE(
+      TextOf("plan.json", "{\"format\": \"gaitwright-motion-plan\"}").failure().message.find("accept it directly"),
+      std::string::npos);
+  ImportRequest request;
+  request.file = ScratchFolder().string();
+  EXPECT_NE(ReadMotionText(request).failure().message.find("is a folder"), std::string::npos);
+}
+
+TEST(ReadMotion, ReadsFramesWhereNoColumnHasAName) {
+  ImportRequest request;
+  request.file = "motion.csv";
+  const std::string row = "0,0,1,0,0,0,1" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0") + "\n";
+  const auto table = ReadMotionTable(NamedRobot("a1"), {row + row, true, false}, request);
+  ASSERT_TRUE(table.ok()) << table.failure().message;
+  EXPECT_EQ(table->format, "frames-csv");
+  EXPECT_EQ(table->rows(), 2);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "planning/terrain/load_terrain.h"
+#include "tests/workflows/repair/standing_motion.h"
+#include "workflows/repair/found_contacts_internal.h"
+
+namespace gaitwright {
+namespace {
+
+FoundContacts ContactsOf(const EvenMotion& motion) {
+  const RobotModel& model = NamedRobot("a1");
+  const Terrain flat = LoadTerrain("flat", ScaleOf(model)).value();
+  return FindContacts(model, motion, FeetOf(model, flat, motion), {});
+}
+
+constexpr int kRows = 200;
+
+TEST(FoundContacts, AllFeetStandWhereTheRobotFloats) {
+  EvenMotion motion = synthetic::Standing(NamedRobot("a1"), kRows);
+  for (VectorX& q : motion.q) q[2] += 0.03;
+  const FoundContacts found = ContactsOf(motion);
+  EXPECT_NEAR(found.height_m, 0.03, 1e-3);
+  for (const FootSet stance : found.stance) EXPECT_EQ(stance, AllFeet(4));
+}
+
+TEST(FoundContacts, AFootInTheAirSwings) {
+  const RobotModel& model = NamedRobot("a1");
+  EvenMotion motion = synthetic::Standing(model, kRows);
+  synthetic::BendKnee(model, 1, 80, 120, motion);
+  const FoundContacts found = ContactsOf(motion);
+  const std::vector<RowRange> stances = StancesOf(found.stance, 1);
+  ASSERT_EQ(stances.size(), 2U);
+  EXPECT_NEAR(stances[0].last, 78, 2);
+  EXPECT_NEAR(stances[1].first, 121, 2);
+  EXPECT_EQ(StancesOf(found.stance, 0).size(), 1U);
+}
+
+TEST(FoundContacts, ShortSwingsAndShortStancesAreTakenAway) {
+  const RobotModel& model = NamedRobot("a1");
+  EvenMotion motion = synthetic::Standing(model, kRows);
+  synthetic::BendKnee(model, 0, 50, 54, motion);
+  synthetic::BendKnee(model, 2, 80, 120, motion);
+  synthetic::BendKnee(model, 2, 125, 160, motion);
+  const FoundContacts found = ContactsOf(motion);
+  EXPECT_EQ(StancesOf(found.stance, 0).size(), 1U) << "four rows are no swing";
+  EXPECT_EQ(StancesOf(found.stance, 2).size(), 2U) << "five rows are no stance";
+  EXPECT_EQ(found.short_swings, 1);
+  EXPECT_EQ(found.short_stances, 1);
+}
+
+TEST(FoundContacts, ARobotThatDoesNotFallStandsOnSomeFoot) {
+  const RobotModel& model = NamedRobot("a1");
+  EvenMotion motion = synthetic::Standing(model, kRows);
+  for (int k = 90; k < 120; ++k) motion.q[static_cast<std::size_t>(k)][2] += 0.05;
+  FoundContacts found = ContactsOf(motion);
+  EXPECT_EQ(found.false_flights, 1);
+  for (const FootSet stance : found.stance) EXPECT_NE(stance, 0U);
+
+  for (int k = 90; k < 120; ++k) motion.a[static_cast<std::size_t>(k)][2] = -9.81;
+  found = ContactsOf(motion);
+  EXPECT_EQ(found.false_flights, 0);
+  EXPECT_EQ(found.stance[105], 0U) << "it falls freely";
+}
+
+}  // namespace
+}  // namespace gaitwright

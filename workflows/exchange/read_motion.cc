@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/text.h"
+#include "workflows/exchange/check_motion_table.h"
+#include "workflows/exchange/csv_motion.h"
+#include "workflows/exchange/derive_base.h"
+#include "workflows/exchange/even_motion.h"
+#include "workflows/exchange/frame_motion_internal.h"
+#include "workflows/exchange/joint_trajectory.h"
+#include "workflows/exchange/motion_file.h"
+#include "workflows/exchange/read_motion_internal.h"
+
+namespace gaitwright {
+namespace {
+
+std::string ExtensionOf(const std::string& file) { return LowerCase(std::filesystem::path(file).extension().string()); }
+
+/// Reads the table of a CSV. `request` gets the units of the column-names file.
+Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& text, ImportRequest& request) {
+  if (request.columns_file.empty() && LacksColumnNames(text))
+    return ParseNumberFrames(model, text, request.file, request.options);
+  const Result<CsvTable> table = ParseCsvTable(text, request.file);
+  if (!table) return table.failure();
+  CsvReading reading{request.columns_file, request.options};
+  Result<MotionTable> motion = MotionOfCsv(model, *table, reading);
+  request.options = reading.options;
+  return motion;
+}
+
+Result<MotionTable> ReadTrajectory(const RobotModel& model, const std::string& text, const ImportRequest& request) {
+  if (HoldsJsonFrames(text)) return ParseJsonFrames(model, text, request.file, request.options);
+  return ExtensionOf(request.file) == ".json" ? ParseJointTrajectoryJson(model, text, request.file, request.options)
+                                              : ParseJointTrajectory(model, text, request.file, request.options);
+}
+
+/// Whether a YAML text contains footsteps and not a joint trajectory.
+bool HoldsFootsteps(const std::string& text) {
+  return text.find("joint_names") == std::string::npos && text.find("footsteps") != std::string::npos;
+}
+
+/// Advice for a file that this program wrote, which needs no import; empty for other files.
+std::string InsteadOfImport(MotionFileKind kind) {
+  switch (kind) {
+    case MotionFileKind::kPlan:
+      return "'audit', 'play' and 'compare' accept it directly, and 'export' converts it for other programs";
+    case MotionFileKind::kLog:
+      return "'compare' and 'view' accept it directly; 'export LOG --plan PLAN --out motion.csv' writes its measured "
+             "motion as a CSV, which can be imported";
+    case MotionFileKind::kReport:
+      return "it contains no motion; 'compare' compares two reports, and the report's plan needs no import";
+    case MotionFileKind::kTrials:
+      return "it contains no motion; use it with 'audit PLAN --preflight --trials-result FILE'";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+Failure RefusedMotion(const std::string& file, const std::string& why) {
+  return {FailureKind::kBadInput, FailureCode::kImport, "ImportMotion", fmt::format("'{}': {}", file, why), {}};
+}
+
+Result<MotionText> ReadMotionText(const ImportRequest& request) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(request.file, ignored))
+    return RefusedMotion(request.file, "is a folder; give a file, such as a .csv or .yaml");
+  const std::string extension = ExtensionOf(request.file);
+  MotionText read;
+  read.is_csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
+  const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
+  if (!read.is_csv && !yaml) {
+    return RefusedMotion(
+        request.file,
+        fmt::format("a file of type '{}' is not a known motion; accepted: .csv, .tsv, .txt, .yaml, .yml, .json",
+                    extension));
+  }
+  Result<std::string> text = ReadFile(request.file);
+  if (!text) return text.failure();
+  read.text = std::move(*text);
+  const MotionFileKind kind = KindOfText(read.text);
+  if (const std::string instead = InsteadOfImport(kind); !instead.empty())
+    return RefusedMotion(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
+  // Frames of motion_imitation are often in a text file.
+  if (HoldsJsonFrames(read.text)) read.is_csv = false;
+  if (!read.is_csv && !request.columns_file.empty())
+    return RefusedMotion(request.file, "--columns is for a CSV file only");
+  read.has_footsteps = !read.is_csv && HoldsFootsteps(read.text);
+  return read;
+}
+
+Result<MotionTable> ReadMotionTable(const RobotModel& model, const MotionText& text, ImportRequest& request) {
+  return text.is_csv ? ReadCsvMotion(model, text.text, request) : ReadTrajectory(model, text.text, request);
+}
+
+EvenMotion EvenMotionOf(const RobotModel& model, const Terrain& terrain, const ImportOptions& asked, MotionTable table,
+                        ImportNotes& notes) {
+  ImportOptions options = asked;
+  notes.derived = table.derived;
+  if (options.smoothing_hz == 0.0 && table.format.starts_with("frames"))
+    options.smoothing_hz = CoarseSmoothingHz(table);
+  CheckMotionTable(model, terrain, options, table);
+  const bool placed = !table.base_m.empty(), turned = !table.quaternion.empty();
+  if (!placed) table.base_m.assign(table.time_s.size(), Vector3::Zero());
+  if (!turned) table.quaternion.assign(table.time_s.size(), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
+  EvenMotion motion = Resample(model, table, options, notes.derived, notes.warnings);
+  if (!placed) BlameJoints(model, table, [&] { DeriveBase(model, terrain, options, turned, motion, notes.derived); });
+  return motion;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/spatial/pose.h"
+#include "workflows/exchange/median_internal.h"
+#include "workflows/repair/found_contacts_internal.h"
+
+namespace gaitwright {
+namespace {
+
+std::size_t Row(int i) { return static_cast<std::size_t>(i); }
+
+/// Speed of the middle of a foot, and tilt of its sole against the vertical.
+double MiddleSpeed(const FootTrack& foot, int row, double step_s) {
+  const int last = static_cast<int>(foot.X_WF.size()) - 1, a = std::max(0, row - 1), b = std::min(last, row + 1);
+  return (foot.X_WF[Row(b)].translation() - foot.X_WF[Row(a)].translation()).norm() / (step_s * std::max(1, b - a));
+}
+
+double TiltOf(const Foot& foot, const FootTrack& track, int row) {
+  if (!foot.has_sole()) return 0.0;
+  return std::acos(std::clamp(track.X_WF[Row(row)].linear()(2, 2), -1.0, 1.0));
+}
+
+/// Changes runs of `value` that are shorter than `least` and touch neither end. @return how many.
+int TakeOutShort(std::vector<bool>& stands, bool value, int least) {
+  int changed = 0;
+  for (std::size_t begin = 0; begin < stands.size();) {
+    std::size_t end = begin;
+    while (end < stands.size() && stands[end] == stands[begin]) ++end;
+    if (stands[begin] == value && begin > 0 && end < stands.size() && end - begin < Row(least)) {
+      std::fill(stands.begin() + static_cast<std::ptrdiff_t>(begin), stands.begin() + static_cast<std::ptrdiff_t>(end),
+                !value);
+      ++changed;
+    }
+    begin = end;
+  }
+  return changed;
+}
+
+class ContactFinder {
+ public:
+  ContactFinder(const RobotModel& model, const EvenMotion& motion, const std::vector<FootTrack>& feet,
+                const RepairOptions& options)
+      : model_(model), motion_(motion), feet_(feet), options_(options), legs_(static_cast<int>(model.legs.size())) {}
+
+  FoundContacts Run() {
+    found_.height_m = StandingHeight();
+    const auto least = [&](double time_s) { return static_cast<int>(std::ceil(time_s / motion_.step_s)); };
+    for (int f = 0; f < legs_; ++f) {
+      stands_.push_back(Hysteresis(f));
+      found_.short_swings += TakeOutShort(stands_.back(), false, least(options_.least_swing_s));
+      found_.short_stances += TakeOutShort(stands_.back(), true, least(options_.least_stance_s));
+      TrimStances(f, least(options_.least_stance_s));
+    }
+    FillFalseFlights();
+    found_.stance.assign(motion_.q.size(), 0);
+    for (int f = 0; f < legs_; ++f) {
+      for (std::size_t k = 0; k < motion_.q.size(); ++k) {
+        if (stands_[Row(f)][k]) found_.stance[k] |= FootBit(f);
+      }
+    }
+    return found_;
+  }
+
+ private:
+  double SpeedUnit() const { return std::sqrt(kGravity * model_.leg_length_m()); }
+
+  int LowestFoot(int row) const {
+    int lowest = 0;
+    for (int f = 1; f < legs_; ++f) {
+      if (feet_[Row(f)].height_m[Row(row)] < feet_[Row(lowest)].height_m[Row(row)]) lowest = f;
+    }
+    return lowest;
+  }
+
+  /// Median height of the lowest foot where it is slow; over all rows where it is hardly ever slow.
+  double StandingHeight() const {
+    constexpr std::size_t kFew = 10;  // one in so many rows
+    std::vector<double> slow, all;
+    for (int k = 0; k < motion_.size(); ++k) {
+      const int f = LowestFoot(k);
+      all.push_back(feet_[Row(f)].height_m[Row(k)]);
+      if (MiddleSpeed(feet_[Row(f)], k, motion_.step_s) < options_.stand_speed * SpeedUnit())
+        slow.push_back(all.back());
+    }
+    return MedianOf(slow.size() * kFew < all.size() ? all : slow);
+  }
+
+  std::vector<bool> Hysteresis(int f) const {
+    const FootTrack& foot = feet_[Row(f)];
+    const double height_m = options_.stand_height * model_.leg_length_m(), speed = options_.stand_speed * SpeedUnit();
+    std::vector<bool> stands;
+    for (int k = 0; k < motion_.size(); ++k) {
+      const double factor = !stands.empty() && stands.back() ? options_.leave : 1.0;
+      stands.push_back(foot.height_m[Row(k)] - found_.height_m < factor * height_m &&
+                       MiddleSpeed(foot, k, motion_.step_s) < factor * speed &&
+                       TiltOf(model_.feet[Row(f)], foot, k) < factor * options_.stand_tilt_rad);
+    }
+    return stands;
+  }
+
+  /// Leaves out rows at both ends of a stance in which the foot is not at its usual height or moves: it lands or
+  /// leaves.
+  void TrimStances(int f, int least) {
+    constexpr double kStill = 0.004, kSlow = 0.5;  // of the leg length, of stand_speed
+    const FootTrack& foot = feet_[Row(f)];
+    std::vector<bool>& stands = stands_[Row(f)];
+    const double speed = kSlow * options_.stand_speed * SpeedUnit(), height_m = kStill * model_.leg_length_m();
+    for (int begin = 0; begin < motion_.size();) {
+      int end = begin;
+      while (end < motion_.size() && stands[Row(end)] == stands[Row(begin)]) ++end;
+      if (stands[Row(begin)]) {
+        const double usual_m =
+            MedianOf(std::vector<double>(foot.height_m.begin() + begin, foot.height_m.begin() + end));
+        const auto moves = [&](int k) {
+          return std::abs(foot.height_m[Row(k)] - usual_m) > height_m || MiddleSpeed(foot, k, motion_.step_s) > speed;
+        };
+        int first = begin, last = end - 1;
+        while (first > 0 && last - first >= least && moves(first)) ++first;
+        while (last + 1 < motion_.size() && last - first >= least && moves(last)) --last;
+        for (int k = begin; k < end; ++k) stands[Row(k)] = k >= first && k <= last;
+      }
+      begin = end;
+    }
+  }
+
+  bool AnyStands(int row) const {
+    return std::any_of(stands_.begin(), stands_.end(), [&](const std::vector<bool>& of) { return of[Row(row)]; });
+  }
+
+  /// Mean of the base while all feet are clearly over the ground; 0 if they never are.
+  double VerticalAcceleration(int begin, int end) const {
+    const double height_m = options_.stand_height * model_.leg_length_m() + found_.height_m;
+    double sum = 0.0;
+    int rows = 0;
+    for (int k = begin; k < end; ++k) {
+      if (feet_[Row(LowestFoot(k))].height_m[Row(k)] < height_m) continue;
+      sum += motion_.a[Row(k)][2];
+      ++rows;
+    }
+    return rows == 0 ? 0.0 : sum / rows;
+  }
+
+  /// Where no foot stands although the base does not fall, the foot that stood last keeps standing for half of the
+  /// time, and then the foot that stands next does.
+  void FillFalseFlights() {
+    constexpr double kFalls = 0.3;  // of g
+    for (int begin = 0; begin < motion_.size();) {
+      int end = begin;
+      while (end < motion_.size() && !AnyStands(end)) ++end;
+      if (end == begin) {
+        ++begin;
+        continue;
+      }
+      const bool whole = begin == 0 && end == motion_.size();
+      if (VerticalAcceleration(begin, end) > -kFalls * kGravity && !whole) {
+        ++found_.false_flights;
+        const int middle = begin == 0 ? begin : end == motion_.size() ? end : (begin + end) / 2;
+        Extend(begin - 1, begin, middle);
+        Extend(end, middle, end);
+      }
+      begin = end;
+    }
+  }
+
+  /// The feet that stand in a row also stand from `first` to before `behind`.
+  void Extend(int from, int first, int behind) {
+    for (auto& of : stands_) {
+      for (int k = first; k < behind && of[Row(from)]; ++k) of[Row(k)] = true;
+    }
+  }
+
+  const RobotModel& model_;
+  const EvenMotion& motion_;
+  const std::vector<FootTrack>& feet_;
+  const RepairOptions& options_;
+  const int legs_;
+  std::vector<std::vector<bool>> stands_;  // by foot, by row
+  FoundContacts found_;
+};
+
+}  // namespace
+
+FoundContacts FindContacts(const RobotModel& model, const EvenMotion& motion, const std::vector<FootTrack>& feet,
+                           const RepairOptions& options) {
+  return ContactFinder(model, motion, feet, options).Run();
+}
+
+std::vector<RowRange> StancesOf(const std::vector<FootSet>& stance, int foot) {
+  std::vector<RowRange> ranges;
+  for (int k = 0; k < static_cast<int>(stance.size()); ++k) {
+    if (!Contains(stance[Row(k)], foot)) continue;
+    if (ranges.empty() || ranges.back().last != k - 1) ranges.push_back({k, k});
+    ranges.back().last = k;
+  }
+  return ranges;
+}
+
+}  // namespace gaitwright

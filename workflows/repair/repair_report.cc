@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "workflows/repair/repair_report_internal.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kMovedLittle = 1e-3, kTiltedLittle = 0.01;  // [m], [rad]: changes that are not listed
+
+using Json = nlohmann::ordered_json;
+
+void AddContactChange(const MotionFindings& findings, std::vector<RepairChange>& changes) {
+  const FoundContacts& c = findings.contacts;
+  const int count = c.short_stances + c.short_swings + c.false_flights;
+  if (count == 0) return;
+  changes.push_back({"contacts", "", 0.0, findings.duration_s, static_cast<double>(count), "1",
+                     fmt::format("contacts: {} short stances and {} short swings were taken away, and {} times without "
+                                 "a foot on the ground in which the robot does not fall",
+                                 c.short_stances, c.short_swings, c.false_flights)});
+}
+
+void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& changes) {
+  const RestedMotion& r = findings.rested;
+  const double end_s = r.motion.TimeOf(r.motion.size() - 1);
+  if (r.stood_start_s > 0.0) {
+    changes.push_back(
+        {"stood", "", 0.0, r.stood_start_s, r.stood_start_s, "s",
+         fmt::format("stood: {:.2f} s were added at the start, because the file begins with a foot in the "
+                     "air; the robot first stands on all feet and lifts it",
+                     r.stood_start_s)});
+  }
+  if (r.slowed_start_s > 0.0) {
+    changes.push_back({"slowed", "", r.stood_start_s, r.stood_start_s + r.slowed_start_s, 0.5 * r.slowed_start_s, "s",
+                       fmt::format("slowed: the first {:.2f} s take {:.2f} s, because the file does not begin at rest",
+                                   0.5 * r.slowed_start_s, r.slowed_start_s)});
+  }
+  if (r.slowed_end_s > 0.0) {
+    const double until_s = end_s - r.stood_end_s;
+    changes.push_back({"slowed", "", until_s - r.slowed_end_s, until_s, 0.5 * r.slowed_end_s, "s",
+                       fmt::format("slowed: the last {:.2f} s take {:.2f} s, because the file does not end at rest",
+                                   0.5 * r.slowed_end_s, r.slowed_end_s)});
+  }
+  if (r.stood_end_s > 0.0) {
+    changes.push_back(
+        {"stood", "", end_s - r.stood_end_s, end_s, r.stood_end_s, "s",
+         fmt::format("stood: {:.2f} s were added at the end, because the file ends with a foot in the air; "
+                     "the robot sets it down and stands",
+                     r.stood_end_s)});
+  }
+}
+
+Json AuditOf(const AuditReport& report) { return Json::parse(AuditJson(report)); }
+
+Json ChangeJson(const RepairChange& change) {
+  return {{"what", change.what}, {"where", change.where}, {"start_s", change.start_s}, {"end_s", change.end_s},
+          {"by", change.by},     {"unit", change.unit},   {"text", change.text}};
+}
+
+Json DistanceJson(const MotionDistance& d) {
+  return {{"joint_rms_rad", d.joint_rms_rad},         {"joint_mean_rad", d.joint_mean_rad},
+          {"joint_largest_rad", d.joint_largest_rad}, {"joint_largest", d.joint_largest},
+          {"joint_largest_at_s", d.joint_largest_s},  {"base_rms_m", d.base_rms_m},
+          {"base_largest_m", d.base_largest_m},       {"base_largest_at_s", d.base_largest_s},
+          {"base_turn_rms_rad", d.base_turn_rms_rad}};
+}
+
+std::string DistanceText(const MotionDistance& d) {
+  return fmt::format(
+      "distance from the file: joints {:.4f} rad RMS, at most {:.3f} rad ('{}' at {:.2f} s); base {:.1f} mm RMS, at "
+      "most "
+      "{:.1f} mm at {:.2f} s; base turned {:.4f} rad RMS\n",
+      d.joint_rms_rad, d.joint_largest_rad, d.joint_largest, d.joint_largest_s, 1e3 * d.base_rms_m,
+      1e3 * d.base_largest_m, d.base_largest_s, d.base_turn_rms_rad);
+}
+
+std::string BeforeText(const MotionFindings& findings) {
+  if (!findings.before) return fmt::format("before: cannot be audited: {}\n", findings.not_audited);
+  return "before: " + AuditText(*findings.before);
+}
+
+}  // namespace
+
+std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFindings& findings) {
+  std::vector<RepairChange> changes;
+  if (findings.smoothing_hz > 0.0) {
+    changes.push_back({"smoothed", "", 0.0, findings.duration_s, findings.smoothing_hz, "Hz",
+                       fmt::format("smoothed: positions were smoothed above {:.3g} Hz", findings.smoothing_hz)});
+  }
+  AddContactChange(findings, changes);
+  AddTimeChanges(findings, changes);
+  const double lift_m = findings.clean.lift_m;
+  if (std::abs(lift_m) > kMovedLittle) {
+    changes.push_back(
+        {"lifted", "", 0.0, findings.duration_s, lift_m, "m",
+         fmt::format("lifted: the base was moved {} by {:.1f} mm, because the feet {}", lift_m > 0.0 ? "up" : "down",
+                     1e3 * std::abs(lift_m), lift_m > 0.0 ? "sink into the ground" : "float above it")});
+  }
+  for (const PinnedStance& stance : findings.clean.stances) {
+    if (stance.slid_m < kMovedLittle && stance.tilt_rad < kTiltedLittle) continue;
+    const std::string& foot = model.feet[static_cast<std::size_t>(stance.foot)].name;
+    changes.push_back({"pinned", foot, stance.start_s, stance.end_s, stance.slid_m, "m",
+                       fmt::format("pinned: foot '{}' from {:.2f} to {:.2f} s, moved by up to {:.1f} mm{}", foot,
+                                   stance.start_s, stance.end_s, 1e3 * stance.slid_m,
+                                   stance.tilt_rad < kTiltedLittle
+                                       ? ""
+                                       : fmt::format(", turned flat by up to {:.2f} rad", stance.tilt_rad))});
+  }
+  return changes;
+}
+
+bool RepairResult::pass() const {
+  if (repaired == nullptr) return findings.before && findings.before->pass();
+  return repaired->after.pass() && (played == nullptr || played->pass());
+}
+
+std::string RepairText(const RepairResult& result) {
+  const MotionFindings& findings = result.findings;
+  std::string text = fmt::format("{}: {} rows of {}, {:.3f} s\n", result.model.name, findings.rows, findings.format,
+                                 findings.duration_s);
+  for (const DerivedPart& part : findings.notes.derived) text += fmt::format("derived: {}: {}\n", part.what, part.how);
+  for (const std::string& warning : findings.notes.warnings) text += fmt::format("warning: {}\n", warning);
+  text += BeforeText(findings);
+  const bool kept = result.repaired != nullptr && result.repaired->was_sound;
+  for (const RepairChange& change : ChangesOf(result.model, findings)) {
+    if (!kept || change.what == "smoothed") text += change.text + "\n";
+  }
+  if (result.repaired == nullptr) return text;
+  if (kept) text += "the motion is sound as it is, and was kept\n";
+  text += DistanceText(result.repaired->distance);
+  if (!kept) text += result.repaired->finished.summary + "\n";
+  text += "after: " + AuditText(result.repaired->after);
+  if (result.played == nullptr) return text;
+  const std::vector<EngineVerdict> verdicts = VerdictsOf(*result.played);
+  text += verdicts.empty()
+              ? fmt::format("played: {}, {:.1f}\n", result.played->pass() ? "pass" : "fail", result.played->score())
+              : "played: " + VerdictsText(verdicts) + "\n";
+  return text;
+}
+
+std::string RepairJson(const RepairResult& result, const std::string& plan_path) {
+  const MotionFindings& findings = result.findings;
+  Json changes = Json::array(), derived = Json::array();
+  const bool kept = result.repaired != nullptr && result.repaired->was_sound;
+  for (const RepairChange& change : ChangesOf(result.model, findings)) {
+    if (!kept || change.what == "smoothed") changes.push_back(ChangeJson(change));
+  }
+  for (const DerivedPart& part : findings.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
+  Json json = {{"robot", result.model.name},
+               {"verdict", result.pass() ? "pass" : "fail"},
+               {"format", findings.format},
+               {"rows", findings.rows},
+               {"duration_s", findings.duration_s},
+               {"smoothing_hz", findings.smoothing_hz},
+               {"derived", derived},
+               {"warnings", findings.notes.warnings},
+               {"kept", kept},
+               {"before", findings.before ? AuditOf(*findings.before) : Json()},
+               {"changes", changes}};
+  if (result.repaired == nullptr) return json.dump(2);
+  const FinishReport& finished = result.repaired->finished;
+  json["distance"] = DistanceJson(result.repaired->distance);
+  json["after"] = AuditOf(result.repaired->after);
+  json["optimisation"] = {{"knots", finished.knots},
+                          {"solves", finished.solves},
+                          {"iterations", finished.iterations},
+                          {"solve_cpu_s", finished.solve_cpu_s}};
+  Json engines = Json::object();
+  if (result.played != nullptr) {
+    for (const EngineVerdict& verdict : VerdictsOf(*result.played))
+      engines[verdict.engine] = {{"verdict", VerdictName(verdict)}, {"score", verdict.score}, {"cause", verdict.cause}};
+    json["score"] = result.played->score();
+    json["reason"] = result.played->decisive().report.reason;
+  }
+  json["engines"] = engines;
+  json["files"] = {{"plan", plan_path}};
+  return json.dump(2);
+}
+
+}  // namespace gaitwright

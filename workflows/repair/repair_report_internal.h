@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workflows/repair/repair_motion_internal.h"
+#include "workflows/walk/engine_verdict.h"
+
+namespace gaitwright {
+
+/// A change that a repair made, or would make.
+struct RepairChange {
+  std::string what;   ///< "smoothed", "lifted", "slowed", "stood", "pinned", "contacts"
+  std::string where;  ///< foot; "" for the whole robot
+  double start_s = 0.0, end_s = 0.0;
+  double by = 0.0;  ///< in `unit`
+  std::string unit;
+  std::string text;  ///< one sentence
+};
+
+/// The changes of contacts and times, in order.
+std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFindings& findings);
+
+/// Result of a repair with the playback of its plan, if it was played.
+struct RepairResult {
+  const RobotModel& model;
+  const MotionFindings& findings;
+  const RepairedMotion* repaired = nullptr;  ///< null: only examined
+  const PlayedWalk* played = nullptr;
+
+  /// The audit passes, and all engines that played.
+  bool pass() const;
+};
+
+std::string RepairText(const RepairResult& result);
+
+/// An object as of docs/repair.md. @param plan_path "" if none was written.
+std::string RepairJson(const RepairResult& result, const std::string& plan_path);
+
+}  // namespace gaitwright
