@@ -30,13 +30,12 @@ struct BodyStrategyTrials {
 };
 
 /// Finds the height, lean and preferred ZMP of the body. The preferred posture is tried first. If it violates limits
-/// and cannot be mended, other postures are tried, and each is kept if it reduces the limit violation. On uneven ground the body is
-/// temporarily higher or lower. Above single soles it also leans forward, so that the rear hip bends less; on one sole
-/// the ZMP moves inward, which helps ankles and hips with small roll ranges. Finally, unless a height is requested, the
-/// body is lowered step by step while that brings feet into reach or reduces violations, for example of straight knees.
-/// At that height, lean and ZMP are tried again.
-/// If no posture keeps all limits, returns the motion with the smallest violation; if no posture reaches all feet, the
-/// failure of the first one.
+/// and cannot be mended, other postures are tried, and each is kept if it reduces the limit violation. On uneven ground
+/// the body is temporarily higher or lower. Above single soles it also leans forward, so that the rear hip bends less;
+/// on one sole the ZMP moves inward, which helps ankles and hips with small roll ranges. Finally, unless a height is
+/// requested, the body is lowered step by step while that brings feet into reach or reduces violations, for example of
+/// straight knees. At that height, lean and ZMP are tried again. If no posture keeps all limits, returns the motion
+/// with the smallest violation; if no posture reaches all feet, the failure of the first one.
 Result<MotionPass> FindBodyStrategy(const BodyStrategyProblem& problem, const BodyStrategyTrials& trials);
 
 }  // namespace gaitwright
