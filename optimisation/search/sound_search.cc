@@ -166,7 +166,7 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;
   Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
-  if (!sound && IsOfJoints(*result.evaluation.refusal))
+  if (!sound && !situation.may_slow_down && IsOfJoints(*result.evaluation.refusal))
     sound = FirstSound(FinishedVariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
   if (!sound && situation.may_slow_down && situation.kind == Kind::kLevel)
     sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
