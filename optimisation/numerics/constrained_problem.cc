@@ -21,14 +21,20 @@ struct Term {
   const VectorFunction* function;
   std::vector<int> variables;
   const Constraint* constraint = nullptr;  // null: a residual
+  bool is_equality = false;
   VectorX lambda = {};
   double rho = 1.0;
+  bool affine = false;
   VectorX x = {}, value = {}, excess = {};
   MatrixX J = {};
+  bool has_jacobian = false;  ///< J is that of an affine function
 
+  /// The Jacobian of an affine function is computed once.
   void Evaluate(bool wants_jacobian) {
-    if (wants_jacobian) J.setZero();
-    (*function)(x, value, wants_jacobian ? &J : nullptr);
+    const bool computes = wants_jacobian && !has_jacobian;
+    if (computes) J.setZero();
+    (*function)(x, value, computes ? &J : nullptr);
+    has_jacobian = has_jacobian || (computes && affine);
   }
 
   void EvaluateAt(const VectorX& all, bool wants_jacobian) {
@@ -71,6 +77,16 @@ class Cost final : public ceres::CostFunction {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       term_.x[static_cast<Eigen::Index>(i)] = parameters[places_[i].block][places_[i].offset];
     }
+    const bool is_bounded = term_.constraint != nullptr && !term_.is_equality;
+    if (is_bounded && jacobians != nullptr) {  // most inequalities are inactive, and need no Jacobian
+      term_.Evaluate(false);
+      if (!term_.value.allFinite()) return false;
+      term_.FindViolations();
+      if (term_.excess.isZero(0.0)) {
+        WriteZeros(residuals, jacobians);
+        return true;
+      }
+    }
     term_.Evaluate(jacobians != nullptr);
     if (!term_.value.allFinite() || (jacobians != nullptr && !term_.J.allFinite())) return false;
     double root = 1.0;
@@ -86,6 +102,13 @@ class Cost final : public ceres::CostFunction {
   }
 
  private:
+  void WriteZeros(double* residuals, double** jacobians) const {
+    std::fill_n(residuals, num_residuals(), 0.0);
+    for (std::size_t b = 0; b < parameter_block_sizes().size(); ++b) {
+      if (jacobians[b] != nullptr) std::fill_n(jacobians[b], num_residuals() * parameter_block_sizes()[b], 0.0);
+    }
+  }
+
   void WriteJacobians(double root, double** jacobians) const {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       double* block = jacobians[places_[i].block];
@@ -132,9 +155,14 @@ class Solver {
   Solver(const ConstrainedProblem& problem, const ConstrainedOptions& options)
       : problem_(problem), options_(options), x_(problem.start) {
     const int n = static_cast<int>(x_.size());
-    for (const Residual& r : problem.residuals) terms_.push_back({&r.function, CheckedVariables(r.variables, n)});
-    for (const Constraint& c : problem.constraints)
-      terms_.push_back({&c.function, CheckedVariables(c.variables, n), &c});
+    for (const Residual& r : problem.residuals) {
+      terms_.push_back({&r.function, CheckedVariables(r.variables, n)});
+      terms_.back().affine = r.affine;
+    }
+    for (const Constraint& c : problem.constraints) {
+      terms_.push_back({&c.function, CheckedVariables(c.variables, n), &c, c.lower == c.upper});
+      terms_.back().affine = c.affine;
+    }
     blocks_ = BlocksOf(terms_, n);
     AddBounds();
     for (Term& term : terms_) MakeRoom(term);
@@ -149,6 +177,7 @@ class Solver {
     for (solution_.outer = 1; solution_.outer <= options_.max_outer; ++solution_.outer) {
       const auto [moved, converged] = Minimise(tolerance);
       Measure();
+      if (IsInfeasible()) break;
       if (!moved && solution_.violation > options_.tolerance && stalled < 4) {
         tolerance *= 1e-3;
         ++stalled;
@@ -279,6 +308,14 @@ class Solver {
     return {summary.num_successful_steps > 1, summary.termination_type == ceres::CONVERGENCE};
   }
 
+  /// Asks once whether the constraints can be satisfied at all, if they are still violated after some steps.
+  bool IsInfeasible() {
+    const bool asks = !asked_ && options_.is_infeasible && solution_.iterations >= options_.ask_after;
+    if (!asks || solution_.violation <= options_.tolerance) return false;
+    asked_ = true;
+    return options_.is_infeasible();
+  }
+
   void Measure() {
     solution_.cost = solution_.violation = 0.0;
     for (Term& term : terms_) {
@@ -357,7 +394,7 @@ class Solver {
   std::deque<Constraint> bounds_;
   std::vector<Term> terms_;
   std::vector<Block> blocks_;
-  bool has_constraints_ = false;
+  bool has_constraints_ = false, asked_ = false;
   double first_rho_ = 1.0;
   ceres::Problem ceres_problem_;
   ConstrainedSolution solution_;
