@@ -188,6 +188,7 @@ class RigidBodyPlanner {
     solving.max_inner = 40;
     solving.max_steps = 200;  // converges after 30 to 120 iterations, if at all
     solving.ask_after = 60;
+    solving.ask_beyond = 10.0 * options_.tolerance;
     solving.is_infeasible = [this] { return IsInfeasible(); };
     return Solve(rows, solving, &at).ok();
   }

@@ -24,7 +24,8 @@ bool Auditor::Flies(double time_s) const {
 
 /// In flight, with the mass m, the centre of mass C and the angular momentum L about it:
 ///   m (a_WC - g) = 0,   dL/dt = 0,
-/// at each sample by the accelerations, and over the whole flight by the velocities, which accelerations need not match.
+/// at each sample by the accelerations, and over the whole flight by the velocities, which accelerations need not
+/// match.
 void Auditor::CheckFlight(double time_s) {
   if (!flies_) return EndFlight();
   const Vector3 force_W = needed_.head<3>();

@@ -49,7 +49,8 @@ class InTheAir {
   MotionPlan Moved(const OfTime& up_m_s2, const OfTime& turn_rad_s2 = {}) const {
     const int rows = 1 + static_cast<int>(std::lround(kLasts / step_s_));
     const auto heights = Integrated(up_m_s2, rows, step_s_);
-    const auto turns = Integrated(turn_rad_s2 ? turn_rad_s2 : [](double) { return 0.0; }, rows, step_s_);
+    const auto turns = Integrated(
+        turn_rad_s2 ? turn_rad_s2 : [](double) { return 0.0; }, rows, step_s_);
     MotionPlan plan;
     plan.robot = model_.name;
     plan.terrain = FlatTerrain();
