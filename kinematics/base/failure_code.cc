@@ -50,6 +50,7 @@ constexpr NamedCode kNamedCodes[] = {
     NamedCode{FailureCode::kFastMotor, "fast_motor"},
     NamedCode{FailureCode::kFaultsBetween, "faults_between"},
     NamedCode{FailureCode::kFileNamedTwice, "file_named_twice"},
+    NamedCode{FailureCode::kFlight, "flight"},
     NamedCode{FailureCode::kFlightTooLong, "flight_too_long"},
     NamedCode{FailureCode::kFloatingRoot, "floating_root"},
     NamedCode{FailureCode::kFootClearance, "foot_clearance"},

@@ -49,6 +49,7 @@ enum class FailureCode {
   kFastMotor,
   kFaultsBetween,
   kFileNamedTwice,
+  kFlight,
   kFlightTooLong,
   kFloatingRoot,
   kFootClearance,

@@ -10,7 +10,7 @@ const std::vector<std::string>& LawNames() {
   static const std::vector<std::string> names = {
       "consistency",   "start_posture",  "joint_position", "joint_velocity", "joint_acceleration", "joint_jerk",
       "reach",         "self_collision", "foot_clearance", "body_clearance", "zmp_support",        "unilateral",
-      "friction_cone", "dynamics",       "joint_torque",   "torque_speed",   "continuous_torque"};
+      "friction_cone", "flight",         "dynamics",       "joint_torque",   "torque_speed",       "continuous_torque"};
   return names;
 }
 

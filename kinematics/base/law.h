@@ -26,6 +26,7 @@ enum class Law {
   kZmpSupport,
   kUnilateral,
   kFrictionCone,
+  kFlight,  ///< free fall and constant angular momentum without contact
   kDynamics,
   kJointTorque,
   kTorqueSpeed,

@@ -122,6 +122,7 @@ class RigidBodyPlanner {
   Result<RigidBodyPlan> Refined() {
     while (true) {
       SolveOnce();
+      if (not_carried_) return *not_carried_;
       RigidBodySummary& summary = plan_.summary;
       if (summary.violation > options_.tolerance) return Unmet(problem_, summary.worst, summary.unmet);
       if (summary.faults.Largest() <= options_.fault_tolerance) return plan_;
@@ -167,7 +168,15 @@ class RigidBodyPlanner {
     return SolveElastic(rows, solving, &at).ok();
   }
 
-  bool SolveByCeres(const ConstrainedProblem& rows, ConstrainedSolution& at) const {
+  /// Checks once, while constraints are violated, whether the problem is infeasible. Not after a warm start, because a
+  /// similar problem was feasible.
+  bool IsInfeasible() {
+    if (!checked_ && !breaks_stay_) not_carried_ = ReasonNotCarried(problem_, options_);
+    checked_ = true;
+    return not_carried_.has_value();
+  }
+
+  bool SolveByCeres(const ConstrainedProblem& rows, ConstrainedSolution& at) {
     ConstrainedOptions solving;
     solving.tolerance = options_.tolerance;
     solving.cost_tolerance = options_.cost_tolerance;
@@ -178,6 +187,9 @@ class RigidBodyPlanner {
     solving.max_outer = 25;
     solving.max_inner = 40;
     solving.max_steps = 200;  // converges after 30 to 120 iterations, if at all
+    solving.ask_after = 60;
+    solving.ask_beyond = 10.0 * options_.tolerance;
+    solving.is_infeasible = [this] { return IsInfeasible(); };
     return Solve(rows, solving, &at).ok();
   }
 
@@ -192,7 +204,7 @@ class RigidBodyPlanner {
       summary.iterations += at.iterations;
       rows.start = at.x;
     }
-    if (options_.method != "ceres" || at.violation > options_.tolerance)
+    if (options_.method != "ceres" || (at.violation > options_.tolerance && !IsInfeasible()))
       summary.settled = SolveByInteriorPoint(rows, at);
     start_ = at.x;
     plan_.motion = MotionOf(problem_, *unknowns_, at.x);
@@ -219,6 +231,8 @@ class RigidBodyPlanner {
   VectorX start_;
   double first_gap_ = kFirstGap;
   bool breaks_stay_ = false;
+  bool checked_ = false;
+  std::optional<Failure> not_carried_;  // result of the early infeasibility check
 };
 
 }  // namespace

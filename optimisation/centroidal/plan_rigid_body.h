@@ -87,12 +87,13 @@ struct RigidBodyPlan {
 /// and a foot acceleration a. If violations at 1 kHz, also between nodes, exceed fault_tolerance, it is planned again:
 /// with additional reach checks if only reach is violated, else with half the node spacing. Failure kInfeasible
 /// `unmet_law` names the violated constraints with place and size, `faults_between` those violated between nodes after
-/// all refinements; `last` then has the last state.
+/// all refinements; `last` then has the last state. If the method is `ceres` and it leaves constraints violated after
+/// some iterations, ReasonNotCarried may end it with its failure, so that infeasible problems are refused early.
 /// @throws InvalidArgument as CheckRigidBodyProblem does.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
 
-/// Checks before PlanRigidBody, at a tenth of its cost, whether forces could carry the body at all with free rotation,
+/// Checks at a fraction of the cost of PlanRigidBody whether forces could carry the body at all with free rotation,
 /// free swings and the full reach and friction cones. @return kInfeasible `not_carried` with the violated constraints
 /// if violations exceed `infeasible` in all; nothing if a motion may exist. If the planner is not interior-point, the
 /// full problem is checked by that method too, with `unmet_law` if violations exceed five times as much.

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "optimisation/numerics/check_problem.h"
+#include "optimisation/numerics/variable_blocks_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -21,14 +22,20 @@ struct Term {
   const VectorFunction* function;
   std::vector<int> variables;
   const Constraint* constraint = nullptr;  // null: a residual
+  bool is_equality = false;
   VectorX lambda = {};
   double rho = 1.0;
+  bool affine = false;
   VectorX x = {}, value = {}, excess = {};
   MatrixX J = {};
+  bool has_jacobian = false;  ///< J is that of an affine function
 
+  /// The Jacobian of an affine function is computed once.
   void Evaluate(bool wants_jacobian) {
-    if (wants_jacobian) J.setZero();
-    (*function)(x, value, wants_jacobian ? &J : nullptr);
+    const bool computes = wants_jacobian && !has_jacobian;
+    if (computes) J.setZero();
+    (*function)(x, value, computes ? &J : nullptr);
+    has_jacobian = has_jacobian || (computes && affine);
   }
 
   void EvaluateAt(const VectorX& all, bool wants_jacobian) {
@@ -47,11 +54,6 @@ struct Term {
   }
 };
 
-/// Neighbouring variables that occur in the same terms.
-struct Block {
-  int start, size;
-};
-
 /// Position of a term's variable in the term's blocks.
 struct Place {
   std::size_t block;
@@ -61,15 +63,25 @@ struct Place {
 /// A term as a Ceres cost function. Evaluates in the term's own memory, so it is not thread-safe.
 class Cost final : public ceres::CostFunction {
  public:
-  Cost(Term& term, const std::vector<Block>& blocks, std::vector<Place> places)
+  Cost(Term& term, const std::vector<VariableBlock>& blocks, std::vector<Place> places)
       : term_(term), places_(std::move(places)) {
     set_num_residuals(static_cast<int>(term.value.size()));
-    for (const Block& block : blocks) mutable_parameter_block_sizes()->push_back(block.size);
+    for (const VariableBlock& block : blocks) mutable_parameter_block_sizes()->push_back(block.size);
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       term_.x[static_cast<Eigen::Index>(i)] = parameters[places_[i].block][places_[i].offset];
+    }
+    const bool is_bounded = term_.constraint != nullptr && !term_.is_equality;
+    if (is_bounded && jacobians != nullptr) {  // most inequalities are inactive, and need no Jacobian
+      term_.Evaluate(false);
+      if (!term_.value.allFinite()) return false;
+      term_.FindViolations();
+      if (term_.excess.isZero(0.0)) {
+        WriteZeros(residuals, jacobians);
+        return true;
+      }
     }
     term_.Evaluate(jacobians != nullptr);
     if (!term_.value.allFinite() || (jacobians != nullptr && !term_.J.allFinite())) return false;
@@ -86,6 +98,13 @@ class Cost final : public ceres::CostFunction {
   }
 
  private:
+  void WriteZeros(double* residuals, double** jacobians) const {
+    std::fill_n(residuals, num_residuals(), 0.0);
+    for (std::size_t b = 0; b < parameter_block_sizes().size(); ++b) {
+      if (jacobians[b] != nullptr) std::fill_n(jacobians[b], num_residuals() * parameter_block_sizes()[b], 0.0);
+    }
+  }
+
   void WriteJacobians(double root, double** jacobians) const {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       double* block = jacobians[places_[i].block];
@@ -107,35 +126,23 @@ void Identity(const VectorX& x, VectorX& value, MatrixX* J) {
   if (J != nullptr) J->setIdentity();
 }
 
-/// The coarsest blocks of neighbouring variables such that each term depends on all of a block or on nothing of it.
-std::vector<Block> BlocksOf(const std::vector<Term>& terms, int count) {
-  std::vector<std::vector<std::size_t>> seen_by(static_cast<std::size_t>(count));
-  for (std::size_t t = 0; t < terms.size(); ++t) {
-    if (static_cast<int>(terms[t].variables.size()) == count) continue;
-    for (const int v : terms[t].variables) seen_by[static_cast<std::size_t>(v)].push_back(t);
-  }
-  std::vector<Block> blocks;
-  for (int v = 0; v < count; ++v) {
-    const auto i = static_cast<std::size_t>(v);
-    if (v > 0 && seen_by[i] == seen_by[i - 1]) {
-      ++blocks.back().size;
-    } else {
-      blocks.push_back({v, 1});
-    }
-  }
-  return blocks;
-}
-
 /// The outer loop of the augmented Lagrangian.
 class Solver {
  public:
   Solver(const ConstrainedProblem& problem, const ConstrainedOptions& options)
       : problem_(problem), options_(options), x_(problem.start) {
     const int n = static_cast<int>(x_.size());
-    for (const Residual& r : problem.residuals) terms_.push_back({&r.function, CheckedVariables(r.variables, n)});
-    for (const Constraint& c : problem.constraints)
-      terms_.push_back({&c.function, CheckedVariables(c.variables, n), &c});
-    blocks_ = BlocksOf(terms_, n);
+    for (const Residual& r : problem.residuals) {
+      terms_.push_back({&r.function, CheckedVariables(r.variables, n)});
+      terms_.back().affine = r.affine;
+    }
+    for (const Constraint& c : problem.constraints) {
+      terms_.push_back({&c.function, CheckedVariables(c.variables, n), &c, c.lower == c.upper});
+      terms_.back().affine = c.affine;
+    }
+    std::vector<const std::vector<int>*> seen;
+    for (const Term& term : terms_) seen.push_back(&term.variables);
+    blocks_ = BlocksOf(seen, n);
     AddBounds();
     for (Term& term : terms_) MakeRoom(term);
     MatchCurvature();
@@ -149,6 +156,7 @@ class Solver {
     for (solution_.outer = 1; solution_.outer <= options_.max_outer; ++solution_.outer) {
       const auto [moved, converged] = Minimise(tolerance);
       Measure();
+      if (IsInfeasible()) break;
       if (!moved && solution_.violation > options_.tolerance && stalled < 4) {
         tolerance *= 1e-3;
         ++stalled;
@@ -182,7 +190,7 @@ class Solver {
   void AddBounds() {
     if (problem_.lower.size() == 0) return;
     x_ = x_.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
-    for (const Block& block : blocks_) {
+    for (const VariableBlock& block : blocks_) {
       std::vector<int> variables(static_cast<std::size_t>(block.size));
       std::iota(variables.begin(), variables.end(), block.start);
       bounds_.push_back({"bounds", Identity, problem_.lower.segment(block.start, block.size),
@@ -209,14 +217,14 @@ class Solver {
   }
 
   void Build() {
-    for (const Block& block : blocks_) ceres_problem_.AddParameterBlock(x_.data() + block.start, block.size);
+    for (const VariableBlock& block : blocks_) ceres_problem_.AddParameterBlock(x_.data() + block.start, block.size);
     std::vector<Place> where(static_cast<std::size_t>(x_.size()));
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       for (int i = 0; i < blocks_[b].size; ++i) where[static_cast<std::size_t>(blocks_[b].start + i)] = {b, i};
     }
     std::vector<std::size_t> slot(blocks_.size());
     for (Term& term : terms_) {
-      std::vector<Block> own;
+      std::vector<VariableBlock> own;
       std::vector<double*> pointers;
       std::fill(slot.begin(), slot.end(), blocks_.size());
       std::vector<Place> places;
@@ -277,6 +285,14 @@ class Solver {
     solution_.iterations += summary.num_successful_steps + summary.num_unsuccessful_steps;
     // The first evaluation counts as a successful step.
     return {summary.num_successful_steps > 1, summary.termination_type == ceres::CONVERGENCE};
+  }
+
+  /// Asks once whether the constraints can be satisfied at all, if they are still violated after some steps.
+  bool IsInfeasible() {
+    const bool asks = !asked_ && options_.is_infeasible && solution_.iterations >= options_.ask_after;
+    if (!asks || solution_.violation <= options_.ask_beyond) return false;
+    asked_ = true;
+    return options_.is_infeasible();
   }
 
   void Measure() {
@@ -356,8 +372,8 @@ class Solver {
   VectorX x_;
   std::deque<Constraint> bounds_;
   std::vector<Term> terms_;
-  std::vector<Block> blocks_;
-  bool has_constraints_ = false;
+  std::vector<VariableBlock> blocks_;
+  bool has_constraints_ = false, asked_ = false;
   double first_rho_ = 1.0;
   ceres::Problem ceres_problem_;
   ConstrainedSolution solution_;

@@ -91,10 +91,8 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   constexpr int kMending = 3;     // passes after swings have changed
   // Over uneven ground, swings need to know the motion of the legs over fixed footholds.
   const int at_least = uneven_ ? kFreePasses + 1 : 1;
-  const RigidBodyOptions options = Options();
-  auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use);
-  if (!failure && !free_) failure = ReasonNotCarried(problem_, options);
-  if (failure) return WithNamesOfFeet(model_, *failure);
+  if (const auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use))
+    return WithNamesOfFeet(model_, *failure);
   MotionPass best;
   int most = task_.options.pipeline.max_body_passes, least = std::min(at_least, most);
   for (passes = 0; passes < most;) {

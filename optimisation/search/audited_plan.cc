@@ -13,7 +13,9 @@ namespace {
 /// Whether a plan fails because its motion and its forces do not agree, and keeps the robot's limits: passes that did
 /// not settle.
 bool IsUnsettled(const PlannedWalk& planned) {
-  const auto disagrees = [](const Violation& v) { return v.law == Law::kConsistency || v.law == Law::kDynamics; };
+  const auto disagrees = [](const Violation& v) {
+    return v.law == Law::kConsistency || v.law == Law::kDynamics || v.law == Law::kFlight;
+  };
   const std::vector<Violation>& all = planned.audit.violations;
   return planned.motion.limit_excess < kSlightViolation && std::any_of(all.begin(), all.end(), disagrees) &&
          std::all_of(all.begin(), all.end(),

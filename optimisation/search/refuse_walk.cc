@@ -86,6 +86,12 @@ std::string LimitText(const Violation& v) {
         "{:.2g}; the friction or the support area is too small",
         v.at_s, v.value, v.unit, v.limit);
   }
+  if (v.law == Law::kFlight) {
+    return fmt::format(
+        "at {:.2f} s no foot is in contact, but the motion needs a {}: {:.3g} {} (limit {:.2g}); lower the speed or "
+        "shorten the flight",
+        v.at_s, v.where, v.value, v.unit, v.limit);
+  }
   if (v.law == Law::kZmpSupport) {
     return fmt::format("the {} is {:.1f} mm outside the support polygon at {:.2f} s (limit {:.2g} mm)", v.where,
                        1e3 * v.value, v.at_s, 1e3 * v.limit);

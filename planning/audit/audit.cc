@@ -45,6 +45,8 @@ void Auditor::NamePlaces() {
   places_.columns = findings_.Place(Law::kConsistency, "columns, as a share of their tolerance", "1");
   places_.base_force = findings_.Place(Law::kDynamics, "base force", "N");
   places_.base_moment = findings_.Place(Law::kDynamics, "base moment", "N m");
+  places_.fall = findings_.Place(Law::kFlight, "force on the centre of mass", "m g");
+  places_.spin = findings_.Place(Law::kFlight, "moment about the centre of mass", "m g l");
   places_.zmp = findings_.Place(Law::kZmpSupport, "zero-moment point", "m");
   places_.reference = findings_.Place(Law::kZmpSupport, "reference of the zero-moment point", "m");
   places_.self = findings_.Place(Law::kSelfCollision, "nearest links", "m");
@@ -140,7 +142,9 @@ AuditReport Auditor::Run() {
     const double ground_m =
         stance_ != 0 ? plane_.HeightAt(p_WC.head<2>()) : GroundAt(plan_.terrain, p_WC.head<2>()).height_m;
     com_height_m_ = p_WC.z() - ground_m;
+    flies_ = Flies(time_s);
     CheckDynamics(time_s);
+    CheckFlight(time_s);
     CheckContactForces(time_s);
     CheckZmp(time_s);
     joints_.Look(sample_, time_s);
@@ -151,6 +155,7 @@ AuditReport Auditor::Run() {
     CheckSolids(time_s);
     if (options_.margins) NearestOfAll(time_s);
   }
+  EndFlight();
   joints_.Finish(plan_.whole_body.end_s());
   CheckStart();
   CheckColumns();

@@ -57,6 +57,10 @@ struct AuditOptions {
 ///
 ///   dynamics       residual of the equations of motion: at most 0.02 m g of force and 0.02 m g h of moment; at a joint
 ///                  also at most 5 % of its effort limit
+///   flight         from one row after all feet have left the ground to one row before the first touch-down, instead of
+///                  dynamics of the base: the centre of mass falls freely, to a force of 0.02 m g, and the angular
+///                  momentum about it is constant, to a moment of 0.02 m g l (l: leg length). Both hold at each sample
+///                  by the accelerations, and on average over the flight by the velocities
 ///   unilateral     no pulling force; centre of pressure inside the part of the sole that is on its surface
 ///   friction_cone  tangential force at most friction times normal force
 ///   zmp_support    multibody ZMP, on the plane of the contacts, inside the hull of the scheduled soles (only the parts

@@ -26,7 +26,7 @@ void Auditor::CheckDynamics(double time_s) {
   const double moment_limit = force_limit * com_height_m_;
   const double force = residual.head<3>().norm(), moment = residual.segment<3>(3).norm();
   forces_hold_ = force <= kCertain * model_.weight_n() && moment <= kCertain * model_.weight_n() * com_height_m_;
-  if (!Hanging(time_s)) {
+  if (!flies_ && !Hanging(time_s)) {  // CheckFlight judges flights
     findings_.Hold(places_.base_force, time_s, force, force_limit, force_limit - force);
     findings_.Hold(places_.base_moment, time_s, moment, moment_limit, moment_limit - moment);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/collision/collision_checker.h"
@@ -31,6 +32,7 @@ class Auditor {
   bool Hanging(double time_s) const;
   bool InMiddle(int foot, double time_s, bool of_stance) const;
   bool SwingsThroughout(int foot, double time_s) const;
+  bool Flies(double time_s) const;
 
   /// Surface under a foot at its present or last foothold, or the highest ground if the foothold names no surface.
   struct Footing {
@@ -41,8 +43,13 @@ class Auditor {
   void FindFooting(double time_s);  // sets footing_, X_WF_ and points_ at the scratch's pose
   bool HoldsSurface(int surface) const { return surface >= 0 && surface < plan_.terrain.num_surfaces(); }
 
-  // Checks of one sample (audit_forces.cc, audit_motion.cc)
+  // Checks of one sample (audit_forces.cc, audit_flight.cc, audit_motion.cc)
   void CheckDynamics(double time_s);
+  void CheckFlight(double time_s);
+  void EndFlight();
+  void NoteFlight(int place, double time_s, double share);
+  void RemarkOnFlight(double lasted_s, double carried);
+  double FlightMoment() const { return model_.weight_n() * model_.leg_length_m(); }
   void CheckContactForces(double time_s);
   void CheckZmp(double time_s);
   void CheckWrenchCone(double time_s);
@@ -100,6 +107,7 @@ class Auditor {
   VectorX needed_;  // generalised forces of the motion
   FootSet stance_ = 0;
   bool forces_hold_ = false;      // the plan's contact forces give the needed wrench, inside their cones
+  bool flies_ = false;            // no foot is in contact; see Flies
   bool at_switch_ = false;        // a foot lands or lifts within one sample of this time
   GroundPlane plane_;             // through the points of the standing feet
   double com_height_m_ = 0.0;     // above plane_
@@ -112,9 +120,18 @@ class Auditor {
   Findings findings_;
   std::vector<std::string> remarks_;
   JointWatch joints_;
+  /// The present flight, with the centroidal momentum at its first and at its last sample.
+  struct Flight {
+    bool begun = false;
+    double start_s = 0.0, last_s = 0.0;
+    Vector6 first_W = Vector6::Zero(), last_W = Vector6::Zero();
+    std::vector<std::pair<double, double>> samples = {};  // time, and the larger share of force and moment
+  };
+  Flight flight_;
+  bool remarked_on_flight_ = false;
   /// Indices of places in findings_.
   struct Places {
-    int columns, base_force, base_moment, zmp, reference, self, body;
+    int columns, base_force, base_moment, fall, spin, zmp, reference, self, body;
     std::vector<int> residual;                             // by dof
     std::vector<int> reach, friction, press, swing, edge;  // by foot
   } places_;

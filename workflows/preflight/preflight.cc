@@ -189,6 +189,7 @@ std::string LawWords(Law law) {
                       : law == Law::kConsistency  ? "consistent columns"
                       : law == Law::kStartPosture ? "start posture"
                       : law == Law::kFrictionCone ? "friction"
+                      : law == Law::kFlight       ? "free fall in flight"
                       : law == Law::kDynamics     ? "dynamics"
                                                   : LawName(law);
   std::replace(words.begin(), words.end(), '_', ' ');
