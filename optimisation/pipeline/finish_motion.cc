@@ -194,6 +194,7 @@ Result<MotionPlan> Finisher::Run() {
     if (Result<bool> solved = SolveOnce(problem, points); !solved) {
       if (full || report_.solves == options_.max_solves) return solved.failure();
       full = true;
+      report_.keeps_room = false;
       problem.use = kFullUse;
       continue;
     }
