@@ -76,7 +76,7 @@ class Finisher {
   Result<bool> SolveOnce(const BodyProblem& problem, MatrixX& points);
   void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
-  bool TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) const;
+  bool TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use);
   MatrixX FirstPoints(const BodyProblem& problem) const;
 
   const RobotModel& model_;
@@ -183,7 +183,7 @@ double Finisher::RolledAside(const BodyProblem& problem) const {
 
 /// Lowers the shares of limits for knots by as much as motors exceed their limits between knots.
 /// @return whether any does.
-bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) const {
+bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) {
   constexpr double kRoom = 2e-3, kLeast = 0.9;  // of a limit
   constexpr double kStep = 1e-3;                // [s]
   const MotorRows motors(model_, {1.0, 1.0, 0.0, 0.0});
@@ -204,6 +204,8 @@ bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) 
     largest.effort = std::max(largest.effort, now.effort);
     largest.curve = std::max(largest.curve, now.curve);
   }
+  report_.effort_use = largest.effort;
+  report_.effort_use = largest.effort;
   bool exceeds = false;
   const auto tighten = [&](double share, double& of_limit) {
     if (share <= 1.0) return;
@@ -229,6 +231,7 @@ Result<MotionPlan> Finisher::Run() {
     if (Result<bool> solved = SolveOnce(problem, points); !solved) {
       if (full || report_.solves == options_.max_solves) return solved.failure();
       full = true;
+      report_.keeps_room = false;
       problem.use = kFullUse;
       for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].pressing = to_edges.knots[k].pressing;
       continue;

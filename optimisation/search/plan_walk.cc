@@ -6,6 +6,7 @@
 #include "kinematics/base/cpu_clock.h"
 #include "optimisation/search/plan_parts.h"
 #include "optimisation/search/plan_within.h"
+#include "optimisation/search/refuse_walk.h"
 #include "planning/footsteps/uneven_footsteps.h"
 #include "planning/gait/read_sequence.h"
 #include "planning/terrain/load_terrain.h"
@@ -13,26 +14,33 @@
 namespace gaitwright {
 namespace {
 
-/// A distance becomes strides of the gait's default length, if it has one. Errors of the gait are reported later by
-/// planning.
-WalkCommand InOwnStrides(const RobotModel& model, const WalkRequest& request, const std::string& name,
-                         const WalkCommand& command) {
-  const Result<Gait> gait = FindGait(model, name, CommandedSpeed(model, command), request.gait_options);
-  const Result<double> stride_m = OwnStride(model, name);
-  return gait && stride_m ? CountedByStride(*gait, *stride_m, command) : command;
+/// Least number of strides of a gait that limits them (OwnStride), for a command without a speed; otherwise 0. Errors
+/// of the gait are reported later by planning.
+int LeastStridesOf(const RobotModel& model, const std::string& gait, const WalkCommand& command) {
+  const Result<double> stride_m = OwnStride(model, gait);
+  return stride_m ? LeastStrides(*stride_m, command) : 0;
 }
 
 Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                               SearchTrace* trace) {
   if (request.sequence.empty()) {
-    WalkRequest in_strides = request;
-    in_strides.command = InOwnStrides(model, request, request.gait, request.command);
-    return PlanWithin(model, terrain, in_strides, trace);
+    const int strides = LeastStridesOf(model, request.gait, request.command);
+    return strides > 0 ? PlanInFewestStrides(model, terrain, request, strides, trace)
+                       : PlanWithin(model, terrain, request, trace);
   }
   Result<std::vector<AskedPart>> parts = ReadSequence(request.sequence);
   if (!parts) return parts.failure();
-  for (AskedPart& part : *parts) {
-    if (!part.stands()) part.command = InOwnStrides(model, request, part.gait, part.command);
+  for (std::size_t k = 0; k < parts->size(); ++k) {
+    AskedPart& part = (*parts)[k];
+    const int strides = part.stands() ? 0 : LeastStridesOf(model, part.gait, part.command);
+    if (strides == 0) continue;
+    WalkRequest alone = request;
+    alone.sequence.clear();
+    alone.gait = part.gait;
+    alone.command = part.command;
+    const Result<PlannedWalk> planned = PlanInFewestStrides(model, terrain, alone, strides, trace);
+    if (!planned) return OfPart(k, part.gait, planned.failure());
+    part.command = planned->motion.plan.parts.front().command;
   }
   return PlanPartsWithin(model, terrain, request, *parts, trace);
 }

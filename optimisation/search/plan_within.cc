@@ -12,6 +12,7 @@
 #include "optimisation/search/sound_search.h"
 #include "optimisation/search/walk_evaluator.h"
 #include "planning/footsteps/plan_footsteps.h"
+#include "planning/footsteps/uneven_footsteps.h"
 
 namespace gaitwright {
 namespace {
@@ -29,15 +30,14 @@ bool IsInPlace(const WalkCommand& c) {
 bool IsOwnPace(const WalkRequest& request) {
   const WalkCommand& c = request.command;
   return request.own_pace ||
-         (c.extent != Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 && c.yaw_rate_rad_s == 0.0);
+         (!IsCounted(c) && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 && c.yaw_rate_rad_s == 0.0);
 }
 
 /// Counted leaps on uneven ground without given flight times. The suitable flight time depends on the height that feet
 /// must clear and on the drop of the body.
 bool MayVaryFlight(const WalkRequest& request, const Gait& gait, const Terrain& terrain) {
   const bool given = request.gait_options.cycle_s > 0.0 || request.gait_options.duty_factor > 0.0;
-  return !given && request.command.extent == Extent::kSteps && HasFlight(gait) &&
-         KindOfGround(terrain) != GroundKind::kFlat;
+  return !given && IsCounted(request.command) && HasFlight(gait) && KindOfGround(terrain) != GroundKind::kFlat;
 }
 
 /// A walk to a goal has a higher smallest speed than other walks, because a plan has a maximum duration.
@@ -105,8 +105,11 @@ Failure Refusal(const RobotModel& model, const WalkRequest& request, const std::
 
 }  // namespace
 
-Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
-                               SearchTrace* trace) {
+namespace {
+
+/// A plan as PlanWithin makes it. @param slower  whether a refusal names a slower walk that is feasible.
+Result<PlannedWalk> PlanFor(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, bool slower,
+                            SearchTrace* trace) {
   WalkEvaluator evaluator(model, terrain, request, trace);
   const double asked = PaceValue(model, request.command);
   const Result<GaitCycles> cycles = evaluator.CyclesOf({asked});
@@ -119,8 +122,43 @@ Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, 
       found.planned->motion.plan.adjustments = AdjustmentsOf(model, request, evaluator, result.candidate, *result.why);
     return std::move(*found.planned);
   }
-  if (problem.any_plan || found.at_every_pace) return *found.refusal;
+  if (problem.any_plan || found.at_every_pace || !slower) return *found.refusal;
   return Refusal(model, request, cycles->fitted.name, *found.refusal, SlowerThatIsSound(problem, evaluator));
+}
+
+/// Whether motors have room for the corrections of controllers: plans that need 92 % of a torque, the limit at the
+/// knots of an optimisation, end with torques at their limits when they are played.
+bool KeepsRoom(const PlannedWalk& planned) {
+  constexpr double kMostEffort = 0.9;
+  if (!planned.audit.violations.empty() || planned.motion.unfinished) return false;
+  const std::optional<FinishReport>& finished = planned.motion.finished;
+  return !finished || (finished->keeps_room && finished->effort_use <= kMostEffort);
+}
+
+}  // namespace
+
+Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                               SearchTrace* trace) {
+  return PlanFor(model, terrain, request, true, trace);
+}
+
+Result<PlannedWalk> PlanInFewestStrides(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                                        int strides, SearchTrace* trace) {
+  constexpr int kNumbers = 5;
+  const WalkCommand& command = request.command;
+  const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
+  if (!gait) return gait.failure();
+  WalkRequest counted = request;
+  std::optional<Result<PlannedWalk>> first;
+  for (int n = strides; n < strides + kNumbers; ++n) {
+    counted.command = CountedInStrides(*gait, n, command);
+    const bool last = counted.command == command || request.motion.pipeline.allow_limits;
+    Result<PlannedWalk> planned = PlanFor(model, terrain, counted, last, trace);
+    if (last || (planned && KeepsRoom(*planned))) return planned;
+    if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
+    if (!first || (!*first && planned)) first = std::move(planned);
+  }
+  return std::move(*first);
 }
 
 }  // namespace gaitwright

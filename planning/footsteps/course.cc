@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "planning/footsteps/uneven_footsteps.h"
 #include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
@@ -71,6 +72,10 @@ Course ForDuration(const RobotModel& model, const Gait& gait, const WalkCommand&
 
 Course OfSteps(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
   const double footfall_s = gait.cycle_s / gait.num_feet();
+  if (c.extent == Extent::kGoal) {
+    const PlanarTwist twist = TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
+    return {Scaled(twist, 1.0 / std::max(1, StepsAhead(gait, c.steps))), c.steps * footfall_s, 0.0};
+  }
   PlanarTwist step = Scaled(CommandedVelocity(model, c), footfall_s);
   if (c.speed_m_s == 0.0) step.x_m = c.step_length_m;
   return {step, c.steps * footfall_s, 0.0};
@@ -129,13 +134,17 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& c) {
   return velocity;
 }
 
+bool IsCounted(const WalkCommand& command) {
+  return command.extent == Extent::kSteps || (command.extent == Extent::kGoal && command.steps > 0);
+}
+
 Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                           const SpeedRamp& ramp) {
   constexpr double kLongest = 600.0;  // [s]
   Course course;
   switch (command.extent) {
     case Extent::kGoal:
-      course = ToGoal(model, gait, command);
+      course = IsCounted(command) ? OfSteps(model, gait, command) : ToGoal(model, gait, command);
       break;
     case Extent::kDistance:
       course = AlongDistance(model, command);
@@ -153,7 +162,7 @@ Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkC
         fmt::format("the walk would take {:.6g} s; a plan lasts at most {} s; reduce the distance or raise the speed",
                     course.duration_s, kLongest));
   }
-  if (command.extent == Extent::kGoal || command.extent == Extent::kDistance) {
+  if (!IsCounted(command) && command.extent != Extent::kDuration) {
     course.ramp_s = std::min(RampTime(model, gait, command, ramp), course.duration_s);
     course.duration_s += course.ramp_s;
   }

@@ -32,11 +32,14 @@ double CommandedSpeed(const RobotModel& model, const WalkCommand& command);
 /// distance with only a yaw rate.
 PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& command);
 
+/// Whether a command gives the number of footfalls.
+bool IsCounted(const WalkCommand& command);
+
 /// The course of a command with a gait.
 ///   distance   at the commanded velocity until the path has this length; a yaw rate without a distance gives a turn of
 ///              90 degrees
 ///   duration   the commanded velocity for this time, rounded to whole cycles, including the ramps
-///   goal       the twist to the goal, at the given speeds
+///   goal       the twist to the goal, at the given speeds; with steps, that share of it for each footfall
 ///   steps      the twist of one footfall: its length, or the commanded velocity for cycle / number of feet
 /// @param ramp  not used for counted footfalls.
 /// Failure kBadInput for a course without motion, or of more than 600 s.

@@ -67,7 +67,7 @@ Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait,
                                       const FootstepOptions& options) {
   const Result<Course> course = MakeCourse(model, gait, command, options.ramp);
   if (!course) return course.failure();
-  const bool counted = command.extent == WalkCommand::Extent::kSteps;
+  const bool counted = IsCounted(command);
   ScheduleRequest request;
   request.initial_stand_s = options.initial_stand_s + options.settling_s;
   request.final_stand_s = options.final_stand_s + options.settling_s;

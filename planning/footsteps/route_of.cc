@@ -15,7 +15,7 @@ namespace {
 /// Poses along the whole course, with at most the given spacing.
 std::vector<PlanarPose> PosesAlong(const WalkCommand& command, const Course& course, double spacing_m) {
   constexpr double kTurn = 0.1;  // [rad] between poses
-  const double count = command.extent == WalkCommand::Extent::kSteps ? command.steps : 1.0;
+  const double count = IsCounted(command) ? command.steps : 1.0;
   const PlanarTwist& twist = course.twist;
   const double length = count * std::hypot(twist.x_m, twist.y_m), turn = count * std::abs(twist.yaw_rad);
   const int n = std::max(1, static_cast<int>(std::ceil(std::max(length / spacing_m, turn / kTurn))));

@@ -128,18 +128,25 @@ int StepsAhead(const Gait& gait, int footfalls) {
   return footfalls - gait.num_feet() + last;
 }
 
-WalkCommand CountedByStride(const Gait& gait, double stride_m, const WalkCommand& command) {
-  constexpr double kRounding = 1e-9;
+int LeastStrides(double stride_m, const WalkCommand& command) {
+  constexpr double kRounding = 1e-9, kMostStrides = 10000.0;
+  using Extent = WalkCommand::Extent;
   const bool own_pace = command.speed_m_s == 0.0 && command.lateral_speed_m_s == 0.0 && command.yaw_rate_rad_s == 0.0;
-  const bool far = command.extent == WalkCommand::Extent::kDistance && command.distance_m > 0.0;
-  if (!(stride_m > 0.0) || !own_pace || !far) return command;
-  constexpr double kMostCycles = 10000.0;
-  const double cycles = std::ceil(std::min(command.distance_m / stride_m, kMostCycles) - kRounding);
+  const bool goal = command.extent == Extent::kGoal && command.steps == 0;
+  const double distance_m = goal ? std::hypot(command.goal_x_m, command.goal_y_m) : command.distance_m;
+  const bool far =
+      goal ? distance_m > 0.0 || command.goal_yaw_rad != 0.0 : command.extent == Extent::kDistance && distance_m > 0.0;
+  if (!(stride_m > 0.0) || !own_pace || !far) return 0;
+  return std::max(1, static_cast<int>(std::ceil(std::min(distance_m / stride_m, kMostStrides) - kRounding)));
+}
+
+WalkCommand CountedInStrides(const Gait& gait, int strides, const WalkCommand& command) {
   WalkCommand counted = command;
-  counted.extent = WalkCommand::Extent::kSteps;
-  counted.steps = gait.num_feet() * std::max(1, static_cast<int>(cycles));
+  counted.steps = gait.num_feet() * strides;
   const int ahead = StepsAhead(gait, counted.steps);
   if (ahead < 1) return command;
+  if (command.extent == WalkCommand::Extent::kGoal) return counted;
+  counted.extent = WalkCommand::Extent::kSteps;
   counted.step_length_m = command.distance_m / ahead;
   return counted;
 }
@@ -150,7 +157,7 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
   if (!course) return course.failure();
   PlanarTwist twist = course->twist;
   double cycles = (course->duration_s - course->ramp_s) / gait.cycle_s;
-  if (command.extent == WalkCommand::Extent::kSteps) {
+  if (IsCounted(command)) {
     const int ahead = StepsAhead(gait, command.steps);
     if (ahead < 1) {
       return Failure{FailureKind::kBadInput,

@@ -9,10 +9,12 @@ namespace gaitwright {
 /// if all of them only close it.
 int StepsAhead(const Gait& gait, int footfalls);
 
-/// Converts a command with a distance and without speeds to counted footfalls: the smallest number of gait cycles that
-/// covers the distance with equal strides of at most stride_m. Other commands are returned unchanged; so is any command
-/// if stride_m <= 0.
-WalkCommand CountedByStride(const Gait& gait, double stride_m, const WalkCommand& command);
+/// Smallest number of equal strides of at most stride_m that cover the distance of a command, or reach its goal; 0 for
+/// a command with speeds or with another extent, and if stride_m <= 0.
+int LeastStrides(double stride_m, const WalkCommand& command);
+
+/// Converts a command with a distance or a goal to counted footfalls in a number of gait cycles.
+WalkCommand CountedInStrides(const Gait& gait, int strides, const WalkCommand& command);
 
 /// Search problem of a command: its course in plan view, at the stride of the gait at the commanded speed. Failures as
 /// for MakeCourse; also kBadInput if there are too few counted footfalls to move the robot.

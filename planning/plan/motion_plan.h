@@ -24,7 +24,7 @@ struct WalkCommand {
   double distance_m = 0.0;         ///< kDistance: length of the path; 0 with only a yaw rate is a quarter turn
   double duration_s = 0.0;         ///< kDuration: walking time, in whole cycles
   double goal_x_m = 0.0, goal_y_m = 0.0, goal_yaw_rad = 0.0;  ///< kGoal: base pose in its start frame
-  int steps = 0;               ///< kSteps: number of footfalls; the last ones close the stance
+  int steps = 0;               ///< kSteps; kGoal unless 0: number of footfalls; the last ones close the stance
   double step_length_m = 0.0;  ///< kSteps without a speed: advance of the robot in each footfall
 
   bool operator==(const WalkCommand&) const = default;
