@@ -205,7 +205,6 @@ bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) 
     largest.curve = std::max(largest.curve, now.curve);
   }
   report_.effort_use = largest.effort;
-  report_.effort_use = largest.effort;
   bool exceeds = false;
   const auto tighten = [&](double share, double& of_limit) {
     if (share <= 1.0) return;
