@@ -70,7 +70,7 @@ void AddWalk(Verb program, int& status) {
   const Verb verb = program.AddVerb("walk", "Plan, audit, play and score a walk, and write the report");
   a->outputs.folder = "out";
   a->walk.AddTo(verb);
-  a->play.usual_engine = ProvingEngine();
+  a->play.request.play.world.engine = ProvingEngine();
   a->play.AddTo(verb);
   a->options.AddTo(verb);
   a->outputs.AddTo(verb);

@@ -115,7 +115,7 @@ void PlayArguments::AddTo(Verb verb) {
   verb.SetGroup("Playback and disturbances");
   AddText(verb, "--controller", "NAME", request.controller,
           "stabilised (default), joint-pd, or recovering (for standing plans).");
-  engine = add("--engine", "play.engine");
+  add("--engine", "play.engine");
   add("--state", "state");
   only_with_sensors =
       verb.AddReader(
@@ -140,7 +140,6 @@ OptionFields PlayArguments::Fields() { return request.Fields(); }
 
 void PlayArguments::SetDefaults(const Common& common) {
   request.play.world.seed = request.sensing.sensors.seed = common.seed;
-  if (!engine->given()) request.play.world.engine = usual_engine;
 }
 
 void PlayArguments::Finish(const std::vector<std::string>& varied) {

@@ -33,8 +33,6 @@ struct WalkArguments {
 /// The flags of a playback, shared by `walk` and `play`.
 struct PlayArguments {
   PlayRequest request;
-  std::string usual_engine = "bullet";  ///< the verb's default, without --engine and play.engine
-  std::optional<Flag> engine;
   std::string push;
   std::vector<Flag> only_with_push;
   std::optional<Flag> only_with_sensors;
