@@ -55,7 +55,7 @@ class Finisher {
   Result<bool> SolveOnce(const BodyProblem& problem, MatrixX& points);
   void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
-  bool TightenLimits(BodyLimitUse& use) const;
+  bool TightenLimits(BodyLimitUse& use);
   MatrixX FirstPoints(const BodyProblem& problem) const;
 
   const RobotModel& model_;
@@ -161,7 +161,7 @@ double Finisher::RolledAside(const BodyProblem& problem) const {
 
 /// Lowers the shares of limits for knots by as much as motors exceed their limits between knots.
 /// @return whether any does.
-bool Finisher::TightenLimits(BodyLimitUse& use) const {
+bool Finisher::TightenLimits(BodyLimitUse& use) {
   constexpr double kRoom = 2e-3, kLeast = 0.9;  // of a limit
   const WholeBodyTrajectory& motion = finished_.whole_body;
   const MotorRows motors(model_, {1.0, 1.0, 0.0, 0.0});
@@ -172,6 +172,7 @@ bool Finisher::TightenLimits(BodyLimitUse& use) const {
     largest.effort = std::max(largest.effort, now.effort);
     largest.curve = std::max(largest.curve, now.curve);
   }
+  report_.effort_use = largest.effort;
   bool exceeds = false;
   const auto tighten = [&](double share, double& of_limit) {
     if (share <= 1.0) return;

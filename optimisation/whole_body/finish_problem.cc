@@ -134,11 +134,13 @@ BodyProblem ProblemOf(const RobotModel& model, const MotionPlan& plan, const std
     knot.reference = ReferenceAt(plan, problem.chart, time_s, near);
     near = knot.reference.x;
     const double yaw_rad = YawOf(problem.chart.At({near.segment<3>(3)}).R);
+    const MotionPart* part = PartAt(plan.parts, time_s);
     for (std::size_t i = 0; i < courses.size(); ++i) {
       const FootCourse::Place place = courses[i].At(time_s);
       const auto foot = static_cast<std::size_t>(courses[i].foot());
       knot.feet.push_back(GoalOf(model.feet[foot], courses[i], place, yaw_rad));
-      knot.feet.back().rows = rows[i];
+      const bool tumbles = place.swings && part != nullptr && TurnsOver(part->gait);
+      knot.feet.back().rows = tumbles ? std::array<bool, 6>{} : rows[i];
       if (!place.presses) continue;
       knot.pressing.push_back(PressingOf(model, plan, place, supports_F[place.foothold], settings.friction_use));
     }
