@@ -37,13 +37,15 @@ PushedFlight LongestPushedFlight(const ContactSchedule& schedule) {
   return longest;
 }
 
-/// Upward speed at each height that the torques give from rest at the lowest height at which they hold the body,
-/// without speed limits [m/s].
-std::vector<double> SpeedByTorque(const std::vector<PushOff>& at) {
+/// Upward speed at each height that the torques give from rest at the lowest height at which they hold the body, with
+/// torque-speed curves and without speed limits [m/s]: v dv = a(z, v) dz.
+std::vector<double> SpeedByTorque(const RobotModel& model, const std::vector<PushOff>& at) {
   std::vector<double> speed(at.size(), 0.0);
   double squared = 0.0;
   for (std::size_t i = at.size() - 1; i-- > 0;) {
-    squared += (at[i].gain_m_s2 + at[i + 1].gain_m_s2) * (at[i].com_m - at[i + 1].com_m);
+    const double before = std::sqrt(squared);
+    squared += (GainAtSpeed(model, at[i], before, kUse) + GainAtSpeed(model, at[i + 1], before, kUse)) *
+               (at[i].com_m - at[i + 1].com_m);
     squared = std::max(0.0, squared);
     speed[i] = std::sqrt(squared);
   }
@@ -64,11 +66,13 @@ Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const Pus
                                          "a larger duty factor (--set gait.duty_factor)"};
   if (longest_s > 0.005) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
   return {FailureKind::kInfeasible, by_speed ? FailureCode::kLegsTooSlow : FailureCode::kLegsTooWeak, "CrouchFor",
-          fmt::format("a flight of {:.3f} s at {:.2f} s needs a lift-off speed of {:.2f} m/s; because a push ends "
-                      "gradually, the legs must reach {:.2f} m/s. With flat soles and a level body, the legs of '{}' "
-                      "reach at most {:.2f} m/s, with the centre of mass at {:.3f} m, where {}",
-                      flight.duration_s, flight.start_s, takes, kLeastSpeed * takes, model.name, gives, best.com_m,
-                      MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
+          fmt::format(
+              "a flight of {:.3f} s at {:.2f} s, in which the centre of mass rises by {:.3f} m, needs a "
+              "lift-off speed of {:.2f} m/s; because a push ends gradually, the legs must reach {:.2f} m/s. With flat "
+              "soles and a level body, the legs of '{}' reach at most {:.2f} m/s, with the centre of mass at {:.3f} m, "
+              "where {}",
+              flight.duration_s, flight.start_s, 0.5 * takes * takes / kGravity, takes, kLeastSpeed * takes, model.name,
+              gives, best.com_m, MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
           suggestions};
 }
 
@@ -90,7 +94,7 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
   const std::vector<PushOff> at = PushOffs(model, flight.pushing, kJointMargin, kUse);
   if (at.empty()) return std::optional<Crouch>();
   const double takes = 0.5 * kGravity * flight.duration_s, standing_m = StandingCentreOfMass(model).z();
-  const std::vector<double> by_torque = SpeedByTorque(at);
+  const std::vector<double> by_torque = SpeedByTorque(model, at);
   const auto gives = [&](std::size_t i) { return std::min(kUse * at[i].speed_m_s, by_torque[i]); };
   std::size_t best = 0;
   for (std::size_t i = 1; i < at.size(); ++i) {

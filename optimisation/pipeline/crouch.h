@@ -24,8 +24,8 @@ struct Crouch {
 /// which the motors' speeds need a margin at lift-off. Nothing if standing has this margin, too. Failure kInfeasible
 /// `legs_too_slow` or `legs_too_weak` if no height gives this speed plus 15 %, which a push reaches before its force
 /// decreases, with a level base and flat soles. The reason is the motors' speeds at that height, or their torques
-/// during the rise from the deepest crouch. Failure kInfeasible `height` if the centre of mass cannot be at the
-/// requested height, or if legs are not fast enough there.
+/// during the rise from the deepest crouch, along their torque-speed curves. Failure kInfeasible `height` if the centre
+/// of mass cannot be at the requested height, or if legs are not fast enough there.
 /// @param com_height_m  requested height above flat ground; 0 uses the height that flights need.
 Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSchedule& schedule,
                                         double com_height_m = 0.0);

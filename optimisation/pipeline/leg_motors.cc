@@ -48,9 +48,11 @@ class PushingLegs {
     target.v_WC = Vector3::UnitZ();
     ik_.SolveRates(target, at.q, v, a);
     at.speed_m_s = kInfinity;
+    at.speed_by_rise.resize(model_.num_dofs());
     for (int d = 0; d < model_.num_dofs(); ++d) {
       const Actuator motor = ActuatorOf(model_, d);
-      const double rate = std::abs(motor.Speed(v.tail(model_.num_dofs())));
+      at.speed_by_rise[d] = motor.Speed(v.tail(model_.num_dofs()));
+      const double rate = std::abs(at.speed_by_rise[d]);
       if (rate < kStill || rate * at.speed_m_s <= motor.velocity_limit) continue;
       at.speed_m_s = motor.velocity_limit / rate;
       at.fastest = d;
@@ -62,11 +64,15 @@ class PushingLegs {
     const VectorX held = HoldingTorques(target, at.q, 0.0);
     const VectorX by_gain = HoldingTorques(target, at.q, 1.0) - held;
     at.gain_m_s2 = kInfinity;
+    at.effort_at_rest.resize(model_.num_dofs());
+    at.effort_by_gain.resize(model_.num_dofs());
     for (int d = 0; d < model_.num_dofs(); ++d) {
       const Actuator motor = ActuatorOf(model_, d);
-      const double by = motor.Effort(by_gain), most = use_ * motor.effort_limit;
+      at.effort_at_rest[d] = motor.Effort(held);
+      at.effort_by_gain[d] = motor.Effort(by_gain);
+      const double by = at.effort_by_gain[d], most = use_ * motor.effort_limit;
       if (std::abs(by) < kStill) continue;
-      const double gain = ((by > 0.0 ? most : -most) - motor.Effort(held)) / by;
+      const double gain = ((by > 0.0 ? most : -most) - at.effort_at_rest[d]) / by;
       if (gain >= at.gain_m_s2) continue;
       at.gain_m_s2 = gain;
       at.strongest = d;
@@ -132,6 +138,20 @@ std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reser
   std::reverse(above.begin(), above.end());
   above.insert(above.end(), below.begin(), below.end());
   return above;
+}
+
+double GainAtSpeed(const RobotModel& model, const PushOff& at, double rising_m_s, double use) {
+  double gain_m_s2 = kInfinity;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double by = at.effort_by_gain[d];
+    if (std::abs(by) < kStill) continue;
+    const Actuator motor = ActuatorOf(model, d);
+    const double speed = at.speed_by_rise[d] * rising_m_s;
+    const bool brakes = by * speed <= 0.0;
+    const double most = use * (brakes ? motor.effort_limit : motor.motor.EffortAt(std::abs(speed), motor.effort_limit));
+    gain_m_s2 = std::min(gain_m_s2, ((by > 0.0 ? most : -most) - at.effort_at_rest[d]) / by);
+  }
+  return gain_m_s2;
 }
 
 double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>& feet) {

@@ -19,6 +19,8 @@ struct PushOff {
   double gain_m_s2 = 0.0;  ///< largest upward acceleration; below 0 if the weight cannot be held
   int fastest = -1;        ///< the motor (ActuatorOf) that limits the speed; -1 if none does
   int strongest = -1;      ///< the motor that limits the acceleration
+  /// By motor: effort at rest, effort by upward acceleration, and speed by rising speed.
+  VectorX effort_at_rest, effort_by_gain, speed_by_rise;
 };
 
 /// Postures by height, from straight legs down to the lowest one in which joints keep `reserve` of their range to their
@@ -26,6 +28,10 @@ struct PushOff {
 /// @param pushing  number of feet that push at a time; each carries its share below the centre of mass, with motors at
 ///                 the share `use` of their limits.
 std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reserve, double use);
+
+/// Largest upward acceleration in a posture at a rising speed, with motors at the share `use` of their torque-speed
+/// curves [m/s^2]. A motor without a curve has its effort limit at any speed.
+double GainAtSpeed(const RobotModel& model, const PushOff& at, double rising_m_s, double use);
 
 /// Upward acceleration of feet that are in the air together, in the standing posture, with full motor torque, while the
 /// body falls freely and reacts by rotation [m/s^2].

@@ -131,9 +131,9 @@ struct FinishReport {
   double residual_force = 0.0;   ///< at 1 kHz, over the weight
   double residual_moment = 0.0;  ///< at 1 kHz, over the weight times the leg's length
   double residual_at_s = 0.0;
-  bool keeps_room = true;        ///< limits keep the room that controllers need for corrections
-  double effort_use = 0.0;       ///< largest share of a motor's effort limit
-  std::string summary;  ///< one line
+  bool keeps_room = true;   ///< limits keep the room that controllers need for corrections
+  double effort_use = 0.0;  ///< largest share of a motor's effort limit
+  std::string summary;      ///< one line
 };
 
 /// A plan with results of the planner.

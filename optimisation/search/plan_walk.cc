@@ -14,8 +14,8 @@
 namespace gaitwright {
 namespace {
 
-/// Least number of strides of a gait that limits them (OwnStride), for a command without a speed; otherwise 0. Errors of
-/// the gait are reported later by planning.
+/// Least number of strides of a gait that limits them (OwnStride), for a command without a speed; otherwise 0. Errors
+/// of the gait are reported later by planning.
 int LeastStridesOf(const RobotModel& model, const std::string& gait, const WalkCommand& command) {
   const Result<double> stride_m = OwnStride(model, gait);
   return stride_m ? LeastStrides(*stride_m, command) : 0;

@@ -37,8 +37,7 @@ bool IsOwnPace(const WalkRequest& request) {
 /// must clear and on the drop of the body.
 bool MayVaryFlight(const WalkRequest& request, const Gait& gait, const Terrain& terrain) {
   const bool given = request.gait_options.cycle_s > 0.0 || request.gait_options.duty_factor > 0.0;
-  return !given && IsCounted(request.command) && HasFlight(gait) &&
-         KindOfGround(terrain) != GroundKind::kFlat;
+  return !given && IsCounted(request.command) && HasFlight(gait) && KindOfGround(terrain) != GroundKind::kFlat;
 }
 
 /// A walk to a goal has a higher smallest speed than other walks, because a plan has a maximum duration.

@@ -134,8 +134,8 @@ int LeastStrides(double stride_m, const WalkCommand& command) {
   const bool own_pace = command.speed_m_s == 0.0 && command.lateral_speed_m_s == 0.0 && command.yaw_rate_rad_s == 0.0;
   const bool goal = command.extent == Extent::kGoal && command.steps == 0;
   const double distance_m = goal ? std::hypot(command.goal_x_m, command.goal_y_m) : command.distance_m;
-  const bool far = goal ? distance_m > 0.0 || command.goal_yaw_rad != 0.0
-                        : command.extent == Extent::kDistance && distance_m > 0.0;
+  const bool far =
+      goal ? distance_m > 0.0 || command.goal_yaw_rad != 0.0 : command.extent == Extent::kDistance && distance_m > 0.0;
   if (!(stride_m > 0.0) || !own_pace || !far) return 0;
   return std::max(1, static_cast<int>(std::ceil(std::min(distance_m / stride_m, kMostStrides) - kRounding)));
 }

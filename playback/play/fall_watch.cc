@@ -47,16 +47,28 @@ std::vector<double> PlannedHeights(const RobotModel& model, const MotionPlan& pl
   return heights;
 }
 
+/// Up axis of W in the base, by row.
+std::vector<Vector3> PlannedUps(const MotionPlan& plan) {
+  std::vector<Vector3> ups;
+  for (const VectorX& q : plan.whole_body.q) ups.emplace_back(RotationOf(q).transpose() * Vector3::UnitZ());
+  return ups;
+}
+
 }  // namespace
 
 FallWatch::FallWatch(const RobotModel& model, const MotionPlan& plan, double height_lowest)
-    : up_B_(RotationOf(plan.whole_body.q.front()).transpose() * Vector3::UnitZ()),
+    : up_B_(PlannedUps(plan)),
       start_s_(plan.whole_body.start_s),
       step_s_(plan.whole_body.step_s),
       height_lowest_(height_lowest),
       height_point_B_(HeightPoint(model)),
       planned_height_(PlannedHeights(model, plan)),
       ground_m_(HeightOf(plan.whole_body.q.front(), height_point_B_) - planned_height_.front()) {}
+
+std::size_t FallWatch::RowAt(double time_s) const {
+  const double last = static_cast<double>(planned_height_.size() - 1);
+  return static_cast<std::size_t>(std::clamp(std::round((time_s - start_s_) / step_s_), 0.0, last));
+}
 
 bool FallWatch::Sunk(double time_s, const World& world) {
   double sum = 0.0;
@@ -67,14 +79,12 @@ bool FallWatch::Sunk(double time_s, const World& world) {
     ++touching;
   }
   if (touching > 0) ground_m_ = sum / touching;
-  const double last = static_cast<double>(planned_height_.size() - 1);
-  const auto row = static_cast<std::size_t>(std::clamp(std::round((time_s - start_s_) / step_s_), 0.0, last));
   return height_lowest_ > 0.0 &&
-         HeightOf(world.q(), height_point_B_) - ground_m_ < height_lowest_ * planned_height_[row];
+         HeightOf(world.q(), height_point_B_) - ground_m_ < height_lowest_ * planned_height_[RowAt(time_s)];
 }
 
 void FallWatch::Add(double time_s, const World& world) {
-  const Vector3 up_W = RotationOf(world.q()) * up_B_;
+  const Vector3 up_W = RotationOf(world.q()) * up_B_[RowAt(time_s)];
   const bool tilted = std::acos(std::clamp(up_W.z(), -1.0, 1.0)) > kFallenTilt;
   if (world.body_contacts().empty()) contact_since_s_ = time_s;
   const bool down = time_s - contact_since_s_ > kFallenContact;

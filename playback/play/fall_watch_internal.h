@@ -9,7 +9,7 @@
 
 namespace gaitwright::playing {
 
-/// Detects a fall: the robot is tilted, lies on a body that is not a foot, or has sunk.
+/// Detects a fall: the robot is tilted from its planned attitude, lies on a body that is not a foot, or has sunk.
 ///
 /// Heights of the base are those of its HeightPoint above the mean height of the standing feet. In the plan these are
 /// the feet of the schedule; in the world the touching feet, or the last ones that touched. So unplanned ground heights
@@ -27,9 +27,10 @@ class FallWatch {
   bool Over(double time_s) const;
 
  private:
+  std::size_t RowAt(double time_s) const;
   bool Sunk(double time_s, const World& world);
 
-  Vector3 up_B_;
+  std::vector<Vector3> up_B_;  ///< by row of the plan
   double start_s_, step_s_, height_lowest_;
   Vector3 height_point_B_;
   std::vector<double> planned_height_;  ///< by row of the plan [m]

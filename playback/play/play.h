@@ -84,11 +84,11 @@ struct PlayOptions {
 /// At a gate of the plan the clock stops, nothing is logged, and the controller is called with this time. The gate ends
 /// when every joint is near its target and the gate's feet carry force, or at its maximum waiting time.
 ///
-/// Ends 0.3 s after a clear fall: the up axis of the base is tilted by over 1 rad, a body that is not a foot stays on
-/// the ground for 0.2 s, or the base is below `fall_height_lowest` of the plan's height (each above the mean height of
-/// the standing feet, measured where they touch). Breaks off at once, also while the robot settles, if the state or the
-/// command is not finite, or the state exceeds 1e6. Then the log holds the reason and at least one sample, which may be
-/// before the end of the first interval.
+/// Ends 0.3 s after a clear fall: the up axis of the base is over 1 rad from the planned one, a body that is not a foot
+/// stays on the ground for 0.2 s, or the base is below `fall_height_lowest` of the plan's height (each above the mean
+/// height of the standing feet, measured where they touch). Breaks off at once, also while the robot settles, if the
+/// state or the command is not finite, or the state exceeds 1e6. Then the log holds the reason and at least one sample,
+/// which may be before the end of the first interval.
 ///
 /// The log has one sample per 1 / log_rate_hz from the plan's start, each at the end of its interval. A foot's stance
 /// begins with the first step with force, and ends with the first step without force. Gaps of less than 15 ms do not

@@ -67,6 +67,20 @@ TEST(Crouch, FlightsThatNoHeightGivesAreRefusedWithTheirMotor) {
       << crouch.failure().suggestions.front().text;
 }
 
+TEST(Crouch, TorqueSpeedCurvesShortenFlights) {
+  RobotModel runner = *LoadRobotFromText(unusual::Runner(), "");
+  ASSERT_TRUE(CrouchFor(runner, OneFlight(0.35)).ok());
+  runner.motors.resize(static_cast<std::size_t>(runner.num_dofs()));
+  for (Motor& motor : runner.motors) {
+    motor.corner_speed = 0.5;
+    motor.no_load_speed = 3.0;
+  }
+  const Result<std::optional<Crouch>> slower = CrouchFor(runner, OneFlight(0.35));
+  ASSERT_FALSE(slower.ok());
+  EXPECT_EQ(slower.failure().code, FailureCode::kLegsTooWeak) << slower.failure().message;
+  EXPECT_NE(slower.failure().message.find("rises by 0.150 m"), std::string::npos) << "g T^2 / 8";
+}
+
 TEST(Crouch, TheBodyIsCarriedAtTheHeightAskedFor) {
   const RobotModel a1 = *LoadNamedRobot("a1");
   const ContactSchedule trot = {{{0.0, 1.0, AllFeet(4)}}};

@@ -51,6 +51,21 @@ TEST(LegMotors, KneesOfLightLegsGiveWhatTheirGeometrySays) {
   EXPECT_GT(by_knee, 5);
 }
 
+TEST(LegMotors, GainFallsAlongTorqueSpeedCurves) {
+  RobotModel model = *LoadRobotFromText(LightLegs(), "");
+  const PushOff at = PushOffs(model, 2, 0.03, 1.0).back();
+  EXPECT_NEAR(GainAtSpeed(model, at, 0.0, 1.0), at.gain_m_s2, 1e-9);
+  EXPECT_NEAR(GainAtSpeed(model, at, 1.0, 1.0), at.gain_m_s2, 1e-9) << "no motor has a curve";
+  model.motors.resize(static_cast<std::size_t>(model.num_dofs()));
+  for (Motor& motor : model.motors) {
+    motor.corner_speed = 1.0;
+    motor.no_load_speed = 9.0;
+  }
+  // At half of the way from corner to no-load speed, half of the knees' torque is left: m (g + a) halves.
+  const double rising = 5.0 / std::abs(at.speed_by_rise[at.strongest]);
+  EXPECT_NEAR(kGravity + GainAtSpeed(model, at, rising, 1.0), 0.5 * (kGravity + at.gain_m_s2), 0.05);
+}
+
 TEST(LegMotors, PostureIsLevelAndItsHeightIsThatOfTheCentreOfMass) {
   const RobotModel nao = *LoadNamedRobot("nao");
   DynamicsScratch scratch(nao);

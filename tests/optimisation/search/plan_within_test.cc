@@ -64,6 +64,36 @@ TEST(PlanWithin, WithoutGroundThereIsNoWalkAtAnyPace) {
   for (const Suggestion& suggestion : planned.failure().suggestions) EXPECT_NE(suggestion.what, "speed");
 }
 
+/// Number of leaps of a plan of an A1's jump that keeps room for controllers.
+int LeapsOf(const WalkRequest& request, int at_least = 1) {
+  const Result<PlannedWalk> planned = PlanInFewestStrides(NamedRobot("a1"), FlatTerrain(), request, at_least);
+  EXPECT_TRUE(planned.ok()) << planned.failure().message;
+  if (!planned) return 0;
+  EXPECT_TRUE(planned->audit.violations.empty());
+  const std::optional<FinishReport>& finished = planned->motion.finished;
+  EXPECT_TRUE(finished && finished->keeps_room && finished->effort_use > 0.3 && finished->effort_use <= 0.9);
+  return static_cast<int>(planned->motion.plan.swings.size()) / 4;
+}
+
+TEST(PlanInFewestStrides, LeapsAreAsFewAsMotorsAllow) {
+  EXPECT_EQ(LeapsOf(AheadBy(0.6, "jump")), 1);
+  EXPECT_EQ(LeapsOf(AheadBy(0.6, "jump"), 2), 2) << "at least as many as given";
+  EXPECT_EQ(LeapsOf(AheadBy(1.0, "jump")), 2);
+}
+
+TEST(PlanInFewestStrides, TurnsAreLeapsToo) {
+  WalkRequest turn = AheadBy(0.0, "jump");
+  turn.command.extent = WalkCommand::Extent::kGoal;
+  turn.command.goal_yaw_rad = 1.57;
+  EXPECT_EQ(LeapsOf(turn), 1);
+}
+
+TEST(PlanInFewestStrides, ADistanceBeyondAllNumbersOfLeapsIsRefused) {
+  const Result<PlannedWalk> planned = PlanInFewestStrides(NamedRobot("a1"), FlatTerrain(), AheadBy(20.0, "jump"), 1);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
+}
+
 TEST(PlanPartsWithin, AGaitThatDoesNotExistIsNamedWithItsPart) {
   const RobotModel& a1 = NamedRobot("a1");
   const Failure alone = FindGait(a1, "tort", 0.2, {}).failure();

@@ -169,11 +169,12 @@ WalkCommand Distance(double distance_m) {
   return command;
 }
 
-TEST(CountedByStride, AsFewLeapsAsReachAllOfOneLength) {
+TEST(CountedInStrides, AsFewLeapsAsReachAllOfOneLength) {
   const RobotModel& a1 = Robot("a1");
   const Gait jump = *FindGait(a1, "jump", 0.3, {});
   for (const auto& [distance, leaps] : {std::pair{0.4, 1}, {0.45, 1}, {0.46, 2}, {0.9, 2}, {1.0, 3}, {0.05, 1}}) {
-    const WalkCommand counted = CountedByStride(jump, 0.45, Distance(distance));
+    ASSERT_EQ(LeastStrides(0.45, Distance(distance)), leaps) << distance;
+    const WalkCommand counted = CountedInStrides(jump, leaps, Distance(distance));
     EXPECT_EQ(counted.extent, WalkCommand::Extent::kSteps);
     EXPECT_EQ(counted.steps, 4 * leaps) << distance;
     const FootstepSkeleton skeleton = Planned(a1, "jump", counted);
@@ -185,16 +186,33 @@ TEST(CountedByStride, AsFewLeapsAsReachAllOfOneLength) {
   }
 }
 
-TEST(CountedByStride, OtherCommandsStayAsTheyAre) {
-  const Gait jump = *FindGait(Robot("a1"), "jump", 0.3, {});
-  WalkCommand fast = Distance(1.0), turning = Distance(1.0), goal = Distance(1.0);
+TEST(CountedInStrides, GoalsAreReachedInEqualStrides) {
+  const RobotModel& a1 = Robot("a1");
+  const Gait jump = *FindGait(a1, "jump", 0.3, {});
+  WalkCommand goal;
+  goal.extent = WalkCommand::Extent::kGoal;
+  goal.goal_x_m = 0.2;
+  goal.goal_y_m = -0.1;
+  goal.goal_yaw_rad = 1.5;
+  ASSERT_EQ(LeastStrides(0.45, goal), 1);
+  for (const int leaps : {1, 2}) {
+    const WalkCommand counted = CountedInStrides(jump, leaps, goal);
+    EXPECT_TRUE(IsCounted(counted));
+    EXPECT_EQ(counted.extent, WalkCommand::Extent::kGoal);
+    const FootstepSkeleton skeleton = Planned(a1, "jump", counted);
+    EXPECT_NEAR(skeleton.goal.x_m, 0.2, 1e-9);
+    EXPECT_NEAR(skeleton.goal.y_m, -0.1, 1e-9);
+    EXPECT_NEAR(skeleton.goal.yaw_rad, 1.5, 1e-9);
+    EXPECT_EQ(OfFoot(skeleton, 0).size(), static_cast<std::size_t>(leaps) + 1);
+  }
+}
+
+TEST(LeastStrides, CommandsWithSpeedsAreNotCounted) {
+  WalkCommand fast = Distance(1.0), turning = Distance(1.0);
   fast.speed_m_s = 0.5;
   turning.yaw_rate_rad_s = 0.2;
-  goal.extent = WalkCommand::Extent::kGoal;
-  goal.goal_x_m = 1.0;
-  for (const WalkCommand& command : {fast, turning, goal, Steps(4), Distance(0.0)})
-    EXPECT_EQ(CountedByStride(jump, 0.45, command), command);
-  EXPECT_EQ(CountedByStride(jump, 0.0, Distance(1.0)), Distance(1.0));
+  for (const WalkCommand& command : {fast, turning, Steps(4), Distance(0.0)}) EXPECT_EQ(LeastStrides(0.45, command), 0);
+  EXPECT_EQ(LeastStrides(0.0, Distance(1.0)), 0);
 }
 
 }  // namespace

@@ -27,6 +27,16 @@ TEST(DynamicWalks, A1TrotsFastWithItsBodyAtOneHeight) {
 
 TEST(DynamicWalks, A1LeapsOverFourTenthsOfAMetre) { ExpectToFly(OneLeap("flat", 0.4)); }
 
+TEST(DynamicWalks, A1JumpsOverSixTenthsOfAMetreInOneLeap) {
+  WalkRequest request;
+  request.gait = "jump";
+  request.command.distance_m = 0.6;
+  ExpectToFly(request);
+  const Result<PlannedWalk> planned = PlanWalk(*LoadNamedRobot("a1"), request);
+  ASSERT_TRUE(planned.ok());
+  EXPECT_EQ(planned->motion.plan.swings.size(), 4U);
+}
+
 TEST(DynamicWalks, A1JumpsOntoABlockOf15Centimetres) {
   ExpectToFly(OneLeap("block:height_m=0.15,start_m=0.31,length_m=2", 0.52));
 }
