@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/pipeline/turning_leap_internal.h"
-
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/spatial/rotation.h"
+#include "kinematics/trajectory/bspline.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/pipeline/turning_leap_internal.h"
+#include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -35,13 +37,42 @@ class TurningLeap {
         axis_W_(turn_W.normalized()),
         turn_rad_(turn_W.norm()),
         ik_(model),
-        standing_(StandingConfiguration(model)) {
+        standing_(StandingConfiguration(model)),
+        scratch_(model) {
+    tuck_ = last_q_ = standing_;
+    lift_.assign(model.feet.size(), standing_);
+    land_ = lift_;
+    lift_set_.assign(model.feet.size(), true);
     FindTimes();
     FindPlaces();
   }
 
   /// The configuration of each row. @param q  of the row before.
-  Result<int> Solve(double time_s, VectorX& q) { return ik_.SolvePosition(TargetAt(time_s), q); }
+  Result<int> Solve(double time_s, VectorX& q) {
+    const Result<int> solved = ik_.SolvePosition(TargetAt(time_s), q);
+    if (solved) last_q_ = q;
+    return solved;
+  }
+  std::optional<Failure> Prepare() {
+    VectorX q = standing_;
+    const double low = liftoff_s_ - shape_.push_s;
+    if (auto s = ik_.SolvePosition(TargetAt(low), q); !s) return s.failure();
+    tuck_ = q;
+    last_q_ = q;
+    // landing joints: backwards from the crouch after the landing
+    land_.assign(model_.feet.size(), tuck_);
+    q = tuck_;
+    for (double t = touchdown_s_ + shape_.push_s; t > touchdown_s_ - 1e-9; t -= 0.005) {
+      if (auto s = ik_.SolvePosition(TargetAt(t), q); !s) return s.failure();
+      for (std::size_t f = 0; f < model_.feet.size(); ++f) {
+        for (const SwingTrajectory& swing : plan_.swings)
+          if (swing.foot == static_cast<int>(f) && t >= swing.end_s - 1e-6) land_[f] = q;
+      }
+    }
+    lift_.assign(model_.feet.size(), tuck_);
+    lift_set_.assign(model_.feet.size(), false);
+    return std::nullopt;
+  }
   const VectorX& standing() const { return standing_; }
 
  private:
@@ -50,8 +81,8 @@ class TurningLeap {
   PushingFeet FeetOf(FootSet feet, double time_s) const;
   double AngleAt(double time_s) const;
   Vector3 CentreAt(double time_s) const;
-  Vector3 FootAt(int foot, double time_s, const Matrix3& R, const Vector3& c_W) const;
-  BodyTarget TargetAt(double time_s) const;
+  Vector3 FootAt(int foot, double time_s, const Matrix3& R, const Vector3& c_W);
+  BodyTarget TargetAt(double time_s);
   Vector3 HipOf(int foot) const { return hips_C_[static_cast<std::size_t>(foot)]; }
 
   const RobotModel& model_;
@@ -64,6 +95,11 @@ class TurningLeap {
   double liftoff_s_ = 0.0, touchdown_s_ = 0.0;  // of the flight
   FootSet last_ = 0, first_ = 0;                // feet that lift off last and land first
   double rate_rad_s_ = 0.0, angle_liftoff_rad_ = 0.0;
+  DynamicsScratch scratch_;
+  Vector3 c_standing_W_ = Vector3::Zero();
+  VectorX tuck_, last_q_;
+  std::vector<VectorX> lift_, land_;
+  std::vector<bool> lift_set_;
   std::vector<Vector3> hips_C_;  // by foot: hip relative to the centre of mass, in standing
   std::vector<Vector3> feet_C_;  // by foot: centre of the foot likewise
   Vector3 start_W_, low_W_, off_W_, on_W_, low_end_W_, end_W_, v_off_W_, v_on_W_;
@@ -112,6 +148,7 @@ void TurningLeap::FindPlaces() {
   DynamicsScratch scratch(model_);
   ForwardKinematics(model_, standing_, scratch);
   const Vector3 c_W = CentreOfMass(model_, scratch);
+  c_standing_W_ = c_W;
   for (std::size_t f = 0; f < model_.feet.size(); ++f) {
     const Leg& leg = model_.legs[f];
     hips_C_.push_back(scratch.p_WB[static_cast<std::size_t>(std::max(leg.hip_joint, leg.joints.front()) + 1)] - c_W);
@@ -153,31 +190,33 @@ Vector3 TurningLeap::CentreAt(double time_s) const {
 }
 
 /// The centre of a foot: on its foothold, and in the air tucked in below its hip.
-Vector3 TurningLeap::FootAt(int foot, double time_s, const Matrix3& R, const Vector3& c_W) const {
-  constexpr double kLeaves = 0.4;   // share of the swing in which a foot leaves or joins its foothold
-  constexpr double kReaches = 0.85;  // share of the leg length
+Vector3 TurningLeap::FootAt(int foot, double time_s, const Matrix3& R, const Vector3& c_W) {
   const auto f = static_cast<std::size_t>(foot);
   const auto on = [&](double at_s) -> Vector3 {
-    const auto& foothold =
-        plan_.footsteps.footholds[static_cast<std::size_t>(FootholdAt(plan_.footsteps, foot, at_s))];
+    const auto& foothold = plan_.footsteps.footholds[static_cast<std::size_t>(FootholdAt(plan_.footsteps, foot, at_s))];
     return foothold.X_WF.translation() + model_.feet[f].radius * foothold.X_WF.linear().col(2);
   };
   for (const SwingTrajectory& swing : plan_.swings) {
-    if (swing.foot != foot || time_s <= swing.start_s || time_s >= swing.end_s) continue;
+    if (swing.foot != foot || time_s <= swing.start_s + 1e-9 || time_s >= swing.end_s - 1e-9) continue;
     const double u = (time_s - swing.start_s) / (swing.end_s - swing.start_s);
-    Vector3 tuck_C = feet_C_[f];
-    tuck_C.z() = hips_C_[f].z() - shape_.tucked * model_.leg_length_m();
-    const Vector3 tucked = c_W + R * tuck_C;
-    const double left = SmoothStep(u / kLeaves).value, joined = SmoothStep((u - 1.0 + kLeaves) / kLeaves).value;
-    const Vector3 from = on(swing.start_s - 1e-6), to = on(swing.end_s + 1e-6);
-    const Vector3 wanted = from * (1.0 - left) + tucked * (left * (1.0 - joined)) + to * joined;
-    const Vector3 hip = c_W + R * hips_C_[f], leg = wanted - hip;
-    return hip + leg * std::min(1.0, kReaches * model_.leg_length_m() / std::max(leg.norm(), 1e-9));
+    if (!lift_set_[f]) {
+      lift_[f] = last_q_;
+      lift_set_[f] = true;
+    }
+    const double half = 0.45;
+    const double in = SmoothStep(std::min(1.0, u / half)).value,
+                 out = SmoothStep(std::max(0.0, (u - 1.0 + half) / half)).value;
+    VectorX q = standing_;
+    q.tail(q.size() - 7) =
+        (lift_[f] * (1.0 - in) + tuck_ * in).tail(q.size() - 7) * (1.0 - out) + land_[f].tail(q.size() - 7) * out;
+    ForwardKinematics(model_, q, scratch_);
+    const Vector3 p = FramePose(scratch_, model_.feet[f].body, model_.feet[f].X_BF).translation();
+    return c_W + R * (p - c_standing_W_);
   }
   return on(time_s);
 }
 
-BodyTarget TurningLeap::TargetAt(double time_s) const {
+BodyTarget TurningLeap::TargetAt(double time_s) {
   const Matrix3 R = Eigen::AngleAxisd(AngleAt(time_s), axis_W_).toRotationMatrix();
   BodyTarget target;
   target.p_WC = CentreAt(time_s);
@@ -216,6 +255,10 @@ void SetRates(WholeBodyTrajectory& w) {
 std::optional<Failure> SetTurningLeap(const RobotModel& model, const Vector3& turn_W, const LeapShape& shape,
                                       double step_s, MotionPlan& plan) {
   TurningLeap leap(model, turn_W, shape, plan);
+  if (auto failure = leap.Prepare()) {
+    failure->message = "landing: " + failure->message;
+    return failure;
+  }
   WholeBodyTrajectory& w = plan.whole_body;
   w = {plan.schedule.start_s(), step_s, {}, {}, {}, {}, {}};
   const int rows = static_cast<int>(std::lround((plan.schedule.end_s() - w.start_s) / step_s)) + 1;
@@ -233,6 +276,54 @@ std::optional<Failure> SetTurningLeap(const RobotModel& model, const Vector3& tu
   w.tau.assign(w.q.size(), VectorX::Zero(model.num_dofs()));
   w.wrenches.assign(w.q.size(), std::vector<ContactWrench>(model.feet.size()));
   return std::nullopt;
+}
+
+namespace {
+
+/// Sets the detour of a swing so that its curve follows the foot in the rows, less what the foot has rolled since its
+/// lift-off. @return the largest distance that is left [m].
+double FitSwing(const RobotModel& model, const WholeBodyTrajectory& motion, SwingTrajectory& swing) {
+  constexpr int kPoints = 40;
+  const Foot& foot = model.feet[static_cast<std::size_t>(swing.foot)];
+  const Vector3 normal_W = swing.X_WF_start.linear().col(2);
+  const int pieces = static_cast<int>(std::lround((swing.end_s - swing.start_s) / motion.step_s));
+  const auto time = [&](int k) { return swing.start_s + k * (swing.end_s - swing.start_s) / pieces; };
+  DynamicsScratch scratch(model);
+  WholeBodySample sample;
+  std::vector<Vector3> path_W;
+  Matrix3 R_before = Matrix3::Identity();
+  Vector3 rolled_W = Vector3::Zero();
+  for (int k = 0; k <= pieces; ++k) {
+    SampleWholeBody(motion, time(k), sample);
+    ForwardKinematics(model, sample.q, scratch);
+    const Pose X_WF = FramePose(scratch, foot.body, foot.X_BF);
+    if (k > 0) rolled_W += foot.radius * RotationLog(X_WF.linear() * R_before.transpose()).cross(normal_W);
+    R_before = X_WF.linear();
+    path_W.push_back(X_WF.translation() - rolled_W - foot.radius * normal_W);
+  }
+  swing.lift_m = swing.cruise = 0.0;
+  swing.detour_W.clear();
+  SwingCurve straight = CurveOf(swing);
+  straight.X_WF_end.translation() -= rolled_W;
+  MatrixX basis = MatrixX::Zero(pieces + 1, kPoints), wanted(pieces + 1, 3);
+  for (int k = 0; k <= pieces; ++k) {
+    wanted.row(k) = path_W[static_cast<std::size_t>(k)] - Evaluate(straight, time(k)).X_WF.translation();
+    if (k == 0 || k == pieces) continue;
+    const QuinticBasis at = EvaluateQuinticBasis(kPoints + 2 * kFixedSwingPoints, static_cast<double>(k) / pieces);
+    for (int i = 0; i < 6; ++i) {
+      const int point = at.first + i - kFixedSwingPoints;
+      if (point >= 0 && point < kPoints) basis(k, point) = at.value[static_cast<std::size_t>(i)];
+    }
+  }
+  const MatrixX points = basis.colPivHouseholderQr().solve(wanted);
+  for (int i = 0; i < kPoints; ++i) swing.detour_W.emplace_back(points.row(i).transpose());
+  return (basis * points - wanted).rowwise().norm().maxCoeff();
+}
+
+}  // namespace
+
+void FitSwings(const RobotModel& model, MotionPlan& plan) {
+  for (SwingTrajectory& swing : plan.swings) FitSwing(model, plan.whole_body, swing);
 }
 
 }  // namespace gaitwright
