@@ -54,6 +54,14 @@ PressingFoot PressingOf(const RobotModel& model, const MotionPlan& plan, const F
   return pressing;
 }
 
+/// Whether a foot is about to lift off or touch down. Feet that are free in the air are held at rest there.
+bool IsNearEnd(const MotionPlan& plan, int foot, double time_s) {
+  constexpr double kNear = 0.012;  // [s]
+  return std::any_of(plan.swings.begin(), plan.swings.end(), [&](const SwingTrajectory& swing) {
+    return swing.foot == foot && (std::abs(time_s - swing.start_s) < kNear || std::abs(time_s - swing.end_s) < kNear);
+  });
+}
+
 FootGoal GoalOf(const Foot& foot, const FootCourse& course, const FootCourse::Place& place, double yaw_rad) {
   FootGoal goal;
   goal.foot = course.foot();
@@ -134,11 +142,14 @@ BodyProblem ProblemOf(const RobotModel& model, const MotionPlan& plan, const std
     knot.reference = ReferenceAt(plan, problem.chart, time_s, near);
     near = knot.reference.x;
     const double yaw_rad = YawOf(problem.chart.At({near.segment<3>(3)}).R);
+    const MotionPart* part = PartAt(plan.parts, time_s);
     for (std::size_t i = 0; i < courses.size(); ++i) {
       const FootCourse::Place place = courses[i].At(time_s);
       const auto foot = static_cast<std::size_t>(courses[i].foot());
       knot.feet.push_back(GoalOf(model.feet[foot], courses[i], place, yaw_rad));
-      knot.feet.back().rows = rows[i];
+      const bool tumbles =
+          place.swings && part != nullptr && TurnsOver(part->gait) && !IsNearEnd(plan, courses[i].foot(), time_s);
+      knot.feet.back().rows = tumbles ? std::array<bool, 6>{} : rows[i];
       if (!place.presses) continue;
       knot.pressing.push_back(PressingOf(model, plan, place, supports_F[place.foothold], settings.friction_use));
     }

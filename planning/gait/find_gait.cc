@@ -184,6 +184,16 @@ Result<double> LongestCycle(const RobotModel& model, const std::string& name, co
   return ScaledCycle(model, name, options, true);
 }
 
+Result<std::optional<std::array<double, 2>>> OwnTravel(const RobotModel& model, const std::string& name) {
+  const Result<GaitEntry> entry = FindEntry(name, static_cast<int>(model.feet.size()));
+  if (!entry) return entry.failure();
+  std::optional<std::array<double, 2>> travel_m = entry->travel_per_leg;
+  if (travel_m) {
+    for (double& m : *travel_m) m *= model.leg_length_m();
+  }
+  return travel_m;
+}
+
 Result<double> OwnStride(const RobotModel& model, const std::string& name) {
   const Result<GaitEntry> entry = FindEntry(name, static_cast<int>(model.feet.size()));
   if (!entry) return entry.failure();

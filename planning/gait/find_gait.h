@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "kinematics/base/options.h"
@@ -47,6 +49,9 @@ Result<double> ShortestCycle(const RobotModel& model, const std::string& name, c
 /// Longest accepted cycle of the gait for a robot [s]: twice its default if the default scales with the leg, otherwise
 /// the fixed cycle of the gait or of `options`.
 Result<double> LongestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
+
+/// Forward and lateral travel of a gait in each cycle [m]; nothing for a gait that goes where its command says.
+Result<std::optional<std::array<double, 2>>> OwnTravel(const RobotModel& model, const std::string& name);
 
 /// Largest stride of a gait without a given speed [m]; 0 if the gait has no default stride.
 Result<double> OwnStride(const RobotModel& model, const std::string& name);

@@ -30,7 +30,11 @@ DataShape GaitShape() {
        {"phase", ByFootShape(0.0, 0.9999999), "Share of the cycle at which a foot touches down."},
        Optional("stride_per_leg", Number(0.05, 10.0), "Largest stride in leg lengths, used if no speed is given."),
        Optional("shortest_cycle", Number(0.05, 1.0),
-                "Shortest cycle for high speeds as a share of the default cycle; default 0.5.")},
+                "Shortest cycle for high speeds as a share of the default cycle; default 0.5."),
+       Optional("roll_turns", Whole(-2, 2), "Turns of the body about its x axis in each cycle; needs 'travel_per_leg'."),
+       Optional("pitch_turns", Whole(-2, 2), "Turns of the body about its y axis in each cycle; needs 'travel_per_leg'."),
+       Optional("travel_per_leg", List(Number(-10.0, 10.0), 2, 2),
+                "Forward and lateral travel of the body in each cycle, in leg lengths, of a gait that turns over.")},
       {{"cycle_s", "cycle_per_leg_time"}});
 }
 
@@ -77,6 +81,17 @@ GaitEntry ParseGait(const std::string& name, const YAML::Node& node) {
   if (map.Find("shortest_cycle") != nullptr) entry.shortest_cycle = number("shortest_cycle");
   entry.gait.duty_factor = by_foot("duty_factor", feet);
   entry.gait.phase = by_foot("phase", feet);
+  entry.gait.roll_turns = number("roll_turns");
+  entry.gait.pitch_turns = number("pitch_turns");
+  if (const YAML::Node* travel = map.Find("travel_per_leg")) {
+    const std::vector<double> xy = ByFoot(*travel, "travel_per_leg", 2, shape.At("travel_per_leg"));
+    entry.travel_per_leg = {xy[0], xy[1]};
+  }
+  if (TurnsOver(entry.gait) != entry.travel_per_leg.has_value() ||
+      (entry.gait.roll_turns != 0.0 && entry.gait.pitch_turns != 0.0)) {
+    RefuseYaml(node, fmt::format("gait '{}' needs 'travel_per_leg' together with one of 'roll_turns' and 'pitch_turns'",
+                                 name));
+  }
   return entry;
 }
 

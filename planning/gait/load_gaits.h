@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,8 @@ struct GaitEntry {
   double cycle_per_leg_time = 0.0;  ///< cycle divided by sqrt(leg length / g)
   double stride_per_leg = 0.0;      ///< largest stride / leg length without a given speed; 0 is unlimited
   double shortest_cycle = 0.5;      ///< shortest cycle for speed / cycle
+  /// Forward and lateral travel in each cycle / leg length, of a gait with travel of its own.
+  std::optional<std::array<double, 2>> travel_per_leg = {};
 };
 
 /// Reads and validates a file of gaits, see docs/gaits.md. Failure kBadInput, with file and line, for: invalid YAML;

@@ -42,6 +42,8 @@ bool Hangs(const Gait& gait) {
          std::all_of(gait.duty_factor.begin(), gait.duty_factor.end(), [](double share) { return share <= 0.0; });
 }
 
+bool TurnsOver(const Gait& gait) { return gait.roll_turns != 0.0 || gait.pitch_turns != 0.0; }
+
 bool HasFlight(const Gait& gait) {
   // The stance changes only at touch-downs and lift-offs, so it is enough to look just after each lift-off.
   for (std::size_t i = 0; i < gait.phase.size(); ++i) {

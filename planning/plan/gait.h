@@ -25,6 +25,8 @@ struct Gait {
   double cycle_s = 0.5;             ///< [s]
   std::vector<double> phase;        ///< by foot, in [0, 1)
   std::vector<double> duty_factor;  ///< by foot, in (0, 1); all 1 for standing still, all 0 for hanging
+  /// Turns of the body about its x axis (left side up first) and y axis (nose down first) in each cycle: whole numbers.
+  double roll_turns = 0.0, pitch_turns = 0.0;
 
   int num_feet() const { return static_cast<int>(phase.size()); }
   bool operator==(const Gait&) const = default;
@@ -44,6 +46,9 @@ Gait HangingGait(int num_feet);
 
 /// True when no foot is ever on the ground.
 bool Hangs(const Gait& gait);
+
+/// True when the body turns over in each cycle, as in a backflip.
+bool TurnsOver(const Gait& gait);
 
 /// True when some part of the cycle has no foot on the ground.
 bool HasFlight(const Gait& gait);

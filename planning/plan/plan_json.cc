@@ -57,16 +57,18 @@ Json CommandJson(const WalkCommand& c) {
 Json PartsJson(const std::vector<MotionPart>& parts) {
   Json list = Json::array();
   for (const MotionPart& part : parts) {
+    Json gait = {{"name", part.gait.name},
+                 {"description", part.gait.description},
+                 {"cycle_s", part.gait.cycle_s},
+                 {"phase", part.gait.phase},
+                 {"duty_factor", part.gait.duty_factor}};
+    if (part.gait.roll_turns != 0.0) gait["roll_turns"] = part.gait.roll_turns;
+    if (part.gait.pitch_turns != 0.0) gait["pitch_turns"] = part.gait.pitch_turns;
     list.push_back({{"start_s", part.start_s},
                     {"end_s", part.end_s},
                     {"command", CommandJson(part.command)},
                     {"goal", ToJson(part.goal)},
-                    {"gait",
-                     {{"name", part.gait.name},
-                      {"description", part.gait.description},
-                      {"cycle_s", part.gait.cycle_s},
-                      {"phase", part.gait.phase},
-                      {"duty_factor", part.gait.duty_factor}}}});
+                    {"gait", std::move(gait)}});
   }
   return list;
 }

@@ -156,7 +156,9 @@ Gait ToGait(const JsonPart& part, int feet) {
     const VectorX numbers = part.At(key).Vector(legs);
     return std::vector<double>(numbers.begin(), numbers.end());
   };
-  return {part.At("name").Text(), part.At("description").Text(), cycle_s, by_foot("phase"), by_foot("duty_factor")};
+  const auto turns = [&](const char* key) { return part.Has(key) ? part.At(key).NumberIn(-2.0, 2.0) : 0.0; };
+  return {part.At("name").Text(), part.At("description").Text(), cycle_s, by_foot("phase"), by_foot("duty_factor"),
+          turns("roll_turns"),    turns("pitch_turns")};
 }
 
 MotionPart ToPart(const JsonPart& part, int feet) {

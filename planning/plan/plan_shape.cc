@@ -83,7 +83,9 @@ DataShape PlanGaitShape() {
                  {"description", Text()},
                  {"cycle_s", Positive(kLargestNumber)},
                  {"phase", List(Number(0.0, 1.0)), "One value for each foot, less than 1."},
-                 {"duty_factor", List(Number(0.0, 1.0)), "One value for each foot."}});
+                 {"duty_factor", List(Number(0.0, 1.0)), "One value for each foot."},
+                 Optional("roll_turns", Number(-2.0, 2.0), "Turns of the body about its x axis in each cycle."),
+                 Optional("pitch_turns", Number(-2.0, 2.0), "Turns of the body about its y axis in each cycle.")});
 }
 
 DataShape PlanPartShape() {
