@@ -32,7 +32,7 @@ int RunGaits(const GaitsSettings& a) {
   if (!a.common.json && !a.common.quiet) {
     fmt::print(
         "duty: share of the cycle during which a foot is on the ground; phases: when each foot touches down\n\n");
-    fmt::print("{:<8} {:>4}  {:>4}  {:<31}  description\n", "gait", "feet", "duty", "phases");
+    fmt::print("{:<11} {:>4}  {:>4}  {:<31}  description\n", "gait", "feet", "duty", "phases");
   }
   for (const GaitEntry& entry : *gaits) {
     Gait gait = entry.gait;
@@ -43,6 +43,9 @@ int RunGaits(const GaitsSettings& a) {
          {"cycle_s", gait.cycle_s > 0.0 ? nlohmann::ordered_json(gait.cycle_s) : nullptr},
          {"cycle_per_leg_time", entry.cycle_per_leg_time},
          {"stride_per_leg", entry.stride_per_leg > 0.0 ? nlohmann::ordered_json(entry.stride_per_leg) : nullptr},
+         {"pitch_turns", gait.pitch_turns},
+         {"roll_turns", gait.roll_turns},
+         {"travel_per_leg", entry.travel_per_leg ? nlohmann::ordered_json(*entry.travel_per_leg) : nullptr},
          {"phase", gait.phase},
          {"duty_factor", gait.duty_factor},
          {"flight", HasFlight(gait)}});
@@ -51,7 +54,7 @@ int RunGaits(const GaitsSettings& a) {
       fmt::print("{}\n", gait.name);
       continue;
     }
-    fmt::print("{:<8} {:>4}  {:>4.2f}  {:<31}  {}\n", gait.name, gait.num_feet(), gait.duty_factor.front(),
+    fmt::print("{:<11} {:>4}  {:>4.2f}  {:<31}  {}\n", gait.name, gait.num_feet(), gait.duty_factor.front(),
                PhasesText(gait.phase), gait.description);
   }
   if (a.common.json) PrintJson(nlohmann::ordered_json{{"gaits", list}});

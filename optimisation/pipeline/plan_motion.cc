@@ -18,9 +18,11 @@
 #include "optimisation/pipeline/gait_timing.h"
 #include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/motion_passes.h"
+#include "optimisation/pipeline/plan_turning_internal.h"
 #include "optimisation/pipeline/rigid_body_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
+#include "optimisation/pipeline/turning_leap_internal.h"
 #include "optimisation/swing/swing_ground.h"
 #include "planning/plan/robot_of_plan.h"
 
@@ -153,6 +155,20 @@ Result<PlannedMotion> PlanDynamic(const MotionTask& task, const std::optional<Cr
   return planned;
 }
 
+/// Plans a motion in which the body turns over: the optimisation of the whole body from a first guess.
+Result<PlannedMotion> PlanTurning(const MotionTask& task) {
+  Result<MotionPass> pass = GuessTurn(task);
+  if (!pass) return pass.failure();
+  pass->error_m = 0.0;
+  PlannedMotion planned = PlannedBy(task, std::move(*pass), true, 1);
+  MotionOptions options = task.options;
+  options.trajectory = TurningOptions(options.trajectory);
+  FinishPlanned(task.model, options, planned);
+  if (planned.unfinished) return *planned.unfinished;
+  FitSwings(task.model, planned.plan);
+  return planned;
+}
+
 /// Plans by passes of the pendulum with the best body posture that is found. With trajectory.method=whole-body a motion
 /// is finished by the whole body; if it violates limits even then, other postures are tried.
 class PendulumPlan {
@@ -225,14 +241,18 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
                                  const MotionOptions& options) {
   MotionOptions checked = options;
   CheckOptions(checked.Fields());
-  Result<FootstepSkeleton> skeleton = PlanSequence(model, terrain, parts, StandingOptions(options));
+  FootstepOptions footsteps = StandingOptions(options);
+  if (TurnsOver(parts)) footsteps.settling_s = std::max(footsteps.settling_s, StandingForTurn(model));
+  Result<FootstepSkeleton> skeleton = PlanSequence(model, terrain, parts, footsteps);
   if (!skeleton) return skeleton.failure();
   const double cycle_s = SlowestCycle(parts);
   const BodyPath body(model, *skeleton, cycle_s);
   const bool dynamic = IsDynamic(skeleton->schedule, options.centre_of_mass);
-  if (dynamic && options.timing == "optimised") return PlanAtBestTimes(model, terrain, parts, options);
+  if (dynamic && !TurnsOver(parts) && options.timing == "optimised")
+    return PlanAtBestTimes(model, terrain, parts, options);
   const Result<std::optional<Crouch>> crouch = CrouchOf(model, skeleton->schedule, options);
   if (!crouch) return crouch.failure();
+  if (TurnsOver(parts)) return PlanTurning({model, terrain, *skeleton, options, body, cycle_s});
   if (dynamic && WantsFinerGrid(skeleton->footsteps, *crouch, options.pipeline.grid_step_s)) {
     checked.pipeline.grid_step_s *= 0.5;
     return PlanMotion(model, terrain, parts, checked);

@@ -59,7 +59,7 @@ class TurningLeap {
     if (auto s = ik_.SolvePosition(TargetAt(low), q); !s) return s.failure();
     tuck_ = q;
     last_q_ = q;
-    // landing joints: backwards from the crouch after the landing
+    // Joints at the landings, backward from the crouch after them.
     land_.assign(model_.feet.size(), tuck_);
     q = tuck_;
     for (double t = touchdown_s_ + shape_.push_s; t > touchdown_s_ - 1e-9; t -= 0.005) {
@@ -94,7 +94,8 @@ class TurningLeap {
   const VectorX standing_;
   double liftoff_s_ = 0.0, touchdown_s_ = 0.0;  // of the flight
   FootSet last_ = 0, first_ = 0;                // feet that lift off last and land first
-  double rate_rad_s_ = 0.0, angle_liftoff_rad_ = 0.0;
+  double slowing_s_ = 0.0;                      // in which the turn ends after the first touch-down
+  double rate_rad_s_ = 0.0, angle_liftoff_rad_ = 0.0, angle_touchdown_rad_ = 0.0;
   DynamicsScratch scratch_;
   Vector3 c_standing_W_ = Vector3::Zero();
   VectorX tuck_, last_q_;
@@ -115,16 +116,23 @@ void TurningLeap::FindTimes() {
     first_ = phases[k + 1].stance;
   }
   const double flight_s = touchdown_s_ - liftoff_s_;
-  rate_rad_s_ = turn_rad_ / (flight_s + 2.0 * shape_.push_s / (shape_.ramp_power + 1.0));
-  angle_liftoff_rad_ = 0.5 * (turn_rad_ - rate_rad_s_ * flight_s);
+  double first_liftoff_s = liftoff_s_, last_touchdown_s = touchdown_s_;
+  for (const SwingTrajectory& swing : plan_.swings) {
+    first_liftoff_s = std::min(first_liftoff_s, swing.start_s);
+    last_touchdown_s = std::max(last_touchdown_s, swing.end_s);
+  }
+  const double ratio = (last_touchdown_s - touchdown_s_) / std::max(liftoff_s_ - first_liftoff_s, 1e-3);
+  slowing_s_ = shape_.push_s * std::clamp(ratio, 0.05, 1.0);
+  rate_rad_s_ = turn_rad_ / (flight_s + (shape_.push_s + slowing_s_) / (shape_.ramp_power + 1.0));
+  angle_liftoff_rad_ = rate_rad_s_ * shape_.push_s / (shape_.ramp_power + 1.0);
+  angle_touchdown_rad_ = turn_rad_ - rate_rad_s_ * slowing_s_ / (shape_.ramp_power + 1.0);
 }
 
 double TurningLeap::AngleAt(double time_s) const {
-  const auto ramp = [&](double u) {
-    return angle_liftoff_rad_ * std::pow(std::clamp(u, 0.0, 1.0), shape_.ramp_power + 1.0);
-  };
-  if (time_s <= liftoff_s_) return ramp(1.0 - (liftoff_s_ - time_s) / shape_.push_s);
-  if (time_s >= touchdown_s_) return turn_rad_ - ramp(1.0 - (time_s - touchdown_s_) / shape_.push_s);
+  const auto ramp = [&](double u) { return std::pow(std::clamp(u, 0.0, 1.0), shape_.ramp_power + 1.0); };
+  if (time_s <= liftoff_s_) return angle_liftoff_rad_ * ramp(1.0 - (liftoff_s_ - time_s) / shape_.push_s);
+  if (time_s >= touchdown_s_)
+    return turn_rad_ - (turn_rad_ - angle_touchdown_rad_) * ramp(1.0 - (time_s - touchdown_s_) / slowing_s_);
   return angle_liftoff_rad_ + rate_rad_s_ * (time_s - liftoff_s_);
 }
 
@@ -173,7 +181,7 @@ void TurningLeap::FindPlaces() {
   low_W_ = stands(start, shape_.crouched * leg_m - start.hips_C.z());
   low_end_W_ = stands(end, shape_.crouched * leg_m - end.hips_C.z());
   off_W_ = above(last, angle_liftoff_rad_, shape_.extended * leg_m);
-  on_W_ = above(first, -angle_liftoff_rad_, shape_.extended * leg_m);
+  on_W_ = above(first, angle_touchdown_rad_ - turn_rad_, shape_.extended * leg_m);
   v_off_W_ = (on_W_ - off_W_) / flight_s + 0.5 * kGravity * flight_s * Vector3::UnitZ();
   v_on_W_ = v_off_W_ - kGravity * flight_s * Vector3::UnitZ();
 }
@@ -252,6 +260,15 @@ void SetRates(WholeBodyTrajectory& w) {
 
 }  // namespace
 
+LeapShape LeapShapeOf(const RobotModel& model) {
+  constexpr double kPush = 1.64, kCrouch = 1.93;  // in sqrt(leg length / g)
+  const double scale_s = std::sqrt(model.leg_length_m() / kGravity);
+  LeapShape shape;
+  shape.push_s = kPush * scale_s;
+  shape.crouch_s = kCrouch * scale_s;
+  return shape;
+}
+
 std::optional<Failure> SetTurningLeap(const RobotModel& model, const Vector3& turn_W, const LeapShape& shape,
                                       double step_s, MotionPlan& plan) {
   TurningLeap leap(model, turn_W, shape, plan);
@@ -283,7 +300,7 @@ namespace {
 /// Sets the detour of a swing so that its curve follows the foot in the rows, less what the foot has rolled since its
 /// lift-off. @return the largest distance that is left [m].
 double FitSwing(const RobotModel& model, const WholeBodyTrajectory& motion, SwingTrajectory& swing) {
-  constexpr int kPoints = 40;
+  constexpr int kPoints = 60;
   const Foot& foot = model.feet[static_cast<std::size_t>(swing.foot)];
   const Vector3 normal_W = swing.X_WF_start.linear().col(2);
   const int pieces = static_cast<int>(std::lround((swing.end_s - swing.start_s) / motion.step_s));

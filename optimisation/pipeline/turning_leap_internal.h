@@ -11,17 +11,20 @@ namespace gaitwright {
 
 /// Shape of the first guess of a leap in which the body turns over.
 struct LeapShape {
-  double push_s = 0.34;     ///< from the start of the turn until the last feet lift off; also for the landing
-  double crouch_s = 0.4;    ///< from standing to the lowest posture, and from landing to standing
+  double push_s = 0.0;      ///< from the start of the turn until the last feet lift off; also for the landing
+  double crouch_s = 0.0;    ///< from standing to the lowest posture, and from landing to standing
   double extended = 0.80;   ///< length of the last legs at lift-off, as a share of the leg length
   double crouched = 0.50;   ///< height of the hips in the crouch, as a share of the leg length
   double tucked = 0.50;     ///< length of the legs in flight, as a share of the leg length
   double ramp_power = 2.0;  ///< the turning rate rises with this power of time during the push
 };
 
+/// Times that suit a robot: they scale with sqrt(leg length / g).
+LeapShape LeapShapeOf(const RobotModel& model);
+
 /// Sets the rows of a plan with one leap to a motion in which the body turns over about a horizontal axis while the
-/// centre of mass flies freely: a first guess for FinishMotion. Over the push, the body turns about the hips of the feet
-/// that lift off last; the landing is its mirror image. In flight the legs are tucked in.
+/// centre of mass flies freely: a first guess for FinishMotion. Over the push, the body turns about the hips of the
+/// feet that lift off last; the landing is its mirror image. In flight the legs are tucked in.
 ///
 /// @param plan    has a schedule, footholds and swings of one leap, and the robot stands before and after.
 /// @param turn_W  rotation vector of the whole turn, about a horizontal axis [rad].

@@ -51,4 +51,11 @@ Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motio
   return finished;
 }
 
+bool KeepsRoom(const PlannedWalk& planned) {
+  constexpr double kMostEffort = 0.9;
+  if (!planned.audit.violations.empty() || planned.motion.unfinished) return false;
+  const std::optional<FinishReport>& finished = planned.motion.finished;
+  return !finished || (finished->keeps_room && finished->effort_use <= kMostEffort);
+}
+
 }  // namespace gaitwright

@@ -18,4 +18,8 @@ bool MayMoveFeet(const MotionOptions& options, const Terrain& terrain);
 Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const MotionOptions& options,
                             const AuditOptions& audit_options = {}, bool only_sound = false);
 
+/// Whether a plan passes its audit and motors have room for the corrections of controllers: plans that need 92 % of a
+/// torque, the limit at the knots of an optimisation, end with torques at their limits when they are played.
+bool KeepsRoom(const PlannedWalk& planned);
+
 }  // namespace gaitwright

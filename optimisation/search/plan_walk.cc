@@ -5,6 +5,7 @@
 
 #include "kinematics/base/cpu_clock.h"
 #include "optimisation/search/plan_parts.h"
+#include "optimisation/search/plan_turn_internal.h"
 #include "optimisation/search/plan_within.h"
 #include "optimisation/search/refuse_walk.h"
 #include "planning/footsteps/uneven_footsteps.h"
@@ -21,9 +22,16 @@ int LeastStridesOf(const RobotModel& model, const std::string& gait, const WalkC
   return stride_m ? LeastStrides(*stride_m, command) : 0;
 }
 
+/// Whether the body turns over in a gait. Errors of the gait are reported later by planning.
+bool TurnsOver(const RobotModel& model, const std::string& gait) {
+  const Result<std::optional<std::array<double, 2>>> travel_m = OwnTravel(model, gait);
+  return travel_m && travel_m->has_value();
+}
+
 Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                               SearchTrace* trace) {
   if (request.sequence.empty()) {
+    if (TurnsOver(model, request.gait)) return PlanTurn(model, terrain, request, trace);
     const int strides = LeastStridesOf(model, request.gait, request.command);
     return strides > 0 ? PlanInFewestStrides(model, terrain, request, strides, trace)
                        : PlanWithin(model, terrain, request, trace);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "optimisation/pipeline/dynamic_motion.h"
+#include "optimisation/search/audited_plan.h"
 #include "optimisation/search/pace.h"
 #include "optimisation/search/refuse_walk.h"
 #include "optimisation/search/sound_search.h"
@@ -124,15 +125,6 @@ Result<PlannedWalk> PlanFor(const RobotModel& model, const Terrain& terrain, con
   }
   if (problem.any_plan || found.at_every_pace || !slower) return *found.refusal;
   return Refusal(model, request, cycles->fitted.name, *found.refusal, SlowerThatIsSound(problem, evaluator));
-}
-
-/// Whether motors have room for the corrections of controllers: plans that need 92 % of a torque, the limit at the
-/// knots of an optimisation, end with torques at their limits when they are played.
-bool KeepsRoom(const PlannedWalk& planned) {
-  constexpr double kMostEffort = 0.9;
-  if (!planned.audit.violations.empty() || planned.motion.unfinished) return false;
-  const std::optional<FinishReport>& finished = planned.motion.finished;
-  return !finished || (finished->keeps_room && finished->effort_use <= kMostEffort);
 }
 
 }  // namespace

@@ -31,8 +31,10 @@ DataShape GaitShape() {
        Optional("stride_per_leg", Number(0.05, 10.0), "Largest stride in leg lengths, used if no speed is given."),
        Optional("shortest_cycle", Number(0.05, 1.0),
                 "Shortest cycle for high speeds as a share of the default cycle; default 0.5."),
-       Optional("roll_turns", Whole(-2, 2), "Turns of the body about its x axis in each cycle; needs 'travel_per_leg'."),
-       Optional("pitch_turns", Whole(-2, 2), "Turns of the body about its y axis in each cycle; needs 'travel_per_leg'."),
+       Optional("roll_turns", Whole(-2, 2),
+                "Turns of the body about its x axis in each cycle; needs 'travel_per_leg'."),
+       Optional("pitch_turns", Whole(-2, 2),
+                "Turns of the body about its y axis in each cycle; needs 'travel_per_leg'."),
        Optional("travel_per_leg", List(Number(-10.0, 10.0), 2, 2),
                 "Forward and lateral travel of the body in each cycle, in leg lengths, of a gait that turns over.")},
       {{"cycle_s", "cycle_per_leg_time"}});

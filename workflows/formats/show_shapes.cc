@@ -161,16 +161,19 @@ DataShape RobotsResultShape() {
 }
 
 DataShape GaitsResultShape() {
-  const DataShape gait =
-      Object({{"name", Text()},
-              {"feet", Whole()},
-              {"description", Text()},
-              {"cycle_s", OrNull(Number()), "Cycle time; null if derived from the robot."},
-              {"cycle_per_leg_time", Number(), "Cycle time divided by sqrt(leg length / g); 0 if cycle_s is given."},
-              {"stride_per_leg", OrNull(Number()), "Stride divided by the leg length."},
-              {"phase", Numbers(), "Share of the cycle at which each foot touches down."},
-              {"duty_factor", Numbers(), "Share of the cycle during which each foot is on the ground."},
-              {"flight", Truth()}});
+  const DataShape gait = Object(
+      {{"name", Text()},
+       {"feet", Whole()},
+       {"description", Text()},
+       {"cycle_s", OrNull(Number()), "Cycle time; null if derived from the robot."},
+       {"cycle_per_leg_time", Number(), "Cycle time divided by sqrt(leg length / g); 0 if cycle_s is given."},
+       {"stride_per_leg", OrNull(Number()), "Stride divided by the leg length."},
+       {"pitch_turns", Number(), "Turns of the body about its y axis in each cycle."},
+       {"roll_turns", Number(), "Turns of the body about its x axis in each cycle."},
+       {"travel_per_leg", OrNull(Numbers(2)), "Forward and lateral travel in each cycle divided by the leg length."},
+       {"phase", Numbers(), "Share of the cycle at which each foot touches down."},
+       {"duty_factor", Numbers(), "Share of the cycle during which each foot is on the ground."},
+       {"flight", Truth()}});
   return Object({{"gaits", List(gait)}});
 }
 

@@ -21,8 +21,9 @@ TEST(Gaits, BuiltInOnesAreWhatTheirNamesSay) {
   ASSERT_TRUE(gaits.ok()) << gaits.failure().message;
   ASSERT_GE(gaits->size(), 8U);
   for (const GaitEntry& entry : *gaits) {
-    const std::vector<std::string> fly = {"hop", "run", "bound", "pronk", "gallop", "jump"};
+    const std::vector<std::string> fly = {"hop", "run", "bound", "pronk", "gallop", "jump", "backflip", "barrel-roll"};
     EXPECT_EQ(HasFlight(entry.gait), std::count(fly.begin(), fly.end(), entry.gait.name) == 1) << entry.gait.name;
+    EXPECT_EQ(TurnsOver(entry.gait), entry.travel_per_leg.has_value()) << entry.gait.name;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -122,6 +123,22 @@ TEST(LoadGaitsFile, ValuesAreAcceptedUpToTheirEnds) {
   EXPECT_FALSE(accepted("0.5", "-0.1", "1"));
   EXPECT_FALSE(accepted("0.5", "0", "0.049"));
   EXPECT_FALSE(accepted("0.5", "0", "20.1"));
+}
+
+TEST(LoadGaitsFile, TurnsOfTheBodyHaveATravelAndOneAxis) {
+  const auto read = [](const std::string& keys) {
+    return GaitsOfText("g: {feet: 4, cycle_s: 1, duty_factor: 0.5, phase: 0, " + keys + "}");
+  };
+  const auto flip = read("pitch_turns: -1, travel_per_leg: [-1, 0.5]");
+  ASSERT_TRUE(flip.ok()) << flip.failure().message;
+  EXPECT_EQ(flip->front().gait.pitch_turns, -1.0);
+  EXPECT_EQ(flip->front().gait.roll_turns, 0.0);
+  EXPECT_EQ(flip->front().travel_per_leg, (std::array<double, 2>{-1.0, 0.5}));
+  EXPECT_FALSE(read("pitch_turns: -1").ok());
+  EXPECT_FALSE(read("travel_per_leg: [-1, 0]").ok());
+  EXPECT_FALSE(read("pitch_turns: 1, roll_turns: 1, travel_per_leg: [0, 0]").ok());
+  EXPECT_FALSE(read("pitch_turns: 0.5, travel_per_leg: [0, 0]").ok());
+  EXPECT_FALSE(read("pitch_turns: 1, travel_per_leg: [0]").ok());
 }
 
 TEST(LoadGaitsFile, FailuresNameTheFileAndTheLine) {
