@@ -126,13 +126,20 @@ Result<PlannedWalk> PlanFor(const RobotModel& model, const Terrain& terrain, con
   return Refusal(model, request, cycles->fitted.name, *found.refusal, SlowerThatIsSound(problem, evaluator));
 }
 
-/// Whether motors have room for the corrections of controllers: plans that need 92 % of a torque, the limit at the
-/// knots of an optimisation, end with torques at their limits when they are played.
-bool KeepsRoom(const PlannedWalk& planned) {
-  constexpr double kMostEffort = 0.9;
-  if (!planned.audit.violations.empty() || planned.motion.unfinished) return false;
-  const std::optional<FinishReport>& finished = planned.motion.finished;
-  return !finished || (finished->keeps_room && finished->effort_use <= kMostEffort);
+/// How well motors can make corrections while a plan is played.
+enum class Room {
+  kNoPlan,    ///< or not a sound one
+  kNone,      ///< the optimisation needed the room that its limits leave
+  kAsSolved,  ///< the optimisation left it
+  kAmple,
+};
+
+Room RoomOf(const Result<PlannedWalk>& planned) {
+  constexpr double kAmpleEffort = 0.85;  // of the limits; optimisations leave 8 %
+  if (!planned || !planned->audit.violations.empty() || planned->motion.unfinished) return Room::kNoPlan;
+  const std::optional<FinishReport>& finished = planned->motion.finished;
+  if (!finished || (finished->keeps_room && finished->effort_use <= kAmpleEffort)) return Room::kAmple;
+  return finished->keeps_room ? Room::kAsSolved : Room::kNone;
 }
 
 }  // namespace
@@ -149,16 +156,18 @@ Result<PlannedWalk> PlanInFewestStrides(const RobotModel& model, const Terrain& 
   const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return gait.failure();
   WalkRequest counted = request;
-  std::optional<Result<PlannedWalk>> first;
+  std::optional<Result<PlannedWalk>> best;
   for (int n = strides; n < strides + kNumbers; ++n) {
     counted.command = CountedInStrides(*gait, n, command);
     const bool last = counted.command == command || request.motion.pipeline.allow_limits;
     Result<PlannedWalk> planned = PlanFor(model, terrain, counted, last, trace);
-    if (last || (planned && KeepsRoom(*planned))) return planned;
+    const Room room = RoomOf(planned);
+    if (last || room == Room::kAmple) return planned;
     if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
-    if (!first || (!*first && planned)) first = std::move(planned);
+    if (best && RoomOf(*best) == Room::kAsSolved && room == Room::kAsSolved) break;  // more strides are not easier
+    if (!best || RoomOf(*best) < room) best = std::move(planned);
   }
-  return std::move(*first);
+  return std::move(*best);
 }
 
 }  // namespace gaitwright
