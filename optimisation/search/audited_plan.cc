@@ -51,11 +51,12 @@ Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motio
   return finished;
 }
 
-bool KeepsRoom(const PlannedWalk& planned) {
-  constexpr double kMostEffort = 0.9;
-  if (!planned.audit.violations.empty() || planned.motion.unfinished) return false;
-  const std::optional<FinishReport>& finished = planned.motion.finished;
-  return !finished || (finished->keeps_room && finished->effort_use <= kMostEffort);
+Room RoomOf(const Result<PlannedWalk>& planned) {
+  constexpr double kAmpleEffort = 0.85;  // of the limits; optimisations leave 8 %
+  if (!planned || !planned->audit.violations.empty() || planned->motion.unfinished) return Room::kNoPlan;
+  const std::optional<FinishReport>& finished = planned->motion.finished;
+  if (!finished || (finished->keeps_room && finished->effort_use <= kAmpleEffort)) return Room::kAmple;
+  return finished->keeps_room ? Room::kAsSolved : Room::kNone;
 }
 
 }  // namespace gaitwright

@@ -18,8 +18,14 @@ bool MayMoveFeet(const MotionOptions& options, const Terrain& terrain);
 Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motion, const MotionOptions& options,
                             const AuditOptions& audit_options = {}, bool only_sound = false);
 
-/// Whether a plan passes its audit and motors have room for the corrections of controllers: plans that need 92 % of a
-/// torque, the limit at the knots of an optimisation, end with torques at their limits when they are played.
-bool KeepsRoom(const PlannedWalk& planned);
+/// How well motors can make corrections while a plan is played.
+enum class Room {
+  kNoPlan,    ///< or not a sound one
+  kNone,      ///< the optimisation needed the room that its limits leave (FinishReport::keeps_room)
+  kAsSolved,  ///< the optimisation left it
+  kAmple,     ///< efforts are far below their limits
+};
+
+Room RoomOf(const Result<PlannedWalk>& planned);
 
 }  // namespace gaitwright

@@ -68,7 +68,7 @@ Result<PlannedWalk> PlanTurn(const RobotModel& model, const Terrain& terrain, co
                         "m", varied.cycle_s, sound ? std::nullopt : std::optional(ReasonRefused(planned)), false,
                         true});
     }
-    if (sound && KeepsRoom(*planned)) return planned;
+    if (RoomOf(planned) >= Room::kAsSolved) return planned;
     if (request.motion.pipeline.allow_limits && planned) return planned;
     if (!first || (!IsSound(*first) && sound)) first = std::move(planned);
   }

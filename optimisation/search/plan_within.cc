@@ -141,16 +141,18 @@ Result<PlannedWalk> PlanInFewestStrides(const RobotModel& model, const Terrain& 
   const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return gait.failure();
   WalkRequest counted = request;
-  std::optional<Result<PlannedWalk>> first;
+  std::optional<Result<PlannedWalk>> best;
   for (int n = strides; n < strides + kNumbers; ++n) {
     counted.command = CountedInStrides(*gait, n, command);
     const bool last = counted.command == command || request.motion.pipeline.allow_limits;
     Result<PlannedWalk> planned = PlanFor(model, terrain, counted, last, trace);
-    if (last || (planned && KeepsRoom(*planned))) return planned;
+    const Room room = RoomOf(planned);
+    if (last || room == Room::kAmple) return planned;
     if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
-    if (!first || (!*first && planned)) first = std::move(planned);
+    if (best && RoomOf(*best) == Room::kAsSolved && room == Room::kAsSolved) break;  // more strides are not easier
+    if (!best || RoomOf(*best) < room) best = std::move(planned);
   }
-  return std::move(*first);
+  return std::move(*best);
 }
 
 }  // namespace gaitwright

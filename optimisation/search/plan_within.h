@@ -9,9 +9,10 @@ namespace gaitwright {
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                SearchTrace* trace = nullptr);
 
-/// PlanWithin in the smallest number of equal strides whose plan keeps room for the corrections of controllers
-/// (FinishReport::keeps_room), from `strides` on; if no plan does, the first sound plan. A few numbers are tried. The
-/// failure is that of the first number, as the search for more strides is its alternative.
+/// PlanWithin in the smallest number of equal strides whose plan leaves motors ample room for the corrections of
+/// controllers, from `strides` on; if no plan does, the first with the room of the optimisation
+/// (FinishReport::keeps_room), or the first sound plan. A few numbers are tried. The failure is that of the first
+/// number, as the search for more strides is its alternative.
 Result<PlannedWalk> PlanInFewestStrides(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                         int strides, SearchTrace* trace = nullptr);
 

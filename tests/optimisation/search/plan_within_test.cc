@@ -71,7 +71,7 @@ int LeapsOf(const WalkRequest& request, int at_least = 1) {
   if (!planned) return 0;
   EXPECT_TRUE(planned->audit.violations.empty());
   const std::optional<FinishReport>& finished = planned->motion.finished;
-  EXPECT_TRUE(finished && finished->keeps_room && finished->effort_use > 0.3 && finished->effort_use <= 0.9);
+  EXPECT_TRUE(finished && finished->keeps_room && finished->effort_use > 0.3 && finished->effort_use <= 0.85);
   return static_cast<int>(planned->motion.plan.swings.size()) / 4;
 }
 
