@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/flags.h"
 #include "cli/motion_source_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
+#include "cli/progress_bar.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/repair/repair_report_internal.h"
 #include "workflows/walk/walk.h"
@@ -31,6 +34,17 @@ int PrintRepair(const RepairResult& result, const std::string& path, const Commo
   return result.pass() ? kPass : kVerdictFail;
 }
 
+/// Shows a progress bar over the windows of all solves: two solves are usual, more are added when they come.
+Result<RepairedMotion> RepairWithBar(const RobotModel& model, const RepairSettings& a,
+                                     const std::function<bool(const MotionPlan&)>& proves) {
+  ProgressBar bar(!a.common.quiet, "windows");
+  RepairRequest request = a.request;
+  request.progress = [&](const FollowProgress& p) {
+    bar.Show({(p.solve - 1) * p.all + p.done, std::max(2, p.solve) * p.all}, fmt::format("solve {}", p.solve));
+  };
+  return RepairMotion(model, request, proves);
+}
+
 int RunRepair(RepairSettings& a) {
   ApplySets("--set", a.common.sets, a.request.Fields());
   Paths paths;
@@ -52,7 +66,7 @@ int RunRepair(RepairSettings& a) {
     played = PlayWalk(*model, plan, play);
     return *played && (*played)->pass();
   };
-  const Result<RepairedMotion> repaired = RepairMotion(*model, a.request, proves);
+  const Result<RepairedMotion> repaired = RepairWithBar(*model, a, proves);
   if (!repaired) return Report(repaired.failure(), a.common);
   const Result<std::string> saved = SavePlan(repaired->plan, a.out);
   if (!saved) return Report(saved.failure(), a.common);
