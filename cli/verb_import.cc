@@ -5,10 +5,10 @@
 
 #include "cli/flags.h"
 #include "cli/json_text_internal.h"
+#include "cli/motion_source_internal.h"
 #include "cli/numbers.h"
 #include "cli/paths.h"
 #include "cli/program.h"
-#include "cli/robot_input.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/walk/walk.h"
@@ -63,11 +63,8 @@ int RunImport(ImportSettings& a) {
     a.request.goal = PlanarPose{pose[0], pose[1], pose[2]};
   }
   Paths paths;
-  paths.Read("the motion", a.request.file);
-  paths.Read("--columns", a.request.columns_file);
+  AddSourcePaths(a.request, a.robot, paths);
   paths.Write("the plan", a.out, {".json"});
-  a.robot.AddTo(paths);
-  paths.AddTerrain(a.request.terrain);
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
@@ -84,24 +81,11 @@ int RunImport(ImportSettings& a) {
 void AddImport(Verb program, int& status) {
   auto a = std::make_shared<ImportSettings>();
   const Verb verb = program.AddVerb("import", "Turn a motion of other software into a plan, and audit it");
-  AddText(
-      verb, "FILE", "FILE", a->request.file,
+  AddMotionSource(
+      verb, "FILE",
       "The motion: a CSV with named columns, from OCS2, or with frames without names (.csv, .tsv, .txt); a ROS joint "
-      "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
-      .Require();
-  verb.SetGroup("Robot and ground");
-  a->robot.AddTo(verb);
-  AddText(verb, "--terrain", "NAME", a->request.terrain,
-          "Ground of the motion, by name or file, see 'gaitwright terrains'; default flat.");
-  verb.SetGroup("Reading the file");
-  AddText(verb, "--columns", "FILE", a->request.columns_file,
-          "YAML file that maps the CSV's columns, see docs/import.md; default: by its first line.");
-  const OptionFields fields = a->request.Fields();
-  AddField(verb, "--rate-hz", fields, "rate_hz");
-  AddField(verb, "--quaternion-order", fields, "quaternion_order");
-  AddField(verb, "--angle-unit", fields, "angle_unit");
-  AddField(verb, "--length-unit", fields, "length_unit");
-  AddField(verb, "--time-unit", fields, "time_unit");
+      "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).",
+      a->request, a->robot);
   AddText(verb, "--goal", "x,y,yaw", a->goal,
           "Intended end pose, in m, m and rad from the start; default: the end of the motion.");
   verb.SetGroup("Output");

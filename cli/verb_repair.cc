@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/flags.h"
+#include "cli/motion_source_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
-#include "cli/robot_input.h"
+#include "cli/progress_bar.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/repair/repair_report_internal.h"
 #include "workflows/walk/walk.h"
@@ -31,14 +34,22 @@ int PrintRepair(const RepairResult& result, const std::string& path, const Commo
   return result.pass() ? kPass : kVerdictFail;
 }
 
+/// Shows a progress bar over the windows of all solves: two solves are usual, more are added when they come.
+Result<RepairedMotion> RepairWithBar(const RobotModel& model, const RepairSettings& a,
+                                     const std::function<bool(const MotionPlan&)>& proves) {
+  ProgressBar bar(!a.common.quiet, "windows");
+  RepairRequest request = a.request;
+  request.progress = [&](const FollowProgress& p) {
+    bar.Show({(p.solve - 1) * p.all + p.done, std::max(2, p.solve) * p.all}, fmt::format("solve {}", p.solve));
+  };
+  return RepairMotion(model, request, proves);
+}
+
 int RunRepair(RepairSettings& a) {
   ApplySets("--set", a.common.sets, a.request.Fields());
   Paths paths;
-  paths.Read("the motion", a.request.source.file);
-  paths.Read("--columns", a.request.source.columns_file);
+  AddSourcePaths(a.request.source, a.robot, paths);
   if (!a.check) paths.Write("the plan", a.out, {".json"});
-  a.robot.AddTo(paths);
-  paths.AddTerrain(a.request.source.terrain);
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
@@ -55,7 +66,7 @@ int RunRepair(RepairSettings& a) {
     played = PlayWalk(*model, plan, play);
     return *played && (*played)->pass();
   };
-  const Result<RepairedMotion> repaired = RepairMotion(*model, a.request, proves);
+  const Result<RepairedMotion> repaired = RepairWithBar(*model, a, proves);
   if (!repaired) return Report(repaired.failure(), a.common);
   const Result<std::string> saved = SavePlan(repaired->plan, a.out);
   if (!saved) return Report(saved.failure(), a.common);
@@ -69,25 +80,13 @@ int RunRepair(RepairSettings& a) {
 
 void AddRepair(Verb program, int& status) {
   auto a = std::make_shared<RepairSettings>();
-  const Verb verb = program.AddVerb("repair", "Make the nearest motion that the robot can do from anyone's motion");
-  AddText(
-      verb, "MOTION", "FILE", a->request.source.file,
+  const Verb verb = program.AddVerb(
+      "repair", "Change a motion as little as possible so that the robot can do it, and report each change");
+  AddMotionSource(
+      verb, "MOTION",
       "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
-      ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).")
-      .Require();
-  verb.SetGroup("Robot and ground");
-  a->robot.AddTo(verb);
-  AddText(verb, "--terrain", "NAME", a->request.source.terrain,
-          "Ground of the motion, by name or file, see 'gaitwright terrains'; default flat.");
-  verb.SetGroup("Reading the file");
-  AddText(verb, "--columns", "FILE", a->request.source.columns_file,
-          "YAML file that maps the CSV's columns, see docs/import.md; default: by its first line.");
-  const OptionFields fields = a->request.Fields();
-  AddField(verb, "--rate-hz", fields, "rate_hz");
-  AddField(verb, "--quaternion-order", fields, "quaternion_order");
-  AddField(verb, "--angle-unit", fields, "angle_unit");
-  AddField(verb, "--length-unit", fields, "length_unit");
-  AddField(verb, "--time-unit", fields, "time_unit");
+      ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).",
+      a->request.source, a->robot);
   verb.SetGroup("Output");
   AddText(verb, "--out", "FILE", a->out,
           "Plan file to write; its folder is created if missing; default repaired.json.");

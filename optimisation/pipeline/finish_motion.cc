@@ -5,17 +5,16 @@
 #include <cmath>
 #include <utility>
 
-#include "kinematics/base/cpu_clock.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/limit_violation.h"
-#include "optimisation/trajectory/body_rows_internal.h"
+#include "optimisation/pipeline/solve_windows_internal.h"
+#include "optimisation/trajectory/motor_rows_internal.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kViolation = 1e-5;    // [m g, rad, m] that constraints at knots may be off by
-constexpr double kGoodEnough = 1e-4;   // of a solve that was ended by its iterations
 constexpr double kGive = 1e-6;         // see ElasticOptions
 constexpr int kScreening = 20;         // iterations after which a solve ends if the violations
 constexpr double kFar = 0.3;           // sum to more than this
@@ -62,21 +61,23 @@ class Finisher {
         settings_(settings),
         follow_(follow),
         courses_(CoursesOf(model, plan)),
-        knots_s_(KnotTimesOf(plan, options.knot_step_s)),
+        knots_s_(KnotTimesOf(plan, options.knot_step_s, follow == nullptr ? 0 : follow->least_per_swing)),
         finished_(plan) {
     rolls_ = RollsOf(model, plan.whole_body, courses_);
     SetCourses();
   }
 
   Result<MotionPlan> Run();
-  const FinishReport& report() const { return report_; }
+  const FollowReport& report() const { return report_; }
 
  private:
   void SetCourses();
-  Result<bool> SolveOnce(const BodyProblem& problem, MatrixX& points);
+  ElasticOptions Elastic() const;
+  std::optional<Failure> SolveOnce(BodyProblem& problem, WindowSolver& solver);
   void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
-  bool TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use);
+  bool TightenLimits(const SolvedTrajectory& solved);
+  bool Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use);
   MatrixX FirstPoints(const BodyProblem& problem) const;
 
   const RobotModel& model_;
@@ -86,10 +87,11 @@ class Finisher {
   const FollowOptions* const follow_;  // null: finishes a plan
   std::vector<FootCourse> courses_;
   const std::vector<double> knots_s_;
-  MotionPlan finished_;          // of the last solve; at first the plan
-  FootRolls rolls_;              // of that
-  std::vector<VectorX> forces_;  // of the last solve, at its knots
-  FinishReport report_;
+  MotionPlan finished_;              // of the last solve; at first the plan
+  FootRolls rolls_;                  // of that
+  BodyMotion motion_;                // of the last solve
+  std::vector<KnotWindow> windows_;  // in which problems are solved
+  FollowReport report_;
 };
 
 /// The courses pass where feet touch down less what they have rolled then by the plan.
@@ -114,7 +116,7 @@ MatrixX Finisher::FirstPoints(const BodyProblem& problem) const {
   return ChainSpline(knots_s_).Through(values, VectorX::Zero(model_.nv()), VectorX::Zero(model_.nv()));
 }
 
-Result<bool> Finisher::SolveOnce(const BodyProblem& problem, MatrixX& points) {
+ElasticOptions Finisher::Elastic() const {
   ElasticOptions elastic;
   elastic.tolerance = kViolation;
   elastic.cost_tolerance = 2e-3;
@@ -122,32 +124,22 @@ Result<bool> Finisher::SolveOnce(const BodyProblem& problem, MatrixX& points) {
   elastic.screening = follow_ != nullptr ? options_.max_iterations : kScreening;
   elastic.infeasible = kFar;
   elastic.give = kGive;
-  VectorX start(points.size());
-  start = Eigen::Map<const VectorX>(points.data(), points.size());
-  Eigen::Index size = start.size();
-  for (const VectorX& forces : forces_) size += forces.size();
-  start.conservativeResize(size);
-  Eigen::Index at = points.size();
-  for (const VectorX& forces : forces_) {
-    start.segment(at, forces.size()) = forces;
-    at += forces.size();
-  }
-  BodyRows rows(problem, start);
-  ConstrainedSolution last;
-  const CpuClock clock;
-  const Result<ConstrainedSolution> solved = SolveElasticRows(rows, start, elastic, &last);
-  report_.solve_cpu_s += clock.elapsed_s();
-  report_.iterations += last.iterations;
-  report_.variables = static_cast<int>(size);
-  if (!solved && last.violation > kGoodEnough) {
-    Failure failure = solved.failure();
-    failure.stage = "FinishMotion";
-    failure.message = fmt::format("the whole body cannot follow this plan: {}", failure.message);
-    return failure;
-  }
-  points = rows.PointsOf(last.x);
-  forces_ = rows.ForcesOf(last.x);
-  return true;
+  return elastic;
+}
+
+std::optional<Failure> Finisher::SolveOnce(BodyProblem& problem, WindowSolver& solver) {
+  const auto progress = [&](int done, int all) {
+    if (follow_ != nullptr && follow_->progress) follow_->progress({report_.solves, done, all});
+  };
+  std::optional<Failure> failure = solver.Solve(problem, windows_, motion_, progress);
+  report_.solve_cpu_s = solver.work().cpu_s;
+  report_.iterations = solver.work().iterations;
+  report_.variables = solver.work().variables;
+  report_.unmet_s = solver.unmet_s();
+  report_.windows = static_cast<int>(windows_.size());
+  report_.keeps_room =
+      std::all_of(windows_.begin(), windows_.end(), [](const KnotWindow& window) { return window.keeps_room; });
+  return failure;
 }
 
 /// On rows that meet the knots, where a step of at least kFinestRows does.
@@ -181,9 +173,20 @@ double Finisher::RolledAside(const BodyProblem& problem) const {
   return aside;
 }
 
-/// Lowers the shares of limits for knots by as much as motors exceed their limits between knots.
+/// Lowers the shares of limits for knots by as much as motors exceed their limits between knots, by window.
 /// @return whether any does.
-bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) {
+bool Finisher::TightenLimits(const SolvedTrajectory& solved) {
+  report_.effort_use = 0.0;
+  bool exceeds = false;
+  for (std::size_t i = 0; i < windows_.size(); ++i) {
+    const auto knot_s = [&](int knot) { return knots_s_[static_cast<std::size_t>(knot)]; };
+    const double end_s = i + 1 < windows_.size() ? knot_s(windows_[i + 1].first) : knots_s_.back();
+    exceeds |= Tighten(solved, knot_s(windows_[i].first), end_s, windows_[i].use);
+  }
+  return exceeds;
+}
+
+bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use) {
   constexpr double kRoom = 2e-3, kLeast = 0.9;  // of a limit
   constexpr double kStep = 1e-3;                // [s]
   const MotorRows motors(model_, {1.0, 1.0, 0.0, 0.0});
@@ -194,7 +197,7 @@ bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) 
   std::vector<KnotContact> contacts;
   VectorX forces_W, needed;
   const auto n = model_.num_dofs();
-  for (double time_s = knots_s_.front(); time_s < knots_s_.back(); time_s += kStep) {
+  for (double time_s = start_s; time_s < end_s; time_s += kStep) {
     solved.Sample(time_s, jet);
     StateOf(solved.problem().chart, jet, state);
     solved.ForcesAt(time_s, contacts, forces_W);
@@ -204,7 +207,7 @@ bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) 
     largest.effort = std::max(largest.effort, now.effort);
     largest.curve = std::max(largest.curve, now.curve);
   }
-  report_.effort_use = largest.effort;
+  report_.effort_use = std::max(report_.effort_use, largest.effort);
   bool exceeds = false;
   const auto tighten = [&](double share, double& of_limit) {
     if (share <= 1.0) return;
@@ -219,27 +222,22 @@ bool Finisher::TightenLimits(const SolvedTrajectory& solved, BodyLimitUse& use) 
 Result<MotionPlan> Finisher::Run() {
   BodyProblem problem = ProblemOf(model_, plan_, courses_, knots_s_, settings_);
   problem.knots.front().pins_place = follow_ == nullptr;
-  const BodyProblem to_edges = problem;
+  std::vector<std::vector<PressingFoot>> to_edges;
+  for (const BodyKnot& knot : problem.knots) to_edges.push_back(knot.pressing);
   if (follow_ != nullptr) KeepFromEdges(follow_->sole_margin_m, problem);
-  MatrixX points = FirstPoints(problem);
-  forces_ = FirstForces(model_, finished_, problem);
+  motion_ = {FirstPoints(problem), FirstForces(model_, finished_, problem)};
+  windows_ = {{0, static_cast<int>(knots_s_.size()) - 1, problem.use}};
+  if (follow_ != nullptr) windows_ = WindowsOf(problem, follow_->windows);
+  WindowSolver solver(Elastic(), std::move(to_edges));
   PlanResidual residual;
-  bool full = false;  // the motion does not keep the room that controllers would like to have
   for (report_.solves = 1;; ++report_.solves) {
     SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, problem);
-    if (Result<bool> solved = SolveOnce(problem, points); !solved) {
-      if (full || report_.solves == options_.max_solves) return solved.failure();
-      full = true;
-      report_.keeps_room = false;
-      problem.use = kFullUse;
-      for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].pressing = to_edges.knots[k].pressing;
-      continue;
-    }
-    const SolvedTrajectory solved(problem, points, forces_);
+    if (std::optional<Failure> failure = SolveOnce(problem, solver)) return *failure;
+    const SolvedTrajectory solved(problem, motion_.points, motion_.forces);
     TakeOver(solved);
     residual = ResidualOf(model_, finished_);
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
-    const bool exceeds = TightenLimits(solved, problem.use);
+    const bool exceeds = TightenLimits(solved);
     if ((balanced && !exceeds) || report_.solves == options_.max_solves) break;
     for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].residual_W = solved.ResidualsAtKnots()[k];
   }
@@ -252,7 +250,7 @@ Result<MotionPlan> Finisher::Run() {
   report_.summary = fmt::format(
       "whole body over {} knots: {} iterations, unbalanced {:.1e} m g and {:.1e} m g l at most between knots",
       report_.knots, report_.iterations, residual.force, residual.moment);
-  return finished_;
+  return std::move(finished_);
 }
 
 }  // namespace
@@ -287,7 +285,7 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
 }
 
 Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
-                                const FollowOptions& follow, FinishReport* report) {
+                                const FollowOptions& follow, FollowReport* report) {
   TrajectoryOptions checked = options;
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "optimisation/pipeline/plan_motion.h"
+#include "optimisation/pipeline/solve_windows_internal.h"
 #include "optimisation/trajectory/solved_trajectory_internal.h"
 #include "optimisation/whole_body/finish_problem_internal.h"
 #include "planning/plan/motion_plan.h"
@@ -39,6 +41,11 @@ std::string ReasonNotFinished(const RobotModel& model, const MotionPlan& plan);
 Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
                                 double friction_use = 0.9, FinishReport* report = nullptr);
 
+/// How far FollowMotion has come: windows of the present solve.
+struct FollowProgress {
+  int solve = 1, done = 0, all = 1;
+};
+
 /// How FollowMotion stays near a motion.
 struct FollowOptions {
   BodyWeights weights;
@@ -47,12 +54,21 @@ struct FollowOptions {
   /// the edge. It is given up if there is no solution with it.
   double sole_margin_m = 0.0;
   double effort_use = 0.92;  ///< share of motors' limits; given up likewise
+  int least_per_swing = 24;  ///< knots over a swing: with fewer, feet leave its path after lift-off
+  WindowOptions windows;
+  std::function<void(const FollowProgress&)> progress;
+};
+
+/// What FollowMotion did.
+struct FollowReport : FinishReport {
+  int windows = 1;                   ///< in which it was solved
+  std::vector<double> unmet_s = {};  ///< without a solution: times at which constraints stay violated, in order
 };
 
 /// Like FinishMotion, for a motion that nobody planned: it may be far from dynamically consistent, so that a solve is
 /// not ended early, and the first posture is free.
 Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
-                                const FollowOptions& follow, FinishReport* report = nullptr);
+                                const FollowOptions& follow, FollowReport* report = nullptr);
 
 /// Replaces a plan by the finished one (FinishMotion), with its warnings, figures and summary; otherwise sets
 /// `unfinished`. A plan that FinishMotion does not take stays as it is.

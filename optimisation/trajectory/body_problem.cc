@@ -32,4 +32,30 @@ VectorJet JetOf(const TurningChart& chart, const VectorX& q, const VectorX& v, c
   return jet;
 }
 
+BodyProblem WindowOf(const BodyProblem& whole, const ChainSpline& spline, const MatrixX& points, int first, int last) {
+  BodyProblem part{whole.model, whole.chart, {}, {}, whole.weights, whole.use, BodyWindow{{}, 0.0, 0.0}};
+  part.window->start_s = whole.start_s();
+  part.window->end_s = whole.end_s();
+  for (int k = first; k <= last; ++k) {
+    part.time_s.push_back(whole.time_s[static_cast<std::size_t>(k)]);
+    part.knots.push_back(whole.knots[static_cast<std::size_t>(k)]);
+    part.window->basis.push_back(spline.At(k));
+  }
+  if (first == 0) return part;
+  BodyKnot& seam = part.knots.front();
+  seam.is_given = seam.pins_place = seam.pins_motion = true;
+  seam.pressing.clear();
+  VectorJet& given = seam.reference;
+  given.x.setZero();
+  given.rate.setZero();
+  given.acceleration.setZero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto point = points.col(first + static_cast<Eigen::Index>(i));
+    given.x += spline.At(first).value[i] * point;
+    given.rate += spline.At(first).rate[i] * point;
+    given.acceleration += spline.At(first).acceleration[i] * point;
+  }
+  return part;
+}
+
 }  // namespace gaitwright

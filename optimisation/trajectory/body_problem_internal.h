@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct BodyKnot {
   Vector6 residual_W = Vector6::Zero();
   bool pins_place = false;   ///< the position is that of the reference
   bool pins_motion = false;  ///< rate and acceleration are those of the reference
+  bool is_given = false;     ///< place and motion are those of the reference, and nothing else is asked or weighed
 };
 
 /// Weights of the cost, each for a unit of what it weighs and for 10 ms.
@@ -68,6 +70,12 @@ struct BodyLimitUse {
 /// For motions that need nearly all that the robot has.
 inline constexpr BodyLimitUse kFullUse = {0.98, 0.99, 1e-3, 0.0};
 
+/// Of a problem that is some knots in a row of a longer problem.
+struct BodyWindow {
+  std::vector<KnotBasis> basis;       ///< of the longer problem's spline, by knot
+  double start_s = 0.0, end_s = 0.0;  ///< of the longer problem
+};
+
 /// A motion of the whole body and of the forces on its feet over a schedule of contacts, as a spline over knots.
 ///
 /// Unknowns: the control points of a ChainSpline of the coordinates
@@ -82,7 +90,16 @@ struct BodyProblem {
   std::vector<BodyKnot> knots;  ///< as many
   BodyWeights weights;
   BodyLimitUse use;
+  std::optional<BodyWindow> window;
+
+  double start_s() const { return window ? window->start_s : time_s.front(); }
+  double end_s() const { return window ? window->end_s : time_s.back(); }
+  ChainSpline spline() const { return window ? ChainSpline(time_s, window->basis) : ChainSpline(time_s); }
 };
+
+/// The problem of the knots from `first` to `last`, both included. Unless the first one is that of the whole problem,
+/// its motion is given: that of `points`, control points of the whole problem. The last one is free like any other.
+BodyProblem WindowOf(const BodyProblem& whole, const ChainSpline& spline, const MatrixX& points, int first, int last);
 
 /// State of the robot for a jet of the coordinates.
 struct ChartedState {

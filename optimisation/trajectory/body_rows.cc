@@ -42,7 +42,7 @@ Vector3 SideOf(const PressingFoot& foot, int side) {
 BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
     : problem_(problem),
       model_(*problem.model),
-      spline_(problem.time_s),
+      spline_(problem.spline()),
       motors_(*problem.model, problem.use),
       knot_model_(*problem.model),
       n_(problem.model->nv()),
@@ -63,7 +63,7 @@ void BodyRows::ListRows() {
   for (std::size_t k = 0; k < knots_.size(); ++k) {
     const double before = k > 0 ? times[k] - times[k - 1] : 0.0,
                  after = k + 1 < times.size() ? times[k + 1] - times[k] : 0.0;
-    share_.push_back(std::sqrt(0.5 * (before + after) / kUnit));
+    share_.push_back(Asked(k).is_given ? 0.0 : std::sqrt(0.5 * (before + after) / kUnit));
     Knot& knot = knots_[k];
     knot.force = points_size_ + forces_size_;
     for (const PressingFoot& foot : Asked(k).pressing) {
@@ -103,7 +103,7 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
     case kForce:
       return knot.forces;
     case kDynamics:
-      return 6;
+      return asked.is_given ? 0 : 6;
     case kFeet: {
       if (asked.pins_place) return 0;
       Index rows = 0;
@@ -111,7 +111,7 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
       return rows;
     }
     case kEffortLimit:
-      return static_cast<Index>(motors_.limited().size());
+      return asked.is_given ? 0 : static_cast<Index>(motors_.limited().size());
     case kCurve:
       return asked.pins_motion ? 0 : static_cast<Index>(motors_.curves().size());
     case kRange:
@@ -140,8 +140,7 @@ RowBounds BodyRows::BoundsOf(Index row) const {
     const double margin = std::min(problem_.use.range_margin, 0.25 * (upper - lower));
     const double standing = std::clamp(model_.standing_joints[dof], lower, upper);
     const double now_s = problem_.time_s[static_cast<std::size_t>(&knot - knots_.data())];
-    const double ramp =
-        std::min(1.0, std::min(now_s - problem_.time_s.front(), problem_.time_s.back() - now_s) / kToMargin);
+    const double ramp = std::min(1.0, std::min(now_s - problem_.start_s(), problem_.end_s() - now_s) / kToMargin);
     const double low = lower + margin, high = upper - margin;
     return {low + (1.0 - ramp) * std::min(0.0, standing - low), high + (1.0 - ramp) * std::max(0.0, standing - high)};
   }
@@ -184,6 +183,19 @@ std::string BodyRows::NameOf(Index row) const {
     }
   }
   return fmt::format("{} at {:.3f} s", what, problem_.time_s[k]);
+}
+
+std::vector<double> BodyRows::TimesUnmet(double tolerance) const {
+  std::vector<double> times;
+  for (std::size_t k = 0; k < knots_.size(); ++k) {
+    for (Index row = knots_[k].row[kDynamics]; row < knots_[k].row[kKinds]; ++row) {
+      const RowBounds bounds = BoundsOf(row);
+      if (value_[row] >= bounds.lower - tolerance && value_[row] <= bounds.upper + tolerance) continue;
+      times.push_back(problem_.time_s[k]);
+      break;
+    }
+  }
+  return times;
 }
 
 double BodyRows::NearWeight(Index i) const {
@@ -291,6 +303,10 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
   const Index m = motors_.count();
   rows.segment(knot.row[kEffort], m) = share_[k] * problem_.weights.effort * dense.tail(m);
   rows.segment(knot.row[kForce], knot.forces) = share_[k] * problem_.weights.force * y.tail(knot.forces);
+  if (asked.is_given) {
+    FillPins(knot, asked, y, constant, rows);
+    return;
+  }
   rows.segment<6>(knot.row[kDynamics]) = dense.head<6>();
   rows.segment<3>(knot.row[kDynamics]) -= constant / model_.weight_n() * asked.residual_W.head<3>();
   rows.segment<3>(knot.row[kDynamics] + 3) -=
@@ -312,10 +328,16 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
       for (int side = 0; side < kPyramidSides; ++side) rows[row++] = SideOf(foot, side).dot(y.segment<3>(force));
     }
   }
-  if (asked.pins_place) rows.segment(knot.row[kPinnedPlace], n_) = x - constant * reference.x;
+  FillPins(knot, asked, y, constant, rows);
+}
+
+void BodyRows::FillPins(const Knot& knot, const BodyKnot& asked, const VectorX& y, double constant,
+                        VectorX& rows) const {
+  const VectorJet& reference = asked.reference;
+  if (asked.pins_place) rows.segment(knot.row[kPinnedPlace], n_) = y.head(n_) - constant * reference.x;
   if (!asked.pins_motion) return;
-  rows.segment(knot.row[kPinnedMotion], n_) = rate - constant * reference.rate;
-  rows.segment(knot.row[kPinnedMotion] + n_, n_) = acceleration - constant * reference.acceleration;
+  rows.segment(knot.row[kPinnedMotion], n_) = y.segment(n_, n_) - constant * reference.rate;
+  rows.segment(knot.row[kPinnedMotion] + n_, n_) = y.segment(2 * n_, n_) - constant * reference.acceleration;
 }
 
 void BodyRows::Flat(std::size_t k, const VectorX& z, VectorX& y) const {

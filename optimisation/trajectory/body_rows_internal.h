@@ -36,6 +36,9 @@ class BodyRows : public ElasticRows {
   bool Factor(const VectorX& weights, double damping) override;
   VectorX Solved(const VectorX& right) const override;
 
+  /// Times of knots at which constraints are violated by more than a tolerance where Evaluate was last, in order.
+  std::vector<double> TimesUnmet(double tolerance) const;
+
   /// How many unknowns there are.
   Eigen::Index size() const { return points_size_ + forces_size_; }
   const ChainSpline& spline() const { return spline_; }
@@ -79,7 +82,9 @@ class BodyRows : public ElasticRows {
   void EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives);
   void FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& feet, bool constants,
                 VectorX& rows) const;
+  void FillPins(const Knot& knot, const BodyKnot& asked, const VectorX& y, double constant, VectorX& rows) const;
   void Flat(std::size_t k, const VectorX& z, VectorX& y) const;
+  Eigen::Index AddDense(std::size_t k, const VectorX& of_rows) const;
   void FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const;
   void AddSquares(std::size_t k, const VectorX& weights);
   bool EliminateForces(std::size_t k, double damping);

@@ -25,16 +25,26 @@ Matrix3 SquareOfSides(const PressingFoot& foot, const Eigen::Ref<const VectorX>&
 
 }  // namespace
 
+/// Adds to the dense rows of a knot what belongs to its dynamics and its limits of efforts. @return the row after
+/// these.
+Index BodyRows::AddDense(std::size_t k, const VectorX& of_rows) const {
+  const Knot& knot = knots_[k];
+  Index row = knot.row[kEffortLimit];
+  if (Asked(k).is_given) return row;
+  dense_.head<6>() += of_rows.segment<6>(knot.row[kDynamics]);
+  for (const int motor : motors_.limited()) dense_[6 + motor] += of_rows[row++];
+  return row;
+}
+
 /// J^T * by of a knot's rows, by y.
 void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const {
   const Knot& knot = knots_[k];
   const BodyKnot& asked = Asked(k);
   const Index m = motors_.count();
   dense_.resize(6 + m);
-  dense_.head<6>() = by.segment<6>(knot.row[kDynamics]);
+  dense_.head<6>().setZero();
   dense_.tail(m) = share_[k] * problem_.weights.effort * by.segment(knot.row[kEffort], m);
-  Index row = knot.row[kEffortLimit];
-  for (const int motor : motors_.limited()) dense_[6 + motor] += by[row++];
+  Index row = AddDense(k, by);
   const Index first_curve = row;
   for (const MotorRows::Curve& curve : motors_.curves()) {
     if (row == knot.row[kRange]) break;
@@ -97,10 +107,9 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   const Index m = motors_.count(), size = knot.y.size();
   const double effort = share_[k] * problem_.weights.effort, force_weight = share_[k] * problem_.weights.force;
   dense_.resize(6 + m);
-  dense_.head<6>() = weights.segment<6>(knot.row[kDynamics]);
+  dense_.head<6>().setZero();
   dense_.tail(m).setConstant(effort * effort);
-  Index row = knot.row[kEffortLimit];
-  for (const int motor : motors_.limited()) dense_[6 + motor] += weights[row++];
+  Index row = AddDense(k, weights);
   const Index first_curve = row;
   for (const MotorRows::Curve& curve : motors_.curves()) {
     if (row == knot.row[kRange]) break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
 
+#include "kinematics/base/result.h"
 #include "kinematics/trajectory/bspline.h"
 #include "optimisation/trajectory/chain_spline_internal.h"
 
@@ -18,6 +19,11 @@ ChainSpline::ChainSpline(std::vector<double> time_s) : time_s_(std::move(time_s)
     }
     basis_.push_back(basis);
   }
+}
+
+ChainSpline::ChainSpline(std::vector<double> time_s, std::vector<KnotBasis> basis)
+    : time_s_(std::move(time_s)), basis_(std::move(basis)) {
+  if (basis_.size() != time_s_.size()) throw InvalidArgument("ChainSpline: there must be one basis by knot");
 }
 
 MatrixX ChainSpline::Through(const MatrixX& values, const VectorX& first_rate, const VectorX& last_rate) const {

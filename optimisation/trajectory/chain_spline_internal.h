@@ -24,6 +24,8 @@ class ChainSpline {
  public:
   /// @throws InvalidArgument for fewer than two times or where they do not increase.
   explicit ChainSpline(std::vector<double> time_s);
+  /// Some knots in a row of a longer spline, with its basis there. It has no Sample and no Through.
+  ChainSpline(std::vector<double> time_s, std::vector<KnotBasis> basis);
 
   int knots() const { return static_cast<int>(time_s_.size()); }
   int points() const { return knots() + 2; }

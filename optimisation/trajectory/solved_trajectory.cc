@@ -68,7 +68,7 @@ void SolvedTrajectory::ForcesAt(double time_s, std::vector<KnotContact>& contact
       const auto size = static_cast<Eigen::Index>(3 * foot.contact.points_F.size());
       Eigen::Index to = 0;
       const auto same = std::find_if(contacts.begin(), contacts.end(), [&](const KnotContact& known) {
-        if (known.foot == foot.contact.foot) return true;
+        if (known.foot == foot.contact.foot && known.points_F == foot.contact.points_F) return true;
         to += static_cast<Eigen::Index>(3 * known.points_F.size());
         return false;
       });

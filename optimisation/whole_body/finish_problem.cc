@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/body_tree.h"
@@ -73,20 +74,33 @@ FootGoal GoalOf(const Foot& foot, const FootCourse& course, const FootCourse::Pl
   return goal;
 }
 
+/// The largest step of knots for the swings during a phase.
+double LargestStepIn(const MotionPlan& plan, const ContactPhase& phase, int least_per_swing) {
+  double step_s = std::numeric_limits<double>::infinity();
+  for (const SwingTrajectory& swing : plan.swings) {
+    const bool during = swing.start_s < phase.end_s - kSameKnot && swing.end_s > phase.start_s + kSameKnot;
+    if (during && least_per_swing > 0) step_s = std::min(step_s, (swing.end_s - swing.start_s) / least_per_swing);
+  }
+  return step_s;
+}
+
 }  // namespace
 
-std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s) {
+std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int least_per_swing) {
   constexpr double kRounding = 1e-6;  // of a step
   std::vector<double> times{plan.schedule.start_s()};
   const double row_s = plan.whole_body.step_s;
   for (const ContactPhase& phase : plan.schedule.phases) {
     const double length = phase.end_s - phase.start_s;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(length / knot_step_s - kRounding)));
     const auto on_row = [&](double time_s) {
       return plan.schedule.start_s() + row_s * std::round((time_s - plan.schedule.start_s()) / row_s);
     };
     const bool on_rows = std::abs(on_row(phase.start_s) - phase.start_s) < kSameKnot &&
                          std::abs(on_row(phase.end_s) - phase.end_s) < kSameKnot;
+    double step_s = knot_step_s;
+    if (const double largest_s = LargestStepIn(plan, phase, least_per_swing); largest_s < knot_step_s)
+      step_s = on_rows ? row_s * std::max(1.0, std::floor(largest_s / row_s + kRounding)) : largest_s;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(length / step_s - kRounding)));
     for (int i = 1; i <= pieces; ++i) {
       const double even = phase.start_s + length * i / pieces, row = on_rows ? on_row(even) : even;
       const double time_s = i == pieces ? phase.end_s : row;

@@ -23,6 +23,7 @@ Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOpt
       watch_(model, plan.terrain),
       samples_(1 + static_cast<int>(std::floor(plan.duration_s() * options.rate_hz + 1e-6))),
       joints_(model, options, samples_, findings_) {
+  findings_.SetSamples(plan.whole_body.start_s, options.rate_hz, samples_);
   slip_W_.assign(model.feet.size(), Vector3::Zero());
   foothold_.assign(model.feet.size(), -1);
   footing_.resize(model.feet.size());
@@ -240,7 +241,8 @@ std::optional<std::string> WhyMisfit(const RobotModel& model, const MotionPlan& 
 
 }  // namespace
 
-Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options) {
+Result<AuditReport> AuditOverTime(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options,
+                                  std::vector<BrokenTime>& broken) {
   if (const auto why = WhyMisfit(model, plan)) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kMisfit,
@@ -248,7 +250,15 @@ Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const
                    fmt::format("the plan does not fit robot '{}': {}", model.name, *why),
                    {}};
   }
-  return Auditor(model, plan, options).Run();
+  Auditor auditor(model, plan, options);
+  AuditReport report = auditor.Run();
+  broken = auditor.Broken();
+  return report;
+}
+
+Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options) {
+  std::vector<BrokenTime> ignored;
+  return AuditOverTime(model, plan, options, ignored);
 }
 
 }  // namespace gaitwright

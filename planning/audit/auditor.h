@@ -24,6 +24,8 @@ class Auditor {
   Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
   /// Runs all checks at all samples.
   AuditReport Run();
+  /// After Run.
+  std::vector<BrokenTime> Broken() const { return findings_.Broken(); }
 
  private:
   void NamePlaces();

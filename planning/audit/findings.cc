@@ -31,10 +31,41 @@ void Findings::Break(int place, double at_s, double value, double limit) {
 }
 
 void Findings::Note(Law law, const std::string& where, double at_s, double value, double limit, const char* unit) {
+  Count(law, at_s);
   // A value that is not finite is a violation, too.
   const double excess = std::isfinite(value) ? std::abs(value - limit) : 1e300;
   const auto [entry, is_first] = worst_.try_emplace({law, where});
   if (is_first || excess > entry->second.first) entry->second = {excess, {law, at_s, where, value, limit, unit}};
+}
+
+void Findings::Count(Law law, double at_s) {
+  if (samples_ <= 0) return;
+  std::vector<bool>& fails = fails_[law];
+  if (fails.empty()) fails.assign(static_cast<std::size_t>(samples_), false);
+  const double sample = std::round((at_s - start_s_) * rate_hz_);
+  fails[static_cast<std::size_t>(sample > 0.0 ? std::min(sample, samples_ - 1.0) : 0.0)] = true;
+}
+
+std::vector<BrokenTime> Findings::Broken() const {
+  constexpr std::size_t kMost = 3;  // seconds
+  std::vector<BrokenTime> sorted;
+  for (const Law law : AllLaws()) {
+    const auto found = fails_.find(law);
+    if (found == fails_.end()) continue;
+    BrokenTime broken{law, 0.0, {}};
+    std::map<double, int> by_second;
+    for (std::size_t k = 0; k < found->second.size(); ++k) {
+      if (!found->second[k]) continue;
+      broken.share += 1.0 / samples_;
+      ++by_second[std::floor(start_s_ + static_cast<double>(k) / rate_hz_ + 1e-9)];
+    }
+    std::vector<std::pair<double, int>> seconds(by_second.begin(), by_second.end());
+    std::stable_sort(seconds.begin(), seconds.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    if (seconds.size() > kMost) seconds.resize(kMost);
+    for (const auto& second : seconds) broken.worst_s.push_back(second.first);
+    sorted.push_back(std::move(broken));
+  }
+  return sorted;
 }
 
 std::vector<Violation> Findings::Sorted() const {

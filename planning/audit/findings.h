@@ -7,12 +7,20 @@
 #include <vector>
 
 #include "planning/audit/audit_report.h"
+#include "planning/audit/broken_time_internal.h"
 
 namespace gaitwright {
 
 /// Keeps the worst value of each check at each place, and its margin.
 class Findings {
  public:
+  /// Sets the samples of the plan, over which failures are counted by Broken.
+  void SetSamples(double start_s, double rate_hz, int samples) {
+    start_s_ = start_s;
+    rate_hz_ = rate_hz;
+    samples_ = samples;
+  }
+
   /// Adds a place of a check. @return its index for Hold and Near, which do not allocate.
   int Place(Law law, const std::string& where, const std::string& unit);
 
@@ -40,6 +48,8 @@ class Findings {
 
   /// Violations by check in the order of AllLaws, then worst first.
   std::vector<Violation> Sorted() const;
+  /// For how long each check fails, in the same order.
+  std::vector<BrokenTime> Broken() const;
   /// Margins of all places with a finite limit, by check, then smallest first.
   std::vector<AuditMargin> Margins() const;
 
@@ -51,11 +61,15 @@ class Findings {
     Law law;
     std::string where, unit;
   };
+  void Count(Law law, double at_s);
   void Break(int place, double at_s, double value, double limit);
 
   std::vector<Closest> places_;
   std::vector<Named> names_;  // by place
   std::map<std::pair<Law, std::string>, std::pair<double, Violation>> worst_;
+  double start_s_ = 0.0, rate_hz_ = 1.0;
+  int samples_ = 0;
+  std::map<Law, std::vector<bool>> fails_;  // by sample
 };
 
 }  // namespace gaitwright

@@ -8,7 +8,6 @@
 #include "kinematics/base/hash.h"
 #include "kinematics/base/version.h"
 #include "kinematics/spatial/rotation.h"
-#include "optimisation/pipeline/finish_motion_internal.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/terrain/load_terrain.h"
@@ -77,8 +76,8 @@ EvenMotion Smooth(const RobotModel& model, const EvenMotion& rows, double cutoff
 struct Prepared {
   Terrain terrain;
   std::string text;
-  EvenMotion original;                 ///< with the times of `rested`
-  std::optional<MotionPlan> as_it_is;  ///< the file's motion, if it can be audited
+  EvenMotion original;                 ///< positions, with the times of `rested`
+  std::optional<MotionPlan> as_it_is;  ///< the file's motion, if it passes its audit
   MotionFindings findings;
 };
 
@@ -91,6 +90,7 @@ void AuditBefore(const RobotModel& model, const RepairRequest& request, EvenMoti
     prepared.as_it_is = PlanOfMotion(model, prepared.terrain, std::move(motion), options, {}, ignored);
     Result<AuditReport> audit = Audit(model, *prepared.as_it_is, {});
     if (audit) prepared.findings.before = std::move(*audit);
+    if (!audit || !prepared.findings.before->pass()) prepared.as_it_is.reset();
   } catch (const InvalidArgument& error) {
     prepared.findings.not_audited = error.what();
   }
@@ -122,7 +122,7 @@ Result<Prepared> Prepare(const RobotModel& model, RepairRequest request) {
   AuditBefore(model, request, std::move(motion), prepared);
   EvenMotion rested = Smooth(model, findings.rested.motion, 0.0);
   findings.clean = CleanContacts(model, *terrain, rested, findings.rested.stance, request.repair);
-  prepared.original = std::move(rested);
+  prepared.original = {rested.step_s, std::move(rested.q), {}, {}, {}, {}, {}};
   return prepared;
 }
 
@@ -171,6 +171,8 @@ FollowOptions FollowOf(const RobotModel& model, const RepairRequest& request) {
   follow.friction_use = request.source.options.friction_use;
   follow.sole_margin_m = request.repair.sole_margin * model.leg_length_m();
   follow.effort_use = request.repair.effort_use;
+  follow.windows = {request.repair.window_s, std::min(request.repair.overlap_s, 0.5 * request.repair.window_s)};
+  follow.progress = request.progress;
   return follow;
 }
 
@@ -205,7 +207,7 @@ bool IsSound(const Prepared& prepared, const std::function<bool(const MotionPlan
 
 /// The plan near the clean motion.
 Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, const Prepared& prepared,
-                            FinishReport& report) {
+                            FollowReport& report) {
   ImportNotes ignored;
   const MotionPlan reference =
       PlanOfMotion(model, prepared.terrain, Smooth(model, prepared.findings.clean.motion, kCleanCutoff),

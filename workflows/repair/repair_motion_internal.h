@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics/base/result.h"
+#include "optimisation/pipeline/finish_motion_internal.h"
 #include "planning/audit/audit.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/repair/clean_motion_internal.h"
@@ -20,6 +21,7 @@ struct RepairRequest {
   ImportRequest source;
   RepairOptions repair;
   TrajectoryOptions trajectory = {.knot_step_s = 0.01, .max_solves = 4, .max_iterations = 100};
+  std::function<void(const FollowProgress&)> progress = {};
 
   OptionFields Fields();
 };
@@ -53,7 +55,7 @@ struct RepairedMotion {
   AuditReport after;
   MotionFindings findings;
   MotionDistance distance;  ///< from the file's motion
-  FinishReport finished;
+  FollowReport finished;
   bool was_sound = false;  ///< the file's motion passed, and was kept
 };
 

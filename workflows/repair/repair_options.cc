@@ -36,7 +36,11 @@ OptionFields RepairOptions::Fields() {
        {"effort", &effort, "1", 0.0, 1e3, "Weight on the efforts of motors, as shares of their limits."},
        {"rest_s", &rest_s, "s", 0.1, 5.0,
         "Time over which the motion is brought from rest to its own speed, and back to rest, where it does not begin "
-        "or end at rest."}});
+        "or end at rest."},
+       {"window_s", &window_s, "s", 1.0, 3600.0,
+        "Length of the windows in which a motion is optimised that is longer than one and a half windows."},
+       {"overlap_s", &overlap_s, "s", 0.2, 60.0,
+        "Time by which a window is optimised beyond the place where the next one begins."}});
 }
 
 }  // namespace gaitwright

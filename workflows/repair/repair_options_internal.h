@@ -21,6 +21,7 @@ struct RepairOptions {
   double clearance = 0.015, sole_margin = 0.025, effort_use = 0.65;
   double base_position = 8.0, base_rotation = 6.0, joint = 2.0, acceleration = 1.0, effort = 0.1;
   double rest_s = 0.6;
+  double window_s = 12.0, overlap_s = 1.5;
 
   OptionFields Fields();
 };

@@ -49,6 +49,20 @@ TEST(KnotTimes, AreAtAllChangesAndOnRows) {
   }
 }
 
+TEST(KnotTimes, AreDenserOverShortSwings) {
+  const RobotModel model = AnyRobot("a1");
+  const MotionPlan plan = SteppingPlan(model);
+  const std::vector<double> times = KnotTimesOf(plan, 0.01, 24);
+  double in_swing = 0.0, outside = 0.0;  // largest steps
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    double& largest = times[k - 1] > 0.0999 && times[k] < 0.2351 ? in_swing : outside;
+    largest = std::max(largest, times[k] - times[k - 1]);
+  }
+  EXPECT_NEAR(in_swing, 0.005, 1e-9) << "0.135 s over 24 are 5.6 ms, and knots are on rows";
+  EXPECT_GT(outside, 0.0099);
+  EXPECT_EQ(KnotTimesOf(plan, 0.01, 10), KnotTimesOf(plan, 0.01)) << "10 ms are enough for that";
+}
+
 TEST(FootCourse, FootThatLandsOrLeavesBearsNoLoad) {
   const RobotModel model = AnyRobot("a1");
   const MotionPlan plan = SteppingPlan(model);

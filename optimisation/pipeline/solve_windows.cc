@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/cpu_clock.h"
+#include "optimisation/pipeline/solve_windows_internal.h"
+#include "optimisation/trajectory/body_rows_internal.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kGoodEnough = 1e-4;  // [m g, rad, m] of a solve that was ended by its iterations
+constexpr double kLongest = 3.5;      // of a window that was joined with those before it, in their usual length
+
+std::size_t Of(int knot) { return static_cast<std::size_t>(knot); }
+
+int KnotAfter(const std::vector<double>& time_s, double at_s) {
+  constexpr double kRounding = 1e-9;  // [s]
+  return static_cast<int>(std::lower_bound(time_s.begin(), time_s.end(), at_s - kRounding) - time_s.begin());
+}
+
+/// The knot between two times at which most feet press, and there the motion is slowest.
+int QuietestKnot(const BodyProblem& problem, double from_s, double to_s) {
+  const int first = KnotAfter(problem.time_s, from_s), behind = KnotAfter(problem.time_s, to_s);
+  int best = first;
+  const auto speed = [&](int k) { return problem.knots[Of(k)].reference.rate.squaredNorm(); };
+  const auto feet = [&](int k) { return problem.knots[Of(k)].pressing.size(); };
+  for (int k = first; k < behind; ++k) {
+    if (feet(k) > feet(best) || (feet(k) == feet(best) && speed(k) < speed(best))) best = k;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<KnotWindow> WindowsOf(const BodyProblem& problem, const WindowOptions& options) {
+  constexpr double kOne = 1.5, kSearched = 0.2;  // of a window's length: for one window; to either side of a seam
+  const double start_s = problem.time_s.front(), length_s = problem.time_s.back() - start_s;
+  const int last = static_cast<int>(problem.time_s.size()) - 1;
+  if (length_s <= kOne * options.length_s) return {{0, last, problem.use}};
+  const int count = static_cast<int>(std::ceil(length_s / options.length_s));
+  std::vector<KnotWindow> windows{{0, last, problem.use}};
+  for (int i = 1; i < count; ++i) {
+    const double near_s = start_s + length_s * i / count, aside_s = kSearched * options.length_s;
+    const int seam = QuietestKnot(problem, near_s - aside_s, near_s + aside_s);
+    windows.back().last = std::min(last, KnotAfter(problem.time_s, problem.time_s[Of(seam)] + options.overlap_s));
+    windows.push_back({seam, last, problem.use});
+  }
+  return windows;
+}
+
+/// Gives up the room that controllers would like to have. Where the window begins, forces were found before.
+void WindowSolver::UseAll(BodyProblem& problem, KnotWindow& window) const {
+  window.keeps_room = false;
+  window.use = kFullUse;
+  for (int k = window.first == 0 ? 0 : window.first + 1; k <= window.last; ++k)
+    problem.knots[Of(k)].pressing = to_edges_[Of(k)];
+}
+
+std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const ChainSpline& spline,
+                                              const KnotWindow& window, BodyMotion& motion) {
+  const int knots = window.last - window.first + 1;
+  const bool whole = knots == static_cast<int>(problem.time_s.size());
+  BodyProblem part = whole ? problem : WindowOf(problem, spline, motion.points, window.first, window.last);
+  part.use = window.use;
+  const MatrixX points = motion.points.middleCols(window.first, knots + 2);
+  std::vector<VectorX> forces(motion.forces.begin() + window.first, motion.forces.begin() + window.last + 1);
+  if (part.knots.front().is_given) forces.front().resize(0);
+  Eigen::Index size = points.size();
+  for (const VectorX& of : forces) size += of.size();
+  VectorX start(size);
+  start.head(points.size()) = Eigen::Map<const VectorX>(points.data(), points.size());
+  Eigen::Index at = points.size();
+  for (const VectorX& of : forces) {
+    start.segment(at, of.size()) = of;
+    at += of.size();
+  }
+  BodyRows rows(part, start);
+  ConstrainedSolution last;
+  const CpuClock clock;
+  const Result<ConstrainedSolution> solved = SolveElasticRows(rows, start, elastic_, &last);
+  work_.cpu_s += clock.elapsed_s();
+  work_.iterations += last.iterations;
+  work_.variables = std::max(work_.variables, static_cast<int>(size));
+  if (!solved && last.violation > kGoodEnough) {
+    Failure failure = solved.failure();
+    failure.stage = "FinishMotion";
+    rows.Evaluate(last.x);
+    unmet_s_ = rows.TimesUnmet(kGoodEnough);
+    failure.message = fmt::format("the whole body cannot follow this plan: {}", failure.message);
+    return failure;
+  }
+  // At the seam the points stay exactly as they were.
+  const int given = part.knots.front().is_given ? 3 : 0;
+  motion.points.middleCols(window.first + given, knots + 2 - given) =
+      rows.PointsOf(last.x).rightCols(knots + 2 - given);
+  std::vector<VectorX> found = rows.ForcesOf(last.x);
+  for (int k = given > 0 ? 1 : 0; k < knots; ++k) motion.forces[Of(window.first + k)] = std::move(found[Of(k)]);
+  return std::nullopt;
+}
+
+std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<KnotWindow>& windows, BodyMotion& motion,
+                                           const std::function<void(int done, int all)>& progress) {
+  const ChainSpline spline = problem.spline();
+  const int usual = windows.front().last - windows.front().first;
+  for (std::size_t i = 0; i < windows.size();) {
+    std::optional<Failure> failure = SolveOne(problem, spline, windows[i], motion);
+    if (failure && windows[i].keeps_room) {
+      UseAll(problem, windows[i]);
+      failure = SolveOne(problem, spline, windows[i], motion);
+    }
+    if (!failure) {
+      unmet_s_.clear();
+      ++i;
+      if (progress) progress(static_cast<int>(i), static_cast<int>(windows.size()));
+      continue;
+    }
+    if (i == 0 || windows[i].last - windows[i - 1].first > kLongest * usual) return failure;
+    // Joined with the window before it, which is solved once more, from its own seam on.
+    windows[i - 1].last = windows[i].last;
+    windows.erase(windows.begin() + static_cast<std::ptrdiff_t>(i));
+    --i;
+    if (windows[i].keeps_room) UseAll(problem, windows[i]);
+  }
+  return std::nullopt;
+}
+
+}  // namespace gaitwright
