@@ -16,11 +16,17 @@
 namespace gaitwright {
 namespace {
 
-/// Value of the cubic through two points with given slopes, and outside it the nearer point.
-Vector3 Hermite(double t0, const Vector3& p0, const Vector3& v0, double t1, const Vector3& p1, const Vector3& v1,
-                double t) {
-  const double h = t1 - t0, u = std::clamp((t - t0) / h, 0.0, 1.0), w = 1.0 - u;
-  return p0 * (w * w * (1.0 + 2.0 * u)) + p1 * (u * u * (3.0 - 2.0 * u)) + h * u * w * (w * v0 - u * v1);
+/// A point that a curve passes at a time with a velocity.
+struct Waypoint {
+  double time_s;
+  Vector3 p_W, v_W;
+};
+
+/// Place on the cubic between two points; outside it the nearer point.
+Vector3 CubicBetween(const Waypoint& from, const Waypoint& to, double time_s) {
+  const double h = to.time_s - from.time_s, u = std::clamp((time_s - from.time_s) / h, 0.0, 1.0), w = 1.0 - u;
+  return from.p_W * (w * w * (1.0 + 2.0 * u)) + to.p_W * (u * u * (3.0 - 2.0 * u)) +
+         h * u * w * (w * from.v_W - u * to.v_W);
 }
 
 /// Feet on the ground, their mean place, and the mean place of their hips relative to the centre of mass in standing.
@@ -189,10 +195,12 @@ void TurningLeap::FindPlaces() {
 Vector3 TurningLeap::CentreAt(double time_s) const {
   const double push_s = liftoff_s_ - shape_.push_s, land_s = touchdown_s_ + shape_.push_s;
   const Vector3 rest = Vector3::Zero();
-  if (time_s <= push_s) return Hermite(push_s - shape_.crouch_s, start_W_, rest, push_s, low_W_, rest, time_s);
-  if (time_s <= liftoff_s_) return Hermite(push_s, low_W_, rest, liftoff_s_, off_W_, v_off_W_, time_s);
-  if (time_s >= land_s) return Hermite(land_s, low_end_W_, rest, land_s + shape_.crouch_s, end_W_, rest, time_s);
-  if (time_s >= touchdown_s_) return Hermite(touchdown_s_, on_W_, v_on_W_, land_s, low_end_W_, rest, time_s);
+  const Waypoint low{push_s, low_W_, rest}, off{liftoff_s_, off_W_, v_off_W_};
+  const Waypoint on{touchdown_s_, on_W_, v_on_W_}, low_end{land_s, low_end_W_, rest};
+  if (time_s <= push_s) return CubicBetween({push_s - shape_.crouch_s, start_W_, rest}, low, time_s);
+  if (time_s <= liftoff_s_) return CubicBetween(low, off, time_s);
+  if (time_s >= land_s) return CubicBetween(low_end, {land_s + shape_.crouch_s, end_W_, rest}, time_s);
+  if (time_s >= touchdown_s_) return CubicBetween(on, low_end, time_s);
   const double t = time_s - liftoff_s_;
   return off_W_ + t * v_off_W_ - 0.5 * kGravity * t * t * Vector3::UnitZ();
 }

@@ -26,6 +26,7 @@ enum class Room {
   kAmple,     ///< efforts are far below their limits
 };
 
+/// The room that the optimisation of a whole body left; kAmple for plans that needed none.
 Room RoomOf(const Result<PlannedWalk>& planned);
 
 }  // namespace gaitwright
