@@ -84,6 +84,9 @@ TEST(ShowShapes, ACycleOfAGaitThatIsDerivedIsNull) {
                     {"cycle_s", nullptr},
                     {"cycle_per_leg_time", 2.5},
                     {"stride_per_leg", nullptr},
+                    {"pitch_turns", 0.0},
+                    {"roll_turns", 0.0},
+                    {"travel_per_leg", nullptr},
                     {"phase", {0, 0.5, 0.5, 0}},
                     {"duty_factor", {0.5, 0.5, 0.5, 0.5}},
                     {"flight", false}};
