@@ -80,8 +80,7 @@ int RunRepair(RepairSettings& a) {
 
 void AddRepair(Verb program, int& status) {
   auto a = std::make_shared<RepairSettings>();
-  const Verb verb = program.AddVerb(
-      "repair", "Change a motion as little as possible so that the robot can do it");
+  const Verb verb = program.AddVerb("repair", "Change a motion as little as possible so that the robot can do it");
   AddMotionSource(
       verb, "MOTION",
       "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
