@@ -9,6 +9,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/limit_violation.h"
+#include "optimisation/pipeline/raise_heels_internal.h"
 #include "optimisation/trajectory/body_rows_internal.h"
 
 namespace gaitwright {
@@ -306,8 +307,10 @@ Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan,
 void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned) {
   if (!ReasonNotFinished(model, planned.plan).empty()) return;
   FinishReport report;
+  MotionPlan raised = planned.plan;
+  RaiseHeels(model, {options.trajectory.heel_off_rad, options.trajectory.heel_off_share}, raised);
   Result<MotionPlan> finished =
-      FinishMotion(model, planned.plan, options.trajectory, options.whole_body.friction_use, &report);
+      FinishMotion(model, raised, options.trajectory, options.whole_body.friction_use, &report);
   if (!finished) {
     planned.unfinished = finished.failure();
     return;

@@ -19,7 +19,7 @@ using Sound = std::optional<std::pair<Candidate, Evaluation>>;
 Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
   for (const Variation& v : variations) {
     const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight, v.other_footholds,
-                              v.finishes};
+                              v.finishes, v.heel_off_rad};
     if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
     if (whole.sound()) return std::pair(candidate, std::move(whole));

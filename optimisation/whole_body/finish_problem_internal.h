@@ -16,7 +16,7 @@ struct FinishSettings {
   BodyLimitUse use;
 };
 
-/// Knots over a schedule: at all its changes, and at most so far apart in between; where the plan's rows are, if they
+/// Knots over a schedule: at all its changes, and at most so far apart in between, half as far while heels rise; where the plan's rows are, if they
 /// are at the changes.
 std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s);
 

@@ -7,6 +7,7 @@
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 
@@ -75,14 +76,15 @@ void Auditor::CheckContactForces(double time_s) {
     if (foot.sole_F.empty() || normal < kLeastLoad * model_.weight_n()) continue;
     const Vector3 moment_F = X_WF.linear().transpose() * wrench.moment_W;
     const double normal_F = X_WF.linear().col(2).dot(wrench.force_W);
-    const Polygon* support_F = ground.foothold < 0 ? nullptr : &support_F_[static_cast<std::size_t>(ground.foothold)];
-    if (support_F == nullptr || support_F->empty()) support_F = &foot.sole_F;
-    const double outside = -SignedDistance(*support_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
-    forces_hold_ = forces_hold_ && outside <= kPressureSlack;
-    findings_.Near(places_.edge[place], time_s, outside, kPressureSlack, kPressureSlack - outside);
-    if (outside > kPressureSlack)
-      findings_.Note(Law::kUnilateral, FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack,
-                     "m");
+    const double outside = -SignedDistance(SupportNow(f, time_s), Vector2(-moment_F.y(), moment_F.x()) / normal_F);
+    // A sole on its edge turns fast, and wrenches are linear between rows.
+    const bool on_edge = ground.foothold >= 0 &&
+                         StandsOnEdge(plan_.footsteps.footholds[static_cast<std::size_t>(ground.foothold)], time_s);
+    const double slack_m = on_edge ? kSupportLine : kPressureSlack;
+    forces_hold_ = forces_hold_ && outside <= slack_m;
+    findings_.Near(places_.edge[place], time_s, outside, slack_m, slack_m - outside);
+    if (outside > slack_m)
+      findings_.Note(Law::kUnilateral, FootName(f) + " centre of pressure outside", time_s, outside, slack_m, "m");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "optimisation/whole_body/finish_problem_internal.h"
+#include "planning/plan/heel_off_internal.h"
 #include "tests/kinematics/made_robots.h"
 
 namespace gaitwright {
@@ -65,6 +66,47 @@ TEST(FootCourse, FootThatLandsOrLeavesBearsNoLoad) {
   EXPECT_TRUE(course.At(0.4).presses);
   EXPECT_NEAR(course.At(0.4).X_WF.translation().x(), 0.1, 1e-12);
   EXPECT_GT(course.At(0.1675).X_WF.translation().z(), 0.04);
+}
+
+TEST(FootCourse, ASoleTurnsAboutItsFrontEdgeAfterHeelOff) {
+  const RobotModel model = AnyRobot("nao");
+  const Foot& foot = model.feet[0];
+  MotionPlan plan = SteppingPlan(model);
+  plan.footsteps.footholds[0].heel_off_s = 0.04;
+  plan.swings[0].X_WF_start = TurnedAboutEdge(foot, plan.footsteps.footholds[0].X_WF, 0.3);
+  const FootCourse course(model, plan, 0);
+  const auto turn_at = [&](double time_s) {
+    return EdgeTurnOf(foot, plan.footsteps.footholds[0].X_WF, course.At(time_s).X_WF);
+  };
+  double before_rad = 0.0;
+  for (double t = 0.045; t < 0.0999; t += 0.005) {
+    EXPECT_TRUE(course.At(t).on_edge);
+    EXPECT_TRUE(course.At(t).presses);
+    EXPECT_LT(turn_at(t).off_m + turn_at(t).turned_rad, 1e-9);
+    EXPECT_GT(turn_at(t).pitch_rad, before_rad);
+    before_rad = turn_at(t).pitch_rad;
+  }
+  EXPECT_FALSE(course.At(0.035).on_edge);
+  EXPECT_EQ(turn_at(0.035).pitch_rad, 0.0);
+  EXPECT_NEAR(turn_at(0.1).pitch_rad, 0.3, 1e-9);
+  EXPECT_NEAR(turn_at(0.1001).pitch_rad, 0.3, 1e-4) << "the swing begins with the turned sole";
+  EXPECT_LT(EdgeTurnOf(foot, plan.footsteps.footholds[1].X_WF, course.At(0.3).X_WF).pitch_rad, 1e-12);
+}
+
+TEST(ProblemOf, OnlyTheFrontEdgePressesAfterHeelOff) {
+  const RobotModel model = AnyRobot("nao");
+  MotionPlan plan = SteppingPlan(model);
+  plan.footsteps.footholds[0].heel_off_s = 0.04;
+  const std::vector<double> knots_s = KnotTimesOf(plan, 0.01);
+  EXPECT_TRUE(std::any_of(knots_s.begin(), knots_s.end(), [](double t) { return std::abs(t - 0.04) < 1e-12; }));
+  const BodyProblem problem = ProblemOf(model, plan, CoursesOf(model, plan), knots_s, {});
+  for (std::size_t k = 0; k < knots_s.size(); ++k) {
+    if (knots_s[k] > 0.0999) break;
+    const std::vector<Vector3>& points = problem.knots[k].pressing.front().contact.points_F;
+    const bool on_edge = knots_s[k] > 0.0399;
+    EXPECT_EQ(points.size() == 2, on_edge) << knots_s[k];
+    for (const Vector3& p_F : points) EXPECT_TRUE(!on_edge || p_F.x() > 0.0);
+  }
 }
 
 TEST(FootCourse, RefusesAPlanWithoutASwing) {
