@@ -42,6 +42,7 @@ class Auditor {
   };
   void FindFooting(double time_s);  // sets footing_, X_WF_ and points_ at the scratch's pose
   Polygon SupportNow(int foot, double time_s) const;
+  double PressureSlack(int foot, double normal_n, double time_s) const;
   bool HoldsSurface(int surface) const { return surface >= 0 && surface < plan_.terrain.num_surfaces(); }
 
   // Checks of one sample (audit_forces.cc, audit_flight.cc, audit_motion.cc)
