@@ -18,7 +18,7 @@ namespace {
 constexpr double kViolation = 1e-5;    // [m g, rad, m] that constraints at knots may be off by
 constexpr double kGoodEnough = 1e-4;   // of a solve that was ended by its iterations
 constexpr double kGive = 1e-6;         // see ElasticOptions
-constexpr int kScreening = 20;         // iterations after which a solve ends if the violations
+constexpr int kScreening = 40;         // iterations after which a solve ends if the violations
 constexpr double kFar = 0.3;           // sum to more than this
 constexpr double kFinestRows = 1e-3;   // [s] of a row's step
 constexpr double kRolledAside = 1e-4;  // [m] that feet may be off where they roll to

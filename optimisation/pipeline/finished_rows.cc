@@ -41,8 +41,8 @@ std::vector<Vector3> PointsAt(const RobotModel& model, const DynamicsScratch& sc
                               int foot, double time_s) {
   const Foot& of = model.feet[static_cast<std::size_t>(foot)];
   const int index = FootholdAt(footsteps, foot, time_s);
-  const bool on_edge = index >= 0 && of.has_sole() &&
-                       StandsOnEdge(footsteps.footholds[static_cast<std::size_t>(index)], time_s);
+  const bool on_edge =
+      index >= 0 && of.has_sole() && StandsOnEdge(footsteps.footholds[static_cast<std::size_t>(index)], time_s);
   if (!on_edge) return ContactPoints(model, scratch, foot, NormalUnder(footsteps, foot, time_s));
   std::vector<Vector3> points;
   const Pose X_WF = FramePose(scratch, of.body, of.X_BF);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/pipeline/raise_heels_internal.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,6 +6,7 @@
 
 #include "kinematics/base/non_finite.h"
 #include "kinematics/stability/polygon.h"
+#include "optimisation/pipeline/raise_heels_internal.h"
 #include "optimisation/swing/refine_swing.h"
 #include "optimisation/swing/swing_ground.h"
 #include "planning/plan/heel_off_internal.h"
@@ -101,12 +100,12 @@ void RaiseHeels(const RobotModel& model, const HeelRise& rise, MotionPlan& plan)
     shortest_s = std::min(shortest_s, step.double_support_s);
   }
   // The first double support lasts long: the heel rises as fast as in the others.
-  const double row_s = plan.whole_body.step_s, rise_s = row_s * std::max(1.0, std::round(rise.share * shortest_s / row_s));
+  const double row_s = plan.whole_body.step_s,
+               rise_s = row_s * std::max(1.0, std::round(rise.share * shortest_s / row_s));
   for (const Step& step : steps) {
     const Foot& foot = model.feet[static_cast<std::size_t>(step.swing->foot)];
     step.foothold->heel_off_s = step.foothold->liftoff_s - std::min(rise_s, step.double_support_s);
-    step.swing->X_WF_start =
-        TurnedAboutEdge(foot, step.foothold->X_WF, step.forward_m / longest_m * rise.pitch_rad);
+    step.swing->X_WF_start = TurnedAboutEdge(foot, step.foothold->X_WF, step.forward_m / longest_m * rise.pitch_rad);
     KeepClear(foot, plan.terrain, *step.swing);
   }
 }

@@ -19,8 +19,8 @@ using Sound = std::optional<std::pair<Candidate, Evaluation>>;
 /// The only loop over a table: returns the first row whose whole walk is sound.
 Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
   for (const Variation& v : variations) {
-    const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight, v.other_footholds,
-                              v.finishes, v.heel_off_rad};
+    const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
+                              v.other_footholds,        v.finishes,           v.heel_off_rad};
     if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
     if (whole.sound()) return std::pair(candidate, std::move(whole));

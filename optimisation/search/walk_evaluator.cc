@@ -113,12 +113,8 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
 
 Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait) {
   const WalkCommand command = CommandOf(candidate);
-  const Key start{Effort::kStart,
-                  PaceFlags(command),
-                  gait.cycle_s,
-                  gait.duty_factor.front(),
-                  candidate.other_footholds,
-                  candidate.finishes,
+  const Key start{Effort::kStart,           PaceFlags(command),        gait.cycle_s,
+                  gait.duty_factor.front(), candidate.other_footholds, candidate.finishes,
                   candidate.heel_off_rad};
   WalkRequest request = request_;
   request.motion = WithFootholds(request_.motion, candidate.other_footholds);

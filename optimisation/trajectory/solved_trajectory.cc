@@ -36,7 +36,8 @@ Eigen::Index FirstOf(const std::vector<KnotContact>& contacts, int foot, const V
   std::ptrdiff_t points = 0;
   for (const KnotContact& contact : contacts) {
     if (contact.foot == foot)
-      return 3 * (points + (std::find(contact.points_F.begin(), contact.points_F.end(), p_F) - contact.points_F.begin()));
+      return 3 *
+             (points + (std::find(contact.points_F.begin(), contact.points_F.end(), p_F) - contact.points_F.begin()));
     points += static_cast<std::ptrdiff_t>(contact.points_F.size());
   }
   return 3 * points;

@@ -51,7 +51,8 @@ PressingFoot PressingOf(const RobotModel& model, const MotionPlan& plan, const F
   pressing.contact.offset_W = -foot.radius * pressing.axes_W.col(2);
   if (!foot.has_sole()) return pressing;
   pressing.contact.points_F.clear();
-  for (const Vector2& corner : place.on_edge ? FrontEdge(foot.sole_F) : support_F) pressing.contact.points_F.emplace_back(corner.x(), corner.y(), 0.0);
+  for (const Vector2& corner : place.on_edge ? FrontEdge(foot.sole_F) : support_F)
+    pressing.contact.points_F.emplace_back(corner.x(), corner.y(), 0.0);
   return pressing;
 }
 
@@ -89,7 +90,7 @@ bool HeelRises(const MotionPlan& plan, double time_s) {
 }  // namespace
 
 std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s) {
-  constexpr double kRounding = 1e-6;   // of a step
+  constexpr double kRounding = 1e-6;  // of a step
   constexpr double kOfHeelOff = 0.5;  // soles turn far in a short time
   std::vector<double> times{plan.schedule.start_s()};
   const double row_s = plan.whole_body.step_s;

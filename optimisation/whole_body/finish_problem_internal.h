@@ -16,8 +16,8 @@ struct FinishSettings {
   BodyLimitUse use;
 };
 
-/// Knots over a schedule: at all its changes, and at most so far apart in between, half as far while heels rise; where the plan's rows are, if they
-/// are at the changes.
+/// Knots over a schedule: at all its changes, and at most so far apart in between, half as far while heels rise; where
+/// the plan's rows are, if they are at the changes.
 std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s);
 
 /// Rows of a foot's position and rotation that no other foot's rows before it fix already, in the standing posture: a

@@ -115,8 +115,8 @@ void Auditor::CheckSwing(const SwingTrajectory& swing, const ContactInterval& ga
   }
   Expect(foot + " swing off its footholds", swing.start_s,
          std::max(off, (end.X_WF.translation() - swing.X_WF_end.translation()).norm()), kPosition, "m");
-  Expect(foot + " swing rotated from its footholds", swing.start_s,
-         std::max(rotated, turned(end.X_WF, swing.X_WF_end)), kRotation, "rad");
+  Expect(foot + " swing rotated from its footholds", swing.start_s, std::max(rotated, turned(end.X_WF, swing.X_WF_end)),
+         kRotation, "rad");
   CheckSwingPath(swing);
 }
 

@@ -48,7 +48,8 @@ struct BasePath {
 ///
 /// X_WF is the pose at touch-down of the sole frame (sole, line), or of the contact point on the ground with z along
 /// the ground's normal (point, sphere). A spherical foot rolls: its contact point moves by `roll_W` until lift-off.
-/// From `heel_off_s` on, a sole stands on its front edge only and turns about it until lift-off; see heel_off_internal.h.
+/// From `heel_off_s` on, a sole stands on its front edge only and turns about it until lift-off; see
+/// heel_off_internal.h.
 struct Foothold {
   int foot = 0;
   Pose X_WF = Pose::Identity();

@@ -69,7 +69,7 @@ double SwingNow::Progress(double time_s) const {
   return swings ? std::clamp((time_s - liftoff_s) / (touchdown_s - liftoff_s), 0.0, 1.0) : 0.0;
 }
 
-Swings::Swings(const RobotModel& model, const MotionPlan& plan) 
+Swings::Swings(const RobotModel& model, const MotionPlan& plan)
     : stays_(model.feet.size()), grounds_(stays_.size()), edges_(stays_.size()) {
   const std::vector<Polygon> supports = SupportsOf(model, plan.terrain, plan.footsteps);
   for (std::size_t i = 0; i < plan.footsteps.footholds.size(); ++i) {
@@ -128,8 +128,8 @@ const GroundUnder& Swings::Under(int foot, double time_s) const {
   constexpr double kTiny = 1e-9;  // [s]
   const auto f = static_cast<std::size_t>(foot);
   const std::size_t stay = StayAt(f, time_s);
-  const bool on_edge = stay < edges_.at(f).size() && time_s > edges_[f][stay].first - kTiny &&
-                       time_s < stays_[f][stay].end_s + kTiny;
+  const bool on_edge =
+      stay < edges_.at(f).size() && time_s > edges_[f][stay].first - kTiny && time_s < stays_[f][stay].end_s + kTiny;
   return on_edge ? edges_[f][stay].second : grounds_[f][stay];
 }
 

@@ -45,9 +45,9 @@ struct SwingNow {
 struct GroundUnder {
   Vector3 normal_W = Vector3::UnitZ();
   double friction = 0.0;
-  bool is_plane = true;  ///< not a height field, where a sole rocks under load
-  Polygon support_F;     ///< part of the foot that is on it, see SupportsOf, or the sole's front edge
-  bool on_edge = false;  ///< a sole that stands on its front edge
+  bool is_plane = true;                ///< not a height field, where a sole rocks under load
+  Polygon support_F;                   ///< part of the foot that is on it, see SupportsOf, or the sole's front edge
+  bool on_edge = false;                ///< a sole that stands on its front edge
   Vector3 middle_F = Vector3::Zero();  ///< contact frame's origin, or the middle of the front edge
 };
 

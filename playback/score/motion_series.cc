@@ -48,7 +48,8 @@ class Sampler {
                                                  : sample.support.reference_W.z();
     sample.omega_rad_s = std::sqrt(kGravity / std::max(sample.p_WC.z() - ground, 1e-3));
     sample.dcm_W = DivergentComponent(sample.p_WC, sample.v_WC, sample.omega_rad_s);
-    for (int foot = 0; foot < static_cast<int>(model_.feet.size()); ++foot) sample.feet.push_back(FootOf(foot, Contains(on_edge, foot)));
+    for (int foot = 0; foot < static_cast<int>(model_.feet.size()); ++foot)
+      sample.feet.push_back(FootOf(foot, Contains(on_edge, foot)));
     return sample;
   }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/pipeline/raise_heels_internal.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
+#include "optimisation/pipeline/raise_heels_internal.h"
 #include "planning/audit/audit.h"
 #include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sample_plan.h"
@@ -48,22 +47,21 @@ TEST(RaiseHeels, InTheDoubleSupportBeforeStepsForward) {
   }
   int raised = 0;
   for (const SwingTrajectory& swing : plan.swings) {
-    const auto left = std::find_if(plan.footsteps.footholds.begin(), plan.footsteps.footholds.end(), [&](const auto& f) {
-      return f.foot == swing.foot && std::abs(f.liftoff_s - swing.start_s) < 1e-9;
-    });
+    const auto left = std::find_if(
+        plan.footsteps.footholds.begin(), plan.footsteps.footholds.end(),
+        [&](const auto& f) { return f.foot == swing.foot && std::abs(f.liftoff_s - swing.start_s) < 1e-9; });
     ASSERT_NE(left, plan.footsteps.footholds.end());
     if (!left->heel_off_s) continue;
     ++raised;
-    const ContactPhase& phase = plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, *left->heel_off_s))];
+    const ContactPhase& phase =
+        plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, *left->heel_off_s))];
     EXPECT_LT(phase.start_s, *left->heel_off_s + 1e-9);
     EXPECT_NEAR(phase.end_s, left->liftoff_s, 1e-9);
     EXPECT_NEAR(left->liftoff_s - *left->heel_off_s, rise_s, 1e-9) << "also in the long first double support";
     EXPECT_EQ(phase.stance, AllFeet(2));
     const auto i = static_cast<std::size_t>(left - plan.footsteps.footholds.begin());
-    EXPECT_NEAR(left->liftoff_s - *half.footsteps.footholds[i].heel_off_s, 0.5 * rise_s,
-                0.51 * plan.whole_body.step_s);
-    const EdgeTurn turn =
-        EdgeTurnOf(model.feet[static_cast<std::size_t>(swing.foot)], left->X_WF, swing.X_WF_start);
+    EXPECT_NEAR(left->liftoff_s - *half.footsteps.footholds[i].heel_off_s, 0.5 * rise_s, 0.51 * plan.whole_body.step_s);
+    const EdgeTurn turn = EdgeTurnOf(model.feet[static_cast<std::size_t>(swing.foot)], left->X_WF, swing.X_WF_start);
     EXPECT_LT(turn.off_m, 1e-12);
     EXPECT_GT(turn.pitch_rad, 0.1 * kPitch);
     largest = std::max(largest, turn.pitch_rad);
@@ -79,8 +77,10 @@ TEST(RaiseHeels, LeavesWhatHasNoFrontEdgeOrNoStepForward) {
     MotionPlan plan = good.plan;
     const bool has_sole = good.model.feet.front().has_sole();
     // Soles turned around step backward.
-    for (Foothold& foothold : plan.footsteps.footholds) foothold.X_WF.linear() *= RotationExp(std::numbers::pi * Vector3::UnitZ());
-    for (SwingTrajectory& swing : plan.swings) swing.X_WF_start.linear() *= RotationExp(std::numbers::pi * Vector3::UnitZ());
+    for (Foothold& foothold : plan.footsteps.footholds)
+      foothold.X_WF.linear() *= RotationExp(std::numbers::pi * Vector3::UnitZ());
+    for (SwingTrajectory& swing : plan.swings)
+      swing.X_WF_start.linear() *= RotationExp(std::numbers::pi * Vector3::UnitZ());
     if (!has_sole) plan = good.plan;
     RaiseHeels(good.model, {kPitch, 1.0}, plan);
     for (const Foothold& foothold : plan.footsteps.footholds) EXPECT_FALSE(foothold.heel_off_s) << robot;

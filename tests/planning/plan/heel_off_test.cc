@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/plan/heel_off_internal.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/rotation.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 namespace {

@@ -87,7 +87,7 @@ TEST(PlanJson, PartsComeBackInTheirOrder) {
 }
 
 TEST(PlanJson, HeelOffComesBackWhereItIs) {
-  EXPECT_EQ(GoodText().find("heel_off_s"), std::string::npos) << "flat soles have none";
+  EXPECT_EQ(GoodText().find("\"heel_off_s\""), std::string::npos) << "flat soles have none";
   MotionPlan plan = GoodPlanOf("nao").plan;
   plan.footsteps.footholds[1].heel_off_s = plan.footsteps.footholds[1].liftoff_s - 0.03;
   const MotionPlan back = PlanFromJson(PlanToJson(plan), "x.json").value();

@@ -31,7 +31,8 @@ TEST(Support, ASoleOnItsFrontEdgeSupportsThereOnly) {
   const RobotModel model = synthetic::Robot(2, FootType::kSole);
   DynamicsScratch scratch(model);
   ForwardKinematics(model, synthetic::StandingPlan(model, 0.1).whole_body.q[0], scratch);
-  const Support edge = SupportOf(model, scratch, FlatTerrain(), 1, 1), both = SupportOf(model, scratch, FlatTerrain(), 3, 1);
+  const Support edge = SupportOf(model, scratch, FlatTerrain(), 1, 1),
+                both = SupportOf(model, scratch, FlatTerrain(), 3, 1);
   ASSERT_EQ(edge.points_W.size(), 2u);
   for (const Vector3& p_W : edge.points_W) EXPECT_NEAR(p_W.x(), synthetic::kHalfLength, 1e-12);
   EXPECT_FALSE(HasArea(edge.polygon));
