@@ -18,8 +18,9 @@ namespace {
 constexpr double kViolation = 1e-5;    // [m g, rad, m] that constraints at knots may be off by
 constexpr double kGoodEnough = 1e-4;   // of a solve that was ended by its iterations
 constexpr double kGive = 1e-6;         // see ElasticOptions
-constexpr int kScreening = 40;         // iterations after which a solve ends if the violations
+constexpr int kScreening = 20;         // iterations after which a solve ends if the violations
 constexpr double kFar = 0.3;           // sum to more than this
+constexpr int kScreeningOfHeels = 40;  // of plans with heel-off, which need more iterations
 constexpr double kFinestRows = 1e-3;   // [s] of a row's step
 constexpr double kRolledAside = 1e-4;  // [m] that feet may be off where they roll to
 
@@ -64,6 +65,8 @@ class Finisher {
         follow_(follow),
         courses_(CoursesOf(model, plan)),
         knots_s_(KnotTimesOf(plan, options.knot_step_s)),
+        raises_heels_(
+            std::ranges::any_of(plan.footsteps.footholds, [](const Foothold& f) { return f.heel_off_s.has_value(); })),
         finished_(plan) {
     rolls_ = RollsOf(model, plan.whole_body, courses_);
     SetCourses();
@@ -87,6 +90,7 @@ class Finisher {
   const FollowOptions* const follow_;  // null: finishes a plan
   std::vector<FootCourse> courses_;
   const std::vector<double> knots_s_;
+  const bool raises_heels_;
   MotionPlan finished_;          // of the last solve; at first the plan
   FootRolls rolls_;              // of that
   std::vector<VectorX> forces_;  // of the last solve, at its knots
@@ -120,7 +124,7 @@ Result<bool> Finisher::SolveOnce(const BodyProblem& problem, MatrixX& points) {
   elastic.tolerance = kViolation;
   elastic.cost_tolerance = 2e-3;
   elastic.max_iterations = options_.max_iterations;
-  elastic.screening = follow_ != nullptr ? options_.max_iterations : kScreening;
+  elastic.screening = follow_ != nullptr ? options_.max_iterations : raises_heels_ ? kScreeningOfHeels : kScreening;
   elastic.infeasible = kFar;
   elastic.give = kGive;
   VectorX start(points.size());
