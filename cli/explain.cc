@@ -26,7 +26,8 @@ std::string Explain::Json() const {
                     {"cycle_s", tried.cycle_s},
                     {"refused", refused},
                     {"free_footholds", tried.free_footholds},
-                    {"whole_body", tried.whole_body}});
+                    {"whole_body", tried.whole_body},
+                    {"heel_off_rad", tried.heel_off_rad}});
   }
   return list.dump();
 }

@@ -8,6 +8,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/limit_violation.h"
+#include "optimisation/pipeline/raise_heels_internal.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
 #include "optimisation/trajectory/motor_rows_internal.h"
 
@@ -18,6 +19,7 @@ constexpr double kViolation = 1e-5;    // [m g, rad, m] that constraints at knot
 constexpr double kGive = 1e-6;         // see ElasticOptions
 constexpr int kScreening = 20;         // iterations after which a solve ends if the violations
 constexpr double kFar = 0.3;           // sum to more than this
+constexpr int kScreeningOfHeels = 40;  // of plans with heel-off, which need more iterations
 constexpr double kFinestRows = 1e-3;   // [s] of a row's step
 constexpr double kRolledAside = 1e-4;  // [m] that feet may be off where they roll to
 
@@ -62,6 +64,8 @@ class Finisher {
         follow_(follow),
         courses_(CoursesOf(model, plan)),
         knots_s_(KnotTimesOf(plan, options.knot_step_s, follow == nullptr ? 0 : follow->least_per_swing)),
+        raises_heels_(
+            std::ranges::any_of(plan.footsteps.footholds, [](const Foothold& f) { return f.heel_off_s.has_value(); })),
         finished_(plan) {
     rolls_ = RollsOf(model, plan.whole_body, courses_);
     SetCourses();
@@ -87,6 +91,7 @@ class Finisher {
   const FollowOptions* const follow_;  // null: finishes a plan
   std::vector<FootCourse> courses_;
   const std::vector<double> knots_s_;
+  const bool raises_heels_;
   MotionPlan finished_;              // of the last solve; at first the plan
   FootRolls rolls_;                  // of that
   BodyMotion motion_;                // of the last solve
@@ -121,7 +126,7 @@ ElasticOptions Finisher::Elastic() const {
   elastic.tolerance = kViolation;
   elastic.cost_tolerance = 2e-3;
   elastic.max_iterations = options_.max_iterations;
-  elastic.screening = follow_ != nullptr ? options_.max_iterations : kScreening;
+  elastic.screening = follow_ != nullptr ? options_.max_iterations : raises_heels_ ? kScreeningOfHeels : kScreening;
   elastic.infeasible = kFar;
   elastic.give = kGive;
   return elastic;
@@ -304,8 +309,10 @@ Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan,
 void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned) {
   if (!ReasonNotFinished(model, planned.plan).empty()) return;
   FinishReport report;
+  MotionPlan raised = planned.plan;
+  RaiseHeels(model, {options.trajectory.heel_off_rad, options.trajectory.heel_off_share}, raised);
   Result<MotionPlan> finished =
-      FinishMotion(model, planned.plan, options.trajectory, options.whole_body.friction_use, &report);
+      FinishMotion(model, raised, options.trajectory, options.whole_body.friction_use, &report);
   if (!finished) {
     planned.unfinished = finished.failure();
     return;

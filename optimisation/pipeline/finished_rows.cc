@@ -10,6 +10,7 @@
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/mean_height.h"
 #include "optimisation/whole_body/solve_whole_body.h"
+#include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/support_plane.h"
 
@@ -33,6 +34,20 @@ std::vector<ContactWrench> WrenchesOf(const RobotModel& model, const std::vector
     }
   }
   return wrenches;
+}
+
+/// Contact points of a foot: of a sole on its front edge, those of the edge.
+std::vector<Vector3> PointsAt(const RobotModel& model, const DynamicsScratch& scratch, const FootstepPlan& footsteps,
+                              int foot, double time_s) {
+  const Foot& of = model.feet[static_cast<std::size_t>(foot)];
+  const int index = FootholdAt(footsteps, foot, time_s);
+  const bool on_edge =
+      index >= 0 && of.has_sole() && StandsOnEdge(footsteps.footholds[static_cast<std::size_t>(index)], time_s);
+  if (!on_edge) return ContactPoints(model, scratch, foot, NormalUnder(footsteps, foot, time_s));
+  std::vector<Vector3> points;
+  const Pose X_WF = FramePose(scratch, of.body, of.X_BF);
+  for (const Vector2& p_F : FrontEdge(of.sole_F)) points.push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
+  return points;
 }
 
 }  // namespace
@@ -81,7 +96,7 @@ void SetFootholds(const FootRolls& rolls, const std::vector<FootCourse>& courses
     for (SwingTrajectory& swing : plan.swings) {
       if (swing.foot != courses[i].foot()) continue;
       const Foothold& left = plan.footsteps.footholds[courses[i].footholds()[s]];
-      swing.X_WF_start.translation() = left.X_WF.translation() + left.roll_W;
+      if (!left.heel_off_s) swing.X_WF_start.translation() = left.X_WF.translation() + left.roll_W;
       swing.X_WF_end.translation() = plan.footsteps.footholds[courses[i].footholds()[++s]].X_WF.translation();
     }
   }
@@ -109,7 +124,7 @@ void SetCentroidal(const RobotModel& model, MotionPlan& plan) {
     c.v_WC.emplace_back(CentroidalMomentum(model, scratch).head<3>() / model.total_mass_kg);
     c.a_WC.emplace_back(needed.head<3>() / model.total_mass_kg - kGravity * Vector3::UnitZ());
     for (int f = 0; f < static_cast<int>(model.feet.size()); ++f)
-      points[static_cast<std::size_t>(f)] = ContactPoints(model, scratch, f, NormalUnder(plan.footsteps, f, time_s));
+      points[static_cast<std::size_t>(f)] = PointsAt(model, scratch, plan.footsteps, f, time_s);
     const GroundPlane plane = SupportPlaneAt(plan.schedule, time_s, points);
     presses.push_back(needed[2] > kPresses * model.weight_n() &&
                       needed[2] - plane.slope.dot(needed.head<2>()) > kPresses * model.weight_n());

@@ -72,6 +72,8 @@ struct TrajectoryOptions {
   int max_iterations = 60;
   double near = 1.0;
   double effort = 0.3;
+  double heel_off_rad = 0.0;
+  double heel_off_share = 1.0;
 
   OptionFields Fields();
 };

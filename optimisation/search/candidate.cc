@@ -10,7 +10,10 @@ constexpr Variation kSlowerFirst[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}
                                       {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},  {1.0, 6}};
 constexpr Variation kSlowerSteps[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
 constexpr Variation kSlowerWalks[] = {{1.0, -1}, {0.7, 0}, {0.7, -1}, {0.7, -2}, {0.5, -1}, {0.35, -2}};
-constexpr Variation kFinished[] = {{1.0, 0, 1.0, false, true}, {1.0, 3, 1.0, false, true}, {1.0, 6, 1.0, false, true}};
+/// Flat soles; then heels that rise, also with longer swings; then longer steps of slow joints.
+constexpr Variation kFinished[] = {{1.0, 0, 1.0, false, true},       {1.0, 3, 1.0, false, true},
+                                   {1.0, 6, 1.0, false, true},       {1.0, 0, 1.0, false, true, 0.4},
+                                   {1.0, 0, 1.12, false, true, 0.4}, {1.0, -1, 1.12, false, true, 0.35}};
 /// Other flights, then other footholds.
 constexpr Variation kOtherLeaps[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}, {1.0, 0, 1.0, true}};
 

@@ -12,7 +12,8 @@ struct Candidate {
   double flight = 1.0;  ///< factor of the gait's flight times; 0: its duty factors at speed zero
   /// Footholds are free instead of held, or held instead of free (MotionOptions::footholds).
   bool other_footholds = false;
-  bool finishes = false;  ///< the whole body is optimised (`trajectory.method=whole-body`)
+  bool finishes = false;      ///< the whole body is optimised (`trajectory.method=whole-body`)
+  double heel_off_rad = 0.0;  ///< larger value of `trajectory.heel_off_rad`, with `finishes`
 
   bool operator==(const Candidate&) const = default;
 };
@@ -33,6 +34,7 @@ struct Variation {
   double flight = 1.0;
   bool other_footholds = false;
   bool finishes = false;
+  double heel_off_rad = 0.0;
 };
 
 /// Properties of a walk that decide which candidates may be better.

@@ -22,10 +22,11 @@ const char* EffortName(Effort effort) {
 std::string TraceText(const SearchTrace& trace) {
   std::string text = fmt::format("tried {} plan{}:\n", trace.size(), trace.size() == 1 ? "" : "s");
   for (const TriedPlan& tried : trace) {
-    text +=
-        fmt::format("  {:<10}  {} {:.4g} {}, cycle {:.3f} s{}{}: {}\n", EffortName(tried.effort), tried.pace,
-                    tried.pace_value, tried.unit, tried.cycle_s, tried.free_footholds ? ", free footholds" : "",
-                    tried.whole_body ? ", whole body" : "", tried.refused ? FailureCodeName(*tried.refused) : "sound");
+    text += fmt::format("  {:<10}  {} {:.4g} {}, cycle {:.3f} s{}{}{}: {}\n", EffortName(tried.effort), tried.pace,
+                        tried.pace_value, tried.unit, tried.cycle_s, tried.free_footholds ? ", free footholds" : "",
+                        tried.whole_body ? ", whole body" : "",
+                        tried.heel_off_rad > 0.0 ? fmt::format(", heel-off {:.2f} rad", tried.heel_off_rad) : "",
+                        tried.refused ? FailureCodeName(*tried.refused) : "sound");
   }
   return text;
 }

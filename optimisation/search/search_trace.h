@@ -20,6 +20,7 @@ struct TriedPlan {
   std::optional<FailureCode> refused;  ///< nothing for a sound plan
   bool free_footholds = false;         ///< on ground that is not flat
   bool whole_body = false;             ///< the whole body was optimised at any rate
+  double heel_off_rad = 0.0;           ///< pitch of soles at lift-off; 0: flat
 
   bool operator==(const TriedPlan&) const = default;
 };

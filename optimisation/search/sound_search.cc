@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "optimisation/search/gait_cycles.h"
@@ -18,8 +19,8 @@ using Sound = std::optional<std::pair<Candidate, Evaluation>>;
 /// The only loop over a table: returns the first row whose whole walk is sound.
 Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
   for (const Variation& v : variations) {
-    const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight, v.other_footholds,
-                              v.finishes};
+    const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
+                              v.other_footholds,        v.finishes,           v.heel_off_rad};
     if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
     if (whole.sound()) return std::pair(candidate, std::move(whole));
@@ -119,13 +120,15 @@ bool IsOfJoints(const Failure& refusal) {
 /// sound; 0 if none is found. By bisection with few trials, because each takes seconds.
 double LargestFinished(const PaceRange& paces, double known, Evaluator& evaluator) {
   constexpr int kTrials = 3;
+  constexpr Variation kSoles[] = {{1.0, 0, 1.0, false, true}, {1.0, 0, 1.12, false, true, 0.4}};  // flat, heels rise
   double best = 0.0, low = known, high = paces.asked;
   for (int i = 0; i < kTrials; ++i) {
     const double middle = TowardsZero(0.5 * (low + high), 2);
     if (middle <= low) break;
-    Candidate candidate{middle};
-    candidate.finishes = true;
-    const bool sound = evaluator.Evaluate(candidate, Effort::kStart).sound();
+    const bool sound = std::any_of(std::begin(kSoles), std::end(kSoles), [&](const Variation& soles) {
+      const Candidate candidate{middle, 0, soles.flight, false, true, soles.heel_off_rad};
+      return evaluator.Evaluate(candidate, Effort::kStart).sound();
+    });
     (sound ? low : high) = middle;
     if (sound) best = middle;
   }

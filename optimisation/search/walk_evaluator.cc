@@ -93,7 +93,8 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
                 gait.cycle_s,
                 gait.duty_factor.front(),
                 candidate.other_footholds,
-                candidate.finishes};
+                candidate.finishes,
+                candidate.heel_off_rad};
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   if (static_cast<int>(known_.size()) >= request_.search.max_plans) {
     return Refused(
@@ -113,13 +114,15 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
 Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait) {
   const WalkCommand command = CommandOf(candidate);
   const Key start{Effort::kStart,           PaceFlags(command),        gait.cycle_s,
-                  gait.duty_factor.front(), candidate.other_footholds, candidate.finishes};
+                  gait.duty_factor.front(), candidate.other_footholds, candidate.finishes,
+                  candidate.heel_off_rad};
   WalkRequest request = request_;
   request.motion = WithFootholds(request_.motion, candidate.other_footholds);
   if (candidate.finishes) {
     TrajectoryOptions& trajectory = request.motion.trajectory;
     trajectory.method = "whole-body";
     trajectory.knot_step_s = std::max(trajectory.knot_step_s, kKnotStep_s);
+    trajectory.heel_off_rad = std::max(trajectory.heel_off_rad, candidate.heel_off_rad);
     if (effort == Effort::kStart) trajectory.max_iterations = std::min(trajectory.max_iterations, kStartIterations);
   }
   switch (effort) {
@@ -177,8 +180,10 @@ void WalkEvaluator::Trace(const Candidate& candidate, Effort effort, const Gait&
   const bool free = MayMoveFeet(request_.motion, terrain_) && IsDynamic(gait, request_.motion.centre_of_mass) &&
                     WithFootholds(request_.motion, candidate.other_footholds).footholds == "free";
   const bool finishes = candidate.finishes || request_.motion.trajectory.method == "whole-body";
+  const double heel_off_rad = std::max(request_.motion.trajectory.heel_off_rad, candidate.heel_off_rad);
   trace_->push_back({effort, PaceFlag(pace), PaceValue(model_, command), PaceUnit(pace), gait.cycle_s,
-                     evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt, free, finishes});
+                     evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt, free, finishes,
+                     finishes ? heel_off_rad : 0.0});
 }
 
 }  // namespace gaitwright

@@ -29,8 +29,8 @@ class WalkEvaluator : public Evaluator {
   Gait GaitOf(const Candidate& candidate, const GaitCycles& cycles) const;
 
  private:
-  /// Flags of the speed, cycle, first duty factor, and other footholds.
-  using Key = std::tuple<Effort, std::string, double, double, bool, bool>;
+  /// Flags of the speed, cycle, first duty factor, other footholds, whether the whole body is optimised, and heel-off.
+  using Key = std::tuple<Effort, std::string, double, double, bool, bool, double>;
 
   Evaluation Made(const Candidate& candidate, Effort effort, const GaitCycles& cycles, const Gait& gait);
   Evaluation Look(const WalkRequest& request, const Gait& gait, const WalkCommand& command, bool whole) const;

@@ -75,7 +75,7 @@ class SwingPlanner {
     }
     if (!clear && !hit_) MeetsNothing(straight);  // sets hit_ to the obstacle
     if (!clear) return NoClearance(swing);
-    swing.clearance_m = MidSwingClearance(swing);
+    swing.clearance_m = ClearanceOf(swing);
     return swing;
   }
 
@@ -166,6 +166,10 @@ class SwingPlanner {
     return undersides_[static_cast<std::size_t>(swing.foot)];
   }
 
+  double ClearanceOf(const SwingTrajectory& swing) const {
+    return MidSwingClearance(CurveOf(swing), Underside(swing), ground_, choice_.roll);
+  }
+
   /// Whether all ground under the path is in the plane through both footholds, or below it.
   bool GroundIsPlane(const SwingTrajectory& swing) const {
     constexpr double kLevel = 1e-3;  // [m]
@@ -187,7 +191,7 @@ class SwingPlanner {
   /// after.
   bool Clears(const SwingTrajectory& swing, double part) const {
     constexpr double kRounding = 1e-6;
-    return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
+    return ClearanceOf(swing) > choice_.clearance_m - kRounding &&
            ClearanceMargin(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
                -kRounding;
   }
@@ -283,24 +287,6 @@ class SwingPlanner {
       }
     }
     return false;
-  }
-
-  /// Smallest height of the underside in the part of the swing with full clearance.
-  double MidSwingClearance(const SwingTrajectory& swing) const {
-    constexpr double kFrom = kClearanceEnds, kTo = 1.0 - kClearanceEnds;
-    constexpr int kSamples = 24;
-    const SwingCurve curve = CurveOf(swing);
-    double lowest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= kSamples; ++i) {
-      const double u = kFrom + (kTo - kFrom) * i / kSamples;
-      Pose X_WF = Evaluate(curve, swing.start_s + u * (swing.end_s - swing.start_s)).X_WF;
-      X_WF.translation() += choice_.roll.At(u);
-      for (const Vector3& q_F : Underside(swing)) {
-        const Vector3 q_W = X_WF * q_F;
-        lowest = std::min(lowest, q_W.z() - ground_(q_W.head<2>()));
-      }
-    }
-    return lowest;
   }
 
   static constexpr double kPart = 0.35;

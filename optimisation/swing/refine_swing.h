@@ -36,6 +36,11 @@ double ClearanceRamp(double u);
 double ClearanceMargin(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
                        double clearance_m, const SwingRoll& roll = {});
 
+/// Smallest height of the underside above the ground in the middle of the swing, without kClearanceEnds at each end
+/// [m].
+double MidSwingClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+                         const SwingRoll& roll = {});
+
 /// Reach of the foot at a fraction of the swing.
 struct ReachAt {
   double u = 0.0;

@@ -59,6 +59,22 @@ double ClearanceMargin(const SwingCurve& curve, const std::vector<Vector3>& unde
   return least;
 }
 
+double MidSwingClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+                         const SwingRoll& roll) {
+  constexpr int kSamples = 24;
+  double lowest = kInfinity;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double u = kClearanceEnds + (1.0 - 2.0 * kClearanceEnds) * i / kSamples;
+    Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
+    X_WF.translation() += roll.At(u);
+    for (const Vector3& q_F : underside_F) {
+      const Vector3 q_W = X_WF * q_F;
+      lowest = std::min(lowest, q_W.z() - ground(q_W.head<2>()));
+    }
+  }
+  return lowest;
+}
+
 double OutOfReach(const SwingCurve& curve, const std::vector<ReachAt>& reach, const SwingRoll& roll) {
   double out = -kInfinity;
   for (const ReachAt& at : reach) {

@@ -16,6 +16,7 @@ using Eigen::Index;
 
 constexpr double kUnit = 0.01;     // [s] of time that weights are for
 constexpr double kToMargin = 0.3;  // [s] in which joints that stand at the end of their range come to its margin
+constexpr double kStill = 100.0;   // of weights of joints that stick
 constexpr double kFootUnit =
     100.0;  // rows of feet are in cm, so that their multipliers are as large as those of others
 
@@ -198,14 +199,17 @@ std::vector<double> BodyRows::TimesUnmet(double tolerance) const {
   return times;
 }
 
+/// Factor of the weights of a joint's coordinate.
+double BodyRows::StillnessOf(Index i) const { return motors_.Sticks(static_cast<int>(i - 6)) ? kStill : 1.0; }
+
 double BodyRows::NearWeight(Index i) const {
   const BodyWeights& w = problem_.weights;
-  return i < 3 ? w.base_position : i < 6 ? w.base_rotation : w.joint;
+  return i < 3 ? w.base_position : i < 6 ? w.base_rotation : StillnessOf(i) * w.joint;
 }
 
 double BodyRows::AccelerationWeight(Index i) const {
   const BodyWeights& w = problem_.weights;
-  return i < 6 ? w.base_acceleration : w.joint_acceleration;
+  return i < 6 ? w.base_acceleration : StillnessOf(i) * w.joint_acceleration;
 }
 
 void BodyRows::SetState(Knot& knot, ChartedState& state) {

@@ -90,6 +90,7 @@ class BodyRows : public ElasticRows {
   bool EliminateForces(std::size_t k, double damping);
   void AddToChain(std::size_t k);
   const BodyKnot& Asked(std::size_t k) const { return problem_.knots[k]; }
+  double StillnessOf(Eigen::Index coordinate) const;
   double NearWeight(Eigen::Index coordinate) const;
   double AccelerationWeight(Eigen::Index coordinate) const;
 

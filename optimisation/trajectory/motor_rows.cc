@@ -10,7 +10,9 @@ namespace gaitwright {
 MotorRows::MotorRows(const RobotModel& model, const BodyLimitUse& use) : motors_(ActuatorsOf(model)) {
   constexpr double kUnlimited = 0.1;   // of the weight times the leg's length: scale of motors without a limit
   constexpr double kLeastShare = 0.1;  // of a limit that dry friction leaves
+  constexpr double kSticks = 0.5;      // of a limit
   std::vector<double> friction;
+  sticks_.assign(static_cast<std::size_t>(model.num_dofs()), false);
   for (int d = 0; d < model.num_dofs(); ++d) {
     const JointLosses losses = LossesOf(model, d);
     damping_.push_back(losses.damping);
@@ -23,6 +25,10 @@ MotorRows::MotorRows(const RobotModel& model, const BodyLimitUse& use) : motors_
       lost += std::abs(term.by_effort) * friction[static_cast<std::size_t>(term.dof)];
     const double limit = motor.effort_limit;
     const bool known = std::isfinite(limit);
+    if (known && !motor.shared() && lost >= kSticks * limit) {
+      sticks_[static_cast<std::size_t>(motor.terms.front().dof)] = true;
+      lost = 0.0;
+    }
     const double most = known ? std::max(use.effort * limit - lost, kLeastShare * limit)
                               : kUnlimited * model.weight_n() * (motor.slides ? 1.0 : model.leg_length_m());
     scale_.push_back(most);

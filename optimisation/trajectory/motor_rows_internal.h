@@ -29,6 +29,9 @@ class MotorRows {
   /// Motors whose effort is limited: their share is to be within [-1, 1].
   const std::vector<int>& limited() const { return limited_; }
   const std::vector<Curve>& curves() const { return curves_; }
+  /// Whether dry friction alone takes most of the effort of an independent joint's own motor, as in grippers. Such a
+  /// joint is to stand still; then its friction takes nothing of the effort.
+  bool Sticks(int dof) const { return sticks_[static_cast<std::size_t>(dof)]; }
 
   /// Shares of efforts. @param torque  that the bodies take, by independent joint; v and a are those of the joints.
   void Efforts(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
@@ -51,6 +54,7 @@ class MotorRows {
   std::vector<double> scale_;    // by motor: effort that may be used
   std::vector<double> damping_;  // by joint
   std::vector<double> rotor_;    // by motor, along its own speed
+  std::vector<bool> sticks_;     // by joint
   std::vector<int> limited_;
   std::vector<Curve> curves_;
 };

@@ -20,6 +20,29 @@ Eigen::Matrix<double, kPieces + 1, kPieces + 1> ToCoefficients() {
   return powers.inverse();
 }
 
+/// Adds a contact, or the points of it that a contact of the same foot does not have.
+void AddPoints(const KnotContact& contact, std::vector<KnotContact>& contacts) {
+  const auto same = std::find_if(contacts.begin(), contacts.end(),
+                                 [&](const KnotContact& known) { return known.foot == contact.foot; });
+  if (same == contacts.end()) return contacts.push_back(contact);
+  for (const Vector3& p_F : contact.points_F) {
+    if (std::find(same->points_F.begin(), same->points_F.end(), p_F) == same->points_F.end())
+      same->points_F.push_back(p_F);
+  }
+}
+
+/// Index of the first component of the force at a foot's point.
+Eigen::Index FirstOf(const std::vector<KnotContact>& contacts, int foot, const Vector3& p_F) {
+  std::ptrdiff_t points = 0;
+  for (const KnotContact& contact : contacts) {
+    if (contact.foot == foot)
+      return 3 *
+             (points + (std::find(contact.points_F.begin(), contact.points_F.end(), p_F) - contact.points_F.begin()));
+    points += static_cast<std::ptrdiff_t>(contact.points_F.size());
+  }
+  return 3 * points;
+}
+
 }  // namespace
 
 SolvedTrajectory::SolvedTrajectory(const BodyProblem& problem, MatrixX points, std::vector<VectorX> forces)
@@ -57,28 +80,24 @@ void SolvedTrajectory::Sample(double time_s, VectorJet& jet) const {
   jet.acceleration.head<6>() += acceleration;
 }
 
+/// A foot may press at other points at the next knot: a point that one knot lacks has no force there.
 void SolvedTrajectory::ForcesAt(double time_s, std::vector<KnotContact>& contacts, VectorX& forces) const {
   const std::size_t left = IntervalAt(time_s);
   const double u = std::clamp((time_s - problem_.time_s[left]) / LengthOf(left), 0.0, 1.0);
   contacts.clear();
-  forces.setZero(0);
+  for (const std::size_t k : {left, left + 1}) {
+    for (const PressingFoot& foot : problem_.knots[k].pressing) AddPoints(foot.contact, contacts);
+  }
+  Eigen::Index size = 0;
+  for (const KnotContact& contact : contacts) size += static_cast<Eigen::Index>(3 * contact.points_F.size());
+  forces.setZero(size);
   const auto add = [&](std::size_t k, double share) {
     Eigen::Index from = 0;
     for (const PressingFoot& foot : problem_.knots[k].pressing) {
-      const auto size = static_cast<Eigen::Index>(3 * foot.contact.points_F.size());
-      Eigen::Index to = 0;
-      const auto same = std::find_if(contacts.begin(), contacts.end(), [&](const KnotContact& known) {
-        if (known.foot == foot.contact.foot && known.points_F == foot.contact.points_F) return true;
-        to += static_cast<Eigen::Index>(3 * known.points_F.size());
-        return false;
-      });
-      if (same == contacts.end()) {
-        contacts.push_back(foot.contact);
-        forces.conservativeResize(to + size);
-        forces.tail(size).setZero();
+      for (const Vector3& p_F : foot.contact.points_F) {
+        forces.segment<3>(FirstOf(contacts, foot.contact.foot, p_F)) += share * forces_[k].segment<3>(from);
+        from += 3;
       }
-      forces.segment(to, size) += share * forces_[k].segment(from, size);
-      from += size;
     }
   };
   add(left, 1.0 - u);

@@ -7,6 +7,7 @@
 #include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/whole_body/finish_problem_internal.h"
+#include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/sole_support.h"
 
@@ -51,7 +52,8 @@ PressingFoot PressingOf(const RobotModel& model, const MotionPlan& plan, const F
   pressing.contact.offset_W = -foot.radius * pressing.axes_W.col(2);
   if (!foot.has_sole()) return pressing;
   pressing.contact.points_F.clear();
-  for (const Vector2& corner : support_F) pressing.contact.points_F.emplace_back(corner.x(), corner.y(), 0.0);
+  for (const Vector2& corner : place.on_edge ? FrontEdge(foot.sole_F) : support_F)
+    pressing.contact.points_F.emplace_back(corner.x(), corner.y(), 0.0);
   return pressing;
 }
 
@@ -74,38 +76,61 @@ FootGoal GoalOf(const Foot& foot, const FootCourse& course, const FootCourse::Pl
   return goal;
 }
 
-/// The largest step of knots for the swings during a phase.
-double LargestStepIn(const MotionPlan& plan, const ContactPhase& phase, int least_per_swing) {
+/// The largest step of knots for the swings between two times.
+double LargestStepIn(const MotionPlan& plan, double start_s, double end_s, int least_per_swing) {
   double step_s = std::numeric_limits<double>::infinity();
   for (const SwingTrajectory& swing : plan.swings) {
-    const bool during = swing.start_s < phase.end_s - kSameKnot && swing.end_s > phase.start_s + kSameKnot;
+    const bool during = swing.start_s < end_s - kSameKnot && swing.end_s > start_s + kSameKnot;
     if (during && least_per_swing > 0) step_s = std::min(step_s, (swing.end_s - swing.start_s) / least_per_swing);
   }
   return step_s;
+}
+
+/// Times at which contacts change after the start, in order: ends of phases, and heels that rise.
+std::vector<double> ChangesOf(const MotionPlan& plan) {
+  std::vector<double> changes;
+  for (const ContactPhase& phase : plan.schedule.phases) changes.push_back(phase.end_s);
+  for (const Foothold& foothold : plan.footsteps.footholds) {
+    if (foothold.heel_off_s) changes.push_back(*foothold.heel_off_s);
+  }
+  std::sort(changes.begin(), changes.end());
+  const auto same = [](double a, double b) { return b - a < kSameKnot; };
+  changes.erase(std::unique(changes.begin(), changes.end(), same), changes.end());
+  std::erase_if(changes, [&](double time_s) { return time_s < plan.schedule.start_s() + kSameKnot; });
+  return changes;
+}
+
+bool HeelRises(const MotionPlan& plan, double time_s) {
+  return std::any_of(plan.footsteps.footholds.begin(), plan.footsteps.footholds.end(), [&](const Foothold& foothold) {
+    return StandsOnEdge(foothold, time_s) && time_s < foothold.liftoff_s;
+  });
 }
 
 }  // namespace
 
 std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int least_per_swing) {
   constexpr double kRounding = 1e-6;  // of a step
+  constexpr double kOfHeelOff = 0.5;  // soles turn far in a short time
   std::vector<double> times{plan.schedule.start_s()};
   const double row_s = plan.whole_body.step_s;
-  for (const ContactPhase& phase : plan.schedule.phases) {
-    const double length = phase.end_s - phase.start_s;
-    const auto on_row = [&](double time_s) {
-      return plan.schedule.start_s() + row_s * std::round((time_s - plan.schedule.start_s()) / row_s);
-    };
-    const bool on_rows = std::abs(on_row(phase.start_s) - phase.start_s) < kSameKnot &&
-                         std::abs(on_row(phase.end_s) - phase.end_s) < kSameKnot;
-    double step_s = knot_step_s;
-    if (const double largest_s = LargestStepIn(plan, phase, least_per_swing); largest_s < knot_step_s)
+  const auto on_row = [&](double time_s) {
+    return plan.schedule.start_s() + row_s * std::round((time_s - plan.schedule.start_s()) / row_s);
+  };
+  const auto is_on_row = [&](double time_s) { return std::abs(on_row(time_s) - time_s) < kSameKnot; };
+  double start_s = plan.schedule.start_s();
+  for (const double end_s : ChangesOf(plan)) {
+    const double length = end_s - start_s;
+    const bool on_rows = is_on_row(start_s) && is_on_row(end_s);
+    double step_s = HeelRises(plan, 0.5 * (start_s + end_s)) ? kOfHeelOff * knot_step_s : knot_step_s;
+    if (const double largest_s = LargestStepIn(plan, start_s, end_s, least_per_swing); largest_s < step_s)
       step_s = on_rows ? row_s * std::max(1.0, std::floor(largest_s / row_s + kRounding)) : largest_s;
     const int pieces = std::max(1, static_cast<int>(std::ceil(length / step_s - kRounding)));
     for (int i = 1; i <= pieces; ++i) {
-      const double even = phase.start_s + length * i / pieces, row = on_rows ? on_row(even) : even;
-      const double time_s = i == pieces ? phase.end_s : row;
+      const double even = start_s + length * i / pieces, row = on_rows ? on_row(even) : even;
+      const double time_s = i == pieces ? end_s : row;
       if (time_s > times.back() + kSameKnot) times.push_back(time_s);
     }
+    start_s = end_s;
   }
   return times;
 }

@@ -5,6 +5,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/whole_body/foot_course_internal.h"
+#include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
@@ -15,7 +16,11 @@ constexpr double kSameTime = 1e-9;  // [s]
 }  // namespace
 
 FootCourse::FootCourse(const RobotModel& model, const MotionPlan& plan, int foot)
-    : plan_(plan), foot_(foot), start_s_(plan.schedule.start_s()), end_s_(plan.schedule.end_s()) {
+    : plan_(plan),
+      shape_(model.feet[static_cast<std::size_t>(foot)]),
+      foot_(foot),
+      start_s_(plan.schedule.start_s()),
+      end_s_(plan.schedule.end_s()) {
   const auto& all = plan.footsteps.footholds;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].foot == foot) footholds_.push_back(i);
@@ -45,19 +50,31 @@ FootCourse::Place FootCourse::At(double time_s) const {
   place.swings = stance < swings_.size() && time_s > swings_[stance].start_s + kSameTime;
   if (place.swings) {
     SwingCurve curve = swings_[stance];
-    curve.X_WF_start = foothold.X_WF;
+    if (!foothold.heel_off_s) {
+      curve.X_WF_start = foothold.X_WF;
+      curve.X_WF_start.translation() = path_W_[stance];
+    }
     curve.X_WF_end = plan_.footsteps.footholds[footholds_[stance + 1]].X_WF;
-    curve.X_WF_start.translation() = path_W_[stance];
     curve.X_WF_end.translation() = path_W_[stance + 1];
     place.X_WF = Evaluate(curve, time_s).X_WF;
     return place;
   }
   place.X_WF = foothold.X_WF;
   place.X_WF.translation() = path_W_[stance];
+  place.on_edge = StandsOnEdge(foothold, time_s) && stance < swings_.size();
+  if (place.on_edge) place.X_WF = OnEdge(stance, time_s);
   const bool lands = stance > 0 && time_s < foothold.touchdown_s + kSameTime;
   const bool leaves = stance < swings_.size() && time_s > foothold.liftoff_s - kSameTime;
   place.presses = !lands && !leaves;
   return place;
+}
+
+Pose FootCourse::OnEdge(std::size_t stance, double time_s) const {
+  const Foothold& foothold = plan_.footsteps.footholds[footholds_[stance]];
+  const double pitch_rad = EdgeTurnOf(shape_, foothold.X_WF, swings_[stance].X_WF_start).pitch_rad;
+  const double length_s = std::max(foothold.liftoff_s - *foothold.heel_off_s, kSameTime);
+  return TurnedAboutEdge(shape_, foothold.X_WF,
+                         pitch_rad * SmoothStep((time_s - *foothold.heel_off_s) / length_s).value);
 }
 
 std::vector<FootCourse> CoursesOf(const RobotModel& model, const MotionPlan& plan) {

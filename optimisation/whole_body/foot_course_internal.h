@@ -9,6 +9,7 @@
 namespace gaitwright {
 
 /// Where one foot of a leg is to be over a plan: on its footholds and along its swings, as if spheres did not roll.
+/// After heel-off a sole turns about its front edge, by a minimum-jerk move, into the pose from which it swings.
 ///
 /// A sphere's contact point is on the course plus what it has rolled since the start of the plan, in stance and in
 /// swing (RollsOf).
@@ -21,6 +22,7 @@ class FootCourse {
     Pose X_WF = Pose::Identity();  ///< contact frame
     bool swings = false;           ///< both ends of a swing belong to stances
     bool presses = false;          ///< it may bear load: not where it lands or leaves
+    bool on_edge = false;          ///< a sole that stands on its front edge
     std::size_t foothold = 0;      ///< of the plan: that it stands on, or left last
   };
   Place At(double time_s) const;
@@ -34,7 +36,10 @@ class FootCourse {
   const Vector3& PathAt(std::size_t stance) const { return path_W_[stance]; }
 
  private:
+  Pose OnEdge(std::size_t stance, double time_s) const;
+
   const MotionPlan& plan_;
+  const Foot& shape_;
   int foot_;
   double start_s_, end_s_;
   std::vector<std::size_t> footholds_;

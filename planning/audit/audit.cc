@@ -10,6 +10,7 @@
 #include <string>
 
 #include "planning/audit/auditor.h"
+#include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sole_support.h"
 
 namespace gaitwright {
@@ -102,14 +103,23 @@ void Auditor::FindFooting(double time_s) {
     }
     X_WF_[f] = ContactFrame(model_, scratch_, static_cast<int>(f), footing.normal_W);
     points_[f].clear();
-    const Polygon& support_F =
-        foothold != nullptr ? support_F_[static_cast<std::size_t>(footing.foothold)] : foot.sole_F;
+    const Polygon support_F = SupportNow(static_cast<int>(f), time_s);
     if (!foot.has_sole() || support_F.empty()) {
       points_[f] = ContactPoints(foot, X_WF_[f]);
     } else {
       for (const Vector2& corner : support_F) points_[f].push_back(X_WF_[f] * Vector3(corner.x(), corner.y(), 0.0));
     }
   }
+}
+
+/// The part of a foot that carries its load; the whole sole if no part of it is on its surface.
+Polygon Auditor::SupportNow(int foot, double time_s) const {
+  const Foot& of_foot = model_.feet[static_cast<std::size_t>(foot)];
+  const int index = footing_[static_cast<std::size_t>(foot)].foothold;
+  if (index < 0) return of_foot.sole_F;
+  const auto i = static_cast<std::size_t>(index);
+  const Polygon support_F = SupportAt(of_foot, plan_.footsteps.footholds[i], support_F_[i], time_s);
+  return support_F.empty() ? of_foot.sole_F : support_F;
 }
 
 bool Auditor::AllFinite() const {

@@ -10,6 +10,7 @@
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
 #include "planning/plan/carried_plan.h"
+#include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sole_support.h"
 
 namespace gaitwright {
@@ -136,12 +137,32 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
   } else {
     CheckOnField(foothold);
   }
+  CheckHeelOff(foothold);
   const Foot& of_foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
   if (of_foot.type != FootType::kSole) return;
   const double share = Area(SupportOf(of_foot, foothold, plan_.terrain, 0.0)) / Area(of_foot.sole_F);
   if (!(share >= kOnPatchShare))
     findings_.Note(Law::kConsistency, foot + " sole's share on its patch", foothold.touchdown_s, share, kOnPatchShare,
                    "1");
+}
+
+/// Only a sole can stand on its front edge, and the ground must carry the whole edge.
+void Auditor::CheckHeelOff(const Foothold& foothold) {
+  if (!foothold.heel_off_s) return;
+  const std::string& foot = FootName(foothold.foot);
+  const Foot& of_foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
+  const double at_s = *foothold.heel_off_s;
+  const double outside_s = std::max(foothold.touchdown_s - at_s, at_s - foothold.liftoff_s);
+  Expect(foot + " heel-off outside of its stance", at_s, std::max(outside_s, 0.0), kTime, "s");
+  if (!of_foot.has_sole()) {
+    findings_.Note(Law::kConsistency, foot + " heel-off of a foot without a sole", at_s, 1.0, 0.0, "1");
+    return;
+  }
+  const Polygon support_F = SupportOf(of_foot, foothold, plan_.terrain, 0.0);
+  for (const Vector2& corner : FrontEdge(of_foot.sole_F)) {
+    const double off = support_F.empty() ? corner.norm() : std::max(-SignedDistance(support_F, corner), 0.0);
+    Expect(foot + " front edge off its patch", at_s, off, kPosition, "m");
+  }
 }
 
 /// True for a sole that is tilted against the surface under its middle and also overlaps another surface.

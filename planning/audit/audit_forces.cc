@@ -7,6 +7,7 @@
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 
@@ -49,6 +50,15 @@ bool Auditor::SwingsThroughout(int foot, double time_s) const {
   return true;
 }
 
+/// Allowed distance of a centre of pressure from its support. A sole on its edge turns fast while wrenches are linear
+/// between rows: the edge is a line, and at a small load a negligible moment moves the centre of pressure far.
+double Auditor::PressureSlack(int foot, double normal_n, double time_s) const {
+  const int index = footing_[static_cast<std::size_t>(foot)].foothold;
+  if (index < 0 || !StandsOnEdge(plan_.footsteps.footholds[static_cast<std::size_t>(index)], time_s))
+    return kPressureSlack;
+  return std::max(kSupportLine, kCertain * com_height_m_ * model_.weight_n() / normal_n);
+}
+
 void Auditor::CheckContactForces(double time_s) {
   const double slack = kRelative * model_.weight_n();
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
@@ -75,14 +85,12 @@ void Auditor::CheckContactForces(double time_s) {
     if (foot.sole_F.empty() || normal < kLeastLoad * model_.weight_n()) continue;
     const Vector3 moment_F = X_WF.linear().transpose() * wrench.moment_W;
     const double normal_F = X_WF.linear().col(2).dot(wrench.force_W);
-    const Polygon* support_F = ground.foothold < 0 ? nullptr : &support_F_[static_cast<std::size_t>(ground.foothold)];
-    if (support_F == nullptr || support_F->empty()) support_F = &foot.sole_F;
-    const double outside = -SignedDistance(*support_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
-    forces_hold_ = forces_hold_ && outside <= kPressureSlack;
-    findings_.Near(places_.edge[place], time_s, outside, kPressureSlack, kPressureSlack - outside);
-    if (outside > kPressureSlack)
-      findings_.Note(Law::kUnilateral, FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack,
-                     "m");
+    const double outside = -SignedDistance(SupportNow(f, time_s), Vector2(-moment_F.y(), moment_F.x()) / normal_F);
+    const double slack_m = PressureSlack(f, normal_F, time_s);
+    forces_hold_ = forces_hold_ && outside <= slack_m;
+    findings_.Near(places_.edge[place], time_s, outside, slack_m, slack_m - outside);
+    if (outside > slack_m)
+      findings_.Note(Law::kUnilateral, FootName(f) + " centre of pressure outside", time_s, outside, slack_m, "m");
   }
 }
 

@@ -7,6 +7,7 @@
 #include "planning/audit/auditor.h"
 #include "planning/audit/swing_depth.h"
 #include "planning/audit/tolerances.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 
@@ -37,6 +38,10 @@ void Auditor::CheckStanceFeet(double time_s) {
         findings_.Note(Law::kConsistency, FootName(f) + " slides", time_s, slip_W_[i].norm(), kPosition, "m");
       continue;
     }
+    if (foot.has_sole() && StandsOnEdge(foothold, time_s)) {
+      CheckOnEdge(f, foothold, time_s);
+      continue;
+    }
     const double off = (X_WF.translation() - foothold.X_WF.translation()).norm();
     const double turned = RotationLog(X_WF.linear() * foothold.X_WF.linear().transpose()).norm();
     if (!(off <= kPosition))
@@ -45,6 +50,18 @@ void Auditor::CheckStanceFeet(double time_s) {
       findings_.Note(Law::kConsistency, FootName(f) + " rotated from its foothold", time_s, turned, kRotation, "rad");
     }
   }
+}
+
+/// The edge stays in place, and the sole turns about nothing else.
+void Auditor::CheckOnEdge(int foot, const Foothold& foothold, double time_s) {
+  const auto i = static_cast<std::size_t>(foot);
+  const EdgeTurn turn = EdgeTurnOf(model_.feet[i], foothold.X_WF, X_WF_[i]);
+  if (!(turn.off_m <= kPosition))
+    findings_.Note(Law::kConsistency, FootName(foot) + " front edge off its foothold", time_s, turn.off_m, kPosition,
+                   "m");
+  if (!(turn.turned_rad <= kRotation))
+    findings_.Note(Law::kConsistency, FootName(foot) + " rotated from its front edge", time_s, turn.turned_rad,
+                   kRotation, "rad");
 }
 
 /// Depth allowed by SwingDepth, from the footholds before and after the swing.
@@ -130,7 +147,9 @@ void Auditor::CheckReach(double time_s) {
     const double length = StraightLength(model_, leg, 0, foot.X_BF.translation()) + foot.radius;
     const Foothold& foothold = plan_.footsteps.footholds[static_cast<std::size_t>(index)];
     const Vector3 hip = scratch_.p_WB[static_cast<std::size_t>(leg.joints.front() + 1)];
-    const double distance = (foothold.X_WF.translation() - hip).norm();
+    const bool turns = foot.has_sole() && StandsOnEdge(foothold, time_s);
+    const Pose& X_WF = turns ? X_WF_[static_cast<std::size_t>(f)] : foothold.X_WF;
+    const double distance = (X_WF.translation() - hip).norm();
     findings_.Hold(places_.reach[static_cast<std::size_t>(f)], time_s, distance, length, length - distance, kPosition);
   }
 }

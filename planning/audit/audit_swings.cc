@@ -8,6 +8,7 @@
 #include "planning/audit/auditor.h"
 #include "planning/audit/swing_depth.h"
 #include "planning/audit/tolerances.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 
@@ -101,14 +102,21 @@ void Auditor::CheckSwing(const SwingTrajectory& swing, const ContactInterval& ga
   if (!starts || !ends || from < 0 || to < 0) return;
   const Foothold& start = plan_.footsteps.footholds[static_cast<std::size_t>(from)];
   const Foothold& end = plan_.footsteps.footholds[static_cast<std::size_t>(to)];
-  const double off = std::max((start.X_WF.translation() + start.roll_W - swing.X_WF_start.translation()).norm(),
-                              (end.X_WF.translation() - swing.X_WF_end.translation()).norm());
-  Expect(foot + " swing off its footholds", swing.start_s, off, kPosition, "m");
+  const Foot& of_foot = model_.feet[static_cast<std::size_t>(swing.foot)];
   const auto turned = [](const Pose& X_WF, const Pose& X_WG) {
     return RotationLog(X_WF.linear() * X_WG.linear().transpose()).norm();
   };
-  Expect(foot + " swing rotated from its footholds", swing.start_s,
-         std::max(turned(start.X_WF, swing.X_WF_start), turned(end.X_WF, swing.X_WF_end)), kRotation, "rad");
+  double off = (start.X_WF.translation() + start.roll_W - swing.X_WF_start.translation()).norm();
+  double rotated = turned(start.X_WF, swing.X_WF_start);
+  if (start.heel_off_s && of_foot.has_sole()) {
+    const EdgeTurn turn = EdgeTurnOf(of_foot, start.X_WF, swing.X_WF_start);
+    off = turn.off_m;
+    rotated = turn.turned_rad;
+  }
+  Expect(foot + " swing off its footholds", swing.start_s,
+         std::max(off, (end.X_WF.translation() - swing.X_WF_end.translation()).norm()), kPosition, "m");
+  Expect(foot + " swing rotated from its footholds", swing.start_s, std::max(rotated, turned(end.X_WF, swing.X_WF_end)),
+         kRotation, "rad");
   CheckSwingPath(swing);
 }
 

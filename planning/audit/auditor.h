@@ -43,6 +43,8 @@ class Auditor {
     double friction = 0.0;
   };
   void FindFooting(double time_s);  // sets footing_, X_WF_ and points_ at the scratch's pose
+  Polygon SupportNow(int foot, double time_s) const;
+  double PressureSlack(int foot, double normal_n, double time_s) const;
   bool HoldsSurface(int surface) const { return surface >= 0 && surface < plan_.terrain.num_surfaces(); }
 
   // Checks of one sample (audit_forces.cc, audit_flight.cc, audit_motion.cc)
@@ -56,6 +58,7 @@ class Auditor {
   void CheckZmp(double time_s);
   void CheckWrenchCone(double time_s);
   void CheckStanceFeet(double time_s);
+  void CheckOnEdge(int foot, const Foothold& foothold, double time_s);
   void CheckFeetHeights(double time_s);
   double DepthLetPass(int foot, double time_s) const;
   void CheckHeight(const std::string& where, const Vector3& p_W, double limit, double time_s);
@@ -77,6 +80,7 @@ class Auditor {
   void CheckCommand(const MotionPart& part, const PlanarPose& start);
   void CheckFootholds();
   void CheckFoothold(const Foothold& foothold, const ContactInterval& interval);
+  void CheckHeelOff(const Foothold& foothold);
   bool RestsAcross(const Foothold& foothold) const;
   void CheckAcross(const Foothold& foothold);
   void CheckOnPatch(const Foothold& foothold, const TerrainPatch& patch);

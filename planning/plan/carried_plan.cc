@@ -70,6 +70,7 @@ MotionPlan CarriedPlan(const Pose& X, double later_s, MotionPlan plan) {
     foothold.roll_W = X.linear() * foothold.roll_W;
     foothold.touchdown_s += later_s;
     foothold.liftoff_s += later_s;
+    if (foothold.heel_off_s) *foothold.heel_off_s += later_s;
   }
   for (SwingTrajectory& swing : plan.swings) {
     swing.X_WF_start = X * swing.X_WF_start;

@@ -131,6 +131,7 @@ void JoinFootholds(FootstepPlan& plan, double at_s, const FootstepPlan& then) {
       continue;
     }
     stands->liftoff_s = next.liftoff_s;
+    stands->heel_off_s = next.heel_off_s;
     stands->roll_W = next.X_WF.translation() + next.roll_W - stands->X_WF.translation();
   }
   SortFootholds(plan);
@@ -222,7 +223,10 @@ MotionPlan PlanFrom(MotionPlan plan, double from_s) {
   AddPhases(plan.schedule, start_s, plan.schedule.end_s(), schedule);
   plan.schedule = std::move(schedule);
   std::erase_if(plan.footsteps.footholds, [&](const Foothold& f) { return f.liftoff_s <= start_s + kTime; });
-  for (Foothold& foothold : plan.footsteps.footholds) foothold.touchdown_s = std::max(foothold.touchdown_s, start_s);
+  for (Foothold& foothold : plan.footsteps.footholds) {
+    foothold.touchdown_s = std::max(foothold.touchdown_s, start_s);
+    if (foothold.heel_off_s) foothold.heel_off_s = std::max(*foothold.heel_off_s, start_s);
+  }
   SortFootholds(plan.footsteps);
   std::erase_if(plan.swings, [&](const SwingTrajectory& s) { return s.end_s <= start_s + kTime; });
   std::erase_if(plan.gates, [&](const PlanGate& gate) { return gate.at_s <= start_s + kTime; });

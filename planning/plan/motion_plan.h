@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,12 +48,15 @@ struct BasePath {
 ///
 /// X_WF is the pose at touch-down of the sole frame (sole, line), or of the contact point on the ground with z along
 /// the ground's normal (point, sphere). A spherical foot rolls: its contact point moves by `roll_W` until lift-off.
+/// From `heel_off_s` on, a sole stands on its front edge only and turns about it until lift-off; see
+/// heel_off_internal.h.
 struct Foothold {
   int foot = 0;
   Pose X_WF = Pose::Identity();
   Vector3 roll_W = Vector3::Zero();  ///< [m]
   int patch = 0;                     ///< index of the surface: patches first, then height fields
   double touchdown_s = 0.0, liftoff_s = 0.0;
+  std::optional<double> heel_off_s = {};  ///< nothing for a sole that stays flat
 };
 
 /// Footholds sorted by touch-down time, then foot. Each interval of contact of the schedule has exactly one.

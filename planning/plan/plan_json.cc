@@ -137,6 +137,7 @@ Json FootstepsJson(const FootstepPlan& plan) {
                          {"patch", f.patch},
                          {"touchdown_s", f.touchdown_s},
                          {"liftoff_s", f.liftoff_s}});
+    if (f.heel_off_s) footholds.back()["heel_off_s"] = *f.heel_off_s;
   }
   return footholds;
 }

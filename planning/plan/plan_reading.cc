@@ -203,8 +203,16 @@ ContactSchedule ToSchedule(const JsonPart& list, int feet) {
 Foothold ToFoothold(const JsonPart& part, int feet, int surfaces) {
   part.Object(FootholdShape());
   if (part.At("liftoff_s").Number() < part.At("touchdown_s").Number()) part.Refuse("lifts off before it touches down");
-  return {part.At("foot").Whole(0, feet - 1),      part.At("pose").ToPose(),        part.At("roll_m").Vector(3),
-          part.At("patch").Whole(0, surfaces - 1), part.At("touchdown_s").Number(), part.At("liftoff_s").Number()};
+  Foothold foothold{part.At("foot").Whole(0, feet - 1), part.At("pose").ToPose(),
+                    part.At("roll_m").Vector(3),        part.At("patch").Whole(0, surfaces - 1),
+                    part.At("touchdown_s").Number(),    part.At("liftoff_s").Number()};
+  if (!part.Has("heel_off_s")) return foothold;
+  foothold.heel_off_s = part.At("heel_off_s").Number();
+  if (*foothold.heel_off_s < foothold.touchdown_s || *foothold.heel_off_s > foothold.liftoff_s) {
+    part.Refuse(fmt::format("has 'heel_off_s' {}; accepted: from 'touchdown_s' {} to 'liftoff_s' {}",
+                            *foothold.heel_off_s, foothold.touchdown_s, foothold.liftoff_s));
+  }
+  return foothold;
 }
 
 SwingTrajectory ToSwing(const JsonPart& part, int feet) {

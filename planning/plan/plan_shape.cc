@@ -110,7 +110,8 @@ DataShape FootholdShape() {
                  {"roll_m", Numbers(3), "Distance that a spherical foot rolls until lift-off."},
                  {"patch", Whole(), "Index of the surface: patches first, then height fields."},
                  {"touchdown_s", Number()},
-                 {"liftoff_s", Number()}});
+                 {"liftoff_s", Number()},
+                 Optional("heel_off_s", Number(), "Time from which the sole stands on its front edge only.")});
 }
 
 DataShape SwingShape() {

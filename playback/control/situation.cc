@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 
@@ -67,7 +69,8 @@ double SwingNow::Progress(double time_s) const {
   return swings ? std::clamp((time_s - liftoff_s) / (touchdown_s - liftoff_s), 0.0, 1.0) : 0.0;
 }
 
-Swings::Swings(const RobotModel& model, const MotionPlan& plan) : stays_(model.feet.size()), grounds_(stays_.size()) {
+Swings::Swings(const RobotModel& model, const MotionPlan& plan)
+    : stays_(model.feet.size()), grounds_(stays_.size()), edges_(stays_.size()) {
   const std::vector<Polygon> supports = SupportsOf(model, plan.terrain, plan.footsteps);
   for (std::size_t i = 0; i < plan.footsteps.footholds.size(); ++i) {
     const Foothold& foothold = plan.footsteps.footholds[i];
@@ -77,6 +80,12 @@ Swings::Swings(const RobotModel& model, const MotionPlan& plan) : stays_(model.f
     const bool is_plane = foothold.patch < static_cast<int>(plan.terrain.patches.size());
     grounds_[foot].push_back(
         {foothold.X_WF.linear().col(2), FrictionOf(plan.terrain, foothold.patch), is_plane, supports[i]});
+    edges_[foot].emplace_back(std::numeric_limits<double>::infinity(), grounds_[foot].back());
+    if (!foothold.heel_off_s || !model.feet[foot].has_sole()) continue;
+    edges_[foot].back().first = *foothold.heel_off_s;
+    edges_[foot].back().second.support_F = FrontEdge(model.feet[foot].sole_F);
+    edges_[foot].back().second.on_edge = true;
+    edges_[foot].back().second.middle_F = EdgeMiddle(model.feet[foot]);
   }
   for (const ContactPhase& phase : plan.schedule.phases) {
     if (phase.stance == 0) flights_.push_back(phase);
@@ -116,8 +125,12 @@ SwingNow Swings::At(int foot, double time_s) const {
 }
 
 const GroundUnder& Swings::Under(int foot, double time_s) const {
+  constexpr double kTiny = 1e-9;  // [s]
   const auto f = static_cast<std::size_t>(foot);
-  return grounds_.at(f)[StayAt(f, time_s)];
+  const std::size_t stay = StayAt(f, time_s);
+  const bool on_edge =
+      stay < edges_.at(f).size() && time_s > edges_[f][stay].first - kTiny && time_s < stays_[f][stay].end_s + kTiny;
+  return on_edge ? edges_[f][stay].second : grounds_[f][stay];
 }
 
 }  // namespace gaitwright

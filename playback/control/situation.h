@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -44,8 +45,10 @@ struct SwingNow {
 struct GroundUnder {
   Vector3 normal_W = Vector3::UnitZ();
   double friction = 0.0;
-  bool is_plane = true;  ///< not a height field, where a sole rocks under load
-  Polygon support_F;     ///< part of the foot that is on it, see SupportsOf
+  bool is_plane = true;                ///< not a height field, where a sole rocks under load
+  Polygon support_F;                   ///< part of the foot that is on it, see SupportsOf, or the sole's front edge
+  bool on_edge = false;                ///< a sole that stands on its front edge
+  Vector3 middle_F = Vector3::Zero();  ///< contact frame's origin, or the middle of the front edge
 };
 
 /// The swings of a plan, stored by foot. A search through all footholds at each 1 kHz step would take longer for longer
@@ -67,6 +70,8 @@ class Swings {
   std::vector<std::vector<ContactInterval>> stays_;  // by foot, in the order of the plan
   std::vector<ContactPhase> flights_;                // in order
   std::vector<std::vector<GroundUnder>> grounds_;    // by foot; level if a plan has no footholds for the foot
+  /// By foot and stay: after heel-off, from a time.
+  std::vector<std::vector<std::pair<double, GroundUnder>>> edges_;
 };
 
 /// Measured and planned state at the same time, the input of the feedback.

@@ -40,7 +40,8 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
       ground_.Leave(f);
       continue;
     }
-    const Vector3 seen = now.measured.X_WF[f].translation() - now.planned.X_WF[f].translation();
+    const Vector3 p_FS = now.swings.Under(foot, now.time_s).middle_F;
+    const Vector3 seen = now.measured.X_WF[f] * p_FS - now.planned.X_WF[f] * p_FS;
     footing_.offset_W[f] += share * (seen - footing_.offset_W[f]);
     if (!Contains(now.scheduled, foot)) continue;
     offset += footing_.offset_W[f];
@@ -80,7 +81,10 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
     if (Contains(now.bearing, f)) {
       offset = {};
       offset.value = offset.wanted = footing_.offset_W[static_cast<std::size_t>(f)];
-      CommandStance(now, f, stance, command);
+      if (now.swings.Under(f, now.time_s).on_edge)
+        CommandSwing(now, f, {}, command);  // a sole on its edge would tip: it turns as planned
+      else
+        CommandStance(now, f, stance, command);
       continue;
     }
     const SwingNow swing = now.swings.At(f, now.time_s);

@@ -72,6 +72,7 @@ class Bytes {
     Add(foothold.X_WF);
     Add(foothold.roll_W);
     Add(Vector2(foothold.touchdown_s, foothold.liftoff_s));
+    if (foothold.heel_off_s) Add(*foothold.heel_off_s);
   }
   void Add(const ContactWrench& wrench) {
     Add(wrench.force_W);

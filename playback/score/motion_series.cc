@@ -11,6 +11,7 @@
 #include "kinematics/model/base_height.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/plan/check_motion.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -30,9 +31,10 @@ class Sampler {
   Sampler(const RobotModel& model, const MotionPlan& plan, const ScoreOptions& options)
       : model_(model), plan_(plan), options_(options), height_point_B_(HeightPoint(model)), scratch_(model) {}
 
-  /// All quantities that follow from posture and velocity.
-  MotionSample Posture(double time_s, FootSet stance, const VectorX& q, const VectorX& v) {
+  /// All quantities that follow from posture and velocity. @param contact_s  time of the contacts of `stance`.
+  MotionSample Posture(double time_s, double contact_s, FootSet stance, const VectorX& q, const VectorX& v) {
     ForwardVelocities(model_, q, v, scratch_);
+    const FootSet on_edge = FeetOnEdge(stance, contact_s);
     MotionSample sample;
     sample.time_s = time_s;
     sample.stance = stance;
@@ -41,12 +43,13 @@ class Sampler {
     sample.base_height_m = (sample.X_WB * height_point_B_).z();
     sample.p_WC = CentreOfMass(model_, scratch_);
     sample.v_WC = CentroidalMomentum(model_, scratch_).head<3>() / model_.total_mass_kg;
-    sample.support = SupportOf(model_, scratch_, plan_.terrain, stance);
+    sample.support = SupportOf(model_, scratch_, plan_.terrain, stance, on_edge);
     const double ground = sample.support.empty() ? GroundAt(plan_.terrain, sample.p_WC.head<2>()).height_m
                                                  : sample.support.reference_W.z();
     sample.omega_rad_s = std::sqrt(kGravity / std::max(sample.p_WC.z() - ground, 1e-3));
     sample.dcm_W = DivergentComponent(sample.p_WC, sample.v_WC, sample.omega_rad_s);
-    for (int foot = 0; foot < static_cast<int>(model_.feet.size()); ++foot) sample.feet.push_back(FootOf(foot));
+    for (int foot = 0; foot < static_cast<int>(model_.feet.size()); ++foot)
+      sample.feet.push_back(FootOf(foot, Contains(on_edge, foot)));
     return sample;
   }
 
@@ -73,13 +76,25 @@ class Sampler {
   }
 
  private:
-  FootSample FootOf(int foot) const {
+  /// Feet of a stance that stand on their soles' front edges by the plan.
+  FootSet FeetOnEdge(FootSet stance, double time_s) const {
+    FootSet on_edge = 0;
+    for (int foot = 0; foot < static_cast<int>(model_.feet.size()); ++foot) {
+      const int index = FootholdAt(plan_.footsteps, foot, time_s);
+      if (index < 0 || !Contains(stance, foot) || !model_.feet[static_cast<std::size_t>(foot)].has_sole()) continue;
+      if (StandsOnEdge(plan_.footsteps.footholds[static_cast<std::size_t>(index)], time_s)) on_edge |= FootBit(foot);
+    }
+    return on_edge;
+  }
+
+  FootSample FootOf(int foot, bool on_edge) const {
     const Foot& f = model_.feet[static_cast<std::size_t>(foot)];
     FootSample sample;
     const Pose X_WF = ContactFrame(model_, scratch_, plan_.terrain, foot);
     sample.p_WF = X_WF.translation();
     const std::size_t body = static_cast<std::size_t>(f.body);
-    const Vector3 p_BF = scratch_.R_WB[body].transpose() * (sample.p_WF - scratch_.p_WB[body]);
+    const Vector3 p_WQ = on_edge ? X_WF * EdgeMiddle(f) : sample.p_WF;
+    const Vector3 p_BF = scratch_.R_WB[body].transpose() * (p_WQ - scratch_.p_WB[body]);
     const Vector3 v = PointVelocity(scratch_, f.body, p_BF).head<3>();
     const Vector3 normal = GroundAt(plan_.terrain, sample.p_WF.head<2>()).normal_W;
     sample.slide_m_s = (v - v.dot(normal) * normal).norm();
@@ -192,7 +207,7 @@ WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
 void AddPlanned(const WholeBodyTrajectory& motion, double time_s, double middle_s, FootSet stance, Sampler& sampler,
                 MotionSeries& series) {
   series.plan.push_back(At(motion, time_s));
-  series.planned.push_back(sampler.Posture(time_s, stance, series.plan.back().q, series.plan.back().v));
+  series.planned.push_back(sampler.Posture(time_s, middle_s, stance, series.plan.back().q, series.plan.back().v));
   sampler.AddPlannedForces(At(motion, middle_s), series.planned.back());
 }
 
@@ -211,7 +226,7 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
     if (!row.q.allFinite() || !row.v.allFinite()) break;  // the simulation diverged; Score reports the time
     const double middle = row.time_s - half_interval;
     const FootSet stance = ScheduledAt(plan.schedule, middle);
-    series.measured.push_back(sampler.Posture(row.time_s, stance, row.q, row.v));
+    series.measured.push_back(sampler.Posture(row.time_s, middle, stance, row.q, row.v));
     sampler.AddMeasuredForces(row.wrenches, series.measured.back());
     AddPlanned(motion, row.time_s, middle, stance, sampler, series);
   }

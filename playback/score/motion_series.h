@@ -14,7 +14,8 @@ namespace gaitwright {
 struct FootSample {
   Vector3 p_WF = Vector3::Zero();  ///< origin of its contact frame [m]
   double height_m = 0.0;           ///< of its lowest contact point over the ground
-  double slide_m_s = 0.0;          ///< speed along the ground of the material at the contact frame's origin
+  double slide_m_s =
+      0.0;  ///< speed along the ground of the material at the contact frame's origin, or at the front edge
   Vector3 force_W = Vector3::Zero();
 };
 

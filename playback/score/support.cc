@@ -8,6 +8,7 @@
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/stability/polygon.h"
+#include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sole_support.h"
 
 namespace gaitwright {
@@ -87,7 +88,8 @@ std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratc
   return ContactPoints(model, scratch, foot, NormalUnder(model, scratch, terrain, foot));
 }
 
-Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance) {
+Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance,
+                  FootSet on_edge) {
   Support support;
   std::vector<Vector2> flat;
   std::vector<Vector3> ground;
@@ -95,7 +97,8 @@ Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
     if (!Contains(stance, foot)) continue;
     const Pose X_WF = ContactFrame(model, scratch, terrain, foot);
-    const Foot& shape = model.feet[static_cast<std::size_t>(foot)];
+    Foot shape = model.feet[static_cast<std::size_t>(foot)];
+    if (Contains(on_edge, foot)) shape.sole_F = FrontEdge(shape.sole_F);
     for (const Vector3& p : ContactPoints(shape, X_WF)) {
       support.points_W.push_back(p);
       support.reference_W += p;

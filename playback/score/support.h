@@ -28,8 +28,10 @@ struct Support {
   bool empty() const { return points_W.empty(); }
 };
 
+/// @param on_edge  feet of the stance that stand on their soles' front edges.
 /// @pre ForwardKinematics of `scratch`.
-Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance);
+Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance,
+                  FootSet on_edge = 0);
 
 /// Height of a support's plane at a point in plan view.
 double PlaneHeight(const Support& support, const Vector2& p_W);

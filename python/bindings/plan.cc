@@ -73,6 +73,7 @@ py::list FootholdsOf(const Plan& plan) {
     one["pose"] = py::cast(Eigen::Matrix4d(foothold.X_WF.matrix()));
     one["touchdown_s"] = foothold.touchdown_s;
     one["liftoff_s"] = foothold.liftoff_s;
+    if (foothold.heel_off_s) one["heel_off_s"] = *foothold.heel_off_s;
     list.append(one);
   }
   return list;
@@ -177,7 +178,8 @@ A plan never changes. Its arrays are shared and read-only: to change an array, c
       .def_property_readonly("adjustments", AdjustmentsOf,
                              "Differences from the request: dictionaries with what, asked, given, unit, why, part.")
       .def_property_readonly("footholds", FootholdsOf,
-                             "Footholds as dictionaries with foot, pose (4 x 4), touchdown_s, liftoff_s.")
+                             "Footholds as dictionaries with foot, pose (4 x 4), touchdown_s, liftoff_s,"
+                             " and heel_off_s for a sole that raises its heel.")
       .def_property_readonly("hash", [](const Plan& p) { return PlanHash(p.motion()); })
       .def(
           "viewer_html",

@@ -97,7 +97,8 @@ DataShape TriedShape() {
               {"cycle_s", Number()},
               {"refused", OrNull(Text(FailureCodeNames())), "Failure code; null if the plan is sound."},
               {"free_footholds", Truth(), "True if footholds could move on their patches."},
-              {"whole_body", Truth(), "True if the whole body was optimised (trajectory.method=whole-body)."}}));
+              {"whole_body", Truth(), "True if the whole body was optimised (trajectory.method=whole-body)."},
+              {"heel_off_rad", Number(0.0, 1.2), "Pitch of soles at lift-off of the longest steps; 0: flat."}}));
 }
 
 DataShape EnginesShape() {

@@ -88,7 +88,10 @@ WalkStream::WalkStream(const MotionPlan& stand) : plan_(stand) {
   plan_.goal = part.goal;
   plan_.swings.clear();
   std::erase_if(plan_.footsteps.footholds, [&](const Foothold& f) { return f.touchdown_s > start_s + kTime; });
-  for (Foothold& foothold : plan_.footsteps.footholds) foothold.liftoff_s = start_s;
+  for (Foothold& foothold : plan_.footsteps.footholds) {
+    foothold.liftoff_s = start_s;
+    foothold.heel_off_s.reset();
+  }
   Rest(plan_, start_s + 2.0 * w.step_s);
 }
 

@@ -100,6 +100,21 @@ TEST(FindSound, TheWholeBodyIsOptimisedWhereJointsRefuseAllPasses) {
   }
 }
 
+TEST(FindSound, HeelsRiseOnlyWhereFlatSolesAreRefused) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.heel_off_rad > 0.0; });
+  evaluator.breaks = Law::kJointPosition;
+  const SearchResult result = FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator);
+  ASSERT_TRUE(result.evaluation.sound());
+  EXPECT_GT(result.candidate.heel_off_rad, 0.0);
+  EXPECT_TRUE(result.candidate.finishes);
+  bool raised = false;
+  for (const auto& [candidate, effort] : evaluator.asked) {
+    EXPECT_FALSE(raised && candidate.heel_off_rad == 0.0) << "flat soles are tried first";
+    raised = raised || candidate.heel_off_rad > 0.0;
+  }
+  EXPECT_FALSE(FindSound(ProblemAt(Kind::kFlying, 0.5), evaluator).evaluation.sound());
+}
+
 TEST(FindSound, APaceIsLoweredOnlyWhereNobodyAskedForIt) {
   const auto sound = [](const Candidate& c, Effort) { return c.pace <= 0.31; };
   SearchProblem problem = ProblemAt(Kind::kLevel, 0.5);

@@ -50,6 +50,29 @@ TEST_P(RowsOfMotors, DerivativesAreLinear) {
   EXPECT_LT((by_torque.col(0) + by_v * v + by_a * a - shares).norm(), 1e-12);
 }
 
+TEST(MotorRows, JointsOfMuchFrictionStick) {
+  RobotModel model = AnyRobot("nao");
+  for (Joint& joint : model.joints) joint.friction = 0.0;
+  Joint& grips = model.joints[3];
+  const BodyLimitUse use;
+  const auto share_of_grip = [&] {
+    const MotorRows rows(model, use);
+    VectorX torque = VectorX::Zero(model.num_dofs()), shares(rows.count());
+    torque[grips.dof] = 1.0;
+    rows.Efforts(torque, VectorX::Zero(model.num_dofs()), VectorX::Zero(model.num_dofs()), shares);
+    return shares.cwiseAbs().maxCoeff();
+  };
+  ASSERT_TRUE(model.LeaderOf(grips.dof).effort_limit > 0.0);
+  const double without = share_of_grip();
+  grips.friction = 0.3 * grips.effort_limit;
+  EXPECT_FALSE(MotorRows(model, use).Sticks(grips.dof));
+  EXPECT_GT(share_of_grip(), 1.2 * without) << "friction takes some of the limit";
+  grips.friction = 0.9 * grips.effort_limit;
+  EXPECT_TRUE(MotorRows(model, use).Sticks(grips.dof));
+  EXPECT_FALSE(MotorRows(model, use).Sticks((grips.dof + 1) % model.num_dofs()));
+  EXPECT_DOUBLE_EQ(share_of_grip(), without) << "a joint at rest has no friction to overcome";
+}
+
 TEST(MotorRows, KeepsTorqueSpeedCurves) {
   RobotModel model = AnyRobot("a1");
   model.motors[0].corner_speed = 5.0;

@@ -4,34 +4,10 @@
 
 #include "optimisation/whole_body/finish_problem_internal.h"
 #include "tests/kinematics/made_robots.h"
+#include "tests/optimisation/whole_body/stepping_plan.h"
 
 namespace gaitwright {
 namespace {
-
-/// One foot stands, swings from 0.1 s to 0.235 s, and stands until 0.4 s; all others stand.
-MotionPlan SteppingPlan(const RobotModel& model) {
-  MotionPlan plan;
-  plan.whole_body.step_s = 0.005;
-  plan.whole_body.q.assign(81, StandingConfiguration(model));
-  plan.whole_body.v.assign(81, VectorX::Zero(model.nv()));
-  plan.whole_body.a = plan.whole_body.v;
-  plan.terrain.patches.emplace_back();
-  std::vector<std::vector<ContactInterval>> stays(model.feet.size(), {{0.0, 0.4}});
-  stays[0] = {{0.0, 0.1}, {0.235, 0.4}};
-  plan.schedule = ScheduleFromIntervals(stays, 0.0, 0.4);
-  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
-    for (const ContactInterval& stay : stays[static_cast<std::size_t>(foot)])
-      plan.footsteps.footholds.push_back({foot, Pose::Identity(), Vector3::Zero(), 0, stay.start_s, stay.end_s});
-  }
-  plan.footsteps.footholds[1].X_WF.translation().x() = 0.1;
-  SwingTrajectory swing;
-  swing.start_s = 0.1;
-  swing.end_s = 0.235;
-  swing.X_WF_end = plan.footsteps.footholds[1].X_WF;
-  swing.lift_m = 0.05;
-  plan.swings.push_back(swing);
-  return plan;
-}
 
 TEST(KnotTimes, AreAtAllChangesAndOnRows) {
   const RobotModel model = AnyRobot("a1");
@@ -63,44 +39,20 @@ TEST(KnotTimes, AreDenserOverShortSwings) {
   EXPECT_EQ(KnotTimesOf(plan, 0.01, 10), KnotTimesOf(plan, 0.01)) << "10 ms are enough for that";
 }
 
-TEST(FootCourse, FootThatLandsOrLeavesBearsNoLoad) {
-  const RobotModel model = AnyRobot("a1");
-  const MotionPlan plan = SteppingPlan(model);
-  const FootCourse course(model, plan, 0);
-  EXPECT_TRUE(course.At(0.0).presses);
-  EXPECT_TRUE(course.At(0.095).presses);
-  for (const double end : {0.1, 0.235}) {
-    EXPECT_FALSE(course.At(end).presses) << end;
-    EXPECT_FALSE(course.At(end).swings) << end;
-  }
-  EXPECT_TRUE(course.At(0.15).swings);
-  EXPECT_FALSE(course.At(0.15).presses);
-  EXPECT_TRUE(course.At(0.24).presses);
-  EXPECT_TRUE(course.At(0.4).presses);
-  EXPECT_NEAR(course.At(0.4).X_WF.translation().x(), 0.1, 1e-12);
-  EXPECT_GT(course.At(0.1675).X_WF.translation().z(), 0.04);
-}
-
-TEST(FootCourse, RefusesAPlanWithoutASwing) {
-  const RobotModel model = AnyRobot("a1");
+TEST(ProblemOf, OnlyTheFrontEdgePressesAfterHeelOff) {
+  const RobotModel model = AnyRobot("nao");
   MotionPlan plan = SteppingPlan(model);
-  plan.swings.clear();
-  EXPECT_THROW(FootCourse(model, plan, 0), InvalidArgument);
-}
-
-TEST(FootRolls, AreThoseOfASphereThatTurns) {
-  const RobotModel model = AnyRobot("a1");
-  MotionPlan plan = SteppingPlan(model);
-  // The whole robot pitches evenly: each ball rolls forward by its radius times the angle.
-  constexpr double kTurn = 0.004;
-  for (std::size_t k = 0; k < plan.whole_body.q.size(); ++k) {
-    const Matrix3 R = RotationExp(kTurn * static_cast<double>(k) * Vector3::UnitY());
-    plan.whole_body.q[k].segment<4>(3) = Quaternion(R * BaseRotation(StandingConfiguration(model))).coeffs();
+  plan.footsteps.footholds[0].heel_off_s = 0.04;
+  const std::vector<double> knots_s = KnotTimesOf(plan, 0.01);
+  EXPECT_TRUE(std::any_of(knots_s.begin(), knots_s.end(), [](double t) { return std::abs(t - 0.04) < 1e-12; }));
+  const BodyProblem problem = ProblemOf(model, plan, CoursesOf(model, plan), knots_s, {});
+  for (std::size_t k = 0; k < knots_s.size(); ++k) {
+    if (knots_s[k] > 0.0999) break;
+    const std::vector<Vector3>& points = problem.knots[k].pressing.front().contact.points_F;
+    const bool on_edge = knots_s[k] > 0.0399;
+    EXPECT_EQ(points.size() == 2, on_edge) << knots_s[k];
+    for (const Vector3& p_F : points) EXPECT_TRUE(!on_edge || p_F.x() > 0.0);
   }
-  const FootRolls rolls = RollsOf(model, plan.whole_body, CoursesOf(model, plan));
-  const double radius = model.feet[1].radius;
-  ASSERT_GT(radius, 0.0);
-  EXPECT_LT((rolls.roll_W[1].back() - Vector3(80.0 * kTurn * radius, 0.0, 0.0)).norm(), 1e-9);
 }
 
 TEST(FreeFootRows, OfAnkles) {

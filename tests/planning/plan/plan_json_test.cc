@@ -86,6 +86,16 @@ TEST(PlanJson, PartsComeBackInTheirOrder) {
   EXPECT_EQ(PartAt({}, 0.0), nullptr);
 }
 
+TEST(PlanJson, HeelOffComesBackWhereItIs) {
+  EXPECT_EQ(GoodText().find("\"heel_off_s\""), std::string::npos) << "flat soles have none";
+  MotionPlan plan = GoodPlanOf("nao").plan;
+  plan.footsteps.footholds[1].heel_off_s = plan.footsteps.footholds[1].liftoff_s - 0.03;
+  const MotionPlan back = PlanFromJson(PlanToJson(plan), "x.json").value();
+  for (std::size_t i = 0; i < plan.footsteps.footholds.size(); ++i)
+    EXPECT_EQ(back.footsteps.footholds[i].heel_off_s, plan.footsteps.footholds[i].heel_off_s) << i;
+  EXPECT_NE(PlanHash(plan), PlanHash(GoodPlanOf("nao").plan));
+}
+
 TEST(PlanJson, NumbersThatAreNoneAreSaid) {
   for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "1e999"}) {
     for (const char* key : {"speed_m_s", "centroidal", "q", "contact_wrenches"}) {

@@ -223,6 +223,19 @@ TEST(PlanReading, AFootholdMayNotEndBeforeItBegins) {
             "'footholds[0]' lifts off before it touches down");
 }
 
+TEST(PlanReading, AHeelRisesWithinItsStance) {
+  const auto with = [](double heel_off_s) {
+    return WhyPlanRefused([&](ReadJson& j) {
+      j["footholds"][0]["touchdown_s"] = 0.5;
+      j["footholds"][0]["liftoff_s"] = 1.5;
+      j["footholds"][0]["heel_off_s"] = heel_off_s;
+    });
+  };
+  EXPECT_EQ(with(1.4), "");
+  EXPECT_EQ(with(1.6), "'footholds[0]' has 'heel_off_s' 1.6; accepted: from 'touchdown_s' 0.5 to 'liftoff_s' 1.5");
+  EXPECT_EQ(with(0.4).find("'footholds[0]' has 'heel_off_s' 0.4; accepted: from"), 0U);
+}
+
 TEST(PlanReading, ASwingCruisesForLessThanItsTime) {
   EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][0]["cruise"] = 0.99; }), "");
   for (const double cruise : {-0.5, 1.0}) {

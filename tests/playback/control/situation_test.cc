@@ -63,6 +63,27 @@ TEST_F(SituationTest, KnowsThePointMassOfTheModel) {
   EXPECT_LT((now_.planned.X_WF[1].translation() - footholds[second].X_WF.translation()).norm(), 1e-9);
 }
 
+TEST(Swings, ASoleThatHasRaisedItsHeelStandsOnItsFrontEdgeUntilItLiftsOff) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  MotionPlan plan = synthetic::SteppingPlan(model);
+  const auto leaves = std::find_if(plan.footsteps.footholds.begin(), plan.footsteps.footholds.end(),
+                                   [](const Foothold& f) { return f.foot == 0 && f.touchdown_s > 0.0; });
+  ASSERT_NE(leaves, plan.footsteps.footholds.end());
+  leaves->heel_off_s = leaves->liftoff_s - 0.1;
+  const Swings swings(model, plan);
+  const auto points = [&](double time_s) { return swings.Under(0, time_s).support_F.size(); };
+  EXPECT_EQ(points(*leaves->heel_off_s - 0.01), 4u);
+  for (const double time_s : {*leaves->heel_off_s, leaves->liftoff_s - 0.01}) {
+    const GroundUnder& ground = swings.Under(0, time_s);
+    EXPECT_TRUE(ground.on_edge);
+    EXPECT_EQ(ground.support_F.size(), 2u);
+    EXPECT_NEAR(ground.middle_F.x(), synthetic::kHalfLength, 1e-12);
+    EXPECT_NEAR(ground.middle_F.y(), 0.0, 1e-12);
+  }
+  EXPECT_EQ(points(leaves->liftoff_s + 0.2), 4u) << "a foot that lands early lands on its whole sole";
+  EXPECT_FALSE(swings.Under(0, leaves->liftoff_s + 0.2).on_edge);
+}
+
 TEST_F(SituationTest, AFootInTheAirThatShallStandDoesNotBear) {
   Run(0.0, 0.5, [](double t, FootSet planned) { return t < 0.2 ? planned : planned & ~FootBit(2); });
   EXPECT_EQ(now_.scheduled, AllFeet(4));

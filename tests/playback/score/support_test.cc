@@ -27,6 +27,19 @@ TEST(Support, OneSoleTwoSolesAndNone) {
   EXPECT_TRUE(StandingSupport(model, 0).empty());
 }
 
+TEST(Support, ASoleOnItsFrontEdgeSupportsThereOnly) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, synthetic::StandingPlan(model, 0.1).whole_body.q[0], scratch);
+  const Support edge = SupportOf(model, scratch, FlatTerrain(), 1, 1),
+                both = SupportOf(model, scratch, FlatTerrain(), 3, 1);
+  ASSERT_EQ(edge.points_W.size(), 2u);
+  for (const Vector3& p_W : edge.points_W) EXPECT_NEAR(p_W.x(), synthetic::kHalfLength, 1e-12);
+  EXPECT_FALSE(HasArea(edge.polygon));
+  // The other sole, and the triangle from its rear corners to the edge.
+  EXPECT_NEAR(Area(both.polygon), 0.16 * 0.08 + 0.5 * 0.16 * 0.2, 1e-12);
+}
+
 TEST(Support, ASphereStandsARadiusBelowItsCentre) {
   const RobotModel model = synthetic::Robot(4, FootType::kSphere);
   const Support diagonal = StandingSupport(model, 0b1001);
