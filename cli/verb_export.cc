@@ -32,7 +32,12 @@ std::string UsualOut(ExportFormat format) {
     case ExportFormat::kTrajectoryJson:
       return "trajectory.json";
     case ExportFormat::kNpz:
+    case ExportFormat::kFramesNpz:
       return "motion.npz";
+    case ExportFormat::kFramesCsv:
+      return "motion.csv";
+    case ExportFormat::kFramesJson:
+      return "motion.json";
     case ExportFormat::kMjcf:
       return "model.xml";
     case ExportFormat::kSvg:
@@ -117,13 +122,16 @@ void AddExport(Verb program, int& status) {
   AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as written by 'plan', 'walk' and 'play'.").Require();
   AddText(verb, "--format", "NAME", a->format,
           "csv, joint-trajectory-yaml, joint-trajectory-json (trajectory_msgs/JointTrajectory of ROS 2), npz (NumPy), "
-          "svg (plots) or mjcf (MuJoCo's model of robot, ground, first posture and gains); default csv.");
+          "frames-csv, frames-json, frames-npz (frames as retargeted data sets, motion_imitation and frameworks for "
+          "imitation learning have them), svg (plots) or mjcf (MuJoCo's model of robot, ground, first posture and "
+          "gains); default csv.");
   AddNumber(verb, "--rate-hz", "Hz", a->rate_hz,
             "Rows per second, from 0.1 to 10000, for a log at most its own rate; default 0: the motion's own rate, for "
             "a plan at least 200.");
-  AddText(verb, "--out", "PATH", a->out,
-          "Output file, or folder of plots; default motion.csv, trajectory.yaml, trajectory.json, motion.npz, plots or "
-          "model.xml.");
+  AddText(
+      verb, "--out", "PATH", a->out,
+      "Output file, or folder of plots; default motion.csv, trajectory.yaml, trajectory.json, motion.npz, motion.json, "
+      "plots or model.xml.");
   a->robot.AddTo(verb);
   AddCommon(verb, a->common,
             {"export plan.json --format csv --rate-hz 500 --out motion.csv",

@@ -9,6 +9,7 @@
 #include "cli/numbers.h"
 #include "cli/paths.h"
 #include "cli/program.h"
+#include "planning/audit/broken_time_internal.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/walk/walk.h"
@@ -23,9 +24,13 @@ struct ImportSettings {
   std::string goal, out = "imported.json";
 };
 
-nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::string& path) {
+nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::vector<BrokenTime>& broken,
+                                    const std::string& path) {
   nlohmann::ordered_json derived = nlohmann::ordered_json::array();
   for (const DerivedPart& part : imported.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
+  nlohmann::ordered_json times = nlohmann::ordered_json::array();
+  for (const BrokenTime& one : broken)
+    times.push_back({{"law", LawName(one.law)}, {"share", one.share}, {"worst_s", one.worst_s}});
   return {{"robot", imported.plan.robot},
           {"verdict", imported.audit.pass() ? "pass" : "fail"},
           {"format", imported.format},
@@ -36,12 +41,14 @@ nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::s
           {"unused_columns", imported.unused_columns},
           {"warnings", imported.notes.warnings},
           {"audit", ParsedJson(AuditJson(imported.audit))},
+          {"broken", times},
           {"files", {{"plan", path}}}};
 }
 
-void PrintImported(const ImportedMotion& imported, const std::string& path, const Common& common) {
+void PrintImported(const ImportedMotion& imported, const std::vector<BrokenTime>& broken, const std::string& path,
+                   const Common& common) {
   if (common.json) {
-    PrintJson(ImportedJson(imported, path));
+    PrintJson(ImportedJson(imported, broken, path));
     return;
   }
   if (common.quiet) {
@@ -53,7 +60,7 @@ void PrintImported(const ImportedMotion& imported, const std::string& path, cons
   for (const DerivedPart& part : imported.notes.derived) fmt::print("derived: {}: {}\n", part.what, part.how);
   for (const std::string& column : imported.unused_columns) fmt::print("not used: {}\n", column);
   for (const std::string& warning : imported.notes.warnings) fmt::print("warning: {}\n", warning);
-  fmt::print("{}plan    {}\n", AuditText(imported.audit), path);
+  fmt::print("{}{}plan    {}\n", AuditText(imported.audit), BrokenText(broken), path);
 }
 
 int RunImport(ImportSettings& a) {
@@ -72,7 +79,12 @@ int RunImport(ImportSettings& a) {
   if (!imported) return Report(imported.failure(), a.common);
   const Result<std::string> saved = SavePlan(imported->plan, a.out);
   if (!saved) return Report(saved.failure(), a.common);
-  PrintImported(*imported, a.out, a.common);
+  std::vector<BrokenTime> broken;
+  if (!imported->audit.pass()) {
+    const Result<AuditReport> again = AuditOverTime(*model, imported->plan, {}, broken);
+    if (!again) return Report(again.failure(), a.common);
+  }
+  PrintImported(*imported, broken, a.out, a.common);
   return imported->audit.pass() ? kPass : kVerdictFail;
 }
 
@@ -84,7 +96,8 @@ void AddImport(Verb program, int& status) {
   AddMotionSource(
       verb, "FILE",
       "The motion: a CSV with named columns, from OCS2, or with frames without names (.csv, .tsv, .txt); a ROS joint "
-      "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).",
+      "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json); arrays of NumPy "
+      "(.npz).",
       a->request, a->robot);
   AddText(verb, "--goal", "x,y,yaw", a->goal,
           "Intended end pose, in m, m and rad from the start; default: the end of the motion.");

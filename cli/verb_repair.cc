@@ -2,15 +2,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <system_error>
 
 #include "cli/flags.h"
+#include "cli/interruptible.h"
 #include "cli/motion_source_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/progress_bar.h"
+#include "cli/write_results.h"
 #include "planning/plan/plan_json.h"
-#include "workflows/repair/repair_report_internal.h"
-#include "workflows/walk/walk.h"
+#include "workflows/repair/played_repair_internal.h"
+#include "workflows/repair/repair_folder_internal.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -19,8 +24,12 @@ struct RepairSettings {
   Common common;
   RepairRequest request;
   RobotFlags robot;
-  std::string out = "repaired.json";
-  bool check = false, no_play = false;
+  std::string out;  ///< "": the usual one
+  int threads = 0;
+  bool check = false, no_play = false, resume = false;
+
+  std::string Table() const { return (std::filesystem::path(out) / "clips.csv").string(); }
+  std::string SoFar() const { return Table() + ".so-far"; }
 };
 
 int PrintRepair(const RepairResult& result, const std::string& path, const Common& common) {
@@ -35,45 +44,85 @@ int PrintRepair(const RepairResult& result, const std::string& path, const Commo
 }
 
 /// Shows a progress bar over the windows of all solves: two solves are usual, more are added when they come.
-Result<RepairedMotion> RepairWithBar(const RobotModel& model, const RepairSettings& a,
-                                     const std::function<bool(const MotionPlan&)>& proves) {
+Result<PlayedRepair> RepairWithBar(const RobotModel& model, const RepairSettings& a) {
   ProgressBar bar(!a.common.quiet, "windows");
   RepairRequest request = a.request;
   request.progress = [&](const FollowProgress& p) {
     bar.Show({(p.solve - 1) * p.all + p.done, std::max(2, p.solve) * p.all}, fmt::format("solve {}", p.solve));
   };
-  return RepairMotion(model, request, proves);
+  return RepairAndPlay(model, request, !a.no_play);
+}
+
+int RunOne(const RepairSettings& a, const RobotModel& model) {
+  if (a.check) {
+    const Result<MotionFindings> findings = ExamineMotion(model, a.request);
+    if (!findings) return Report(findings.failure(), a.common);
+    return PrintRepair({model, *findings}, "", a.common);
+  }
+  const Result<PlayedRepair> done = RepairWithBar(model, a);
+  if (!done) return Report(done.failure(), a.common);
+  const Result<std::string> saved = SavePlan(done->repaired.plan, a.out);
+  if (!saved) return Report(saved.failure(), a.common);
+  return PrintRepair(done->ResultOf(model), a.out, a.common);
+}
+
+void PrintClips(const RepairSettings& a, const RobotModel& model, const std::vector<ClipOutcome>& clips) {
+  const auto passed = std::count_if(clips.begin(), clips.end(), [](const auto& c) { return c.verdict == "pass"; });
+  if (a.common.json) {
+    fmt::print("{}\n", ClipsJson(model, clips, a.Table()));
+  } else if (a.common.quiet) {
+    fmt::print("{} of {} pass\n", passed, clips.size());
+  } else {
+    fmt::print("{}table   {}\n", ClipsText(clips), a.Table());
+  }
+}
+
+int RunFolder(const RepairSettings& a, const RobotModel& model) {
+  const FolderRequest request{a.request, a.out, a.check, !a.no_play};
+  const std::vector<std::string> clips = ClipsOf(a.request.source.file);
+  const Result<std::string> identity = FolderIdentity(model, request, clips);
+  if (!identity) return Report(identity.failure(), a.common);
+  std::filesystem::create_directories(a.out);
+  Result<JobJournal> journal = JobJournal::Open(a.SoFar(), *identity, a.resume);
+  if (!journal) return Report(journal.failure(), a.common);
+  const Interruptible interruptible;
+  ProgressBar bar(!a.common.quiet, "clips");
+  const int before = static_cast<int>(journal->found());
+  const auto show = [&](std::size_t done, std::size_t of) {
+    bar.Show({before + static_cast<int>(done), before + static_cast<int>(of), before},
+             Interruptible::asked() ? "ending" : "");
+  };
+  const auto outcomes = RepairClips(model, request, clips, *journal, {a.threads, show, Interruptible::asked});
+  if (!outcomes) {
+    const int status = Report(outcomes.failure(), a.common);
+    return outcomes.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
+  }
+  const auto written = WriteResults({{a.Table(), ClipsCsv(*outcomes)}}, a.SoFar());
+  if (!written) return Report(written.failure(), a.common);
+  journal->Remove();
+  PrintClips(a, model, *outcomes);
+  const bool all = std::all_of(outcomes->begin(), outcomes->end(), [](const auto& c) { return c.verdict == "pass"; });
+  return all ? kPass : kVerdictFail;
 }
 
 int RunRepair(RepairSettings& a) {
   ApplySets("--set", a.common.sets, a.request.Fields());
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(a.request.source.file, ignored);
+  if (a.out.empty()) a.out = is_folder ? "repaired" : "repaired.json";
+  if (a.resume && !is_folder) throw InvalidArgument("--resume is for a folder of motions");
   Paths paths;
   AddSourcePaths(a.request.source, a.robot, paths);
-  if (!a.check) paths.Write("the plan", a.out, {".json"});
+  if (is_folder) {
+    paths.Write("the table", a.Table(), {".csv"});
+    paths.Write("the run so far", a.SoFar());
+  } else if (!a.check) {
+    paths.Write("the plan", a.out, {".json"});
+  }
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
-  if (a.check) {
-    const Result<MotionFindings> findings = ExamineMotion(*model, a.request);
-    if (!findings) return Report(findings.failure(), a.common);
-    return PrintRepair({*model, *findings}, "", a.common);
-  }
-  PlayRequest play;
-  play.play.world.engine = ProvingEngine();
-  std::optional<Result<PlayedWalk>> played;
-  const auto proves = [&](const MotionPlan& plan) {
-    if (a.no_play) return true;
-    played = PlayWalk(*model, plan, play);
-    return *played && (*played)->pass();
-  };
-  const Result<RepairedMotion> repaired = RepairWithBar(*model, a, proves);
-  if (!repaired) return Report(repaired.failure(), a.common);
-  const Result<std::string> saved = SavePlan(repaired->plan, a.out);
-  if (!saved) return Report(saved.failure(), a.common);
-  if (a.no_play) return PrintRepair({*model, repaired->findings, &*repaired}, a.out, a.common);
-  if (!repaired->was_sound) played = PlayWalk(*model, repaired->plan, play);
-  if (!*played) return Report(played->failure(), a.common);
-  return PrintRepair({*model, repaired->findings, &*repaired, &**played}, a.out, a.common);
+  return is_folder ? RunFolder(a, *model) : RunOne(a, *model);
 }
 
 }  // namespace
@@ -84,15 +133,25 @@ void AddRepair(Verb program, int& status) {
   AddMotionSource(
       verb, "MOTION",
       "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
-      ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json).",
+      ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json); arrays "
+      "of NumPy (.npz); or a folder of such files.",
       a->request.source, a->robot);
+  verb.SetGroup("Repair");
+  AddField(verb, "--stretch", a->request.Fields(), "repair.stretch");
   verb.SetGroup("Output");
-  AddText(verb, "--out", "FILE", a->out,
-          "Plan file to write; its folder is created if missing; default repaired.json.");
+  AddText(
+      verb, "--out", "FILE", a->out,
+      "Plan file to write, its folder is created if missing; default repaired.json. For a folder of motions: folder of "
+      "the plans and of the table clips.csv; default repaired.");
   verb.AddSwitch("--check", a->check, "Only say what is wrong with the motion; default: no.");
   verb.AddSwitch("--no-play", a->no_play, "Do not play the plan in physics; default: no.");
+  verb.SetGroup("Folders");
+  AddWholeNumber(verb, "--threads", 0, a->threads,
+                 "Number of motions that are repaired at the same time; default 0: one per core.");
+  verb.AddSwitch("--resume", a->resume, "Continue an interrupted run over a folder; default: no.");
   AddCommon(verb, a->common,
-            {"repair dance.csv --urdf g1.urdf --out dance.json", "repair pace.txt --robot laikago --check --json"});
+            {"repair dance.csv --urdf g1.urdf --out dance.json", "repair pace.txt --robot laikago --check --json",
+             "repair clips --urdf g1.urdf --out repaired --threads 4"});
   AddOptionList(verb, a->request.Fields(), a->common.json);
   SetWork(verb, a->common, status, [a] { return RunRepair(*a); });
 }

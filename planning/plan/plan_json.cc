@@ -196,8 +196,20 @@ Json MeshesJson(const std::vector<MeshHull>& meshes) {
   return list;
 }
 
+/// Room for all rows, so that the text of a long plan is not copied while it grows.
+void ReserveRows(std::string& text, const MotionPlan& plan) {
+  constexpr std::size_t kOfNumber = 21, kOfRow = 10;  // characters, about
+  const WholeBodyTrajectory& w = plan.whole_body;
+  if (w.q.empty()) return;
+  const auto numbers = static_cast<std::size_t>(w.q.front().size() + (w.v.empty() ? 0 : 2 * w.v.front().size()) +
+                                                (w.tau.empty() ? 0 : w.tau.front().size()) + 11);
+  const std::size_t wrenches = w.wrenches.empty() ? 0 : 6 * w.wrenches.front().size();
+  text.reserve(text.size() + w.q.size() * (kOfRow + kOfNumber * (numbers + wrenches)));
+}
+
 void AppendTrajectories(std::string& text, const MotionPlan& plan) {
   const CentroidalTrajectory& c = plan.centroidal;
+  ReserveRows(text, plan);
   AppendRows(text, "centroidal", c.p_WC.size(), [&](std::size_t k, std::vector<double>& row) {
     Append(row, c.p_WC[k]);
     Append(row, c.v_WC[k]);

@@ -5,7 +5,8 @@ namespace gaitwright::cli {
 namespace {
 
 TEST_F(Exchange, ExportWritesEachFormatOfAPlanAndALog) {
-  for (const char* format : {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz"}) {
+  for (const char* format :
+       {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "frames-csv", "frames-json", "frames-npz"}) {
     SCOPED_TRACE(format);
     for (const char* name : {"one", "two"}) {
       const Ran ran = Run({"export", "out/plan.json", "--format", format, "--rate-hz", "250", "--out", name, "--json"});
@@ -24,6 +25,25 @@ TEST_F(Exchange, ExportWritesEachFormatOfAPlanAndALog) {
   EXPECT_EQ(Run({"export", "out/log.json", "--plan", "out/plan.json", "--format", "svg", "--quiet"}).out, "plots\n");
   for (const char* plot : {"zmp_com_x.svg", "joint_torques.svg"})
     EXPECT_TRUE(std::filesystem::is_regular_file(In("plots") / plot)) << plot;
+}
+
+TEST_F(Exchange, ImportReadsBackAllFormatsOfFrames) {
+  const std::vector<std::pair<std::string, std::string>> formats = {
+      {"frames-csv", "a.csv"}, {"frames-json", "a.json"}, {"frames-npz", "a.npz"}, {"npz", "b.npz"}};
+  for (const auto& format : formats) {
+    SCOPED_TRACE(format.first);
+    const Ran out = Run({"export", "slow.json", "--format", format.first, "--rate-hz", "50", "--out", format.second});
+    ASSERT_EQ(out.status, 0) << out.err;
+    EXPECT_EQ(out.out.find("joints are in the order of the robot's description") != std::string::npos,
+              format.first != "npz");
+    const Ran in = Run({"import", format.second, "--rate-hz", "50", "--out", "again.json", "--json"});
+    ASSERT_TRUE(in.status == 0 || in.status == 3) << in.err;
+    EXPECT_EQ(in.json().at("format"), format.first);
+    const Ran same = Run({"compare", "slow.json", "again.json", "--json"});
+    ASSERT_EQ(same.status, 0) << same.err;
+    for (const char* const axis : {"x of the base", "y of the base", "z of the base"})
+      EXPECT_LT(same.json().at("base").at(axis).at("rms").get<double>(), 1e-3);
+  }
 }
 
 TEST_F(Exchange, ExportRefusesWhatItCannotDo) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The verb `repair`: output, files and refusals.
+#include <csignal>
+
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {
@@ -34,6 +36,56 @@ TEST_F(Repair, LiftsAMotionThatFloatsAndOnlyChecksIfAsked) {
   const Ran ran = Run({"repair", "motion.csv", "--set", "lift_m=0.02", "--no-play", "--out", "down.json"});
   EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("after: audit: pass"), std::string::npos) << ran.out;
+}
+
+TEST_F(Repair, SaysForHowLongEachCheckFails) {
+  const Ran ran = Run({"repair", "motion.csv", "--set", "lift_m=0.02", "--check", "--json"});
+  ASSERT_EQ(ran.status, 3) << ran.err;
+  const Json broken = ran.json().at("broken");
+  ASSERT_FALSE(broken.empty());
+  for (const Json& one : broken) {
+    EXPECT_GT(one.at("share").get<double>(), 0.0);
+    EXPECT_LE(one.at("share").get<double>(), 1.0);
+    EXPECT_LE(one.at("worst_s").size(), 3U);
+  }
+  EXPECT_NE(Run({"import", "motion.csv", "--set", "lift_m=0.004"}).out.find(" of the time, longest from "),
+            std::string::npos);
+}
+
+TEST_F(Repair, AFolderIsRepairedAndResumedAfterAKill) {
+  std::filesystem::create_directories(In("clips"));
+  for (const char* const name : {"a.csv", "b.csv", "c.csv", "d.csv"})
+    std::filesystem::copy_file(In("motion.csv"), In("clips") / name);
+  Write("clips/broken.csv", "1,2,3\n4,5,6\n");
+  const std::vector<std::string> repair = {"repair", "clips", "--set", "lift_m=0.02", "--no-play", "--threads", "1"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), repair.begin(), repair.end());
+    return more;
+  };
+  const Ran whole = Run(with({"--out", "whole", "--json"}));
+  ASSERT_EQ(whole.status, 3) << whole.err;
+  EXPECT_EQ(whole.json().at("passed"), 4);
+  EXPECT_EQ(whole.json().at("clips").at(0).at("verdict"), "refused");
+  EXPECT_EQ(Run({"audit", "whole/a.csv.plan.json", "--quiet"}).out, "pass\n");
+
+  const auto some = [&] { return std::filesystem::exists(In("part/b.csv.plan.json")); };
+  EXPECT_EQ(RunUntil(with({"--out", "part"}), SIGKILL, some).status, 128 + SIGKILL);
+  ExpectRefused(Run(with({"--out", "part"})), 1, {"clips.csv.so-far", "--resume"});
+  const Ran resumed = Run(with({"--out", "part", "--resume", "--quiet"}));
+  EXPECT_EQ(resumed.out, "4 of 5 pass\n") << resumed.err;
+  std::string table = Read("part/clips.csv");
+  for (std::size_t at = table.find("part/"); at != std::string::npos; at = table.find("part/"))
+    table.replace(at, 5, "whole/");
+  EXPECT_EQ(table, Read("whole/clips.csv"));
+  EXPECT_FALSE(std::filesystem::exists(In("part/clips.csv.so-far")));
+  ExpectRefused(Run({"repair", "motion.csv", "--resume"}), 1, {"--resume is for a folder"});
+}
+
+TEST_F(Repair, SlowsOnlyWhatItMay) {
+  ExpectRefused(Run({"repair", "motion.csv", "--stretch", "0.5"}), 1, {"stretch"});
+  const Ran ran = Run({"repair", "motion.csv", "--set", "lift_m=0.01", "--stretch", "1.5", "--no-play", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  for (const Json& change : ran.json().at("changes")) EXPECT_NE(change.at("what"), "slowed") << "it can keep its speed";
 }
 
 }  // namespace

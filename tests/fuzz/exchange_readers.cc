@@ -11,10 +11,14 @@
 #include "workflows/compare/compare_reports.h"
 #include "workflows/exchange/check_motion_table.h"
 #include "workflows/exchange/csv_motion.h"
+#include "workflows/exchange/export_npz.h"
 #include "workflows/exchange/footstep_file.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/exchange/joint_trajectory.h"
 #include "workflows/exchange/motion_columns.h"
+#include "workflows/exchange/npy_array_internal.h"
+#include "workflows/exchange/npz_motion_internal.h"
+#include "workflows/exchange/stored_zip.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright::fuzz {
@@ -140,6 +144,24 @@ Verdict ReadTrajectoryJson(const std::string& input) {
   return CheckMotion(ParseJointTrajectoryJson(Quadruped(), input, "input", {}), file);
 }
 
+Verdict ReadMotionNpz(const std::string& input) {
+  const std::string file = InFile(input, ".npz");
+  return CheckMotion(ParseNpzMotion(Quadruped(), input, "input", {}), file);
+}
+
+Verdict ReadNpy(const std::string& input) {
+  NpyArray array;
+  try {
+    array = ParseNpy(input);
+  } catch (const InvalidArgument&) {
+    return Verdict::kRefused;
+  }
+  Require(array.has_texts ? array.numbers.empty() : array.texts.empty(), "an array has numbers or texts");
+  const std::size_t count = array.has_texts ? array.texts.size() : array.numbers.size();
+  Require(array.shape.empty() ? count == 1 : count == array.rows() * array.width(), "an array has its shape");
+  return Verdict::kAccepted;
+}
+
 Verdict ReadColumns(const std::string& input) {
   ImportOptions options;
   const Result<ColumnNames> names = ReadColumnNames(InFile(input, ".yaml"), options);
@@ -235,6 +257,27 @@ std::vector<std::string> MadeReports() {
       R"(false,"pass":true},"slip_m":{"value":0.01,"unit":"m","limit":null,"pass":true}}})"};
 }
 
+std::vector<std::string> MadeNpys() {
+  return {NpyOfNumbers({1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, {2, 3}), NpyOfTexts({"FR_hip_joint", "a", ""})};
+}
+
+std::vector<std::string> MadeNpzs() {
+  const std::size_t rows = 6, n = Quadruped().dof_names.size();
+  std::vector<double> q, p, turn;
+  for (std::size_t k = 0; k < rows; ++k) {
+    q.insert(q.end(), Quadruped().standing_joints.begin(), Quadruped().standing_joints.end());
+    p.insert(p.end(), {0.0, 0.0, Quadruped().standing_base_height_m});
+    turn.insert(turn.end(), {0.0, 0.0, 0.0, 1.0});
+  }
+  return {StoredZip({{"dof_pos.npy", NpyOfNumbers(q, {rows, n})},
+                     {"root_pos.npy", NpyOfNumbers(p, {rows, 3})},
+                     {"root_rot.npy", NpyOfNumbers(turn, {rows, 4})},
+                     {"fps.npy", NpyOfNumbers({50.0}, {1})},
+                     {"joint_names.npy", NpyOfTexts(Quadruped().dof_names)}})};
+}
+
+const std::vector<std::string> kNpyWords = {"<f4", "|O", "<U7", ">i2", "True", "(2, 3)", "()", "(0,)", "'", "}"};
+
 const std::vector<std::string> kCsvWords = {",",
                                             "\n",
                                             "#",
@@ -267,6 +310,8 @@ std::vector<std::string> WithYaml(std::vector<std::string> words) {
 
 std::vector<Reader> ExchangeReaders() {
   return {{"motion_csv", ReadMotionCsv, kCsvWords, {}, MadeTables, 500},
+          {"motion_npz", ReadMotionNpz, {"PK\x03\x04", "PK\x01\x02", "PK\x05\x06"}, {}, MadeNpzs, 500},
+          {"npy", ReadNpy, kNpyWords, {}, MadeNpys, 500},
           {"compare_csv", ReadComparedCsv, kCsvWords, {}, MadeTables, 500},
           {"column_names",
            ReadColumns,

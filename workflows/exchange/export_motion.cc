@@ -17,6 +17,7 @@
 #include "playback/score/stability_report.h"
 #include "workflows/exchange/csv_table.h"
 #include "workflows/exchange/export_csv.h"
+#include "workflows/exchange/export_frames_internal.h"
 #include "workflows/exchange/export_npz.h"
 #include "workflows/exchange/export_trajectory.h"
 #include "workflows/exchange/joint_trajectory.h"
@@ -34,7 +35,7 @@ void AddPlots(const std::vector<Plot>& plots, const std::string& folder, Exporte
   }
 }
 
-std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFormat format) {
+std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz) {
   switch (format) {
     case ExportFormat::kCsv:
       return MotionCsv(model, rows);
@@ -44,6 +45,12 @@ std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFo
       return JointTrajectoryJson(model, rows);
     case ExportFormat::kNpz:
       return MotionNpz(model, rows);
+    case ExportFormat::kFramesCsv:
+      return FramesCsv(model, rows);
+    case ExportFormat::kFramesJson:
+      return FramesJson(model, rows, rate_hz);
+    case ExportFormat::kFramesNpz:
+      return FramesNpz(model, rows, rate_hz);
     case ExportFormat::kSvg:
     case ExportFormat::kMjcf:
       break;
@@ -77,13 +84,20 @@ void AddSizeNote(const RobotModel& model, const MotionRows& rows, ExportFormat f
                   yaml ? ", or the formats joint-trajectory-json or csv, which may be longer" : ""));
 }
 
-void AddNotes(const MotionRows& rows, ExportFormat format, ExportedMotion& exported) {
+bool IsOfFrames(ExportFormat format) {
+  return format == ExportFormat::kFramesCsv || format == ExportFormat::kFramesJson ||
+         format == ExportFormat::kFramesNpz;
+}
+
+void AddNotes(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz,
+              ExportedMotion& exported) {
   const bool trajectory = format == ExportFormat::kTrajectoryYaml || format == ExportFormat::kTrajectoryJson;
   if (trajectory)
     exported.notes.emplace_back("the motion of the base is left out: a joint trajectory cannot contain it");
   if (rows.a.empty() && (trajectory || format == ExportFormat::kNpz))
     exported.notes.emplace_back("there are no accelerations: a log does not contain them");
-  if (rows.tau.empty() && format != ExportFormat::kSvg)
+  if (IsOfFrames(format)) exported.notes.push_back(FramesNote(model, rate_hz, format == ExportFormat::kFramesCsv));
+  if (rows.tau.empty() && format != ExportFormat::kSvg && !IsOfFrames(format))
     exported.notes.emplace_back("there are no torques: the plan does not contain them");
 }
 
@@ -108,9 +122,9 @@ ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, Expor
   if (format == ExportFormat::kSvg) {
     AddPlots(MotionPlots({{model.name, &model, &rows}}), out, exported);
   } else {
-    exported.files.push_back({out, ExportText(model, rows, format)});
+    exported.files.push_back({out, ExportText(model, rows, format, rate_hz)});
   }
-  AddNotes(rows, format, exported);
+  AddNotes(model, rows, format, rate_hz, exported);
   AddSizeNote(model, rows, format, exported);
   return exported;
 }
@@ -141,8 +155,9 @@ void CheckBelongs(const RobotModel& model, const PlaybackLog& log, const MotionP
 }  // namespace
 
 const std::vector<std::string>& ExportFormatNames() {
-  static const std::vector<std::string> names = {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg",
-                                                 "mjcf"};
+  static const std::vector<std::string> names = {
+      "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "frames-csv", "frames-json", "frames-npz", "svg",
+      "mjcf"};
   return names;
 }
 

@@ -11,10 +11,20 @@
 namespace gaitwright {
 
 /// Format of an exported motion.
-enum class ExportFormat { kCsv, kTrajectoryYaml, kTrajectoryJson, kNpz, kSvg, kMjcf };
+enum class ExportFormat {
+  kCsv,
+  kTrajectoryYaml,
+  kTrajectoryJson,
+  kNpz,
+  kFramesCsv,
+  kFramesJson,
+  kFramesNpz,
+  kSvg,
+  kMjcf
+};
 
-/// Format names, in the order of ExportFormat: "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg",
-/// "mjcf".
+/// Format names, in the order of ExportFormat: "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz",
+/// "frames-csv", "frames-json", "frames-npz", "svg", "mjcf".
 const std::vector<std::string>& ExportFormatNames();
 
 /// The format with this name. @throws InvalidArgument that lists the formats.

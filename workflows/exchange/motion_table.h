@@ -25,7 +25,7 @@ struct DerivedPart {
 /// A motion as in a file, in SI units and in this robot's order. An optional list is empty if the file lacks the data;
 /// otherwise it has one entry per row. Rows may be at any increasing times.
 struct MotionTable {
-  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json"
+  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json", "frames-npz", "npz"
   std::vector<double> time_s;
   std::vector<Vector3> base_m;              ///< p_WB, of the URDF's root link
   std::vector<Eigen::Vector4d> quaternion;  ///< quaternion of R_WB, x y z w

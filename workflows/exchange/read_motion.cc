@@ -14,6 +14,7 @@
 #include "workflows/exchange/frame_motion_internal.h"
 #include "workflows/exchange/joint_trajectory.h"
 #include "workflows/exchange/motion_file.h"
+#include "workflows/exchange/npz_motion_internal.h"
 #include "workflows/exchange/read_motion_internal.h"
 
 namespace gaitwright {
@@ -74,16 +75,21 @@ Result<MotionText> ReadMotionText(const ImportRequest& request) {
   const std::string extension = ExtensionOf(request.file);
   MotionText read;
   read.is_csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
+  read.is_npz = extension == ".npz";
   const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
-  if (!read.is_csv && !yaml) {
+  if (!read.is_csv && !read.is_npz && !yaml) {
     return RefusedMotion(
         request.file,
-        fmt::format("a file of type '{}' is not a known motion; accepted: .csv, .tsv, .txt, .yaml, .yml, .json",
+        fmt::format("a file of type '{}' is not a known motion; accepted: .csv, .tsv, .txt, .npz, .yaml, .yml, .json",
                     extension));
   }
-  Result<std::string> text = ReadFile(request.file);
+  Result<std::string> text = read.is_npz ? ReadBytes(request.file) : ReadFile(request.file);
   if (!text) return text.failure();
   read.text = std::move(*text);
+  if (read.is_npz) {
+    if (!request.columns_file.empty()) return RefusedMotion(request.file, "--columns is for a CSV file only");
+    return read;
+  }
   const MotionFileKind kind = KindOfText(read.text);
   if (const std::string instead = InsteadOfImport(kind); !instead.empty())
     return RefusedMotion(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
@@ -96,6 +102,7 @@ Result<MotionText> ReadMotionText(const ImportRequest& request) {
 }
 
 Result<MotionTable> ReadMotionTable(const RobotModel& model, const MotionText& text, ImportRequest& request) {
+  if (text.is_npz) return ParseNpzMotion(model, text.text, request.file, request.options);
   return text.is_csv ? ReadCsvMotion(model, text.text, request) : ReadTrajectory(model, text.text, request);
 }
 

@@ -11,7 +11,8 @@ namespace gaitwright {
 /// The text of a motion file of other software.
 struct MotionText {
   std::string text;
-  bool is_csv = false;         ///< columns of numbers; otherwise YAML or JSON
+  bool is_csv = false;         ///< columns of numbers
+  bool is_npz = false;         ///< arrays of NumPy; otherwise YAML or JSON, unless is_csv
   bool has_footsteps = false;  ///< footsteps, for which a motion has to be planned
 };
 

@@ -63,6 +63,7 @@ std::vector<Document> Documents() {
       Made("export-result", "Output of export", "json-output.md", ExportResultShape()),
       Made("import-result", "Output of import", "json-output.md", ImportResultShape()),
       Made("repair-result", "Output of repair", "repair.md", RepairResultShape()),
+      Made("repaired-clips", "Output of repair for a folder", "repair.md", RepairedClipsShape()),
       Made("grade-result", "Output of grade", "json-output.md", GradeResultShape()),
       Made("robots-result", "Output of robots", "json-output.md", RobotsResultShape()),
       Made("gaits-result", "Output of gaits", "json-output.md", GaitsResultShape()),

@@ -110,11 +110,22 @@ DataShape ExportResultShape() {
                  {"files", FilesShape({"motion", "plots", "model"})}});
 }
 
+namespace {
+
+DataShape BrokenShape() {
+  return Object({{"law", Text(LawNames())},
+                 {"share", Number(), "Share of the samples at which the check fails at any place."},
+                 {"worst_s", Numbers(), "Starts of the whole seconds in which it fails longest: at most three."}});
+}
+
+}  // namespace
+
 DataShape ImportResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
   return Object({{"robot", Text()},
                  {"verdict", VerdictShape(), "Verdict of the audit."},
-                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps", "frames-csv", "frames-json"})},
+                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps", "frames-csv", "frames-json",
+                                  "frames-npz", "npz"})},
                  {"rows", Whole(), "Number of rows of the file."},
                  {"duration_s", Number()},
                  {"footholds", Whole(), "Number of footholds."},
@@ -122,6 +133,7 @@ DataShape ImportResultShape() {
                  {"unused_columns", List(Text())},
                  {"warnings", TextsShape()},
                  {"audit", AuditShape()},
+                 {"broken", List(BrokenShape()), "Checks that fail, with the time for which they fail."},
                  {"files", FilesShape({"plan"})}});
 }
 
@@ -143,28 +155,56 @@ DataShape RepairResultShape() {
                                      {"base_largest_m", Number()},
                                      {"base_largest_at_s", Number()},
                                      {"base_turn_rms_rad", Number()}});
-  const DataShape optimisation =
-      Object({{"knots", Whole()}, {"solves", Whole()}, {"iterations", Whole()}, {"solve_cpu_s", Number()}});
+  const DataShape optimisation = Object({{"knots", Whole()},
+                                         {"windows", Whole(), "In which a long motion was solved."},
+                                         {"solves", Whole()},
+                                         {"iterations", Whole()},
+                                         {"solve_cpu_s", Number()}});
   const DataShape engine =
       Object({{"verdict", Text({"pass", "fail", "fell"})}, {"score", Number()}, {"cause", Text()}});
+  return Object(
+      {{"robot", Text()},
+       {"verdict", VerdictShape(), "Of the audit and the engines; with --check of the audit of the file."},
+       {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json", "frames-npz", "npz"})},
+       {"rows", Whole(), "Number of rows of the file."},
+       {"duration_s", Number(), "Of the file's motion."},
+       {"smoothing_hz", Number(), "Cut-off frequency of the smoothing; 0 without it."},
+       {"derived", List(derived), "Derived quantities and their derivation."},
+       {"unused_columns", TextsShape(), "Columns or arrays of the file."},
+       {"warnings", TextsShape()},
+       {"kept", Truth(), "True if the file's motion was sound and was kept."},
+       {"before", OrNull(AuditShape()), "Audit of the file's motion; null if it cannot be audited."},
+       {"broken", List(BrokenShape()), "Checks of `before` that fail, with the time for which they fail."},
+       {"changes", List(change), "Without the optimisation of the whole body."},
+       Optional("distance", distance, "From the file's motion; this and the following without --check."),
+       Optional("after", AuditShape(), "Audit of the plan."),
+       Optional("broken_after", List(BrokenShape()), "Checks of `after` that fail."),
+       Optional("optimisation", optimisation),
+       Optional("score", Number(), "The lower one of the engines."),
+       Optional("reason", Text()),
+       Optional("engines", MapOf(engine), "By engine, if both played."),
+       Optional("files", FilesShape({"plan"}))});
+}
+
+DataShape RepairedClipsShape() {
+  const DataShape clip =
+      Object({{"clip", Text(), "Path of the file within the folder."},
+              {"verdict", Text({"pass", "fail", "refused"})},
+              {"duration_s", Number(), "Of the file's motion; 0 if it was refused."},
+              {"broken_share", Number(), "Share of the time for which the file's motion fails a check; 1 if unknown."},
+              {"broken", Text(), "The check that it fails for the longest time."},
+              {"violations", Whole(), "Of the file's motion."},
+              {"joint_rms_rad", Number(), "Distance of the plan from the file's motion."},
+              {"joint_largest_rad", Number()},
+              {"base_rms_m", Number()},
+              {"slowed_s", Number(), "Time by which parts were slowed."},
+              {"reason", Text(), "Why it fails or was refused."},
+              {"plan", Text(), "File of the plan; empty without one."}});
   return Object({{"robot", Text()},
-                 {"verdict", VerdictShape(), "Of the audit and the engines; with --check of the audit of the file."},
-                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json"})},
-                 {"rows", Whole(), "Number of rows of the file."},
-                 {"duration_s", Number(), "Of the file's motion."},
-                 {"smoothing_hz", Number(), "Cut-off frequency of the smoothing; 0 without it."},
-                 {"derived", List(derived), "Derived quantities and their derivation."},
-                 {"warnings", TextsShape()},
-                 {"kept", Truth(), "True if the file's motion was sound and was kept."},
-                 {"before", OrNull(AuditShape()), "Audit of the file's motion; null if it cannot be audited."},
-                 {"changes", List(change), "Without the optimisation of the whole body."},
-                 Optional("distance", distance, "From the file's motion; this and the following without --check."),
-                 Optional("after", AuditShape(), "Audit of the plan."),
-                 Optional("optimisation", optimisation),
-                 Optional("score", Number(), "The lower one of the engines."),
-                 Optional("reason", Text()),
-                 Optional("engines", MapOf(engine), "By engine, if both played."),
-                 Optional("files", FilesShape({"plan"}))});
+                 {"verdict", VerdictShape(), "A pass if all clips pass."},
+                 {"passed", Whole(), "Number of clips that pass."},
+                 {"clips", List(clip), "The worst first."},
+                 {"files", FilesShape({"table"})}});
 }
 
 }  // namespace gaitwright

@@ -29,6 +29,7 @@ DataShape ReportComparisonShape();
 DataShape ExportResultShape();
 DataShape ImportResultShape();
 DataShape RepairResultShape();
+DataShape RepairedClipsShape();  ///< of a folder
 DataShape GradeResultShape();
 DataShape RobotsResultShape();
 DataShape GaitsResultShape();

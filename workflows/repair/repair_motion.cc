@@ -5,126 +5,19 @@
 #include <cmath>
 #include <utility>
 
-#include "kinematics/base/hash.h"
 #include "kinematics/base/version.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/sample_plan.h"
-#include "planning/terrain/load_terrain.h"
-#include "workflows/exchange/frame_motion_internal.h"
-#include "workflows/exchange/knot_spline.h"
 #include "workflows/exchange/read_motion_internal.h"
+#include "workflows/repair/bad_times_internal.h"
+#include "workflows/repair/prepared_motion_internal.h"
 #include "workflows/repair/repair_motion_internal.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kCleanCutoff = 8.0;  // [Hz] of the smoothing after feet have been moved
-
-std::vector<double> ColumnOf(const MotionTable& table, const std::function<double(std::size_t)>& part) {
-  std::vector<double> values;
-  for (int row = 0; row < table.rows(); ++row) values.push_back(part(static_cast<std::size_t>(row)));
-  return values;
-}
-
-/// Whether the noise on positions would be most of their second derivatives.
-bool IsNoisy(const RobotModel& model, const MotionTable& table) {
-  constexpr double kOfBase = 1.0, kOfJoints = 50.0;  // [m/s^2], [rad/s^2]
-  if (table.rows() < 9) return false;
-  const double step_s = (table.time_s.back() - table.time_s.front()) / (table.rows() - 1);
-  const auto rough = [&](const std::vector<double>& values) {
-    return std::sqrt(6.0) * NoiseOf(values) / (step_s * step_s);
-  };
-  for (Eigen::Index i = 0; i < 3 && !table.base_m.empty(); ++i) {
-    if (rough(ColumnOf(table, [&](std::size_t row) { return table.base_m[row][i]; })) > kOfBase) return true;
-  }
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    if (rough(ColumnOf(table, [&](std::size_t row) { return table.q[row][d]; })) > kOfJoints) return true;
-  }
-  return false;
-}
-
-/// Cut-off of the smoothing of a file's positions; 0 for none.
-double SmoothingOf(const RobotModel& model, const MotionTable& table, const RepairOptions& options) {
-  constexpr double kNoisy = 8.0;  // [Hz]
-  if (options.smoothing_hz > 0.0) return options.smoothing_hz;
-  if (const double coarse = CoarseSmoothingHz(table); coarse > 0.0) return std::min(coarse, kNoisy);
-  return IsNoisy(model, table) ? kNoisy : 0.0;
-}
-
-/// Positions, velocities and accelerations of smooth curves through rows.
-EvenMotion Smooth(const RobotModel& model, const EvenMotion& rows, double cutoff_hz) {
-  MotionTable table;
-  table.format = "repaired";
-  for (int k = 0; k < rows.size(); ++k) {
-    const VectorX& q = rows.q[static_cast<std::size_t>(k)];
-    table.time_s.push_back(rows.TimeOf(k));
-    table.base_m.emplace_back(q.head<3>());
-    table.quaternion.emplace_back(q.segment<4>(3));
-    table.q.emplace_back(q.tail(model.num_dofs()));
-  }
-  table.contact = rows.contact;
-  ImportOptions options;
-  options.grid_step_s = rows.step_s;
-  options.smoothing_hz = cutoff_hz;
-  std::vector<DerivedPart> derived;
-  std::vector<std::string> warnings;
-  return Resample(model, table, options, derived, warnings);
-}
-
-/// Everything that is known of a motion before its whole body is optimised.
-struct Prepared {
-  Terrain terrain;
-  std::string text;
-  EvenMotion original;                 ///< positions, with the times of `rested`
-  std::optional<MotionPlan> as_it_is;  ///< the file's motion, if it passes its audit
-  MotionFindings findings;
-};
-
-void AuditBefore(const RobotModel& model, const RepairRequest& request, EvenMotion motion, Prepared& prepared) {
-  try {
-    ImportOptions options = request.source.options;
-    options.any_height = true;
-    ImportNotes ignored;
-    motion.contact = prepared.findings.contacts.stance;
-    prepared.as_it_is = PlanOfMotion(model, prepared.terrain, std::move(motion), options, {}, ignored);
-    Result<AuditReport> audit = Audit(model, *prepared.as_it_is, {});
-    if (audit) prepared.findings.before = std::move(*audit);
-    if (!audit || !prepared.findings.before->pass()) prepared.as_it_is.reset();
-  } catch (const InvalidArgument& error) {
-    prepared.findings.not_audited = error.what();
-  }
-}
-
-/// @throws InvalidArgument for a motion that is probably misinterpreted.
-Result<Prepared> Prepare(const RobotModel& model, RepairRequest request) {
-  const Result<Terrain> terrain = LoadTerrain(request.source.terrain, ScaleOf(model));
-  if (!terrain) return terrain.failure();
-  const Result<MotionText> text = ReadMotionText(request.source);
-  if (!text) return text.failure();
-  if (text->has_footsteps)
-    return RefusedMotion(request.source.file, "contains footsteps; 'import' plans a motion for them");
-  Result<MotionTable> table = ReadMotionTable(model, *text, request.source);
-  if (!table) return table.failure();
-  Prepared prepared{*terrain, text->text, {}, {}, {}};
-  MotionFindings& findings = prepared.findings;
-  findings.format = table->format;
-  findings.rows = table->rows();
-  findings.smoothing_hz = SmoothingOf(model, *table, request.repair);
-  ImportOptions options = request.source.options;
-  options.smoothing_hz = findings.smoothing_hz;
-  EvenMotion motion = EvenMotionOf(model, *terrain, options, std::move(*table), findings.notes);
-  findings.duration_s = motion.TimeOf(motion.size() - 1);
-  const std::vector<FootTrack> feet = FeetOf(model, *terrain, motion);
-  findings.contacts = FindContacts(model, motion, feet, request.repair);
-  if (!motion.contact.empty()) findings.contacts.stance = motion.contact;
-  findings.rested = WithRestAtEnds(model, motion, findings.contacts.stance, request.repair);
-  AuditBefore(model, request, std::move(motion), prepared);
-  EvenMotion rested = Smooth(model, findings.rested.motion, 0.0);
-  findings.clean = CleanContacts(model, *terrain, rested, findings.rested.stance, request.repair);
-  prepared.original = {rested.step_s, std::move(rested.q), {}, {}, {}, {}, {}};
-  return prepared;
-}
 
 MotionDistance DistanceOf(const RobotModel& model, const EvenMotion& original, const MotionPlan& plan) {
   MotionDistance distance;
@@ -189,28 +82,28 @@ void SetGoal(MotionPlan& plan) {
   part.gait.name = "repaired";
 }
 
-Provenance ProvenanceOf(RepairRequest request, const Prepared& prepared) {
+Provenance ProvenanceOf(RepairRequest request, const PreparedMotion& prepared) {
   Provenance provenance{Version(), "RepairMotion", {}, 0};
-  provenance.options = {{"format", prepared.findings.format}, {"source_hash", HexHash(prepared.text)}};
+  provenance.options = {{"format", prepared.findings.format}, {"source_hash", prepared.source_hash}};
   const OptionTexts options = TextsOf(request.Fields());
   provenance.options.insert(provenance.options.end(), options.begin(), options.end());
   return provenance;
 }
 
 /// Whether a motion needs no repair.
-bool IsSound(const Prepared& prepared, const std::function<bool(const MotionPlan&)>& proves) {
+bool IsSound(const PreparedMotion& prepared, const PlanProof& proof) {
   const MotionFindings& findings = prepared.findings;
   const RestedMotion& rested = findings.rested;
   const double added = rested.slowed_start_s + rested.slowed_end_s + rested.stood_start_s + rested.stood_end_s;
-  return added == 0.0 && findings.before && findings.before->pass() && (!proves || proves(*prepared.as_it_is));
+  return added == 0.0 && prepared.as_it_is && (!proof || proof(*prepared.as_it_is).stands);
 }
 
 /// The plan near the clean motion.
-Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, const Prepared& prepared,
+Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, const PreparedMotion& prepared,
                             FollowReport& report) {
   ImportNotes ignored;
   const MotionPlan reference =
-      PlanOfMotion(model, prepared.terrain, Smooth(model, prepared.findings.clean.motion, kCleanCutoff),
+      PlanOfMotion(model, prepared.terrain, SmoothRows(model, prepared.findings.clean.motion, kCleanCutoff),
                    request.source.options, {}, ignored);
   Result<MotionPlan> followed = FollowMotion(model, reference, request.trajectory, FollowOf(model, request), &report);
   if (followed) return followed;
@@ -219,22 +112,50 @@ Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& reques
   return failure;
 }
 
-Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& request, Prepared prepared,
-                              const std::function<bool(const MotionPlan&)>& proves) {
+/// One attempt to repair a motion as it is arranged.
+Result<RepairedMotion> Attempt(const RobotModel& model, const RepairRequest& request, const PreparedMotion& prepared,
+                               FollowReport& report) {
   RepairedMotion repaired;
-  repaired.was_sound = IsSound(prepared, proves);
-  Result<MotionPlan> plan = repaired.was_sound ? Result<MotionPlan>(*prepared.as_it_is)
-                                               : Followed(model, request, prepared, repaired.finished);
+  Result<MotionPlan> plan =
+      prepared.findings.kept ? Result<MotionPlan>(*prepared.as_it_is) : Followed(model, request, prepared, report);
   if (!plan) return plan.failure();
+  repaired.finished = report;
   repaired.plan = std::move(*plan);
   SetGoal(repaired.plan);
   repaired.plan.provenance = ProvenanceOf(request, prepared);
-  Result<AuditReport> audit = Audit(model, repaired.plan, {});
+  Result<AuditReport> audit = AuditOverTime(model, repaired.plan, {}, repaired.broken);
   if (!audit) return audit.failure();
   repaired.after = std::move(*audit);
   repaired.distance = DistanceOf(model, prepared.original, repaired.plan);
-  repaired.findings = std::move(prepared.findings);
   return repaired;
+}
+
+/// Repairs a motion; parts that cannot be met at their speed are slowed as long as that is allowed and helps.
+Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& request, PreparedMotion prepared,
+                              const PlanProof& proof) {
+  constexpr int kMostAttempts = 8;
+  Arrange(model, request.repair, prepared);
+  MotionFindings& findings = prepared.findings;
+  findings.kept = IsSound(prepared, proof);
+  const bool may_slow = request.repair.stretch > 1.0 && !findings.kept;
+  if (!may_slow) prepared.of_file = {};
+  std::optional<Result<RepairedMotion>> best;
+  for (int attempt = 1;; ++attempt) {
+    FollowReport report;
+    Result<RepairedMotion> repaired = Attempt(model, request, prepared, report);
+    const BadTimes bad = may_slow ? BadTimesOf(request.repair, findings, repaired, report, proof) : BadTimes{};
+    if (repaired || !best) {
+      if (repaired) {
+        repaired->findings = findings;
+        repaired->proved = bad.played || (findings.kept && proof);
+      }
+      best = std::move(repaired);
+    }
+    if (bad.file_s.empty() || attempt == kMostAttempts) break;
+    if (!SlowDown(bad.file_s, request.repair.stretch, bad.why, findings.slowed)) break;
+    Arrange(model, request.repair, prepared);
+  }
+  return std::move(*best);
 }
 
 void CheckRequest(const RepairRequest& request) {
@@ -253,21 +174,21 @@ OptionFields RepairRequest::Fields() {
 Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairRequest& request) {
   CheckRequest(request);
   try {
-    Result<Prepared> prepared = Prepare(model, request);
+    Result<PreparedMotion> prepared = ReadAndFind(model, request);
     if (!prepared) return prepared.failure();
+    Arrange(model, request.repair, *prepared);
     return std::move(prepared->findings);
   } catch (const InvalidArgument& error) {
     return RefusedMotion(request.source.file, error.what());
   }
 }
 
-Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request,
-                                    const std::function<bool(const MotionPlan&)>& proves) {
+Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request, const PlanProof& proof) {
   CheckRequest(request);
   try {
-    Result<Prepared> prepared = Prepare(model, request);
+    Result<PreparedMotion> prepared = ReadAndFind(model, request);
     if (!prepared) return prepared.failure();
-    return Repair(model, request, std::move(*prepared), proves);
+    return Repair(model, request, std::move(*prepared), proof);
   } catch (const InvalidArgument& error) {
     return RefusedMotion(request.source.file, error.what());
   }

@@ -8,17 +8,20 @@
 
 #include "kinematics/base/result.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
-#include "planning/audit/audit.h"
+#include "planning/audit/broken_time_internal.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/repair/clean_motion_internal.h"
 #include "workflows/repair/repair_options_internal.h"
 #include "workflows/repair/rest_at_ends_internal.h"
+#include "workflows/repair/slowed_motion_internal.h"
 
 namespace gaitwright {
 
 /// Request for RepairMotion. Of the import's options, those of reading apply.
 struct RepairRequest {
   ImportRequest source;
+  std::optional<MotionTable> table = {};  ///< the motion, instead of the file of `source`
+  std::optional<Terrain> ground = {};     ///< the ground; `source.terrain` is then only its name
   RepairOptions repair;
   TrajectoryOptions trajectory = {.knot_step_s = 0.01, .max_solves = 4, .max_iterations = 100};
   std::function<void(const FollowProgress&)> progress = {};
@@ -40,24 +43,36 @@ struct MotionFindings {
   std::string format;
   int rows = 0;
   double duration_s = 0.0;
+  std::vector<std::string> unused;  ///< columns or arrays of the file that are not used
   ImportNotes notes;
   double smoothing_hz = 0.0;  ///< 0: not smoothed
   FoundContacts contacts;
   CleanMotion clean;
   RestedMotion rested;
   std::optional<AuditReport> before;  ///< of the file's motion with the contacts found
+  std::vector<BrokenTime> broken;     ///< of `before`
   std::string not_audited;            ///< why `before` is missing
+  bool kept = false;                  ///< the file's motion is sound, and is the result
+  std::vector<SlowedPart> slowed;     ///< by start
 };
 
 /// A motion that the robot can do, near the file's.
 struct RepairedMotion {
   MotionPlan plan;
   AuditReport after;
+  std::vector<BrokenTime> broken;  ///< of `after`
   MotionFindings findings;
   MotionDistance distance;  ///< from the file's motion
   FollowReport finished;
-  bool was_sound = false;  ///< the file's motion passed, and was kept
+  bool proved = false;  ///< the last call of the proof was for this plan
 };
+
+/// How a plan did in physics.
+struct PlayProof {
+  bool stands = true;
+  std::optional<double> fell_s = {};  ///< when it fell
+};
+using PlanProof = std::function<PlayProof(const MotionPlan&)>;
 
 /// Reads a motion as ImportMotion does and finds what is wrong with it.
 Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairRequest& request);
@@ -65,9 +80,9 @@ Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairReques
 /// Makes a plan of the nearest motion that the robot can do: contacts are made clean (CleanContacts), then motion and
 /// contact forces of the whole body are optimised together near the clean motion. Failure kBadInput for files that are
 /// wrong or probably misinterpreted; kInfeasible if no such motion is found, with the constraint and the time.
-/// A motion that passes the audit as it is, and for which `proves` returns true, is kept.
-/// @param proves  whether a plan that passes the audit stays up in physics; if empty, the audit alone decides.
-Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request,
-                                    const std::function<bool(const MotionPlan&)>& proves = {});
+/// A motion that passes the audit as it is, and stands in the proof, is kept. With `repair.stretch`, parts that have no
+/// solution, fail their audit, are far from the file's motion or fall in the proof are slowed, step by step.
+/// @param proof  plays a plan that passes the audit in physics; if empty, the audit alone decides.
+Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request, const PlanProof& proof = {});
 
 }  // namespace gaitwright

@@ -5,7 +5,7 @@ namespace gaitwright {
 
 OptionFields RepairOptions::Fields() {
   return WithBasics(
-      {"smoothing_hz", "stand_height", "stand_speed", "joint", "base_position"},
+      {"smoothing_hz", "stand_height", "stand_speed", "joint", "base_position", "stretch"},
       {{"smoothing_hz", &smoothing_hz, "Hz", 0.0, 1000.0,
         "Cut-off frequency of the smoothing of the file's positions; 0 chooses it: a fifth of the rate of frames that "
         "are more than 10 ms apart, 8 Hz for noisy positions, otherwise none."},
@@ -37,6 +37,13 @@ OptionFields RepairOptions::Fields() {
        {"rest_s", &rest_s, "s", 0.1, 5.0,
         "Time over which the motion is brought from rest to its own speed, and back to rest, where it does not begin "
         "or end at rest."},
+       {"stretch", &stretch, "1", 1.0, 10.0,
+        "Most that a part of the motion may be slowed by, if it cannot be done at its speed: 1.3 lets it take 1.3 "
+        "times "
+        "as long."},
+       {"stretch_over_rad", &stretch_over_rad, "rad", 0.0, 10.0,
+        "With stretch: root mean square of the joints' distance from the motion with clean contacts over which a part "
+        "is slowed."},
        {"window_s", &window_s, "s", 1.0, 3600.0,
         "Length of the windows in which a motion is optimised that is longer than one and a half windows."},
        {"overlap_s", &overlap_s, "s", 0.2, 60.0,

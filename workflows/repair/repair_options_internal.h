@@ -22,6 +22,7 @@ struct RepairOptions {
   double base_position = 8.0, base_rotation = 6.0, joint = 2.0, acceleration = 1.0, effort = 0.1;
   double rest_s = 0.6;
   double window_s = 12.0, overlap_s = 1.5;
+  double stretch = 1.0, stretch_over_rad = 0.15;
 
   OptionFields Fields();
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "workflows/repair/repair_report_internal.h"
@@ -53,6 +55,29 @@ void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& c
   }
 }
 
+/// Times of the plan are those at which the robot does the part of the file.
+void AddSlowedParts(const MotionFindings& findings, std::vector<RepairChange>& changes) {
+  const RestedMotion& rested = findings.rested;
+  const auto plan_s = [&](double file_s) {
+    const auto row = std::lower_bound(rested.file_s.begin(), rested.file_s.end(), file_s) - rested.file_s.begin();
+    return rested.motion.TimeOf(static_cast<int>(std::min<std::ptrdiff_t>(row, rested.motion.size() - 1)));
+  };
+  for (const SlowedPart& part : findings.slowed) {
+    const double start_s = std::max(0.0, part.start_s), end_s = std::min(findings.duration_s, part.end_s);
+    const double from_s = plan_s(start_s), to_s = plan_s(end_s);
+    changes.push_back({"slowed", "", from_s, to_s, (to_s - from_s) - (end_s - start_s), "s",
+                       fmt::format("slowed: {:.2f} to {:.2f} s of the file take {:.2f} times as long, because {}",
+                                   start_s, end_s, part.factor, part.why)});
+  }
+}
+
+Json BrokenOf(const std::vector<BrokenTime>& broken) {
+  Json list = Json::array();
+  for (const BrokenTime& one : broken)
+    list.push_back({{"law", LawName(one.law)}, {"share", one.share}, {"worst_s", one.worst_s}});
+  return list;
+}
+
 Json AuditOf(const AuditReport& report) { return Json::parse(AuditJson(report)); }
 
 Json ChangeJson(const RepairChange& change) {
@@ -79,7 +104,7 @@ std::string DistanceText(const MotionDistance& d) {
 
 std::string BeforeText(const MotionFindings& findings) {
   if (!findings.before) return fmt::format("before: cannot be audited: {}\n", findings.not_audited);
-  return "before: " + AuditText(*findings.before);
+  return "before: " + AuditText(*findings.before) + BrokenText(findings.broken);
 }
 
 }  // namespace
@@ -92,6 +117,7 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
   }
   AddContactChange(findings, changes);
   AddTimeChanges(findings, changes);
+  AddSlowedParts(findings, changes);
   const double lift_m = findings.clean.lift_m;
   if (std::abs(lift_m) > kMovedLittle) {
     changes.push_back(
@@ -122,9 +148,10 @@ std::string RepairText(const RepairResult& result) {
   std::string text = fmt::format("{}: {} rows of {}, {:.3f} s\n", result.model.name, findings.rows, findings.format,
                                  findings.duration_s);
   for (const DerivedPart& part : findings.notes.derived) text += fmt::format("derived: {}: {}\n", part.what, part.how);
+  for (const std::string& column : findings.unused) text += fmt::format("not used: {}\n", column);
   for (const std::string& warning : findings.notes.warnings) text += fmt::format("warning: {}\n", warning);
   text += BeforeText(findings);
-  const bool kept = result.repaired != nullptr && result.repaired->was_sound;
+  const bool kept = findings.kept;
   for (const RepairChange& change : ChangesOf(result.model, findings)) {
     if (!kept || change.what == "smoothed") text += change.text + "\n";
   }
@@ -132,7 +159,7 @@ std::string RepairText(const RepairResult& result) {
   if (kept) text += "the motion is sound as it is, and was kept\n";
   text += DistanceText(result.repaired->distance);
   if (!kept) text += result.repaired->finished.summary + "\n";
-  text += "after: " + AuditText(result.repaired->after);
+  text += "after: " + AuditText(result.repaired->after) + BrokenText(result.repaired->broken);
   if (result.played == nullptr) return text;
   const std::vector<EngineVerdict> verdicts = VerdictsOf(*result.played);
   text += verdicts.empty()
@@ -144,7 +171,7 @@ std::string RepairText(const RepairResult& result) {
 std::string RepairJson(const RepairResult& result, const std::string& plan_path) {
   const MotionFindings& findings = result.findings;
   Json changes = Json::array(), derived = Json::array();
-  const bool kept = result.repaired != nullptr && result.repaired->was_sound;
+  const bool kept = findings.kept;
   for (const RepairChange& change : ChangesOf(result.model, findings)) {
     if (!kept || change.what == "smoothed") changes.push_back(ChangeJson(change));
   }
@@ -156,15 +183,19 @@ std::string RepairJson(const RepairResult& result, const std::string& plan_path)
                {"duration_s", findings.duration_s},
                {"smoothing_hz", findings.smoothing_hz},
                {"derived", derived},
+               {"unused_columns", findings.unused},
                {"warnings", findings.notes.warnings},
                {"kept", kept},
                {"before", findings.before ? AuditOf(*findings.before) : Json()},
+               {"broken", BrokenOf(findings.broken)},
                {"changes", changes}};
   if (result.repaired == nullptr) return json.dump(2);
-  const FinishReport& finished = result.repaired->finished;
+  const FollowReport& finished = result.repaired->finished;
   json["distance"] = DistanceJson(result.repaired->distance);
   json["after"] = AuditOf(result.repaired->after);
+  json["broken_after"] = BrokenOf(result.repaired->broken);
   json["optimisation"] = {{"knots", finished.knots},
+                          {"windows", finished.windows},
                           {"solves", finished.solves},
                           {"iterations", finished.iterations},
                           {"solve_cpu_s", finished.solve_cpu_s}};

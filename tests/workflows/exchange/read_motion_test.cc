@@ -25,6 +25,19 @@ TEST(ReadMotion, TellsFormatsByEndingAndContent) {
   EXPECT_FALSE(TextOf("a.json", "{\"joint_names\": [], \"points\": []}")->has_footsteps);
 }
 
+TEST(ReadMotion, KeepsTheBytesOfArrays) {
+  const std::string bytes("PK\x03\x04\0\0\xff", 7);
+  const auto read = TextOf("a.npz", bytes);
+  ASSERT_TRUE(read.ok()) << read.failure().message;
+  EXPECT_TRUE(read->is_npz);
+  EXPECT_EQ(read->text, bytes);
+  ImportRequest request;
+  request.file = ScratchFile("a.npz");
+  const auto table = ReadMotionTable(NamedRobot("a1"), *read, request);
+  ASSERT_FALSE(table.ok());
+  EXPECT_NE(table.failure().message.find("it is not a ZIP archive"), std::string::npos) << table.failure().message;
+}
+
 TEST(ReadMotion, RefusesOtherFiles) {
   EXPECT_NE(TextOf("a.bvh", "HIERARCHY").failure().message.find("a file of type '.bvh' is not a known motion"),
             std::string::npos);

@@ -6,7 +6,11 @@ The clips know nothing of dynamics: a base path, foot paths and arm swings, join
 their own on the URDF. Most have the flaws of retargeted motion: feet that float, sink or skate, a base that drifts,
 noise, and a centre of mass that nobody balanced.
 
-    clips.py URDF SHOWN.json FOLDER     SHOWN.json is the output of `gaitwright robots show ROBOT --json`
+    clips.py URDF SHOWN.json FOLDER                 the short clips
+    clips.py URDF SHOWN.json FOLDER --long SECONDS  one long clip
+
+Clips of humanoids are tables of frames, those of quadrupeds JSON of motion_imitation. SHOWN.json is the output of
+`gaitwright robots show ROBOT --json`.
 """
 import json
 import math
@@ -95,6 +99,7 @@ class Robot:
         self.height = shown['standing_base_height_m']
         self.length = shown['leg_length_m']
         self.legs = [(leg['foot']['link'], leg['joints']) for leg in shown['legs'].values()]
+        self.has_soles = all(leg['foot']['type'] == 'sole' for leg in shown['legs'].values())
         self.limits = {n: (l.get('lower_rad', -9.), l.get('upper_rad', 9.)) for n, l in shown['limits'].items()}
         base = np.array([0, 0, self.height])
         self.feet = [self.chain.pose(link, self.standing, base)[:2] for link, _ in self.legs]
@@ -112,12 +117,12 @@ class Robot:
         for (link, joints), (p_foot, R_foot) in zip(self.legs, feet):
             for _ in range(30):
                 at, R_at, screws = self.chain.pose(link, q, p, R)
-                error = np.concatenate([p_foot - at, log(R_foot @ R_at.T)])
+                error = np.concatenate([p_foot - at, log(R_foot @ R_at.T)])[:6 if self.has_soles else 3]
                 if np.linalg.norm(error) < 1e-7:
                     break
                 J = np.array([np.concatenate([np.cross(screws[j][1], at - screws[j][0]), screws[j][1]])
-                              for j in joints]).T
-                step = J.T @ np.linalg.solve(J @ J.T + 1e-6 * np.eye(6), error)
+                              for j in joints]).T[:error.size]
+                step = J.T @ np.linalg.solve(J @ J.T + 1e-6 * np.eye(error.size), error)
                 for j, d in zip(joints, step):
                     low, high = self.limits[j]
                     q[j] = min(high, max(low, q[j] + max(-0.3, min(0.3, d))))
@@ -133,6 +138,7 @@ class Clip:
         self.turn = lambda t: np.zeros(3)
         self.joints = lambda t: {}
         self.steps = []    # (foot, start, end, dx, dy, dyaw, lift), in units of the leg's length
+        self.spins = []    # (foot, start, end, angle, lift): steps around the origin
         self.offset = lambda t: np.zeros(3)           # of the whole robot: floats, sinks, drifts
         self.skate = lambda foot, t: np.zeros(3)      # of a foot
         self.noise = 0.0
@@ -148,7 +154,15 @@ class Clip:
             yaw += smooth(u) * dyaw
             if u < 1:
                 p[2] += lift * self.robot.length * math.sin(math.pi * smooth(u)) ** 2
-        return p + self.skate(index, t), rotation([0, 0, 1], yaw) @ R
+        around = 0.0
+        for foot, start, end, angle, lift in self.spins:
+            if foot != index or t <= start:
+                continue
+            u = (t - start) / (end - start)
+            around += smooth(u) * angle
+            if u < 1:
+                p[2] += lift * self.robot.length * math.sin(math.pi * smooth(u)) ** 2
+        return rotation([0, 0, 1], around) @ p + self.skate(index, t), rotation([0, 0, 1], around + yaw) @ R
 
     def frames(self, seed=1):
         random = np.random.default_rng(seed)
@@ -260,14 +274,100 @@ def humanoid_clips(robot):
     return clips
 
 
+def paired_steps(clip, pairs, count, first, period, swing, dx, angle, lift):
+    """Steps of two pairs of feet in turn, forward or around; the first and the last are half steps. @return the end."""
+    for i in range(count):
+        share, start = 0.5 if i in (0, count - 1) else 1.0, first + 0.5 * i * period
+        for foot in pairs[i % 2]:
+            if dx:
+                clip.steps.append((foot, start, start + swing, share * dx, 0, 0, lift))
+            if angle:
+                clip.spins.append((foot, start, start + swing, share * angle, lift))
+    return first + 0.5 * count * period
+
+
+def quadruped_clips(robot):
+    """At 60 Hz, as the clips of motion_imitation. Legs are front left, front right, rear left, rear right."""
+    clips = {}
+
+    def add(name, duration):
+        clips[name] = Clip(robot, duration)
+        clips[name].rate = 60.0
+        return clips[name]
+
+    diagonal, lateral = [(0, 3), (1, 2)], [(0, 2), (1, 3)]
+    steps, first = 12, 0.5
+    share = 0.5 * (steps - 1)
+    c = add('trot', 0.0)
+    end = paired_steps(c, diagonal, steps, first, 0.5, 0.22, 0.3, 0.0, 0.12)
+    c.base = lambda t, end=end: np.array([0.3 * share * smooth((t - first) / (end - first)), 0, 0])
+    c.duration = end + 0.5
+    c.offset = lambda t: np.array([0, 0, 0.015])
+    c = add('pace', 0.0)
+    end = paired_steps(c, lateral, steps, first, 0.4, 0.18, 0.15, 0.0, 0.1)
+    c.base = lambda t, end=end: np.array([0.15 * share * smooth((t - first) / (end - first)),
+                                          0.03 * math.sin(math.pi * (t - first) / 0.2) * pulse(t, 0.3, end, 0.3), 0])
+    c.duration = end + 0.5
+    c.noise = 0.001
+    c = add('spin', 0.0)
+    end = paired_steps(c, diagonal, steps, first, 0.5, 0.22, 0.0, 0.25, 0.12)
+    c.turn = lambda t, end=end: np.array([0, 0, 0.25 * share * smooth((t - first) / (end - first))])
+    c.duration = end + 0.5
+    c.skate = lambda foot, t: np.array([0.01 * math.sin(3 * t + foot), 0.01 * math.cos(2 * t), 0])
+    c = add('hop_turn', 2.6)
+    lift_off, flight_s, angle = 1.0, 0.24, 0.35
+    height = lambda t: max(0.0, (t - lift_off) * (lift_off + flight_s - t) * 4.905) / robot.length
+    c.base = lambda t: np.array([0, 0, height(t) - 0.15 * pulse(t, 0.3, lift_off, 0.35)
+                                 - 0.12 * pulse(t, lift_off + flight_s, 2.3, 0.3)])
+    c.turn = lambda t: np.array([0, 0, angle * smooth((t - lift_off + 0.1) / (flight_s + 0.2))])
+    for foot in range(4):
+        c.spins.append((foot, lift_off, lift_off + flight_s, angle, 0.0))
+    c.skate = lambda foot, t: np.array([0, 0, robot.length * height(t)])
+    return clips
+
+
+def long_clip(robot, duration):
+    """Rounds of 20 s: two squats, six steps forward, six steps back, arms. It floats by 1 cm."""
+    c = Clip(robot, duration)
+    rounds, steps, dx, period, swing = int(duration // 20), 6, 0.3, 0.7, 0.45
+    left, right = robot.arm('left', 'shoulder', 'pitch'), robot.arm('right', 'shoulder', 'pitch')
+    walks = [(20 * i + start, side * dx) for i in range(rounds) for start, side in ((6, 1), (12, -1))]
+    for start, length in walks:
+        for k in range(steps):
+            share, at = 0.5 if k in (0, steps - 1) else 1.0, start + k * period
+            c.steps.append((k % 2, at, at + swing, share * length, 0, 0, 0.08))
+
+    def base(t):
+        u, x, y = t % 20, 0.0, 0.0
+        for start, length in walks:
+            if t > start:
+                x += 0.5 * (steps - 1) * length * smooth((t - start) / (steps * period))
+        for start in (6, 12):
+            y += 0.03 * math.sin(math.pi * (u - start) / period) * pulse(u, start - 0.4, start + steps * period)
+        return np.array([x, y, -0.03 * pulse(t, 0, duration) - (0.2 * wave(u, 2.5) if u < 5 else 0.0)])
+
+    c.base = base
+    c.joints = lambda t: {left: 0.6 * math.sin(3 * t) * pulse(t, 0, duration), right: -0.6 * math.sin(3 * t) * pulse(t, 0, duration)}
+    c.offset = lambda t: np.array([0, 0, 0.01])
+    return c
+
+
 def main():
     urdf, shown, folder = sys.argv[1:4]
     robot = Robot(urdf, json.loads(Path(shown).read_text()))
     Path(folder).mkdir(parents=True, exist_ok=True)
     rates = {}
-    for name, clip in humanoid_clips(robot).items():
-        np.savetxt(Path(folder) / f'{name}.csv', clip.frames(), fmt='%.6f', delimiter=',')
+    clips = humanoid_clips(robot) if len(robot.legs) == 2 else quadruped_clips(robot)
+    if len(sys.argv) > 5 and sys.argv[4] == '--long':
+        clips = {f'long_{sys.argv[5]}': long_clip(robot, float(sys.argv[5]))}
+    for name, clip in clips.items():
         rates[name] = clip.rate
+        if len(robot.legs) == 2:
+            np.savetxt(Path(folder) / f'{name}.csv', clip.frames(), fmt='%.6f', delimiter=',')
+            continue
+        frames = ',\n'.join('[' + ', '.join(f'{x:.5f}' for x in row) + ']' for row in clip.frames())
+        (Path(folder) / f'{name}.txt').write_text(
+            f'{{\n"LoopMode": "Wrap",\n"FrameDuration": {1 / clip.rate:.6f},\n"Frames":\n[\n{frames}\n]\n}}\n')
     (Path(folder) / 'rates.json').write_text(json.dumps(rates, indent=1))
 
 

@@ -39,7 +39,7 @@ TEST(RepairMotion, MakesASoundPlanOfAMotionThatFloatsAndSkates) {
     ASSERT_TRUE(repaired->findings.before);
     EXPECT_FALSE(repaired->findings.before->pass());
     EXPECT_TRUE(repaired->after.pass()) << AuditText(repaired->after);
-    EXPECT_FALSE(repaired->was_sound);
+    EXPECT_FALSE(repaired->findings.kept);
     EXPECT_LT(repaired->distance.joint_rms_rad, 0.05);
     EXPECT_NEAR(repaired->distance.base_rms_m, 0.02, 0.01) << "mostly the height";
 
@@ -66,13 +66,13 @@ TEST(RepairMotion, KeepsAMotionThatIsSound) {
   const RepairRequest request = RequestOf(synthetic::FramesOf(model, synthetic::Standing(model, 101)));
   auto repaired = RepairMotion(model, request);
   ASSERT_TRUE(repaired.ok()) << repaired.failure().message;
-  EXPECT_TRUE(repaired->was_sound);
+  EXPECT_TRUE(repaired->findings.kept);
   EXPECT_LT(repaired->distance.joint_largest_rad, 1e-5);
   EXPECT_NE(RepairText({model, repaired->findings, &*repaired}).find("is sound as it is"), std::string::npos);
 
-  repaired = RepairMotion(model, request, [](const MotionPlan&) { return false; });
+  repaired = RepairMotion(model, request, [](const MotionPlan&) { return PlayProof{false}; });
   ASSERT_TRUE(repaired.ok());
-  EXPECT_FALSE(repaired->was_sound) << "it fell in physics";
+  EXPECT_FALSE(repaired->findings.kept) << "it fell in physics";
   EXPECT_LT(repaired->distance.joint_largest_rad, 0.01);
 }
 

@@ -13,7 +13,8 @@ from pathlib import Path
 
 def line(program, folder, name, rate, flags):
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    ran = subprocess.run([program, 'repair', str(folder / f'{name}.csv'), '--rate-hz', str(rate), '--json', '--out',
+    clip = next(path for path in (folder / f'{name}.csv', folder / f'{name}.txt') if path.exists())
+    ran = subprocess.run([program, 'repair', str(clip), '--rate-hz', str(rate), '--json', '--out',
                           str(folder / f'{name}.json'), *flags], capture_output=True, text=True, check=False)
     cpu_s = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     result = json.loads(ran.stdout)

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/hash.h"
+#include "kinematics/base/text.h"
+#include "kinematics/base/version.h"
+#include "planning/plan/plan_json.h"
+#include "workflows/repair/clip_table_internal.h"
+#include "workflows/repair/played_repair_internal.h"
+#include "workflows/repair/repair_folder_internal.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+void SetBefore(const MotionFindings& findings, ClipOutcome& outcome) {
+  outcome.duration_s = findings.duration_s;
+  outcome.broken_share = 1.0;
+  if (!findings.before) return;
+  outcome.broken_share = 0.0;
+  outcome.violations = static_cast<int>(findings.before->violations.size());
+  for (const BrokenTime& broken : findings.broken) {
+    if (broken.share <= outcome.broken_share) continue;
+    outcome.broken_share = broken.share;
+    outcome.broken = LawName(broken.law);
+  }
+}
+
+ClipOutcome RefusedClip(const std::string& clip, const Failure& failure) {
+  ClipOutcome outcome;
+  outcome.clip = clip;
+  outcome.verdict = "refused";
+  outcome.broken_share = 1.0;
+  outcome.reason = failure.message;
+  return outcome;
+}
+
+std::string ReasonOf(const PlayedRepair& done) {
+  const AuditReport& after = done.repaired.after;
+  if (!after.pass()) {
+    const Violation& worst = after.violations.front();
+    return fmt::format("{} at {:.3f} s, {}", LawName(worst.law), worst.at_s, worst.where);
+  }
+  return done.played ? done.played->decisive().report.reason : "";
+}
+
+void SetAfter(const RobotModel& model, const PlayedRepair& done, ClipOutcome& outcome) {
+  outcome.verdict = done.ResultOf(model).pass() ? "pass" : "fail";
+  outcome.joint_rms_rad = done.repaired.distance.joint_rms_rad;
+  outcome.joint_largest_rad = done.repaired.distance.joint_largest_rad;
+  outcome.base_rms_m = done.repaired.distance.base_rms_m;
+  if (!done.repaired.findings.kept) {
+    for (const RepairChange& change : ChangesOf(model, done.repaired.findings)) {
+      if (change.what == "slowed") outcome.slowed_s += change.by;
+    }
+  }
+  if (outcome.verdict == "fail") outcome.reason = ReasonOf(done);
+}
+
+/// @throws CannotKeep if the plan cannot be written.
+ClipOutcome RepairClip(const RobotModel& model, const FolderRequest& request, const std::string& clip) {
+  RepairRequest one = request.repair;
+  one.source.file = (fs::path(request.repair.source.file) / clip).string();
+  one.progress = {};
+  ClipOutcome outcome;
+  outcome.clip = clip;
+  if (request.check) {
+    const Result<MotionFindings> findings = ExamineMotion(model, one);
+    if (!findings) return RefusedClip(clip, findings.failure());
+    SetBefore(*findings, outcome);
+    outcome.verdict = findings->before && findings->before->pass() ? "pass" : "fail";
+    outcome.reason = findings->not_audited;
+    return outcome;
+  }
+  const Result<PlayedRepair> done = RepairAndPlay(model, one, request.plays);
+  if (!done) return RefusedClip(clip, done.failure());
+  SetBefore(done->repaired.findings, outcome);
+  SetAfter(model, *done, outcome);
+  outcome.plan = (fs::path(request.out) / (clip + ".plan.json")).string();
+  if (const auto saved = SavePlan(done->repaired.plan, outcome.plan); !saved) throw CannotKeep(saved.failure().message);
+  return outcome;
+}
+
+int RankOf(const ClipOutcome& outcome) { return outcome.verdict == "refused" ? 0 : outcome.verdict == "fail" ? 1 : 2; }
+
+void SortClips(std::vector<ClipOutcome>& outcomes) {
+  std::sort(outcomes.begin(), outcomes.end(), [](const ClipOutcome& a, const ClipOutcome& b) {
+    return std::tuple(RankOf(a), -a.broken_share, -a.joint_rms_rad, a.clip) <
+           std::tuple(RankOf(b), -b.broken_share, -b.joint_rms_rad, b.clip);
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> ClipsOf(const std::string& folder) {
+  static const std::set<std::string> endings = {".csv", ".tsv", ".txt", ".npz", ".json", ".yaml", ".yml"};
+  std::vector<std::string> clips;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file() && endings.count(LowerCase(entry.path().extension().string())) > 0)
+      clips.push_back(fs::relative(entry.path(), folder).generic_string());
+  }
+  if (clips.empty())
+    throw InvalidArgument(fmt::format("folder '{}' has no motion: .csv, .tsv, .txt, .npz, .json, .yaml, .yml", folder));
+  std::sort(clips.begin(), clips.end());
+  return clips;
+}
+
+Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest& request,
+                                   const std::vector<std::string>& clips) {
+  std::string contents;
+  for (const std::string& clip : clips) {
+    const Result<std::string> text = ReadBytes((fs::path(request.repair.source.file) / clip).string());
+    if (!text) return text.failure();
+    contents += clip + ' ' + HexHash(*text) + '\n';
+  }
+  RepairRequest repair = request.repair;
+  for (const auto& [key, value] : TextsOf(repair.Fields())) contents += key + '=' + value + '\n';
+  contents += repair.source.terrain + '\n' + request.out + '\n';
+  if (!repair.source.columns_file.empty()) {
+    const Result<std::string> columns = ReadFile(repair.source.columns_file);
+    if (!columns) return columns.failure();
+    contents += *columns;
+  }
+  return fmt::format("repair {} {} {} clips {}{}{}", Version(), model.hash, clips.size(), HexHash(contents),
+                     request.check ? " check" : "", request.plays ? " plays" : "");
+}
+
+Result<std::vector<ClipOutcome>> RepairClips(const RobotModel& model, const FolderRequest& request,
+                                             const std::vector<std::string>& clips, JobJournal& journal,
+                                             const JobOptions& options) {
+  std::vector<std::optional<ClipOutcome>> outcomes(clips.size());
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (const std::optional<std::string> line = journal.Find(i)) {
+      outcomes[i] = ClipOfLine(*line);
+    } else {
+      order.push_back(i);
+    }
+  }
+  const auto job = [&](std::size_t i) {
+    outcomes[i] = RepairClip(model, request, clips[i]);
+    journal.Add(i, LineOf(*outcomes[i]));
+  };
+  try {
+    if (!RunJobs(order, job, options)) return Interrupted("RepairMotion");
+  } catch (const CannotKeep& error) {
+    return Failure{FailureKind::kBadInput, FailureCode::kSoFar, "RepairMotion", error.what(), {}};
+  }
+  std::vector<ClipOutcome> sorted;
+  for (std::optional<ClipOutcome>& outcome : outcomes) sorted.push_back(std::move(*outcome));
+  SortClips(sorted);
+  return sorted;
+}
+
+}  // namespace gaitwright
