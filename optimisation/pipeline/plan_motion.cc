@@ -84,8 +84,8 @@ OptionFields TrajectoryOptions::Fields() {
        {"near", &near, "1", 1e-3, 1e3, "Weight on the distance of base and joints from the plan of the passes."},
        {"effort", &effort, "1", 0.0, 1e3, "Weight on the efforts of motors, as shares of their limits."},
        {"heel_off_rad", &heel_off_rad, "rad", 0.0, 1.2,
-        "Pitch about the front edge of a sole at which it lifts off its longest steps; shorter steps have "
-        "proportionally less. 0: soles stay flat until lift-off. Only for optimised whole bodies without flight."},
+        "Pitch of a sole about its front edge at the lift-off of the longest step; 0: soles stay flat. Only for "
+        "optimised whole bodies without flight."},
        {"heel_off_share", &heel_off_share, "1", 0.1, 1.0,
         "Time in which a heel rises before lift-off, as a share of the shortest double support."}});
 }
