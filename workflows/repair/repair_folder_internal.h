@@ -27,7 +27,7 @@ struct ClipOutcome {
   std::string broken;         ///< that check, or ""
   int violations = 0;         ///< of the file's motion
   double joint_rms_rad = 0.0, joint_largest_rad = 0.0, base_rms_m = 0.0;
-  double slowed_s = 0.0;  ///< time by which its parts were slowed
+  double slowed_s = 0.0;  ///< duration added by slowing
   std::string reason;     ///< why it fails or was refused
   std::string plan;       ///< path of the plan, or ""
 
