@@ -14,6 +14,7 @@ constexpr Variation kSlowerWalks[] = {{1.0, -1}, {0.7, 0}, {0.7, -1}, {0.7, -2},
 constexpr Variation kFinished[] = {{1.0, 0, 1.0, false, true},       {1.0, 3, 1.0, false, true},
                                    {1.0, 6, 1.0, false, true},       {1.0, 0, 1.0, false, true, 0.4},
                                    {1.0, 0, 1.12, false, true, 0.4}, {1.0, -1, 1.12, false, true, 0.35}};
+constexpr std::size_t kFlatSoles = 3;  // rows of kFinished
 /// Other flights, then other footholds.
 constexpr Variation kOtherLeaps[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}, {1.0, 0, 1.0, true}};
 
@@ -37,7 +38,8 @@ std::span<const Variation> VariationsFor(const SearchSituation& s) {
 std::span<const Variation> FinishedVariationsFor(const SearchSituation& s) {
   switch (s.kind) {
     case SearchSituation::Kind::kLevel:
-      return s.refused_by_ground ? std::span<const Variation>() : kFinished;
+      if (s.refused_by_ground) return {};
+      return s.may_raise_heels ? std::span<const Variation>(kFinished) : std::span(kFinished).first(kFlatSoles);
     case SearchSituation::Kind::kUneven:
       return std::span<const Variation>(kFinished).first(1);
     case SearchSituation::Kind::kFlying:

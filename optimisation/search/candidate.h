@@ -49,6 +49,7 @@ struct SearchSituation {
   bool may_slow_down = false;      ///< the request does not set the speed
   bool may_vary_flight = false;    ///< counted leaps on uneven ground, with no flight time in the request
   bool may_move_feet = false;      ///< footholds on uneven ground that may be held or free
+  bool may_raise_heels = false;    ///< soles that step forward
 };
 
 /// Candidates that replace the requested walk, in the order of their evaluation. For violated joint limits, shorter

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "optimisation/search/refuse_walk.h"
 #include "optimisation/search/sound_search.h"
 #include "optimisation/search/walk_evaluator.h"
+#include "planning/footsteps/course.h"
 #include "planning/footsteps/plan_footsteps.h"
 #include "planning/footsteps/uneven_footsteps.h"
 
@@ -41,6 +43,13 @@ bool MayVaryFlight(const WalkRequest& request, const Gait& gait, const Terrain& 
   return !given && IsCounted(request.command) && HasFlight(gait) && KindOfGround(terrain) != GroundKind::kFlat;
 }
 
+/// Whether soles step forward on level ground, so that heels can rise before.
+bool MayRaiseHeels(const RobotModel& model, const WalkCommand& command, const Gait& gait) {
+  const Result<Course> course = MakeCourse(model, gait, command, {});
+  return course && course->twist.x_m > 0.0 &&
+         std::any_of(model.feet.begin(), model.feet.end(), [](const Foot& foot) { return foot.has_sole(); });
+}
+
 /// A walk to a goal has a higher smallest speed than other walks, because a plan has a maximum duration.
 PaceRange PacesOf(const RobotModel& model, const WalkCommand& command) {
   constexpr int kHalvingsToGoal = 5;  // a thirty-second of the speed
@@ -59,6 +68,7 @@ SearchProblem ProblemOf(const RobotModel& model, const Terrain& terrain, const W
   problem.situation.may_slow_down = IsOwnPace(request);
   problem.situation.may_vary_flight = MayVaryFlight(request, gait, terrain);
   problem.situation.may_move_feet = flies(gait) && MayMoveFeet(request.motion, terrain);
+  problem.situation.may_raise_heels = MayRaiseHeels(model, request.command, gait);
   problem.paces = PacesOf(model, request.command);
   problem.in_place = IsInPlace(request.command);
   problem.any_plan = request.motion.pipeline.allow_limits;

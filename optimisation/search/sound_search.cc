@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <cmath>
 #include <utility>
 
 #include "optimisation/search/gait_cycles.h"
@@ -116,17 +116,20 @@ bool IsOfJoints(const Failure& refusal) {
          law == Law::kTorqueSpeed;
 }
 
-/// A larger speed than that of the passes, up to the requested one, at which a start with the whole body optimised is
-/// sound; 0 if none is found. By bisection with few trials, because each takes seconds.
-double LargestFinished(const PaceRange& paces, double known, Evaluator& evaluator) {
+/// A larger speed than that of the passes, below the requested one, at which a start with the whole body optimised is
+/// sound; 0 if none is found. With few trials, because each takes seconds: upward from the known speed, because the
+/// requested one may be far out of reach.
+double LargestFinished(const SearchProblem& problem, double known, Evaluator& evaluator) {
   constexpr int kTrials = 3;
+  constexpr double kGrowth = 1.6;
   constexpr Variation kSoles[] = {{1.0, 0, 1.0, false, true}, {1.0, 0, 1.12, false, true, 0.4}};  // flat, heels rise
-  double best = 0.0, low = known, high = paces.asked;
+  const auto soles = std::span(kSoles).first(problem.situation.may_raise_heels ? 2 : 1);
+  double best = 0.0, low = known, high = problem.paces.asked;
   for (int i = 0; i < kTrials; ++i) {
-    const double middle = TowardsZero(0.5 * (low + high), 2);
+    const double middle = TowardsZero(std::min(kGrowth * low, std::sqrt(low * high)), 2);
     if (middle <= low) break;
-    const bool sound = std::any_of(std::begin(kSoles), std::end(kSoles), [&](const Variation& soles) {
-      const Candidate candidate{middle, 0, soles.flight, false, true, soles.heel_off_rad};
+    const bool sound = std::any_of(soles.begin(), soles.end(), [&](const Variation& v) {
+      const Candidate candidate{middle, 0, v.flight, false, true, v.heel_off_rad};
       return evaluator.Evaluate(candidate, Effort::kStart).sound();
     });
     (sound ? low : high) = middle;
@@ -189,7 +192,7 @@ SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator)
   const Evaluation asked = evaluator.Evaluate({problem.paces.asked}, Effort::kWhole);  // known already
   const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, evaluator);
   if (situation.kind == Kind::kLevel && sound && asked.refusal && IsOfJoints(*asked.refusal)) {
-    const double finished = LargestFinished(problem.paces, sound->first.pace, evaluator);
+    const double finished = LargestFinished(problem, sound->first.pace, evaluator);
     if (finished > 0.0) return {finished, Known::kMay};
   }
   return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kFeasible};
