@@ -60,9 +60,10 @@ void WalkArguments::AddCommandTo(Verb verb) {
       AddText(verb, "--gait", "NAME", request.gait,
               "Gait by name, see 'gaitwright gaits', or from a file: FILE.yaml for its first gait, FILE.yaml:NAME for "
               "another; 'walk' is the slow gait for the robot's number of legs; default: the robot's best.");
-  const Flag ahead = AddNumber(verb, "--speed", "m/s", c.speed_m_s,
-                               "Forward speed, 0 or more; default 0: if no other speed is given, the robot's default "
-                               "speed, see 'gaitwright robots show'.");
+  const Flag ahead =
+      AddNumber(verb, "--speed", "m/s", c.speed_m_s,
+                "Forward speed; negative is backward; default 0: if no other speed is given, the robot's "
+                "default speed, see 'gaitwright robots show'.");
   const Flag aside = AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
                                "Lateral speed; positive is to the left; default 0.");
   const Flag turning = AddNumber(verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s,

@@ -130,6 +130,16 @@ Result<LegIk::Solution> LegIk::Solve(const Pose& X_BF_target, const VectorX& gue
   return solution;
 }
 
+std::optional<VectorX> LegIk::SolveNear(const Pose& X_BF_target, const VectorX& guess) const {
+  if (form_) {
+    Result<Solution> solution = Solve(X_BF_target, guess);
+    return solution ? std::optional(std::move(solution->joints)) : std::nullopt;
+  }
+  Check(X_BF_target, guess);
+  DampedSearch found = DescendToPose(chain_, X_BF_target, chain_.lower, chain_.upper, guess);
+  return found.converged ? std::optional(std::move(found.coordinates)) : std::nullopt;
+}
+
 LegIk::Choice LegIk::Choose(const LegBranches& branches, const Vector6& guess) const {
   const double slack = kSlack + 10.0 * form_->misfit();
   const double guessed = WrapAngle(guess[form_->knee()] - form_->straight_rad());

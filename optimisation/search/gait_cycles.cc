@@ -18,7 +18,7 @@ Gait GaitCycles::At(int number) const {
 }
 
 Result<GaitCycles> FindCycles(const RobotModel& model, const WalkRequest& request, const WalkCommand& command) {
-  const double speed = CommandedSpeed(model, command);
+  const double speed = SpeedOfSteps(model, command);
   const Result<Gait> gait = FindGait(model, request.gait, speed, request.gait_options);
   if (!gait) return gait.failure();
   const Result<double> shortest = ShortestCycle(model, request.gait, request.gait_options);

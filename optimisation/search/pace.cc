@@ -48,7 +48,7 @@ std::string PaceUnit(Pace pace) { return pace == Pace::kYawRate ? "rad/s" : pace
 std::string PaceText(const WalkCommand& command) {
   switch (PaceOf(command)) {
     case Pace::kSpeed:
-      return fmt::format("{:.2g} m/s", command.speed_m_s);
+      return fmt::format("{:.2g} m/s", std::abs(command.speed_m_s));
     case Pace::kLateralSpeed:
       return fmt::format("{:.2g} m/s", std::abs(command.lateral_speed_m_s));
     case Pace::kYawRate:
@@ -73,7 +73,7 @@ std::string PaceFlags(const WalkCommand& c) {
 
 Pace PaceOf(const WalkCommand& c) {
   if (c.extent == Extent::kSteps && c.speed_m_s == 0.0 && c.step_length_m != 0.0) return Pace::kStepLength;
-  if (c.speed_m_s > 0.0) return Pace::kSpeed;
+  if (c.speed_m_s != 0.0) return Pace::kSpeed;
   const bool aside = c.extent != Extent::kGoal || c.goal_x_m == 0.0;
   if (c.lateral_speed_m_s != 0.0 && aside) return Pace::kLateralSpeed;
   const bool on_the_spot =
@@ -99,7 +99,8 @@ WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double v
   const Pace pace = PaceOf(command);
   const double factor = value / PaceValue(model, command);
   WalkCommand c = command;
-  c.speed_m_s = pace == Pace::kSpeed ? value : TowardsZero(factor * command.speed_m_s, 4);
+  c.speed_m_s =
+      pace == Pace::kSpeed ? std::copysign(value, command.speed_m_s) : TowardsZero(factor * command.speed_m_s, 4);
   c.lateral_speed_m_s = TowardsZero(factor * command.lateral_speed_m_s, 4);
   c.yaw_rate_rad_s = TowardsZero(factor * command.yaw_rate_rad_s, 4);
   c.step_length_m = TowardsZero(factor * command.step_length_m, 4);

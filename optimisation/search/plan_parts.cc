@@ -23,7 +23,7 @@ Result<std::vector<WalkPart>> Fitted(const RobotModel& model, const WalkRequest&
       parts.push_back({StandingGait(static_cast<int>(model.feet.size())), part.command});
       continue;
     }
-    const Result<Gait> gait = FindGait(model, part.gait, CommandedSpeed(model, part.command), request.gait_options);
+    const Result<Gait> gait = FindGait(model, part.gait, SpeedOfSteps(model, part.command), request.gait_options);
     if (!gait) return OfPart(k, part.gait, gait.failure());
     parts.push_back({*gait, part.command});
   }

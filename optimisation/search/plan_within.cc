@@ -148,7 +148,7 @@ Result<PlannedWalk> PlanInFewestStrides(const RobotModel& model, const Terrain& 
                                         int strides, SearchTrace* trace) {
   constexpr int kNumbers = 5;
   const WalkCommand& command = request.command;
-  const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
+  const Result<Gait> gait = FindGait(model, request.gait, SpeedOfSteps(model, command), request.gait_options);
   if (!gait) return gait.failure();
   WalkRequest counted = request;
   std::optional<Result<PlannedWalk>> best;

@@ -16,14 +16,28 @@ using Kind = SearchSituation::Kind;
 /// A sound candidate and its evaluation.
 using Sound = std::optional<std::pair<Candidate, Evaluation>>;
 
+/// Whether joints or motors refuse a walk: optimising the whole body can avoid that.
+bool IsOfJoints(const Failure& refusal) {
+  if (!refusal.violation) return false;
+  const Law law = refusal.violation->law;
+  return law == Law::kJointPosition || law == Law::kJointVelocity || law == Law::kJointTorque ||
+         law == Law::kTorqueSpeed;
+}
+
 /// The only loop over a table: returns the first row whose whole walk is sound.
-Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
+/// @param of_joints  set to true if joints or motors refuse any row.
+Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator,
+                 bool* of_joints = nullptr) {
+  const auto passes = [&](const Evaluation& evaluation) {
+    if (of_joints != nullptr && evaluation.refusal) *of_joints = *of_joints || IsOfJoints(*evaluation.refusal);
+    return evaluation.sound();
+  };
   for (const Variation& v : variations) {
     const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
                               v.other_footholds,        v.finishes,           v.heel_off_rad};
-    if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
+    if (screening != Effort::kWhole && !passes(evaluator.Evaluate(candidate, screening))) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
-    if (whole.sound()) return std::pair(candidate, std::move(whole));
+    if (passes(whole)) return std::pair(candidate, std::move(whole));
     if (whole.at_every_pace) return {};
   }
   return {};
@@ -108,14 +122,6 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   return 0.0;
 }
 
-/// Whether joints or motors refuse a walk: optimising the whole body can avoid that.
-bool IsOfJoints(const Failure& refusal) {
-  if (!refusal.violation) return false;
-  const Law law = refusal.violation->law;
-  return law == Law::kJointPosition || law == Law::kJointVelocity || law == Law::kJointTorque ||
-         law == Law::kTorqueSpeed;
-}
-
 /// A larger speed than that of the passes, below the requested one, at which a start with the whole body optimised is
 /// sound; 0 if none is found. With few trials, because each takes seconds: upward from the known speed, because the
 /// requested one may be far out of reach.
@@ -171,8 +177,9 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   result.why = result.evaluation.refusal->code;
   SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;
-  Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
-  if (!sound && !situation.may_slow_down && IsOfJoints(*result.evaluation.refusal))
+  bool of_joints = IsOfJoints(*result.evaluation.refusal);
+  Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator, &of_joints);
+  if (!sound && !situation.may_slow_down && of_joints)
     sound = FirstSound(FinishedVariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
   if (!sound && situation.may_slow_down && situation.kind == Kind::kLevel)
     sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);

@@ -22,10 +22,12 @@ class ReachHeight {
   std::optional<Bounds> Changes(const Pose& X_WB, const std::vector<Pose>& X_WF, double spare) const;
 
  private:
-  bool AllReach(Pose X_WB, double change_m, const std::vector<Pose>& X_WF) const;
+  bool AllReach(Pose X_WB, double change_m, const std::vector<Pose>& X_WF, std::vector<VectorX>& near) const;
+  std::optional<std::vector<VectorX>> Joints(const Pose& X_WB, const std::vector<Pose>& X_WF) const;
 
   const RobotModel& model_;
   std::vector<LegIk> legs_;
+  std::vector<VectorX> standing_;  // joints of each leg
   double leg_m_;
 };
 

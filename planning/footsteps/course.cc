@@ -88,12 +88,13 @@ std::optional<Failure> CheckExtent(const WalkCommand& c) {
     return BadCommand(fmt::format("the duration is {} s; it must be more than 0", c.duration_s));
   if (c.extent == Extent::kSteps && c.steps < 1)
     return BadCommand(fmt::format("the number of steps is {}; it must be 1 or more", c.steps));
-  if (c.extent == Extent::kSteps && c.speed_m_s > 0.0 && c.step_length_m != 0.0) {
+  if (c.extent == Extent::kSteps && c.speed_m_s != 0.0 && c.step_length_m != 0.0) {
     return BadCommand(
         fmt::format("counted steps have a length of {} m and a forward speed of {} m/s; give only one of them",
                     c.step_length_m, c.speed_m_s));
   }
-  if (std::abs(c.goal_yaw_rad) >= std::numbers::pi)
+  constexpr double kHalfTurn = 3.15;  // [rad] half a turn, rounded up
+  if (std::abs(c.goal_yaw_rad) > kHalfTurn)
     return BadCommand(fmt::format("the goal's yaw is {} rad; it must lie between -pi and pi", c.goal_yaw_rad));
   return std::nullopt;
 }
@@ -109,15 +110,19 @@ std::optional<Failure> CheckCommand(const WalkCommand& c) {
     if (std::abs(value) > kMost)
       return BadCommand(fmt::format("the command contains {}; at most +-{} is accepted", value, kMost));
   }
-  if (c.speed_m_s < 0.0) {
+  if (c.extent == Extent::kGoal && c.speed_m_s < 0.0)
     return BadCommand(fmt::format(
-        "the speed is {} m/s; it must not be negative; to walk backward, give a goal behind the robot", c.speed_m_s));
-  }
+        "the speed is {} m/s; toward a goal it must not be negative: the goal gives the direction", c.speed_m_s));
   return CheckExtent(c);
 }
 
 double CommandedSpeed(const RobotModel& model, const WalkCommand& command) {
-  return command.speed_m_s > 0.0 ? command.speed_m_s : model.nominal_speed_m_s;
+  return command.speed_m_s != 0.0 ? std::abs(command.speed_m_s) : model.nominal_speed_m_s;
+}
+
+double SpeedOfSteps(const RobotModel& model, const WalkCommand& command) {
+  const double aside = command.extent == Extent::kGoal ? 0.0 : std::abs(command.lateral_speed_m_s);
+  return std::max(CommandedSpeed(model, command), model.legs.size() == 2 ? 2.0 * aside : aside);
 }
 
 PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
@@ -128,7 +133,7 @@ PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkC
 
 PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& c) {
   PlanarTwist velocity{c.speed_m_s, c.lateral_speed_m_s, c.yaw_rate_rad_s};
-  if (c.extent == Extent::kSteps || c.speed_m_s > 0.0 || c.lateral_speed_m_s != 0.0) return velocity;
+  if (c.extent == Extent::kSteps || c.speed_m_s != 0.0 || c.lateral_speed_m_s != 0.0) return velocity;
   const bool on_the_spot = c.yaw_rate_rad_s != 0.0 && (c.extent == Extent::kDuration || c.distance_m == 0.0);
   if (!on_the_spot) velocity.x_m = model.nominal_speed_m_s;
   return velocity;

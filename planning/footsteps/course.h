@@ -25,8 +25,13 @@ struct Course {
 /// Failure for a command that is invalid for every robot: numbers that are not finite or out of range, contradictions.
 std::optional<Failure> CheckCommand(const WalkCommand& command);
 
-/// Speed along the direction of the command: the given speed, or the robot's default [m/s].
+/// Size of the forward speed of the command: the given one, or the robot's default [m/s].
 double CommandedSpeed(const RobotModel& model, const WalkCommand& command);
+
+/// Forward speed for which the cycle of a gait is fitted, so that steps are as wide for the legs as those of the
+/// command [m/s]. Sideways, two legs spread by a whole stride, because feet do not pass each other; forward, by half of
+/// one.
+double SpeedOfSteps(const RobotModel& model, const WalkCommand& command);
 
 /// The velocity of a command, per second. The robot's default forward speed is used if no speed is given, or for a
 /// distance with only a yaw rate.

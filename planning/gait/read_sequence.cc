@@ -24,7 +24,7 @@ bool Has(const OptionTexts& texts, const std::string& key) {
 /// Keys of a part, with their ranges.
 OptionFields FieldsOf(WalkCommand& c) {
   constexpr double kFast = 50.0, kFar = 10000.0, kLong = 600.0, kMany = 100000.0, kStride = 10.0;
-  return {{"speed", &c.speed_m_s, "m/s", 0.0, kFast, "Forward speed."},
+  return {{"speed", &c.speed_m_s, "m/s", -kFast, kFast, "Forward speed; negative is backward."},
           {"lateral-speed", &c.lateral_speed_m_s, "m/s", -kFast, kFast, "Lateral speed; positive is to the left."},
           {"yaw-rate", &c.yaw_rate_rad_s, "rad/s", -kFast, kFast, "Yaw rate; positive is to the left."},
           {"distance", &c.distance_m, "m", 0.0, kFar, "Distance to walk."},

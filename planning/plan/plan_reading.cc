@@ -40,7 +40,7 @@ WalkCommand ToCommand(const JsonPart& command) {
   command.Object(CommandShape());
   WalkCommand c;
   c.extent = static_cast<WalkCommand::Extent>(command.At("extent").Choice(PlanExtents()));
-  c.speed_m_s = command.At("speed_m_s").NumberFrom(0.0);
+  c.speed_m_s = command.At("speed_m_s").Number();
   c.lateral_speed_m_s = command.At("lateral_speed_m_s").Number();
   c.yaw_rate_rad_s = command.At("yaw_rate_rad_s").Number();
   c.distance_m = command.At("distance_m").NumberFrom(0.0);

@@ -29,7 +29,7 @@ DataShape PlanarPoseShape() { return Object({{"x_m", Number()}, {"y_m", Number()
 
 DataShape CommandShape() {
   return Object({{"extent", Text(PlanExtents()), "Name of the value that sets the distance."},
-                 {"speed_m_s", Number(0.0, kLargestNumber)},
+                 {"speed_m_s", Number(), "Negative: backward."},
                  {"lateral_speed_m_s", Number()},
                  {"yaw_rate_rad_s", Number()},
                  {"distance_m", Number(0.0, kLargestNumber)},

@@ -65,7 +65,7 @@ TEST_F(Refusals, RobotYaml) {
 }
 
 TEST_F(Refusals, Command) {
-  ExpectRefused(Walk({"--speed", "-0.2"}), 1, {"-0.2 m/s", "negative"});
+  ExpectRefused(Walk({"--speed", "-0.2", "--goal", "1,0,0"}), 1, {"-0.2 m/s", "negative"});
   ExpectRefused(Walk({"--speed", "nan"}), 1, {"--speed", "'nan'", "finite number"});
   ExpectRefused(Walk({"--speed", "fast"}), 1, {"--speed", "'fast'"});
   ExpectRefused(Walk({"--distance", "-1"}), 1, {"-1 m", "negative"});

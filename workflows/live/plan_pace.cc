@@ -57,7 +57,7 @@ Result<std::vector<AskedPart>> PartsOf(const RobotModel& model, const PaceChange
     const WalkPace& pace = first ? change.from : change.to;
     if (pace.stands()) continue;
     const AskedPart lasts = PartOf(pace, 0.0);
-    const Result<Gait> gait = FindGait(model, pace.gait, CommandedSpeed(model, lasts.command), options);
+    const Result<Gait> gait = FindGait(model, pace.gait, SpeedOfSteps(model, lasts.command), options);
     if (!gait) return gait.failure();
     if (!first && change.turn_rad != 0.0)
       parts.push_back(TurnOf(pace, change.turn_rad, asked_rad, quickest, gait->cycle_s));

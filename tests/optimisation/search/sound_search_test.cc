@@ -100,6 +100,20 @@ TEST(FindSound, TheWholeBodyIsOptimisedWhereJointsRefuseAllPasses) {
   }
 }
 
+TEST(FindSound, TheWholeBodyIsOptimisedAlsoWhereJointsRefuseOnlyOtherCycles) {
+  // The requested walk is out of reach; with shorter cycles, motors are too slow.
+  class OutOfReach : public MadeUp {
+   public:
+    using MadeUp::MadeUp;
+    Evaluation Evaluate(const Candidate& candidate, Effort effort) override {
+      breaks = candidate.cycle > 2 ? std::optional(Law::kJointVelocity) : std::nullopt;
+      return MadeUp::Evaluate(candidate, effort);
+    }
+  };
+  OutOfReach evaluator([](const Candidate& c, Effort) { return c.finishes && c.cycle == 6; });
+  EXPECT_TRUE(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate.finishes);
+}
+
 TEST(FindSound, HeelsRiseOnlyWhereFlatSolesAreRefused) {
   MadeUp evaluator([](const Candidate& c, Effort) { return c.heel_off_rad > 0.0; });
   evaluator.breaks = Law::kJointPosition;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/course.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +54,45 @@ TEST(Course, YawRateAloneIsAQuarterTurn) {
     EXPECT_NEAR(goal.yaw_rad, std::copysign(0.5 * std::numbers::pi, rate), 1e-12);
     EXPECT_NEAR(std::hypot(goal.x_m, goal.y_m), 0.0, 1e-12);
   }
+}
+
+TEST(Course, ANegativeSpeedIsTheSameWayBackward) {
+  for (const char* robot : {"a1", "nao"}) {
+    WalkCommand command;
+    command.speed_m_s = 0.1;
+    command.distance_m = 0.6;
+    const FootstepSkeleton ahead = Planned(command, robot);
+    command.speed_m_s = -0.1;
+    const FootstepSkeleton back = Planned(command, robot);
+    EXPECT_NEAR(back.goal.x_m, -0.6, 1e-9);
+    EXPECT_NEAR(back.goal.x_m, -ahead.goal.x_m, 1e-9);
+    EXPECT_NEAR(LengthOf(back.path), 0.6, 1e-4);
+    command.extent = Extent::kGoal;
+    command.goal_x_m = 1.0;
+    EXPECT_NE(CheckCommand(command), std::nullopt) << "the goal gives the direction";
+  }
+}
+
+TEST(Course, HalfATurnMayBeRoundedUp) {
+  WalkCommand command;
+  command.extent = Extent::kGoal;
+  command.goal_yaw_rad = 3.1416;
+  EXPECT_EQ(CheckCommand(command), std::nullopt);
+  EXPECT_NEAR(Planned(command).goal.yaw_rad, 3.1416, 1e-9);
+  command.goal_yaw_rad = -3.3;
+  EXPECT_NE(CheckCommand(command), std::nullopt);
+}
+
+/// Sideways, two feet do not pass each other: the legs spread by a whole stride instead of half of one.
+TEST(Course, StepsOfABipedAreFittedToTwiceTheLateralSpeed) {
+  const RobotModel nao = *LoadNamedRobot("nao"), a1 = *LoadNamedRobot("a1");
+  WalkCommand command;
+  EXPECT_EQ(SpeedOfSteps(nao, command), nao.nominal_speed_m_s);
+  command.lateral_speed_m_s = -0.3;
+  EXPECT_EQ(SpeedOfSteps(nao, command), 0.6);
+  EXPECT_EQ(SpeedOfSteps(a1, command), std::max(0.3, a1.nominal_speed_m_s));
+  command.speed_m_s = -0.8;
+  EXPECT_EQ(SpeedOfSteps(nao, command), 0.8);
 }
 
 TEST(Course, DurationIsWholeCyclesAtTheCommandedSpeeds) {
