@@ -76,7 +76,7 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
       {"trot;", "part 2 is empty"},
       {"trot; bound:sped=1", "part 2, 'bound': unknown option 'sped'; the nearest is 'speed'"},
       {"trot:speed=fast", "part 1, 'trot': option 'speed'"},
-      {"trot:speed=-1", "part 1, 'trot': option 'speed' is -1"},
+      {"trot:speed=-51", "part 1, 'trot': option 'speed' is -51"},
       {"trot:speed=1,speed=2", "'speed' is given twice"},
       {"speed=1", "has no gait before it"},
       {"trot:distance=1,steps=4", "'distance', 'steps' each set the distance"},
