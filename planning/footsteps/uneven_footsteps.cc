@@ -178,18 +178,22 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
 
 namespace {
 
-/// Searches with `easy_sway` first, so that ankles get more room, and then with `sway`.
+/// Searches with `easy_sway` first, so that ankles get more room, then with `sway`, and at last up to the limits of the
+/// joints, where ankles of soles run out of range on steps down.
 /// @param search  SearchFootsteps or SearchBesideGoal
 template <class Search>
 Result<FootstepSequence> SearchAtEase(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                       const FootstepOptions& options, Search search) {
-  FootstepSearchOptions easy = options.search;
-  easy.sway = std::max(options.search.sway, options.search.easy_sway);
-  if (easy.sway > options.search.sway && !LoneSoles(model, query.gait).empty()) {
-    Result<FootstepSequence> sequence = search(model, terrain, query, options.foothold, easy);
+  const FootstepSearchOptions& asked = options.search;
+  if (LoneSoles(model, query.gait).empty()) return search(model, terrain, query, options.foothold, asked);
+  FootstepSearchOptions easy = asked, full = asked;
+  easy.sway = std::max(asked.sway, asked.easy_sway);
+  full.reserve = 0.0;
+  for (const FootstepSearchOptions& tried : {easy, asked}) {
+    Result<FootstepSequence> sequence = search(model, terrain, query, options.foothold, tried);
     if (sequence) return sequence;
   }
-  return search(model, terrain, query, options.foothold, options.search);
+  return search(model, terrain, query, options.foothold, full);
 }
 
 bool IsStraight(const FootstepRoute& route) {

@@ -8,6 +8,7 @@
 #include "grounds.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/gait/find_gait.h"
+#include "planning/terrain/load_terrain.h"
 
 namespace gaitwright {
 namespace {
@@ -154,6 +155,21 @@ TEST(UnevenFootsteps, FewerFootfallsThanGoAheadAreRefused) {
   EXPECT_EQ(skeleton.failure().message,
             "the number of footfalls is 1; a robot with 2 feet needs 2 or more, because the last ones bring its feet "
             "together");
+}
+
+/// Ankles of soles need their whole range on a step down.
+TEST(UnevenFootsteps, SolesStepDownUpToTheLimitsOfTheirAnkles) {
+  const RobotModel nao = LoadNamedRobot("nao").value();
+  const Gait gait = FindGait(nao, "", nao.nominal_speed_m_s, {}).value();
+  const Terrain block = LoadTerrain("block:height_m=0.035", ScaleOf(nao)).value();
+  WalkCommand command;
+  command.distance_m = 1.0;
+  const FootstepQuery query = CourseQuery(nao, gait, command, {}).value();
+  FootstepOptions options;
+  EXPECT_FALSE(SearchFootsteps(nao, block, query, options.foothold, options.search).ok()) << "with a margin";
+  const Result<FootstepSkeleton> skeleton = SearchSkeleton(nao, block, query, options);
+  ASSERT_TRUE(skeleton.ok()) << skeleton.failure().message;
+  ExpectWhole(*skeleton, 2);
 }
 
 }  // namespace
