@@ -34,7 +34,7 @@ std::string ValueText(const std::string& key, const TaskValue& value) {
     if (place->number == 0) return "to " + place->name;
     return place->number < 0 ? "to the last " + place->name : fmt::format("to {} {}", place->name, place->number);
   }
-  return std::get<std::string>(value);
+  return (key == "turn" ? "turning " : "") + std::get<std::string>(value);
 }
 
 }  // namespace

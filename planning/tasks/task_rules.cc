@@ -10,6 +10,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/model/upper_body.h"
 #include "planning/footsteps/can_walk.h"
+#include "planning/gait/leap_gaits_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -80,6 +81,22 @@ std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, c
   return std::nullopt;
 }
 
+/// Reason why parameters of a jump contradict each other.
+std::optional<Failure> WhyNoJump(const Task& task) {
+  std::vector<std::string> ends;
+  for (const char* key : {"distance_m", "to", "level"}) {
+    if (task.Has(key)) ends.emplace_back(key);
+  }
+  if (ends.size() > 1)
+    return Bad(FailureCode::kParameter,
+               fmt::format("{} each set where to jump; give only one of them", QuotedList(ends)));
+  if (task.Has("times") && task.Has("to"))
+    return Bad(FailureCode::kParameter, "a jump to a place is done once, so 'times' cannot be used with 'to'");
+  if (task.Has("angle_deg") && !task.Has("turn"))
+    return Bad(FailureCode::kParameter, "'angle_deg' of 'jump' is for use with 'turn'");
+  return std::nullopt;
+}
+
 std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule) {
   const std::vector<std::string> keys = KeysOf(rule);
   for (const auto& [key, value] : task.parameters) {
@@ -100,6 +117,9 @@ std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule)
   if (extents.size() > 1)
     return Bad(FailureCode::kParameter,
                fmt::format("{} each set the distance to walk; give only one of them", QuotedList(extents)));
+  if (task.action == "jump") {
+    if (auto failure = WhyNoJump(task)) return failure;
+  }
   if (task.Has("pace") && task.Has("speed_m_s"))
     return Bad(FailureCode::kParameter, "'pace' and 'speed_m_s' each set the speed; give only one of them");
   if (task.Has("step_length_m") && task.action == "walk" && !task.Has("steps"))
@@ -129,6 +149,8 @@ std::string MissingFor(Needs needs) {
   if (needs == Needs::kArm) return "has no arms";
   if (needs == Needs::kTwoSoles) return "does not have two feet with soles";
   if (needs == Needs::kManyFeet) return "does not have four or more feet";
+  if (needs == Needs::kLeap) return "has no gait in which all feet leap at once";
+  if (needs == Needs::kFlip) return "has no gait in which its body turns over";
   if (needs == Needs::kTurningFeet) return "has no joints that yaw its soles";
   return "does not have four feet";
 }
@@ -143,7 +165,7 @@ const std::vector<std::string>& ExtentKeys() {
 const std::vector<ParameterRule>& ParameterRules() {
   static const std::vector<ParameterRule> rules = {
       {"direction", Kind::kWord, 0, 0, {"forward", "backward", "left", "right"}, "Direction, seen from the robot."},
-      {"distance_m", Kind::kNumber, 0.01, 50.0, {}, "Distance to walk [m]."},
+      {"distance_m", Kind::kNumber, 0.01, 50.0, {}, "Distance to walk or jump [m]."},
       {"steps", Kind::kCount, 1, 200, {}, "Number of footfalls."},
       {"step_length_m", Kind::kNumber, 0.01, 1.0, {}, "Forward advance in each footfall [m]."},
       {"duration_s", Kind::kNumber, 0.1, 600.0, {}, "Duration [s]."},
@@ -152,7 +174,14 @@ const std::vector<ParameterRule>& ParameterRules() {
       {"pace", Kind::kWord, 0, 0, {"slow", "fast"}, "Speed relative to the robot's default speed."},
       {"gait", Kind::kWord, 0, 0, {"walk", "trot", "pace", "bound"}, "Gait."},
       {"height", Kind::kWord, 0, 0, {"low"}, "Posture of the body."},
-      {"angle_deg", Kind::kNumber, 1.0, 720.0, {}, "Angle of the turn or bow [degree]."},
+      {"angle_deg", Kind::kNumber, 1.0, 720.0, {}, "Angle of the turn or bow, or of the turn during a jump [degree]."},
+      {"turn", Kind::kWord, 0, 0, {"left", "right"}, "Side to which the body turns during a jump."},
+      {"level",
+       Kind::kWord,
+       0,
+       0,
+       {"down"},
+       "Level of the landing: the next lower ground in the direction of the jump."},
       {"depth_m", Kind::kNumber, 0.005, 0.5, {}, "Lowering distance [m]."},
       {"times", Kind::kCount, 1, 20, {}, "Number of repetitions."},
       {"side",
@@ -174,6 +203,21 @@ const std::vector<ActionRule>& ActionRules() {
        "Walks; left and right mean sideways.",
        "stand"},
       {"turn", {"direction"}, {"angle_deg"}, Needs::kTurningFeet, false, "Turns on the spot.", "walk"},
+      {"jump",
+       {},
+       {"direction", "distance_m", "to", "level", "turn", "angle_deg", "times"},
+       Needs::kLeap,
+       false,
+       "Jumps from all feet onto all feet; in place without a direction, a distance, a place or a level.",
+       "squat",
+       180.0},
+      {"flip",
+       {"direction"},
+       {"times"},
+       Needs::kFlip,
+       false,
+       "Turns its body over in the air: backward is a backflip, left and right are barrel rolls.",
+       "squat"},
       {"stand", {}, {"duration_s"}, Needs::kNothing, false, "Stands, or keeps the present posture.", ""},
       {"stand_up", {}, {}, Needs::kNothing, false, "Gets up from sitting, lying or crouching.", ""},
       {"lie_down", {}, {}, Needs::kManyFeet, false, "Lies down on its belly.", "squat"},
@@ -220,6 +264,10 @@ bool TaskScope::Can(const ActionRule& rule) const {
       return many_feet;
     case Needs::kTurningFeet:
       return turning_feet;
+    case Needs::kLeap:
+      return leaps;
+    case Needs::kFlip:
+      return !flips.empty();
     case Needs::kNothing:
       break;
   }
@@ -245,6 +293,11 @@ TaskScope ScopeOf(const RobotModel& model) {
   scope.four_feet = model.legs.size() == 4;
   scope.many_feet = model.legs.size() >= 4;
   scope.turning_feet = !WhyCannotTurn(model);
+  const int feet = static_cast<int>(model.feet.size());
+  scope.leaps = !LeapGait(feet).empty();
+  for (const char* direction : {"forward", "backward", "left", "right"}) {
+    if (!GaitTurningOver(feet, direction).empty()) scope.flips.emplace_back(direction);
+  }
   return scope;
 }
 
@@ -283,6 +336,11 @@ std::optional<Failure> ReasonNotDone(const Task& task, const TaskScope& scope) {
     const std::string side = task.Word("side");
     if (side != "right" && !scope.left_arm) return cannot("has no left arm");
     if (side != "left" && !scope.right_arm) return cannot("has no right arm");
+  }
+  if (const std::string direction = task.Word("direction");
+      task.action == "flip" && !direction.empty() && !Contains(scope.flips, direction)) {
+    return cannot(fmt::format("has no gait in which its body turns over {}; it has gaits for {}", direction,
+                              QuotedList(scope.flips)));
   }
   if (const auto to = task.parameters.find("to"); to != task.parameters.end()) {
     if (auto failure = WhyNoPlace(std::get<PlaceName>(to->second), scope)) return failure;

@@ -23,7 +23,7 @@ struct ParameterRule {
 };
 
 /// What a robot must have for an action.
-enum class Needs { kNothing, kArm, kTwoSoles, kFourFeet, kManyFeet, kTurningFeet };
+enum class Needs { kNothing, kArm, kTwoSoles, kFourFeet, kManyFeet, kTurningFeet, kLeap, kFlip };
 
 /// An action of the repertoire.
 struct ActionRule {
@@ -57,9 +57,11 @@ const std::vector<std::string>& ExtentKeys();
 struct TaskScope {
   std::string robot;
   bool left_arm = false, right_arm = false, head = false, two_soles = false, four_feet = false;
-  bool many_feet = false;         ///< four or more
-  bool turning_feet = false;      ///< no joint limit keeps its feet from turning while it walks
-  std::vector<PlaceName> places;  ///< `number` is how many places have that name; 0 for a single one
+  bool many_feet = false;          ///< four or more
+  bool turning_feet = false;       ///< no joint limit keeps its feet from turning while it walks
+  bool leaps = false;              ///< a gait exists in which its feet leap at once
+  std::vector<std::string> flips;  ///< directions in which a gait turns its body over
+  std::vector<PlaceName> places;   ///< `number` is how many places have that name; 0 for a single one
 
   /// Whether the robot has what an action needs.
   bool Can(const ActionRule& rule) const;

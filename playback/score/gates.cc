@@ -191,15 +191,16 @@ std::optional<double> LimitOf(const MetricRule& rule, const GateScale& scale) {
 }
 
 bool Holds(Bound bound, double value, double limit) {
+  constexpr double kRounding = 1e-7;  // [m, rad, s] of positions and times that are at a limit
   switch (bound) {
     case Bound::kNone:
       return true;
     case Bound::kAtMost:
-      return value <= limit;
+      return value <= limit + kRounding;
     case Bound::kAtLeast:
-      return value >= limit;
+      return value >= limit - kRounding;
     case Bound::kAbove:
-      return value > limit;
+      return value > limit - kRounding;
   }
   return false;
 }

@@ -51,6 +51,8 @@ TEST_F(Do, RefusalsSayWhatToSayInstead) {
   says(refusal("nod 1000 times"), "accepted: 1 to 20");
   says(refusal("walk to the kitchen"), "(try: --terrain");
   says(refusal("walk to the kitchen", "./yard.yaml"), "'red marker'");
+  says(refusal("jump high"), "'jump forward 30 cm'");
+  says(refusal("do a flip"), "'backflip' or 'barrel roll'");
   says(refusal("recover from a push"), "--controller recovering");
   says(refusal("walk at 3 m/s"), "m/s' or slower");
   says(refusal("climb the stairs"), "(try: --terrain stairs");

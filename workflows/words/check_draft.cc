@@ -57,7 +57,8 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
 }
 
 /// The accepted words of a missing parameter.
-std::string WhatToSay(const std::string& key) {
+std::string WhatToSay(const std::string& action, const std::string& key) {
+  if (action == "flip") return "'backflip' or 'barrel roll'";
   if (key == "direction") return "left or right";
   return fmt::format("one of {}", fmt::join(FindParameter(key)->words, ", "));
 }
@@ -99,12 +100,12 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
   CheckExtents(text, task, draft);
   const bool goes =
       std::any_of(ExtentKeys().begin(), ExtentKeys().end(), [&](const auto& key) { return task.Has(key); });
-  if (draft.to_nowhere && task.action == "walk" && !goes)
+  if (draft.to_nowhere && (task.action == "walk" || task.action == "jump") && !goes)
     throw Refused{{FailureCode::kPlace, TextOf(text, draft.words), "does not give a destination", ""}};
   for (const std::string& required : rule.required) {
     if (!task.Has(required))
       throw Refused{{FailureCode::kAmbiguous, TextOf(text, draft.words), fmt::format("does not give the {}", required),
-                     "", WhatToSay(required)}};
+                     "", WhatToSay(task.action, required)}};
   }
   for (std::size_t k = 0; k < task.during.size(); ++k) CheckDraft(text, scope, task.during[k], draft.during[k]);
 }

@@ -71,7 +71,7 @@ class Splitter {
     }
     if (IsStop(item, at)) return Forbid(item, true);
     if (DoesNoGesture() && IsWithLimb(at)) Join([](Clause& clause) { clause.is_meanwhile = true; });
-    if (HasVerb() && IsParticle(item)) return;  // "走到门那里去"
+    if (HasVerb() && (IsParticle(item) || IsTurnOfJump(item))) return;  // "走到门那里去"
     if (item.IsVerb() && HasVerb()) {
       // A direction before its verb belongs to this verb: "往前" in "举手往前走".
       std::vector<Item> lead;
@@ -178,6 +178,14 @@ class Splitter {
   bool IsParticle(const Item& item) const {
     return item.Is(M::kAction) && item.name == "walk" && item.value == 0.0 && item.parameters.empty() &&
            text_.substr(item.begin, item.end - item.begin) == "去";
+  }
+
+  /// "jump with a 90 degree turn": the noun after the angle is no other task.
+  bool IsTurnOfJump(const Item& item) const {
+    const auto verb = std::find_if(now_.items.begin(), now_.items.end(), std::mem_fn(&Item::IsVerb));
+    const auto last = std::find_if_not(now_.items.rbegin(), now_.items.rend(), std::mem_fn(&Item::SaysNothing));
+    return verb->Is(M::kAction) && verb->name == "jump" && item.Is(M::kAction) && item.name == "turn" &&
+           last->Is(M::kAmount) && last->name == "deg" && item.parameters.empty();
   }
 
   /// A direction after an action without direction belongs to the next verb: "点着头往前走".

@@ -14,7 +14,9 @@ namespace {
   throw Refused{{FailureCode::kAmbiguous, part, why, ""}};
 }
 
-bool IsWay(const std::string& action) { return action == "walk" || action == "turn"; }
+bool IsWay(const std::string& action) {
+  return action == "walk" || action == "turn" || action == "jump" || action == "flip";
+}
 bool HasArms(const std::string& action) { return action == "wave" || action == "raise_arm" || action == "lower_arm"; }
 
 }  // namespace
@@ -31,7 +33,9 @@ bool IsDoneWith(const std::string& action, const std::string& part) {
       {"arm", {"", "wave", "raise_arm", "lower_arm"}},
       {"foot", {"", "balance"}},
       {"head", {"nod", "bow", "brace"}},
-      {"body", {"walk", "turn", "stand", "stand_up", "lie_down", "sit", "squat", "bow", "nod", "balance", "brace"}},
+      {"body",
+       {"walk", "turn", "jump", "flip", "stand", "stand_up", "lie_down", "sit", "squat", "bow", "nod", "balance",
+        "brace"}},
       {"legs", {"stand", "stand_up", "lie_down", "sit", "squat", "bow", "balance", "brace"}},
       {"belly", {"lie_down", "sit", "squat", "brace"}}};
   return kParts.at(part).contains(action);
@@ -79,6 +83,7 @@ void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
   for (const auto& [key, value] : said.parameters) {
     std::string to = key;
     if (key == "distance_m" && into.action == "squat") to = "depth_m";
+    if (key == "step_length_m" && into.action == "jump") to = "distance_m";  // "jump three times, 20 cm each"
     const bool extent = std::find(ExtentKeys().begin(), ExtentKeys().end(), to) != ExtentKeys().end();
     if (over && extent) {
       for (const std::string& other : ExtentKeys()) {

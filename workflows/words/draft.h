@@ -32,6 +32,7 @@ struct Draft {
   bool joined = false;           ///< joined to the previous clause only by "and"
   bool holding = false;          ///< done at the same time as the next task
   bool returns = false;          ///< goes back by the distance of the previous walk
+  bool aloft = false;            ///< of a turn: it is made in the air
   bool to_nowhere = false;       ///< ends with "to", without a destination
   int stairs = 0;                ///< 1 up, -1 down, 2 to the next step: by a number of steps, or to the end
   Span words;                    ///< all its words

@@ -13,7 +13,7 @@ namespace gaitwright::words {
 bool IsGreeting(const std::string& action) { return action == "wave" || action == "bow" || action == "nod"; }
 
 bool IsCounted(const std::string& action) {
-  static const std::array<const char*, 4> kCounted = {"squat", "bow", "nod", "wave"};
+  static const std::array<const char*, 6> kCounted = {"squat", "bow", "nod", "wave", "jump", "flip"};
   return std::any_of(kCounted.begin(), kCounted.end(), [&](const char* name) { return action == name; });
 }
 

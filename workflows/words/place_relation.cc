@@ -48,7 +48,14 @@ class Relation {
 
   [[noreturn]] void Refuse(std::size_t begin, std::size_t end) const {
     throw Refused{{FailureCode::kUnknown, TextOf(text_, {begin, end}),
-                   "is not possible: the robot can only walk to a place", ""}};
+                   "is not possible: the robot can only walk or jump to a place", "", Instead()}};
+  }
+
+  /// "jump off the block"
+  std::string Instead() const {
+    const bool jumps = std::any_of(items_.begin(), items_.end(),
+                                   [](const Item& item) { return item.Is(M::kAction) && item.name == "jump"; });
+    return jumps ? "'jump down', from a raised place, or 'jump onto' a place" : "";
   }
 
   void CheckBefore() const {

@@ -93,6 +93,16 @@ std::vector<PlaceName> PlacesOf(const Terrain& terrain) {
   return places;
 }
 
+bool IsPlace(const std::string& patch, const PlaceName& place, const Terrain& terrain) {
+  const PlaceName name = SplitName(patch);
+  if (name.name != place.name) return false;
+  if (place.number >= 0) return name.number == place.number || place.number == 0;
+  return std::none_of(terrain.patches.begin(), terrain.patches.end(), [&](const TerrainPatch& other) {
+    const PlaceName another = SplitName(other.name);
+    return another.name == place.name && another.number > name.number;
+  });
+}
+
 Vector2 CentreOf(const Terrain& terrain, const PlaceName& place) {
   for (const TerrainMarker& marker : terrain.markers) {
     if (marker.name == place.name) return marker.p_W;

@@ -20,4 +20,7 @@ std::vector<PlaceName> PlacesOf(const Terrain& terrain);
 /// @throws InvalidArgument for a place that is not one of PlacesOf.
 Vector2 CentreOf(const Terrain& terrain, const PlaceName& place);
 
+/// Whether a patch of the ground has the name and number of a place.
+bool IsPlace(const std::string& patch, const PlaceName& place, const Terrain& terrain);
+
 }  // namespace gaitwright

@@ -49,6 +49,15 @@ Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize&
 /// The walk that a task requests, without its place.
 Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options);
 
+/// A jump: where the base goes in plan view, and how far it turns on the way.
+struct Jump {
+  Vector2 way_m = Vector2::Zero();
+  double turn_rad = 0.0;
+};
+
+/// The leap, or the fewest leaps, of a jump, by the robot's gait for leaps (LeapGait).
+WalkRequest JumpRequestOf(const RobotModel& model, const Jump& jump, const TaskOptions& options);
+
 /// The robot with other standing positions of the joints outside the legs.
 RobotModel Posed(RobotModel model, const VectorX& joints);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "workflows/words/climb.h"
+#include "workflows/words/jump_words_internal.h"
 #include "workflows/words/phrases.h"
 #include "workflows/words/place_relation.h"
 #include "workflows/words/settle_amounts.h"
@@ -217,17 +218,11 @@ class ClauseReader {
         Refuse(FailureCode::kRange, TextOf(text_, {item.begin, item.end}), "is not a whole number of steps");
       Say(key, static_cast<int>(std::lround(std::clamp(value, -kMost, kMost))), item);
     } else {
-      Say(key, Rounded(value), item);
+      Say(key, RoundedAmount(value), item);
     }
     draft_.last_key = key;
     draft_.last_unit = unit;
     draft_.bare.reset();
-  }
-
-  static double Rounded(double value) {
-    if (value == 0.0 || !std::isfinite(value)) return value;
-    const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
-    return std::round(value * scale) / scale;
   }
 
   void TakeAmount(const Item& item) {
@@ -290,7 +285,7 @@ class ClauseReader {
       Refuse(FailureCode::kUnknown, TextOf(text_, {draft_.bare->begin, end}), "is not an amount", walks ? "walk" : "");
     }
     const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == kToPlace));
-    if (to && (draft_.action.empty() || draft_.action == "walk"))
+    if (to && (draft_.action.empty() || draft_.action == "walk" || draft_.action == "jump"))
       Refuse(FailureCode::kPlace, TextOf(text_, {item.begin, item.end}), "is not a known place");
     if (draft_.action.empty() || climb_.IsSure()) RefuseAll();
     Refuse(FailureCode::kUnknown, TextOf(text_, {item.begin, item.end}), "is not understood");
@@ -342,6 +337,7 @@ class ClauseReader {
     SettleGait();
     if (!limb && !raises_ && !lowers_ && !puts_) climb_.Settle(text_, draft_);
     SettleAmounts(draft_);
+    SettleJump(text_, clause_, draft_);
     if (puts_ && draft_.empty()) RefuseAll();
     CheckParts();
   }

@@ -34,6 +34,12 @@ void SettleTurn(Draft& draft) {
 
 }  // namespace
 
+double RoundedAmount(double value) {
+  if (value == 0.0 || !std::isfinite(value)) return value;
+  const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * scale) / scale;
+}
+
 void SettleAmounts(Draft& draft) {
   if (draft.action == "turn") SettleTurn(draft);
   if (draft.action == "walk" && draft.parameters.contains("times") && !draft.parameters.contains("steps"))

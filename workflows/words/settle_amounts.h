@@ -9,4 +9,7 @@ namespace gaitwright::words {
 /// number of steps, a length is the depth of a squat.
 void SettleAmounts(Draft& draft);
 
+/// A value of an amount, without the rounding errors of units: five significant digits after the first.
+double RoundedAmount(double value);
+
 }  // namespace gaitwright::words

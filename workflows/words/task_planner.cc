@@ -100,6 +100,8 @@ std::optional<Failure> TaskPlanner::DoTask(const Task& task, bool again) {
   if (task.action == "walk" && task.Has("to")) return WalkTo(task);
   if (task.action == "walk") return Walk(task, true);
   if (task.action == "turn") return Turn(task);
+  if (task.action == "jump") return DoJump(task);
+  if (task.action == "flip") return DoFlip(task);
   if (task.action == "stand" || again) return AddPosture(Hold(stance_.key, task.Number("duration_s", kStay)));
   if (task.action == "stand_up") return StandUp();
   if (task.action == "sit") return Sit(task);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,8 @@ namespace gaitwright::tasks {
 /// Plans tasks in sequence as one motion. Consecutive postures are planned as one motion; walks are planned separately
 /// and joined.
 class TaskPlanner {
+  static constexpr double kThere = 0.02;  // [m] distance from a place at which the robot is there
+
  public:
   /// @param whole_model  the same robot, with support contacts for lying if the tasks need them; it is the robot of the
   ///                     motion.
@@ -47,6 +50,20 @@ class TaskPlanner {
   std::optional<Failure> GoToStartOf(const MotionPlan& walk);
   std::optional<Failure> Walk(const Task& task, bool gestures);
   std::optional<Failure> Turn(const Task& task);
+  std::optional<Failure> DoJump(const Task& task);
+  std::optional<Failure> JumpOnce(const Task& task, bool gestures);
+  std::optional<Failure> JumpTo(const Task& task, double turn_rad);
+  std::optional<Failure> Leap(const Jump& jump, bool gestures);
+  std::optional<Failure> StandStraight();
+  std::optional<Failure> LeapOnto(const Vector2& way, double turn_rad, double farthest_m, const std::string& what,
+                                  const std::function<bool(const GroundPoint&)>& is_it);
+  std::optional<Jump> ShortestTo(const Vector2& way, double turn_rad, double farthest_m,
+                                 const std::function<bool(const GroundPoint&)>& is_it) const;
+  std::vector<GroundPoint> GroundAfter(const Jump& jump) const;
+  double HeightHere() const;
+  std::optional<Failure> DoFlip(const Task& task);
+  std::optional<Failure> AlreadyThere();
+  std::optional<Failure> FaceWayTo(const PlaceName& place);
   Vector2 WayTo(const PlaceName& place) const;
   std::optional<Failure> WalkTo(const Task& task);
   std::optional<Failure> StandUp();

@@ -147,34 +147,41 @@ Vector2 TaskPlanner::WayTo(const PlaceName& place) const {
   return (PoseOf(Here()).inverse() * Vector3(centre_W.x(), centre_W.y(), 0.0)).head<2>() - MiddleOfFeet(model_);
 }
 
-std::optional<Failure> TaskPlanner::WalkTo(const Task& task) {
-  constexpr double kAhead = 0.2, kThere = 0.02;  // [rad], [m]
-  if (auto failure = Flush()) return failure;
-  const auto& place = std::get<PlaceName>(task.parameters.at("to"));
+std::optional<Failure> TaskPlanner::AlreadyThere() {
+  notes_.push_back(fmt::format("'{}': the robot is already there", task_->words));
+  return AddPosture(Hold(stance_.key, kStay));
+}
+
+/// Turns until the task's direction points to a place, unless it already does.
+std::optional<Failure> TaskPlanner::FaceWayTo(const PlaceName& place) {
+  constexpr double kAhead = 0.2;  // [rad]
   const Vector2 way = WayTo(place);
-  if (way.norm() < kThere) {
-    notes_.push_back(fmt::format("'{}': the robot is already there", task.words));
-    return AddPosture(Hold(stance_.key, kStay));
-  }
+  const Task& task = *task_;
   const std::string direction = task.Word("direction");
   const double ahead = direction == "backward" ? std::numbers::pi
                        : direction == "left"   ? 0.5 * std::numbers::pi
                        : direction == "right"  ? -0.5 * std::numbers::pi
                                                : 0.0;
   const double turn = WrapAngle(std::atan2(way.y(), way.x()) - ahead);
-  if (std::abs(turn) > kAhead) {
-    Task first;
-    first.action = "turn";
-    first.parameters = {{"direction", std::string(turn > 0.0 ? "left" : "right")},
-                        {"angle_deg", std::abs(turn) / kDegree}};
-    notes_.push_back(fmt::format("the robot turns {} by {:.0f} degrees before '{}'", first.Word("direction"),
-                                 std::abs(turn) / kDegree, task.words));
-    const Task* const kept = task_;
-    task_ = nullptr;
-    auto failure = Turn(first);
-    task_ = kept;
-    if (failure) return failure;
-  }
+  if (std::abs(turn) <= kAhead) return std::nullopt;
+  Task first;
+  first.action = "turn";
+  first.parameters = {{"direction", std::string(turn > 0.0 ? "left" : "right")},
+                      {"angle_deg", std::abs(turn) / kDegree}};
+  notes_.push_back(fmt::format("the robot turns {} by {:.0f} degrees before '{}'", first.Word("direction"),
+                               std::abs(turn) / kDegree, task.words));
+  const Task* const kept = task_;
+  task_ = nullptr;
+  auto failure = Turn(first);
+  task_ = kept;
+  return failure;
+}
+
+std::optional<Failure> TaskPlanner::WalkTo(const Task& task) {
+  if (auto failure = Flush()) return failure;
+  const auto& place = std::get<PlaceName>(task.parameters.at("to"));
+  if (WayTo(place).norm() < kThere) return AlreadyThere();
+  if (auto failure = FaceWayTo(place)) return failure;
   Result<WalkRequest> request = WalkRequestOf(model_, task, options_);
   if (!request) return request.failure();
   const Vector2 goal = WayTo(place);

@@ -15,6 +15,7 @@
 #include "workflows/words/forbidden.h"
 #include "workflows/words/hints.h"
 #include "workflows/words/items.h"
+#include "workflows/words/jump_words_internal.h"
 #include "workflows/words/read_clause.h"
 #include "workflows/words/refer_back.h"
 #include "workflows/words/says_more.h"
@@ -69,9 +70,10 @@ class Assembler {
       said.parameters.erase("times");
       said.said.erase("times");
     }
+    if (!corrects && JoinsJump(text_, clause, said, drafts_)) return;
     ReferBack(text_, drafts_, said);
     Complete(said);
-    if (corrects && !drafts_.empty()) Undo();
+    if (corrects && !drafts_.empty()) drafts_.pop_back();
     Place(clause, corrects, std::move(said));
   }
 
@@ -143,8 +145,6 @@ class Assembler {
   [[noreturn]] void RefuseAtOnce(const Draft& said) const {
     throw Refused{{FailureCode::kCannot, Text(said.words), "cannot be done at the same time as the other task", ""}};
   }
-
-  void Undo() { drafts_.pop_back(); }
 
   void Repeat() {
     if (drafts_.empty()) throw Refused{{FailureCode::kAmbiguous, text_, "repeats a request, but there was none", ""}};

@@ -63,6 +63,35 @@ TEST(TaskRules, ARobotIsToldWhatItCannotDo) {
   EXPECT_EQ(no_four->code, FailureCode::kCannot);
 }
 
+TEST(TaskRules, AJumpGoesToOnePlaceAtMost) {
+  const auto why = [](std::map<std::string, TaskValue> parameters) {
+    return WhyNone({"jump", std::move(parameters), "", {}});
+  };
+  const TaskValue left = std::string("left"), down = std::string("down"), block = PlaceName{"block", 0};
+  EXPECT_EQ(why({}), "");
+  EXPECT_EQ(why({{"turn", left}, {"angle_deg", 90.0}, {"distance_m", 0.3}}), "");
+  EXPECT_EQ(why({{"to", block}, {"turn", left}}), "");
+  EXPECT_NE(why({{"to", block}, {"distance_m", 0.3}}).find("each set where to jump"), std::string::npos);
+  EXPECT_NE(why({{"level", down}, {"distance_m", 0.3}}).find("each set where to jump"), std::string::npos);
+  EXPECT_NE(why({{"to", block}, {"times", 2}}).find("is done once"), std::string::npos);
+  EXPECT_NE(why({{"angle_deg", 90.0}}).find("for use with 'turn'"), std::string::npos);
+  EXPECT_NE(why({{"turn", left}, {"angle_deg", 200.0}}).find("1 to 180"), std::string::npos);
+}
+
+/// What a robot can do is what its number of feet has gaits for.
+TEST(TaskRules, FlipsAreThoseOfTheGaits) {
+  const TaskScope a1 = ScopeOf(LoadNamedRobot("a1").value()), nao = ScopeOf(LoadNamedRobot("nao").value());
+  const auto flip = [](const char* direction) { return Task{"flip", {{"direction", std::string(direction)}}, "", {}}; };
+  EXPECT_TRUE(a1.leaps && nao.leaps);
+  EXPECT_FALSE(ReasonNotDone(flip("backward"), a1));
+  EXPECT_FALSE(ReasonNotDone(flip("right"), a1));
+  const auto forward = ReasonNotDone(flip("forward"), a1), biped = ReasonNotDone(flip("backward"), nao);
+  ASSERT_TRUE(forward && biped);
+  EXPECT_NE(forward->message.find("turns over forward; it has gaits for 'backward'"), std::string::npos)
+      << forward->message;
+  EXPECT_EQ(biped->message, "robot 'nao' cannot 'flip': it has no gait in which its body turns over");
+}
+
 TEST(TaskRules, PlacesAreThoseThatThereAre) {
   TaskScope scope = ScopeOf(LoadNamedRobot("nao").value());
   scope.places = {{"door", 0}, {"stone", 3}};

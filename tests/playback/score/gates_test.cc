@@ -82,7 +82,10 @@ TEST(Gates, LimitsAreThoseOfTheTableAndScaleWithTheLegOnlyWhereMarked) {
 TEST(Gates, BoundsHoldAsWritten) {
   EXPECT_TRUE(Holds(Bound::kAtMost, 1.0, 1.0));
   EXPECT_FALSE(Holds(Bound::kAtMost, 1.1, 1.0));
-  EXPECT_FALSE(Holds(Bound::kAbove, 0.0, 0.0));
+  EXPECT_TRUE(Holds(Bound::kAbove, 1e-9, 0.0));
+  EXPECT_FALSE(Holds(Bound::kAbove, -1e-6, 0.0));
+  EXPECT_TRUE(Holds(Bound::kAbove, -1e-15, 0.0)) << "rounding";
+  EXPECT_TRUE(Holds(Bound::kAtMost, 1.0 + 3e-17, 1.0)) << "rounding";
   EXPECT_TRUE(Holds(Bound::kAtLeast, 0.0, 0.0));
   EXPECT_TRUE(Holds(Bound::kNone, 9.0, 0.0));
 }

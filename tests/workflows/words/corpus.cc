@@ -65,7 +65,8 @@ TaskScope CorpusScope(const std::string& robot, const std::string& ground) {
   scope.robot = robot;
   scope.left_arm = scope.right_arm = scope.head = scope.two_soles = robot == "nao";
   scope.four_feet = scope.many_feet = robot == "a1";
-  scope.turning_feet = true;
+  scope.turning_feet = scope.leaps = true;
+  if (robot == "a1") scope.flips = {"backward", "left", "right"};
   scope.places = {{"red marker", 0}, {"blue marker", 0}, {"door", 0},     {"charging station", 0},
                   {"step", 3},       {"stone", 6},       {"红色标记", 0}, {"蓝色标记", 0},
                   {"门", 0},         {"充电桩", 0},      {"台阶", 3},     {"石头", 6}};
