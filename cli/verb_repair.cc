@@ -14,6 +14,7 @@
 #include "cli/progress_bar.h"
 #include "cli/write_results.h"
 #include "planning/plan/plan_json.h"
+#include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/repair/played_repair_internal.h"
 #include "workflows/repair/repair_folder_internal.h"
 
@@ -108,7 +109,8 @@ int RunFolder(const RepairSettings& a, const RobotModel& model) {
 int RunRepair(RepairSettings& a) {
   ApplySets("--set", a.common.sets, a.request.Fields());
   std::error_code ignored;
-  const bool is_folder = std::filesystem::is_directory(a.request.source.file, ignored);
+  const bool is_folder =
+      std::filesystem::is_directory(a.request.source.file, ignored) && !IsBagFolder(a.request.source.file);
   if (a.out.empty()) a.out = is_folder ? "repaired" : "repaired.json";
   if (a.resume && !is_folder) throw InvalidArgument("--resume is for a folder of motions");
   Paths paths;
@@ -134,7 +136,8 @@ void AddRepair(Verb program, int& status) {
       verb, "MOTION",
       "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
       ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json); arrays "
-      "of NumPy (.npz); or a folder of such files.",
+      "of NumPy (.npz); a recording of ROS 2 (.mcap, .db3, or the folder of a bag); or a "
+      "folder of such files.",
       a->request.source, a->robot);
   verb.SetGroup("Repair");
   AddField(verb, "--stretch", a->request.Fields(), "repair.stretch");

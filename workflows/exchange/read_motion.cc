@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "kinematics/base/file.h"
+#include "kinematics/base/hash.h"
 #include "kinematics/base/text.h"
 #include "workflows/exchange/check_motion_table.h"
 #include "workflows/exchange/csv_motion.h"
@@ -16,6 +19,7 @@
 #include "workflows/exchange/motion_file.h"
 #include "workflows/exchange/npz_motion_internal.h"
 #include "workflows/exchange/read_motion_internal.h"
+#include "workflows/exchange/recorded_motion_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -62,48 +66,82 @@ std::string InsteadOfImport(MotionFileKind kind) {
   }
 }
 
+MotionForm FormOf(const std::string& extension) {
+  if (extension == ".csv" || extension == ".tsv" || extension == ".txt") return MotionForm::kCsv;
+  if (extension == ".npz") return MotionForm::kNpz;
+  return extension == ".mcap" || extension == ".db3" ? MotionForm::kRecording : MotionForm::kTree;
+}
+
+Result<MotionText> ReadFolder(const std::string& folder) {
+  if (!IsBagFolder(folder)) return RefusedMotion(folder, "is a folder; give a file, such as a .csv or .yaml");
+  Result<std::vector<std::string>> files = ReadBagFolder(folder);
+  if (!files) return files.failure();
+  MotionText read{std::move(files->front()), MotionForm::kRecording};
+  read.further.assign(std::make_move_iterator(files->begin() + 1), std::make_move_iterator(files->end()));
+  return read;
+}
+
 }  // namespace
 
 Failure RefusedMotion(const std::string& file, const std::string& why) {
   return {FailureKind::kBadInput, FailureCode::kImport, "ImportMotion", fmt::format("'{}': {}", file, why), {}};
 }
 
+const std::vector<std::string>& MotionEndings() {
+  static const std::vector<std::string> endings = {".csv", ".tsv", ".txt",  ".npz", ".mcap",
+                                                   ".db3", ".yaml", ".yml", ".json"};
+  return endings;
+}
+
+std::string MotionText::Hash() const {
+  if (further.empty()) return HexHash(text);
+  std::string hashes = HexHash(text);
+  for (const std::string& file : further) hashes += HexHash(file);
+  return HexHash(hashes);
+}
+
 Result<MotionText> ReadMotionText(const ImportRequest& request) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(request.file, ignored))
-    return RefusedMotion(request.file, "is a folder; give a file, such as a .csv or .yaml");
+  if (std::filesystem::is_directory(request.file, ignored)) return ReadFolder(request.file);
   const std::string extension = ExtensionOf(request.file);
-  MotionText read;
-  read.is_csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
-  read.is_npz = extension == ".npz";
-  const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
-  if (!read.is_csv && !read.is_npz && !yaml) {
-    return RefusedMotion(
-        request.file,
-        fmt::format("a file of type '{}' is not a known motion; accepted: .csv, .tsv, .txt, .npz, .yaml, .yml, .json",
-                    extension));
+  const std::vector<std::string>& endings = MotionEndings();
+  if (std::find(endings.begin(), endings.end(), extension) == endings.end()) {
+    return RefusedMotion(request.file, fmt::format("a file of type '{}' is not a known motion; accepted: {}", extension,
+                                                   fmt::join(endings, ", ")));
   }
-  Result<std::string> text = read.is_npz ? ReadBytes(request.file) : ReadFile(request.file);
+  MotionText read;
+  read.form = FormOf(extension);
+  const bool binary = read.form == MotionForm::kNpz || read.form == MotionForm::kRecording;
+  Result<std::string> text = binary ? ReadBytes(request.file) : ReadFile(request.file);
   if (!text) return text.failure();
   read.text = std::move(*text);
-  if (read.is_npz) {
-    if (!request.columns_file.empty()) return RefusedMotion(request.file, "--columns is for a CSV file only");
-    return read;
+  if (!binary) {
+    const MotionFileKind kind = KindOfText(read.text);
+    if (const std::string instead = InsteadOfImport(kind); !instead.empty())
+      return RefusedMotion(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
+    // Frames of motion_imitation are often in a text file.
+    if (HoldsJsonFrames(read.text)) read.form = MotionForm::kTree;
+    if (read.form == MotionForm::kTree && HoldsFootsteps(read.text))
+      read.form = MotionForm::kFootsteps;
   }
-  const MotionFileKind kind = KindOfText(read.text);
-  if (const std::string instead = InsteadOfImport(kind); !instead.empty())
-    return RefusedMotion(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
-  // Frames of motion_imitation are often in a text file.
-  if (HoldsJsonFrames(read.text)) read.is_csv = false;
-  if (!read.is_csv && !request.columns_file.empty())
+  if (read.form != MotionForm::kCsv && !request.columns_file.empty())
     return RefusedMotion(request.file, "--columns is for a CSV file only");
-  read.has_footsteps = !read.is_csv && HoldsFootsteps(read.text);
   return read;
 }
 
 Result<MotionTable> ReadMotionTable(const RobotModel& model, const MotionText& text, ImportRequest& request) {
-  if (text.is_npz) return ParseNpzMotion(model, text.text, request.file, request.options);
-  return text.is_csv ? ReadCsvMotion(model, text.text, request) : ReadTrajectory(model, text.text, request);
+  switch (text.form) {
+    case MotionForm::kCsv:
+      return ReadCsvMotion(model, text.text, request);
+    case MotionForm::kNpz:
+      return ParseNpzMotion(model, text.text, request.file, request.options);
+    case MotionForm::kRecording:
+      return ParseRecordedMotion(model, text.text, text.further, request.file, request.options);
+    case MotionForm::kTree:
+    case MotionForm::kFootsteps:
+      break;
+  }
+  return ReadTrajectory(model, text.text, request);
 }
 
 EvenMotion EvenMotionOf(const RobotModel& model, const Terrain& terrain, const ImportOptions& asked, MotionTable table,

@@ -18,18 +18,20 @@ Result<MotionText> TextOf(const std::string& name, const std::string& text) {
 }
 
 TEST(ReadMotion, TellsFormatsByEndingAndContent) {
-  EXPECT_TRUE(TextOf("a.csv", "time_s,x\n0,1\n")->is_csv);
-  EXPECT_TRUE(TextOf("a.txt", "0,1\n").value().is_csv);
-  EXPECT_FALSE(TextOf("b.txt", "{\"FrameDuration\": 0.1, \"Frames\": []}")->is_csv) << "JSON in a text file";
-  EXPECT_TRUE(TextOf("a.yaml", "footsteps: []\n")->has_footsteps);
-  EXPECT_FALSE(TextOf("a.json", "{\"joint_names\": [], \"points\": []}")->has_footsteps);
+  EXPECT_EQ(TextOf("a.csv", "time_s,x\n0,1\n")->form, MotionForm::kCsv);
+  EXPECT_EQ(TextOf("a.txt", "0,1\n")->form, MotionForm::kCsv);
+  EXPECT_EQ(TextOf("b.txt", "{\"FrameDuration\": 0.1, \"Frames\": []}")->form, MotionForm::kTree)
+      << "JSON in a text file";
+  EXPECT_EQ(TextOf("a.yaml", "footsteps: []\n")->form, MotionForm::kFootsteps);
+  EXPECT_EQ(TextOf("a.json", "{\"joint_names\": [], \"points\": []}")->form, MotionForm::kTree);
+  EXPECT_EQ(TextOf("a.mcap", "\x89MCAP0\r\n")->form, MotionForm::kRecording);
 }
 
 TEST(ReadMotion, KeepsTheBytesOfArrays) {
   const std::string bytes("PK\x03\x04\0\0\xff", 7);
   const auto read = TextOf("a.npz", bytes);
   ASSERT_TRUE(read.ok()) << read.failure().message;
-  EXPECT_TRUE(read->is_npz);
+  EXPECT_EQ(read->form, MotionForm::kNpz);
   EXPECT_EQ(read->text, bytes);
   ImportRequest request;
   request.file = ScratchFile("a.npz");
@@ -53,7 +55,7 @@ TEST(ReadMotion, ReadsFramesWhereNoColumnHasAName) {
   ImportRequest request;
   request.file = "motion.csv";
   const std::string row = "0,0,1,0,0,0,1" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0") + "\n";
-  const auto table = ReadMotionTable(NamedRobot("a1"), {row + row, true, false}, request);
+  const auto table = ReadMotionTable(NamedRobot("a1"), {row + row, MotionForm::kCsv}, request);
   ASSERT_TRUE(table.ok()) << table.failure().message;
   EXPECT_EQ(table->format, "frames-csv");
   EXPECT_EQ(table->rows(), 2);

@@ -58,6 +58,21 @@ TEST_F(RepairFolder, AllMotionsBelowItAreClips) {
   EXPECT_THROW(ClipsOf(ScratchFile("empty")), InvalidArgument);
 }
 
+TEST_F(RepairFolder, ABagIsOneClip) {
+  const fs::path bag = fs::path(ScratchFile("bags")) / "walk";
+  fs::create_directories(bag);
+  std::ofstream(bag / "metadata.yaml") << "rosbag2_bagfile_information: {storage_identifier: mcap}\n";
+  std::ofstream(bag / "walk_0.mcap") << "one";
+  const std::vector<std::string> clips = ClipsOf(ScratchFile("bags"));
+  EXPECT_EQ(clips, std::vector<std::string>{"walk"});
+  request_.repair.source.file = ScratchFile("bags");
+  const auto one = FolderIdentity(model_, request_, clips);
+  std::ofstream(bag / "walk_0.mcap") << "two";
+  const auto two = FolderIdentity(model_, request_, clips);
+  ASSERT_TRUE(one.ok() && two.ok());
+  EXPECT_NE(*one, *two) << "the contents of its files count";
+}
+
 TEST_F(RepairFolder, OutcomesAreTheWorstFirst) {
   Result<JobJournal> journal = Journal(false);
   ASSERT_TRUE(journal.ok()) << journal.failure().message;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/fuzz/recording_readers.h"
+
+#include "tests/fuzz/inputs.h"
+#include "tests/fuzz/motion_laws.h"
+#include "tests/workflows/exchange/mcap_bytes.h"
+#include "workflows/exchange/export_mcap_internal.h"
+#include "workflows/exchange/recorded_motion_internal.h"
+#include "workflows/exchange/ros_messages_internal.h"
+
+namespace gaitwright::fuzz {
+namespace {
+
+Verdict ReadRecordedMotion(const std::string& input) {
+  const std::string file = InFile(input, ".mcap");
+  return CheckMotion(ParseRecordedMotion(Quadruped(), input, {}, "input", {}), file);
+}
+
+/// The standing robot in messages outside of chunks, so that mutations reach their contents.
+std::string OpenRecording() {
+  using namespace synthetic;
+  std::string bytes = McapHead() + SchemaRecord(1, kJointStateType) + ChannelRecord(1, 1, "/joint_states") +
+                      SchemaRecord(2, kOdometryType) + ChannelRecord(2, 2, "/odom");
+  const VectorX& joints = Quadruped().standing_joints;
+  for (int k = 0; k < 6; ++k) {
+    const std::int64_t time_ns = 20'000'000 * (k + 1);
+    const JointStateMessage state{
+        time_ns, Quadruped().dof_names, {joints.begin(), joints.end()}, std::vector<double>(12, 0.0), {}};
+    OdometryMessage pose;
+    pose.stamp_ns = time_ns;
+    pose.child_frame = "trunk";
+    pose.p_WC.z() = Quadruped().standing_base_height_m;
+    pose.turn = {0.0, 0.0, 0.0, 1.0};
+    bytes += MessageRecord(1, static_cast<std::uint64_t>(time_ns), CdrOf(state)) +
+             MessageRecord(2, static_cast<std::uint64_t>(time_ns), CdrOf(pose));
+  }
+  return bytes + McapTail();
+}
+
+std::vector<std::string> MadeRecordings() {
+  MotionRows rows;
+  for (int k = 0; k < 6; ++k) {
+    rows.time_s.push_back(0.02 * k);
+    rows.q.push_back(StandingConfiguration(Quadruped()));
+    rows.v.push_back(VectorX::Zero(Quadruped().nv()));
+  }
+  return {OpenRecording(), MotionMcap(Quadruped(), rows)};
+}
+
+}  // namespace
+
+std::vector<Reader> RecordingReaders() {
+  return {{"recording",
+           ReadRecordedMotion,
+           {"\x89MCAP0\r\n", "SQLite format 3", "zstd", "lz4", "cdr", "sensor_msgs/msg/JointState",
+            "nav_msgs/msg/Odometry", "trajectory_msgs/msg/JointTrajectory"},
+           {},
+           MadeRecordings,
+           500}};
+}
+
+}  // namespace gaitwright::fuzz
