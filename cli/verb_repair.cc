@@ -136,8 +136,8 @@ void AddRepair(Verb program, int& status) {
       verb, "MOTION",
       "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
       ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json); arrays "
-      "of NumPy (.npz); a recording of ROS 2 (.mcap, .db3, or the folder of a bag); or a "
-      "folder of such files.",
+      "of NumPy (.npz); a recording of ROS 2 (.mcap, .db3, or the folder of a bag); a skeleton with the robot's joints "
+      "(.bvh); frames of DeepMimic (.json, .txt); or a folder of such files.",
       a->request.source, a->robot);
   verb.SetGroup("Repair");
   AddField(verb, "--stretch", a->request.Fields(), "repair.stretch");

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/fuzz/recording_readers.h"
 
+#include <fmt/format.h>
+
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/motion_laws.h"
+#include "tests/workflows/exchange/bvh_text.h"
 #include "tests/workflows/exchange/mcap_bytes.h"
+#include "workflows/exchange/bvh_motion_internal.h"
+#include "workflows/exchange/deepmimic_motion_internal.h"
 #include "workflows/exchange/export_mcap_internal.h"
 #include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/exchange/ros_messages_internal.h"
@@ -47,6 +52,28 @@ std::vector<std::string> MadeRecordings() {
   return {OpenRecording(), MotionMcap(Quadruped(), rows)};
 }
 
+std::vector<VectorX> StandingMotion() { return std::vector<VectorX>(6, StandingConfiguration(Quadruped())); }
+
+Verdict ReadBvh(const std::string& input) {
+  const std::string file = InFile(input, ".bvh");
+  return CheckMotion(ParseBvhMotion(Quadruped(), input, "input", {}), file);
+}
+
+std::vector<std::string> MadeBvhs() { return {synthetic::SkeletonOf(Quadruped(), false).Text(StandingMotion(), 0.02)}; }
+
+Verdict ReadDeepMimic(const std::string& input) {
+  const std::string file = InFile(input, ".json");
+  return CheckMotion(ParseDeepMimic(Quadruped(), input, "input", {}), file);
+}
+
+std::vector<std::string> MadeDeepMimics() {
+  std::string frame = fmt::format("[0.02, 0, 0, {}, 1, 0, 0, 0", Quadruped().standing_base_height_m);
+  for (const double q : Quadruped().standing_joints) frame += fmt::format(", {}", q);
+  std::string text = "{\"Loop\": \"none\", \"Frames\": [";
+  for (int k = 0; k < 6; ++k) text += (k == 0 ? "" : ",\n") + frame + "]";
+  return {text + "]}\n"};
+}
+
 }  // namespace
 
 std::vector<Reader> RecordingReaders() {
@@ -56,6 +83,19 @@ std::vector<Reader> RecordingReaders() {
             "nav_msgs/msg/Odometry", "trajectory_msgs/msg/JointTrajectory"},
            {},
            MadeRecordings,
+           500},
+          {"bvh",
+           ReadBvh,
+           {"HIERARCHY", "ROOT", "JOINT", "End Site", "OFFSET", "CHANNELS", "Xposition", "Zrotation", "MOTION",
+            "Frames:", "Frame Time:", "{", "}", "1e308", "nan", "-1"},
+           {},
+           MadeBvhs,
+           500},
+          {"deepmimic",
+           ReadDeepMimic,
+           {"null", "{}", "[]", "-1", "1e400", "\"Frames\"", "\"Loop\"", "\"FrameDuration\"", "\\u0000"},
+           {},
+           MadeDeepMimics,
            500}};
 }
 

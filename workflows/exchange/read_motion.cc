@@ -10,8 +10,10 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "kinematics/base/text.h"
+#include "workflows/exchange/bvh_motion_internal.h"
 #include "workflows/exchange/check_motion_table.h"
 #include "workflows/exchange/csv_motion.h"
+#include "workflows/exchange/deepmimic_motion_internal.h"
 #include "workflows/exchange/derive_base.h"
 #include "workflows/exchange/even_motion.h"
 #include "workflows/exchange/frame_motion_internal.h"
@@ -39,6 +41,7 @@ Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& te
 }
 
 Result<MotionTable> ReadTrajectory(const RobotModel& model, const std::string& text, const ImportRequest& request) {
+  if (HoldsDeepMimicFrames(text)) return ParseDeepMimic(model, text, request.file, request.options);
   if (HoldsJsonFrames(text)) return ParseJsonFrames(model, text, request.file, request.options);
   return ExtensionOf(request.file) == ".json" ? ParseJointTrajectoryJson(model, text, request.file, request.options)
                                               : ParseJointTrajectory(model, text, request.file, request.options);
@@ -69,6 +72,7 @@ std::string InsteadOfImport(MotionFileKind kind) {
 MotionForm FormOf(const std::string& extension) {
   if (extension == ".csv" || extension == ".tsv" || extension == ".txt") return MotionForm::kCsv;
   if (extension == ".npz") return MotionForm::kNpz;
+  if (extension == ".bvh") return MotionForm::kBvh;
   return extension == ".mcap" || extension == ".db3" ? MotionForm::kRecording : MotionForm::kTree;
 }
 
@@ -89,7 +93,7 @@ Failure RefusedMotion(const std::string& file, const std::string& why) {
 
 const std::vector<std::string>& MotionEndings() {
   static const std::vector<std::string> endings = {".csv", ".tsv", ".txt",  ".npz", ".mcap",
-                                                   ".db3", ".yaml", ".yml", ".json"};
+                                                   ".db3", ".bvh", ".yaml", ".yml", ".json"};
   return endings;
 }
 
@@ -137,6 +141,8 @@ Result<MotionTable> ReadMotionTable(const RobotModel& model, const MotionText& t
       return ParseNpzMotion(model, text.text, request.file, request.options);
     case MotionForm::kRecording:
       return ParseRecordedMotion(model, text.text, text.further, request.file, request.options);
+    case MotionForm::kBvh:
+      return ParseBvhMotion(model, text.text, request.file, request.options);
     case MotionForm::kTree:
     case MotionForm::kFootsteps:
       break;

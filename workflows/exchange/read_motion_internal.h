@@ -14,6 +14,7 @@ enum class MotionForm {
   kCsv,        ///< columns of numbers
   kNpz,        ///< arrays of NumPy
   kRecording,  ///< messages of ROS 2
+  kBvh,        ///< a skeleton and its motion
   kTree,       ///< YAML or JSON with a trajectory or frames
   kFootsteps,  ///< YAML with footsteps, for which a motion has to be planned
 };

@@ -41,7 +41,7 @@ TEST(ReadMotion, KeepsTheBytesOfArrays) {
 }
 
 TEST(ReadMotion, RefusesOtherFiles) {
-  EXPECT_NE(TextOf("a.bvh", "HIERARCHY").failure().message.find("a file of type '.bvh' is not a known motion"),
+  EXPECT_NE(TextOf("a.fbx", "Kaydara").failure().message.find("a file of type '.fbx' is not a known motion"),
             std::string::npos);
   EXPECT_NE(
       TextOf("plan.json", "{\"format\": \"gaitwright-motion-plan\"}").failure().message.find("accept it directly"),
