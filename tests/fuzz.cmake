@@ -47,6 +47,6 @@ gaitwright_fuzz_room(planning PARTS plan_laws READERS gaits sequence_text sequen
                      height_png mesh_ground start_posture plan)
 gaitwright_fuzz_room(playback READERS log disturbances outcome)
 gaitwright_fuzz_room(workflows PARTS exchange_readers recording_readers words_readers grade_readers motion_laws plan_laws READERS motion_csv motion_npz npy compare_csv column_names joint_trajectory
-                     joint_trajectory_json footsteps report recording bvh deepmimic trials_result axis point candidate journal
+                     joint_trajectory_json footsteps report recording bvh deepmimic contact_plan trials_result axis point candidate journal
                      centroidal_problems options_file live_request task_plan instruction rubric answers code_answer)
 gaitwright_fuzz_room(cli READERS numbers)

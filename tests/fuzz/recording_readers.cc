@@ -3,15 +3,19 @@
 
 #include <fmt/format.h>
 
+#include "kinematics/base/strict_yaml_internal.h"
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/motion_laws.h"
 #include "tests/workflows/exchange/bvh_text.h"
 #include "tests/workflows/exchange/mcap_bytes.h"
 #include "workflows/exchange/bvh_motion_internal.h"
+#include "workflows/exchange/contact_plan_internal.h"
 #include "workflows/exchange/deepmimic_motion_internal.h"
 #include "workflows/exchange/export_mcap_internal.h"
+#include "workflows/exchange/footstep_file.h"
 #include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/exchange/ros_messages_internal.h"
+#include "workflows/walk/walk.h"
 
 namespace gaitwright::fuzz {
 namespace {
@@ -74,6 +78,35 @@ std::vector<std::string> MadeDeepMimics() {
   return {text + "]}\n"};
 }
 
+const RobotModel& Humanoid() {
+  static const RobotModel model = *ChooseRobot("h1", "");
+  return model;
+}
+
+Verdict ReadContactPlan(const std::string& input) {
+  std::vector<std::string> unused;
+  std::string steps;
+  try {
+    steps = FootstepsOfContactPlan(Humanoid(), input, unused);
+  } catch (const InvalidArgument&) {
+    return Verdict::kRefused;
+  } catch (const YAML::Exception&) {
+    return Verdict::kRefused;
+  }
+  const Result<FootstepSkeleton> skeleton = ReadFootsteps(Humanoid(), FlatTerrain(), steps, "input", 0.005);
+  if (!skeleton) return Verdict::kRefused;
+  Require(skeleton->footsteps.footholds.size() > 2, "a plan of contacts has steps");
+  return Verdict::kAccepted;
+}
+
+std::vector<std::string> MadeContactPlans() {
+  return {
+      "single_support_duration: 0.8\ndouble_support_duration: 0.2\ncontacts:\n"
+      "- {pose: {translation: [0, -0.1, 0]}, surface: RightFootCenter}\n"
+      "- {pose: {translation: [0, 0.1, 0], rotation: [1, 0, 0, 0]}, surface: LeftFootCenter}\n"
+      "- {pose: {translation: [0.1, -0.1, 0], rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1]}, surface: RightFootCenter}\n"};
+}
+
 }  // namespace
 
 std::vector<Reader> RecordingReaders() {
@@ -96,6 +129,13 @@ std::vector<Reader> RecordingReaders() {
            {"null", "{}", "[]", "-1", "1e400", "\"Frames\"", "\"Loop\"", "\"FrameDuration\"", "\\u0000"},
            {},
            MadeDeepMimics,
+           500},
+          {"contact_plan",
+           ReadContactPlan,
+           {"contacts", "plans", "pose", "translation", "rotation", "surface", "LeftFootCenter", "RightFootCenter",
+            "single_support_duration", "init_dsp_duration", "&a", "*a", "{", "}", "[", "]", ": ", ".nan", "1e400"},
+           {},
+           MadeContactPlans,
            500}};
 }
 

@@ -7,7 +7,7 @@
 
 namespace gaitwright::fuzz {
 
-/// The readers of recorded messages and of captured motions.
+/// The readers of recorded messages, of captured motions and of plans of contacts.
 std::vector<Reader> RecordingReaders();
 
 }  // namespace gaitwright::fuzz

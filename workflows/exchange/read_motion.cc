@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -12,12 +13,14 @@
 #include "kinematics/base/text.h"
 #include "workflows/exchange/bvh_motion_internal.h"
 #include "workflows/exchange/check_motion_table.h"
+#include "workflows/exchange/contact_plan_internal.h"
 #include "workflows/exchange/csv_motion.h"
 #include "workflows/exchange/deepmimic_motion_internal.h"
 #include "workflows/exchange/derive_base.h"
 #include "workflows/exchange/even_motion.h"
 #include "workflows/exchange/frame_motion_internal.h"
 #include "workflows/exchange/joint_trajectory.h"
+#include "workflows/exchange/motion_columns.h"
 #include "workflows/exchange/motion_file.h"
 #include "workflows/exchange/npz_motion_internal.h"
 #include "workflows/exchange/read_motion_internal.h"
@@ -28,11 +31,37 @@ namespace {
 
 std::string ExtensionOf(const std::string& file) { return LowerCase(std::filesystem::path(file).extension().string()); }
 
+/// A table whose columns are named by its first line; without such a line, by `names` in the file of column names, or
+/// by their numbers.
+Result<CsvTable> ParseNamedTable(const std::string& text, const ImportRequest& request) {
+  ImportOptions ignored = request.options;
+  Result<ColumnNames> names = ColumnNames{};
+  if (!request.columns_file.empty()) names = ReadColumnNames(request.columns_file, ignored);
+  if (!names) return names.failure();
+  if (!LacksColumnNames(text)) {
+    if (!names->in_order.empty())
+      return RefusedMotion(request.columns_file,
+                           fmt::format("has 'names', but '{}' has a line of names", request.file));
+    return ParseCsvTable(text, request.file);
+  }
+  Result<CsvTable> table = ParseNumberTable(text, request.file);
+  if (!table || names->in_order.empty()) return table;
+  if (names->in_order.size() != table->columns.size()) {
+    return RefusedMotion(request.columns_file, fmt::format("has {} names, but '{}' has {} columns",
+                                                           names->in_order.size(), request.file, table->num_columns()));
+  }
+  std::set<std::string> unique(names->in_order.begin(), names->in_order.end());
+  if (unique.size() != names->in_order.size() || unique.count("") > 0)
+    return RefusedMotion(request.columns_file, "has a name in 'names' twice, or an empty one");
+  table->columns = names->in_order;
+  return table;
+}
+
 /// Reads the table of a CSV. `request` gets the units of the column-names file.
 Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& text, ImportRequest& request) {
   if (request.columns_file.empty() && LacksColumnNames(text))
     return ParseNumberFrames(model, text, request.file, request.options);
-  const Result<CsvTable> table = ParseCsvTable(text, request.file);
+  const Result<CsvTable> table = ParseNamedTable(text, request);
   if (!table) return table.failure();
   CsvReading reading{request.columns_file, request.options};
   Result<MotionTable> motion = MotionOfCsv(model, *table, reading);
@@ -125,7 +154,7 @@ Result<MotionText> ReadMotionText(const ImportRequest& request) {
       return RefusedMotion(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
     // Frames of motion_imitation are often in a text file.
     if (HoldsJsonFrames(read.text)) read.form = MotionForm::kTree;
-    if (read.form == MotionForm::kTree && HoldsFootsteps(read.text))
+    if (read.form == MotionForm::kTree && (HoldsFootsteps(read.text) || HoldsContactPlan(read.text)))
       read.form = MotionForm::kFootsteps;
   }
   if (read.form != MotionForm::kCsv && !request.columns_file.empty())
