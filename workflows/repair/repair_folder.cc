@@ -159,9 +159,14 @@ Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest&
                      request.check ? " check" : "", request.plays ? " plays" : "");
 }
 
+std::string RepairOneClip(const RobotModel& model, const FolderRequest& request, const std::string& clip) {
+  return LineOf(RepairClip(model, request, clip));
+}
+
 Result<std::vector<ClipOutcome>> RepairClips(const RobotModel& model, const FolderRequest& request,
                                              const std::vector<std::string>& clips, JobJournal& journal,
-                                             const JobOptions& options) {
+                                             const JobOptions& options,
+                                             const std::vector<std::function<std::string(std::size_t)>>& elsewhere) {
   std::vector<std::optional<ClipOutcome>> outcomes(clips.size());
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -171,12 +176,15 @@ Result<std::vector<ClipOutcome>> RepairClips(const RobotModel& model, const Fold
       order.push_back(i);
     }
   }
-  const auto job = [&](std::size_t i) {
-    outcomes[i] = RepairClip(model, request, clips[i]);
-    journal.Add(i, LineOf(*outcomes[i]));
+  const auto keep = [&](std::size_t i, const std::string& line) {
+    outcomes[i] = ClipOfLine(line);
+    journal.Add(i, line);
   };
+  std::vector<JobRunner> others;
+  for (const auto& run : elsewhere) others.emplace_back([&run, &keep](std::size_t i) { keep(i, run(i)); });
+  const auto job = [&](std::size_t i) { keep(i, RepairOneClip(model, request, clips[i])); };
   try {
-    if (!RunJobs(order, job, options)) return Interrupted("RepairMotion");
+    if (!RunJobs(order, job, options, others)) return Interrupted("RepairMotion");
   } catch (const CannotKeep& error) {
     return Failure{FailureKind::kBadInput, FailureCode::kSoFar, "RepairMotion", error.what(), {}};
   }
