@@ -16,6 +16,8 @@ void AddMotionSource(Verb verb, std::string_view name, std::string_view help, Im
           "YAML file that maps the CSV's columns, see docs/import.md; default: by its first line.");
   const OptionFields fields = request.options.Fields();
   AddField(verb, "--rate-hz", fields, "rate_hz");
+  AddText(verb, "--topic", "NAME", request.options.topics,
+          "Topics of a recording to read, separated by commas; default: those that can only mean one motion.");
   AddField(verb, "--quaternion-order", fields, "quaternion_order");
   AddField(verb, "--angle-unit", fields, "angle_unit");
   AddField(verb, "--length-unit", fields, "length_unit");

@@ -67,12 +67,13 @@ void SetWork(Verb verb, const Common& common, int& status, const std::function<i
     const Ranks ranks = Ranks::Join();
     if (ranks.count() == 1) return work();
     if (!ranks.leads()) return kPass;
-    return Report({FailureKind::kBadInput,
-                   FailureCode::kSeveralProcesses,
-                   "program",
-                   fmt::format("this verb runs in one process, and MPI has started {}", ranks.count()),
-                   {"start it without mpirun or srun; only trials and sweep run in several processes"}},
-                  common);
+    return Report(
+        {FailureKind::kBadInput,
+         FailureCode::kSeveralProcesses,
+         "program",
+         fmt::format("this verb runs in one process, and MPI has started {}", ranks.count()),
+         {"start it without mpirun or srun; only trials, sweep and repair of a folder run in several processes"}},
+        common);
   });
 }
 

@@ -38,6 +38,8 @@ std::string UsualOut(ExportFormat format) {
       return "motion.csv";
     case ExportFormat::kFramesJson:
       return "motion.json";
+    case ExportFormat::kMcap:
+      return "motion.mcap";
     case ExportFormat::kMjcf:
       return "model.xml";
     case ExportFormat::kSvg:
@@ -118,12 +120,13 @@ int RunExport(ExportSettings& a) {
 void AddExport(Verb program, int& status) {
   auto a = std::make_shared<ExportSettings>();
   const Verb verb =
-      program.AddVerb("export", "Convert a plan or a log for other programs: CSV, ROS, NumPy, plots, MuJoCo");
+      program.AddVerb("export", "Convert a plan or a log for other programs: CSV, ROS, MCAP, NumPy, plots, MuJoCo");
   AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as written by 'plan', 'walk' and 'play'.").Require();
   AddText(verb, "--format", "NAME", a->format,
           "csv, joint-trajectory-yaml, joint-trajectory-json (trajectory_msgs/JointTrajectory of ROS 2), npz (NumPy), "
           "frames-csv, frames-json, frames-npz (frames as retargeted data sets, motion_imitation and frameworks for "
-          "imitation learning have them), svg (plots) or mjcf (MuJoCo's model of robot, ground, first posture and "
+          "imitation learning have them), mcap (a recording of ROS 2), svg (plots) or mjcf (MuJoCo's model of robot, "
+          "ground, first posture and "
           "gains); default csv.");
   AddNumber(verb, "--rate-hz", "Hz", a->rate_hz,
             "Rows per second, from 0.1 to 10000, for a log at most its own rate; default 0: the motion's own rate, for "
@@ -131,7 +134,7 @@ void AddExport(Verb program, int& status) {
   AddText(
       verb, "--out", "PATH", a->out,
       "Output file, or folder of plots; default motion.csv, trajectory.yaml, trajectory.json, motion.npz, motion.json, "
-      "plots or model.xml.");
+      "motion.mcap, plots or model.xml.");
   a->robot.AddTo(verb);
   AddCommon(verb, a->common,
             {"export plan.json --format csv --rate-hz 500 --out motion.csv",

@@ -97,7 +97,9 @@ void AddImport(Verb program, int& status) {
       verb, "FILE",
       "The motion: a CSV with named columns, from OCS2, or with frames without names (.csv, .tsv, .txt); a ROS joint "
       "trajectory or footsteps (.yaml, .yml, .json); frames of motion_imitation (.txt, .json); arrays of NumPy "
-      "(.npz).",
+      "(.npz); a recording of ROS 2 (.mcap, .db3, or the folder of a bag); a skeleton with the robot's joints (.bvh); "
+      "frames "
+      "of DeepMimic (.json, .txt).",
       a->request, a->robot);
   AddText(verb, "--goal", "x,y,yaw", a->goal,
           "Intended end pose, in m, m and rad from the start; default: the end of the motion.");

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "cli/flags.h"
+#include "cli/helping_rank.h"
 #include "cli/interruptible.h"
 #include "cli/motion_source_internal.h"
 #include "cli/paths.h"
@@ -14,6 +17,7 @@
 #include "cli/progress_bar.h"
 #include "cli/write_results.h"
 #include "planning/plan/plan_json.h"
+#include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/repair/played_repair_internal.h"
 #include "workflows/repair/repair_folder_internal.h"
 
@@ -77,22 +81,47 @@ void PrintClips(const RepairSettings& a, const RobotModel& model, const std::vec
   }
 }
 
-int RunFolder(const RepairSettings& a, const RobotModel& model) {
-  const FolderRequest request{a.request, a.out, a.check, !a.no_play};
-  const std::vector<std::string> clips = ClipsOf(a.request.source.file);
-  const Result<std::string> identity = FolderIdentity(model, request, clips);
-  if (!identity) return Report(identity.failure(), a.common);
-  std::filesystem::create_directories(a.out);
-  Result<JobJournal> journal = JobJournal::Open(a.SoFar(), *identity, a.resume);
-  if (!journal) return Report(journal.failure(), a.common);
-  const Interruptible interruptible;
+/// What all ranks of a run repair.
+struct FolderInputs {
+  FolderRequest request;
+  std::vector<std::string> clips;
+  std::string identity;
+};
+
+Result<FolderInputs> ReadFolderInputs(const RepairSettings& a, const RobotModel& model) {
+  FolderInputs folder{{a.request, a.out, a.check, !a.no_play}, ClipsOf(a.request.source.file), {}};
+  const Result<std::string> identity = FolderIdentity(model, folder.request, folder.clips);
+  if (!identity) return identity.failure();
+  folder.identity = *identity;
+  return folder;
+}
+
+/// Repairs the clips on this rank's threads and on the other ranks.
+Result<std::vector<ClipOutcome>> RepairOnAllRanks(const RepairSettings& a, const RobotModel& model,
+                                                  const FolderInputs& folder, JobJournal& journal, SharedWork& work) {
+  const Result<std::vector<PieceRunner>> runners = work.Runners({.work = folder.identity, .problem = ""});
+  if (!runners) return runners.failure();
+  std::vector<std::function<std::string(std::size_t)>> elsewhere;
+  for (const PieceRunner& run : *runners)
+    elsewhere.emplace_back([&run](std::size_t clip) { return run(static_cast<int>(clip)); });
   ProgressBar bar(!a.common.quiet, "clips");
-  const int before = static_cast<int>(journal->found());
+  const int before = static_cast<int>(journal.found());
   const auto show = [&](std::size_t done, std::size_t of) {
     bar.Show({before + static_cast<int>(done), before + static_cast<int>(of), before},
              Interruptible::asked() ? "ending" : "");
   };
-  const auto outcomes = RepairClips(model, request, clips, *journal, {a.threads, show, Interruptible::asked});
+  const int threads = a.threads == 0 && !elsewhere.empty() ? 1 : a.threads;
+  return RepairClips(model, folder.request, folder.clips, journal, {threads, show, Interruptible::asked}, elsewhere);
+}
+
+int RunFolder(const RepairSettings& a, const RobotModel& model, SharedWork& work) {
+  const Result<FolderInputs> folder = ReadFolderInputs(a, model);
+  if (!folder) return Report(folder.failure(), a.common);
+  std::filesystem::create_directories(a.out);
+  Result<JobJournal> journal = JobJournal::Open(a.SoFar(), folder->identity, a.resume);
+  if (!journal) return Report(journal.failure(), a.common);
+  const Interruptible interruptible;
+  const auto outcomes = RepairOnAllRanks(a, model, *folder, *journal, work);
   if (!outcomes) {
     const int status = Report(outcomes.failure(), a.common);
     return outcomes.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
@@ -105,12 +134,38 @@ int RunFolder(const RepairSettings& a, const RobotModel& model) {
   return all ? kPass : kVerdictFail;
 }
 
-int RunRepair(RepairSettings& a) {
+/// Completes the settings. @return whether the motion is a folder of motions.
+bool Settle(RepairSettings& a, const Ranks& ranks) {
   ApplySets("--set", a.common.sets, a.request.Fields());
   std::error_code ignored;
-  const bool is_folder = std::filesystem::is_directory(a.request.source.file, ignored);
+  const bool is_folder =
+      std::filesystem::is_directory(a.request.source.file, ignored) && !IsBagFolder(a.request.source.file);
   if (a.out.empty()) a.out = is_folder ? "repaired" : "repaired.json";
   if (a.resume && !is_folder) throw InvalidArgument("--resume is for a folder of motions");
+  if (!is_folder && ranks.count() > 1) {
+    throw InvalidArgument(fmt::format(
+        "a single motion is repaired in one process, and MPI has started {}; only folders are shared", ranks.count()));
+  }
+  return is_folder;
+}
+
+/// See HelpRank0.
+std::optional<Failure> HelpWithRepair(RepairSettings& a, SharedWork& work) {
+  Settle(a, work.ranks());
+  const Result<RobotModel> model = ReadRobot(a.robot);
+  if (!model) return model.failure();
+  const Result<FolderInputs> folder = ReadFolderInputs(a, *model);
+  if (!folder) return folder.failure();
+  work.Serve({.work = folder->identity, .problem = ""}, [&](int piece) {
+    return RepairOneClip(*model, folder->request, folder->clips.at(static_cast<std::size_t>(piece)));
+  });
+  return std::nullopt;
+}
+
+int RunRepair(RepairSettings& a) {
+  SharedWork work(Ranks::Join());
+  if (!work.ranks().leads()) return HelpRank0(work, [&] { return HelpWithRepair(a, work); });
+  const bool is_folder = Settle(a, work.ranks());
   Paths paths;
   AddSourcePaths(a.request.source, a.robot, paths);
   if (is_folder) {
@@ -122,7 +177,7 @@ int RunRepair(RepairSettings& a) {
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
-  return is_folder ? RunFolder(a, *model) : RunOne(a, *model);
+  return is_folder ? RunFolder(a, *model, work) : RunOne(a, *model);
 }
 
 }  // namespace
@@ -134,7 +189,8 @@ void AddRepair(Verb program, int& status) {
       verb, "MOTION",
       "The motion: a CSV with named columns, or frames without names as retargeted data sets have them (.csv, .tsv, "
       ".txt); a ROS joint trajectory (.yaml, .yml, .json); frames of motion_imitation (.txt, .json); arrays "
-      "of NumPy (.npz); or a folder of such files.",
+      "of NumPy (.npz); a recording of ROS 2 (.mcap, .db3, or the folder of a bag); a skeleton with the robot's joints "
+      "(.bvh); frames of DeepMimic (.json, .txt); or a folder of such files.",
       a->request.source, a->robot);
   verb.SetGroup("Repair");
   AddField(verb, "--stretch", a->request.Fields(), "repair.stretch");
@@ -153,7 +209,7 @@ void AddRepair(Verb program, int& status) {
             {"repair dance.csv --urdf g1.urdf --out dance.json", "repair pace.txt --robot laikago --check --json",
              "repair clips --urdf g1.urdf --out repaired --threads 4"});
   AddOptionList(verb, a->request.Fields(), a->common.json);
-  SetWork(verb, a->common, status, [a] { return RunRepair(*a); });
+  SetWorkInRanks(verb, a->common, status, [a] { return RunRepair(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -3,7 +3,7 @@
 # All messages go to standard error, so that standard output contains only the program's output.
 
 program_packages="build-essential cmake ninja-build ccache pkg-config libeigen3-dev liburdfdom-dev libtinyxml2-dev
-  libfcl-dev libccd-dev libceres-dev libompl-dev libboost-dev libpng-dev libminizip-dev libbullet-dev libmujoco-dev libyaml-cpp-dev libutfcpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcurl4-openssl-dev libseccomp-dev"
+  libfcl-dev libccd-dev libceres-dev libompl-dev libboost-dev libpng-dev libminizip-dev liblz4-dev libzstd-dev libsqlite3-dev libbullet-dev libmujoco-dev libyaml-cpp-dev libutfcpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcurl4-openssl-dev libseccomp-dev"
 # Additional packages for `cpack -G DEB`, for a package with the Python module.
 deb_packages="pybind11-dev python3-dev python3-numpy dpkg-dev file"
 test_packages="$deb_packages patchelf libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev clang-format

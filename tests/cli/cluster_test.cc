@@ -71,6 +71,30 @@ TEST_F(Cluster, ASweepIsThatOfOneProcess) {
   EXPECT_EQ(one, two);
 }
 
+TEST_F(Cluster, RepairedClipsAreThoseOfOneProcess) {
+  ASSERT_EQ(Run({"plan", "--robot", "a1", "--distance", "0.3", "--out", "walk.json", "--quiet"}).status, 0);
+  std::filesystem::create_directories(In("clips"));
+  for (const char* const clip : {"clips/a.csv", "clips/b.csv", "clips/c.csv"})
+    ASSERT_EQ(Run({"export", "walk.json", "--format", "csv", "--out", clip, "--quiet"}).status, 0);
+  const Arguments repair = {"repair", "clips", "--robot", "a1", "--check", "--json", "--out"};
+  const auto to = [&](const std::string& folder) {
+    Arguments words = repair;
+    words.push_back(folder);
+    return words;
+  };
+  const Ran alone = Run(to("one"));
+  ASSERT_TRUE(alone.status == 0 || alone.status == 3) << alone.err;
+  const Ran shared = RunWords(UnderMpi(to("two")));
+  EXPECT_EQ(shared.status, alone.status) << shared.err;
+  EXPECT_EQ(Read("two/clips.csv"), Read("one/clips.csv"));
+  const std::string table = Read("two/clips.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
+  const Ran single = RunWords(UnderMpi({"repair", "clips/a.csv", "--robot", "a1"}));
+  EXPECT_EQ(single.status, 1);
+  EXPECT_NE(single.err.find("a single motion is repaired in one process, and MPI has started 2"), std::string::npos)
+      << single.err;
+}
+
 TEST_F(Cluster, WhatIsNotSharedIsRefusedPlainlyAndByOneRank) {
   for (const Arguments& verb :
        {Arguments{"tune", "--over", "stabilised.dcm_gain=1:2"}, Arguments{"walk", "--out-dir", "walked"}}) {

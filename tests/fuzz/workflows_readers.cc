@@ -12,6 +12,7 @@
 #include "tests/fuzz/grade_readers.h"
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/plan_laws.h"
+#include "tests/fuzz/recording_readers.h"
 #include "tests/fuzz/words_readers.h"
 #include "tests/playback/trials/made_outcomes.h"
 #include "workflows/live/live_requests.h"
@@ -251,6 +252,7 @@ std::vector<Reader> StudyReaders() {
 const std::vector<Reader>& Readers() {
   static const std::vector<Reader> readers = [] {
     std::vector<Reader> all = ExchangeReaders();
+    for (Reader& reader : RecordingReaders()) all.push_back(std::move(reader));
     for (Reader& reader : StudyReaders()) all.push_back(std::move(reader));
     for (Reader& reader : WordsReaders()) all.push_back(std::move(reader));
     for (Reader& reader : GradeReaders()) all.push_back(std::move(reader));

@@ -46,7 +46,7 @@ holds Version "^$(sed -nE 's/^project\(gaitwright VERSION ([0-9.]+).*/\1/p' "$ro
 holds Section '^science$'
 holds Maintainer '<.*@.*>'
 holds Architecture "^$(dpkg --print-architecture)\$"
-for library in libc6 libstdc++6 libbullet libfcl libompl libyaml-cpp libcurl libfmt liburdfdom libminizip libseccomp; do
+for library in libc6 libstdc++6 libbullet libfcl libompl libyaml-cpp libcurl libfmt liburdfdom libminizip liblz4 libzstd libsqlite3 libseccomp; do
   holds Depends "(^|, )${library//+/\\+}[0-9a-z.-]* "
 done
 holds Depends 'python3 \(>= 3\.[0-9]+\), python3 \(<< 3\.[0-9]+\)'

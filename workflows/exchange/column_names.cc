@@ -40,6 +40,9 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
   const DataShape shape = ColumnNamesShape();
   const YamlMap map(root, "the file", shape);
   ColumnNames names;
+  if (const YAML::Node* list = map.Find("names")) {
+    for (const YAML::Node& name : ListOf(*list, "names")) names.in_order.push_back(TextOf(name, "a name in names"));
+  }
   if (const YAML::Node* columns = map.Find("columns")) {
     const YamlMap entries(*columns, "columns");
     for (const auto& entry : entries.entries()) {
@@ -69,11 +72,12 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
 
 DataShape ColumnNamesShape() {
   using namespace shapes;
-  DataShape shape =
-      Object({Optional("columns", MapOf(Text()), "Map of the file's column names to the names of this program."),
-              Optional("scale", MapOf(Number(-kLargestScale, kLargestScale)),
-                       "Factor for the values of a column, by the file's column name; not 0."),
-              Optional("ignore", List(Text()), "Columns to ignore, by the file's column names.")});
+  DataShape shape = Object(
+      {Optional("names", List(Text()), "Names of the columns in their order, of a file without a line of names."),
+       Optional("columns", MapOf(Text()), "Map of the file's column names to the names of this program."),
+       Optional("scale", MapOf(Number(-kLargestScale, kLargestScale)),
+                "Factor for the values of a column, by the file's column name; not 0."),
+       Optional("ignore", List(Text()), "Columns to ignore, by the file's column names.")});
   ImportOptions options;
   for (const OptionField& unit : options.UnitFields()) shape.members.push_back(Field(unit));
   return shape;

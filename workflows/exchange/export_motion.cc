@@ -18,6 +18,7 @@
 #include "workflows/exchange/csv_table.h"
 #include "workflows/exchange/export_csv.h"
 #include "workflows/exchange/export_frames_internal.h"
+#include "workflows/exchange/export_mcap_internal.h"
 #include "workflows/exchange/export_npz.h"
 #include "workflows/exchange/export_trajectory.h"
 #include "workflows/exchange/joint_trajectory.h"
@@ -51,6 +52,8 @@ std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFo
       return FramesJson(model, rows, rate_hz);
     case ExportFormat::kFramesNpz:
       return FramesNpz(model, rows, rate_hz);
+    case ExportFormat::kMcap:
+      return MotionMcap(model, rows);
     case ExportFormat::kSvg:
     case ExportFormat::kMjcf:
       break;
@@ -94,7 +97,7 @@ void AddNotes(const RobotModel& model, const MotionRows& rows, ExportFormat form
   const bool trajectory = format == ExportFormat::kTrajectoryYaml || format == ExportFormat::kTrajectoryJson;
   if (trajectory)
     exported.notes.emplace_back("the motion of the base is left out: a joint trajectory cannot contain it");
-  if (rows.a.empty() && (trajectory || format == ExportFormat::kNpz))
+  if (rows.a.empty() && (trajectory || format == ExportFormat::kNpz || format == ExportFormat::kMcap))
     exported.notes.emplace_back("there are no accelerations: a log does not contain them");
   if (IsOfFrames(format)) exported.notes.push_back(FramesNote(model, rate_hz, format == ExportFormat::kFramesCsv));
   if (rows.tau.empty() && format != ExportFormat::kSvg && !IsOfFrames(format))
@@ -155,9 +158,16 @@ void CheckBelongs(const RobotModel& model, const PlaybackLog& log, const MotionP
 }  // namespace
 
 const std::vector<std::string>& ExportFormatNames() {
-  static const std::vector<std::string> names = {
-      "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "frames-csv", "frames-json", "frames-npz", "svg",
-      "mjcf"};
+  static const std::vector<std::string> names = {"csv",
+                                                 "joint-trajectory-yaml",
+                                                 "joint-trajectory-json",
+                                                 "npz",
+                                                 "frames-csv",
+                                                 "frames-json",
+                                                 "frames-npz",
+                                                 "mcap",
+                                                 "svg",
+                                                 "mjcf"};
   return names;
 }
 

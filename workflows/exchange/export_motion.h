@@ -19,12 +19,13 @@ enum class ExportFormat {
   kFramesCsv,
   kFramesJson,
   kFramesNpz,
+  kMcap,
   kSvg,
   kMjcf
 };
 
 /// Format names, in the order of ExportFormat: "csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz",
-/// "frames-csv", "frames-json", "frames-npz", "svg", "mjcf".
+/// "frames-csv", "frames-json", "frames-npz", "mcap", "svg", "mjcf".
 const std::vector<std::string>& ExportFormatNames();
 
 /// The format with this name. @throws InvalidArgument that lists the formats.

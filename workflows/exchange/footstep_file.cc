@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "planning/footsteps/base_over_feet.h"
 #include "planning/paths/standing_feet.h"
+#include "workflows/exchange/contact_plan_internal.h"
 #include "workflows/exchange/file_shapes.h"
 
 namespace gaitwright {
@@ -296,6 +298,22 @@ double RoundOf(const FootstepSkeleton& skeleton, std::size_t feet) {
   return std::max(kShortest, skeleton.schedule.end_s() * static_cast<double>(feet) / std::max(1.0, steps));
 }
 
+/// What `work` reads from a YAML text, or why it cannot be read.
+template <class Read>
+Result<Read> ReadSteps(const std::string& source, const std::function<Read()>& work) {
+  const auto refused = [&](const std::string& why) {
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kFootsteps, "ImportMotion", fmt::format("'{}': {}", source, why), {}};
+  };
+  try {
+    return work();
+  } catch (const InvalidArgument& error) {
+    return refused(error.what());
+  } catch (const YAML::Exception& error) {
+    return refused(fmt::format("line {}: {}", error.mark.line + 1, error.msg));
+  }
+}
+
 }  // namespace
 
 DataShape FootstepFileShape() {
@@ -311,17 +329,8 @@ DataShape FootstepFileShape() {
 
 Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& terrain, const std::string& text,
                                        const std::string& source, double grid_s) {
-  const auto refused = [&](const std::string& why) {
-    return Failure{
-        FailureKind::kBadInput, FailureCode::kFootsteps, "ImportMotion", fmt::format("'{}': {}", source, why), {}};
-  };
-  try {
-    return FootstepReader(model, terrain, grid_s).Read(LoadYaml(text));
-  } catch (const InvalidArgument& error) {
-    return refused(error.what());
-  } catch (const YAML::Exception& error) {
-    return refused(fmt::format("line {}: {}", error.mark.line + 1, error.msg));
-  }
+  return ReadSteps<FootstepSkeleton>(source,
+                                     [&] { return FootstepReader(model, terrain, grid_s).Read(LoadYaml(text)); });
 }
 
 std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& terrain, const std::string& text,
@@ -332,8 +341,12 @@ std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& 
                    "ImportMotion",
                    "the footsteps determine the goal: leave out --goal",
                    {}};
+  const Result<std::string> steps = ReadSteps<std::string>(request.file, [&] {
+    return HoldsContactPlan(text) ? FootstepsOfContactPlan(model, text, imported.unused_columns) : text;
+  });
+  if (!steps) return steps.failure();
   const Result<FootstepSkeleton> skeleton =
-      ReadFootsteps(model, terrain, text, request.file, request.motion.pipeline.grid_step_s);
+      ReadFootsteps(model, terrain, *steps, request.file, request.motion.pipeline.grid_step_s);
   if (!skeleton) return skeleton.failure();
   if (auto failure = WhyOutOfReach(model, *skeleton, request.motion.footsteps.reach)) return failure;
   Result<PlannedMotion> planned =

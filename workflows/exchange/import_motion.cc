@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "kinematics/base/hash.h"
 #include "kinematics/base/version.h"
 #include "planning/terrain/load_terrain.h"
 #include "workflows/exchange/check_motion_table.h"
@@ -28,9 +27,9 @@ void MakePlan(const RobotModel& model, const Terrain& terrain, const ImportReque
   });
 }
 
-Provenance ProvenanceOf(ImportRequest request, const ImportedMotion& imported, const std::string& text) {
+Provenance ProvenanceOf(ImportRequest request, const ImportedMotion& imported, const std::string& hash) {
   Provenance provenance{Version(), "ImportMotion", {}, 0};
-  provenance.options = {{"format", imported.format}, {"source_hash", HexHash(text)}};
+  provenance.options = {{"format", imported.format}, {"source_hash", hash}};
   const OptionTexts options =
       imported.format == "footsteps" ? TextsOf(request.motion.Fields()) : TextsOf(request.options.Fields());
   provenance.options.insert(provenance.options.end(), options.begin(), options.end());
@@ -55,7 +54,7 @@ Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& te
   if (!text) return text.failure();
   ImportedMotion imported;
   try {
-    if (text->has_footsteps) {
+    if (text->form == MotionForm::kFootsteps) {
       if (auto failure = PlanFootstepFile(model, terrain, text->text, request, imported)) return *failure;
     } else {
       Result<MotionTable> table = ReadMotionTable(model, *text, request);
@@ -65,7 +64,7 @@ Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& te
   } catch (const InvalidArgument& error) {
     return RefusedMotion(request.file, error.what());
   }
-  imported.plan.provenance = ProvenanceOf(request, imported, text->text);
+  imported.plan.provenance = ProvenanceOf(request, imported, text->Hash());
   WarnInPlan(imported);
   const Result<AuditReport> audit = Audit(model, imported.plan, {});
   if (!audit) return audit.failure();

@@ -19,11 +19,12 @@ struct ColumnNames {
   bool may_lack = false;                    ///< a file need not have all of these columns
   bool some_joints = false;                 ///< a file need not have all joints: positions of missing joints are NaN
   std::vector<std::string> elsewhere = {};  ///< columns of another file that the names also cover
+  std::vector<std::string> in_order = {};   ///< of a file without a line of names; empty: the numbers of its columns
 };
 
-/// Reads a file of column names, see docs/import.md: `columns`, `scale`, `ignore`, and any of `quaternion_order`,
-/// `angle_unit`, `length_unit`, `time_unit`, which go into `options` if these have their default values. Failure
-/// kBadInput `columns_file`, which names the line.
+/// Reads a file of column names, see docs/import.md: `names`, `columns`, `scale`, `ignore`, and any of
+/// `quaternion_order`, `angle_unit`, `length_unit`, `time_unit`, which go into `options` if these have their default
+/// values. Failure kBadInput `columns_file`, which names the line.
 Result<ColumnNames> ReadColumnNames(const std::string& path, ImportOptions& options);
 
 /// The columns of a motion from a header, see docs/import.md: time_s, base_x_m, ... base_qw (or base_roll_rad,

@@ -65,6 +65,8 @@ OptionFields ImportOptions::Fields() {
        0.0,
        "Joints that the file lacks: an error (refuse), or held in the standing posture (standing).",
        {"refuse", "standing"}},
+      {"topics", &topics, "", 0.0, 0.0,
+       "Topics of a recording to read, separated by commas; detect reads those that can only mean one motion."},
       {"rate_hz", &rate_hz, "Hz", 1.0, 10000.0, "Frames per second of a file without names and times of its columns."},
       {"grid_step_s", &grid_step_s, "s", 0.0, kCoarsestGrid,
        "Time step of the plan's uniform grid, at least 0.0005; 0 uses the file's step if it is uniform and 1 to 10 ms, "
@@ -84,7 +86,7 @@ OptionFields ImportOptions::Fields() {
        "Longest time over which the load of a foot rises after touch-down and falls before lift-off."},
       {"friction_use", &friction_use, "1", 0.05, 1.0,
        "Share of the friction coefficient that computed contact forces may use."}};
-  fields = WithBasics({"velocities", "missing_joints", "rate_hz", "smoothing_hz", "lift_m", "contact_height"},
+  fields = WithBasics({"velocities", "missing_joints", "topics", "rate_hz", "smoothing_hz", "lift_m", "contact_height"},
                       std::move(fields));
   return Joined({UnitFields(), std::move(fields)});
 }

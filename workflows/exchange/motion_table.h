@@ -25,12 +25,13 @@ struct DerivedPart {
 /// A motion as in a file, in SI units and in this robot's order. An optional list is empty if the file lacks the data;
 /// otherwise it has one entry per row. Rows may be at any increasing times.
 struct MotionTable {
-  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json", "frames-npz", "npz"
+  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json", "frames-npz", "npz",
+                       ///< "ros-bag", "ros-bag-trajectory", "frames-bvh", "frames-deepmimic"
   std::vector<double> time_s;
-  std::vector<Vector3> base_m;              ///< p_WB, of the URDF's root link
-  std::vector<Eigen::Vector4d> quaternion;  ///< quaternion of R_WB, x y z w
-  bool turned_by_angles = false;   ///< quaternions were computed from roll, pitch and yaw, so their order is known
-  std::vector<Vector6> base_rate;  ///< v_WB, w_WB: linear, then angular, in W [m/s, rad/s]
+  std::vector<Vector3> base_m;                ///< p_WB, of the URDF's root link
+  std::vector<Eigen::Vector4d> quaternion;    ///< quaternion of R_WB, x y z w
+  bool turned_by_angles = false;              ///< quaternions were computed, so their order is known
+  std::vector<Vector6> base_rate;             ///< v_WB, w_WB: linear, then angular, in W [m/s, rad/s]
   std::vector<Vector6> base_acceleration;     ///< their rates [m/s^2, rad/s^2]
   std::vector<VectorX> q, v, a, tau;          ///< by dof: [rad, m], [rad/s, m/s], [rad/s^2, m/s^2], [N m, N]
   std::vector<FootSet> contact;               ///< feet on the ground
@@ -51,7 +52,7 @@ struct MotionTable {
 ///   torques are rough, speeds are noisy  set smoothing_hz to three times the frequency of the fastest steps
 struct ImportOptions {
   std::string quaternion_order = "detect", angle_unit = "detect", length_unit = "detect", time_unit = "detect";
-  std::string velocities = "given", missing_joints = "refuse";
+  std::string velocities = "given", missing_joints = "refuse", topics = "detect";
   double rate_hz = 30.0;
   double grid_step_s = 0.0;
   double smoothing_hz = 0.0;

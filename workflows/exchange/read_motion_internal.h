@@ -2,23 +2,38 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "kinematics/base/result.h"
 #include "workflows/exchange/import_motion.h"
 
 namespace gaitwright {
 
-/// The text of a motion file of other software.
-struct MotionText {
-  std::string text;
-  bool is_csv = false;         ///< columns of numbers
-  bool is_npz = false;         ///< arrays of NumPy; otherwise YAML or JSON, unless is_csv
-  bool has_footsteps = false;  ///< footsteps, for which a motion has to be planned
+/// Forms of motion files.
+enum class MotionForm {
+  kCsv,        ///< columns of numbers
+  kNpz,        ///< arrays of NumPy
+  kRecording,  ///< messages of ROS 2
+  kBvh,        ///< a skeleton and its motion
+  kTree,       ///< YAML or JSON with a trajectory or frames
+  kFootsteps,  ///< YAML with footsteps, for which a motion has to be planned
 };
 
-/// Reads the file of a request. Failure kBadInput for an unknown type, for a file of this program, and for --columns
-/// with another file than a CSV.
+/// The contents of a motion of other software.
+struct MotionText {
+  std::string text;
+  MotionForm form = MotionForm::kTree;
+  std::vector<std::string> further = {};  ///< contents of the other files of a recording
+
+  std::string Hash() const;
+};
+
+/// Reads the file of a request, or the folder of a recording. Failure kBadInput for an unknown type, for a file of this
+/// program, and for --columns with another file than a CSV.
 Result<MotionText> ReadMotionText(const ImportRequest& request);
+
+/// The endings of the files that are read, in lower case.
+const std::vector<std::string>& MotionEndings();
 
 /// The motion in a text without footsteps. `request` gets the units of its file of column names.
 Result<MotionTable> ReadMotionTable(const RobotModel& model, const MotionText& text, ImportRequest& request);

@@ -2,50 +2,18 @@
 #include <fmt/format.h>
 #include <minizip/unzip.h>
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "kinematics/base/result.h"
 #include "workflows/exchange/read_zip_internal.h"
+#include "workflows/exchange/zip_memory_internal.h"
 
 namespace gaitwright {
 namespace {
-
-/// Bytes in memory that minizip reads.
-struct ArchiveBytes {
-  const std::string& bytes;
-  std::size_t at = 0;
-
-  static ArchiveBytes& Of(voidpf opaque) { return *static_cast<ArchiveBytes*>(opaque); }
-
-  static voidpf Open(voidpf opaque, const void* /*name*/, int /*mode*/) { return opaque; }
-  static int Close(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
-  static int Error(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
-  static uLong Write(voidpf /*opaque*/, voidpf /*stream*/, const void* /*from*/, uLong /*size*/) { return 0; }
-
-  static uLong Read(voidpf opaque, voidpf /*stream*/, void* to, uLong size) {
-    ArchiveBytes& file = Of(opaque);
-    const std::size_t count = std::min<std::size_t>(size, file.bytes.size() - file.at);
-    file.bytes.copy(static_cast<char*>(to), count, file.at);
-    file.at += count;
-    return count;
-  }
-
-  static ZPOS64_T Tell(voidpf opaque, voidpf /*stream*/) { return Of(opaque).at; }
-
-  static long Seek(voidpf opaque, voidpf /*stream*/, ZPOS64_T offset, int origin) {
-    ArchiveBytes& file = Of(opaque);
-    const std::size_t from = origin == ZLIB_FILEFUNC_SEEK_SET   ? 0
-                             : origin == ZLIB_FILEFUNC_SEEK_CUR ? file.at
-                                                                : file.bytes.size();
-    if (offset > file.bytes.size() - from) return -1;
-    file.at = from + static_cast<std::size_t>(offset);
-    return 0;
-  }
-};
 
 void CheckUnzipped(int status, const std::string& what) {
   if (status < 0) throw InvalidArgument(fmt::format("{} of the archive is damaged ({})", what, status));
@@ -76,9 +44,8 @@ ZipEntry ReadEntry(unzFile zip, std::size_t most_bytes) {
 
 std::vector<ZipEntry> ReadZip(const std::string& bytes, std::size_t most_bytes) {
   constexpr std::size_t kMostFiles = 1000;
-  ArchiveBytes file{bytes};
-  zlib_filefunc64_def functions{ArchiveBytes::Open, ArchiveBytes::Read,  ArchiveBytes::Write, ArchiveBytes::Tell,
-                                ArchiveBytes::Seek, ArchiveBytes::Close, ArchiveBytes::Error, &file};
+  ZipMemory file{std::string_view(bytes)};
+  zlib_filefunc64_def functions = file.Functions();
   const std::unique_ptr<void, int (*)(unzFile)> zip(unzOpen2_64("", &functions), unzClose);
   if (zip == nullptr) throw InvalidArgument("it is not a ZIP archive, or is cut off");
   std::vector<ZipEntry> entries;

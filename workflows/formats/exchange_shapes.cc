@@ -122,19 +122,20 @@ DataShape BrokenShape() {
 
 DataShape ImportResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
-  return Object({{"robot", Text()},
-                 {"verdict", VerdictShape(), "Verdict of the audit."},
-                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps", "frames-csv", "frames-json",
-                                  "frames-npz", "npz"})},
-                 {"rows", Whole(), "Number of rows of the file."},
-                 {"duration_s", Number()},
-                 {"footholds", Whole(), "Number of footholds."},
-                 {"derived", List(derived), "Derived quantities and their derivation."},
-                 {"unused_columns", List(Text())},
-                 {"warnings", TextsShape()},
-                 {"audit", AuditShape()},
-                 {"broken", List(BrokenShape()), "Checks that fail, with the time for which they fail."},
-                 {"files", FilesShape({"plan"})}});
+  return Object(
+      {{"robot", Text()},
+       {"verdict", VerdictShape(), "Verdict of the audit."},
+       {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps", "frames-csv", "frames-json", "frames-npz",
+                        "npz", "ros-bag", "ros-bag-trajectory", "frames-bvh", "frames-deepmimic"})},
+       {"rows", Whole(), "Number of rows of the file."},
+       {"duration_s", Number()},
+       {"footholds", Whole(), "Number of footholds."},
+       {"derived", List(derived), "Derived quantities and their derivation."},
+       {"unused_columns", List(Text())},
+       {"warnings", TextsShape()},
+       {"audit", AuditShape()},
+       {"broken", List(BrokenShape()), "Checks that fail, with the time for which they fail."},
+       {"files", FilesShape({"plan"})}});
 }
 
 DataShape RepairResultShape() {
@@ -162,28 +163,28 @@ DataShape RepairResultShape() {
                                          {"solve_cpu_s", Number()}});
   const DataShape engine =
       Object({{"verdict", Text({"pass", "fail", "fell"})}, {"score", Number()}, {"cause", Text()}});
-  return Object(
-      {{"robot", Text()},
-       {"verdict", VerdictShape(), "Of the audit and the engines; with --check of the audit of the file."},
-       {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json", "frames-npz", "npz"})},
-       {"rows", Whole(), "Number of rows of the file."},
-       {"duration_s", Number(), "Of the file's motion."},
-       {"smoothing_hz", Number(), "Cut-off frequency of the smoothing; 0 without it."},
-       {"derived", List(derived), "Derived quantities and their derivation."},
-       {"unused_columns", TextsShape(), "Columns or arrays of the file."},
-       {"warnings", TextsShape()},
-       {"kept", Truth(), "True if the file's motion was sound and was kept."},
-       {"before", OrNull(AuditShape()), "Audit of the file's motion; null if it cannot be audited."},
-       {"broken", List(BrokenShape()), "Checks of `before` that fail, with the time for which they fail."},
-       {"changes", List(change), "Without the optimisation of the whole body."},
-       Optional("distance", distance, "From the file's motion; this and the following without --check."),
-       Optional("after", AuditShape(), "Audit of the plan."),
-       Optional("broken_after", List(BrokenShape()), "Checks of `after` that fail."),
-       Optional("optimisation", optimisation),
-       Optional("score", Number(), "The lower one of the engines."),
-       Optional("reason", Text()),
-       Optional("engines", MapOf(engine), "By engine, if both played."),
-       Optional("files", FilesShape({"plan"}))});
+  return Object({{"robot", Text()},
+                 {"verdict", VerdictShape(), "Of the audit and the engines; with --check of the audit of the file."},
+                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json", "frames-npz",
+                                  "npz", "ros-bag", "ros-bag-trajectory", "frames-bvh", "frames-deepmimic"})},
+                 {"rows", Whole(), "Number of rows of the file."},
+                 {"duration_s", Number(), "Of the file's motion."},
+                 {"smoothing_hz", Number(), "Cut-off frequency of the smoothing; 0 without it."},
+                 {"derived", List(derived), "Derived quantities and their derivation."},
+                 {"unused_columns", TextsShape(), "Columns or arrays of the file."},
+                 {"warnings", TextsShape()},
+                 {"kept", Truth(), "True if the file's motion was sound and was kept."},
+                 {"before", OrNull(AuditShape()), "Audit of the file's motion; null if it cannot be audited."},
+                 {"broken", List(BrokenShape()), "Checks of `before` that fail, with the time for which they fail."},
+                 {"changes", List(change), "Without the optimisation of the whole body."},
+                 Optional("distance", distance, "From the file's motion; this and the following without --check."),
+                 Optional("after", AuditShape(), "Audit of the plan."),
+                 Optional("broken_after", List(BrokenShape()), "Checks of `after` that fail."),
+                 Optional("optimisation", optimisation),
+                 Optional("score", Number(), "The lower one of the engines."),
+                 Optional("reason", Text()),
+                 Optional("engines", MapOf(engine), "By engine, if both played."),
+                 Optional("files", FilesShape({"plan"}))});
 }
 
 DataShape RepairedClipsShape() {

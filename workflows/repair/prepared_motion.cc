@@ -87,11 +87,11 @@ Result<SourceMotion> ReadSource(const RobotModel& model, RepairRequest& request)
   }
   const Result<MotionText> text = ReadMotionText(request.source);
   if (!text) return text.failure();
-  if (text->has_footsteps)
+  if (text->form == MotionForm::kFootsteps)
     return RefusedMotion(request.source.file, "contains footsteps; 'import' plans a motion for them");
   Result<MotionTable> table = ReadMotionTable(model, *text, request.source);
   if (!table) return table.failure();
-  return SourceMotion{std::move(*table), HexHash(text->text)};
+  return SourceMotion{std::move(*table), text->Hash()};
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 #include "kinematics/base/text.h"
 #include "kinematics/base/version.h"
 #include "planning/plan/plan_json.h"
+#include "workflows/exchange/read_motion_internal.h"
+#include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/repair/clip_table_internal.h"
 #include "workflows/repair/played_repair_internal.h"
 #include "workflows/repair/repair_folder_internal.h"
@@ -99,17 +101,40 @@ void SortClips(std::vector<ClipOutcome>& outcomes) {
   });
 }
 
+/// Hash of a file, or of all files of a folder.
+Result<std::string> HashOfClip(const std::string& path) {
+  if (!fs::is_directory(path)) {
+    const Result<std::string> bytes = ReadBytes(path);
+    return bytes ? Result<std::string>(HexHash(*bytes)) : Result<std::string>(bytes.failure());
+  }
+  std::string hashes;
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
+    if (entry.is_regular_file()) files.insert(entry.path());
+  }
+  for (const fs::path& file : files) {
+    const Result<std::string> hash = HashOfClip(file.string());
+    if (!hash) return hash;
+    hashes += file.filename().string() + ' ' + *hash + '\n';
+  }
+  return HexHash(hashes);
+}
+
 }  // namespace
 
 std::vector<std::string> ClipsOf(const std::string& folder) {
-  static const std::set<std::string> endings = {".csv", ".tsv", ".txt", ".npz", ".json", ".yaml", ".yml"};
+  const std::vector<std::string>& endings = MotionEndings();
   std::vector<std::string> clips;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && endings.count(LowerCase(entry.path().extension().string())) > 0)
-      clips.push_back(fs::relative(entry.path(), folder).generic_string());
+  for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator(); ++entry) {
+    const bool is_bag = entry->is_directory() && IsBagFolder(entry->path().string());
+    if (is_bag) entry.disable_recursion_pending();
+    const std::string ending = LowerCase(entry->path().extension().string());
+    const bool is_motion =
+        entry->is_regular_file() && std::find(endings.begin(), endings.end(), ending) != endings.end();
+    if (is_bag || is_motion) clips.push_back(fs::relative(entry->path(), folder).generic_string());
   }
   if (clips.empty())
-    throw InvalidArgument(fmt::format("folder '{}' has no motion: .csv, .tsv, .txt, .npz, .json, .yaml, .yml", folder));
+    throw InvalidArgument(fmt::format("folder '{}' has no motion: {}", folder, fmt::join(endings, ", ")));
   std::sort(clips.begin(), clips.end());
   return clips;
 }
@@ -118,9 +143,9 @@ Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest&
                                    const std::vector<std::string>& clips) {
   std::string contents;
   for (const std::string& clip : clips) {
-    const Result<std::string> text = ReadBytes((fs::path(request.repair.source.file) / clip).string());
-    if (!text) return text.failure();
-    contents += clip + ' ' + HexHash(*text) + '\n';
+    const Result<std::string> hash = HashOfClip((fs::path(request.repair.source.file) / clip).string());
+    if (!hash) return hash.failure();
+    contents += clip + ' ' + *hash + '\n';
   }
   RepairRequest repair = request.repair;
   for (const auto& [key, value] : TextsOf(repair.Fields())) contents += key + '=' + value + '\n';
@@ -134,9 +159,14 @@ Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest&
                      request.check ? " check" : "", request.plays ? " plays" : "");
 }
 
+std::string RepairOneClip(const RobotModel& model, const FolderRequest& request, const std::string& clip) {
+  return LineOf(RepairClip(model, request, clip));
+}
+
 Result<std::vector<ClipOutcome>> RepairClips(const RobotModel& model, const FolderRequest& request,
                                              const std::vector<std::string>& clips, JobJournal& journal,
-                                             const JobOptions& options) {
+                                             const JobOptions& options,
+                                             const std::vector<std::function<std::string(std::size_t)>>& elsewhere) {
   std::vector<std::optional<ClipOutcome>> outcomes(clips.size());
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -146,12 +176,15 @@ Result<std::vector<ClipOutcome>> RepairClips(const RobotModel& model, const Fold
       order.push_back(i);
     }
   }
-  const auto job = [&](std::size_t i) {
-    outcomes[i] = RepairClip(model, request, clips[i]);
-    journal.Add(i, LineOf(*outcomes[i]));
+  const auto keep = [&](std::size_t i, const std::string& line) {
+    outcomes[i] = ClipOfLine(line);
+    journal.Add(i, line);
   };
+  std::vector<JobRunner> others;
+  for (const auto& run : elsewhere) others.emplace_back([&run, &keep](std::size_t i) { keep(i, run(i)); });
+  const auto job = [&](std::size_t i) { keep(i, RepairOneClip(model, request, clips[i])); };
   try {
-    if (!RunJobs(order, job, options)) return Interrupted("RepairMotion");
+    if (!RunJobs(order, job, options, others)) return Interrupted("RepairMotion");
   } catch (const CannotKeep& error) {
     return Failure{FailureKind::kBadInput, FailureCode::kSoFar, "RepairMotion", error.what(), {}};
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,9 +36,8 @@ struct ClipOutcome {
   bool operator==(const ClipOutcome&) const = default;
 };
 
-/// Paths of the motions in a folder and its folders, relative to it, sorted: .csv, .tsv, .txt, .npz, .json, .yaml,
-/// .yml.
-/// @throws InvalidArgument if it has none.
+/// Paths of the motions in a folder and its folders, relative to it, sorted: files with one of MotionEndings, and
+/// folders of bags. @throws InvalidArgument if it has none.
 std::vector<std::string> ClipsOf(const std::string& folder);
 
 /// A line that is equal only for equal work: robot, options, and names and contents of all clips.
@@ -46,9 +47,13 @@ Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest&
 /// Repairs clips on several threads. Each clip that is done goes into the journal; those that are there are not done
 /// again, so that a run that was interrupted ends with the same outcomes. @return the worst first: refused, then
 /// failed, then passed, and among these by the share of the time that the file breaks a check. Failure `interrupted`.
-Result<std::vector<ClipOutcome>> RepairClips(const RobotModel& model, const FolderRequest& request,
-                                             const std::vector<std::string>& clips, JobJournal& journal,
-                                             const JobOptions& options);
+/// @param elsewhere  RepairOneClip for a number, on other machines.
+Result<std::vector<ClipOutcome>> RepairClips(
+    const RobotModel& model, const FolderRequest& request, const std::vector<std::string>& clips, JobJournal& journal,
+    const JobOptions& options, const std::vector<std::function<std::string(std::size_t)>>& elsewhere = {});
+
+/// Repairs one clip. @return its outcome as a line of the journal. @throws CannotKeep if the plan cannot be written.
+std::string RepairOneClip(const RobotModel& model, const FolderRequest& request, const std::string& clip);
 
 /// A table for people, as CSV, and as JSON (docs/repair.md).
 std::string ClipsText(const std::vector<ClipOutcome>& clips);

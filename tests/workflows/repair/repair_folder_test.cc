@@ -58,6 +58,42 @@ TEST_F(RepairFolder, AllMotionsBelowItAreClips) {
   EXPECT_THROW(ClipsOf(ScratchFile("empty")), InvalidArgument);
 }
 
+TEST_F(RepairFolder, ABagIsOneClip) {
+  const fs::path bag = fs::path(ScratchFile("bags")) / "walk";
+  fs::create_directories(bag);
+  std::ofstream(bag / "metadata.yaml") << "rosbag2_bagfile_information: {storage_identifier: mcap}\n";
+  std::ofstream(bag / "walk_0.mcap") << "one";
+  const std::vector<std::string> clips = ClipsOf(ScratchFile("bags"));
+  EXPECT_EQ(clips, std::vector<std::string>{"walk"});
+  request_.repair.source.file = ScratchFile("bags");
+  const auto one = FolderIdentity(model_, request_, clips);
+  std::ofstream(bag / "walk_0.mcap") << "two";
+  const auto two = FolderIdentity(model_, request_, clips);
+  ASSERT_TRUE(one.ok() && two.ok());
+  EXPECT_NE(*one, *two) << "the contents of its files count";
+}
+
+TEST_F(RepairFolder, ClipsMayBeRepairedElsewhere) {
+  Result<JobJournal> journal = Journal(false);
+  ASSERT_TRUE(journal.ok()) << journal.failure().message;
+  request_.check = true;
+  const std::vector<std::string> clips = ClipsOf(folder_);
+  std::atomic<int> others = 0;
+  const auto elsewhere = [&](std::size_t i) {
+    ++others;
+    return RepairOneClip(model_, request_, clips[i]);
+  };
+  const auto shared = RepairClips(model_, request_, clips, *journal, {1}, {elsewhere, elsewhere});
+  ASSERT_TRUE(shared.ok()) << shared.failure().message;
+  EXPECT_GT(others, 0);
+  journal->Remove();
+  Result<JobJournal> again = Journal(false);
+  const auto alone = RepairClips(model_, request_, clips, *again, {1});
+  ASSERT_TRUE(alone.ok());
+  EXPECT_EQ(*shared, *alone);
+  again->Remove();
+}
+
 TEST_F(RepairFolder, OutcomesAreTheWorstFirst) {
   Result<JobJournal> journal = Journal(false);
   ASSERT_TRUE(journal.ok()) << journal.failure().message;
