@@ -22,10 +22,10 @@ struct ObservationTerm {
   std::string name;
   std::vector<double> scale = {1.0};
   std::optional<PolicyRange> clip = {};
-  int history = 1;                 ///< number of the last values, the oldest first
-  bool scale_first = false;        ///< scales before it clips
-  std::optional<double> period_s;  ///< of gait_phase
-  std::vector<int> joints = {};    ///< of joint positions and velocities, in the network's order; empty for all
+  int history = 1;                      ///< number of the last values, the oldest first
+  bool scale_first = false;             ///< scales before it clips
+  std::optional<double> period_s = {};  ///< of gait_phase
+  std::vector<int> joints = {};         ///< of joint positions and velocities, in the network's order; empty for all
 
   bool operator==(const ObservationTerm&) const = default;
 };

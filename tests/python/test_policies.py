@@ -1,10 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Networks against NumPy, and learned policies in physics."""
 
+import subprocess
+import sys
+from pathlib import Path
+
 import gaitwright as gw
 import numpy as np
 import pytest
-from onnx_files import model, node
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples/policies"
+sys.path.insert(0, str(EXAMPLES))
+from onnx_file import model, node  # noqa: E402
 
 ACTIVATIONS = {
     "Elu": lambda x: np.where(x > 0, x, np.expm1(np.minimum(x, 0))),
@@ -109,3 +116,9 @@ def test_a_wrong_size_is_refused(tmp_path, standing):
         gw.play_policy(robot, tmp_path / "policy.onnx", contract)
     with pytest.raises(ValueError, match="gave 3 numbers; 12 are needed"):
         gw.play_policy(robot, lambda obs: np.zeros(3), contract, duration=0.5)
+
+
+def test_the_example_is_written_by_its_script(tmp_path):
+    subprocess.run([sys.executable, "-B", EXAMPLES / "a1_trot.py", tmp_path], check=True)
+    for name in ("a1_trot.onnx", "a1_trot.yaml"):
+        assert (tmp_path / name).read_bytes() == (EXAMPLES / name).read_bytes(), name

@@ -96,9 +96,9 @@ std::string MessageFor(const std::string& file) {
 
 TEST(NetworkTest, NamesTheNodeThatIsNotSupported) {
   written::File file;
-  file.nodes = {written::Node("Lstm", {"obs"}, {"action"})};
+  file.nodes = {written::Node("Gem", {"obs"}, {"action"})};
   EXPECT_EQ(MessageFor(file.Text()),
-            "network 'n.onnx': node 'the_Lstm' (Lstm): operator 'Lstm' is not supported; the nearest is 'Elu'");
+            "network 'n.onnx': node 'the_Gem' (Gem): operator 'Gem' is not supported; the nearest is 'Gemm'");
   file.nodes = {written::Node("Relu", {"obs"}, {"action"}, {written::FloatOf("odd", 1.0F)})};
   EXPECT_EQ(MessageFor(file.Text()), "network 'n.onnx': node 'the_Relu' (Relu): attribute 'odd' is not supported");
 }

@@ -27,7 +27,7 @@ TEST(PolicyTextTest, JsonHasTheSame) {
   const auto json = nlohmann::json::parse(PolicyJson(written::A1(), ShownPolicy()));
   EXPECT_EQ(json.at("observations"), 62);
   EXPECT_EQ(json.at("joints").size(), 12U);
-  EXPECT_EQ(json.at("joints")[0].at("name"), "FR_hip_joint");
+  EXPECT_EQ(json.at("joints")[0].at("name"), written::A1().dof_names.front());
   EXPECT_EQ(json.at("joints")[0].at("stiffness_nm_rad"), 100.0);
   EXPECT_EQ(json.at("terms")[0].at("history"), 5);
 }

@@ -87,7 +87,7 @@ TEST(ReadContractTest, OneNumberStandsForAll) {
 }
 
 TEST(ReadContractTest, NamesUnknownObservationsAndKeys) {
-  EXPECT_EQ(ContractMessage(Replaced(kDeploy, "base_ang_vel:", "base_ang_speed:")).find("'c.yaml', line 22: "), 0U);
+  EXPECT_EQ(ContractMessage(Replaced(kDeploy, "base_ang_vel:", "base_ang_speed:")).find("'c.yaml', line 21: "), 0U);
   EXPECT_NE(ContractMessage(Replaced(kDeploy, "base_ang_vel:", "base_ang_speed:")).find("'base_ang_vel'"),
             std::string::npos);
   EXPECT_NE(ContractMessage(Replaced(kDeploy, "base_ang_vel:", "height_scan:")).find("height_scan"), std::string::npos);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/base/file.h"
+#include "tests/built_paths.h"
 #include "tests/playback/onnx/written_network.h"
 #include "tests/playback/policy/written_contract.h"
 #include "tests/scratch_folder.h"
@@ -16,14 +17,23 @@ using written::A1;
 /// Files of a policy in a folder.
 class PreparePolicyTest : public testing::Test {
  protected:
-  std::string Write(const std::string& name, const std::string& text) {
+  static std::string Write(const std::string& name, const std::string& text) {
     const std::string path = ScratchFile(name);
     EXPECT_TRUE(WriteFileAtomically(path, text).ok());
     return path;
   }
 
+  /// The policy of the examples, which trots.
+  static PolicyRequest Trotting() {
+    const std::string base = SourceFolder() + "/examples/policies/a1_trot";
+    PolicyRequest request;
+    request.network_path = base + ".onnx";
+    request.contract_path = base + ".yaml";
+    return request;
+  }
+
   /// A policy that stands: its output is zero.
-  PolicyRequest Standing() {
+  static PolicyRequest Standing() {
     PolicyRequest request;
     request.network_path = Write("policy.onnx", written::ConstantNetwork(45, Eigen::VectorXf::Zero(12)));
     request.contract_path = Write("deploy.yaml", written::ContractText(A1()).Yaml());
@@ -46,6 +56,31 @@ TEST_F(PreparePolicyTest, APolicyThatHoldsItsPostureStandsInEachEngine) {
   EXPECT_EQ(played.log.controller, "policy");
   EXPECT_LT(*played.report.At("command_velocity_error_m_s").value, 0.01);
   if (played.second != nullptr) EXPECT_TRUE(played.second->report.pass) << played.second->report.reason;
+}
+
+TEST_F(PreparePolicyTest, APolicyThatStepsFollowsItsCommandInEachEngine) {
+  PolicyRequest request = Trotting();
+  request.command.speed_m_s = 0.3;
+  request.duration_s = 6.0;
+  const PreparedPolicy prepared = PreparePolicy(A1(), request).value();
+  const PlayedWalk played = PlayWalk(A1(), prepared.plan, PlayOf(prepared, ProvingEngine())).value();
+  EXPECT_TRUE(played.report.pass) << played.report.reason;
+  EXPECT_GT(*played.report.At("distance_m").value, 1.5);
+  if (played.second != nullptr) EXPECT_TRUE(played.second->report.pass) << played.second->report.reason;
+}
+
+TEST_F(PreparePolicyTest, CommandsChangeOverTime) {
+  PolicyRequest request = Trotting();
+  request.commands_path = Write("turn.csv", "time_s,speed_m_s,yaw_rate_rad_s\n0,0,0\n1,0.2,0\n3,0.2,0.3\n");
+  request.duration_s = 6.0;
+  const PreparedPolicy prepared = PreparePolicy(A1(), request).value();
+  EXPECT_NEAR(prepared.plan.goal.yaw_rad, 0.9, 1e-9);
+  const PlayedWalk played = PlayWalk(A1(), prepared.plan, PlayOf(prepared, "bullet")).value();
+  EXPECT_TRUE(played.report.At("command_velocity_error_m_s").pass) << played.report.reason;
+  EXPECT_TRUE(played.report.At("command_yaw_rate_error_rad_s").pass) << played.report.reason;
+  const double yaw = YawOf(BaseRotation(played.log.samples.back().q));
+  EXPECT_GT(yaw, 0.5);
+  EXPECT_EQ(*played.report.At("fell").value, 0.0);
 }
 
 TEST_F(PreparePolicyTest, AFunctionGivesTheSamePlayback) {

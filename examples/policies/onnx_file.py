@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes ONNX files by the wire format of protobuf, for tests."""
+"""Writes ONNX files by the wire format of protobuf, without other packages than NumPy."""
 
 import struct
 
