@@ -39,17 +39,18 @@ std::string RepeatFlags(const PolicyArguments& a) {
 void PolicyArguments::AddTo(Verb verb) {
   const Flag file =
       AddText(verb, "PLAN", "FILE", plan, "A plan file, as written by 'plan' and 'walk'; not with --policy.");
-  verb.SetGroup("A learned policy, instead of a plan (docs/policies.md)");
-  const Flag policy =
-      AddText(verb, "--policy", "FILE", request.network_path, "The policy, an ONNX file; default none.");
-  const Flag contract = AddText(verb, "--contract", "FILE", request.contract_path,
-                                "The policy's contract, such as Unitree's deploy.yaml; required with --policy.");
+  verb.SetGroup("Learned policy, instead of PLAN");
+  const Flag policy = AddText(verb, "--policy", "FILE", request.network_path,
+                              "A policy to play instead of a plan, an ONNX file, see docs/policies.md; default none.");
+  const Flag contract =
+      AddText(verb, "--contract", "FILE", request.contract_path,
+              "The policy's contract, such as Unitree's deploy.yaml; needed with --policy; default none.");
   policy.Need(contract).Exclude(file);
   std::vector<Flag> flags = robot.AddTo(verb);
   flags.push_back(contract);
   flags.push_back(AddText(verb, "--joint-order", "NAMES", joint_order,
                           "Names of the robot's joints in the order of the contract's stiffness, with commas, or "
-                          "'robot' for the robot's own order; needed if the contract does not name its joints."));
+                          "'robot' for the robot's own order; default: the names in the contract or the network."));
   const Flag commands = AddText(verb, "--commands", "FILE", request.commands_path,
                                 "Velocity commands over time, a CSV or YAML file; default: a constant command.");
   const Flag speed = AddNumber(verb, "--speed", "m/s", request.command.speed_m_s, "Forward speed; default 0.");

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/base/file.h"
+#include "kinematics/spatial/rotation.h"
 #include "tests/built_paths.h"
 #include "tests/playback/onnx/written_network.h"
 #include "tests/playback/policy/written_contract.h"
