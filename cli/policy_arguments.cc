@@ -36,6 +36,18 @@ std::string RepeatFlags(const PolicyArguments& a) {
 
 }  // namespace
 
+void PrintPolicy(const PlayedInput& input, const Common& common) {
+  if (input.prepared && !common.json && !common.quiet)
+    fmt::print("{}\n", PolicyText(input.model, *input.prepared->policy));
+}
+
+Result<AuditReport> AuditOf(const PlayedInput& input) {
+  if (!input.prepared) return Audit(input.model, input.plan, AuditOptions{});
+  AuditReport none;
+  none.notes = {"a learned policy has no plan to audit"};
+  return none;
+}
+
 void PolicyArguments::AddTo(Verb verb) {
   const Flag file =
       AddText(verb, "PLAN", "FILE", plan, "A plan file, as written by 'plan' and 'walk'; not with --policy.");

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "cli/paths.h"
+#include "cli/program.h"
 #include "cli/robot_input.h"
 #include "cli/verb.h"
+#include "planning/audit/audit.h"
 #include "workflows/walk/prepare_policy_internal.h"
 
 namespace gaitwright::cli {
@@ -18,6 +20,12 @@ struct PlayedInput {
   MotionPlan plan;
   std::optional<PreparedPolicy> prepared = {};  ///< of a policy; its plan is moved to `plan`
 };
+
+/// Prints names, order, sizes and gains of a policy, for people to check before the first step; nothing for a plan.
+void PrintPolicy(const PlayedInput& input, const Common& common);
+
+/// The audit of a plan. A policy's command has nothing to audit.
+Result<AuditReport> AuditOf(const PlayedInput& input);
 
 /// The argument PLAN, and the flags of a learned policy that may replace it. Shared by `play` and `trials`.
 struct PolicyArguments {

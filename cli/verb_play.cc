@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
@@ -33,20 +31,6 @@ Result<PlayedWalk> PlayAsAsked(PlaySettings& a, const RobotModel& model, const M
   return std::move(trial->played);
 }
 
-/// Names, order, sizes and gains of a policy, for people to check before the first step.
-void PrintPolicy(const PlaySettings& a, const PlayedInput& input) {
-  if (input.prepared && !a.common.json && !a.common.quiet)
-    fmt::print("{}\n", PolicyText(input.model, *input.prepared->policy));
-}
-
-/// The audit of a plan. A policy's command has nothing to audit.
-Result<AuditReport> AuditOf(const PlayedInput& input) {
-  if (!input.prepared) return Audit(input.model, input.plan, AuditOptions{});
-  AuditReport none;
-  none.notes = {"a learned policy has no plan to audit"};
-  return none;
-}
-
 int RunPlay(PlaySettings& a) {
   a.play.SetDefaults(a.common);
   const Result<OptionTexts> options = a.options.Apply(a.play.Fields(), a.common);
@@ -68,7 +52,7 @@ int RunPlay(PlaySettings& a) {
   if (!input) return Report(input.failure(), a.common);
   if (input->prepared) UsePolicy(*input->prepared, a.play.request);
   if (a.disturbances.file.empty()) a.play.CheckActs(a.common.sets);
-  PrintPolicy(a, *input);
+  PrintPolicy(*input, a.common);
   const Result<AuditReport> audit = AuditOf(*input);
   if (!audit) return Report(audit.failure(), a.common);
   const Result<PlayedWalk> played = PlayAsAsked(a, input->model, input->plan);

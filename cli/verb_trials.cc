@@ -177,8 +177,7 @@ int RunTrials(TrialsSettings& a) {
   const Result<TrialInputs> read = ReadTrialInputs(a);
   if (!read) return Report(read.failure(), a.common);
   if (a.show) return ShowDisturbances(a, read->disturbances);
-  if (read->played.prepared && !a.common.json && !a.common.quiet)
-    fmt::print("{}\n", PolicyText(read->played.model, *read->played.prepared->policy));
+  PrintPolicy(read->played, a.common);
   nlohmann::ordered_json json;
   bool all_enough = true;
   for (const TrialsSettings& one : RunsOf(a)) {
