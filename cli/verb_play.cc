@@ -2,9 +2,9 @@
 #include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
+#include "cli/policy_arguments_internal.h"
 #include "cli/trials_arguments.h"
 #include "cli/walk_arguments.h"
-#include "planning/plan/plan_json.h"
 #include "workflows/study/trial.h"
 
 namespace gaitwright::cli {
@@ -12,7 +12,7 @@ namespace {
 
 struct PlaySettings {
   Common common;
-  std::string plan;
+  PolicyArguments input;
   PlayArguments play;
   OptionsFile options;
   DisturbanceArguments disturbances;
@@ -37,9 +37,9 @@ int RunPlay(PlaySettings& a) {
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, a.play.Fields());
   a.play.Finish();
-  if (a.disturbances.file.empty()) a.play.CheckActs(a.common.sets);
+  a.input.Check();
   Paths paths;
-  paths.Read("the plan", a.plan);
+  a.input.AddPathsTo(paths);
   paths.Write("--log", a.outputs.log, {".json"});
   if (a.play.request.play.world.engine == "both") a.outputs.second_log = WithSuffix(a.outputs.log, "-mujoco");
   paths.Write("the second log of --log", a.outputs.second_log, {".json"});
@@ -48,19 +48,23 @@ int RunPlay(PlaySettings& a) {
   a.disturbances.AddPathTo(paths);
   a.options.AddPathTo(paths);
   CheckPaths(paths);
-  const Result<MotionPlan> plan = LoadPlan(a.plan);
-  if (!plan) return Report(plan.failure(), a.common);
-  const Result<RobotModel> model = RobotOf(*plan);
-  if (!model) return Report(model.failure(), a.common);
-  const Result<AuditReport> audit = Audit(*model, *plan, AuditOptions{});
+  const Result<PlayedInput> input = a.input.Read();
+  if (!input) return Report(input.failure(), a.common);
+  if (input->prepared) UsePolicy(*input->prepared, a.play.request);
+  if (a.disturbances.file.empty()) a.play.CheckActs(a.common.sets);
+  PrintPolicy(*input, a.common);
+  const Result<AuditReport> audit = AuditOf(*input);
   if (!audit) return Report(audit.failure(), a.common);
-  const Result<PlayedWalk> played = PlayAsAsked(a, *model, *plan);
+  const Result<PlayedWalk> played = PlayAsAsked(a, input->model, input->plan);
   if (!played) return Report(played.failure(), a.common);
-  const Judged judged{*model, *plan, *played, *audit};
+  const Judged judged{input->model, input->plan, *played, *audit};
   Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
-  files->insert(files->begin(), {"plan", a.plan});
-  PrintJudged(judged, *files, a.common);
+  const Files read = a.input.Files();
+  files->insert(files->begin(), read.begin(), read.end());
+  std::vector<std::pair<std::string, std::string>> more;
+  if (input->prepared) more.emplace_back("policy", PolicyJson(input->model, *input->prepared->policy));
+  PrintJudged(judged, *files, a.common, more);
   return judged.pass() ? kPass : kVerdictFail;
 }
 
@@ -68,9 +72,9 @@ int RunPlay(PlaySettings& a) {
 
 void AddPlay(Verb program, int& status) {
   auto a = std::make_shared<PlaySettings>();
-  const Verb verb = program.AddVerb("play", "Play a plan in physics and score it");
+  const Verb verb = program.AddVerb("play", "Play a plan, or a learned policy, in physics and score it");
   a->outputs = {"", "", "", "", "", ""};
-  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as written by 'plan' and 'walk'.").Require();
+  a->input.AddTo(verb);
   a->play.AddTo(verb);
   a->options.AddTo(verb);
   verb.SetGroup("Playback and disturbances");

@@ -10,11 +10,11 @@
 #include "cli/json_text_internal.h"
 #include "cli/options_file.h"
 #include "cli/paths.h"
+#include "cli/policy_arguments_internal.h"
 #include "cli/progress_bar.h"
 #include "cli/trials_arguments.h"
 #include "cli/walk_arguments.h"
 #include "cli/write_results.h"
-#include "planning/plan/plan_json.h"
 #include "playback/report/trials_page.h"
 #include "workflows/cluster/shared_trials.h"
 
@@ -23,7 +23,8 @@ namespace {
 
 struct TrialsSettings {
   Common common;
-  std::string plan, out = "trials.json", report;
+  PolicyArguments input;
+  std::string out = "trials.json", report;
   PlayArguments play;
   OptionsFile options;
   DisturbanceArguments disturbances;
@@ -62,7 +63,8 @@ void PrintTrialsQuietly(const TrialsSettings& a, const RobustnessReport& report,
 
 nlohmann::ordered_json TrialsJson(const TrialsSettings& a, const TrialRun& run) {
   auto json = ParsedJson(RobustnessJson(run.report));
-  json["files"] = {{"plan", a.plan}, {"result", a.out}};
+  for (const auto& [kind, path] : a.input.Files()) json["files"][kind] = path;
+  json["files"]["result"] = a.out;
   if (!a.report.empty()) json["files"]["report"] = a.report;
   if (run.beyond > 0) json["files"]["so_far"] = a.SoFar();
   return json;
@@ -115,7 +117,7 @@ std::vector<TrialsSettings> RunsOf(const TrialsSettings& a) {
 /// Only for the process that writes: the other processes of an MPI run may not see its folders.
 void CheckTrialsPaths(const TrialsSettings& a) {
   Paths paths;
-  paths.Read("the plan", a.plan);
+  a.input.AddPathsTo(paths);
   if (!a.show) {
     for (const TrialsSettings& run : RunsOf(a)) {
       paths.Write("--out", run.out, {".json"});
@@ -136,9 +138,10 @@ void CheckShare(const TrialsSettings& a) {
 
 /// The files that are read before the first trial.
 struct TrialInputs {
-  MotionPlan plan;
-  RobotModel model;
+  PlayedInput played;
   Disturbances disturbances;
+
+  TrialStudy Study(const PlayRequest& request) const { return {played.model, played.plan, request, disturbances}; }
 };
 
 Result<TrialInputs> ReadTrialInputs(TrialsSettings& a) {
@@ -148,14 +151,14 @@ Result<TrialInputs> ReadTrialInputs(TrialsSettings& a) {
   ApplySets("--set", a.common.sets, a.Fields());
   a.play.Finish();
   CheckShare(a);
-  Result<MotionPlan> plan = LoadPlan(a.plan);
-  if (!plan) return plan.failure();
-  Result<RobotModel> model = RobotOf(*plan);
-  if (!model) return model.failure();
-  Result<Disturbances> disturbances = a.disturbances.Load(*model, a.play.request);
+  a.input.Check();
+  Result<PlayedInput> input = a.input.Read();
+  if (!input) return input.failure();
+  if (input->prepared) UsePolicy(*input->prepared, a.play.request);
+  Result<Disturbances> disturbances = a.disturbances.Load(input->model, a.play.request);
   if (!disturbances) return disturbances.failure();
   a.play.CheckActs(a.common.sets, {}, DrawnOptions(*disturbances));
-  return TrialInputs{std::move(*plan), std::move(*model), std::move(*disturbances)};
+  return TrialInputs{std::move(*input), std::move(*disturbances)};
 }
 
 /// See HelpRank0.
@@ -163,8 +166,7 @@ std::optional<Failure> HelpWithTrials(TrialsSettings& a, SharedWork& work) {
   const Result<TrialInputs> read = ReadTrialInputs(a);
   if (!read) return read.failure();
   if (a.show) return std::nullopt;
-  for (const TrialsSettings& run : RunsOf(a))
-    ServeTrials(work, {read->model, read->plan, run.play.request, read->disturbances}, a.trials);
+  for (const TrialsSettings& run : RunsOf(a)) ServeTrials(work, read->Study(run.play.request), a.trials);
   return std::nullopt;
 }
 
@@ -175,11 +177,11 @@ int RunTrials(TrialsSettings& a) {
   const Result<TrialInputs> read = ReadTrialInputs(a);
   if (!read) return Report(read.failure(), a.common);
   if (a.show) return ShowDisturbances(a, read->disturbances);
+  PrintPolicy(read->played, a.common);
   nlohmann::ordered_json json;
   bool all_enough = true;
   for (const TrialsSettings& one : RunsOf(a)) {
-    const Result<TrialRun> run =
-        TrialsWithBar(one, {read->model, read->plan, one.play.request, read->disturbances}, work);
+    const Result<TrialRun> run = TrialsWithBar(one, read->Study(one.play.request), work);
     if (!run) {
       const int status = Report(run.failure(), a.common);
       return run.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
@@ -201,7 +203,7 @@ int RunTrials(TrialsSettings& a) {
 }
 
 void AddTrialsFlags(Verb verb, TrialsSettings& a) {
-  AddText(verb, "PLAN", "FILE", a.plan, "A plan file, as written by 'plan' and 'walk'.").Require();
+  a.input.AddTo(verb);
   verb.SetGroup("Trials");
   AddWholeNumber(verb, "-n,--trials", 1, a.trials.trials, "Number of trials; default 500.");
   a.disturbances.AddTo(verb);
@@ -228,8 +230,9 @@ void AddTrialsFlags(Verb verb, TrialsSettings& a) {
 
 void AddTrials(Verb program, int& status) {
   auto a = std::make_shared<TrialsSettings>();
-  const Verb verb =
-      program.AddVerb("trials", "Play a plan many times under sampled disturbances, and report its survival rate");
+  const Verb verb = program.AddVerb(
+      "trials",
+      "Play a plan, or a learned policy, many times under sampled disturbances, and report its survival rate");
   AddTrialsFlags(verb, *a);
   AddCommon(verb, a->common,
             {"trials plan.json -n 2 --quiet", "trials plan.json -n 2 --out two.json --report two.html --threads 1",

@@ -45,7 +45,7 @@ endfunction()
 gaitwright_fuzz_room(kinematics PARTS robot_laws READERS urdf xacro robot_yaml mjcf mesh_stl mesh_obj mesh_dae option)
 gaitwright_fuzz_room(planning PARTS plan_laws READERS gaits sequence_text sequence_file terrain_spec terrain_yaml height_csv
                      height_png mesh_ground start_posture plan)
-gaitwright_fuzz_room(playback READERS log disturbances outcome)
+gaitwright_fuzz_room(playback READERS log disturbances outcome network policy_contract policy_commands PARTS policy_readers)
 gaitwright_fuzz_room(workflows PARTS exchange_readers recording_readers words_readers grade_readers motion_laws plan_laws READERS motion_csv motion_npz npy compare_csv column_names joint_trajectory
                      joint_trajectory_json footsteps report recording bvh deepmimic contact_plan trials_result axis point candidate journal
                      centroidal_problems options_file live_request task_plan instruction rubric answers code_answer)

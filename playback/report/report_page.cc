@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "planning/plan/parts_text.h"
+#include "planning/plan/plans_contacts_internal.h"
 #include "playback/report/engines_part.h"
 #include "playback/report/page_style.h"
 #include "playback/report/plot_style.h"
@@ -225,7 +226,8 @@ std::string Origin(const MotionPlan& plan, const PlaybackLog& log, const std::ve
 }  // namespace
 
 std::string TitleOf(const RobotModel& model, const MotionPlan& plan) {
-  const std::string names = GaitNames(plan.parts), gait = names.empty() ? "a motion" : names;
+  const std::string names = GaitNames(plan.parts), motion = PlansContacts(plan) ? "a motion" : "a learned policy";
+  const std::string gait = names.empty() ? motion : names;
   const std::string ground = plan.terrain.name.empty() ? "" : " on " + plan.terrain.name + " ground";
   return fmt::format("{}: {}{}", model.name, gait, ground);
 }

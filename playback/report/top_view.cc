@@ -73,6 +73,7 @@ void DrawGoal(const PlotData& data, SvgPlot& plot) {
 }  // namespace
 
 void DrawSupports(const ContactSchedule& schedule, const std::vector<MotionSample>& samples, SvgPlot& plot) {
+  if (schedule.phases.empty()) return;  // a command plans no contacts
   std::size_t drawn = schedule.phases.size();
   for (const MotionSample& sample : samples) {
     const std::size_t phase = static_cast<std::size_t>(PhaseAt(schedule, sample.time_s));

@@ -8,12 +8,16 @@
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/result.h"
+#include "planning/plan/plans_contacts_internal.h"
+#include "playback/score/command_score_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kGoalShare = 0.05;  // of the commanded distance
-constexpr double kGoalLeast = 0.02;  // [m]
+constexpr double kGoalShare = 0.05;    // of the commanded distance
+constexpr double kGoalLeast = 0.02;    // [m]
+constexpr double kCommandShare = 0.2;  // of the largest commanded velocity
+constexpr double kCommandLeast = 0.1;  // [m/s], [rad/s]
 constexpr auto kLower = Better::kLower;
 constexpr auto kHigher = Better::kHigher;
 
@@ -132,6 +136,21 @@ std::vector<MetricRule> JointRules() {
   };
 }
 
+/// Errors of the velocities of a plan that is only a command; other plans have no values, and their scores do not
+/// change.
+std::vector<MetricRule> CommandRules() {
+  return {
+      Gated(Reported("command_velocity_error_m_s", "m/s", kLower, 3.0, 0.1, false,
+                     "difference between the commanded and the measured velocity of the base in plan view, averaged "
+                     "over 0.5 s, mean"),
+            Bound::kAtMost, kCommandLeast),
+      Gated(Reported("command_yaw_rate_error_rad_s", "rad/s", kLower, 2.0, 0.1, false,
+                     "difference between the commanded and the measured yaw rate of the base, averaged over 0.5 s, "
+                     "mean"),
+            Bound::kAtMost, kCommandLeast),
+  };
+}
+
 /// Errors of the controller's estimate of the base; they do not affect the score.
 std::vector<MetricRule> EstimateRules() {
   return {
@@ -156,7 +175,7 @@ double LegFactor(const MetricRule& rule, const GateScale& scale) {
 const std::vector<MetricRule>& MetricRules() {
   static const std::vector<MetricRule> rules = [] {
     std::vector<MetricRule> all = ProgressRules();
-    for (const auto& part : {BalanceRules(), ContactRules(), JointRules(), EstimateRules()})
+    for (const auto& part : {BalanceRules(), ContactRules(), JointRules(), CommandRules(), EstimateRules()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();
@@ -180,6 +199,12 @@ GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {
   if (!plan.whole_body.q.empty()) {
     const Vector2 start = plan.whole_body.q.front().head<2>();
     scale.commanded_distance_m = (Vector2(plan.goal.x_m, plan.goal.y_m) - start).norm();
+    scale.only_commands = !PlansContacts(plan);
+  }
+  for (const VectorX& v : plan.whole_body.v) {
+    if (!scale.only_commands) break;
+    scale.commanded_speed_m_s = std::max(scale.commanded_speed_m_s, v.head<2>().norm());
+    scale.commanded_yaw_rate_rad_s = std::max(scale.commanded_yaw_rate_rad_s, std::abs(v[5]));
   }
   return scale;
 }
@@ -187,6 +212,12 @@ GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {
 std::optional<double> LimitOf(const MetricRule& rule, const GateScale& scale) {
   if (rule.bound == Bound::kNone) return std::nullopt;
   if (rule.key == "goal_error_m") return std::max(kGoalShare * scale.commanded_distance_m, kGoalLeast);
+  if (IsOfCommands(rule.key)) {
+    if (!scale.only_commands) return std::nullopt;
+    const bool turns = rule.key == "command_yaw_rate_error_rad_s";
+    const double largest = turns ? scale.commanded_yaw_rate_rad_s : scale.commanded_speed_m_s;
+    return std::max(kCommandShare * largest, rule.limit);
+  }
   return rule.limit * LegFactor(rule, scale);
 }
 
@@ -229,6 +260,7 @@ double ScoreOf(const std::vector<Metric>& metrics, const GateScale& scale, doubl
     const auto metric =
         std::find_if(metrics.begin(), metrics.end(), [&](const Metric& m) { return m.key == rule.key; });
     const bool known = metric != metrics.end() && metric->value.has_value();
+    if (!known && !scale.only_commands && IsOfCommands(rule.key)) continue;
     const double quality = known ? QualityOf(rule, *metric->value, scale) : (fell ? 0.0 : 1.0);
     weighted += rule.weight * quality;
     weights += rule.weight;

@@ -37,13 +37,17 @@ const MetricRule& RuleOf(const std::string& key);
 struct GateScale {
   double leg_length_m = kReferenceLegLength;
   double commanded_distance_m = 0.0;
+  bool only_commands = false;  ///< the plan has no contacts (PlansContacts); only then are there gates of commands
+  double commanded_speed_m_s = 0.0, commanded_yaw_rate_rad_s = 0.0;  ///< the largest ones
 };
 
-/// The scale of a robot and a plan: distance from the start of the plan's base to its goal.
+/// The scale of a robot and a plan: distance from the start of the plan's base to its goal, and the largest commanded
+/// velocities of a plan without contacts.
 GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan);
 
 /// The limit of a rule: `limit`, times leg length over reference leg length if scaled. For `goal_error_m` it is max(5 %
-/// of the commanded distance, 2 cm). Nothing if the rule has no gate.
+/// of the commanded distance, 2 cm); for errors of commanded velocities max(20 % of the largest command, 0.1 m/s or
+/// rad/s). Nothing if the rule has no gate.
 std::optional<double> LimitOf(const MetricRule& rule, const GateScale& scale);
 
 /// Whether the value is within the limit.

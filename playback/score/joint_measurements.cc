@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planning/plan/plans_contacts_internal.h"
 #include "playback/score/measurements.h"
 
 namespace gaitwright {
@@ -18,13 +19,18 @@ const char* const kNoTorqueLimit = "no joint has a torque limit other than a pla
 
 bool HasSpeedLimit(const Actuator& motor) { return std::isfinite(motor.velocity_limit) && motor.velocity_limit > 0.0; }
 
-/// Joints that the plan holds still are excluded, since they may rest at a limit (a closed hand, a stretched arm).
+/// Joints that the plan holds still are excluded, since they may rest at a limit (a closed hand, a stretched arm). A
+/// command plans no posture; all joints that moved count.
 bool Moves(const ScoreInputs& in, int dof) {
   constexpr double kStill = 1e-3;  // [rad] or [m]
-  double least = in.series.plan.front().q[7 + dof], most = least;
-  for (const WholeBodySample& row : in.series.plan) {
-    least = std::min(least, row.q[7 + dof]);
-    most = std::max(most, row.q[7 + dof]);
+  const bool planned = PlansContacts(in.plan);
+  const auto position = [&](std::size_t k) {
+    return planned ? in.series.plan[k].q[7 + dof] : in.log.samples[k].q[7 + dof];
+  };
+  double least = position(0), most = least;
+  for (std::size_t k = 0; k < in.series.plan.size(); ++k) {
+    least = std::min(least, position(k));
+    most = std::max(most, position(k));
   }
   return most - least > kStill;
 }

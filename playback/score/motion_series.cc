@@ -12,6 +12,7 @@
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/plan/check_motion.h"
 #include "planning/plan/heel_off_internal.h"
+#include "planning/plan/plans_contacts_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -203,12 +204,19 @@ WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
   return sample;
 }
 
+/// The end of a log interval, its middle, the feet on the ground, and whether the plan has forces.
+struct PlannedTime {
+  double time_s, middle_s;
+  FootSet stance;
+  bool with_forces;
+};
+
 /// Adds the planned state at the end of a log interval, with the forces of its middle.
-void AddPlanned(const WholeBodyTrajectory& motion, double time_s, double middle_s, FootSet stance, Sampler& sampler,
-                MotionSeries& series) {
+void AddPlanned(const WholeBodyTrajectory& motion, const PlannedTime& at, Sampler& sampler, MotionSeries& series) {
+  const auto& [time_s, middle_s, stance, with_forces] = at;
   series.plan.push_back(At(motion, time_s));
   series.planned.push_back(sampler.Posture(time_s, middle_s, stance, series.plan.back().q, series.plan.back().v));
-  sampler.AddPlannedForces(At(motion, middle_s), series.planned.back());
+  if (with_forces) sampler.AddPlannedForces(At(motion, middle_s), series.planned.back());
 }
 
 }  // namespace
@@ -225,10 +233,10 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
   for (const LogSample& row : log.samples) {
     if (!row.q.allFinite() || !row.v.allFinite()) break;  // the simulation diverged; Score reports the time
     const double middle = row.time_s - half_interval;
-    const FootSet stance = ScheduledAt(plan.schedule, middle);
+    const FootSet stance = PlansContacts(plan) ? ScheduledAt(plan.schedule, middle) : row.contact;
     series.measured.push_back(sampler.Posture(row.time_s, middle, stance, row.q, row.v));
     sampler.AddMeasuredForces(row.wrenches, series.measured.back());
-    AddPlanned(motion, row.time_s, middle, stance, sampler, series);
+    AddPlanned(motion, {row.time_s, middle, stance, PlansContacts(plan)}, sampler, series);
   }
   LowPassZmp(series.measured, options.zmp_filter_s);
   LowPassZmp(series.planned, options.zmp_filter_s);
@@ -247,7 +255,7 @@ MotionSeries MakePlannedSeries(const RobotModel& model, const MotionPlan& plan, 
   const int intervals = static_cast<int>(std::floor(plan.duration_s() * rate_hz + 1e-6));
   for (int k = 0; k <= intervals; ++k) {
     const double time = motion.start_s + k / rate_hz, middle = time - 0.5 / rate_hz;
-    AddPlanned(motion, time, middle, ScheduledAt(plan.schedule, middle), sampler, series);
+    AddPlanned(motion, {time, middle, ScheduledAt(plan.schedule, middle), true}, sampler, series);
   }
   LowPassZmp(series.planned, options.zmp_filter_s);
   return series;

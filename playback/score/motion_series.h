@@ -24,7 +24,7 @@ struct FootSample {
 /// = Notation =  W world, C centre of mass, Z zero-moment point, S support (the scheduled feet at their current places)
 struct MotionSample {
   double time_s = 0.0;
-  FootSet stance = 0;  ///< scheduled
+  FootSet stance = 0;  ///< scheduled; measured, if the plan has no contacts
   Pose X_WB = Pose::Identity();
   double base_height_m = 0.0;  ///< z of the base's HeightPoint in W, for falls
   Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero();

@@ -34,8 +34,10 @@ Json MetricJson(const Metric& metric) {
   return json;
 }
 
-/// Rows of the estimate are omitted if the controller does not estimate.
-bool IsLeftOut(const Metric& metric) { return !metric.value && metric.key.starts_with("estimate_"); }
+/// Rows of the estimate are omitted if the controller does not estimate, and those of commands for other plans.
+bool IsLeftOut(const Metric& metric) {
+  return !metric.value && (metric.key.starts_with("estimate_") || metric.key.starts_with("command_"));
+}
 
 bool IsShare(const std::string& key) {
   return key.find("fraction") != std::string::npos || key.find("_use_") != std::string::npos;
@@ -51,7 +53,7 @@ std::string OrDash(const Metric& metric, const std::optional<double>& value) {
 std::string AbsentGates(const StabilityReport& report) {
   std::string text;
   for (const Metric& metric : report.metrics) {
-    if (metric.bound != Bound::kNone && !metric.applied)
+    if (metric.bound != Bound::kNone && !metric.applied && !IsLeftOut(metric))
       text += fmt::format("  {}: {}\n", metric.key, metric.not_applied);
   }
   if (!text.empty()) text = "\ngates that do not apply:\n" + text;

@@ -8,6 +8,7 @@
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/result.h"
+#include "playback/score/command_score_internal.h"
 #include "playback/score/gates.h"
 #include "playback/score/measurements.h"
 #include "playback/score/reason.h"
@@ -39,6 +40,7 @@ Metric Gated(const MetricRule& rule, const Measurement& measured, const GateScal
   metric.planned = measured.planned;
   metric.at_s = measured.at_s;
   metric.not_applied = measured.value ? NotApplied(rule.key, share_without_area) : measured.missing;
+  if (measured.value && scale.only_commands) metric.not_applied = GateNotOfCommands(rule.key);
   metric.bound = rule.bound;
   const auto limit = LimitOf(rule, scale);
   metric.applied = limit.has_value() && metric.not_applied.empty();
@@ -50,10 +52,12 @@ Metric Gated(const MetricRule& rule, const Measurement& measured, const GateScal
 
 std::vector<Metric> GatedMetrics(const ScoreInputs& in, const GateScale& scale) {
   std::vector<Measurement> all;
-  for (const auto& group : {ProgressMeasurements(in), ZmpMeasurements(in), BalanceMeasurements(in),
-                            ContactMeasurements(in), JointMeasurements(in), EstimateMeasurements(in)}) {
+  for (const auto& group :
+       {ProgressMeasurements(in), ZmpMeasurements(in), BalanceMeasurements(in), ContactMeasurements(in),
+        JointMeasurements(in), CommandMeasurements(in), EstimateMeasurements(in)}) {
     all.insert(all.end(), group.begin(), group.end());
   }
+  if (scale.only_commands) KeepCommanded(all);
   const double share_without_area = ShareWithoutArea(in.series);
   std::vector<Metric> metrics;
   for (const MetricRule& rule : MetricRules()) {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "kinematics/model/dof_units.h"
+#include "planning/plan/plans_contacts_internal.h"
 #include "playback/score/capture.h"
 #include "playback/score/contact_timing.h"
 #include "playback/score/failure_events_internal.h"
@@ -203,14 +204,28 @@ Event BodyTouched(const ScoreInputs& in) {
 
 }  // namespace
 
-std::vector<FailureEvent> FailureEvents(const ScoreInputs& in) {
+namespace {
+
+/// Events that are differences to a plan's contacts, or faults of the plan itself.
+std::vector<Event> EventsOfPlan(const ScoreInputs& in) {
   const Event unstable = PlanUnstable(in), beyond_friction = PlanBeyondFriction(in);
   // With an unstable ZMP or forces beyond friction, no contact forces could be correct.
   const Event forces_off = unstable || beyond_friction ? Event() : PlanForcesOff(in);
+  return {unstable,        PlanBeyondLimits(in), beyond_friction,   forces_off,
+          ContactLost(in), EarlyContact(in),     MissedFoothold(in)};
+}
+
+}  // namespace
+
+std::vector<FailureEvent> FailureEvents(const ScoreInputs& in) {
+  const bool planned = PlansContacts(in.plan);
+  std::vector<Event> all = planned ? EventsOfPlan(in) : std::vector<Event>();
+  all.push_back(Slip(in));
+  all.push_back(TorqueLimit(in));
+  if (planned) all.push_back(DcmOut(in));
+  all.push_back(BodyTouched(in));
   std::vector<FailureEvent> events;
-  for (const Event& event :
-       {unstable, PlanBeyondLimits(in), beyond_friction, forces_off, ContactLost(in), EarlyContact(in),
-        MissedFoothold(in), Slip(in), TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
+  for (const Event& event : all) {
     if (event && event->time_s <= in.fall.time_s) events.push_back(*event);
   }
   std::stable_sort(events.begin(), events.end(),

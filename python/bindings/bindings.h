@@ -26,6 +26,7 @@ void BindTrials(pybind11::module_& module);
 /// Instructions in words, and motions that carry them out.
 void BindTasks(pybind11::module_& module);
 /// Repair of motions of other software.
+void BindPolicies(pybind11::module_& module);
 void BindRepair(pybind11::module_& module);
 /// Comparison of two motions.
 void BindCompare(pybind11::module_& module);

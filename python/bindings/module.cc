@@ -17,6 +17,7 @@ PYBIND11_MODULE(_core, module) {
   BindPlanning(module);
   BindTrials(module);
   BindTasks(module);
+  BindPolicies(module);
   BindRepair(module);
   BindCompare(module);
   module.attr("__version__") = gaitwright::Version();

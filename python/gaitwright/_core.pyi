@@ -471,6 +471,31 @@ def play(
     options: Options = ...,
     engine: Optional[str] = ...,
 ) -> Playback: ...
+class Network:
+    def __init__(self, path: Path) -> None: ...
+    @property
+    def input_size(self) -> int: ...
+    @property
+    def output_size(self) -> int: ...
+    @property
+    def notes(self) -> dict[str, str]: ...
+    def __call__(self, observation: Any) -> Any: ...
+
+def play_policy(
+    robot: Robot,
+    policy: Union[Path, Callable[[Any], Any]],
+    contract: Path,
+    *,
+    commands: Path = ...,
+    speed: float = ...,
+    lateral_speed: float = ...,
+    yaw_rate: float = ...,
+    duration: float = ...,
+    joint_order: Sequence[str] = ...,
+    terrain: Union[Terrain, Path] = ...,
+    options: Options = ...,
+    engine: Optional[str] = ...,
+) -> Playback: ...
 def compare(
     a: Union[Plan, Playback], b: Union[Plan, Playback], *, align: str = ..., tolerance: float = ...
 ) -> Comparison: ...

@@ -42,6 +42,7 @@ inline const std::vector<Layer> kLayers = {
     {"optimisation/search", 36},
 
     {"playback/log", 40},
+    {"playback/onnx", 40},
     {"playback/engine", 41},
     {"playback/bullet", 42},
     {"playback/mjcf", 43},
@@ -49,10 +50,11 @@ inline const std::vector<Layer> kLayers = {
     {"playback/play", 45},
     {"playback/sensing", 46},
     {"playback/control", 47},
-    {"playback/score", 48},
-    {"playback/trials", 49},
-    {"playback/report", 50},
-    {"playback/viewer", 51},
+    {"playback/policy", 48},
+    {"playback/score", 49},
+    {"playback/trials", 50},
+    {"playback/report", 51},
+    {"playback/viewer", 52},
 
     {"workflows/walk", 55},
     {"workflows/study", 56},
@@ -76,7 +78,7 @@ inline const std::vector<Layer> kLayers = {
 /// The header of a room for its users: above all folders of the room. The library itself includes no such header.
 inline const std::vector<Layer> kUmbrellas = {
     {"kinematics/kinematics.h", 19}, {"planning/planning.h", 29},   {"optimisation/optimisation.h", 39},
-    {"playback/playback.h", 52},     {"workflows/workflows.h", 69},
+    {"playback/playback.h", 53},     {"workflows/workflows.h", 69},
 };
 
 /// Maximum number of headers reached from the umbrellas; these are the installed headers.
@@ -177,6 +179,7 @@ inline const std::vector<Exempt> kManyParameters = {
     {"playback/bullet/condensed_solver.cc", "CondensedSolver::solveGroupCacheFriendlyIterations",
      "an override of Bullet's"},
     {"python/bindings/planning.cc", "PlanAWalk", "keyword arguments of Python"},
+    {"python/bindings/policies.cc", "PlayPolicy", "keyword arguments of Python"},
     {"python/bindings/terrain.cc", "WithHeights", "keyword arguments of Python"},
     {"python/bindings/trials.cc", "Trials", "keyword arguments of Python"},
     {"playback/score/gates.cc", "Reported", "columns of a table"},

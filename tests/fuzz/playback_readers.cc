@@ -4,6 +4,7 @@
 #include "kinematics/base/options.h"
 #include "playback/log/log_json.h"
 #include "playback/trials/trial_outcome.h"
+#include "tests/fuzz/policy_readers.h"
 #include "tests/fuzz/reader.h"
 
 namespace gaitwright::fuzz {
@@ -155,7 +156,10 @@ const std::vector<Reader>& Readers() {
        ReadOutcome,
        {"null", "true", "{}", "[]", "-1", "1e400", "\"number\"", "\"sampled\"", "\"metrics\"", "\\u0000"},
        {},
-       MadeOutcomes}};
+       MadeOutcomes},
+      NetworkReader(),
+      ContractReader(),
+      CommandsReader()};
   return readers;
 }
 

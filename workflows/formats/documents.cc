@@ -8,6 +8,8 @@
 #include "planning/tasks/task_plan_json.h"
 #include "planning/terrain/terrain_yaml_shape.h"
 #include "playback/log/log_shape.h"
+#include "playback/policy/contract_internal.h"
+#include "playback/policy/velocity_commands_internal.h"
 #include "playback/trials/disturbances_shape.h"
 #include "workflows/exchange/file_shapes.h"
 #include "workflows/formats/result_shapes_internal.h"
@@ -45,6 +47,8 @@ std::vector<Document> Documents() {
       Made("sequence", "Several gaits in one plan", "gaits.md", SequenceFileShape()),
       Made("terrain", "A ground", "terrain-format.md", TerrainFileShape()),
       Made("disturbances", "Disturbances that trials sample", "trials.md", DisturbancesShape(SensorFields(play))),
+      Made("policy-contract", "Contract of a learned policy", "policies.md", ContractShape()),
+      Made("policy-commands", "Velocity commands of a learned policy", "policies.md", CommandsFileShape()),
       Made("start-posture", "Measured joint positions before the first command", "audit.md", StartPostureShape()),
       Made("footsteps", "Footsteps of another planner", "import.md", FootstepFileShape()),
       Made("columns", "Column names of another program's file", "import.md", ColumnNamesShape()),

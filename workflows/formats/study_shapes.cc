@@ -186,7 +186,7 @@ DataShape TrialsResultShape() {
                {"options", MapOf(Text()), "Options of the playback, before trials change them."},
                {"repeat", Text(), "The command that repeats one trial exactly."},
                {"trials", TrialsTableShape()},
-               Optional("files", FilesShape({"plan", "result", "report", "so_far"}),
+               Optional("files", FilesShape({"plan", "policy", "contract", "result", "report", "so_far"}),
                         "Files written; on standard output only.")});
 }
 

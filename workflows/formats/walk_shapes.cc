@@ -132,6 +132,29 @@ DataShape AgreementShape() {
                  {"quantities", List(quantity)}});
 }
 
+namespace {
+
+/// A learned policy: its joints, orders, sizes and gains.
+DataShape PolicyTableShape() {
+  const DataShape joint = Object({{"name", Text()},
+                                  {"hardware", Whole(), "Number in the hardware's order."},
+                                  {"default_position_rad", Number()},
+                                  {"stiffness_nm_rad", Number()},
+                                  {"damping_nm_s_rad", Number()}});
+  const DataShape term = Object({{"name", Text()}, {"size", Whole()}, {"history", Whole(1.0)}});
+  return Object({{"name", Text()},
+                 {"hash", Text(), "Hash of network and contract."},
+                 {"robot", Text()},
+                 {"step_s", Number()},
+                 {"observations", Whole()},
+                 {"actions", Whole()},
+                 {"terms", List(term, 1), "Observations in the order of the inputs."},
+                 {"joints", List(joint, 1), "Joints in the network's order."},
+                 {"warnings", TextsShape()}});
+}
+
+}  // namespace
+
 DataShape WalkResultShape() {
   return Object({{"robot", Text()},
                  {"verdict", VerdictShape()},
@@ -150,7 +173,8 @@ DataShape WalkResultShape() {
                  {"log_hash", Text(), "Hash of all samples of the log."},
                  {"planning_cpu_s", Number(), "CPU time of planning; 0 for play."},
                  {"playback_realtime_factor", Number()},
-                 {"files", FilesShape({"plan", "log", "second_log", "report", "plots"})}});
+                 Optional("policy", PolicyTableShape(), "Of play --policy; there is no plan then."),
+                 {"files", FilesShape({"plan", "policy", "contract", "log", "second_log", "report", "plots"})}});
 }
 
 DataShape DoResultShape() {

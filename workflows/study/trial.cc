@@ -9,6 +9,7 @@
 #include "kinematics/base/hash.h"
 #include "kinematics/base/version.h"
 #include "planning/plan/plan_json.h"
+#include "playback/policy/fit_policy_internal.h"
 #include "playback/score/gates.h"
 #include "workflows/study/trial_conditions.h"
 
@@ -219,9 +220,12 @@ TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
   subject.options = TextsOf(request.Fields());
   subject.seed = run_seed;
   const bool standard = study.disturbances == StandardBesides(study.model, request);
-  const std::string flags = FlagsOf(request.controller, subject.options, DrawnOptions(study.disturbances));
-  subject.repeat = fmt::format("gaitwright play PLAN --disturbances {} --seed SEED{}{}", standard ? "standard" : "FILE",
-                               flags.empty() ? "" : " ", flags);
+  const std::string controller = request.policy == nullptr ? request.controller : PlayRequest().controller;
+  const std::string flags = FlagsOf(controller, subject.options, DrawnOptions(study.disturbances));
+  const std::string played =
+      request.policy == nullptr ? "PLAN" : fmt::format("--policy POLICY --contract CONTRACT {}", request.policy->flags);
+  subject.repeat = fmt::format("gaitwright play {} --disturbances {} --seed SEED{}{}", played,
+                               standard ? "standard" : "FILE", flags.empty() ? "" : " ", flags);
   subject.gait_scale = GaitScaleOf(study.model, study.plan);
   if (!request.play.push_force_W.isZero(0.0)) subject.own_push_s = request.play.push_at_s;
   const GateScale scale = ScaleOf(study.model, study.plan);

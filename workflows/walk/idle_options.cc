@@ -24,14 +24,19 @@ std::vector<Rule> RulesFor(const PlayRequest& request) {
       {"sensors.", "state", !is_true, "because the controller uses the true state and no sensors",
        "give --state estimated or measured"},
       {"stabilised.sensed_damping", "state", !is_true, "with the true state", "give --state estimated or measured"},
-      {"stabilised.", "controller", request.controller != "joint-pd",
-       fmt::format("on the controller '{}'", request.controller), "give --controller stabilised"},
+      {"stabilised.", "controller", request.controller != "joint-pd" && request.policy == nullptr,
+       fmt::format("on the controller '{}'", request.controller),
+       request.policy == nullptr ? "give --controller stabilised" : "play a plan"},
       {"recovering.", "controller", request.controller == "recovering",
        fmt::format("on the controller '{}'", request.controller), "give --controller recovering"},
       {"play.ground_slope_direction_deg", "play.ground_slope_deg", world.ground_slope_deg != 0.0,
        "without 'ground_slope_deg'", "give 'ground_slope_deg' too"},
       {"play.bump_", "play.ground_bumps_m", world.ground_bumps_m != 0.0, "without 'ground_bumps_m'",
        "give 'ground_bumps_m' too"}};
+  for (const char* of_feed_forward : {"gains.loss_feed_forward", "gains.friction_speed_rad_s"}) {
+    rules.push_back({of_feed_forward, "controller", request.policy == nullptr,
+                     "on a learned policy, which has no feed-forward", "play a plan"});
+  }
   for (const char* of_estimate : {"odometry.", "sensors.imu_", "sensors.gyroscope_", "sensors.accelerometer_"}) {
     rules.push_back(
         {of_estimate, "state", is_estimated, fmt::format("with the state '{}'", state), "give --state estimated"});

@@ -12,6 +12,7 @@
 #include "playback/control/joint_pd.h"
 #include "playback/play/make_world.h"
 #include "playback/play/whole_steps.h"
+#include "playback/policy/policy_controller_internal.h"
 #include "playback/sensing/sensing_controller.h"
 #include "workflows/walk/idle_options.h"
 #include "workflows/walk/plan_recovery.h"
@@ -56,8 +57,10 @@ StabilisedOptions StabilisedFor(const PlayRequest& request) {
 
 std::unique_ptr<Controller> BareController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                                            const std::optional<RecoveryPlans>& recovery) {
-  CheckController(request.controller);
   const GainOptions gains = GainsFor(request);
+  if (request.policy != nullptr)
+    return std::make_unique<PolicyController>(model, request.policy, plan.whole_body.start_s, gains);
+  CheckController(request.controller);
   if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan, gains);
   if (request.controller == "stabilised") return MakeStabilised(model, plan, StabilisedFor(request), gains);
   if (recovery) return MakeRecovering(model, plan, *recovery, request.recovering, StabilisedFor(request), gains);
@@ -182,7 +185,10 @@ Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, con
   if (request.play.world.engine != kBoth) return AlonePlayed(PlayInOne(model, plan, request));
   PlayRequest other = InEngine(request, "mujoco");
   other.play.on_phase = {};
-  auto later = std::async(std::launch::async, [&] { return PlayInOne(model, plan, other); });
+  // A policy that is a function may not be called by two threads, and may have a memory.
+  const bool in_order = request.policy != nullptr && request.policy->source.function;
+  auto later =
+      std::async(in_order ? std::launch::deferred : std::launch::async, [&] { return PlayInOne(model, plan, other); });
   Result<ScoredPlayback> first = PlayInOne(model, plan, InEngine(request, "bullet"));
   try {
     Result<ScoredPlayback> second = later.get();

@@ -21,6 +21,8 @@
 
 namespace gaitwright {
 
+struct FittedPolicy;
+
 /// Request for playing and scoring a plan.
 struct PlayRequest {
   std::string controller = "stabilised";  ///< one of ControllerNames()
@@ -30,6 +32,9 @@ struct PlayRequest {
   GainOptions gains;
   SensingOptions sensing;
   ScoreOptions score;
+  /// A learned policy that replaces `controller`, which is then "policy"; its plan is a CommandedPlan. See
+  /// playback/policy/fit_policy_internal.h.
+  std::shared_ptr<const FittedPolicy> policy = nullptr;
 
   OptionFields Fields() {
     return Joined({Prefixed("play", play.Fields()), Prefixed("stabilised", stabilised.Fields()),
@@ -75,6 +80,8 @@ GainOptions GainsFor(const PlayRequest& request);
 
 /// All controllers: stabilised, joint-pd, recovering.
 const std::vector<std::string>& ControllerNames();
+/// Name of the controller of a request with a learned policy; not one of ControllerNames().
+inline constexpr char kPolicyController[] = "policy";
 /// @throws InvalidArgument for another name; it lists the controllers.
 void CheckController(const std::string& name);
 

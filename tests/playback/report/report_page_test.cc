@@ -49,6 +49,21 @@ TEST(ReportPage, IsWholeWellFormedAndHoldsEveryPlotAndFigure) {
   }
 }
 
+TEST(ReportPage, ShowsACommandThatPlansNoContacts) {
+  Case c = MakeCase(4, 6, false);
+  c.plan.parts.clear();
+  c.plan.schedule.phases.clear();
+  c.plan.footsteps.footholds.clear();
+  c.plan.whole_body.tau.clear();
+  c.plan.whole_body.wrenches.clear();
+  c.report = Score(c.model, c.plan, c.log);
+  const std::string page = ReportPage(c.model, c.plan, c.log, c.report);
+  EXPECT_EQ(XmlFault(page), "");
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"(\bnan\b)"))) << "all numbers are finite";
+  EXPECT_TRUE(synthetic::Says(page, "a learned policy"));
+  EXPECT_TRUE(synthetic::Says(page, "the command plans no contacts"));
+}
+
 TEST(ReportPage, SetsASecondEngineBesideTheFirstAndNeedsBothToPass) {
   const Case c = MakeCase(4, 6, false), fallen = MakeCase(4, 6, true);
   const auto page = [&](const Case& second) {
