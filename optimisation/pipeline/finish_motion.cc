@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "kinematics/spatial/rotation.h"
@@ -15,13 +16,14 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kViolation = 1e-5;    // [m g, rad, m] that constraints at knots may be off by
-constexpr double kGive = 1e-6;         // see ElasticOptions
-constexpr int kScreening = 20;         // iterations after which a solve ends if the violations
-constexpr double kFar = 0.3;           // sum to more than this
-constexpr int kScreeningOfHeels = 40;  // of plans with heel-off, which need more iterations
-constexpr double kFinestRows = 1e-3;   // [s] of a row's step
-constexpr double kRolledAside = 1e-4;  // [m] that feet may be off where they roll to
+constexpr double kViolation = 1e-5;       // [m g, rad, m] that constraints at knots may be off by
+constexpr double kGive = 1e-6;            // see ElasticOptions
+constexpr int kScreening = 20;            // iterations after which a solve ends if the violations
+constexpr double kFar = 0.3;              // sum to more than this
+constexpr int kScreeningOfHeels = 40;     // of plans with heel-off, which need more iterations
+constexpr double kFinestRows = 1e-3;      // [s] of a row's step
+constexpr double kSparedFriction = 0.25;  // share of soles' friction that is used if possible
+constexpr double kRolledAside = 1e-4;     // [m] that feet may be off where they roll to
 
 FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use) {
   FinishSettings settings;
@@ -47,6 +49,32 @@ void KeepFromEdges(double margin_m, BodyProblem& problem) {
           if (half[i] > 0.0) p[i] = middle[i] + (p[i] - middle[i]) * (1.0 - std::min(kMost, margin_m / half[i]));
         }
       }
+    }
+  }
+}
+
+/// Whether a motion with little friction may exist near a plan: optimisation halves the horizontal forces at most.
+bool MaySpareSoles(const RobotModel& model, const MotionPlan& plan, double friction_use) {
+  constexpr double kLoaded = 0.3;  // of the weight: with a smaller load no direction matters
+  constexpr double kLess = 0.5;    // of the horizontal force
+  if (!std::ranges::any_of(model.feet, [](const Foot& foot) { return foot.has_sole(); })) return false;
+  double friction = std::numeric_limits<double>::infinity();
+  for (const Foothold& foothold : plan.footsteps.footholds)
+    friction = std::min(friction, kSparedFriction * friction_use * FrictionOf(plan.terrain, foothold.patch));
+  return std::ranges::all_of(plan.whole_body.wrenches, [&](const std::vector<ContactWrench>& wrenches) {
+    Vector3 sum_W = Vector3::Zero();
+    for (const ContactWrench& wrench : wrenches) sum_W += wrench.force_W;
+    return sum_W.z() < kLoaded * model.weight_n() || kLess * sum_W.head<2>().norm() <= friction * sum_W.z();
+  });
+}
+
+/// Lowers the friction of soles. What limits it is the moment about their normals: on bumps a sole touches at few
+/// points close to each other, and turns long before it slides.
+void SpareSoles(BodyProblem& problem) {
+  constexpr std::size_t kSole = 3;  // points
+  for (BodyKnot& knot : problem.knots) {
+    for (PressingFoot& foot : knot.pressing) {
+      if (foot.contact.points_F.size() >= kSole) foot.friction *= kSparedFriction;
     }
   }
 }
@@ -233,6 +261,10 @@ Result<MotionPlan> Finisher::Run() {
   motion_ = {FirstPoints(problem), FirstForces(model_, finished_, problem)};
   windows_ = {{0, static_cast<int>(knots_s_.size()) - 1, problem.use}};
   if (follow_ != nullptr) windows_ = WindowsOf(problem, follow_->windows);
+  if (follow_ == nullptr && MaySpareSoles(model_, plan_, settings_.friction_use)) {
+    windows_.front().spares_soles = true;
+    SpareSoles(problem);
+  }
   WindowSolver solver(Elastic(), std::move(to_edges));
   PlanResidual residual;
   for (report_.solves = 1;; ++report_.solves) {

@@ -51,12 +51,18 @@ std::vector<KnotWindow> WindowsOf(const BodyProblem& problem, const WindowOption
   return windows;
 }
 
-/// Gives up the room that controllers would like to have. Where the window begins, forces were found before.
+/// Lets soles use all that they have. Where the window begins, forces were found before.
+void WindowSolver::UseSoles(BodyProblem& problem, KnotWindow& window) const {
+  window.spares_soles = false;
+  for (int k = window.first == 0 ? 0 : window.first + 1; k <= window.last; ++k)
+    problem.knots[Of(k)].pressing = to_edges_[Of(k)];
+}
+
+/// Gives up the room that controllers would like to have.
 void WindowSolver::UseAll(BodyProblem& problem, KnotWindow& window) const {
   window.keeps_room = false;
   window.use = kFullUse;
-  for (int k = window.first == 0 ? 0 : window.first + 1; k <= window.last; ++k)
-    problem.knots[Of(k)].pressing = to_edges_[Of(k)];
+  UseSoles(problem, window);
 }
 
 std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const ChainSpline& spline,
@@ -107,6 +113,10 @@ std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<Kno
   const int usual = windows.front().last - windows.front().first;
   for (std::size_t i = 0; i < windows.size();) {
     std::optional<Failure> failure = SolveOne(problem, spline, windows[i], motion);
+    if (failure && windows[i].spares_soles) {
+      UseSoles(problem, windows[i]);
+      failure = SolveOne(problem, spline, windows[i], motion);
+    }
     if (failure && windows[i].keeps_room) {
       UseAll(problem, windows[i]);
       failure = SolveOne(problem, spline, windows[i], motion);

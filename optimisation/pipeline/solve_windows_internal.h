@@ -22,7 +22,8 @@ struct WindowOptions {
 struct KnotWindow {
   int first = 0, last = 0;
   BodyLimitUse use;
-  bool keeps_room = true;  ///< keeps the room that controllers would like to have
+  bool keeps_room = true;     ///< keeps the room that controllers would like to have
+  bool spares_soles = false;  ///< soles use little of their friction; given up before the room
 };
 
 /// Windows over all knots; one if the motion is at most one and a half times as long as a window. Seams are near
@@ -46,12 +47,14 @@ struct WindowWork {
 /// smooth as that of one solve.
 class WindowSolver {
  public:
-  /// @param to_edges  by knot: soles that press up to their edges, for windows that cannot keep room.
+  /// @param to_edges  by knot: soles that press up to their edges with all their friction, for windows that cannot
+  /// spare soles or keep room.
   WindowSolver(const ElasticOptions& elastic, std::vector<std::vector<PressingFoot>> to_edges)
       : elastic_(elastic), to_edges_(std::move(to_edges)) {}
 
-  /// Solves all windows from the motion on. A window that has no solution is solved again without the room that
-  /// controllers would like to have, then joined with the window before it. @param windows  are changed like this.
+  /// Solves all windows from the motion on. A window that has no solution is solved again without sparing soles, then
+  /// without the room that controllers would like to have, then joined with the window before it. @param windows  are
+  /// changed like this.
   /// @param progress  called after each window, with its number from 1 on and how many there are.
   /// @return nothing, or the failure of a window.
   std::optional<Failure> Solve(BodyProblem& problem, std::vector<KnotWindow>& windows, BodyMotion& motion,
@@ -64,6 +67,7 @@ class WindowSolver {
  private:
   std::optional<Failure> SolveOne(const BodyProblem& problem, const ChainSpline& spline, const KnotWindow& window,
                                   BodyMotion& motion);
+  void UseSoles(BodyProblem& problem, KnotWindow& window) const;
   void UseAll(BodyProblem& problem, KnotWindow& window) const;
 
   const ElasticOptions elastic_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/plan_motion.h"
@@ -86,6 +88,35 @@ TEST(FinishMotion, KeepsSolesOnTheirFootholds) {
   const Result<MotionPlan> finished = FinishMotion(model, Planned(model, "walk", 0.05, 0.04), {.knot_step_s = 0.02});
   ASSERT_TRUE(finished.ok()) << finished.failure().message;
   ExpectSound(model, *finished);
+}
+
+/// Largest horizontal over vertical force of all feet together, while they carry some of the weight.
+double LargestSlope(const RobotModel& model, const MotionPlan& plan) {
+  double largest = 0.0;
+  for (const std::vector<ContactWrench>& wrenches : plan.whole_body.wrenches) {
+    Vector3 sum_W = Vector3::Zero();
+    for (const ContactWrench& wrench : wrenches) sum_W += wrench.force_W;
+    if (sum_W.z() > 0.3 * model.weight_n()) largest = std::max(largest, sum_W.head<2>().norm() / sum_W.z());
+  }
+  return largest;
+}
+
+TEST(FinishMotion, SolesUseAQuarterOfTheirFrictionIfThatIsEnough) {
+  constexpr double kUse = 0.9, kQuarter = 0.25;
+  const RobotModel& model = NamedRobot("nao");
+  MotionPlan plan = Planned(model, "walk", 0.05, 0.04);
+  const double before = LargestSlope(model, plan);
+  // A quarter is a little less than the plan takes now.
+  plan.terrain = FlatTerrain(0.9 * before / (kQuarter * kUse));
+  const Result<MotionPlan> spared = FinishMotion(model, plan, {.knot_step_s = 0.02}, kUse);
+  ASSERT_TRUE(spared.ok()) << spared.failure().message;
+  EXPECT_LE(LargestSlope(model, *spared), 0.91 * before);
+  // A quarter is far too little.
+  plan.terrain = FlatTerrain(1.3 * before / kUse);
+  const Result<MotionPlan> slippery = FinishMotion(model, plan, {.knot_step_s = 0.02}, kUse);
+  ASSERT_TRUE(slippery.ok()) << slippery.failure().message;
+  EXPECT_GT(LargestSlope(model, *slippery), 1.3 * kQuarter * before);
+  ExpectSound(model, *slippery);
 }
 
 TEST(FinishMotion, NamesWhatForbidsAMotion) {
