@@ -26,7 +26,7 @@ PolicyState State() {
   s.joint_position = Vector2(0.3, 0.5);
   s.joint_velocity = Vector2(7.0, 8.0);
   s.default_position = Vector2(0.1, -0.2);
-  s.last_action = Eigen::Vector2f(9.0F, 10.0F);
+  s.last_action = Eigen::VectorXf::LinSpaced(2, 9.0F, 10.0F);
   s.time_s = 0.2;
   return s;
 }

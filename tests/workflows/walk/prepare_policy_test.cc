@@ -56,7 +56,9 @@ TEST_F(PreparePolicyTest, APolicyThatHoldsItsPostureStandsInEachEngine) {
   EXPECT_TRUE(played.report.pass) << played.report.reason;
   EXPECT_EQ(played.log.controller, "policy");
   EXPECT_LT(*played.report.At("command_velocity_error_m_s").value, 0.01);
-  if (played.second != nullptr) EXPECT_TRUE(played.second->report.pass) << played.second->report.reason;
+  if (played.second != nullptr) {
+    EXPECT_TRUE(played.second->report.pass) << played.second->report.reason;
+  }
 }
 
 TEST_F(PreparePolicyTest, APolicyThatStepsFollowsItsCommandInEachEngine) {
@@ -67,7 +69,9 @@ TEST_F(PreparePolicyTest, APolicyThatStepsFollowsItsCommandInEachEngine) {
   const PlayedWalk played = PlayWalk(A1(), prepared.plan, PlayOf(prepared, ProvingEngine())).value();
   EXPECT_TRUE(played.report.pass) << played.report.reason;
   EXPECT_GT(*played.report.At("distance_m").value, 1.5);
-  if (played.second != nullptr) EXPECT_TRUE(played.second->report.pass) << played.second->report.reason;
+  if (played.second != nullptr) {
+    EXPECT_TRUE(played.second->report.pass) << played.second->report.reason;
+  }
 }
 
 TEST_F(PreparePolicyTest, CommandsChangeOverTime) {
