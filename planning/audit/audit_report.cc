@@ -50,6 +50,7 @@ std::string AuditFigure(double value, const std::string& unit) {
 }
 
 std::string AuditText(const AuditReport& report) {
+  if (report.samples == 0 && !report.notes.empty()) return fmt::format("audit: none, {}\n", report.notes.front());
   if (report.pass()) {
     return fmt::format("audit: pass, {} samples at {:.0f} Hz\n", report.samples, report.rate_hz) +
            MarginsText(report.margins);

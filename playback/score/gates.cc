@@ -222,7 +222,7 @@ std::optional<double> LimitOf(const MetricRule& rule, const GateScale& scale) {
 }
 
 bool Holds(Bound bound, double value, double limit) {
-  constexpr double kRounding = 1e-7;  // [m, rad, s] of positions and times that are at a limit
+  constexpr double kRounding = 1e-7;  // [m, rad, s] of distances and times that may be as large as a limit
   switch (bound) {
     case Bound::kNone:
       return true;
@@ -231,7 +231,7 @@ bool Holds(Bound bound, double value, double limit) {
     case Bound::kAtLeast:
       return value >= limit - kRounding;
     case Bound::kAbove:
-      return value > limit - kRounding;
+      return value > limit;
   }
   return false;
 }

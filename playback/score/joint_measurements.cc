@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "planning/plan/plans_contacts_internal.h"
 #include "playback/score/measurements.h"
@@ -14,6 +15,8 @@ bool MayBeAtALimit(const Actuator& motor) {
 }
 
 namespace {
+
+constexpr double kAtLimit = 1e-6;  // [rad] or [m]
 
 const char* const kNoTorqueLimit = "no joint has a torque limit other than a placeholder";
 
@@ -35,6 +38,18 @@ bool Moves(const ScoreInputs& in, int dof) {
   return most - least > kStill;
 }
 
+/// Distance to the lower limit; infinite if the joint stands at this limit, where it may rest.
+double RoomBelow(const RobotModel& model, int dof, double position) {
+  const bool rests = model.standing_joints[dof] - model.dof_lower(dof) < kAtLimit;
+  return rests ? std::numeric_limits<double>::infinity() : position - model.dof_lower(dof);
+}
+
+/// The same for the upper limit.
+double RoomAbove(const RobotModel& model, int dof, double position) {
+  const bool rests = model.dof_upper(dof) - model.standing_joints[dof] < kAtLimit;
+  return rests ? std::numeric_limits<double>::infinity() : model.dof_upper(dof) - position;
+}
+
 /// Extremes over time of quantities of joints and motors, for plan and log.
 struct JointExtremes {
   Extreme speed{Extreme::Kind::kLargest}, margin{Extreme::Kind::kSmallest};
@@ -47,7 +62,7 @@ struct JointExtremes {
       const Actuator& motor = in.motors[static_cast<std::size_t>(i)];
       if (HasSpeedLimit(motor))
         speed.See(std::abs(motor.Speed(v.tail(model.num_dofs()))) / motor.velocity_limit, time_s);
-      const double room = std::min(q[7 + i] - model.dof_lower(i), model.dof_upper(i) - q[7 + i]);
+      const double room = std::min(RoomBelow(model, i, q[7 + i]), RoomAbove(model, i, q[7 + i]));
       if (moves[static_cast<std::size_t>(i)] && std::isfinite(room)) margin.See(room, time_s);
     }
   }

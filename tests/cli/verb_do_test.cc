@@ -52,7 +52,7 @@ TEST_F(Do, RefusalsSayWhatToSayInstead) {
   says(refusal("walk to the kitchen"), "(try: --terrain");
   says(refusal("walk to the kitchen", "./yard.yaml"), "'red marker'");
   says(refusal("jump high"), "'jump forward 30 cm'");
-  says(refusal("do a flip"), "'backflip' or 'barrel roll'");
+  EXPECT_NE(refusal("do a backflip").find("no gait in which its body turns over"), std::string::npos);
   says(refusal("recover from a push"), "--controller recovering");
   says(refusal("walk at 3 m/s"), "m/s' or slower");
   says(refusal("climb the stairs"), "(try: --terrain stairs");

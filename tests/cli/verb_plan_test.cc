@@ -22,8 +22,7 @@ TEST_F(Verdicts, TooMuchNamesWhatWorksWhenTypedIn) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"--speed", "9", "--distance", "0.5"}, " with gait 'trot' ("},
       {{"--speed", "9", "--yaw-rate", "1", "--duration", "1"}, " with gait 'trot' ("},
-      {{"--robot", "nao", "--lateral-speed", "-0.3", "--distance", "0.3"},
-       "the largest lateral speed with gait 'biped' is "},
+      {{"--robot", "nao", "--lateral-speed", "-0.3", "--distance", "0.3"}, "a lateral speed of about "},
       {{"--robot", "nao", "--yaw-rate", "2", "--duration", "1"}, "the largest turning rate with gait 'biped' is "},
       {{"--robot", "nao", "--steps", "4", "--step-length", "0.3"}, "the largest step length with gait 'biped' is "}};
   for (const auto& [arguments, message] : cases) {

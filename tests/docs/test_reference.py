@@ -161,7 +161,7 @@ BROKEN = [
     ("gaits", "mine.yaml", lambda d: d["mine"].pop("phase"), ["gaits", "FILE"]),
     ("gaits", "mine.yaml", lambda d: d["mine"].update(cycle_per_leg_time=3), ["gaits", "FILE"]),
     ("sequence", "parts.yaml", lambda d: d[0].update(sped=1), ["plan", "--sequence", "FILE"]),
-    ("sequence", "parts.yaml", lambda d: d[0].update(speed=-1), ["plan", "--sequence", "FILE"]),
+    ("sequence", "parts.yaml", lambda d: d[0].update(distance=-1), ["plan", "--sequence", "FILE"]),
     ("terrain", "porch.yaml", lambda d: d["patches"][0].update(frction=1), ["terrains", "show", "FILE"]),
     ("terrain", "porch.yaml", lambda d: d["patches"][0].update(friction=9), ["terrains", "show", "FILE"]),
     ("terrain", "porch.yaml", lambda d: d["obstacles"][0].pop("type"), ["terrains", "show", "FILE"]),

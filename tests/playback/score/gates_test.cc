@@ -84,7 +84,7 @@ TEST(Gates, BoundsHoldAsWritten) {
   EXPECT_FALSE(Holds(Bound::kAtMost, 1.1, 1.0));
   EXPECT_TRUE(Holds(Bound::kAbove, 1e-9, 0.0));
   EXPECT_FALSE(Holds(Bound::kAbove, -1e-6, 0.0));
-  EXPECT_TRUE(Holds(Bound::kAbove, -1e-15, 0.0)) << "rounding";
+  EXPECT_FALSE(Holds(Bound::kAbove, 0.0, 0.0)) << "a joint at its stop";
   EXPECT_TRUE(Holds(Bound::kAtMost, 1.0 + 3e-17, 1.0)) << "rounding";
   EXPECT_TRUE(Holds(Bound::kAtLeast, 0.0, 0.0));
   EXPECT_TRUE(Holds(Bound::kNone, 9.0, 0.0));

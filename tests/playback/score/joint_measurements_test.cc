@@ -123,6 +123,15 @@ TEST(JointMeasurements, TheMarginToALimitIsThatOfJointsThatThePlanMoves) {
   }
 }
 
+TEST(JointMeasurements, AJointMayReturnToTheLimitAtWhichItStands) {
+  Played c = WithOneMovingJoint(0);
+  c.model.standing_joints[0] = c.model.dof_lower(0);
+  c.log.samples[60].q[7 + 0] = c.model.dof_lower(0);
+  EXPECT_GT(c.Value("joint_limit_margin_min_rad"), 0.0);
+  c.log.samples[60].q[7 + 0] = c.model.dof_upper(0) + 0.01;
+  EXPECT_NEAR(c.Value("joint_limit_margin_min_rad"), -0.01, 1e-12);
+}
+
 TEST(JointMeasurements, AJointBeyondItsLimitHasANegativeMargin) {
   Played c = WithOneMovingJoint(3);
   c.log.samples[10].q[7 + 3] = 1.02;

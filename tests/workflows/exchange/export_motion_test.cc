@@ -73,7 +73,7 @@ TEST(ExportMotion, DrawsOneMotionAndTwoOverEachOther) {
 
 TEST(ExportMotion, EachFormatHasAName) {
   const std::vector<std::string>& names = ExportFormatNames();
-  ASSERT_EQ(names.size(), 9U);
+  ASSERT_EQ(names.size(), 10U);
   for (std::size_t k = 0; k < names.size(); ++k) EXPECT_EQ(static_cast<std::size_t>(ExportFormatOf(names[k])), k);
   EXPECT_EQ(ExportFormatOf("npz"), ExportFormat::kNpz);
   EXPECT_EQ(ExportFormatOf("mjcf"), ExportFormat::kMjcf);

@@ -261,7 +261,8 @@ TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
   options.contact_height = 0.0;
   ExpectSays(WhyImportMotionRefused(CsvOf({}), options), {"is never in stance"});
   EXPECT_FALSE(Imported("motion.bag", "x").ok());
-  ExpectSays(Imported("motion.bag", "x").failure().message, {"accepted: .csv, .tsv, .txt, .npz, .yaml, .yml, .json"});
+  ExpectSays(Imported("motion.bag", "x").failure().message,
+             {"accepted: .csv, .tsv, .txt, .npz, .mcap, .db3, .bvh, .yaml, .yml, .json"});
 }
 
 TEST(ImportRefusals, JointsTurnedTheOtherWayAreNamedFirst) {

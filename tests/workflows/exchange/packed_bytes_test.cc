@@ -3,6 +3,8 @@
 #include <lz4frame.h>
 #include <zstd.h>
 
+#include <cstdint>
+
 #include "kinematics/base/result.h"
 #include "tests/workflows/exchange/mcap_bytes.h"
 #include "workflows/exchange/crc32_internal.h"
@@ -22,7 +24,7 @@ std::string ByLz4(const std::string& bytes) {
 /// Three megabytes that pack well, and do not repeat exactly.
 std::string ManyBytes() {
   std::string bytes;
-  for (int i = 0; bytes.size() < 3'000'000; ++i) bytes += std::to_string(i * i) + ",";
+  for (std::int64_t i = 0; bytes.size() < 3'000'000; ++i) bytes += std::to_string(i * i) + ",";
   return bytes;
 }
 
