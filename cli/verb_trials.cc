@@ -230,8 +230,8 @@ void AddTrialsFlags(Verb verb, TrialsSettings& a) {
 
 void AddTrials(Verb program, int& status) {
   auto a = std::make_shared<TrialsSettings>();
-  const Verb verb = program.AddVerb(
-      "trials", "Play a plan or a policy many times under sampled disturbances, and report its survival rate");
+  const Verb verb =
+      program.AddVerb("trials", "Play a plan or policy many times under disturbances, and report its survival rate");
   AddTrialsFlags(verb, *a);
   AddCommon(verb, a->common,
             {"trials plan.json -n 2 --quiet", "trials plan.json -n 2 --out two.json --report two.html --threads 1",

@@ -319,31 +319,6 @@ TEST(LegIk, DampedAgreesWithTheClosedForms) {
   }
 }
 
-TEST(LegIk, NearTargetsAreFoundFromTheGuessAlone) {
-  for (const char* name : {"a1", "nao", "seven"}) {
-    const RobotModel model = Named(name);
-    const LegIk ik(model, 0);
-    Places places(model, ik);
-    int missed = 0;
-    for (int i = 0; i < 200; ++i) {
-      const VectorX q = places.Next();
-      const Pose X_BF = ik.FootPose(q);
-      const std::optional<VectorX> found = ik.SolveNear(X_BF, q + 0.02 * (places.Next() - q));
-      if (!found) {
-        ++missed;
-        continue;
-      }
-      EXPECT_LT(PoseError(ik.FootPose(*found), X_BF, IsPlaced(model, 0)), 1e-10) << name << " " << i;
-      places.ExpectWithinLimits(*found);
-      Pose far = X_BF;
-      far.translation() *= 4.0;
-      EXPECT_FALSE(ik.SolveNear(far, q)) << name << " " << i;
-    }
-    EXPECT_LE(missed, 4) << name;
-    EXPECT_THROW(ik.SolveNear(Pose::Identity(), VectorX::Zero(1)), InvalidArgument);
-  }
-}
-
 TEST(LegIk, DampedSaysWhatIsMissing) {
   const LegIk ik(Robot("a1"), 0, Method::kDamped);
   Pose X_BF = Pose::Identity();
