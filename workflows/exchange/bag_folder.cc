@@ -9,6 +9,7 @@
 #include "kinematics/base/strict_yaml_internal.h"
 #include "workflows/exchange/mcap_records_internal.h"
 #include "workflows/exchange/packed_bytes_internal.h"
+#include "workflows/exchange/read_motion_internal.h"
 #include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/exchange/sqlite_bag_internal.h"
 
@@ -74,19 +75,15 @@ bool IsBagFolder(const std::string& path) {
 
 Result<std::vector<std::string>> ReadBagFolder(const std::string& path) {
   const std::string description_file = (fs::path(path) / kBagDescription).string();
-  const auto refused = [](const std::string& file, const std::string& why) {
-    return Failure{
-        FailureKind::kBadInput, FailureCode::kImport, "ImportMotion", fmt::format("'{}': {}", file, why), {}};
-  };
   const Result<std::string> text = ReadFile(description_file);
   if (!text) return text.failure();
   BagDescription description;
   try {
     description = ParseBagDescription(*text);
   } catch (const InvalidArgument& error) {
-    return refused(description_file, error.what());
+    return RefusedMotion(description_file, error.what());
   } catch (const YAML::Exception& error) {
-    return refused(description_file, fmt::format("line {}: {}", error.mark.line + 1, error.msg));
+    return RefusedMotion(description_file, fmt::format("line {}: {}", error.mark.line + 1, error.msg));
   }
   std::vector<std::string> files;
   for (const std::string& name : description.files) {
@@ -96,9 +93,9 @@ Result<std::vector<std::string>> ReadBagFolder(const std::string& path) {
     try {
       files.push_back(description.packed ? UnpackedZstd(*bytes, kLargestFile) : std::move(*bytes));
     } catch (const InvalidArgument& error) {
-      return refused(file, error.what());
+      return RefusedMotion(file, error.what());
     }
-    if (!IsRecording(files.back())) return refused(file, "it is neither an MCAP file nor a database of SQLite");
+    if (!IsRecording(files.back())) return RefusedMotion(file, "it is neither an MCAP file nor a database of SQLite");
   }
   return files;
 }

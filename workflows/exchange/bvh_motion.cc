@@ -11,6 +11,7 @@
 #include "kinematics/base/options.h"
 #include "workflows/exchange/bvh_file_internal.h"
 #include "workflows/exchange/bvh_motion_internal.h"
+#include "workflows/exchange/read_motion_internal.h"
 #include "workflows/exchange/skeleton_frames_internal.h"
 
 namespace gaitwright {
@@ -254,11 +255,7 @@ Result<MotionTable> ParseBvhMotion(const RobotModel& model, const std::string& t
     const BvhFile file = ParseBvh(text);
     return BvhReader(model, file, options).Run();
   } catch (const InvalidArgument& error) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kImport,
-                   "ImportMotion",
-                   fmt::format("'{}': {}", source, error.what()),
-                   {}};
+    return RefusedMotion(source, error.what());
   }
 }
 

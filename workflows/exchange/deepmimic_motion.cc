@@ -13,6 +13,7 @@
 #include "workflows/exchange/deepmimic_motion_internal.h"
 #include "workflows/exchange/frame_motion_internal.h"
 #include "workflows/exchange/median_internal.h"
+#include "workflows/exchange/read_motion_internal.h"
 #include "workflows/exchange/skeleton_frames_internal.h"
 
 namespace gaitwright {
@@ -169,17 +170,13 @@ bool HoldsDeepMimicFrames(const std::string& text) {
 
 Result<MotionTable> ParseDeepMimic(const RobotModel& model, const std::string& text, const std::string& source,
                                    const ImportOptions& options) {
-  const auto refused = [&](const std::string& why) {
-    return Failure{
-        FailureKind::kBadInput, FailureCode::kImport, "ImportMotion", fmt::format("'{}': {}", source, why), {}};
-  };
   try {
     const JsonPart::Json json = ParseJsonOnce(text);
     return DeepMimicReader(model, options).Run(JsonPart(json));
   } catch (const InvalidArgument& error) {
-    return refused(error.what());
+    return RefusedMotion(source, error.what());
   } catch (const JsonPart::Json::exception&) {
-    return refused(WhyNoJson(text));
+    return RefusedMotion(source, WhyNoJson(text));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "planning/plan/json_part_internal.h"
 #include "workflows/exchange/csv_table.h"
 #include "workflows/exchange/frame_motion_internal.h"
+#include "workflows/exchange/read_motion_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -130,10 +131,6 @@ bool HoldsJsonFrames(const std::string& text) {
 
 Result<MotionTable> ParseJsonFrames(const RobotModel& model, const std::string& text, const std::string& source,
                                     const ImportOptions& options) {
-  const auto refused = [&](const std::string& why) {
-    return Failure{
-        FailureKind::kBadInput, FailureCode::kImport, "ImportMotion", fmt::format("'{}': {}", source, why), {}};
-  };
   try {
     const JsonPart::Json json = ParseJsonOnce(text);
     const JsonPart root(json);
@@ -155,9 +152,9 @@ Result<MotionTable> ParseJsonFrames(const RobotModel& model, const std::string& 
     }
     return frames.Take();
   } catch (const InvalidArgument& error) {
-    return refused(error.what());
+    return RefusedMotion(source, error.what());
   } catch (const JsonPart::Json::exception&) {
-    return refused(WhyNoJson(text));
+    return RefusedMotion(source, WhyNoJson(text));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "workflows/exchange/frame_motion_internal.h"
 #include "workflows/exchange/npy_array_internal.h"
 #include "workflows/exchange/npz_motion_internal.h"
+#include "workflows/exchange/read_motion_internal.h"
 #include "workflows/exchange/read_zip_internal.h"
 
 namespace gaitwright {
@@ -348,11 +349,7 @@ Result<MotionTable> ParseNpzMotion(const RobotModel& model, const std::string& b
     NpzArrays arrays(bytes);
     return NpzReader(model, arrays, options).Run();
   } catch (const InvalidArgument& error) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kImport,
-                   "ImportMotion",
-                   fmt::format("'{}': {}", source, error.what()),
-                   {}};
+    return RefusedMotion(source, error.what());
   }
 }
 

@@ -43,6 +43,7 @@ Result<MotionTable> ReadMotionTable(const RobotModel& model, const MotionText& t
 EvenMotion EvenMotionOf(const RobotModel& model, const Terrain& terrain, const ImportOptions& options,
                         MotionTable table, ImportNotes& notes);
 
+/// The failure of a file that cannot be read as a motion: kBadInput `import`, with the file's name before the reason.
 Failure RefusedMotion(const std::string& file, const std::string& why);
 
 }  // namespace gaitwright

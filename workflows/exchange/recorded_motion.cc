@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "kinematics/base/options.h"
+#include "workflows/exchange/read_motion_internal.h"
 #include "workflows/exchange/recorded_base_internal.h"
 #include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/exchange/recorded_topics_internal.h"
@@ -289,11 +290,7 @@ Result<MotionTable> ParseRecordedMotion(const RobotModel& model, const std::stri
     for (const std::string& file : further) ReadRecording(file, topics);
     return RecordingReader(model, topics, options).Run();
   } catch (const InvalidArgument& error) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kImport,
-                   "ImportMotion",
-                   fmt::format("'{}': {}", source, error.what()),
-                   {}};
+    return RefusedMotion(source, error.what());
   }
 }
 
