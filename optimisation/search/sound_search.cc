@@ -18,26 +18,38 @@ using Sound = std::optional<std::pair<Candidate, Evaluation>>;
 
 /// Whether joints or motors refuse a walk: optimising the whole body can avoid that.
 bool IsOfJoints(const Failure& refusal) {
-  if (!refusal.violation) return false;
+  if (!refusal.violation) return refusal.code == FailureCode::kLimits;  // of a plan that was not audited
   const Law law = refusal.violation->law;
   return law == Law::kJointPosition || law == Law::kJointVelocity || law == Law::kJointTorque ||
          law == Law::kTorqueSpeed;
 }
 
+/// Evaluates as another evaluator does, and notes whether joints or motors refused any candidate.
+class JointWatch : public Evaluator {
+ public:
+  explicit JointWatch(Evaluator& evaluator) : evaluator_(evaluator) {}
+
+  Evaluation Evaluate(const Candidate& candidate, Effort effort) override {
+    Evaluation evaluation = evaluator_.Evaluate(candidate, effort);
+    refused_ = refused_ || (evaluation.refusal && IsOfJoints(*evaluation.refusal));
+    return evaluation;
+  }
+  bool Flies(const Candidate& candidate) override { return evaluator_.Flies(candidate); }
+  bool refused() const { return refused_; }
+
+ private:
+  Evaluator& evaluator_;
+  bool refused_ = false;
+};
+
 /// The only loop over a table: returns the first row whose whole walk is sound.
-/// @param of_joints  set to true if joints or motors refuse any row.
-Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator,
-                 bool* of_joints = nullptr) {
-  const auto passes = [&](const Evaluation& evaluation) {
-    if (of_joints != nullptr && evaluation.refusal) *of_joints = *of_joints || IsOfJoints(*evaluation.refusal);
-    return evaluation.sound();
-  };
+Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
   for (const Variation& v : variations) {
     const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
                               v.other_footholds,        v.finishes,           v.heel_off_rad};
-    if (screening != Effort::kWhole && !passes(evaluator.Evaluate(candidate, screening))) continue;
+    if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
-    if (passes(whole)) return std::pair(candidate, std::move(whole));
+    if (whole.sound()) return std::pair(candidate, std::move(whole));
     if (whole.at_every_pace) return {};
   }
   return {};
@@ -172,14 +184,14 @@ double LargestOnTheGround(const SearchProblem& problem, Evaluator& evaluator) {
 
 SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   const Candidate as_asked{problem.paces.asked};
-  SearchResult result{as_asked, evaluator.Evaluate(as_asked, Effort::kWhole), {}};
+  JointWatch watch(evaluator);
+  SearchResult result{as_asked, watch.Evaluate(as_asked, Effort::kWhole), {}};
   if (problem.any_plan || result.evaluation.sound() || result.evaluation.at_every_pace) return result;
   result.why = result.evaluation.refusal->code;
   SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;
-  bool of_joints = IsOfJoints(*result.evaluation.refusal);
-  Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator, &of_joints);
-  if (!sound && !situation.may_slow_down && of_joints)
+  Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), watch);
+  if (!sound && !situation.may_slow_down && watch.refused())
     sound = FirstSound(FinishedVariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
   if (!sound && situation.may_slow_down && situation.kind == Kind::kLevel)
     sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
@@ -196,9 +208,9 @@ SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator)
     return {leaping > 0.0 ? leaping : LargestOnTheGround(problem, evaluator), Known::kMay};
   }
   if (situation.may_slow_down) return {};
-  const Evaluation asked = evaluator.Evaluate({problem.paces.asked}, Effort::kWhole);  // known already
-  const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, evaluator);
-  if (situation.kind == Kind::kLevel && sound && asked.refusal && IsOfJoints(*asked.refusal)) {
+  JointWatch watch(evaluator);
+  const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, watch);
+  if (situation.kind == Kind::kLevel && sound && watch.refused()) {
     const double finished = LargestFinished(problem, sound->first.pace, evaluator);
     if (finished > 0.0) return {finished, Known::kMay};
   }

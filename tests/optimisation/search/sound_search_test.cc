@@ -15,7 +15,7 @@ namespace {
 
 using Kind = SearchSituation::Kind;
 
-Failure TooMuch() { return {FailureKind::kInfeasible, FailureCode::kLimits, "Made up", "", {}}; }
+Failure TooMuch() { return {FailureKind::kInfeasible, FailureCode::kFootholdOutOfReach, "Made up", "", {}}; }
 
 /// Evaluates candidates by a function, and records the queries.
 class MadeUp : public Evaluator {
@@ -74,7 +74,7 @@ TEST(FindSound, OnLevelGroundWholeWalksArePlannedOnlyWhereTheirStartIsSound) {
   });
   const SearchResult result = FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator);
   EXPECT_EQ(result.candidate, (Candidate{0.5, 4}));
-  EXPECT_EQ(result.why, FailureCode::kLimits);
+  EXPECT_EQ(result.why, FailureCode::kFootholdOutOfReach);
   EXPECT_EQ(evaluator.Count(Effort::kStart), 4);
   EXPECT_EQ(evaluator.Count(Effort::kWhole), 3);
 }
@@ -100,17 +100,24 @@ TEST(FindSound, TheWholeBodyIsOptimisedWhereJointsRefuseAllPasses) {
   }
 }
 
+/// Refusals by joints only where the given function says so.
+class JointsRefuse : public MadeUp {
+ public:
+  JointsRefuse(IsSoundAt sound, std::function<bool(const Candidate&)> of_joints)
+      : MadeUp(std::move(sound)), of_joints_(std::move(of_joints)) {}
+  Evaluation Evaluate(const Candidate& candidate, Effort effort) override {
+    breaks = of_joints_(candidate) ? std::optional(Law::kJointVelocity) : std::nullopt;
+    return MadeUp::Evaluate(candidate, effort);
+  }
+
+ private:
+  std::function<bool(const Candidate&)> of_joints_;
+};
+
 TEST(FindSound, TheWholeBodyIsOptimisedAlsoWhereJointsRefuseOnlyOtherCycles) {
   // The requested walk is out of reach; with shorter cycles, motors are too slow.
-  class OutOfReach : public MadeUp {
-   public:
-    using MadeUp::MadeUp;
-    Evaluation Evaluate(const Candidate& candidate, Effort effort) override {
-      breaks = candidate.cycle > 2 ? std::optional(Law::kJointVelocity) : std::nullopt;
-      return MadeUp::Evaluate(candidate, effort);
-    }
-  };
-  OutOfReach evaluator([](const Candidate& c, Effort) { return c.finishes && c.cycle == 6; });
+  JointsRefuse evaluator([](const Candidate& c, Effort) { return c.finishes && c.cycle == 6; },
+                         [](const Candidate& c) { return c.cycle > 2; });
   EXPECT_TRUE(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate.finishes);
 }
 
@@ -231,6 +238,14 @@ TEST(SlowerThatIsSound, IsFoundAlsoIfTheRequestIsFarOutOfReach) {
   evaluator.breaks = Law::kJointTorque;
   const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kLevel, 3.0), evaluator);
   EXPECT_DOUBLE_EQ(slower.value, 0.25);
+  EXPECT_EQ(slower.known, SlowerPace::Known::kMay);
+}
+
+TEST(SlowerThatIsSound, IsLargerAlsoIfFootholdsOfTheRequestAreOutOfReach) {
+  JointsRefuse evaluator([](const Candidate& c, Effort) { return c.pace <= (c.finishes ? 0.3 : 0.2); },
+                         [](const Candidate& c) { return c.pace < 1.0; });
+  const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kLevel, 3.0), evaluator);
+  EXPECT_GT(slower.value, 0.25);
   EXPECT_EQ(slower.known, SlowerPace::Known::kMay);
 }
 
