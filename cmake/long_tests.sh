@@ -69,7 +69,7 @@ fuzz_reader() {
   "$bin/fuzz_$1" "$2" --write "$corpus" &&
     "$bin/libfuzzer_$1" "--reader=$2" "$corpus" "-runs=$3" -seed=1 -max_len=65536 -timeout=20 -rss_limit_mb=4096 \
       -print_final_stats=1 "-artifact_prefix=$found/$2-" >"$logs/fuzzing-$1-$2.log" 2>&1 &&
-    echo "$2: $3 inputs without a defect" || echo "$2: a defect, see $logs/fuzzing-$1-$2.log"
+    echo "$2: passed, $3 inputs" || echo "$2: failed, see $logs/fuzzing-$1-$2.log"
 }
 
 # fuzzed_readers ROOM INPUTS: every reader of the room with that number of inputs, as many at once as there are cores.
@@ -82,8 +82,8 @@ fuzzed_readers() {
   export -f fuzz_reader
   xargs -P "$(nproc)" -I {} bash -c "fuzz_reader $1 {} $2" <<<"$readers" | tee "$logs/fuzzing-$1-readers.log"
   echo "$(($2 * $(wc -w <<<"$readers"))) inputs over $(wc -w <<<"$readers") readers," \
-    "$(grep -c 'a defect' "$logs/fuzzing-$1-readers.log") readers with defects"
-  ! grep -q 'a defect' "$logs/fuzzing-$1-readers.log"
+    "$(grep -c ': failed' "$logs/fuzzing-$1-readers.log") readers with defects"
+  ! grep -q ': failed' "$logs/fuzzing-$1-readers.log"
 }
 
 # Every .cc file of the tree that has changed since its last clean result.
