@@ -5,19 +5,36 @@
 #include <utility>
 
 namespace gaitwright {
+namespace {
+
+/// Pose of a joint's body in the joint's frame.
+Pose MovedBy(const Joint& joint, const VectorX& joints) {
+  const double position = joint.multiplier * joints[joint.dof] + joint.offset;
+  Pose X_JB = Pose::Identity();
+  if (joint.is_prismatic()) {
+    X_JB.translation() = position * joint.axis_J;
+  } else {
+    X_JB.linear() = Eigen::AngleAxisd(position, joint.axis_J).toRotationMatrix();
+  }
+  return X_JB;
+}
+
+}  // namespace
 
 std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints) {
   std::vector<Pose> X_OB(model.bodies.size(), Pose::Identity());
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
-    const double position = joint.multiplier * joints[joint.dof] + joint.offset;
-    Pose X_JB = Pose::Identity();
-    if (joint.is_prismatic()) {
-      X_JB.translation() = position * joint.axis_J;
-    } else {
-      X_JB.linear() = Eigen::AngleAxisd(position, joint.axis_J).toRotationMatrix();
-    }
-    X_OB[j + 1] = X_OB[static_cast<std::size_t>(joint.parent_body)] * joint.X_PJ * X_JB;
+    X_OB[j + 1] = X_OB[static_cast<std::size_t>(joint.parent_body)] * joint.X_PJ * MovedBy(joint, joints);
+  }
+  return X_OB;
+}
+
+Pose PoseAlong(const RobotModel& model, const std::vector<int>& chain, const VectorX& joints) {
+  Pose X_OB = Pose::Identity();
+  for (const int j : chain) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    X_OB = X_OB * joint.X_PJ * MovedBy(joint, joints);
   }
   return X_OB;
 }

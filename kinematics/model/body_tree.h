@@ -11,6 +11,9 @@ namespace gaitwright {
 /// ForwardKinematics, which does not allocate memory.
 std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints);
 
+/// The same of the last body of a chain (ChainTo), equal to that of BodyPoses.
+Pose PoseAlong(const RobotModel& model, const std::vector<int>& chain, const VectorX& joints);
+
 /// Indices of the joints from the base to a body, base first.
 std::vector<int> ChainTo(const RobotModel& model, int body);
 

@@ -26,30 +26,34 @@ double Clamped(const RobotModel& model, int dof, double value) {
 }
 
 /// Difference of a foot from its desired pose: position, and rotation if it has a sole.
-VectorX FootError(const RobotModel& model, const Foot& foot, const VectorX& joints, const Pose& wanted) {
-  const Pose X_OF = BodyPoses(model, joints)[static_cast<std::size_t>(foot.body)] * foot.X_BF;
+/// @param chain  joints from the base to the foot.
+VectorX FootError(const RobotModel& model, const std::vector<int>& chain, const Foot& foot, const VectorX& joints,
+                  const Pose& wanted) {
+  const Pose X_OF = PoseAlong(model, chain, joints) * foot.X_BF;
   VectorX error = VectorX::Zero(foot.sole_F.empty() ? 3 : 6);
   error.head<3>() = wanted.translation() - X_OF.translation();
   if (!foot.sole_F.empty()) error.tail<3>() = 0.2 * RotationLog(wanted.linear() * X_OF.linear().transpose());
   return error;
 }
 
-/// Damped least squares on the leg's coordinates with finite differences. Runs once for a model, so speed does not
-/// matter. @return the norm of the remaining error.
+/// Damped least squares on the leg's coordinates with finite differences.
+/// @return the norm of the remaining error.
 double MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, VectorX& joints) {
   const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
   std::set<int> unique;
   for (const int joint : leg.joints) unique.insert(model.joints[static_cast<std::size_t>(joint)].dof);
   const std::vector<int> dofs(unique.begin(), unique.end());
   const auto n = static_cast<Eigen::Index>(dofs.size());
-  VectorX error = FootError(model, foot, joints, wanted);
-  for (int iteration = 0; iteration < 200 && error.norm() >= 1e-12; ++iteration) {
+  constexpr int kMost = 200;  // along limits the error falls slowly
+  const std::vector<int> chain = ChainTo(model, foot.body);
+  VectorX error = FootError(model, chain, foot, joints, wanted);
+  for (int iteration = 0; iteration < kMost && error.norm() >= 1e-12; ++iteration) {
     MatrixX J(error.size(), n);
     for (Eigen::Index c = 0; c < n; ++c) {
       constexpr double kStep = 1e-7;
       VectorX moved = joints;
       moved[dofs[static_cast<std::size_t>(c)]] += kStep;
-      J.col(c) = (error - FootError(model, foot, moved, wanted)) / kStep;
+      J.col(c) = (error - FootError(model, chain, foot, moved, wanted)) / kStep;
     }
     const MatrixX normal = J.transpose() * J + 1e-9 * MatrixX::Identity(n, n);
     const VectorX step = SolveSymmetric(normal, J.transpose() * error);
@@ -60,7 +64,7 @@ double MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, Vec
       joints[dof] = Clamped(model, dof, joints[dof] + scale * step[c]);
     }
     if (joints == before) break;
-    error = FootError(model, foot, joints, wanted);
+    error = FootError(model, chain, foot, joints, wanted);
   }
   return error.norm();
 }
