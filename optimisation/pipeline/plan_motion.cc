@@ -18,12 +18,14 @@
 #include "optimisation/pipeline/gait_timing.h"
 #include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/motion_passes.h"
+#include "optimisation/pipeline/options_of_robot_internal.h"
 #include "optimisation/pipeline/plan_turning_internal.h"
 #include "optimisation/pipeline/rigid_body_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/pipeline/turning_leap_internal.h"
 #include "optimisation/swing/swing_ground.h"
+#include "planning/footsteps/can_walk.h"
 #include "planning/plan/robot_of_plan.h"
 
 namespace gaitwright {
@@ -185,12 +187,12 @@ class PendulumPlan {
     if (!pass) return pass.failure();
     const bool is_tried = pass->violation == tried_violation_;
     if (is_tried && tried_ && !tried_->unfinished) return std::move(*tried_);
-    if (auto tipped = TippedSole(task_.model, task_.terrain, pass->solution.trajectory)) return *tipped;
     PlannedMotion planned = PlannedBy(task_, std::move(*pass), false, passes_);
     if (is_tried && tried_)
       planned.unfinished = tried_->unfinished;
     else if (finishes_)
       FinishPlanned(task_.model, task_.options, planned);
+    if (auto tipped = TippedSole(task_.model, task_.terrain, planned.plan.whole_body)) return *tipped;
     return planned;
   }
 
@@ -214,7 +216,7 @@ class PendulumPlan {
 
   /// Whether the whole body finishes a motion within its limits.
   bool Mends(const MotionPass& pass) {
-    if (!finishes_ || TippedSole(task_.model, task_.terrain, pass.solution.trajectory)) return false;
+    if (!finishes_) return false;
     tried_ = PlannedBy(task_, pass, false, passes_);
     tried_violation_ = pass.violation;
     FinishPlanned(task_.model, task_.options, *tried_);
@@ -222,7 +224,8 @@ class PendulumPlan {
   }
 
   const MotionTask& task_;
-  const bool finishes_ = task_.options.trajectory.method == "whole-body";
+  // Passes let soles without an ankle roll joint tilt.
+  const bool finishes_ = task_.options.trajectory.method == "whole-body" || HasTiltingSole(task_.model);
   int passes_ = 0;
   std::optional<PlannedMotion> tried_;  // by Mends
   double tried_violation_ = -1.0;       // of the motion that was tried
@@ -243,9 +246,12 @@ Result<std::optional<Crouch>> CrouchOf(const RobotModel& model, const ContactSch
 }  // namespace
 
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
-                                 const MotionOptions& options) {
-  MotionOptions checked = options;
+                                 const MotionOptions& asked) {
+  MotionOptions checked = asked;
   CheckOptions(checked.Fields());
+  const bool stands = std::any_of(parts.begin(), parts.end(), [](const WalkPart& p) { return StandsStill(p.gait); });
+  if (std::optional<Failure> falls = WhyCannotStand(model); falls && stands) return *falls;
+  const MotionOptions options = OptionsOf(model, asked);
   FootstepOptions footsteps = StandingOptions(options);
   if (TurnsOver(parts)) footsteps.settling_s = std::max(footsteps.settling_s, StandingForTurn(model));
   Result<FootstepSkeleton> skeleton = PlanSequence(model, terrain, parts, footsteps);
@@ -266,9 +272,10 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
 }
 
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-                                 double cycle_s, const MotionOptions& options) {
-  MotionOptions checked = options;
+                                 double cycle_s, const MotionOptions& asked) {
+  MotionOptions checked = asked;
   CheckOptions(checked.Fields());
+  const MotionOptions options = OptionsOf(model, asked);
   const BodyPath body(model, skeleton, cycle_s);
   const Result<std::optional<Crouch>> crouch = CrouchOf(model, skeleton.schedule, options);
   if (!crouch) return crouch.failure();

@@ -40,9 +40,12 @@ Tipped Worst(const RobotModel& model, const Terrain& terrain, const WholeBodyTra
 
 }  // namespace
 
+bool HasTiltingSole(const RobotModel& model) {
+  return std::any_of(model.feet.begin(), model.feet.end(), [](const Foot& f) { return f.type == FootType::kLine; });
+}
+
 std::optional<Failure> TippedSole(const RobotModel& model, const Terrain& terrain, const WholeBodyTrajectory& motion) {
-  if (std::none_of(model.feet.begin(), model.feet.end(), [](const Foot& f) { return f.type == FootType::kLine; }))
-    return std::nullopt;
+  if (!HasTiltingSole(model)) return std::nullopt;
   const Tipped worst = Worst(model, terrain, motion);
   if (worst.foot < 0) return std::nullopt;
   const Foot& foot = model.feet[static_cast<std::size_t>(worst.foot)];

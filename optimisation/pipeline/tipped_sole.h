@@ -9,6 +9,9 @@
 
 namespace gaitwright {
 
+/// Whether a leg has a sole but no ankle roll joint (FootType::kLine).
+bool HasTiltingSole(const RobotModel& model);
+
 /// Reason why soles of legs without an ankle roll joint (FootType::kLine) make a plan infeasible, or nothing. Such a
 /// sole tilts about its middle as the body sways, and its edge enters the ground. Failure kInfeasible `tipped_sole`
 /// names the foot, the time, the depth of the edge and the tilt; up to 0.1 mm is ignored.

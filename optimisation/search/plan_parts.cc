@@ -33,6 +33,7 @@ Result<std::vector<WalkPart>> Fitted(const RobotModel& model, const WalkRequest&
 struct ServingParts {
   std::vector<WalkPart> parts;
   std::vector<Adjustment> adjustments;
+  bool finishes = false;  // the whole body is optimised for any of them
 };
 
 /// The parts, each with the cycle for which it alone has a sound plan; the failure of the first part without one.
@@ -48,6 +49,7 @@ Result<ServingParts> ServingAlone(const RobotModel& model, const Terrain& terrai
     alone.command = asked[k].command;
     const Result<PlannedWalk> planned = PlanWithin(model, terrain, alone, trace);
     if (!planned) return OfPart(k, asked[k].gait, planned.failure());
+    serving.finishes = serving.finishes || planned->motion.finished;
     const MotionPart& made = planned->motion.plan.parts.front();
     serving.parts[k] = {made.gait, made.command};
     for (Adjustment adjustment : planned->motion.plan.adjustments) {
@@ -105,8 +107,12 @@ Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terr
   if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
   const Result<ServingParts> serving = ServingAlone(model, terrain, request, asked, *fitted, trace);
   if (!serving) return serving.failure();
-  if (serving->parts == *fitted) return RefusedWhole(planned);
-  planned = PlanWhole(model, terrain, request, serving->parts);
+  if (serving->parts != *fitted) planned = PlanWhole(model, terrain, request, serving->parts);
+  if (!IsSound(planned) && serving->finishes) {
+    WalkRequest finished = request;
+    finished.motion.trajectory.method = "whole-body";
+    planned = PlanWhole(model, terrain, finished, serving->parts);
+  }
   if (!IsSound(planned)) return RefusedWhole(planned);
   planned->motion.plan.adjustments = serving->adjustments;
   return planned;

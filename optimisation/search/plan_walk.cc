@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "kinematics/base/cpu_clock.h"
+#include "optimisation/pipeline/options_of_robot_internal.h"
 #include "optimisation/search/plan_parts.h"
 #include "optimisation/search/plan_turn_internal.h"
 #include "optimisation/search/plan_within.h"
@@ -82,7 +83,8 @@ Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, 
   const CpuClock clock;
   WalkRequest checked = request;
   CheckOptions(checked.Fields());
-  Result<PlannedWalk> planned = PlanAsked(model, terrain, request, trace);
+  checked.motion = OptionsOf(model, checked.motion);
+  Result<PlannedWalk> planned = PlanAsked(model, terrain, checked, trace);
   if (!planned) return planned;
   Provenance& provenance = planned->motion.plan.provenance;
   for (const auto& [key, value] : provenance.options) {

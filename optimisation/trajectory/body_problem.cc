@@ -7,6 +7,16 @@ namespace gaitwright {
 
 int FootGoal::count() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }
 
+VectorX WithinOf(const BodyKnot& knot) {
+  std::vector<double> within;
+  for (const FootGoal& goal : knot.feet) {
+    for (std::size_t i = 0; i < goal.rows.size(); ++i) {
+      if (goal.rows[i]) within.push_back(goal.within[i]);
+    }
+  }
+  return Eigen::Map<const VectorX>(within.data(), static_cast<Eigen::Index>(within.size()));
+}
+
 void StateOf(const TurningChart& chart, const VectorJet& jet, ChartedState& state) {
   const Eigen::Index n = jet.x.size();
   state.turn = chart.At({jet.x.segment<3>(3), jet.rate.segment<3>(3), jet.acceleration.segment<3>(3)});

@@ -31,6 +31,7 @@ struct FootGoal {
   Vector3 normal_W = Vector3::UnitZ();   ///< of a sphere
   Matrix3 axes_W = Matrix3::Identity();  ///< along which the position's rows are
   std::array<bool, 6> rows{};            ///< position by axis, rotation by axis of F
+  std::array<double, 6> within{};        ///< what each of these may be off by [m], [rad]
   bool swings = false;                   ///< for messages
 
   int count() const;
@@ -47,6 +48,9 @@ struct BodyKnot {
   bool pins_motion = false;  ///< rate and acceleration are those of the reference
   bool is_given = false;     ///< place and motion are those of the reference, and nothing else is asked or weighed
 };
+
+/// What the rows of a knot's feet may be off by, in their order [m], [rad].
+VectorX WithinOf(const BodyKnot& knot);
 
 /// Weights of the cost, each for a unit of what it weighs and for 10 ms.
 struct BodyWeights {

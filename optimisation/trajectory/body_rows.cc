@@ -90,6 +90,7 @@ void BodyRows::ListRows() {
     knot.D = MatrixX::Zero(knot.dense.size(), knot.y.size());
     knot.feet = VectorX::Zero(CountOf(knot, Asked(k), kFeet));
     knot.J = MatrixX::Zero(knot.feet.size(), n_);
+    if (knot.feet.size() > 0) knot.feet_within = WithinOf(Asked(k));
   }
   value_ = VectorX::Zero(rows);
 }
@@ -144,6 +145,10 @@ RowBounds BodyRows::BoundsOf(Index row) const {
     const double ramp = std::min(1.0, std::min(now_s - problem_.start_s(), problem_.end_s() - now_s) / kToMargin);
     const double low = lower + margin, high = upper - margin;
     return {low + (1.0 - ramp) * std::min(0.0, standing - low), high + (1.0 - ramp) * std::max(0.0, standing - high)};
+  }
+  if (row >= knot.row[kFeet] && row < knot.row[kEffortLimit]) {
+    const double within = kFootUnit * knot.feet_within[row - knot.row[kFeet]];
+    return {-within, within};
   }
   if (row >= knot.row[kCone] && row < knot.row[kPinnedPlace]) return {-kNone, -problem_.use.cone_margin};
   return {0.0, 0.0};

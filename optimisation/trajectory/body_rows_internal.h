@@ -70,6 +70,7 @@ class BodyRows : public ElasticRows {
     Eigen::Index residual_end = 0;
     VectorX y;
     VectorX dense, feet;  // values
+    VectorX feet_within;  // what rows of feet may be off by
     MatrixX D;            // dense rows by y
     MatrixX J;            // rows of feet by coordinates
     MatrixX L, E;         // factors of the forces' own block, and of their coupling

@@ -14,7 +14,8 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSameKnot = 1e-9;  // [s]
+constexpr double kSameKnot = 1e-9;    // [s]
+constexpr double kStanceTilt = 5e-4;  // [rad] of soles without ankle roll: with more they would stand on an edge
 
 /// Rows of a foot's position along the heading's axes, and of its rotation along its own.
 MatrixX FootRowsOf(const RobotModel& model, const DynamicsScratch& scratch, int foot) {
@@ -189,6 +190,10 @@ BodyProblem ProblemOf(const RobotModel& model, const MotionPlan& plan, const std
       const bool tumbles =
           place.swings && part != nullptr && TurnsOver(part->gait) && !IsNearEnd(plan, courses[i].foot(), time_s);
       knot.feet.back().rows = tumbles ? std::array<bool, 6>{} : rows[i];
+      if (model.feet[foot].type == FootType::kLine && !place.swings) {
+        knot.feet.back().rows[3] = true;
+        knot.feet.back().within[3] = kStanceTilt;
+      }
       if (!place.presses) continue;
       knot.pressing.push_back(PressingOf(model, plan, place, supports_F[place.foothold], settings.friction_use));
     }

@@ -11,39 +11,18 @@
 
 #include "kinematics/base/options.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/passive_joints.h"
 #include "kinematics/spatial/dense_solvers.h"
-#include "kinematics/stability/polygon.h"
+#include "kinematics/stability/standing_width_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kThin = 0.01;  // smallest width of a support, as a share of the leg's length
 constexpr double kWeak = 0.02;  // smallest motion of a movable foot, in leg lengths per radian of its joints
 
 Failure Cannot(FailureCode code, const std::string& message, const std::vector<Suggestion>& suggestions) {
   return {FailureKind::kInfeasible, code, "PlanFootsteps", message, suggestions};
-}
-
-/// Smallest width of a polygon in any direction; it is perpendicular to one of the edges. An edge of almost no length
-/// has an arbitrary direction, so the extents on both sides of each edge are added.
-double WidthOf(const Polygon& polygon) {
-  if (polygon.size() < 3) return 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2 edge = (polygon[(i + 1) % polygon.size()] - polygon[i]).normalized();
-    double low = 0.0, high = 0.0;
-    for (const Vector2& p : polygon) {
-      const Vector2 r = p - polygon[i];
-      const double across = edge.x() * r.y() - edge.y() * r.x();
-      low = std::min(low, across);
-      high = std::max(high, across);
-    }
-    least = std::min(least, high - low);
-  }
-  return least;
 }
 
 /// Feet that are points at the origins of links, because no shape and no robot.yaml describes them.
@@ -57,32 +36,26 @@ std::vector<std::string> FeetWithoutShape(const RobotModel& model) {
   return names;
 }
 
-std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScratch& scratch) {
-  std::vector<Vector2> corners;
+std::string FeetOf(const RobotModel& model) {
   std::vector<std::string> names;
-  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
-    names.push_back(model.feet[static_cast<std::size_t>(f)].name);
-    for (const Vector3& p : ContactPoints(model, scratch, f)) corners.push_back(p.head<2>());
-  }
-  const double width = WidthOf(ConvexHull(corners)), least = kThin * model.leg_length_m();
-  if (width >= least) return std::nullopt;
-  if (const std::vector<std::string> bare = FeetWithoutShape(model); !bare.empty()) {
-    std::string soles;
-    for (const std::string& foot : bare)
-      soles += fmt::format("{}{{link: '{}', sole_m: [[X, Y], ...]}}", soles.empty() ? "" : ", ", foot);
-    return Cannot(
-        FailureCode::kNoSupport,
-        fmt::format("robot '{}' cannot stand still: its feet {} have neither collision nor visual geometry, so each is "
-                    "a point without a sole",
-                    model.name, QuotedList(bare)),
-        {fmt::format("give the corners of each sole, in m in the link's frame, in robot.yaml: feet: [{}]", soles)});
-  }
-  return Cannot(FailureCode::kNoSupport,
-                fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a strip {:.1f} mm "
-                            "wide, but standing needs {:.1f} mm; plans start and end standing",
-                            model.name, QuotedList(names), model.feet.size() == 2 ? "two points" : "points in line",
-                            1e3 * width, 1e3 * least),
-                {"give the robot soles (robot.yaml, feet: sole_m) or a third foot"});
+  for (const Foot& foot : model.feet) names.push_back(foot.name);
+  return QuotedList(names);
+}
+
+/// Why a robot that cannot stand still cannot walk either: only a biped can fall from foot to foot.
+std::optional<Failure> LacksSupport(const RobotModel& model) {
+  if (CanStandStill(model)) return std::nullopt;
+  const std::vector<std::string> bare = FeetWithoutShape(model);
+  if (bare.empty()) return model.legs.size() == 2 ? std::nullopt : WhyCannotStand(model);
+  std::string soles;
+  for (const std::string& foot : bare)
+    soles += fmt::format("{}{{link: '{}', sole_m: [[X, Y], ...]}}", soles.empty() ? "" : ", ", foot);
+  return Cannot(
+      FailureCode::kNoSupport,
+      fmt::format("robot '{}' cannot stand still: its feet {} have neither collision nor visual geometry, so "
+                  "each is a point without a sole",
+                  model.name, QuotedList(bare)),
+      {fmt::format("give the corners of each sole, in m in the link's frame, in robot.yaml: feet: [{}]", soles)});
 }
 
 /// The hip of a leg at joint positions zero, in the base frame O.
@@ -238,7 +211,17 @@ std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
   if (auto lacks = LacksMotor(model)) return lacks;
   const DynamicsScratch scratch = Standing(model);
   if (auto lacks = LacksFreedom(model, scratch, Walk::kAhead)) return lacks;
-  return LacksSupport(model, scratch);
+  return LacksSupport(model);
+}
+
+std::optional<Failure> WhyCannotStand(const RobotModel& model) {
+  if (CanStandStill(model)) return std::nullopt;
+  return Cannot(FailureCode::kNoSupport,
+                fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a strip {:.1f} mm "
+                            "wide, but standing needs {:.1f} mm",
+                            model.name, FeetOf(model), model.feet.size() == 2 ? "two points" : "points in line",
+                            1e3 * StandingWidth(model), 1e3 * LeastStandingWidth(model)),
+                {"give the robot soles (robot.yaml, feet: sole_m) or a third foot", "a gait without standing"});
 }
 
 std::optional<Failure> WhyCannotSidestep(const RobotModel& model) {

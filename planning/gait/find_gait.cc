@@ -90,10 +90,20 @@ Result<GaitEntry> FindEntry(const std::string& name, int feet) {
   return BadGait(fmt::format("there is no gait '{}' for {} feet; accepted: {}", name, feet, QuotedList(names)));
 }
 
+/// Whether a biped cannot shift its weight over one foot: no ankle rolls its soles, or it has none. Its body falls
+/// from foot to foot then.
+bool FallsFromFootToFoot(const RobotModel& model) {
+  return model.legs.size() == 2 && std::any_of(model.feet.begin(), model.feet.end(),
+                                               [](const Foot& foot) { return foot.type != FootType::kSole; });
+}
+
 /// Default cycle of a gait for a robot, before it is shortened for speed.
 double OwnCycle(const GaitEntry& entry, const RobotModel& model) {
-  return entry.gait.cycle_s > 0.0 ? entry.gait.cycle_s
-                                  : entry.cycle_per_leg_time * std::sqrt(model.leg_length_m() / kGravity);
+  constexpr double kFalling = 2.4;  // leg times in which a body falls little to each side
+  if (entry.gait.cycle_s > 0.0) return entry.gait.cycle_s;
+  const double leg_times =
+      FallsFromFootToFoot(model) ? std::min(entry.cycle_per_leg_time, kFalling) : entry.cycle_per_leg_time;
+  return leg_times * std::sqrt(model.leg_length_m() / kGravity);
 }
 
 /// The gait with all duty factors increased by `share` (may be negative).

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "kinematics/base/version.h"
+#include "kinematics/stability/standing_width_internal.h"
 #include "planning/plan/carried_plan.h"
 #include "playback/engine/bounds_internal.h"
 #include "playback/play/fall_watch_internal.h"
@@ -138,9 +139,10 @@ class Playback {
     log_.options = TextsOf(Prefixed("play", copy.Fields()));
   }
 
-  /// Lets the robot settle; the clock stays at the plan's start. @return whether the playback can continue.
+  /// Lets the robot settle, if it can stand still; the clock stays at the plan's start. @return whether the playback
+  /// can continue.
   bool Settle() {
-    const long steps = std::lround(options_.settle_s / step_s_);
+    const long steps = CanStandStill(model_) ? std::lround(options_.settle_s / step_s_) : 0;
     for (long k = 0; k < steps; ++k) {
       if (!OneStep(log_.start_s, false)) return false;
     }

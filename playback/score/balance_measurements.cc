@@ -171,7 +171,7 @@ double ShareWithoutArea(const MotionSeries& series) {
   for (const MotionSample& sample : series.planned) {
     if (sample.support.empty()) continue;
     standing += 1.0;
-    thin += HasArea(sample.support.polygon) ? 0.0 : 1.0;
+    thin += HasArea(sample.support) ? 0.0 : 1.0;
   }
   return standing > 0.0 ? thin / standing : 0.0;
 }

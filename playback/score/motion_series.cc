@@ -129,7 +129,8 @@ class Sampler {
 void LowPassZmp(std::vector<MotionSample>& samples, double time_constant_s) {
   const MotionSample* before = nullptr;
   for (MotionSample& sample : samples) {
-    if (sample.has_zmp && before != nullptr && time_constant_s > 0.0) {
+    const bool same_feet = before != nullptr && before->stance == sample.stance;
+    if (sample.has_zmp && same_feet && time_constant_s > 0.0) {
       const double gain = 1.0 - std::exp(-(sample.time_s - before->time_s) / time_constant_s);
       sample.p_WZ = before->p_WZ + gain * (sample.p_WZ - before->p_WZ);
     }

@@ -70,7 +70,7 @@ Forces ForcesOf(const ScoreInputs& in, const WholeBodySample& row, DynamicsScrat
 Event PlanUnstable(const ScoreInputs& in) {
   const auto& planned = in.series.planned;
   const auto outside = [&](std::size_t k) {
-    const double limit = HasArea(planned[k].support.polygon) ? kOutsideArea : kOutsideLine;
+    const double limit = HasArea(planned[k].support) ? kOutsideArea : kOutsideLine;
     return planned[k].has_zmp && planned[k].zmp_margin_m() < -limit;
   };
   const auto at = FirstPersistent(planned, outside);

@@ -96,6 +96,7 @@ Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const
   Vector3 normal = Vector3::Zero();
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
     if (!Contains(stance, foot)) continue;
+    support.tilts = stance == FootBit(foot) && model.feet[static_cast<std::size_t>(foot)].type == FootType::kLine;
     const Pose X_WF = ContactFrame(model, scratch, terrain, foot);
     Foot shape = model.feet[static_cast<std::size_t>(foot)];
     if (Contains(on_edge, foot)) shape.sole_F = FrontEdge(shape.sole_F);
@@ -125,7 +126,9 @@ double PlaneHeight(const Support& support, const Vector2& p_W) {
   return support.reference_W.z() - n.head<2>().dot(p_W - support.reference_W.head<2>()) / n.z();
 }
 
-bool HasArea(const Polygon& polygon) {
+bool HasArea(const Support& support) {
+  const Polygon& polygon = support.polygon;
+  if (support.tilts) return false;
   double perimeter = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) perimeter += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
   return Area(polygon) > 0.5 * perimeter * kLineWidth;

@@ -24,6 +24,7 @@ struct Support {
   Vector3 normal_W = Vector3::UnitZ();    ///< mean normal of the ground below them
   double base_yaw_rad = 0.0;              ///< heading if the points alone do not define one
   bool coplanar = true;  ///< whether the ground under the points is plane to 5 mm; only then a ZMP exists
+  bool tilts = false;    ///< one sole alone whose leg has no ankle roll joint, so that it stands on any of its edges
 
   bool empty() const { return points_W.empty(); }
 };
@@ -36,9 +37,9 @@ Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const
 /// Height of a support's plane at a point in plan view.
 double PlaneHeight(const Support& support, const Vector2& p_W);
 
-/// True if the polygon is wider than 1 mm on average. Otherwise it is a line or a point, and margins to it are never
-/// positive.
-bool HasArea(const Polygon& polygon);
+/// True if the polygon is wider than 1 mm on average and its feet can hold the ZMP inside it. Otherwise it is a line or
+/// a point, or a sole that tilts.
+bool HasArea(const Support& support);
 
 /// Planar rigid motion from one support to the same support at another place.
 struct SupportMotion {

@@ -39,7 +39,7 @@ void AddLeg(RobotModel& model, const std::string& name, FootType type, const Vec
   foot.name = foot.link = name;
   foot.body = first + 3;
   foot.type = type;
-  if (type == FootType::kSole) {
+  if (type == FootType::kSole || type == FootType::kLine) {
     foot.sole_F = {
         {kHalfLength, -kHalfWidth}, {kHalfLength, kHalfWidth}, {-kHalfLength, kHalfWidth}, {-kHalfLength, -kHalfWidth}};
   }

@@ -65,6 +65,27 @@ TEST(FreeFootRows, OfAnkles) {
   EXPECT_EQ(FreeFootRows(AnyRobot("nao"))[0], (Rows{true, true, true, true, true, true}));
 }
 
+TEST(ProblemOf, ASoleWithoutAnAnkleRollJointStaysFlatInStanceAndIsFreeToRollInSwings) {
+  const RobotModel model = AnyRobot("line");
+  const MotionPlan plan = SteppingPlan(model);
+  const std::vector<double> knots_s = KnotTimesOf(plan, 0.01);
+  const BodyProblem problem = ProblemOf(model, plan, CoursesOf(model, plan), knots_s, {});
+  for (const BodyKnot& knot : problem.knots) {
+    for (const FootGoal& goal : knot.feet) {
+      EXPECT_EQ(goal.rows[3], !goal.swings);
+      if (goal.swings) continue;
+      EXPECT_GT(goal.within[3], 0.0);
+      EXPECT_LT(goal.within[3], 1e-3) << "[rad]";
+      for (const std::size_t i : {0u, 1u, 2u, 4u, 5u}) EXPECT_EQ(goal.within[i], 0.0);
+    }
+  }
+  const RobotModel nao = AnyRobot("nao");
+  const MotionPlan steps = SteppingPlan(nao);
+  const BodyProblem rolled = ProblemOf(nao, steps, CoursesOf(nao, steps), knots_s, {});
+  for (const FootGoal& goal : rolled.knots.front().feet)
+    EXPECT_EQ(goal.within, (std::array<double, 6>{})) << "ankles roll these";
+}
+
 TEST(ProblemOf, PinsTheStartAndRestsAtTheEnd) {
   const RobotModel model = AnyRobot("a1");
   const MotionPlan plan = SteppingPlan(model);

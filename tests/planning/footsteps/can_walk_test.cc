@@ -21,9 +21,15 @@ void ExpectRefused(const std::string& urdf, FailureCode code, const std::vector<
     EXPECT_NE(failure->message.find(part), std::string::npos) << "'" << failure->message << "' lacks '" << part << "'";
 }
 
-TEST(CanWalk, TwoPointsCannotStandStill) {
-  ExpectRefused(unusual::PointBiped(), FailureCode::kNoSupport,
-                {"cannot stand still", "'a_foot'", "'b_foot'", "two points"});
+TEST(CanWalk, ABipedOnTwoPointsCannotStandStillButFallsFromFootToFoot) {
+  const RobotModel model = LoadRobotFromText(unusual::PointBiped(), "").value();
+  EXPECT_FALSE(WhyCannotWalk(model).has_value());
+  const auto failure = WhyCannotStand(model);
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->code, FailureCode::kNoSupport);
+  for (const char* part : {"cannot stand still", "'a_foot'", "'b_foot'", "two points"})
+    EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
+  EXPECT_FALSE(WhyCannotStand(LoadNamedRobot("nao").value()).has_value());
 }
 
 TEST(CanWalk, FeetWithoutAnyShapeAreSaidToHaveNone) {

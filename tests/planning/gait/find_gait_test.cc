@@ -52,6 +52,16 @@ TEST(FindGait, TheBodyGoesNoFartherOverAFootThanItsTravel) {
   }
 }
 
+TEST(FindGait, ABipedWithoutAnkleRollFallsFromFootToFootInShortCycles) {
+  const RobotModel h1 = NamedRobot("h1");
+  const double leg_time_s = std::sqrt(h1.leg_length_m() / kGravity);
+  EXPECT_LE(GaitFor("h1", "biped", 0.1).cycle_s, 2.4 * leg_time_s + 1e-12);
+  RobotModel rolls = h1;
+  for (Foot& foot : rolls.feet) foot.type = FootType::kSole;
+  EXPECT_GT(FindGait(rolls, "biped", 0.1, {}).value().cycle_s, 8.0 * leg_time_s);
+  EXPECT_EQ(FindGait(rolls, "run", 1.0, {}).value(), GaitFor("h1", "run", 1.0)) << "a gait with shorter cycles";
+}
+
 TEST(FindGait, GivenTimesAreTakenAsTheyAre) {
   GaitOptions options;
   options.cycle_s = 0.77;

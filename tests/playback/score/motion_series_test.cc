@@ -56,6 +56,26 @@ TEST(MotionSeries, LittleForceHasNoZmpAndTheFilterStartsAnew) {
   EXPECT_NEAR(series.measured[50].p_WZ.x(), 0.03, 1e-9) << "no memory across the gap";
 }
 
+TEST(MotionSeries, TheFilterStartsAnewWhereTheSupportChanges) {
+  // Otherwise the ZMP, which moves from foot to foot within milliseconds, would be compared with the next support.
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  const MotionPlan plan = synthetic::SteppingPlan(model);
+  ScoreOptions slow, none;
+  slow.zmp_filter_s = 0.05;
+  none.zmp_filter_s = 0.0;
+  const PlaybackLog log = synthetic::PerfectLog(model, plan);
+  const MotionSeries filtered = MakeMotionSeries(model, plan, log, slow),
+                     raw = MakeMotionSeries(model, plan, log, none);
+  int changes = 0;
+  for (std::size_t k = 1; k < raw.planned.size(); ++k) {
+    if (raw.planned[k].stance == raw.planned[k - 1].stance) continue;
+    ++changes;
+    EXPECT_EQ(filtered.planned[k].p_WZ, raw.planned[k].p_WZ);
+    EXPECT_EQ(filtered.measured[k].p_WZ, raw.measured[k].p_WZ);
+  }
+  EXPECT_GE(changes, 2);
+}
+
 TEST(MotionSeries, AStillSphereFootThatRollsDoesNotSlide) {
   const RobotModel model = synthetic::Robot(4, FootType::kSphere);
   const MotionPlan plan = synthetic::StandingPlan(model, 0.1);

@@ -23,8 +23,16 @@ TEST(Support, OneSoleTwoSolesAndNone) {
   EXPECT_NEAR(Area(left.polygon), 0.16 * 0.08, 1e-12);
   EXPECT_NEAR(Area(both.polygon), 0.16 * 0.28, 1e-12);
   EXPECT_LT((left.reference_W - Vector3(0.0, 0.1, 0.0)).norm(), 1e-12);
-  EXPECT_TRUE(HasArea(left.polygon));
+  EXPECT_TRUE(HasArea(left));
   EXPECT_TRUE(StandingSupport(model, 0).empty());
+}
+
+TEST(Support, ASoleThatNoAnkleRollsHasNoAreaAlone) {
+  const RobotModel model = synthetic::Robot(2, FootType::kLine);
+  const Support left = StandingSupport(model, 1);
+  EXPECT_FALSE(HasArea(left));
+  EXPECT_NEAR(Area(left.polygon), 0.16 * 0.08, 1e-12);
+  EXPECT_TRUE(HasArea(StandingSupport(model, 3)));
 }
 
 TEST(Support, ASoleOnItsFrontEdgeSupportsThereOnly) {
@@ -35,7 +43,7 @@ TEST(Support, ASoleOnItsFrontEdgeSupportsThereOnly) {
                 both = SupportOf(model, scratch, FlatTerrain(), 3, 1);
   ASSERT_EQ(edge.points_W.size(), 2u);
   for (const Vector3& p_W : edge.points_W) EXPECT_NEAR(p_W.x(), synthetic::kHalfLength, 1e-12);
-  EXPECT_FALSE(HasArea(edge.polygon));
+  EXPECT_FALSE(HasArea(edge));
   // The other sole, and the triangle from its rear corners to the edge.
   EXPECT_NEAR(Area(both.polygon), 0.16 * 0.08 + 0.5 * 0.16 * 0.2, 1e-12);
 }
@@ -45,8 +53,8 @@ TEST(Support, ASphereStandsARadiusBelowItsCentre) {
   const Support diagonal = StandingSupport(model, 0b1001);
   ASSERT_EQ(diagonal.points_W.size(), 2u);
   EXPECT_NEAR(diagonal.points_W[0].z(), 0.0, 1e-12);
-  EXPECT_FALSE(HasArea(diagonal.polygon));
-  EXPECT_TRUE(HasArea(StandingSupport(model, 0b0111).polygon));
+  EXPECT_FALSE(HasArea(diagonal));
+  EXPECT_TRUE(HasArea(StandingSupport(model, 0b0111)));
 }
 
 TEST(Support, TheMotionBetweenTwoSupportsUndoesDriftAndTurn) {

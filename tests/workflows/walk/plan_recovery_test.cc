@@ -115,9 +115,13 @@ TEST(RecoveringStander, GetsDownBeforeAFallThatIsCertain) {
 }
 
 TEST(RecoveringStander, WithoutStepsItStands) {
-  const Stander stander = Standing("h1");  // it does not step, because its feet are lines
-  EXPECT_FALSE(RecoveryOf(stander.model).steps.has_value());
-  EXPECT_FALSE(Fell(Pushed(stander, "recovering", 10.0, 0.0)));
+  const Stander stander = Standing("nao");
+  RecoveryPlans without = RecoveryOf(stander.model);
+  without.steps.reset();
+  const PlayRequest request = PushRequest("recovering", 10.0, 0.0);
+  const auto played =
+      PlayWalk(stander.model, stander.plan, request, MakeController(stander.model, stander.plan, request, without));
+  EXPECT_FALSE(Fell(played.value()));
 }
 
 TEST(RecoveringStander, IsForPlansThatStand) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/workflows/walk/sequences.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <variant>
 
 #include "kinematics/model/load_robot.h"
 
@@ -38,9 +41,20 @@ TEST(Sequences, RefusalsNameThePart) {
 }
 
 TEST(Sequences, APartThatIsTooFastIsNamedWithASpeedThatServes) {
-  const std::string why = Why("trot: speed=0.4, distance=0.2; stand: duration=0.5; walk: speed=1.5, distance=0.3");
-  EXPECT_NE(why.find("part 3, 'walk'"), std::string::npos) << why;
-  EXPECT_NE(why.find("the largest speed with gait 'crawl' is"), std::string::npos) << why;
+  const RobotModel a1 = LoadNamedRobot("a1").value();
+  const auto planned = [&](double speed_m_s) {
+    WalkRequest request;
+    request.sequence =
+        fmt::format("trot: speed=0.4, distance=0.2; stand: duration=0.5; walk: speed={}, distance=0.3", speed_m_s);
+    return PlanWalk(a1, request);
+  };
+  const Result<PlannedWalk> refused = planned(1.5);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.failure().message.find("part 3, 'walk'"), std::string::npos) << refused.failure().message;
+  const Suggestion& slower = refused.failure().suggestions.front();
+  EXPECT_EQ(slower.what, "speed");
+  const Result<PlannedWalk> served = planned(std::get<double>(slower.value));
+  EXPECT_TRUE(served.ok()) << served.failure().message;
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ std::vector<Case> Cases() {
           {"arm_and_tail", unusual::ArmAndTail(), ""},
           {"biped", unusual::SoledBiped(true, false), ""},
           {"humanoid", unusual::SoledBiped(true, true), ""},
+          {"biped_on_points", unusual::PointBiped(), ""},
           {"rubbing", Rubbing(), ""},
           {"tiny", unusual::Plain(0.25), ""},
           {"huge", unusual::Plain(3.0), ""}};
@@ -99,11 +100,41 @@ TEST(UnusualRobots, LegsOfTwoJointsWalkStraightAndDoNotTurn) {
   }
 }
 
+TEST(UnusualRobots, WideSolesWithoutAnkleRollHaveASoundPlanAndDoNotFall) {
+  const RobotModel model = *LoadRobotFromText(unusual::SoledBiped(false, false), "");
+  WalkRequest request;
+  request.command.distance_m = 0.5;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, PlayRequest{});
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_EQ(*played->report.At("fell").value, 0.0) << played->report.reason;
+}
+
+TEST(UnusualRobots, ABipedOnPointsStepsForTenSecondsAndDoesNotStand) {
+  const RobotModel model = *LoadRobotFromText(unusual::PointBiped(), "");
+  WalkRequest request;
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 40;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_GT(planned->motion.plan.duration_s(), 8.0);
+  PlayRequest play;
+  play.play.world.engine = ProvingEngine();
+  const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, play);
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_TRUE(played->pass()) << played->decisive().report.reason;
+  WalkRequest stand;
+  stand.sequence = "stand: duration=1";
+  const Result<PlannedWalk> refused = PlanWalk(model, stand);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.failure().code, FailureCode::kNoSupport);
+}
+
 TEST(UnusualRobots, WhatCannotWalkIsToldWhy) {
   const std::vector<std::pair<std::string, std::string>> refused = {
-      {unusual::PointBiped(), "cannot stand still"},
-      {unusual::Pantograph(), "leg 'a_foot' cannot walk"},
-      {unusual::SoledBiped(false, false), "its leg (5 joints) has no ankle roll joint"}};
+      {unusual::Pantograph(), "leg 'a_foot' cannot walk"}};
   for (const auto& [urdf, why] : refused) {
     WalkRequest request;
     request.command.distance_m = 0.5;
