@@ -8,10 +8,10 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
-#include "optimisation/pipeline/limit_violation.h"
-#include "optimisation/pipeline/raise_heels_internal.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
 #include "optimisation/trajectory/motor_rows_internal.h"
+#include "planning/footsteps/ways_to_standing_internal.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {
@@ -24,6 +24,7 @@ constexpr int kScreeningOfHeels = 40;     // of plans with heel-off, which need 
 constexpr double kFinestRows = 1e-3;      // [s] of a row's step
 constexpr double kSparedFriction = 0.25;  // share of soles' friction that is used if possible
 constexpr double kRolledAside = 1e-4;     // [m] that feet may be off where they roll to
+constexpr double kBesideStanding = 2e-4;  // [m] from places of the standing posture at the end
 
 FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use) {
   FinishSettings settings;
@@ -96,6 +97,7 @@ class Finisher {
             std::ranges::any_of(plan.footsteps.footholds, [](const Foothold& f) { return f.heel_off_s.has_value(); })),
         finished_(plan) {
     rolls_ = RollsOf(model, plan.whole_body, courses_);
+    landing_W_.assign(courses_.size(), Vector3::Zero());
     SetCourses();
   }
 
@@ -108,6 +110,7 @@ class Finisher {
   std::optional<Failure> SolveOnce(BodyProblem& problem, WindowSolver& solver);
   void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
+  bool LandsAsStanding();
   bool TightenLimits(const SolvedTrajectory& solved);
   bool Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use);
   MatrixX FirstPoints(const BodyProblem& problem) const;
@@ -124,10 +127,11 @@ class Finisher {
   FootRolls rolls_;                  // of that
   BodyMotion motion_;                // of the last solve
   std::vector<KnotWindow> windows_;  // in which problems are solved
+  std::vector<Vector3> landing_W_;   // by course: how far its last landing was moved
   FollowReport report_;
 };
 
-/// The courses pass where feet touch down less what they have rolled then by the plan.
+/// The courses pass where feet touch down less what they have rolled then by the plan; the last landings are moved.
 void Finisher::SetCourses() {
   const WholeBodyTrajectory& motion = plan_.whole_body;
   for (std::size_t i = 0; i < courses_.size(); ++i) {
@@ -137,8 +141,27 @@ void Finisher::SetCourses() {
       const double row = std::clamp((time_s - motion.start_s) / motion.step_s, 0.0, motion.size() - 1.0);
       at_touchdown_W.push_back(rolls_.roll_W[i][static_cast<std::size_t>(std::lround(row))]);
     }
+    at_touchdown_W.back() -= landing_W_[i];
     courses_[i].SetRolls(at_touchdown_W);
   }
+}
+
+/// Moves the last landings of feet that roll by how far these are from their places of the standing posture at the end.
+/// @return whether they are there.
+bool Finisher::LandsAsStanding() {
+  std::vector<Pose> standing = StandingFeet(model_), landed_W;
+  standing.resize(courses_.size());
+  for (const FootCourse& course : courses_)
+    landed_W.push_back(plan_.footsteps.footholds[course.footholds().back()].X_WF);
+  const WaysToStanding ways =
+      FindWaysToStanding(model_, finished_.whole_body.q.back(), MeanHeading(standing, landed_W));
+  if (ways.largest_m() <= kBesideStanding) return true;
+  for (std::size_t i = 0; i < courses_.size(); ++i) {
+    const auto foot = static_cast<std::size_t>(courses_[i].foot());
+    if (model_.feet[foot].radius > 0.0 && courses_[i].footholds().size() > 1) landing_W_[i] += ways.way_W[foot];
+  }
+  SetCourses();
+  return false;
 }
 
 /// The spline through the plan.
@@ -275,7 +298,9 @@ Result<MotionPlan> Finisher::Run() {
     residual = ResidualOf(model_, finished_);
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
     const bool exceeds = TightenLimits(solved);
-    if ((balanced && !exceeds) || report_.solves == options_.max_solves) break;
+    const bool last = report_.solves == options_.max_solves;
+    const bool in_place = !settings_.end_as_standing || last || LandsAsStanding();
+    if ((balanced && in_place && !exceeds) || last) break;
     for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].residual_W = solved.ResidualsAtKnots()[k];
   }
   SetFootholds(rolls_, courses_, finished_);
@@ -310,12 +335,14 @@ std::string ReasonNotFinished(const RobotModel& model, const MotionPlan& plan) {
 }
 
 Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
-                                double friction_use, FinishReport* report) {
+                                double friction_use, FinishReport* report, bool end_as_standing) {
   TrajectoryOptions checked = options;
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FinishMotion: " + reason);
-  Finisher finisher(model, plan, options, SettingsOf(options, friction_use));
+  FinishSettings settings = SettingsOf(options, friction_use);
+  settings.end_as_standing = end_as_standing;
+  Finisher finisher(model, plan, options, settings);
   Result<MotionPlan> finished = finisher.Run();
   if (report != nullptr) *report = finisher.report();
   return finished;
@@ -336,29 +363,6 @@ Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan,
   Result<MotionPlan> followed = finisher.Run();
   if (report != nullptr) *report = finisher.report();
   return followed;
-}
-
-void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned) {
-  if (!ReasonNotFinished(model, planned.plan).empty()) return;
-  FinishReport report;
-  MotionPlan raised = planned.plan;
-  RaiseHeels(model, {options.trajectory.heel_off_rad, options.trajectory.heel_off_share}, raised);
-  Result<MotionPlan> finished =
-      FinishMotion(model, raised, options.trajectory, options.whole_body.friction_use, &report);
-  if (!finished) {
-    planned.unfinished = finished.failure();
-    return;
-  }
-  const std::vector<std::string> before = LimitWarnings(model, planned.plan.whole_body);
-  std::erase_if(finished->warnings, [&](const std::string& warning) {
-    return std::find(before.begin(), before.end(), warning) != before.end();
-  });
-  for (std::string& warning : LimitWarnings(model, finished->whole_body)) finished->warnings.push_back(warning);
-  planned.plan = std::move(*finished);
-  planned.finished = report;
-  planned.residual = std::max(report.residual_force, report.residual_moment * model.leg_length_m());
-  planned.limit_excess = TotalViolation(model, planned.plan.whole_body, 0.0);
-  planned.summary += "; " + report.summary;
 }
 
 }  // namespace gaitwright

@@ -38,8 +38,11 @@ std::string ReasonNotFinished(const RobotModel& model, const MotionPlan& plan);
 /// which the robot hangs or lies.
 ///
 /// @param friction_use  share of the friction coefficient that forces may use (WholeBodyOptions).
+/// @param end_as_standing  feet that roll land so that they end at their places of the standing posture
+/// (PipelineOptions); otherwise they end beside these by what they have rolled.
 Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
-                                double friction_use = 0.9, FinishReport* report = nullptr);
+                                double friction_use = 0.9, FinishReport* report = nullptr,
+                                bool end_as_standing = false);
 
 /// How far FollowMotion has come: windows of the present solve.
 struct FollowProgress {

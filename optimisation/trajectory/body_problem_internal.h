@@ -72,7 +72,7 @@ struct BodyLimitUse {
 };
 
 /// For motions that need nearly all that the robot has.
-inline constexpr BodyLimitUse kFullUse = {0.98, 0.99, 1e-3, 0.0};
+inline constexpr BodyLimitUse kFullUse = {0.98, 0.99, 4e-3, 0.0};
 
 /// Of a problem that is some knots in a row of a longer problem.
 struct BodyWindow {

@@ -14,6 +14,7 @@ struct FinishSettings {
   double friction_use = 0.9;
   BodyWeights weights;
   BodyLimitUse use;
+  bool end_as_standing = false;  ///< feet that roll end at their places of the standing posture
 };
 
 /// Knots over a schedule: at all its changes, and at most so far apart in between, half as far while heels rise; where

@@ -7,9 +7,8 @@
 #include <numbers>
 
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/dynamics/foot_contact.h"
 #include "optimisation/pipeline/robot_body.h"
-#include "planning/footsteps/base_over_feet.h"
+#include "planning/footsteps/ways_to_standing_internal.h"
 #include "planning/gait/leap_gaits_internal.h"
 #include "planning/paths/standing_feet.h"
 #include "planning/plan/carried_plan.h"
@@ -93,21 +92,13 @@ std::optional<Failure> TaskPlanner::Leap(const Jump& jump, bool gestures) {
 std::optional<Failure> TaskPlanner::StandStraight() {
   constexpr double kInPlace = 5e-4;       // [m]
   if (FindGround()) return std::nullopt;  // feet at several levels: no task can follow, which the next one reports
+  const VectorX& q = whole_->whole_body.q.back();
+  const WaysToStanding ways = FindWaysToStanding(whole_model_, q);
+  if (ways.largest_m() > kInPlace) return std::nullopt;
   DynamicsScratch scratch(whole_model_);
-  ForwardKinematics(whole_model_, whole_->whole_body.q.back(), scratch);
-  std::vector<Pose> X_WF;
-  for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) X_WF.push_back(ContactFrame(whole_model_, scratch, f));
-  std::vector<Pose> standing_feet = StandingFeet(model_);
-  standing_feet.resize(X_WF.size());
-  const BaseOverFeet base = FitBase(standing_feet, X_WF);
-  Pose X_WS = PoseOf(base.plan);
-  X_WS.translation().z() = base.ground_m;
-  const auto is_off = [&](std::size_t f) {
-    return (X_WS * standing_feet[f].translation() - X_WF[f].translation()).norm() > kInPlace;
-  };
-  for (std::size_t f = 0; f < X_WF.size(); ++f) {
-    if (is_off(f)) return std::nullopt;
-  }
+  ForwardKinematics(whole_model_, q, scratch);
+  Pose X_WS = PoseOf(ways.base.plan);
+  X_WS.translation().z() = ways.base.ground_m;
   PostureKey standing = stance_.key;
   standing.shift.setZero();
   standing.turn_rad.setZero();

@@ -9,6 +9,7 @@
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/plan_motion.h"
 #include "planning/audit/audit.h"
+#include "planning/footsteps/ways_to_standing_internal.h"
 #include "planning/gait/find_gait.h"
 #include "planning/plan/built_in_terrain.h"
 #include "tests/named_robot.h"
@@ -54,6 +55,25 @@ TEST(FinishMotion, BalancesATrotBetweenKnots) {
     const Pose &before = Trot().footsteps.footholds[i].X_WF, &after = finished->footsteps.footholds[i].X_WF;
     EXPECT_LT((before.translation() - after.translation()).norm(), 5e-3);
   }
+}
+
+TEST(FinishMotion, FeetThatRollLandWhereTheyStandAtTheEndIfAsked) {
+  const RobotModel& model = NamedRobot("a1");
+  MotionPlan aside = Trot();
+  constexpr double kAside = 0.008;  // [m] of the last landing of a foot
+  const auto last_of = [](auto& of_feet) {
+    return std::find_if(of_feet.rbegin(), of_feet.rend(), [](const auto& of_foot) { return of_foot.foot == 0; });
+  };
+  last_of(aside.footsteps.footholds)->X_WF.translation().y() += kAside;
+  last_of(aside.swings)->X_WF_end.translation().y() += kAside;
+  const auto beside_m = [&](bool end_as_standing) {
+    const Result<MotionPlan> finished = FinishMotion(model, aside, {}, 0.9, nullptr, end_as_standing);
+    EXPECT_TRUE(finished.ok()) << finished.failure().message;
+    ExpectSound(model, *finished);
+    return FindWaysToStanding(model, finished->whole_body.q.back()).largest_m();
+  };
+  EXPECT_GT(beside_m(false), 0.5 * kAside);
+  EXPECT_LT(beside_m(true), 3e-4);
 }
 
 TEST(FinishMotion, MendsAMotionThatDoesNotBalance) {

@@ -21,7 +21,8 @@ TEST(Gaits, BuiltInOnesAreWhatTheirNamesSay) {
   ASSERT_TRUE(gaits.ok()) << gaits.failure().message;
   ASSERT_GE(gaits->size(), 8U);
   for (const GaitEntry& entry : *gaits) {
-    const std::vector<std::string> fly = {"hop", "run", "bound", "pronk", "gallop", "jump", "backflip", "barrel-roll"};
+    const std::vector<std::string> fly = {"hop",  "run",      "bound",       "pronk",           "gallop",
+                                          "jump", "backflip", "barrel-roll", "barrel-roll-left"};
     EXPECT_EQ(HasFlight(entry.gait), std::count(fly.begin(), fly.end(), entry.gait.name) == 1) << entry.gait.name;
     EXPECT_EQ(TurnsOver(entry.gait), entry.travel_per_leg.has_value()) << entry.gait.name;
   }

@@ -12,6 +12,7 @@ TEST(LeapGaits, AreFoundByWhatTheGaitsDo) {
   for (const int feet : {0, 1, 3, 6}) EXPECT_EQ(LeapGait(feet), "") << feet;
   EXPECT_EQ(GaitTurningOver(4, "backward"), "backflip");
   EXPECT_EQ(GaitTurningOver(4, "right"), "barrel-roll");
+  EXPECT_EQ(GaitTurningOver(4, "left"), "barrel-roll-left");
   EXPECT_EQ(GaitTurningOver(4, "forward"), "");
   EXPECT_EQ(GaitTurningOver(2, "backward"), "");
 }

@@ -137,6 +137,15 @@ TEST(Flips, ABackflipEndsWhereItsGaitLeads) {
   EXPECT_LT(most_tilt, -0.95) << "the body is upside down at some time";
 }
 
+/// Feet land so that they end at their places of the standing posture, from which any task goes on.
+TEST(Flips, AndJumpsWithATurnAreFollowedByAnyTask) {
+  for (const char* words : {"do a backflip, then walk 0.5 m", "jump with a quarter turn to the left, then trot 0.5 m",
+                            "do a barrel roll to the left, then sit"}) {
+    const Done done = DoneInBoth(words, FlatTerrain());
+    EXPECT_EQ(done.planned.task_ends_s.size(), 2U) << words;
+  }
+}
+
 /// Legs that are too weak or too slow refuse as `walk --gait` does.
 TEST(Jumps, WhatMotorsDoNotAllowIsRefusedByTheirLimit) {
   const Result<PlannedTasks> planned = Planned("nao", "nod, then jump", FlatTerrain());

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "optimisation/pipeline/finish_motion_internal.h"
+#include "optimisation/pipeline/limit_violation.h"
+#include "optimisation/pipeline/raise_heels_internal.h"
+
+namespace gaitwright {
+
+void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned) {
+  if (!ReasonNotFinished(model, planned.plan).empty()) return;
+  FinishReport report;
+  MotionPlan raised = planned.plan;
+  RaiseHeels(model, {options.trajectory.heel_off_rad, options.trajectory.heel_off_share}, raised);
+  Result<MotionPlan> finished =
+      FinishMotion(model, raised, options.trajectory, options.whole_body.friction_use, &report,
+                   options.pipeline.end_as_standing && KindOfGround(raised.terrain) == GroundKind::kFlat);
+  if (!finished) {
+    planned.unfinished = finished.failure();
+    return;
+  }
+  const std::vector<std::string> before = LimitWarnings(model, planned.plan.whole_body);
+  std::erase_if(finished->warnings, [&](const std::string& warning) {
+    return std::find(before.begin(), before.end(), warning) != before.end();
+  });
+  for (std::string& warning : LimitWarnings(model, finished->whole_body)) finished->warnings.push_back(warning);
+  planned.plan = std::move(*finished);
+  planned.finished = report;
+  planned.residual = std::max(report.residual_force, report.residual_moment * model.leg_length_m());
+  planned.limit_excess = TotalViolation(model, planned.plan.whole_body, 0.0);
+  planned.summary += "; " + report.summary;
+}
+
+}  // namespace gaitwright
