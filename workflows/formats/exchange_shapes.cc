@@ -110,16 +110,6 @@ DataShape ExportResultShape() {
                  {"files", FilesShape({"motion", "plots", "model"})}});
 }
 
-namespace {
-
-DataShape BrokenShape() {
-  return Object({{"law", Text(LawNames())},
-                 {"share", Number(), "Share of the samples at which the check fails at any place."},
-                 {"worst_s", Numbers(), "Starts of the whole seconds in which it fails longest: at most three."}});
-}
-
-}  // namespace
-
 DataShape ImportResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
   return Object(
