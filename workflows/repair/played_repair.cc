@@ -33,6 +33,7 @@ Result<PlayedRepair> RepairAndPlay(const RobotModel& model, const RepairRequest&
   play.play.world.engine = ProvingEngine();
   std::optional<Result<PlayedWalk>> played;
   const auto proof = [&](const MotionPlan& plan) {
+    played.reset();  // an earlier playback is not kept beside this one
     played = PlayWalk(model, plan, play);
     return *played ? ProofOf(plan, **played) : PlayProof{false, {}};
   };
