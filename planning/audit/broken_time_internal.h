@@ -20,7 +20,7 @@ struct BrokenTime {
   Law law = Law::kConsistency;
   double share = 0.0;           ///< of the plan's samples
   std::vector<double> worst_s;  ///< starts of the whole seconds in which it fails longest, at most three, longest first
-  std::vector<BrokenSpan> spans;  ///< in order
+  std::vector<BrokenSpan> spans = {};  ///< in order
 
   bool operator==(const BrokenTime&) const = default;
 };

@@ -33,9 +33,9 @@ std::vector<std::string> GroupsOfJoints(const RobotModel& model, const UpperBody
 }
 
 /// A group whose distances come row by row.
-class Tally {
+class GroupTally {
  public:
-  Tally(std::string group, std::string unit) : result_{std::move(group), std::move(unit), 0.0, 0.0, 0.0, {}, {}} {}
+  GroupTally(std::string group, std::string unit) : result_{std::move(group), std::move(unit), 0.0, 0.0, 0.0, {}, {}} {}
 
   bool IsOf(const std::string& group) const { return result_.group == group; }
 
@@ -69,14 +69,14 @@ class Tally {
 };
 
 /// Points of the robot whose distances are measured in W.
-struct Point {
+struct ComparedPoint {
   std::string name;
   int body;
   Vector3 p_BQ;
 };
 
-std::vector<Point> FeetPoints(const RobotModel& model) {
-  std::vector<Point> points;
+std::vector<ComparedPoint> FeetPoints(const RobotModel& model) {
+  std::vector<ComparedPoint> points;
   for (const Leg& leg : model.legs) {
     const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
     points.push_back({foot.name, foot.body, foot.X_BF.translation()});
@@ -84,8 +84,8 @@ std::vector<Point> FeetPoints(const RobotModel& model) {
   return points;
 }
 
-std::vector<Point> HandPoints(const RobotModel& model, const UpperBody& upper) {
-  std::vector<Point> points;
+std::vector<ComparedPoint> HandPoints(const RobotModel& model, const UpperBody& upper) {
+  std::vector<ComparedPoint> points;
   for (const bool left : {true, false}) {
     if (!upper.arm(left)) continue;
     const Limb& arm = *upper.arm(left);
@@ -106,7 +106,7 @@ class GroupTallies {
     }
     for (const std::string& group : groups) {
       const auto found =
-          std::find_if(joints_.begin(), joints_.end(), [&](const Tally& tally) { return tally.IsOf(group); });
+          std::find_if(joints_.begin(), joints_.end(), [&](const GroupTally& tally) { return tally.IsOf(group); });
       of_dof_.push_back(static_cast<std::size_t>(found - joints_.begin()));
     }
     hand_points_ = HandPoints(model, upper);
@@ -118,7 +118,7 @@ class GroupTallies {
       const auto at = static_cast<std::size_t>(d);
       joints_[of_dof_[at]].Add(std::abs(q_plan[7 + d] - q_file[7 + d]), time_s, model_.dof_names[at]);
     }
-    for (Tally& tally : joints_) tally.EndRow();
+    for (GroupTally& tally : joints_) tally.EndRow();
     base_.Add((q_plan - q_file).head<3>().norm(), time_s, "");
     base_.EndRow();
     ForwardKinematics(model_, q_file, of_file_);
@@ -129,7 +129,7 @@ class GroupTallies {
 
   std::vector<GroupDistance> Finished() && {
     std::vector<GroupDistance> groups;
-    for (Tally& tally : joints_) groups.push_back(std::move(tally).Finished());
+    for (GroupTally& tally : joints_) groups.push_back(std::move(tally).Finished());
     groups.push_back(std::move(base_).Finished());
     if (!hand_points_.empty()) groups.push_back(std::move(hands_).Finished());
     groups.push_back(std::move(feet_).Finished());
@@ -137,8 +137,8 @@ class GroupTallies {
   }
 
  private:
-  void AddPoints(const std::vector<Point>& points, double time_s, Tally& tally) const {
-    for (const Point& point : points) {
+  void AddPoints(const std::vector<ComparedPoint>& points, double time_s, GroupTally& tally) const {
+    for (const ComparedPoint& point : points) {
       const auto b = static_cast<std::size_t>(point.body);
       const Vector3 of_file = of_file_.p_WB[b] + of_file_.R_WB[b] * point.p_BQ;
       const Vector3 of_plan = of_plan_.p_WB[b] + of_plan_.R_WB[b] * point.p_BQ;
@@ -149,10 +149,10 @@ class GroupTallies {
 
   const RobotModel& model_;
   DynamicsScratch of_file_, of_plan_;
-  std::vector<Tally> joints_;
+  std::vector<GroupTally> joints_;
   std::vector<std::size_t> of_dof_;  ///< index of joints_
-  Tally base_, hands_, feet_;
-  std::vector<Point> hand_points_, foot_points_;
+  GroupTally base_, hands_, feet_;
+  std::vector<ComparedPoint> hand_points_, foot_points_;
 };
 
 }  // namespace

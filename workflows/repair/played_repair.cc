@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "kinematics/base/free_memory_internal.h"
 #include "workflows/repair/played_repair_internal.h"
 
 namespace gaitwright {
@@ -45,6 +46,7 @@ Result<PlayedRepair> RepairAndPlay(const RobotModel& model, const RepairRequest&
   if (!*played) return played->failure();
   result.played = std::move(**played);
   DropSamples(*result.played);
+  ReleaseFreedMemory();
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "kinematics/base/free_memory_internal.h"
 #include "kinematics/base/version.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
@@ -90,6 +91,7 @@ Result<RepairedMotion> Attempt(const RobotModel& model, const RepairRequest& req
   repaired.plan = std::move(*plan);
   SetGoal(repaired.plan);
   repaired.plan.provenance = ProvenanceOf(request, prepared);
+  ReleaseFreedMemory();
   Result<AuditReport> audit = AuditOverTime(model, repaired.plan, {}, repaired.broken);
   if (!audit) return audit.failure();
   repaired.after = std::move(*audit);
@@ -113,9 +115,10 @@ Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& requ
   constexpr int kMostAttempts = 8;
   Arrange(model, request.repair, prepared);
   MotionFindings& findings = prepared.findings;
+  if (request.repair.stretch <= 1.0) prepared.of_file = {};
+  ReleaseFreedMemory();
   findings.kept = IsSound(prepared, proof);
   const bool may_slow = request.repair.stretch > 1.0 && !findings.kept;
-  if (!may_slow) prepared.of_file = {};
   std::optional<Result<RepairedMotion>> best;
   for (int attempt = 1;; ++attempt) {
     FollowReport report;

@@ -108,11 +108,12 @@ std::string DistanceText(const MotionDistance& d) {
       1e3 * d.base_largest_m, d.base_largest_s, d.base_turn_rms_rad);
   for (const GroupDistance& one : d.groups) {
     if (one.group == "base") continue;
-    const bool angle = one.unit == "rad";
-    text += fmt::format("  {:<15} {} RMS, at most {} ('{}' at {:.2f} s)\n", WordsOfGroup(one.group),
-                        angle ? fmt::format("{:.4f} rad", one.rms) : fmt::format("{:.1f} mm", 1e3 * one.rms),
-                        angle ? fmt::format("{:.3f} rad", one.largest) : fmt::format("{:.1f} mm", 1e3 * one.largest),
-                        one.largest_where, one.largest_s);
+    const auto figure = [&](double value) {
+      return one.unit == "rad" ? fmt::format("{:.4f} rad", value) : fmt::format("{:.1f} mm", 1e3 * value);
+    };
+    text += fmt::format(
+        "  {:<15} {} RMS, at most {}{}\n", WordsOfGroup(one.group), figure(one.rms), figure(one.largest),
+        one.largest_where.empty() ? "" : fmt::format(" ('{}' at {:.2f} s)", one.largest_where, one.largest_s));
   }
   return text;
 }

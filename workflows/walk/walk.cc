@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "kinematics/base/cpu_clock.h"
+#include "kinematics/base/free_memory_internal.h"
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
 #include "playback/control/joint_pd.h"
@@ -141,6 +142,7 @@ Result<ScoredPlayback> PlayBy(Controller& controller, const RobotModel& model, c
     played.realtime_factor = (played.log.samples.back().time_s - played.log.start_s) / cpu;
   const auto alone = scoring == nullptr ? std::unique_lock<std::mutex>() : std::unique_lock(*scoring);
   played.report = Score(model, plan, played.log, request.score);
+  if (scoring != nullptr) ReleaseFreedMemory();
   return played;
 }
 
