@@ -44,7 +44,7 @@ TEST(Findings, ListAtMostThreeSeconds) {
   const std::vector<BrokenTime> broken = findings.Broken();
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_EQ(broken[0].worst_s, (std::vector<double>{0.0, 1.0, 2.0}));
-  EXPECT_NEAR(broken[0].share, 1.0, 1e-12);
+  EXPECT_EQ(broken[0].share, 1.0) << "never more, by rounding";
 }
 
 TEST(Findings, BelongToTheAudit) {

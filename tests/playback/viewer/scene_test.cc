@@ -94,7 +94,9 @@ TEST(Scene, HasTheGhostsPostureAtEverySample) {
     const float since = times[k] - times[0];
     if (std::abs(since - 0.5F) < 1e-3F) continue;
     EXPECT_EQ(std::isnan(q[columns * k]), since > 0.5F) << since;
-    if (since < 0.5F) EXPECT_NEAR(q[columns * k + 3], since, 1e-5);
+    if (since < 0.5F) {
+      EXPECT_NEAR(q[columns * k + 3], since, 1e-5);
+    }
   }
   shown.ghost->posture = [](double) { return VectorX(VectorX::Zero(3)); };
   EXPECT_THROW(SceneJson({shown}), InvalidArgument);
