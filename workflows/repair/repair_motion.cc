@@ -66,13 +66,15 @@ bool IsSound(const PreparedMotion& prepared, const PlanProof& proof) {
   return added == 0.0 && prepared.as_it_is && (!proof || proof(*prepared.as_it_is).stands);
 }
 
-/// The plan near the clean motion.
-Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, const PreparedMotion& prepared,
+/// The plan near the clean motion, which is dropped unless parts of it may be slowed.
+Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, PreparedMotion& prepared,
                             FollowReport& report) {
   ImportNotes ignored;
   const MotionPlan reference =
       PlanOfMotion(model, prepared.terrain, SmoothRows(model, prepared.findings.clean.motion, kCleanCutoff),
                    request.source.options, {}, ignored);
+  if (request.repair.stretch <= 1.0) prepared.findings.clean.motion = {};
+  ReleaseFreedMemory();
   Result<MotionPlan> followed = FollowMotion(model, reference, request.trajectory, FollowOf(model, request), &report);
   if (followed) return followed;
   Failure failure = followed.failure();
@@ -81,7 +83,7 @@ Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& reques
 }
 
 /// One attempt to repair a motion as it is arranged.
-Result<RepairedMotion> Attempt(const RobotModel& model, const RepairRequest& request, const PreparedMotion& prepared,
+Result<RepairedMotion> Attempt(const RobotModel& model, const RepairRequest& request, PreparedMotion& prepared,
                                FollowReport& report) {
   RepairedMotion repaired;
   Result<MotionPlan> plan =
