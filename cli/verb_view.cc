@@ -97,7 +97,7 @@ void AddView(Verb program, int& status) {
   AddText(verb, "--out", "FILE", a->out, "Write the page to this file; default view.html.");
   AddCommon(verb, a->common,
             {"view plan.json", "view out/log.json --out trot.html", "view out/log.json plan.json --out two.html",
-             "view new.json old.json --ghost"});
+             "view out/log.json plan.json --ghost"});
   SetWork(verb, a->common, status, [a] { return RunView(*a); });
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostOpen = 25;          // changes that are shown without a click
 constexpr double kMostSceneSamples = 12000.0;  // of the 3D view
 constexpr double kLeastSceneRate_hz = 30.0;    // of the 3D view
-constexpr double kUnreachedLittle = 1e-3;      // [m]
+constexpr double kMovedHardly = 1e-3;          // [m]
 constexpr char kNoCells[] = "<td>\u2013</td><td></td>";
 
 bool OnlyChecks(const RepairResult& result, const RepairPageWords& words) {
@@ -64,10 +64,10 @@ std::string VerdictReason(const RepairResult& result, const RepairPageWords& wor
   if (!result.repaired->after.pass())
     return "the plan fails its audit: " + LawName(result.repaired->after.violations.front().law);
   if (result.played != nullptr && !result.pass()) return result.played->decisive().report.reason;
-  const std::string first =
-      findings.kept ? "the motion is sound as it is, and was kept" : "the repaired motion passes its audit";
-  if (result.played == nullptr) return first + "; it was not played in physics";
-  return first + (result.played->second == nullptr ? " and the playback" : " and both engines");
+  const std::string passes = findings.kept ? "the motion is sound as it is and was kept; it passes its audit"
+                                           : "the repaired motion passes its audit";
+  if (result.played == nullptr) return passes + ", and was not played in physics";
+  return passes + (result.played->second == nullptr ? " and the playback" : " and both engines");
 }
 
 std::string HeadOf(const RepairResult& result, const RepairPageWords& words) {
@@ -99,15 +99,17 @@ std::string LongestCard(const char* when, const std::vector<BrokenTime>& broken)
 /// Height of the standing feet, and how far they slide.
 std::string FeetCards(const RepairResult& result) {
   const CleanMotion& clean = result.findings.clean;
-  std::string html =
-      CardPart(clean.lift_m > 0.0 ? "standing feet sink into the ground by" : "standing feet float above the ground by",
-               fmt::format("{:.1f} mm", 1e3 * std::abs(clean.lift_m)), "median, original");
+  const double height_m = -clean.lift_m;
+  const char* where = std::abs(height_m) < kMovedHardly ? "on the ground"
+                      : height_m > 0.0                  ? "they float above the ground"
+                                                        : "they sink into the ground";
+  const double shown_mm = std::abs(height_m) < 5e-5 ? 0.0 : 1e3 * height_m;  // no minus sign before zero
+  std::string html = CardPart("height of the standing feet, original", fmt::format("{:.1f} mm", shown_mm), where);
   const auto worst = std::max_element(clean.stances.begin(), clean.stances.end(),
                                       [](const PinnedStance& a, const PinnedStance& b) { return a.slid_m < b.slid_m; });
   if (worst == clean.stances.end()) return html;
-  return html + CardPart("a standing foot moves by up to", fmt::format("{:.1f} mm", 1e3 * worst->slid_m),
-                         EscapedXml(fmt::format("{}, original",
-                                                result.model.feet[static_cast<std::size_t>(worst->foot)].name)));
+  return html + CardPart("largest slide of a standing foot, original", fmt::format("{:.1f} mm", 1e3 * worst->slid_m),
+                         EscapedXml(result.model.feet[static_cast<std::size_t>(worst->foot)].name));
 }
 
 std::string CardsOf(const RepairResult& result) {
@@ -272,7 +274,7 @@ std::vector<std::string> UnsavedParts(const RepairResult& result, const std::str
   std::vector<std::string> parts;
   if (!refused.empty()) parts.push_back(refused);
   const CleanMotion& clean = result.findings.clean;
-  if (clean.unreached_m > kUnreachedLittle) {
+  if (clean.unreached_m > kMovedHardly) {
     parts.push_back(
         fmt::format("a foot is up to {:.1f} mm from its place at {:.2f} s, because the leg does not reach it",
                     1e3 * clean.unreached_m, clean.unreached_s));

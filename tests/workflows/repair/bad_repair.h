@@ -16,6 +16,7 @@ inline MotionFindings BadFindings() {
   findings.duration_s = 4.0;
   findings.rested.motion.step_s = 0.01;
   findings.rested.file_s.assign(401, 0.0);
+  findings.clean.lift_m = 0.012;
   findings.before = AuditReport{};
   findings.before->violations = {{Law::kReach, 1.25, "FL_foot", 0.5, 0.4, "m"},
                                  {Law::kJointTorque, 3.5, "FL_calf_joint", 90.0, 33.5, "N m"}};

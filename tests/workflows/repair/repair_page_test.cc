@@ -26,6 +26,7 @@ TEST(RepairPage, TablesHaveWhatFailsAndHowFarItIs) {
   const std::string page = RepairPage({model, findings, &repaired}, {"clips/dance.csv"});
   EXPECT_TRUE(Has(page, "a1: repair of dance.csv"));
   EXPECT_TRUE(Has(page, "<span class=\"verdict fail\">FAIL</span>"));
+  EXPECT_TRUE(Has(page, "<div class=\"figure\">-12.0 mm</div><div class=\"limit\">they sink into the ground</div>"));
   const auto laws = RowsOf(page, "laws");
   ASSERT_EQ(laws.size(), 2U);
   EXPECT_TRUE(Has(laws[0], ">reach<") && Has(laws[0], "25.0 %") && Has(laws[0], "1 to 2&#160;s") &&
