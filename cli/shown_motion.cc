@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
+#include "planning/plan/sample_plan.h"
 #include "playback/log/log_json.h"
 #include "playback/play/play.h"
 #include "playback/report/report_page.h"
@@ -18,6 +20,15 @@ namespace gaitwright::cli {
 namespace {
 
 constexpr char kShowStage[] = "ReadMotionToShow";
+constexpr double kSameTime = 1e-6;  // [s]
+
+/// Posture of a plan at a time since its start; empty after its end.
+VectorX PostureAt(const WholeBodyTrajectory& rows, double time_s) {
+  if (rows.q.empty() || time_s > rows.end_s() - rows.start_s + kSameTime) return {};
+  WholeBodySample sample;
+  SampleWholeBody(rows, rows.start_s + time_s, sample);
+  return sample.q;
+}
 
 Result<MotionToShow> ShownPlan(MotionPlan plan) {
   Result<RobotModel> model = RobotOf(plan);
@@ -55,6 +66,18 @@ Result<MotionPlan> PlayedPlan(const PlaybackLog& log, const std::string& path, c
 
 ShownMotion MotionToShow::Shown(const std::optional<std::string>& mesh_folder) const {
   return {title, model, plan, log ? &*log : nullptr, report ? &*report : nullptr, "", mesh_folder};
+}
+
+ShownGhost MotionToShow::AsGhost() const {
+  if (!log) return {title, [this](double time_s) { return PostureAt(plan.whole_body, time_s); }};
+  return {title, [this](double time_s) {
+            const std::vector<LogSample>& rows = log->samples;
+            const double at_s = rows.empty() ? 0.0 : rows.front().time_s + time_s;
+            const auto next = std::upper_bound(rows.begin(), rows.end(), at_s + kSameTime,
+                                               [](double t, const LogSample& row) { return t < row.time_s; });
+            if (next == rows.begin() || (next == rows.end() && at_s > rows.back().time_s + kSameTime)) return VectorX();
+            return std::prev(next)->q;
+          }};
 }
 
 Result<MotionToShow> ReadMotionToShow(const std::string& path, const std::string& plan_path) {

@@ -19,6 +19,8 @@ struct MotionToShow {
   std::string title;
 
   ShownMotion Shown(const std::optional<std::string>& mesh_folder) const;
+  /// This motion as a ghost of another, on which the times since the starts are equal. It must outlive the ghost.
+  ShownGhost AsGhost() const;
 };
 
 /// Reads a plan, or a log with the plan that was played: `plan_path`, or "" for the plan.json beside the log. A log is

@@ -10,6 +10,7 @@
 #include "cli/word_list.h"
 #include "kinematics/base/file.h"
 #include "kinematics/model/dof_units.h"
+#include "planning/audit/broken_time_internal.h"
 #include "planning/plan/plan_json.h"
 #include "planning/tasks/approach.h"
 #include "workflows/preflight/preflight.h"
@@ -121,15 +122,16 @@ int RunPreflight(AuditSettings& a, const AuditSubject& about) {
   return preflight->go() ? kPass : kVerdictFail;
 }
 
-/// Prints the verdict, the plan's own warnings and what the audit did not check.
-void PrintAudit(const AuditReport& report, const MotionPlan& plan) {
-  fmt::print("{}", AuditText(report));
+/// Prints the verdict, for how long each check fails, the plan's own warnings and what the audit did not check.
+void PrintAudit(const AuditReport& report, const std::vector<BrokenTime>& broken, const MotionPlan& plan) {
+  fmt::print("{}{}", AuditText(report), BrokenText(broken));
   for (const std::string& warning : plan.warnings) fmt::print("warning: {}\n", warning);
   for (const std::string& note : report.notes) fmt::print("note: {}\n", note);
 }
 
 int AuditOnly(AuditSettings& a, const AuditSubject& about) {
-  const Result<AuditReport> report = Audit(about.model, about.plan, a.options);
+  std::vector<BrokenTime> broken;
+  const Result<AuditReport> report = AuditOverTime(about.model, about.plan, a.options, broken);
   if (!report) return Report(report.failure(), a.common);
   if (about.approach) {
     const Result<std::string> saved = SavePlan(about.approach->plan, a.approach);
@@ -137,6 +139,7 @@ int AuditOnly(AuditSettings& a, const AuditSubject& about) {
   }
   if (a.common.json) {
     auto json = ParsedJson(AuditJson(*report));
+    json["broken"] = ParsedJson(BrokenJson(broken));
     json["warnings"] = about.plan.warnings;
     if (!a.approach.empty())
       json["approach"] = about.approach ? ApproachJson(*about.approach, a.approach) : nlohmann::ordered_json();
@@ -144,7 +147,7 @@ int AuditOnly(AuditSettings& a, const AuditSubject& about) {
   } else if (a.common.quiet) {
     fmt::print("{}\n", report->pass() ? "pass" : "fail");
   } else {
-    PrintAudit(*report, about.plan);
+    PrintAudit(*report, broken, about.plan);
     if (about.approach) fmt::print("{}: {}\n", ApproachText(about.model, *about.approach), a.approach);
     if (!a.approach.empty() && !about.approach) fmt::print("{}\n", NoWayText(a.approach));
   }

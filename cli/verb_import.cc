@@ -28,9 +28,6 @@ nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::v
                                     const std::string& path) {
   nlohmann::ordered_json derived = nlohmann::ordered_json::array();
   for (const DerivedPart& part : imported.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
-  nlohmann::ordered_json times = nlohmann::ordered_json::array();
-  for (const BrokenTime& one : broken)
-    times.push_back({{"law", LawName(one.law)}, {"share", one.share}, {"worst_s", one.worst_s}});
   return {{"robot", imported.plan.robot},
           {"verdict", imported.audit.pass() ? "pass" : "fail"},
           {"format", imported.format},
@@ -41,7 +38,7 @@ nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::v
           {"unused_columns", imported.unused_columns},
           {"warnings", imported.notes.warnings},
           {"audit", ParsedJson(AuditJson(imported.audit))},
-          {"broken", times},
+          {"broken", ParsedJson(BrokenJson(broken))},
           {"files", {{"plan", path}}}};
 }
 

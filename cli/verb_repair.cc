@@ -12,14 +12,17 @@
 #include "cli/helping_rank.h"
 #include "cli/interruptible.h"
 #include "cli/motion_source_internal.h"
+#include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/progress_bar.h"
 #include "cli/write_results.h"
+#include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/exchange/recorded_motion_internal.h"
 #include "workflows/repair/played_repair_internal.h"
 #include "workflows/repair/repair_folder_internal.h"
+#include "workflows/repair/repair_page_internal.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -29,6 +32,7 @@ struct RepairSettings {
   RepairRequest request;
   RobotFlags robot;
   std::string out;  ///< "": the usual one
+  std::string report;
   int threads = 0;
   bool check = false, no_play = false, resume = false;
 
@@ -36,15 +40,42 @@ struct RepairSettings {
   std::string SoFar() const { return Table() + ".so-far"; }
 };
 
-int PrintRepair(const RepairResult& result, const std::string& path, const Common& common) {
+int PrintRepair(const RepairResult& result, const Files& files, const Common& common) {
   if (common.json) {
-    fmt::print("{}\n", RepairJson(result, path));
+    fmt::print("{}\n", RepairJson(result, files));
   } else if (common.quiet) {
     fmt::print("{}\n", result.pass() ? "pass" : "fail");
   } else {
-    fmt::print("{}{}", RepairText(result), path.empty() ? "" : fmt::format("plan    {}\n", path));
+    fmt::print("{}", RepairText(result));
+    for (const auto& [kind, path] : files) fmt::print("{:<7} {}\n", kind, path);
   }
   return result.pass() ? kPass : kVerdictFail;
+}
+
+/// Writes the page of --report, if it is wanted. @param refused  why there is no repair, or "".
+Result<std::string> WritePage(const RepairSettings& a, const RepairResult& result, const std::string& refused) {
+  if (a.report.empty()) return a.report;
+  RepairPageWords words{a.request.source.file, refused};
+  if (a.robot.is_file()) words.mesh_folder = a.robot.folder();
+  return WriteFileAtomically(a.report, RepairPage(result, words));
+}
+
+/// The findings on a motion, kept for its page.
+Result<MotionFindings> Examined(const RepairSettings& a, const RobotModel& model) {
+  RepairRequest request = a.request;
+  request.keeps_plan = !a.report.empty();
+  return ExamineMotion(model, request);
+}
+
+/// Reports why a motion was refused; if it could be read, also on the page.
+int ReportRefusal(const RepairSettings& a, const RobotModel& model, const Failure& failure) {
+  if (!a.report.empty()) {
+    if (const Result<MotionFindings> findings = Examined(a, model)) {
+      const auto written = WritePage(a, {model, *findings}, failure.message);
+      if (!written) return Report(written.failure(), a.common);
+    }
+  }
+  return Report(failure, a.common);
 }
 
 /// Shows a progress bar over the windows of all solves: two solves are usual, more are added when they come.
@@ -57,17 +88,28 @@ Result<PlayedRepair> RepairWithBar(const RobotModel& model, const RepairSettings
   return RepairAndPlay(model, request, !a.no_play);
 }
 
+Files WithReport(const RepairSettings& a, Files files) {
+  if (!a.report.empty()) files.emplace_back("report", a.report);
+  return files;
+}
+
 int RunOne(const RepairSettings& a, const RobotModel& model) {
   if (a.check) {
-    const Result<MotionFindings> findings = ExamineMotion(model, a.request);
+    const Result<MotionFindings> findings = Examined(a, model);
     if (!findings) return Report(findings.failure(), a.common);
-    return PrintRepair({model, *findings}, "", a.common);
+    const RepairResult result{model, *findings};
+    const auto written = WritePage(a, result, "");
+    if (!written) return Report(written.failure(), a.common);
+    return PrintRepair(result, WithReport(a, {}), a.common);
   }
   const Result<PlayedRepair> done = RepairWithBar(model, a);
-  if (!done) return Report(done.failure(), a.common);
+  if (!done) return ReportRefusal(a, model, done.failure());
   const Result<std::string> saved = SavePlan(done->repaired.plan, a.out);
   if (!saved) return Report(saved.failure(), a.common);
-  return PrintRepair(done->ResultOf(model), a.out, a.common);
+  const RepairResult result = done->ResultOf(model);
+  const auto written = WritePage(a, result, "");
+  if (!written) return Report(written.failure(), a.common);
+  return PrintRepair(result, WithReport(a, {{"plan", a.out}}), a.common);
 }
 
 void PrintClips(const RepairSettings& a, const RobotModel& model, const std::vector<ClipOutcome>& clips) {
@@ -142,6 +184,7 @@ bool Settle(RepairSettings& a, const Ranks& ranks) {
       std::filesystem::is_directory(a.request.source.file, ignored) && !IsBagFolder(a.request.source.file);
   if (a.out.empty()) a.out = is_folder ? "repaired" : "repaired.json";
   if (a.resume && !is_folder) throw InvalidArgument("--resume is for a folder of motions");
+  if (!a.report.empty() && is_folder) throw InvalidArgument("--report is for a single motion, not for a folder");
   if (!is_folder && ranks.count() > 1) {
     throw InvalidArgument(fmt::format(
         "a single motion is repaired in one process, and MPI has started {}; only folders are shared", ranks.count()));
@@ -174,6 +217,7 @@ int RunRepair(RepairSettings& a) {
   } else if (!a.check) {
     paths.Write("the plan", a.out, {".json"});
   }
+  paths.Write("--report", a.report, {".html"});
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
@@ -199,15 +243,19 @@ void AddRepair(Verb program, int& status) {
       verb, "--out", "FILE", a->out,
       "Plan file to write, its folder is created if missing; default repaired.json. For a folder of motions: folder of "
       "the plans and of the table clips.csv; default repaired.");
+  AddText(verb, "--report", "FILE", a->report,
+          "Write a page about a single motion to this HTML file: failing checks before and after, distance, changes, "
+          "and the motion in 3D with the original as a ghost; also if it fails or is refused; default: none.");
   verb.AddSwitch("--check", a->check, "Only say what is wrong with the motion; default: no.");
   verb.AddSwitch("--no-play", a->no_play, "Do not play the plan in physics; default: no.");
   verb.SetGroup("Folders");
   AddWholeNumber(verb, "--threads", 0, a->threads,
                  "Number of motions that are repaired at the same time; default 0: one per core.");
   verb.AddSwitch("--resume", a->resume, "Continue an interrupted run over a folder; default: no.");
-  AddCommon(verb, a->common,
-            {"repair dance.csv --urdf g1.urdf --out dance.json", "repair pace.txt --robot laikago --check --json",
-             "repair clips --urdf g1.urdf --out repaired --threads 4"});
+  AddCommon(
+      verb, a->common,
+      {"repair dance.csv --urdf g1.urdf --out dance.json --report dance.html",
+       "repair pace.txt --robot laikago --check --json", "repair clips --urdf g1.urdf --out repaired --threads 4"});
   AddOptionList(verb, a->request.Fields(), a->common.json);
   SetWorkInRanks(verb, a->common, status, [a] { return RunRepair(*a); });
 }

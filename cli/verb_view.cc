@@ -18,6 +18,7 @@ namespace {
 struct ViewSettings {
   Common common;
   std::string motion, beside, plan, meshes, out = "view.html";
+  bool ghost = false;
 };
 
 void PrintViewed(const ViewSettings& a, const std::string& title, std::size_t bytes) {
@@ -29,6 +30,14 @@ void PrintViewed(const ViewSettings& a, const std::string& title, std::size_t by
   } else {
     fmt::print("{}\npage    {} ({:.1f} MB): open it in a browser\n", title, a.out, 1e-6 * static_cast<double>(bytes));
   }
+}
+
+/// @throws InvalidArgument unless there are two motions of one robot.
+void CheckGhost(const std::vector<MotionToShow>& motions, const ViewSettings& a) {
+  if (motions.size() < 2) throw InvalidArgument("--ghost shows a second motion as a ghost; give a second FILE");
+  if (motions[0].model.hash == motions[1].model.hash) return;
+  throw InvalidArgument(fmt::format("--ghost needs two motions of the same robot: '{}' has '{}', but '{}' has '{}'",
+                                    a.motion, motions[0].model.name, a.beside, motions[1].model.name));
 }
 
 int RunView(const ViewSettings& a) {
@@ -48,6 +57,7 @@ int RunView(const ViewSettings& a) {
     motions.push_back(std::move(*motion));
   }
   CheckShown(motions, a.plan, a.meshes);
+  if (a.ghost) CheckGhost(motions, a);
   if (motions.size() == 2 && motions[0].title == motions[1].title) {
     motions[0].title += ", " + a.motion;
     motions[1].title += ", " + a.beside;
@@ -57,7 +67,11 @@ int RunView(const ViewSettings& a) {
   std::string title;
   for (const MotionToShow& motion : motions) {
     shown.push_back(motion.Shown(meshes));
-    title += (title.empty() ? "" : " beside ") + motion.title;
+    title += (title.empty() ? "" : a.ghost ? " with the ghost of " : " beside ") + motion.title;
+  }
+  if (a.ghost) {
+    shown.pop_back();
+    shown[0].ghost = motions[1].AsGhost();
   }
   const std::string page = ViewerPage(title, shown);
   const auto written = WriteFileAtomically(a.out, page);
@@ -74,12 +88,16 @@ void AddView(Verb program, int& status) {
   AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as written by 'plan', 'walk' and 'play'.").Require();
   AddText(verb, "BESIDE", "FILE", a->beside,
           "A second plan or log, shown beside the first on the same clock; default none.");
+  verb.AddSwitch("--ghost", a->ghost,
+                 "Show the second motion as a translucent robot in the picture of the first, instead of beside it; "
+                 "default: no.");
   AddText(verb, "--plan", "FILE", a->plan, "The plan that a log was played from; default: plan.json beside the log.");
   AddText(verb, "--meshes", "FOLDER", a->meshes,
           "Folder of the URDF, to find its visual meshes; default: none, and collision shapes are drawn.");
   AddText(verb, "--out", "FILE", a->out, "Write the page to this file; default view.html.");
   AddCommon(verb, a->common,
-            {"view plan.json", "view out/log.json --out trot.html", "view out/log.json plan.json --out two.html"});
+            {"view plan.json", "view out/log.json --out trot.html", "view out/log.json plan.json --out two.html",
+             "view out/log.json plan.json --ghost"});
   SetWork(verb, a->common, status, [a] { return RunView(*a); });
 }
 

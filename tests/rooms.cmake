@@ -38,7 +38,7 @@ endfunction()
 
 # gaitwright_test(ROOM SHARDS LINKS...): one test program a room, ROOM_tests, of every *_test.cc below tests/ROOM with the
 # helpers (other .cc files) there. Files called *_long_test.cc make ROOM_long_tests, labelled `long`: only
-# `./test --long` runs them. What needs the viewer (*_in_browser_test.cc, viewer_page_test.cc, cli/view_test.cc, cli/verb_live_test.cc, cli/verb_render_test.cc) is left out of a
+# `./test --long` runs them. What needs the viewer (*_in_browser_test.cc, viewer_page_test.cc, cli/verb_view_test.cc, cli/verb_live_test.cc, cli/verb_render_test.cc) is left out of a
 # build without it, and what is for such a build (without_viewer_test.cc) of all others.
 function(gaitwright_test room shards)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.cc)
@@ -48,7 +48,7 @@ function(gaitwright_test room shards)
   if(GAITWRIGHT_VIEWER)
     list(FILTER sources EXCLUDE REGEX "without_viewer_test\\.cc$")
   else()
-    list(FILTER sources EXCLUDE REGEX "(_in_browser|viewer_page|cli/view|cli/verb_live|cli/verb_render)_test\\.cc$")
+    list(FILTER sources EXCLUDE REGEX "(_in_browser|viewer_page|cli/verb_view|cli/verb_live|cli/verb_render)_test\\.cc$")
   endif()
   if(NOT GAITWRIGHT_HAS_MUJOCO)
     list(FILTER sources EXCLUDE REGEX "/mujoco/")

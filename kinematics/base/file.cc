@@ -14,6 +14,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include "kinematics/base/writable.h"
@@ -71,22 +72,22 @@ class Transaction {
   }
 
   /// Creates the folder and writes the text beside the target.
-  std::optional<Failure> Prepare(const OutputFile& file) {
-    if (const std::string why = ReasonNotWritable(file.path); !why.empty()) return Unwritable(file.path, why);
+  std::optional<Failure> Prepare(const std::string& path, std::string_view text) {
+    if (const std::string why = ReasonNotWritable(path); !why.empty()) return Unwritable(path, why);
     std::error_code error;
-    const fs::path target(file.path);
+    const fs::path target(path);
     if (!MakeFolder(target.parent_path(), error)) {
       return FileFailure(FailureCode::kUnwritableFile,
-                         fmt::format("cannot create the folder '{}' for '{}': {}", target.parent_path().string(),
-                                     file.path, error.message()));
+                         fmt::format("cannot create the folder '{}' for '{}': {}", target.parent_path().string(), path,
+                                     error.message()));
     }
-    steps_.push_back({target, file.path + fmt::format(".{}.part", ::getpid()), {}, false});
+    steps_.push_back({target, path + fmt::format(".{}.part", ::getpid()), {}, false});
     errno = 0;
     std::ofstream stream(steps_.back().temporary, std::ios::binary | std::ios::trunc);
-    stream.write(file.text.data(), static_cast<std::streamsize>(file.text.size()));
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream.close();
-    if (!stream) return Unwritable(file.path, {errno != 0 ? errno : EIO, std::generic_category()});
-    if (const std::error_code unsafe = Sync(steps_.back().temporary)) return Unwritable(file.path, unsafe);
+    if (!stream) return Unwritable(path, {errno != 0 ? errno : EIO, std::generic_category()});
+    if (const std::error_code unsafe = Sync(steps_.back().temporary)) return Unwritable(path, unsafe);
     return std::nullopt;
   }
 
@@ -213,8 +214,10 @@ Result<std::string> ReadFile(const std::string& path, std::size_t most) {
 }
 
 Result<std::string> WriteFileAtomically(const std::string& path, const std::string& text) {
-  const auto written = WriteFilesTogether({{path, text}});
-  if (!written) return written.failure();
+  const EndingsHeldBack held_back;
+  Transaction transaction;
+  if (auto failure = transaction.Prepare(path, text)) return *failure;
+  if (auto failure = transaction.Commit()) return *failure;
   return path;
 }
 
@@ -229,7 +232,7 @@ Result<std::vector<std::string>> WriteFilesTogether(const std::vector<OutputFile
                            fmt::format("'{}' is given for two outputs; give each output its own file", other));
       }
     }
-    if (auto failure = transaction.Prepare(file)) return *failure;
+    if (auto failure = transaction.Prepare(file.path, file.text)) return *failure;
     paths.push_back(file.path);
   }
   if (auto failure = transaction.Commit()) return *failure;

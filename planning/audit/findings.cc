@@ -52,13 +52,18 @@ std::vector<BrokenTime> Findings::Broken() const {
   for (const Law law : AllLaws()) {
     const auto found = fails_.find(law);
     if (found == fails_.end()) continue;
-    BrokenTime broken{law, 0.0, {}};
+    BrokenTime broken{law, 0.0, {}, {}};
+    int failing = 0;
     std::map<double, int> by_second;
     for (std::size_t k = 0; k < found->second.size(); ++k) {
       if (!found->second[k]) continue;
-      broken.share += 1.0 / samples_;
-      ++by_second[std::floor(start_s_ + static_cast<double>(k) / rate_hz_ + 1e-9)];
+      const double at_s = start_s_ + static_cast<double>(k) / rate_hz_;
+      ++failing;
+      ++by_second[std::floor(at_s + 1e-9)];
+      if (k == 0 || !found->second[k - 1]) broken.spans.push_back({at_s, at_s});
+      broken.spans.back().end_s = at_s + 1.0 / rate_hz_;
     }
+    broken.share = static_cast<double>(failing) / samples_;
     std::vector<std::pair<double, int>> seconds(by_second.begin(), by_second.end());
     std::stable_sort(seconds.begin(), seconds.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
     if (seconds.size() > kMost) seconds.resize(kMost);

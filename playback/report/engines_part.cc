@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "playback/report/page_parts_internal.h"
 #include "playback/report/plot_grid.h"
 #include "playback/report/svg_plot.h"
 #include "playback/report/svg_tools.h"
@@ -23,8 +24,8 @@ struct BothMotions {
 
 BothMotions MotionsOf(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                       const SecondVerdict& second) {
-  BothMotions motions{MakeMotionSeries(model, plan, log, ScoreOptionsOf(log)).measured,
-                      MakeMotionSeries(model, plan, second.log, ScoreOptionsOf(second.log)).measured,
+  BothMotions motions{MakeMeasuredSeries(model, plan, log, ScoreOptionsOf(log)),
+                      MakeMeasuredSeries(model, plan, second.log, ScoreOptionsOf(second.log)),
                       EngineTitle(second.agreement.name_a),
                       EngineTitle(second.agreement.name_b),
                       0.0,
@@ -97,16 +98,9 @@ std::string ForceCurves(const RobotModel& model, const BothMotions& motions) {
   return GridOfPlots(plots, kColumns, "Vertical force of the feet in both engines");
 }
 
-std::string Figure(const std::string& name, const std::string& svg, const std::string& caption) {
-  return fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n", name,
-                     svg, EscapedXml(caption));
-}
-
 std::string VerdictRow(const std::string& engine, const StabilityReport& report) {
-  return fmt::format(
-      "<tr><td>{0}</td><td><span class=\"mark {1}\">{2}</span></td><td class=\"n\">{3:.1f}</td><td>{4}</td></tr>\n",
-      EscapedXml(engine), report.pass ? "pass" : "fail", report.pass ? "pass" : "FAIL", report.score,
-      EscapedXml(report.reason));
+  return fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{:.1f}</td><td>{}</td></tr>\n", EscapedXml(engine),
+                     VerdictMark(report.pass), report.score, EscapedXml(report.reason));
 }
 
 std::string InUnit(double value, const std::string& unit) {
@@ -130,19 +124,27 @@ std::string DifferenceTable(const Agreement& agreement) {
 
 }  // namespace
 
+std::string EngineVerdicts(const PlaybackLog& log, const StabilityReport& report,
+                           const std::optional<SecondVerdict>& second) {
+  std::string html = fmt::format(
+      "<h2 id=\"engines\">{}</h2>\n<div class=\"scroll\"><table><thead><tr><th>engine</th><th>verdict</th><th "
+      "class=\"n\">score</th><th>reason</th></tr></thead><tbody>\n",
+      second ? "Two engines" : "Played in physics");
+  html += VerdictRow(EngineTitle(second ? second->agreement.name_a : EngineOf(log)), report);
+  if (second) html += VerdictRow(EngineTitle(second->agreement.name_b), second->report);
+  html += "</tbody></table></div>\n";
+  if (!second) return html;
+  return html + fmt::format("<p>{}.</p>\n", EscapedXml(AgreementText(second->agreement))) +
+         DifferenceTable(second->agreement);
+}
+
 std::string EnginesPart(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                         const StabilityReport& report, const SecondVerdict& second) {
-  const Agreement& agreement = second.agreement;
-  std::string html =
-      "<h2 id=\"engines\">Two engines</h2>\n<div class=\"scroll\"><table><thead><tr><th>engine</th><th>verdict</th><th "
-      "class=\"n\">score</th><th>reason</th></tr></thead><tbody>\n";
-  html += VerdictRow(EngineTitle(agreement.name_a), report) + VerdictRow(EngineTitle(agreement.name_b), second.report);
-  html += fmt::format("</tbody></table></div>\n<p>{}.</p>\n", EscapedXml(AgreementText(agreement)));
-  html += DifferenceTable(agreement);
+  std::string html = EngineVerdicts(log, report, second);
   const BothMotions motions = MotionsOf(model, plan, log, second);
   const std::string who = fmt::format("{} is broad and pale, {} thin and dark.", motions.name_a, motions.name_b);
-  html += Figure("engines_balance", BalanceCurves(motions), "ZMP and height of the base as measured; " + who);
-  return html + Figure("engines_forces", ForceCurves(model, motions), "Vertical contact force by foot; " + who);
+  html += FigurePart({"engines_balance", "ZMP and height of the base as measured; " + who, BalanceCurves(motions)});
+  return html + FigurePart({"engines_forces", "Vertical contact force by foot; " + who, ForceCurves(model, motions)});
 }
 
 }  // namespace gaitwright

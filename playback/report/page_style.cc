@@ -52,7 +52,7 @@ ul{margin:6px 0;padding-left:20px}
 details{margin-top:12px}
 summary{cursor:pointer;color:var(--soft)}
 details table{font-size:12.5px}
-@media print{main{max-width:none;padding:0}figure,.card{break-inside:avoid}}
+@media print{main{max-width:none;padding:0}figure,.card,tr{break-inside:avoid}h2{break-after:avoid}h2.screen{display:none}}
 )";
 }
 

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "planning/plan/parts_text.h"
 #include "planning/plan/plans_contacts_internal.h"
 #include "playback/report/engines_part.h"
-#include "playback/report/page_style.h"
-#include "playback/report/plot_style.h"
+#include "playback/report/page_parts_internal.h"
 #include "playback/report/plots.h"
 #include "playback/report/svg_tools.h"
 #include "playback/score/gates.h"
@@ -51,11 +49,6 @@ std::string PrintedLimit(const Metric& metric) {
   if (text.rfind("<=", 0) == 0) text.replace(0, 2, "\u2264");
   if (text.rfind(">=", 0) == 0) text.replace(0, 2, "\u2265");
   return text == "-" ? "\u2013" : EscapedXml(text);
-}
-
-std::string Sentence(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return EscapedXml(text) + ".";
 }
 
 std::string Card(const Headline& headline, const Metric& metric) {
@@ -106,7 +99,6 @@ std::string PhysicsReason(const Subject& about) {
 
 std::string Head(const Subject& about) {
   const auto& [model, plan, log, report, words] = about;
-  const char* verdict = about.pass() ? "pass" : "fail";
   const std::string physics = PhysicsReason(about);
   const std::string reason = words.objection.empty()
                                  ? physics
@@ -118,18 +110,16 @@ std::string Head(const Subject& about) {
   const double duration = log.samples.empty() ? 0.0 : log.samples.back().time_s - log.start_s;
   const std::string parts = PartsText(plan.parts);
   const std::string controller = log.controller.empty() ? "" : ", controller " + log.controller;
-  return fmt::format(
-      "<div class=\"head\"><span class=\"verdict {0}\">{1}</span><div><h1>{2}</h1><p class=\"soft\">{3:.2f} s played "
-      "in {11} at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8:.1f}</b><br/>"
-      "<span class=\"soft\">of 100</span></div></div>\n<p class=\"reason {0}\">{9}</p>\n{10}",
-      verdict, about.pass() ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
-      EscapedXml(controller), model.total_mass_kg, log.friction, score, Sentence(reason),
-      parts.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>\n", EscapedXml(parts)), EscapedXml(engines));
+  return VerdictPart({about.pass(), about.pass() ? "PASS" : "FAIL", TitleOf(model, plan),
+                      fmt::format("{:.2f} s played in {} at a {:.3g} ms step{}; {:.4g} kg, friction {:.3g}", duration,
+                                  engines, 1e3 * log.step_s, controller, model.total_mass_kg, log.friction),
+                      fmt::format("{:.1f}", score), "of 100", reason}) +
+         (parts.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>\n", EscapedXml(parts)));
 }
 
 std::string MarkOf(const Metric& metric) {
   if (!metric.applied) return "";
-  return metric.pass ? "<span class=\"mark pass\">pass</span>" : "<span class=\"mark fail\">FAIL</span>";
+  return VerdictMark(metric.pass);
 }
 
 std::string OrDash(const Metric& metric, const std::optional<double>& value) {
@@ -176,28 +166,8 @@ std::string MetricTable(const StabilityReport& report, const std::optional<Secon
 
 std::string Figures(const std::vector<Plot>& plots) {
   std::string html = "<h2>What happened</h2>\n";
-  for (const Plot& plot : plots) {
-    html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
-                        plot.name, plot.svg, EscapedXml(plot.caption));
-  }
+  for (const Plot& plot : plots) html += FigurePart(plot);
   return html;
-}
-
-std::string ListOf(const std::string& title, const std::vector<std::string>& lines) {
-  if (lines.empty()) return "";
-  std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", EscapedXml(title));
-  for (const std::string& line : lines) html += "<li>" + EscapedXml(line) + "</li>\n";
-  return html + "</ul>\n";
-}
-
-std::string OptionTable(const std::string& title, const std::vector<std::pair<std::string, std::string>>& options) {
-  if (options.empty()) return "";
-  std::string html = fmt::format("<details><summary>{}</summary><table><tbody>\n", EscapedXml(title));
-  for (const auto& [key, value] : options) {
-    html +=
-        fmt::format("<tr><td><span class=\"key\">{}</span></td><td>{}</td></tr>\n", EscapedXml(key), EscapedXml(value));
-  }
-  return html + "</tbody></table></details>\n";
 }
 
 std::string ChangeTable(const std::vector<OptionChange>& changes) {
@@ -219,8 +189,8 @@ std::string Origin(const MotionPlan& plan, const PlaybackLog& log, const std::ve
                       EscapedXml(plan.provenance.made_by), EscapedXml(plan.provenance.program_version),
                       plan.provenance.seed, EscapedXml(log.program_version), EscapedXml(log.robot_hash),
                       EscapedXml(log.plan_hash));
-  html += ChangeTable(changes) + OptionTable("All options of the plan", plan.provenance.options);
-  return html + OptionTable("All options of the playback", log.options);
+  html += ChangeTable(changes) + OptionsPart("All options of the plan", plan.provenance.options);
+  return html + OptionsPart("All options of the playback", log.options);
 }
 
 }  // namespace
@@ -236,18 +206,13 @@ std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const Pl
                        const StabilityReport& report, const ReportWords& words) {
   const Subject about{model, plan, log, report, words};
   const std::vector<Plot> plots = MakePlots(model, plan, log, report);
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\"/><title>{} \u2013 "
-      "{}</title>\n<style>{}{}</style></head>\n<body><main>\n",
-      EscapedXml(TitleOf(model, plan)), about.pass() ? "pass" : "fail", PageStyle(), PlotStyle());
-  html += Head(about) + Cards(report);
-  if (!words.viewer.empty()) html += "<h2>In motion</h2>\n" + words.viewer;
+  std::string html = Head(about) + Cards(report);
+  if (!words.viewer.empty()) html += "<h2 class=\"screen\">In motion</h2>\n" + words.viewer;
   if (words.second) html += EnginesPart(model, plan, log, report, *words.second);
   html += Figures(plots) + MetricTable(report, words.second);
-  html += ListOf("Audit of the plan", words.audit_lines) + ListOf("Notes", report.notes);
-  html += ListOf("Warnings of the plan", plan.warnings) + Origin(plan, log, words.changed_options);
-  return html + "</main></body></html>\n";
+  html += ListPart("Audit of the plan", words.audit_lines) + ListPart("Notes", report.notes);
+  html += ListPart("Warnings of the plan", plan.warnings) + Origin(plan, log, words.changed_options);
+  return WholePage(fmt::format("{} \u2013 {}", TitleOf(model, plan), about.pass() ? "pass" : "fail"), html);
 }
 
 }  // namespace gaitwright

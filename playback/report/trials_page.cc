@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "playback/report/page_style.h"
-#include "playback/report/plot_style.h"
+#include "playback/report/page_parts_internal.h"
 #include "playback/report/svg_tools.h"
 #include "playback/score/gates.h"
 
@@ -13,27 +12,20 @@ namespace {
 
 std::string Percent(double share) { return fmt::format("{:.1f}&#160;%", 100.0 * share); }
 
-std::string Card(const char* what, const std::string& figure, const std::string& beside) {
-  return fmt::format(
-      "<div class=\"card\"><div class=\"what\">{}</div><div class=\"figure\">{}</div><div "
-      "class=\"limit\">{}</div></div>\n",
-      what, figure, beside);
-}
-
 std::string Interval(const ShareInterval& share) {
   return fmt::format("95 % interval {} to {}", Percent(share.low), Percent(share.high));
 }
 
 std::string Cards(const RobustnessReport& r) {
   std::string html = "<div class=\"cards\">\n";
-  html += Card("survival to the plan's end", Percent(r.survival.share), Interval(r.survival));
-  html += Card("keep every gate", Percent(r.pass_share.share), Interval(r.pass_share));
+  html += CardPart("survival to the plan's end", Percent(r.survival.share), Interval(r.survival));
+  html += CardPart("keep every gate", Percent(r.pass_share.share), Interval(r.pass_share));
   const GaitSensitivity& gait = r.gait_sensitivity;
   if (gait.norm) {
-    html += Card("gait sensitivity norm", fmt::format("{:.3g}", *gait.norm),
-                 fmt::format("standard error {:.2g}", gait.standard_error.value_or(0.0)));
+    html += CardPart("gait sensitivity norm", fmt::format("{:.3g}", *gait.norm),
+                     fmt::format("standard error {:.2g}", gait.standard_error.value_or(0.0)));
   }
-  html += Card("trials", fmt::format("{}", r.n), fmt::format("{} fell", r.n - r.survived));
+  html += CardPart("trials", fmt::format("{}", r.n), fmt::format("{} fell", r.n - r.survived));
   return html + "</div>\n";
 }
 
@@ -125,23 +117,16 @@ std::string Conditions(const TrialSubject& subject) {
 }  // namespace
 
 std::string TrialsPage(const RobustnessReport& report) {
-  const std::string title = fmt::format("{}: {} trials", EscapedXml(report.subject.robot), report.n);
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\"/><title>{0}</title>\n<style>{1}{2}</style></head>\n<body><main>\n"
-      "<h1>{0}</h1>\n",
-      title, PageStyle(), PlotStyle());
+  const std::string title = fmt::format("{}: {} trials", report.subject.robot, report.n);
+  std::string html = fmt::format("<h1>{}</h1>\n", EscapedXml(title));
   html += SubjectLine(report.subject) + Cards(report);
   if (const std::string repeats = RepeatsText(report); !repeats.empty())
     html += "<p class=\"reason fail\">" + EscapedXml(repeats) + ".</p>\n";
-  for (const Plot& plot : TrialPlots(report)) {
-    html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
-                        plot.name, plot.svg, EscapedXml(plot.caption));
-  }
+  for (const Plot& plot : TrialPlots(report)) html += FigurePart(plot);
   html += TallyTable("Causes of falls", report.causes) +
           TallyTable("Gates failed without a fall", report.broken_gates) + SensitivityTable(report) +
           WorstTable(report) + MetricTable(report) + Conditions(report.subject);
-  return html + "</main></body></html>\n";
+  return WholePage(title, html);
 }
 
 }  // namespace gaitwright

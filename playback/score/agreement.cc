@@ -192,8 +192,8 @@ std::string EngineTitle(const std::string& engine) {
 }
 
 Agreement AgreementOf(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& a, const PlaybackLog& b) {
-  const std::vector<MotionSample> of_a = MakeMotionSeries(model, plan, a, ScoreOptionsOf(a)).measured;
-  const std::vector<MotionSample> of_b = MakeMotionSeries(model, plan, b, ScoreOptionsOf(b)).measured;
+  const std::vector<MotionSample> of_a = MakeMeasuredSeries(model, plan, a, ScoreOptionsOf(a));
+  const std::vector<MotionSample> of_b = MakeMeasuredSeries(model, plan, b, ScoreOptionsOf(b));
   Agreement agreement;
   agreement.name_a = EngineOf(a);
   agreement.name_b = EngineOf(b);

@@ -220,7 +220,38 @@ void AddPlanned(const WholeBodyTrajectory& motion, const PlannedTime& at, Sample
   if (with_forces) sampler.AddPlannedForces(At(motion, middle_s), series.planned.back());
 }
 
+/// Calls `add` with each sample of a log, the middle of its interval and the feet on the ground, up to the first state
+/// that is not finite: there the simulation diverged, and Score reports the time.
+template <class Add>
+void ForEachSample(const MotionPlan& plan, const PlaybackLog& log, Add add) {
+  const double half_interval = 0.5 / log.log_rate_hz;
+  for (const LogSample& row : log.samples) {
+    if (!row.q.allFinite() || !row.v.allFinite()) break;
+    const double middle_s = row.time_s - half_interval;
+    add(row, middle_s, PlansContacts(plan) ? ScheduledAt(plan.schedule, middle_s) : row.contact);
+  }
+}
+
+MotionSample MeasuredSample(const LogSample& row, double middle_s, FootSet stance, Sampler& sampler) {
+  MotionSample sample = sampler.Posture(row.time_s, middle_s, stance, row.q, row.v);
+  sampler.AddMeasuredForces(row.wrenches, sample);
+  return sample;
+}
+
 }  // namespace
+
+std::vector<MotionSample> MakeMeasuredSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                                             const ScoreOptions& options) {
+  CheckLog(model, log);
+  Sampler sampler(model, plan, options);
+  std::vector<MotionSample> measured;
+  measured.reserve(log.samples.size());
+  ForEachSample(plan, log, [&](const LogSample& row, double middle_s, FootSet stance) {
+    measured.push_back(MeasuredSample(row, middle_s, stance, sampler));
+  });
+  LowPassZmp(measured, options.zmp_filter_s);
+  return measured;
+}
 
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                               const ScoreOptions& options) {
@@ -230,15 +261,10 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
   const AllRows rows(plan.whole_body);
   const WholeBodyTrajectory& motion = *rows;
   MotionSeries series;
-  const double half_interval = 0.5 / log.log_rate_hz;
-  for (const LogSample& row : log.samples) {
-    if (!row.q.allFinite() || !row.v.allFinite()) break;  // the simulation diverged; Score reports the time
-    const double middle = row.time_s - half_interval;
-    const FootSet stance = PlansContacts(plan) ? ScheduledAt(plan.schedule, middle) : row.contact;
-    series.measured.push_back(sampler.Posture(row.time_s, middle, stance, row.q, row.v));
-    sampler.AddMeasuredForces(row.wrenches, series.measured.back());
-    AddPlanned(motion, {row.time_s, middle, stance, PlansContacts(plan)}, sampler, series);
-  }
+  ForEachSample(plan, log, [&](const LogSample& row, double middle_s, FootSet stance) {
+    series.measured.push_back(MeasuredSample(row, middle_s, stance, sampler));
+    AddPlanned(motion, {row.time_s, middle_s, stance, PlansContacts(plan)}, sampler, series);
+  });
   LowPassZmp(series.measured, options.zmp_filter_s);
   LowPassZmp(series.planned, options.zmp_filter_s);
   return series;

@@ -57,6 +57,11 @@ struct MotionSeries {
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                               const ScoreOptions& options);
 
+/// `measured` of MakeMotionSeries alone, which needs a third of the memory. @throws InvalidArgument for a log that does
+/// not fit the model.
+std::vector<MotionSample> MakeMeasuredSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                                             const ScoreOptions& options);
+
 /// The plan from its first row to its last, sampled at a rate [Hz] as a log would be; `measured` is empty.
 /// @throws InvalidArgument if the plan has no rows or does not fit the model, or the rate is not positive.
 MotionSeries MakePlannedSeries(const RobotModel& model, const MotionPlan& plan, double rate_hz,

@@ -57,14 +57,15 @@ Json VerdictScene(const ShownMotion& shown) {
 
 MotionSeries SeriesOf(const ShownMotion& shown) {
   if (shown.log != nullptr) return MakeMotionSeries(shown.model, shown.plan, *shown.log, ScoreOptionsOf(*shown.log));
-  return MakePlannedSeries(shown.model, shown.plan, kSceneRateHz, {});
+  return MakePlannedSeries(shown.model, shown.plan, std::min(shown.rate_hz, kSceneRateHz), {});
 }
 
 Json MotionScene(const ShownMotion& shown) {
   const MotionSeries series = SeriesOf(shown);
   if (series.planned.empty()) throw InvalidArgument("SceneJson: the log has no sample with finite values");
-  const double rate_hz = shown.log == nullptr ? kSceneRateHz : shown.log->log_rate_hz;
-  const std::size_t stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / kSceneRateHz)));
+  const double most_hz = std::min(shown.rate_hz, kSceneRateHz);
+  const double rate_hz = shown.log == nullptr ? most_hz : shown.log->log_rate_hz;
+  const std::size_t stride = static_cast<std::size_t>(std::max(1.0, std::round(rate_hz / most_hz)));
   TrackScenes tracks = TracksScene(shown.model, shown.plan, shown.log, series, stride);
   return {{"title", shown.title},
           {"verdict", VerdictScene(shown)},
@@ -73,6 +74,7 @@ Json MotionScene(const ShownMotion& shown) {
           {"time_s", std::move(tracks.time_s)},
           {"planned", std::move(tracks.planned)},
           {"measured", std::move(tracks.measured)},
+          {"ghost", shown.ghost ? GhostScene(shown, series, stride) : Json()},
           {"footholds", FootholdsScene(shown.model, shown.plan)},
           {"swings", SwingsScene(shown.plan)},
           {"marks", MarksScene(shown)}};

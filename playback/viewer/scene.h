@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,15 @@
 
 namespace gaitwright {
 
+/// Maximum sample rate of a scene; logs with a higher rate are thinned.
+inline constexpr double kSceneRateHz = 200.0;
+
+/// Another motion of the same robot, shown as a translucent robot in the picture of a motion.
+struct ShownGhost {
+  std::string title;                       ///< what it is: "the original"
+  std::function<VectorX(double)> posture;  ///< q at a time since the start of the motion [s]; empty where it has none
+};
+
 /// A motion to show: a plan, and its playback if there is one.
 struct ShownMotion {
   std::string title;
@@ -21,10 +31,9 @@ struct ShownMotion {
   const StabilityReport* report = nullptr;      ///< of the log; null shows no verdict
   std::string objection = {};                   ///< reason of a fail independent of physics; else empty
   std::optional<std::string> mesh_folder = {};  ///< of the URDF, for visual meshes; without it hulls are shown
+  std::optional<ShownGhost> ghost = {};         ///< instead of the plan of a log
+  double rate_hz = kSceneRateHz;                ///< of the scene's samples, at most
 };
-
-/// Maximum sample rate of a scene; logs with a higher rate are thinned.
-inline constexpr double kSceneRateHz = 200.0;
 
 /// Data of the page of viewer_page.h, as JSON without `<`, `>` and `&`: robots with their shapes, ground, planned and
 /// measured motion as packed columns, footholds, swings, marks (docs/viewer.md).

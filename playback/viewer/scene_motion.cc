@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "kinematics/base/result.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "playback/viewer/packed_columns_internal.h"
 #include "playback/viewer/scene_parts_internal.h"
@@ -113,6 +116,21 @@ TrackScenes TracksScene(const RobotModel& model, const MotionPlan& plan, const P
     measured.Add(series.measured[k], sample.q, sample.tau, sample.contact);
   }
   return {Packed(1, time_s), planned.Finished(), log == nullptr ? Json(nullptr) : measured.Finished()};
+}
+
+Json GhostScene(const ShownMotion& shown, const MotionSeries& series, std::size_t stride) {
+  const int columns = shown.model.nq();
+  std::vector<float> q;
+  for (std::size_t k = 0; k < series.planned.size(); k += stride) {
+    const VectorX posture = shown.ghost->posture(series.planned[k].time_s - series.planned[0].time_s);
+    if (posture.size() != 0 && posture.size() != columns) {
+      throw InvalidArgument(fmt::format("SceneJson: the ghost '{}' has {} numbers, but robot '{}' needs {}",
+                                        shown.ghost->title, posture.size(), shown.model.name, columns));
+    }
+    for (Eigen::Index i = 0; i < columns; ++i)
+      q.push_back(posture.size() == 0 ? kNothing : static_cast<float>(posture[i]));
+  }
+  return {{"title", shown.ghost->title}, {"q", Packed(columns, q)}};
 }
 
 Json FootholdsScene(const RobotModel& model, const MotionPlan& plan) {

@@ -9,6 +9,7 @@
 #include "planning/plan/motion_plan.h"
 #include "playback/log/playback_log.h"
 #include "playback/score/motion_series.h"
+#include "playback/viewer/scene.h"
 
 namespace gaitwright {
 
@@ -25,6 +26,9 @@ struct TrackScenes {
 };
 TrackScenes TracksScene(const RobotModel& model, const MotionPlan& plan, const PlaybackLog* log,
                         const MotionSeries& series, std::size_t stride);
+
+/// Postures of a ghost at the same samples, with gaps where it has none. @throws InvalidArgument for another size of q.
+nlohmann::ordered_json GhostScene(const ShownMotion& shown, const MotionSeries& series, std::size_t stride);
 
 nlohmann::ordered_json FootholdsScene(const RobotModel& model, const MotionPlan& plan);
 nlohmann::ordered_json SwingsScene(const MotionPlan& plan);

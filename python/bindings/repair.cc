@@ -90,6 +90,10 @@ py::dict FramesOf(const Repair& repair, double rate_hz) {
   return frames;
 }
 
+py::object DistanceOfRepair(const Repair& repair) {
+  return py::module_::import("json").attr("loads")(RepairJson(repair.result()))["distance"];
+}
+
 std::vector<std::string> ChangeTexts(const Repair& repair) {
   std::vector<std::string> texts;
   if (repair.done().repaired.findings.kept) return texts;
@@ -114,11 +118,14 @@ void BindRepair(py::module_& module) {
           "Audit of the motion as it was given; None if it could not be audited.")
       .def_property_readonly(
           "audit", [](const Repair& r) { return r.done().repaired.after; }, "Audit of the plan.")
+      .def_property_readonly("distance", DistanceOfRepair,
+                             "Distance of the plan from the motion as it was given, as `distance` in the JSON of "
+                             "`gaitwright repair` (docs/repair.md); `groups` has it by part of the robot.")
       .def_property_readonly("changes", ChangeTexts, "What was changed, each in a sentence.")
       .def("frames", FramesOf, py::arg("rate_hz") = 30.0,
            "The motion as arrays in a dictionary, such as `repair` takes: fps, root_pos, root_rot (x y z w), dof_pos, "
            "joint_names.")
-      .def("to_json", [](const Repair& r) { return RepairJson(r.result(), ""); })
+      .def("to_json", [](const Repair& r) { return RepairJson(r.result()); })
       .def("__str__", [](const Repair& r) { return RepairText(r.result()); })
       .def("__bool__", [](const Repair& r) { return r.result().pass(); });
   module.def("repair", RepairGiven, py::arg("robot").none(false), py::arg("motion").none(false), py::kw_only(),

@@ -139,12 +139,13 @@ inline const std::vector<Owner> kOwners = {
     {"mpi.h", {"workflows/cluster"}},
     {"seccomp.h", {"workflows/sandbox"}},
     {"CLI/", {"cli", "examples"}},
-    // Headers of the operating system: atomic writing and terminals.
+    // Headers of the operating system: atomic writing, terminals and memory.
     {"unistd.h", kAnywhere},
     {"fcntl.h", kAnywhere},
     {"signal.h", kAnywhere},
     {"dlfcn.h", {"kinematics/base"}},
     {"link.h", {"kinematics/base"}},
+    {"malloc.h", {"kinematics/base"}},
     {"poll.h", {"workflows/render", "workflows/sandbox", "workflows/grade", "examples"}},
     {"grp.h", {"workflows/sandbox"}},
     {"linux/", {"workflows/sandbox"}},

@@ -81,6 +81,21 @@ TEST_F(BeforeHardware, MarginsAreGivenOnlyWhenAskedFor) {
   EXPECT_NE(Run({"audit", "plan.json", "--margins"}).out.find("joint_velocity"), std::string::npos);
 }
 
+TEST_F(BeforeHardware, AFailSaysForHowLong) {
+  EXPECT_EQ(Run({"audit", "plan.json", "--json"}).json().at("broken"), Json::array());
+  const Ran ran = Run({"audit", "plan.json", "--derate", "torque=0.1", "--json"});
+  ASSERT_EQ(ran.status, 3) << ran.err;
+  const Json json = ran.json();
+  ASSERT_EQ(json.at("broken").size(), 1U);
+  const Json broken = json.at("broken").at(0);
+  EXPECT_EQ(broken.at("law"), json.at("violations").at(0).at("law"));
+  EXPECT_GT(broken.at("share"), 0.05);
+  EXPECT_LE(broken.at("share"), 1.0);
+  EXPECT_LE(broken.at("worst_s").size(), 3U);
+  EXPECT_NE(Run({"audit", "plan.json", "--derate", "torque=0.1"}).out.find(" of the time, longest from "),
+            std::string::npos);
+}
+
 TEST_F(BeforeHardware, EveryLimitMayBeDerated) {
   EXPECT_EQ(Run({"audit", "plan.json", "--derate", "acceleration=0.5,jerk=0.5,continuous=0.5", "--quiet"}).out,
             "pass\n")

@@ -2,6 +2,7 @@
 // The verb `repair`: output, files and refusals.
 #include <csignal>
 
+#include "playback/viewer/viewer_page.h"
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {
@@ -36,6 +37,46 @@ TEST_F(Repair, LiftsAMotionThatFloatsAndOnlyChecksIfAsked) {
   const Ran ran = Run({"repair", "motion.csv", "--set", "lift_m=0.02", "--no-play", "--out", "down.json"});
   EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("after: audit: pass"), std::string::npos) << ran.out;
+}
+
+TEST_F(Repair, WritesAPageAlsoWhenItOnlyChecksOrRefuses) {
+  const auto scene = [&](const std::string& name) {
+    const std::string page = Read(name), start = "id=\"scene\">";
+    const std::size_t at = page.find(start) + start.size();
+    return Json::parse(page.substr(at, page.find("</script>", at) - at)).at("motions").at(0);
+  };
+  const std::vector<std::string> repair = {"repair", "motion.csv", "--set", "lift_m=0.02"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = repair;
+    words.insert(words.end(), more.begin(), more.end());
+    return Run(words);
+  };
+  const Ran ran = with({"--report", "pages/page.html", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.json().at("files"), (Json{{"plan", "repaired.json"}, {"report", "pages/page.html"}}));
+  EXPECT_EQ(ran.json().at("distance").at("groups").at("feet").at("unit"), "m");
+  if (HasViewer()) {
+    EXPECT_EQ(scene("pages/page.html").at("ghost").at("title"), "original motion");
+  }
+  for (const char* part : {"id=\"broken\"", "id=\"laws\"", "id=\"groups\"", "id=\"changes\"", "id=\"engines\""})
+    EXPECT_NE(Read("pages/page.html").find(part), std::string::npos) << part;
+
+  const Ran checked = with({"--check", "--report", "check.html", "--json"});
+  EXPECT_EQ(checked.status, 3) << checked.err;
+  EXPECT_EQ(checked.json().at("files"), (Json{{"report", "check.html"}}));
+  if (HasViewer()) {
+    EXPECT_TRUE(scene("check.html").at("ghost").is_null());
+  }
+  EXPECT_EQ(Read("check.html").find("id=\"groups\""), std::string::npos);
+
+  const Ran refused =
+      with({"--set", "trajectory.max_iterations=1", "--set", "trajectory.max_solves=1", "--report", "refused.html"});
+  ASSERT_EQ(refused.status, 2) << refused.out << refused.err;
+  EXPECT_NE(Read("refused.html").find(">REFUSED</span>"), std::string::npos);
+  EXPECT_NE(Read("refused.html").find("id=\"laws\""), std::string::npos) << "the first half";
+  std::filesystem::create_directories(In("clips"));
+  std::filesystem::copy_file(In("motion.csv"), In("clips/a.csv"));
+  ExpectRefused(Run({"repair", "clips", "--report", "clips.html"}), 1, {"--report is for a single motion"});
 }
 
 TEST_F(Repair, SaysForHowLongEachCheckFails) {

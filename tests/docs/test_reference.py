@@ -80,6 +80,8 @@ def made(tmp_path_factory):
     keep("compare-reports", "compare", "walk.json", "play.json")
     keep("export", "export", "out/plan.json", "--format", "csv", "--out", "motion.csv")
     keep("import", "import", "motion.csv", "--robot", "a1", "--out", "imported.json")
+    keep("repair", "repair", "motion.csv", "--robot", "a1", "--set", "lift_m=0.02", "--out", "repaired.json", "--report", "repair.html")
+    keep("check", "repair", "motion.csv", "--robot", "a1", "--set", "lift_m=0.02", "--check", statuses=(3,))
     keep("do", "do", "stand up, then nod", "--robot", "a1", "--out-dir", "did", statuses=(0, 3))
     keep("tasks", "do", "walk two steps while waving", "--robot", "nao", "--tasks-only")
     student = folder / "submissions/ada"
@@ -112,13 +114,13 @@ def block_named(name):
 
 
 @pytest.mark.parametrize("name, files", [
-    ("motion-plan", ["out/plan.json", "plan-file.json", "approach-plan.json", "imported.json", "did/plan.json", "best.json"]),
+    ("motion-plan", ["out/plan.json", "plan-file.json", "approach-plan.json", "imported.json", "repaired.json", "did/plan.json", "best.json"]),
     ("playback-log", ["out/log.json", "played.json", "fell-log.json", "did/log.json"]),
     ("walk-result", ["walk.json", "play.json", "fell.json"]), ("do-result", ["do.json"]), ("plan-result", ["plan.json"]),
     ("audit-result", ["margins.json", "approach.json"]), ("preflight-result", ["preflight.json"]),
     ("trials-result", ["trials.json", "trials-file.json"]), ("sweep-result", ["sweep.json"]),
     ("tune-result", ["tune.json", "tune-file.json"]), ("compare-result", ["compare.json", "compare-reports.json"]),
-    ("export-result", ["export.json"]), ("import-result", ["import.json"]), ("task-plan", ["tasks.json"]),
+    ("export-result", ["export.json"]), ("import-result", ["import.json"]), ("repair-result", ["repair.json", "check.json"]), ("task-plan", ["tasks.json"]),
     ("grade-result", ["grade.json", "inputs.json"]), ("robots-result", ["robots.json", "robot.json"]),
     ("gaits-result", ["gaits.json"]), ("terrains-result", ["terrains.json", "terrain.json", "ground.json", "porch.json"]),
     ("view-result", ["view.json"]), ("render-result", ["figure.json"]), ("bench-result", ["bench.json"]),

@@ -29,6 +29,10 @@ def test_arrays_that_float_become_a_sound_plan(a1, trot):
     assert any("lifted: the base was moved down by" in change for change in repaired.changes), repaired.changes
     assert json.loads(repaired.to_json())["verdict"] == "pass"
     assert "after: audit: pass" in str(repaired)
+    groups = repaired.distance["groups"]
+    assert set(groups) == {"legs", "base", "feet"}
+    assert groups["legs"]["unit"] == "rad" and 0 < groups["legs"]["rms"] <= groups["legs"]["largest"]
+    assert groups["base"]["rms"] == pytest.approx(0.02, abs=0.01) == repaired.distance["base_rms_m"]
 
     frames = repaired.frames(50.0)
     assert frames["dof_pos"].shape[1] == a1.num_joints == len(frames["joint_names"])

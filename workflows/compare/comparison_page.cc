@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "playback/report/page_style.h"
-#include "playback/report/plot_style.h"
+#include "playback/report/page_parts_internal.h"
 #include "playback/report/svg_tools.h"
 #include "workflows/compare/comparison_text.h"
 #include "workflows/exchange/motion_plots.h"
 
 namespace gaitwright {
 namespace {
-
-std::string Start(const std::string& title) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\"/><title>{0}</title>\n<style>{1}{2}</style></head>\n<body><main>\n"
-      "<h1>{0}</h1>\n",
-      EscapedXml(title), PageStyle(), PlotStyle());
-}
 
 std::string Paragraph(const std::string& css, const std::string& words) {
   return fmt::format("<p class=\"{}\">{}</p>\n", css, EscapedXml(words));
@@ -108,7 +99,8 @@ std::string CaptionOf(const Plot& plot, const MotionRows& a, const MotionRows& b
 
 std::string ComparisonPage(const ComparedMotion& a, const ComparedMotion& b, const MotionComparison& c,
                            const std::vector<MetricPair>& metrics) {
-  std::string html = Start(fmt::format("{} and {} of {}", c.kind_a, c.kind_b, c.robot_a));
+  const std::string title = fmt::format("{} and {} of {}", c.kind_a, c.kind_b, c.robot_a);
+  std::string html = "<h1>" + EscapedXml(title) + "</h1>\n";
   html += Paragraph("soft", fmt::format("A: {} of {}, {}; B: {} of {}, {}", c.kind_a, c.robot_a, c.name_a, c.kind_b,
                                         c.robot_b, c.name_b));
   html += Paragraph(c.same() ? "reason pass" : "reason", FirstDifferenceText(c));
@@ -121,21 +113,20 @@ std::string ComparisonPage(const ComparedMotion& a, const ComparedMotion& b, con
   html += InOrder(c) + "<h2>Both motions</h2>\n";
   for (const Plot& plot :
        MotionPlots({{"A", &a.model, &a.rows}, {"B", &b.model, &b.rows, c.offset_s}}, mark, "differs first")) {
-    html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
-                        plot.name, plot.svg, EscapedXml(CaptionOf(plot, a.rows, b.rows)));
+    html += FigurePart({plot.name, CaptionOf(plot, a.rows, b.rows), plot.svg});
   }
   html += Differences(c) + FiguresTable(c.figures) + Metrics(metrics) + Words(c.words);
-  return html + "</main></body></html>\n";
+  return WholePage(title, html);
 }
 
 std::string ComparisonPage(const ReportComparison& c) {
-  std::string html = Start("Two reports");
+  std::string html = "<h1>Two reports</h1>\n";
   html += Paragraph("soft", fmt::format("A: {}; B: {}", c.name_a, c.name_b));
   html += Paragraph(c.same() ? "reason pass" : "reason",
                     fmt::format("Score {:.1f} (A) and {:.1f} (B); {}", c.score_a, c.score_b,
                                 c.same() ? "all differences are within tolerance" : "they differ"));
   html += Metrics(c.metrics) + Words(c.words);
-  return html + "</main></body></html>\n";
+  return WholePage("Two reports", html);
 }
 
 }  // namespace gaitwright

@@ -110,16 +110,6 @@ DataShape ExportResultShape() {
                  {"files", FilesShape({"motion", "plots", "model"})}});
 }
 
-namespace {
-
-DataShape BrokenShape() {
-  return Object({{"law", Text(LawNames())},
-                 {"share", Number(), "Share of the samples at which the check fails at any place."},
-                 {"worst_s", Numbers(), "Starts of the whole seconds in which it fails longest: at most three."}});
-}
-
-}  // namespace
-
 DataShape ImportResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
   return Object(
@@ -147,15 +137,22 @@ DataShape RepairResultShape() {
                                    {"by", Number(), "In `unit`."},
                                    {"unit", Text()},
                                    {"text", Text()}});
-  const DataShape distance = Object({{"joint_rms_rad", Number()},
-                                     {"joint_mean_rad", Number()},
-                                     {"joint_largest_rad", Number()},
-                                     {"joint_largest", Text(), "The joint."},
-                                     {"joint_largest_at_s", Number()},
-                                     {"base_rms_m", Number()},
-                                     {"base_largest_m", Number()},
-                                     {"base_largest_at_s", Number()},
-                                     {"base_turn_rms_rad", Number()}});
+  const DataShape group = Object({{"unit", Text({"rad", "m"}), "Of `rms` and `largest`."},
+                                  {"rms", Number()},
+                                  {"largest", Number()},
+                                  {"largest_where", Text(), "Joint, foot or last link of an arm; empty for the base."},
+                                  {"largest_at_s", Number()}});
+  const DataShape distance =
+      Object({{"joint_rms_rad", Number()},
+              {"joint_mean_rad", Number()},
+              {"joint_largest_rad", Number()},
+              {"joint_largest", Text(), "The joint."},
+              {"joint_largest_at_s", Number()},
+              {"base_rms_m", Number()},
+              {"base_largest_m", Number()},
+              {"base_largest_at_s", Number()},
+              {"base_turn_rms_rad", Number()},
+              {"groups", MapOf(group), "Joints of legs, arms, torso_and_head; places of base, hands, feet."}});
   const DataShape optimisation = Object({{"knots", Whole()},
                                          {"windows", Whole(), "In which a long motion was solved."},
                                          {"solves", Whole()},
@@ -184,7 +181,7 @@ DataShape RepairResultShape() {
                  Optional("score", Number(), "The lower one of the engines."),
                  Optional("reason", Text()),
                  Optional("engines", MapOf(engine), "By engine, if both played."),
-                 Optional("files", FilesShape({"plan"}))});
+                 Optional("files", FilesShape({"plan", "report"}))});
 }
 
 DataShape RepairedClipsShape() {

@@ -10,6 +10,7 @@ DataShape VerdictShape();     ///< "pass" or "fail"
 DataShape TextsShape();       ///< a list of sentences
 DataShape SurvivalMembers();  ///< an object whose members are the survival rate and its interval
 DataShape FilesShape(const std::vector<std::string>& kinds);  ///< paths of the written files by kind
+DataShape BrokenShape();                                      ///< time for which a check fails
 DataShape AuditShape();                                       ///< the member `audit` of every verb
 DataShape FinishShape();                                      ///< the member `whole_body` of plan and bench
 DataShape MarginShape();                                      ///< a margin of the audit

@@ -57,13 +57,20 @@ DataShape AuditShape() {
                  Optional("margins", List(MarginShape()), "Margins by check, the smallest first; with --margins.")});
 }
 
+DataShape BrokenShape() {
+  return Object({{"law", Text(LawNames())},
+                 {"share", Number(), "Share of the samples at which the check fails at any place."},
+                 {"worst_s", Numbers(), "Starts of the whole seconds in which it fails longest: at most three."}});
+}
+
 DataShape AuditResultShape() {
   const DataShape approach = Object({{"duration_s", Number()},
                                      {"base", Text()},
                                      {"via_standing", Truth()},
                                      {"farthest", Text(), "Joint that moves the farthest."},
                                      {"plan", Text(), "File of the approach plan."}});
-  return With(AuditShape(), {{"warnings", TextsShape(), "Warnings of the plan."},
+  return With(AuditShape(), {{"broken", List(BrokenShape()), "Checks that fail, with the time for which they fail."},
+                             {"warnings", TextsShape(), "Warnings of the plan."},
                              Optional("approach", OrNull(approach),
                                       "Approach to the first posture, with --approach; null if none is needed.")});
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "kinematics/base/free_memory_internal.h"
 #include "workflows/repair/played_repair_internal.h"
 
 namespace gaitwright {
@@ -33,6 +34,7 @@ Result<PlayedRepair> RepairAndPlay(const RobotModel& model, const RepairRequest&
   play.play.world.engine = ProvingEngine();
   std::optional<Result<PlayedWalk>> played;
   const auto proof = [&](const MotionPlan& plan) {
+    played.reset();  // an earlier playback is not kept beside this one
     played = PlayWalk(model, plan, play);
     return *played ? ProofOf(plan, **played) : PlayProof{false, {}};
   };
@@ -44,6 +46,7 @@ Result<PlayedRepair> RepairAndPlay(const RobotModel& model, const RepairRequest&
   if (!*played) return played->failure();
   result.played = std::move(**played);
   DropSamples(*result.played);
+  ReleaseFreedMemory();
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "kinematics/base/hash.h"
@@ -53,7 +54,9 @@ void AuditBefore(const RobotModel& model, const RepairRequest& request, Prepared
     prepared.as_it_is = PlanOfMotion(model, prepared.terrain, prepared.of_file, options, {}, ignored);
     Result<AuditReport> audit = AuditOverTime(model, *prepared.as_it_is, {}, prepared.findings.broken);
     if (audit) prepared.findings.before = std::move(*audit);
-    if (!audit || !prepared.findings.before->pass()) prepared.as_it_is.reset();
+    if (audit && prepared.findings.before->pass()) return;
+    if (request.keeps_plan) prepared.findings.plan = std::make_shared<const MotionPlan>(std::move(*prepared.as_it_is));
+    prepared.as_it_is.reset();
   } catch (const InvalidArgument& error) {
     prepared.findings.not_audited = error.what();
   }
@@ -123,7 +126,7 @@ Result<PreparedMotion> ReadAndFind(const RobotModel& model, RepairRequest reques
   }
   Result<SourceMotion> source = ReadSource(model, request);
   if (!source) return source.failure();
-  PreparedMotion prepared{*request.ground, std::move(source->hash), {}, {}, {}, {}};
+  PreparedMotion prepared{*request.ground, std::move(source->hash), {}, {}, {}};
   MotionFindings& findings = prepared.findings;
   findings.format = source->table.format;
   findings.rows = source->table.rows();
@@ -157,7 +160,9 @@ void Arrange(const RobotModel& model, const RepairOptions& options, PreparedMoti
   }
   EvenMotion rested = SmoothRows(model, findings.rested.motion, 0.0);
   findings.clean = CleanContacts(model, prepared.terrain, rested, findings.rested.stance, options);
-  prepared.original = {rested.step_s, std::move(rested.q), {}, {}, {}, {}, {}};
+  prepared.original =
+      std::make_shared<const EvenMotion>(EvenMotion{rested.step_s, std::move(rested.q), {}, {}, {}, {}, {}});
+  findings.rested.motion = {findings.rested.motion.step_s, {}, {}, {}, {}, {}, {}};  // a long one is large
 }
 
 }  // namespace gaitwright

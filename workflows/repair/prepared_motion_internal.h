@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,9 +15,9 @@ struct PreparedMotion {
   Terrain terrain;
   std::string source_hash;             ///< of the file, or of the numbers of the request
   EvenMotion of_file;                  ///< with the contacts found
-  EvenMotion original;                 ///< positions of the file's motion, with the times of `rested`
   std::optional<MotionPlan> as_it_is;  ///< the file's motion, if it passes its audit
   MotionFindings findings;
+  std::shared_ptr<const EvenMotion> original = {};  ///< positions of the file's motion, with the times of `rested`
 };
 
 /// Reads a motion, finds its contacts and audits it. @throws InvalidArgument for a motion that is probably

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
+#include "kinematics/base/free_memory_internal.h"
 #include "kinematics/base/version.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
-#include "planning/plan/sample_plan.h"
 #include "workflows/exchange/read_motion_internal.h"
 #include "workflows/repair/bad_times_internal.h"
 #include "workflows/repair/prepared_motion_internal.h"
@@ -18,39 +19,6 @@ namespace gaitwright {
 namespace {
 
 constexpr double kCleanCutoff = 8.0;  // [Hz] of the smoothing after feet have been moved
-
-MotionDistance DistanceOf(const RobotModel& model, const EvenMotion& original, const MotionPlan& plan) {
-  MotionDistance distance;
-  WholeBodySample sample;
-  double joints = 0.0, mean = 0.0, base = 0.0, turns = 0.0;
-  for (int k = 0; k < original.size(); ++k) {
-    const VectorX& q = original.q[static_cast<std::size_t>(k)];
-    const double time_s = original.TimeOf(k);
-    SampleWholeBody(plan.whole_body, time_s, sample);
-    const VectorX apart = (sample.q - q).tail(model.num_dofs()).cwiseAbs();
-    joints += apart.squaredNorm() / model.num_dofs();
-    mean += apart.mean();
-    Eigen::Index which = 0;
-    if (const double largest = apart.maxCoeff(&which); largest > distance.joint_largest_rad) {
-      distance.joint_largest_rad = largest;
-      distance.joint_largest_s = time_s;
-      distance.joint_largest = model.dof_names[static_cast<std::size_t>(which)];
-    }
-    const double moved = (sample.q - q).head<3>().norm();
-    base += moved * moved;
-    turns += RotationLog(BaseRotation(sample.q) * BaseRotation(q).transpose()).squaredNorm();
-    if (moved > distance.base_largest_m) {
-      distance.base_largest_m = moved;
-      distance.base_largest_s = time_s;
-    }
-  }
-  const double rows = original.size();
-  distance.joint_rms_rad = std::sqrt(joints / rows);
-  distance.joint_mean_rad = mean / rows;
-  distance.base_rms_m = std::sqrt(base / rows);
-  distance.base_turn_rms_rad = std::sqrt(turns / rows);
-  return distance;
-}
 
 FollowOptions FollowOf(const RobotModel& model, const RepairRequest& request) {
   FollowOptions follow;
@@ -98,13 +66,15 @@ bool IsSound(const PreparedMotion& prepared, const PlanProof& proof) {
   return added == 0.0 && prepared.as_it_is && (!proof || proof(*prepared.as_it_is).stands);
 }
 
-/// The plan near the clean motion.
-Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, const PreparedMotion& prepared,
+/// The plan near the clean motion, which is dropped unless parts of it may be slowed.
+Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, PreparedMotion& prepared,
                             FollowReport& report) {
   ImportNotes ignored;
   const MotionPlan reference =
       PlanOfMotion(model, prepared.terrain, SmoothRows(model, prepared.findings.clean.motion, kCleanCutoff),
                    request.source.options, {}, ignored);
+  if (request.repair.stretch <= 1.0) prepared.findings.clean.motion = {};
+  ReleaseFreedMemory();
   Result<MotionPlan> followed = FollowMotion(model, reference, request.trajectory, FollowOf(model, request), &report);
   if (followed) return followed;
   Failure failure = followed.failure();
@@ -113,7 +83,7 @@ Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& reques
 }
 
 /// One attempt to repair a motion as it is arranged.
-Result<RepairedMotion> Attempt(const RobotModel& model, const RepairRequest& request, const PreparedMotion& prepared,
+Result<RepairedMotion> Attempt(const RobotModel& model, const RepairRequest& request, PreparedMotion& prepared,
                                FollowReport& report) {
   RepairedMotion repaired;
   Result<MotionPlan> plan =
@@ -123,11 +93,22 @@ Result<RepairedMotion> Attempt(const RobotModel& model, const RepairRequest& req
   repaired.plan = std::move(*plan);
   SetGoal(repaired.plan);
   repaired.plan.provenance = ProvenanceOf(request, prepared);
+  ReleaseFreedMemory();
   Result<AuditReport> audit = AuditOverTime(model, repaired.plan, {}, repaired.broken);
   if (!audit) return audit.failure();
   repaired.after = std::move(*audit);
-  repaired.distance = DistanceOf(model, prepared.original, repaired.plan);
+  repaired.distance = DistanceOf(model, *prepared.original, repaired.plan);
+  repaired.original = prepared.original;
   return repaired;
+}
+
+/// A copy without the clean motion, which takes as much memory as a plan.
+MotionFindings LightCopy(MotionFindings& findings) {
+  EvenMotion clean = std::move(findings.clean.motion);
+  findings.clean.motion = {};
+  MotionFindings copy = findings;
+  findings.clean.motion = std::move(clean);
+  return copy;
 }
 
 /// Repairs a motion; parts that cannot be met at their speed are slowed as long as that is allowed and helps.
@@ -136,9 +117,10 @@ Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& requ
   constexpr int kMostAttempts = 8;
   Arrange(model, request.repair, prepared);
   MotionFindings& findings = prepared.findings;
+  if (request.repair.stretch <= 1.0) prepared.of_file = {};
+  ReleaseFreedMemory();
   findings.kept = IsSound(prepared, proof);
   const bool may_slow = request.repair.stretch > 1.0 && !findings.kept;
-  if (!may_slow) prepared.of_file = {};
   std::optional<Result<RepairedMotion>> best;
   for (int attempt = 1;; ++attempt) {
     FollowReport report;
@@ -146,7 +128,7 @@ Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& requ
     const BadTimes bad = may_slow ? BadTimesOf(request.repair, findings, repaired, report, proof) : BadTimes{};
     if (repaired || !best) {
       if (repaired) {
-        repaired->findings = findings;
+        repaired->findings = LightCopy(findings);
         repaired->proved = bad.played || (findings.kept && proof);
       }
       best = std::move(repaired);
@@ -177,6 +159,8 @@ Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairReques
     Result<PreparedMotion> prepared = ReadAndFind(model, request);
     if (!prepared) return prepared.failure();
     Arrange(model, request.repair, *prepared);
+    if (request.keeps_plan && prepared->as_it_is)
+      prepared->findings.plan = std::make_shared<const MotionPlan>(std::move(*prepared->as_it_is));
     return std::move(prepared->findings);
   } catch (const InvalidArgument& error) {
     return RefusedMotion(request.source.file, error.what());

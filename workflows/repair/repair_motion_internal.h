@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "planning/audit/broken_time_internal.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/repair/clean_motion_internal.h"
+#include "workflows/repair/motion_distance_internal.h"
 #include "workflows/repair/repair_options_internal.h"
 #include "workflows/repair/rest_at_ends_internal.h"
 #include "workflows/repair/slowed_motion_internal.h"
@@ -25,17 +27,9 @@ struct RepairRequest {
   RepairOptions repair;
   TrajectoryOptions trajectory = {.knot_step_s = 0.01, .max_solves = 4, .max_iterations = 100};
   std::function<void(const FollowProgress&)> progress = {};
+  bool keeps_plan = false;  ///< ExamineMotion keeps MotionFindings::plan
 
   OptionFields Fields();
-};
-
-/// How far a repaired motion is from the file's.
-struct MotionDistance {
-  double joint_rms_rad = 0.0, joint_mean_rad = 0.0;  ///< over all joints and times
-  double joint_largest_rad = 0.0, joint_largest_s = 0.0;
-  std::string joint_largest;  ///< which
-  double base_rms_m = 0.0, base_largest_m = 0.0, base_largest_s = 0.0;
-  double base_turn_rms_rad = 0.0;
 };
 
 /// What a repair found and did, without the optimisation of the whole body.
@@ -47,13 +41,14 @@ struct MotionFindings {
   ImportNotes notes;
   double smoothing_hz = 0.0;  ///< 0: not smoothed
   FoundContacts contacts;
-  CleanMotion clean;
+  CleanMotion clean;  ///< without its motion in results of RepairMotion
   RestedMotion rested;
-  std::optional<AuditReport> before;  ///< of the file's motion with the contacts found
-  std::vector<BrokenTime> broken;     ///< of `before`
-  std::string not_audited;            ///< why `before` is missing
-  bool kept = false;                  ///< the file's motion is sound, and is the result
-  std::vector<SlowedPart> slowed;     ///< by start
+  std::optional<AuditReport> before;            ///< of the file's motion with the contacts found
+  std::vector<BrokenTime> broken;               ///< of `before`
+  std::string not_audited;                      ///< why `before` is missing
+  std::shared_ptr<const MotionPlan> plan = {};  ///< the file's motion, see RepairRequest; null if it is not a plan
+  bool kept = false;                            ///< the file's motion is sound, and is the result
+  std::vector<SlowedPart> slowed;               ///< by start
 };
 
 /// A motion that the robot can do, near the file's.
@@ -62,7 +57,8 @@ struct RepairedMotion {
   AuditReport after;
   std::vector<BrokenTime> broken;  ///< of `after`
   MotionFindings findings;
-  MotionDistance distance;  ///< from the file's motion
+  MotionDistance distance;                          ///< from the file's motion
+  std::shared_ptr<const EvenMotion> original = {};  ///< positions of the file's motion at the times of the plan
   FollowReport finished;
   bool proved = false;  ///< the last call of the proof was for this plan
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "workflows/repair/repair_report_internal.h"
@@ -27,7 +28,7 @@ void AddContactChange(const MotionFindings& findings, std::vector<RepairChange>&
 
 void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& changes) {
   const RestedMotion& r = findings.rested;
-  const double end_s = r.motion.TimeOf(r.motion.size() - 1);
+  const double end_s = r.motion.TimeOf(static_cast<int>(r.file_s.size()) - 1);
   if (r.stood_start_s > 0.0) {
     changes.push_back(
         {"stood", "", 0.0, r.stood_start_s, r.stood_start_s, "s",
@@ -60,7 +61,7 @@ void AddSlowedParts(const MotionFindings& findings, std::vector<RepairChange>& c
   const RestedMotion& rested = findings.rested;
   const auto plan_s = [&](double file_s) {
     const auto row = std::lower_bound(rested.file_s.begin(), rested.file_s.end(), file_s) - rested.file_s.begin();
-    return rested.motion.TimeOf(static_cast<int>(std::min<std::ptrdiff_t>(row, rested.motion.size() - 1)));
+    return rested.motion.TimeOf(static_cast<int>(std::min<std::ptrdiff_t>(row, std::ssize(rested.file_s) - 1)));
   };
   for (const SlowedPart& part : findings.slowed) {
     const double start_s = std::max(0.0, part.start_s), end_s = std::min(findings.duration_s, part.end_s);
@@ -71,13 +72,6 @@ void AddSlowedParts(const MotionFindings& findings, std::vector<RepairChange>& c
   }
 }
 
-Json BrokenOf(const std::vector<BrokenTime>& broken) {
-  Json list = Json::array();
-  for (const BrokenTime& one : broken)
-    list.push_back({{"law", LawName(one.law)}, {"share", one.share}, {"worst_s", one.worst_s}});
-  return list;
-}
-
 Json AuditOf(const AuditReport& report) { return Json::parse(AuditJson(report)); }
 
 Json ChangeJson(const RepairChange& change) {
@@ -85,21 +79,43 @@ Json ChangeJson(const RepairChange& change) {
           {"by", change.by},     {"unit", change.unit},   {"text", change.text}};
 }
 
+Json GroupsJson(const std::vector<GroupDistance>& groups) {
+  Json json = Json::object();
+  for (const GroupDistance& one : groups) {
+    json[one.group] = {{"unit", one.unit},
+                       {"rms", one.rms},
+                       {"largest", one.largest},
+                       {"largest_where", one.largest_where},
+                       {"largest_at_s", one.largest_s}};
+  }
+  return json;
+}
+
 Json DistanceJson(const MotionDistance& d) {
   return {{"joint_rms_rad", d.joint_rms_rad},         {"joint_mean_rad", d.joint_mean_rad},
           {"joint_largest_rad", d.joint_largest_rad}, {"joint_largest", d.joint_largest},
           {"joint_largest_at_s", d.joint_largest_s},  {"base_rms_m", d.base_rms_m},
           {"base_largest_m", d.base_largest_m},       {"base_largest_at_s", d.base_largest_s},
-          {"base_turn_rms_rad", d.base_turn_rms_rad}};
+          {"base_turn_rms_rad", d.base_turn_rms_rad}, {"groups", GroupsJson(d.groups)}};
 }
 
 std::string DistanceText(const MotionDistance& d) {
-  return fmt::format(
+  std::string text = fmt::format(
       "distance from the file: joints {:.4f} rad RMS, at most {:.3f} rad ('{}' at {:.2f} s); base {:.1f} mm RMS, at "
       "most "
       "{:.1f} mm at {:.2f} s; base turned {:.4f} rad RMS\n",
       d.joint_rms_rad, d.joint_largest_rad, d.joint_largest, d.joint_largest_s, 1e3 * d.base_rms_m,
       1e3 * d.base_largest_m, d.base_largest_s, d.base_turn_rms_rad);
+  for (const GroupDistance& one : d.groups) {
+    if (one.group == "base") continue;
+    const auto figure = [&](double value) {
+      return one.unit == "rad" ? fmt::format("{:.4f} rad", value) : fmt::format("{:.1f} mm", 1e3 * value);
+    };
+    text += fmt::format(
+        "  {:<15} {} RMS, at most {}{}\n", WordsOfGroup(one.group), figure(one.rms), figure(one.largest),
+        one.largest_where.empty() ? "" : fmt::format(" ('{}' at {:.2f} s)", one.largest_where, one.largest_s));
+  }
+  return text;
 }
 
 std::string BeforeText(const MotionFindings& findings) {
@@ -168,7 +184,7 @@ std::string RepairText(const RepairResult& result) {
   return text;
 }
 
-std::string RepairJson(const RepairResult& result, const std::string& plan_path) {
+std::string RepairJson(const RepairResult& result, const std::vector<std::pair<std::string, std::string>>& files) {
   const MotionFindings& findings = result.findings;
   Json changes = Json::array(), derived = Json::array();
   const bool kept = findings.kept;
@@ -187,13 +203,18 @@ std::string RepairJson(const RepairResult& result, const std::string& plan_path)
                {"warnings", findings.notes.warnings},
                {"kept", kept},
                {"before", findings.before ? AuditOf(*findings.before) : Json()},
-               {"broken", BrokenOf(findings.broken)},
+               {"broken", Json::parse(BrokenJson(findings.broken))},
                {"changes", changes}};
-  if (result.repaired == nullptr) return json.dump(2);
+  Json paths = Json::object();
+  for (const auto& [kind, path] : files) paths[kind] = path;
+  if (result.repaired == nullptr) {
+    if (!files.empty()) json["files"] = paths;
+    return json.dump(2);
+  }
   const FollowReport& finished = result.repaired->finished;
   json["distance"] = DistanceJson(result.repaired->distance);
   json["after"] = AuditOf(result.repaired->after);
-  json["broken_after"] = BrokenOf(result.repaired->broken);
+  json["broken_after"] = Json::parse(BrokenJson(result.repaired->broken));
   json["optimisation"] = {{"knots", finished.knots},
                           {"windows", finished.windows},
                           {"solves", finished.solves},
@@ -207,7 +228,7 @@ std::string RepairJson(const RepairResult& result, const std::string& plan_path)
     json["reason"] = result.played->decisive().report.reason;
   }
   json["engines"] = engines;
-  json["files"] = {{"plan", plan_path}};
+  json["files"] = paths;
   return json.dump(2);
 }
 

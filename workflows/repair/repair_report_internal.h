@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workflows/repair/repair_motion_internal.h"
@@ -35,7 +36,7 @@ struct RepairResult {
 
 std::string RepairText(const RepairResult& result);
 
-/// An object as of docs/repair.md. @param plan_path "" if none was written.
-std::string RepairJson(const RepairResult& result, const std::string& plan_path);
+/// An object as of docs/repair.md. @param files  written files: kind ("plan", "report") and path.
+std::string RepairJson(const RepairResult& result, const std::vector<std::pair<std::string, std::string>>& files = {});
 
 }  // namespace gaitwright

@@ -10,7 +10,8 @@ namespace gaitwright {
 
 /// A motion that begins and ends at rest with all feet on the ground.
 struct RestedMotion {
-  EvenMotion motion;            ///< positions and velocities of the file's motion along the new times
+  EvenMotion motion;            ///< positions and velocities of the file's motion along the new times; of findings,
+                                ///< only its step is kept
   std::vector<FootSet> stance;  ///< by row
   std::vector<double> file_s;   ///< by row: time of the file's motion
   double slowed_start_s = 0.0, slowed_end_s = 0.0;  ///< time over which it was brought to its speed and to rest

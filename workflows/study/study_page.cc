@@ -3,21 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "playback/report/page_style.h"
-#include "playback/report/plot_style.h"
+#include "playback/report/page_parts_internal.h"
 #include "playback/report/svg_plot.h"
 #include "playback/report/svg_tools.h"
 #include "workflows/study/sweep_files.h"
 
 namespace gaitwright {
 namespace {
-
-std::string Card(const std::string& what, const std::string& figure, const std::string& beside) {
-  return fmt::format(
-      "<div class=\"card\"><div class=\"what\">{}</div><div class=\"figure\">{}</div><div "
-      "class=\"limit\">{}</div></div>\n",
-      EscapedXml(what), EscapedXml(figure), EscapedXml(beside));
-}
 
 std::string GaitOf(const Study& study) { return study.walk.gait.empty() ? "its best gait" : study.walk.gait; }
 
@@ -32,7 +24,8 @@ std::string Head(const Study& study, const std::vector<PointOutcome>& outcomes) 
   html += "<div class=\"cards\">\n";
   for (const PointStatus status : kPointStatuses) {
     const double share = outcomes.empty() ? 0.0 : 100.0 * summary.Count(status) / static_cast<double>(outcomes.size());
-    html += Card(WordsOf(status), std::to_string(summary.Count(status)), fmt::format("{:.0f} % of the points", share));
+    html += CardPart(EscapedXml(WordsOf(status)), std::to_string(summary.Count(status)),
+                     fmt::format("{:.0f} % of the points", share));
   }
   return html + "</div>\n";
 }
@@ -110,14 +103,7 @@ std::string ScoreOver(const Study& study, const std::vector<PointOutcome>& outco
 
 }  // namespace
 
-std::string StudyPage(const std::string& title, const std::string& body) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
-      "charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\"/>\n<title>{}</title>\n"
-      "<style>{}{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-      EscapedXml(title), PageStyle(), PlotStyle(), body);
-}
+std::string StudyPage(const std::string& title, const std::string& body) { return WholePage(title, body); }
 
 std::string FigureOf(const StudyPicture& picture) {
   return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", picture.svg, EscapedXml(picture.caption));

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <future>
+#include <mutex>
 
 #include "kinematics/base/cpu_clock.h"
+#include "kinematics/base/free_memory_internal.h"
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
 #include "playback/control/joint_pd.h"
@@ -125,9 +127,9 @@ std::unique_ptr<Controller> MakeController(const RobotModel& model, const Motion
 
 namespace {
 
-/// @param controller  already behind its sensors.
+/// @param controller  already behind its sensors. @param scoring  if not null, held while the playback is scored.
 Result<ScoredPlayback> PlayBy(Controller& controller, const RobotModel& model, const MotionPlan& plan,
-                              const PlayRequest& request) {
+                              const PlayRequest& request, std::mutex* scoring = nullptr) {
   PlayRequest checked = request;
   const CpuClock clock;
   Result<PlaybackLog> log = Play(model, plan, controller, request.play);
@@ -138,11 +140,14 @@ Result<ScoredPlayback> PlayBy(Controller& controller, const RobotModel& model, c
   played.log.options = TextsOf(checked.Fields());
   if (!played.log.samples.empty())
     played.realtime_factor = (played.log.samples.back().time_s - played.log.start_s) / cpu;
+  const auto alone = scoring == nullptr ? std::unique_lock<std::mutex>() : std::unique_lock(*scoring);
   played.report = Score(model, plan, played.log, request.score);
+  if (scoring != nullptr) ReleaseFreedMemory();
   return played;
 }
 
 constexpr char kBoth[] = "both";
+constexpr double kLongPlayback = 60.0;  // [s]
 
 PlayRequest InEngine(PlayRequest request, const std::string& engine) {
   request.play.world.engine = engine;
@@ -150,8 +155,9 @@ PlayRequest InEngine(PlayRequest request, const std::string& engine) {
 }
 
 /// Plays in the engine of the request.
-Result<ScoredPlayback> PlayInOne(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {
-  return PlayBy(*MakeController(model, plan, request), model, plan, request);
+Result<ScoredPlayback> PlayInOne(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                                 std::mutex* scoring = nullptr) {
+  return PlayBy(*MakeController(model, plan, request), model, plan, request, scoring);
 }
 
 Result<PlayedWalk> AlonePlayed(Result<ScoredPlayback> played) {
@@ -187,9 +193,12 @@ Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, con
   other.play.on_phase = {};
   // A policy that is a function may not be called by two threads, and may have a memory.
   const bool in_order = request.policy != nullptr && request.policy->source.function;
-  auto later =
-      std::async(in_order ? std::launch::deferred : std::launch::async, [&] { return PlayInOne(model, plan, other); });
-  Result<ScoredPlayback> first = PlayInOne(model, plan, InEngine(request, "bullet"));
+  // Scoring takes twice the memory of a log, so long playbacks are scored one after the other.
+  std::mutex one_scores;
+  std::mutex* const scoring = plan.duration_s() > kLongPlayback ? &one_scores : nullptr;
+  auto later = std::async(in_order ? std::launch::deferred : std::launch::async,
+                          [&, scoring] { return PlayInOne(model, plan, other, scoring); });
+  Result<ScoredPlayback> first = PlayInOne(model, plan, InEngine(request, "bullet"), scoring);
   try {
     Result<ScoredPlayback> second = later.get();
     return BothPlayed(model, plan, std::move(first), std::move(second));

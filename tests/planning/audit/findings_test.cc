@@ -27,6 +27,11 @@ TEST(Findings, CountSamplesOnceForAllPlaces) {
   EXPECT_EQ(broken[1].law, Law::kJointTorque);
   EXPECT_NEAR(broken[1].share, 130.0 / 400.0, 1e-12);
   EXPECT_EQ(broken[1].worst_s, (std::vector<double>{13.0, 10.0})) << "the longest first";
+  ASSERT_EQ(broken[1].spans.size(), 2U) << "one for consecutive samples";
+  EXPECT_NEAR(broken[1].spans[0].start_s, 10.0, 1e-9);
+  EXPECT_NEAR(broken[1].spans[0].end_s, 10.5, 1e-9);
+  EXPECT_NEAR(broken[1].spans[1].start_s, 13.2, 1e-9);
+  EXPECT_NEAR(broken[1].spans[1].end_s, 14.0, 1e-9);
   EXPECT_EQ(BrokenText(broken),
             "  consistency        fails in 0.2 % of the time, longest from 11 to 12 s\n"
             "  joint_torque       fails in 32.5 % of the time, longest from 13 to 14 s, 10 to 11 s\n");
@@ -39,7 +44,7 @@ TEST(Findings, ListAtMostThreeSeconds) {
   const std::vector<BrokenTime> broken = findings.Broken();
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_EQ(broken[0].worst_s, (std::vector<double>{0.0, 1.0, 2.0}));
-  EXPECT_NEAR(broken[0].share, 1.0, 1e-12);
+  EXPECT_EQ(broken[0].share, 1.0) << "never more, by rounding";
 }
 
 TEST(Findings, BelongToTheAudit) {

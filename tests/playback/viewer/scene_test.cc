@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -71,6 +72,34 @@ TEST(Scene, SwingsGoFromFootholdToFoothold) {
     EXPECT_NEAR(points[points.size() - 3 + static_cast<std::size_t>(i)], c.plan.swings[0].X_WF_end.translation()[i],
                 1e-6);
   }
+}
+
+TEST(Scene, HasTheGhostsPostureAtEverySample) {
+  const synthetic::Played c = synthetic::Walked(2, {.count = 4});
+  ShownMotion shown{"plan", c.model, c.plan};
+  EXPECT_TRUE(Json::parse(SceneJson({shown}))["motions"][0]["ghost"].is_null());
+  shown.rate_hz = 50.0;
+  shown.ghost = {"the original", [&](double time_s) {
+                   return time_s > 0.5 ? VectorX() : VectorX(VectorX::Constant(c.model.nq(), time_s));
+                 }};
+  const Json motion = Json::parse(SceneJson({shown}))["motions"][0];
+  EXPECT_EQ(motion["ghost"]["title"], "the original");
+  const auto times = Floats(motion["time_s"]), q = Floats(motion["ghost"]["q"]);
+  const auto columns = static_cast<std::size_t>(c.model.nq());
+  EXPECT_EQ(motion["ghost"]["q"]["columns"], columns);
+  ASSERT_EQ(q.size(), columns * times.size());
+  EXPECT_NEAR(times[1] - times[0], 0.02, 1e-6) << "at the lower rate";
+  ASSERT_GT(times.back() - times[0], 0.6);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const float since = times[k] - times[0];
+    if (std::abs(since - 0.5F) < 1e-3F) continue;
+    EXPECT_EQ(std::isnan(q[columns * k]), since > 0.5F) << since;
+    if (since < 0.5F) {
+      EXPECT_NEAR(q[columns * k + 3], since, 1e-5);
+    }
+  }
+  shown.ghost->posture = [](double) { return VectorX(VectorX::Zero(3)); };
+  EXPECT_THROW(SceneJson({shown}), InvalidArgument);
 }
 
 TEST(Scene, OfAPlanAloneHasNoMeasuredSide) {

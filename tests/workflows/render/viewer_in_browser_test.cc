@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -133,6 +134,33 @@ TEST(ViewerInBrowser, ShowsTwoLogsSideBySideUnderOneClock) {
   page.Ask("v.showNow(0.8) ?? 0");
   const auto x = page.Ask("v.stages.map((s) => s.robot.bodyPosition(0).x)");
   EXPECT_NE(x[0], x[1]);
+  ExpectNoComplaint(page);
+}
+
+TEST(ViewerInBrowser, ShowsAnotherMotionAsAGhost) {
+  const ShownWalk walk = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
+  ShownMotion shown{TitleOf(walk.model, walk.plan), walk.model, walk.plan};
+  const WholeBodyTrajectory& rows = walk.plan.whole_body;
+  shown.ghost = {"the original", [&](double time_s) {
+                   const auto row = static_cast<std::size_t>(std::lround(time_s / rows.step_s));
+                   VectorX q = rows.q[std::min(row, rows.q.size() - 1)];
+                   q[1] += 0.5;
+                   return time_s > 1.0 ? VectorX() : q;
+                 }};
+  const ShownPage page(ViewerPage("test", {shown}));
+  EXPECT_EQ(page.Ask("[...document.querySelectorAll('.gw-legend label')][0].textContent.trim()"),
+            "the original as a ghost");
+  const std::string apart = "v.stages[0].ghost.bodyPosition(0).y - v.stages[0].robot.bodyPosition(0).y";
+  page.Ask("v.showNow(0.4) ?? 0");
+  EXPECT_NEAR(page.Ask(apart).get<double>(), 0.5, 1e-5);
+  EXPECT_EQ(page.Ask("v.stages[0].ghost.root.visible"), true);
+  const std::string shot = "[v.look('front'), v.stages[0].draw(), v.stages[0].canvas.toDataURL()][2]";
+  const auto with = page.Ask(shot);
+  page.Ask("v.setOverlay('ghost', false) ?? 0");
+  EXPECT_NE(page.Ask(shot), with) << "the ghost is in the picture";
+  page.Ask("v.setOverlay('ghost', true) ?? 0");
+  page.Ask("v.showNow(1.2) ?? 0");
+  EXPECT_EQ(page.Ask("v.stages[0].ghost.root.visible"), false) << "it has ended";
   ExpectNoComplaint(page);
 }
 

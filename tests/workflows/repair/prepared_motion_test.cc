@@ -56,15 +56,15 @@ TEST(PreparedMotion, SlowPartsAreArranged) {
   auto prepared = Prepared(model, Squatting(model));
   ASSERT_TRUE(prepared.ok()) << prepared.failure().message;
   Arrange(model, {}, *prepared);
-  const int rows = prepared->original.size();
+  const int rows = prepared->original->size();
   EXPECT_EQ(prepared->findings.clean.motion.size(), rows);
   prepared->findings.slowed = {{0.8, 1.2, 1.5, ""}};
   Arrange(model, {}, *prepared);
   // 0.4 s take 0.2 s longer, and so does the change of pace on both sides together.
-  EXPECT_NEAR(prepared->original.size() - rows, 40, 3);
-  const auto middle = static_cast<std::size_t>(prepared->original.size() / 2);
+  EXPECT_NEAR(prepared->original->size() - rows, 40, 3);
+  const auto middle = static_cast<std::size_t>(prepared->original->size() / 2);
   EXPECT_NEAR(prepared->findings.rested.file_s[middle], 1.0, 0.02);
-  EXPECT_NEAR(prepared->original.q[middle][2], model.standing_base_height_m - 0.03, 1e-3);
+  EXPECT_NEAR(prepared->original->q[middle][2], model.standing_base_height_m - 0.03, 1e-3);
 }
 
 TEST(PreparedMotion, SmoothCurvesPassThroughTheirRows) {

@@ -52,7 +52,7 @@ TEST(RepairMotion, MakesASoundPlanOfAMotionThatFloatsAndSkates) {
     EXPECT_NE(text.find("pinned: foot '" + model.feet[0].name + "' from 0.00 to 2.00 s, moved by up to"),
               std::string::npos)
         << text;
-    const auto json = nlohmann::json::parse(RepairJson(result, "plan.json"));
+    const auto json = nlohmann::json::parse(RepairJson(result, {{"plan", "plan.json"}}));
     EXPECT_EQ(json["verdict"], "pass");
     EXPECT_TRUE(json["after"]["violations"].empty());
     EXPECT_FALSE(json["before"]["violations"].empty());

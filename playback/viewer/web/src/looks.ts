@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { inkVariable, kInks, themeOf, wordColour, type Theme } from "./colours";
 import { button, make, tickBox } from "./elements";
-import { kOverlayInk, kOverlayNames, type Overlay } from "./overlays";
+import { kOverlayInk, type Overlay } from "./overlays";
 import type { Stage, View } from "./stage";
 
 const kViewKeys: Record<string, View> = { "1": "corner", "2": "side", "3": "front", "4": "top" };
@@ -35,12 +35,13 @@ export class Looks {
   /**
    * @param root  gets `data-theme`, and the theme's colours as variables.
    * @param stages  of the page; for stages that are added later, call `apply`.
+   * @param overlays  with their names in the legend.
    * @param onPaint  called when the colours change.
    */
   constructor(
     private readonly root: HTMLElement,
     private readonly stages: readonly Stage[],
-    overlays: readonly Overlay[],
+    overlays: readonly [Overlay, string][],
     private readonly onPaint: (theme: Theme) => void,
   ) {
     const views = make("span", "gw-group");
@@ -48,7 +49,7 @@ export class Looks {
     this.follow.label.title = "the camera follows the robot (F)";
     this.follow.box.addEventListener("change", () => this.setFollow(this.follow.box.checked));
     this.controls = [views, this.follow.label, button("\u25d0", "light or dark (T)", () => this.setDark(!this.dark))];
-    for (const overlay of overlays) this.addToLegend(overlay);
+    for (const [overlay, name] of overlays) this.addToLegend(overlay, name);
     this.legend.append(make("span", "gw-note", "rings and broad pale lines: planned; filled and thin lines: measured"));
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) => this.goWithSystem(event.matches));
   }
@@ -113,8 +114,8 @@ export class Looks {
     this.paint();
   }
 
-  private addToLegend(overlay: Overlay): void {
-    const { label, box } = tickBox(kOverlayNames[overlay]);
+  private addToLegend(overlay: Overlay, name: string): void {
+    const { label, box } = tickBox(name);
     label.style.color = `var(${inkVariable(kOverlayInk[overlay])})`;
     box.addEventListener("change", () => this.setOverlay(overlay, box.checked));
     this.overlayBoxes.set(overlay, box);

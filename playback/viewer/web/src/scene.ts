@@ -110,6 +110,8 @@ export interface MotionFile {
   time_s: PackedColumns;
   planned: TrackFile | null;
   measured: TrackFile | null;
+  /** Another motion of the same robot; without it, a log has its plan as a ghost. */
+  ghost: { title: string; q: PackedColumns } | null;
   footholds: { foot: number; touchdown_s: number; liftoff_s: number; outline_m: [number, number, number][] }[];
   swings: { foot: number; start_s: number; end_s: number; points_m: PackedColumns }[];
   marks: MarkFile[];
@@ -150,6 +152,8 @@ export interface Motion {
   time: Float64Array;
   planned: Track | null;
   measured: Track | null;
+  /** Postures of the translucent robot, one row per sample; NaN where it is not shown. */
+  ghost: Table | null;
 }
 
 /** Maximum number of corners of a support polygon. */
@@ -198,14 +202,13 @@ function unpackTimes(packed: PackedColumns): Float64Array {
 
 /** Extracts the columns of a file and releases their texts. */
 export function unpackMotion(file: MotionFile): Motion {
-  const motion = {
-    file,
-    time: unpackTimes(file.time_s),
-    planned: file.planned && unpackTrack(file.planned),
-    measured: file.measured && unpackTrack(file.measured),
-  };
+  const planned = file.planned && unpackTrack(file.planned);
+  const measured = file.measured && unpackTrack(file.measured);
+  const ghost = file.ghost ? unpack(file.ghost.q) : measured && planned ? planned.q : null;
+  const motion = { file, time: unpackTimes(file.time_s), planned, measured, ghost };
   file.time_s = { columns: 1 };
   file.planned = file.measured = null;
+  if (file.ghost) file.ghost.q = { columns: 1 };
   return motion;
 }
 

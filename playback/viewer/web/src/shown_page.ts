@@ -2,7 +2,7 @@
 import type { Theme } from "./colours";
 import { FrameRate } from "./frame_rate";
 import { Looks } from "./looks";
-import type { Overlay } from "./overlays";
+import { kOverlayNames, type Overlay } from "./overlays";
 import type { Stage, View } from "./stage";
 
 /** A page with stages: the interface for scripts, and the loop of its pictures. */
@@ -12,10 +12,18 @@ export abstract class ShownPage {
   private readonly frameRate = new FrameRate();
   private last_ms = 0;
 
-  /** @param onPaint  called when the colours change. */
-  protected constructor(root: HTMLElement, overlays: readonly Overlay[], onPaint: (theme: Theme) => void) {
+  /**
+   * @param onPaint  called when the colours change.
+   * @param names  of the overlays in the legend.
+   */
+  protected constructor(
+    root: HTMLElement,
+    overlays: readonly Overlay[],
+    onPaint: (theme: Theme) => void,
+    names: Readonly<Record<Overlay, string>> = kOverlayNames,
+  ) {
     root.classList.add("gw-viewer");
-    this.looks = new Looks(root, this.stages, overlays, onPaint);
+    this.looks = new Looks(root, this.stages, overlays.map((overlay) => [overlay, names[overlay]]), onPaint);
   }
 
   look(view: View): void {

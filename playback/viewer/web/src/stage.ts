@@ -60,7 +60,7 @@ export class Stage {
     this.robot = new RobotView(motion.file.robot, false);
     this.terrain = new TerrainView(motion.file.terrain);
     this.overlays = new Overlays(motion);
-    if (motion.measured && motion.planned) {
+    if (motion.ghost) {
       this.ghost = new RobotView(motion.file.robot, true);
       this.overlays.group("ghost").add(this.ghost.root);
     }
@@ -204,7 +204,7 @@ export class Stage {
     this.shown = k;
     this.shownAt = t;
     this.robot.pose(row(mainTrack(this.motion).q, k));
-    if (this.ghost && this.motion.planned) this.showGhost(this.ghost, row(this.motion.planned.q, k));
+    if (this.ghost && this.motion.ghost) this.showGhost(this.ghost, row(this.motion.ghost, k));
     this.overlays.show(k, t);
     this.dirty = true;
   }

@@ -2,7 +2,7 @@
 import { Clock } from "./clock";
 import { button, isForPage, make, menu, tell, write } from "./elements";
 import { kLooksHelp } from "./looks";
-import { kOverlays } from "./overlays";
+import { kOverlayNames, kOverlays } from "./overlays";
 import { Plots } from "./plots";
 import { namesOf, unpackScene, type Motion, type SceneFile } from "./scene";
 import { ShownPage } from "./shown_page";
@@ -34,11 +34,13 @@ export class Viewer extends ShownPage {
     scene: SceneFile,
   ) {
     const motions = unpackScene(scene);
-    const hasGhost = motions.some((m) => m.planned && m.measured);
+    const hasGhost = motions.some((m) => m.ghost);
+    const named = motions.find((m) => m.file.ghost)?.file.ghost;
+    const names = named ? { ...kOverlayNames, ghost: `${named.title} as a ghost` } : kOverlayNames;
     super(root, kOverlays.filter((overlay) => hasGhost || overlay !== "ghost"), (theme) => {
       for (const plots of this.plots) plots.paint(theme);
       this.timeline.draw();
-    });
+    }, names);
     this.motions = motions;
     const ends = motions.map((m) => m.time[m.time.length - 1]);
     this.clock = new Clock(Math.min(...motions.map((m) => m.time[0])), Math.max(...ends));

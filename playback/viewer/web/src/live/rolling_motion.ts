@@ -61,10 +61,10 @@ export class RollingMotion {
     this.times = new Float64Array(kRows).fill(Number.NEGATIVE_INFINITY);
     const time = Float64Array.from(this.times, (_, i) => (i - this.now) / this.now);
     const file: MotionFile = {
-      title: robot.name, verdict: null, robot, terrain, planned: null, measured: null, footholds: [], swings: [], marks: [],
+      title: robot.name, verdict: null, robot, terrain, planned: null, measured: null, ghost: null, footholds: [], swings: [], marks: [],
       time_s: { columns: 1 },
     };
-    this.motion = { file, time, planned: this.planned, measured: this.measured };
+    this.motion = { file, time, planned: this.planned, measured: this.measured, ghost: this.planned.q };
     for (let row = 0; row < kRows; ++row) put(this.measured.q, row, first.q);
     this.push(first);
   }

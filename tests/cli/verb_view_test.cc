@@ -21,6 +21,20 @@ TEST_F(View, MakesAPageOfAPlanALogAndTwo) {
   EXPECT_TRUE(Read("log.html") == Read("again.html")) << "the same bytes";
 }
 
+TEST_F(View, ShowsASecondMotionAsAGhost) {
+  ASSERT_EQ(Run({"plan", "--distance", "0.4", "--out", "other.json", "--quiet"}).status, 0);
+  const Ran ran = Run({"view", "out/plan.json", "other.json", "--ghost", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.json().at("shows").get<std::string>().find(" with the ghost of "), std::string::npos);
+  const std::string page = Read("view.html");
+  EXPECT_NE(page.find("\"ghost\":{\"title\":"), std::string::npos);
+  EXPECT_EQ(Run({"view", "other.json", "out/log.json", "--plan", "out/plan.json", "--ghost", "--quiet"}).status, 0)
+      << "a log";
+  ExpectRefused(Run({"view", "other.json", "--ghost"}), 1, {"give a second FILE"});
+  ASSERT_EQ(Run({"plan", "--robot", "go1", "--distance", "0.3", "--out", "go1.json", "--quiet"}).status, 0);
+  ExpectRefused(Run({"view", "other.json", "go1.json", "--ghost"}), 1, {"same robot", "'a1'", "'go1'"});
+}
+
 TEST_F(View, TheReportHasTheMotionInIt) {
   const std::string report = Read("out/report.html");
   EXPECT_NE(report.find("data-scene=\"scene\""), std::string::npos);
