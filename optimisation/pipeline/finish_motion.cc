@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kinematics/spatial/rotation.h"
+#include "optimisation/pipeline/apart_pairs_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/raise_heels_internal.h"
@@ -97,6 +98,7 @@ class Finisher {
         finished_(plan) {
     rolls_ = RollsOf(model, plan.whole_body, courses_);
     SetCourses();
+    if (options.self_distance_m > 0.0) apart_.emplace(model, options.self_distance_m);
   }
 
   Result<MotionPlan> Run();
@@ -105,6 +107,12 @@ class Finisher {
  private:
   void SetCourses();
   ElasticOptions Elastic() const;
+  bool HasApart() const { return apart_ && apart_->lists(); }
+  int MostSolves() const {
+    constexpr int kToPart = 4;  // links that touch
+    return options_.max_solves + (HasApart() ? kToPart : 0);
+  }
+  std::optional<Failure> SolveApart(BodyProblem& problem, WindowSolver& solver);
   std::optional<Failure> SolveOnce(BodyProblem& problem, WindowSolver& solver);
   void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
@@ -124,6 +132,7 @@ class Finisher {
   FootRolls rolls_;                  // of that
   BodyMotion motion_;                // of the last solve
   std::vector<KnotWindow> windows_;  // in which problems are solved
+  std::optional<ApartPairs> apart_;  // none: links may touch
   FollowReport report_;
 };
 
@@ -158,6 +167,19 @@ ElasticOptions Finisher::Elastic() const {
   elastic.infeasible = kFar;
   elastic.give = kGive;
   return elastic;
+}
+
+/// A plan that has no solution with its links apart is finished without: its audit names them.
+std::optional<Failure> Finisher::SolveApart(BodyProblem& problem, WindowSolver& solver) {
+  const BodyMotion before = motion_;
+  const std::vector<KnotWindow> windows = windows_;
+  std::optional<Failure> failure = SolveOnce(problem, solver);
+  if (!failure || follow_ != nullptr || !HasApart()) return failure;
+  ApartPairs::Clear(problem);
+  apart_.reset();
+  motion_ = before;
+  windows_ = windows;
+  return SolveOnce(problem, solver);
 }
 
 std::optional<Failure> Finisher::SolveOnce(BodyProblem& problem, WindowSolver& solver) {
@@ -258,6 +280,7 @@ Result<MotionPlan> Finisher::Run() {
   std::vector<std::vector<PressingFoot>> to_edges;
   for (const BodyKnot& knot : problem.knots) to_edges.push_back(knot.pressing);
   if (follow_ != nullptr) KeepFromEdges(follow_->sole_margin_m, problem);
+  if (follow_ != nullptr && follow_->prepare) follow_->prepare(problem);
   motion_ = {FirstPoints(problem), FirstForces(model_, finished_, problem)};
   windows_ = {{0, static_cast<int>(knots_s_.size()) - 1, problem.use}};
   if (follow_ != nullptr) windows_ = WindowsOf(problem, follow_->windows);
@@ -265,21 +288,26 @@ Result<MotionPlan> Finisher::Run() {
     windows_.front().spares_soles = true;
     SpareSoles(problem);
   }
+  constexpr double kCoarse = 4e-3;  // [s]
+  if (apart_) apart_->Watch(plan_.whole_body, problem, kCoarse);
   WindowSolver solver(Elastic(), std::move(to_edges));
   PlanResidual residual;
   for (report_.solves = 1;; ++report_.solves) {
     SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, problem);
-    if (std::optional<Failure> failure = SolveOnce(problem, solver)) return *failure;
+    if (std::optional<Failure> failure = SolveApart(problem, solver)) return *failure;
     const SolvedTrajectory solved(problem, motion_.points, motion_.forces);
     TakeOver(solved);
     residual = ResidualOf(model_, finished_);
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
-    const bool exceeds = TightenLimits(solved);
-    if ((balanced && !exceeds) || report_.solves == options_.max_solves) break;
+    const bool exceeds = TightenLimits(solved), settled = balanced && !exceeds;
+    const bool looks = settled || HasApart() || report_.solves >= options_.max_solves;
+    const bool touches = looks && apart_ && apart_->Watch(finished_.whole_body, problem);
+    if ((settled && !touches) || report_.solves >= MostSolves()) break;
     for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].residual_W = solved.ResidualsAtKnots()[k];
   }
   SetFootholds(rolls_, courses_, finished_);
   SetCentroidal(model_, finished_);
+  if (apart_) report_.apart = apart_->Listed();
   report_.knots = static_cast<int>(knots_s_.size());
   report_.residual_force = residual.force;
   report_.residual_moment = residual.moment;
@@ -287,6 +315,7 @@ Result<MotionPlan> Finisher::Run() {
   report_.summary = fmt::format(
       "whole body over {} knots: {} iterations, unbalanced {:.1e} m g and {:.1e} m g l at most between knots",
       report_.knots, report_.iterations, residual.force, residual.moment);
+  if (!report_.apart.empty()) report_.summary += fmt::format("; kept apart: {}", fmt::join(report_.apart, ", "));
   return std::move(finished_);
 }
 
