@@ -80,6 +80,7 @@ void BodyRows::EvaluateApart(Knot& knot, const BodyKnot& asked, bool with_deriva
 }
 
 void BodyRows::EvaluatePoints(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives, Index first) {
+  if (asked.points.empty()) return;
   const DynamicsScratch& s = knot_model_.kinematics();
   MatrixX J(6, n_);
   for (const PointGoal& goal : asked.points) {
