@@ -211,6 +211,7 @@ int RunRepair(RepairSettings& a) {
   const bool is_folder = Settle(a, work.ranks());
   Paths paths;
   AddSourcePaths(a.request.source, a.robot, paths);
+  paths.Read("--weights", a.request.weights_file);
   if (is_folder) {
     paths.Write("the table", a.Table(), {".csv"});
     paths.Write("the run so far", a.SoFar());
@@ -238,6 +239,9 @@ void AddRepair(Verb program, int& status) {
       a->request.source, a->robot);
   verb.SetGroup("Repair");
   AddField(verb, "--stretch", a->request.Fields(), "repair.stretch");
+  AddText(verb, "--weights", "FILE", a->request.weights_file,
+          "YAML file of weights by part of the body and by time, see docs/repair.md; default: repair.joint, "
+          "repair.base_position and repair.base_rotation everywhere.");
   verb.SetGroup("Output");
   AddText(
       verb, "--out", "FILE", a->out,

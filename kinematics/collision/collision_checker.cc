@@ -59,6 +59,7 @@ struct CollisionChecker::Scene {
   std::vector<Shape> shapes;
   std::vector<Part> parts;
   std::vector<Pair> pairs;
+  std::vector<std::pair<int, int>> shape_pairs;  // of `pairs`
   std::vector<std::string> notes;
   std::vector<LeftOutPair> left_out;
   std::vector<Overlap> overlaps;
@@ -173,6 +174,10 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
     }
   }
   scene_->LeaveOutTouching(model, touching, scratch);
+  const auto shape_of = [&](std::size_t part) {
+    return static_cast<int>(scene_->parts[part].shape - scene_->shapes.data());
+  };
+  for (const Scene::Pair& pair : scene_->pairs) scene_->shape_pairs.emplace_back(shape_of(pair.a), shape_of(pair.b));
 }
 
 CollisionChecker::~CollisionChecker() = default;
@@ -214,5 +219,6 @@ Overlap CollisionChecker::Nearest(const DynamicsScratch& scratch, double within_
 const std::vector<std::string>& CollisionChecker::notes() const { return scene_->notes; }
 const std::vector<LeftOutPair>& CollisionChecker::left_out() const { return scene_->left_out; }
 int CollisionChecker::num_pairs() const { return static_cast<int>(scene_->pairs.size()); }
+const std::vector<std::pair<int, int>>& CollisionChecker::pairs() const { return scene_->shape_pairs; }
 
 }  // namespace gaitwright

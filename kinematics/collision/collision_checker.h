@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -50,6 +51,8 @@ class CollisionChecker {
   /// Pairs of links that are not checked, in the order of the model's shapes; links of one body are not listed.
   const std::vector<LeftOutPair>& left_out() const;
   int num_pairs() const;
+  /// The checked pairs, as indices of the model's collision shapes.
+  const std::vector<std::pair<int, int>>& pairs() const;
 
  private:
   struct Scene;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kinematics/spatial/rotation.h"
+#include "optimisation/pipeline/apart_pairs_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
 #include "optimisation/trajectory/motor_rows_internal.h"
@@ -99,6 +100,7 @@ class Finisher {
     rolls_ = RollsOf(model, plan.whole_body, courses_);
     landing_W_.assign(courses_.size(), Vector3::Zero());
     SetCourses();
+    if (options.self_distance_m > 0.0) apart_.emplace(model, options.self_distance_m);
   }
 
   Result<MotionPlan> Run();
@@ -107,6 +109,12 @@ class Finisher {
  private:
   void SetCourses();
   ElasticOptions Elastic() const;
+  bool HasApart() const { return apart_ && apart_->lists(); }
+  int MostSolves() const {
+    constexpr int kToPart = 4;  // links that touch
+    return options_.max_solves + (HasApart() ? kToPart : 0);
+  }
+  std::optional<Failure> SolveApart(BodyProblem& problem, WindowSolver& solver);
   std::optional<Failure> SolveOnce(BodyProblem& problem, WindowSolver& solver);
   void TakeOver(const SolvedTrajectory& solved);
   double RolledAside(const BodyProblem& problem) const;
@@ -128,6 +136,7 @@ class Finisher {
   BodyMotion motion_;                // of the last solve
   std::vector<KnotWindow> windows_;  // in which problems are solved
   std::vector<Vector3> landing_W_;   // by course: how far its last landing was moved
+  std::optional<ApartPairs> apart_;  // none: links may touch
   FollowReport report_;
 };
 
@@ -181,6 +190,19 @@ ElasticOptions Finisher::Elastic() const {
   elastic.infeasible = kFar;
   elastic.give = kGive;
   return elastic;
+}
+
+/// A plan that has no solution with its links apart is finished without: its audit names them.
+std::optional<Failure> Finisher::SolveApart(BodyProblem& problem, WindowSolver& solver) {
+  const BodyMotion before = motion_;
+  const std::vector<KnotWindow> windows = windows_;
+  std::optional<Failure> failure = SolveOnce(problem, solver);
+  if (!failure || follow_ != nullptr || !HasApart()) return failure;
+  ApartPairs::Clear(problem);
+  apart_.reset();
+  motion_ = before;
+  windows_ = windows;
+  return SolveOnce(problem, solver);
 }
 
 std::optional<Failure> Finisher::SolveOnce(BodyProblem& problem, WindowSolver& solver) {
@@ -281,6 +303,7 @@ Result<MotionPlan> Finisher::Run() {
   std::vector<std::vector<PressingFoot>> to_edges;
   for (const BodyKnot& knot : problem.knots) to_edges.push_back(knot.pressing);
   if (follow_ != nullptr) KeepFromEdges(follow_->sole_margin_m, problem);
+  if (follow_ != nullptr && follow_->prepare) follow_->prepare(problem);
   motion_ = {FirstPoints(problem), FirstForces(model_, finished_, problem)};
   windows_ = {{0, static_cast<int>(knots_s_.size()) - 1, problem.use}};
   if (follow_ != nullptr) windows_ = WindowsOf(problem, follow_->windows);
@@ -288,23 +311,28 @@ Result<MotionPlan> Finisher::Run() {
     windows_.front().spares_soles = true;
     SpareSoles(problem);
   }
+  constexpr double kCoarse = 4e-3;  // [s]
+  if (apart_) apart_->Watch(plan_.whole_body, problem, kCoarse);
   WindowSolver solver(Elastic(), std::move(to_edges));
   PlanResidual residual;
   for (report_.solves = 1;; ++report_.solves) {
     SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, problem);
-    if (std::optional<Failure> failure = SolveOnce(problem, solver)) return *failure;
+    if (std::optional<Failure> failure = SolveApart(problem, solver)) return *failure;
     const SolvedTrajectory solved(problem, motion_.points, motion_.forces);
     TakeOver(solved);
     residual = ResidualOf(model_, finished_);
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
-    const bool exceeds = TightenLimits(solved);
-    const bool last = report_.solves == options_.max_solves;
+    const bool exceeds = TightenLimits(solved), last = report_.solves >= MostSolves();
     const bool in_place = !settings_.end_as_standing || last || LandsAsStanding();
-    if ((balanced && in_place && !exceeds) || last) break;
+    const bool settled = balanced && in_place && !exceeds;
+    const bool looks = settled || HasApart() || report_.solves >= options_.max_solves;
+    const bool touches = looks && apart_ && apart_->Watch(finished_.whole_body, problem);
+    if ((settled && !touches) || last) break;
     for (std::size_t k = 0; k < problem.knots.size(); ++k) problem.knots[k].residual_W = solved.ResidualsAtKnots()[k];
   }
   SetFootholds(rolls_, courses_, finished_);
   SetCentroidal(model_, finished_);
+  if (apart_) report_.apart = apart_->Listed();
   report_.knots = static_cast<int>(knots_s_.size());
   report_.residual_force = residual.force;
   report_.residual_moment = residual.moment;
@@ -312,6 +340,7 @@ Result<MotionPlan> Finisher::Run() {
   report_.summary = fmt::format(
       "whole body over {} knots: {} iterations, unbalanced {:.1e} m g and {:.1e} m g l at most between knots",
       report_.knots, report_.iterations, residual.force, residual.moment);
+  if (!report_.apart.empty()) report_.summary += fmt::format("; kept apart: {}", fmt::join(report_.apart, ", "));
   return std::move(finished_);
 }
 

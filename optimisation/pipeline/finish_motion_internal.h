@@ -59,6 +59,7 @@ struct FollowOptions {
   double effort_use = 0.92;  ///< share of motors' limits; given up likewise
   int least_per_swing = 24;  ///< knots over a swing: with fewer, feet leave its path after lift-off
   WindowOptions windows;
+  std::function<void(BodyProblem&)> prepare;  ///< changes the problem before it is solved, such as its weights
   std::function<void(const FollowProgress&)> progress;
 };
 

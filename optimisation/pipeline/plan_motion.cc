@@ -89,7 +89,10 @@ OptionFields TrajectoryOptions::Fields() {
         "Pitch of a sole about its front edge at the lift-off of the longest step; 0: soles stay flat. Only for "
         "optimised whole bodies without flight."},
        {"heel_off_share", &heel_off_share, "1", 0.1, 1.0,
-        "Time in which a heel rises before lift-off, as a share of the shortest double support."}});
+        "Time in which a heel rises before lift-off, as a share of the shortest double support."},
+       {"self_distance_m", &self_distance_m, "m", 0.0, 0.1,
+        "Distance at knots of links that would touch otherwise; at most half of their distance in the standing "
+        "posture. 0: links may touch."}});
 }
 
 FootstepOptions StandingOptions(const MotionOptions& options) {

@@ -74,6 +74,7 @@ struct TrajectoryOptions {
   double effort = 0.3;
   double heel_off_rad = 0.0;
   double heel_off_share = 1.0;
+  double self_distance_m = 0.004;
 
   OptionFields Fields();
 };
@@ -133,9 +134,10 @@ struct FinishReport {
   double residual_force = 0.0;   ///< at 1 kHz, over the weight
   double residual_moment = 0.0;  ///< at 1 kHz, over the weight times the leg's length
   double residual_at_s = 0.0;
-  bool keeps_room = true;   ///< limits keep the room that controllers need for corrections
-  double effort_use = 0.0;  ///< largest share of a motor's effort limit
-  std::string summary;      ///< one line
+  bool keeps_room = true;               ///< limits keep the room that controllers need for corrections
+  double effort_use = 0.0;              ///< largest share of a motor's effort limit
+  std::vector<std::string> apart = {};  ///< pairs of links that would touch otherwise
+  std::string summary;                  ///< one line
 };
 
 /// A plan with results of the planner.

@@ -2,19 +2,38 @@
 #include "optimisation/search/audited_plan.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "kinematics/collision/shape_extent.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/search/refuse_walk.h"
 
 namespace gaitwright {
 namespace {
 
-/// Whether a plan fails because its motion and its forces do not agree, and keeps the robot's limits: passes that did
-/// not settle.
-bool IsUnsettled(const PlannedWalk& planned) {
-  const auto disagrees = [](const Violation& v) {
-    return v.law == Law::kConsistency || v.law == Law::kDynamics || v.law == Law::kFlight;
+/// Whether links that collide are both fixed by their footholds and swings, so that no motion of the rest parts them.
+bool AreFixedByFeet(const RobotModel& model, const std::string& colliding) {
+  std::vector<std::string> fixed;
+  for (const Shape& shape : model.collision_shapes) {
+    const bool on_sole = std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) {
+      return foot.type == FootType::kSole && foot.body == shape.body;
+    });
+    if (on_sole || IsShapeOfAFoot(model, shape)) fixed.push_back(shape.link);
+  }
+  const auto collides_with = [&](const std::string& a, const std::string& b) { return colliding == a + " and " + b; };
+  return std::any_of(fixed.begin(), fixed.end(), [&](const std::string& a) {
+    return std::any_of(fixed.begin(), fixed.end(), [&](const std::string& b) { return collides_with(a, b); });
+  });
+}
+
+/// Whether a plan fails because its motion and its forces do not agree, or because links touch, and keeps the robot's
+/// limits: passes that did not settle, or that do not see links.
+bool IsUnsettled(const RobotModel& model, const PlannedWalk& planned) {
+  const auto disagrees = [&](const Violation& v) {
+    return v.law == Law::kConsistency || v.law == Law::kDynamics || v.law == Law::kFlight ||
+           (v.law == Law::kSelfCollision && !AreFixedByFeet(model, v.where));
   };
   const std::vector<Violation>& all = planned.audit.violations;
   return planned.motion.limit_excess < kSlightViolation && std::any_of(all.begin(), all.end(), disagrees) &&
@@ -42,7 +61,7 @@ Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motio
   const Result<AuditReport> audit = Audit(model, planned.motion.plan, audit_options);
   if (!audit) return audit.failure();
   planned.audit = *audit;
-  if (planned.motion.unfinished || !IsUnsettled(planned)) return planned;
+  if (planned.motion.unfinished || !IsUnsettled(model, planned)) return planned;
   PlannedWalk finished = planned;
   FinishPlanned(model, options, finished.motion);
   const Result<AuditReport> again = Audit(model, finished.motion.plan, audit_options);

@@ -43,7 +43,8 @@ VectorJet JetOf(const TurningChart& chart, const VectorX& q, const VectorX& v, c
 }
 
 BodyProblem WindowOf(const BodyProblem& whole, const ChainSpline& spline, const MatrixX& points, int first, int last) {
-  BodyProblem part{whole.model, whole.chart, {}, {}, whole.weights, whole.use, BodyWindow{{}, 0.0, 0.0}};
+  BodyProblem part{whole.model,    whole.chart, {}, {}, whole.weights, whole.use, BodyWindow{{}, 0.0, 0.0},
+                   whole.distances};
   part.window->start_s = whole.start_s();
   part.window->end_s = whole.end_s();
   for (int k = first; k <= last; ++k) {
@@ -55,6 +56,8 @@ BodyProblem WindowOf(const BodyProblem& whole, const ChainSpline& spline, const 
   BodyKnot& seam = part.knots.front();
   seam.is_given = seam.pins_place = seam.pins_motion = true;
   seam.pressing.clear();
+  seam.apart.clear();
+  seam.points.clear();
   VectorJet& given = seam.reference;
   given.x.setZero();
   given.rate.setZero();

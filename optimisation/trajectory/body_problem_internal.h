@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/collision/self_distance_internal.h"
 #include "optimisation/trajectory/chain_spline_internal.h"
 #include "optimisation/trajectory/knot_model_internal.h"
 #include "optimisation/trajectory/turning_chart_internal.h"
@@ -37,11 +38,29 @@ struct FootGoal {
   int count() const;
 };
 
+/// Two links that are to keep a distance at a knot.
+struct ApartPair {
+  int pair = 0;          ///< of the problem's SelfDistance
+  double least_m = 0.0;  ///< times BodyLimitUse::apart
+};
+
+/// A point of a body that is to be near a place at a knot.
+struct PointGoal {
+  int body = 0;
+  Vector3 p_BQ = Vector3::Zero();  ///< the point [m]
+  Vector3 p_W = Vector3::Zero();   ///< the place [m]; from the origin of the base in its axes if `in_base`
+  bool in_base = false;
+  double weight = 1.0;  ///< [1/m], for 10 ms
+};
+
 /// What is asked at a knot. Vectors are in the coordinates of BodyProblem.
 struct BodyKnot {
   std::vector<PressingFoot> pressing;
   std::vector<FootGoal> feet;
+  std::vector<ApartPair> apart;
+  std::vector<PointGoal> points;
   VectorJet reference;  ///< what the motion is to be near
+  VectorX near_scale;   ///< factors of the weights on the distance from the reference, by coordinate; empty: all 1
   /// Wrench on the base about its origin that the spline leaves unbalanced [N, N m]; see SolvedTrajectory.
   Vector6 residual_W = Vector6::Zero();
   bool pins_place = false;   ///< the position is that of the reference
@@ -69,10 +88,11 @@ struct BodyLimitUse {
   double effort = 0.92, speed = 0.97;
   double range_margin = 0.015;  ///< to the ends of a joint's range [rad], [m]; smaller near the start and end
   double cone_margin = 1e-3;    ///< of the force at a contact point to its friction cone, over the weight
+  double apart = 1.0;           ///< share of the distances of ApartPair
 };
 
 /// For motions that need nearly all that the robot has.
-inline constexpr BodyLimitUse kFullUse = {0.98, 0.99, 4e-3, 0.0};
+inline constexpr BodyLimitUse kFullUse = {0.98, 0.99, 4e-3, 0.0, 0.3};
 
 /// Of a problem that is some knots in a row of a longer problem.
 struct BodyWindow {
@@ -86,7 +106,8 @@ struct BodyWindow {
 ///   x = [p_WB (3), angles of TurningChart (3), independent joints (n)],
 /// and at each knot the force at each contact point, in units of the weight; between knots forces are linear. At knots
 /// hold: Newton's and Euler's equations of the whole (six rows), feet on their goals, forces inside their cones,
-/// positions, speeds and efforts within limits, torque-speed curves included.
+/// positions, speeds and efforts within limits, torque-speed curves included; links that are listed keep their
+/// distance.
 struct BodyProblem {
   const RobotModel* model = nullptr;
   TurningChart chart;
@@ -95,6 +116,7 @@ struct BodyProblem {
   BodyWeights weights;
   BodyLimitUse use;
   std::optional<BodyWindow> window;
+  const SelfDistance* distances = nullptr;  ///< of the model; needed if a knot has an ApartPair
 
   double start_s() const { return window ? window->start_s : time_s.front(); }
   double end_s() const { return window ? window->end_s : time_s.back(); }

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "kinematics/spatial/rotation.h"
 #include "optimisation/trajectory/body_rows_internal.h"
 
 namespace gaitwright {
@@ -17,19 +16,6 @@ using Eigen::Index;
 constexpr double kUnit = 0.01;     // [s] of time that weights are for
 constexpr double kToMargin = 0.3;  // [s] in which joints that stand at the end of their range come to its margin
 constexpr double kStill = 100.0;   // of weights of joints that stick
-constexpr double kFootUnit =
-    100.0;  // rows of feet are in cm, so that their multipliers are as large as those of others
-
-/// Change of the rotation vector of R when R turns by a small vector in W: the inverse of the left Jacobian of SO(3).
-Matrix3 LogDerivative(const Vector3& turn) {
-  const double angle = turn.norm();
-  const Matrix3 K = Skew(turn);
-  constexpr double kSmall = 1e-4;
-  const double second = angle < kSmall
-                            ? 1.0 / 12.0
-                            : (1.0 - 0.5 * angle * std::cos(0.5 * angle) / std::sin(0.5 * angle)) / (angle * angle);
-  return Matrix3::Identity() - 0.5 * K + second * K * K;
-}
 
 /// A side of the pyramid inside a friction cone: the force along it is at most zero.
 Vector3 SideOf(const PressingFoot& foot, int side) {
@@ -88,9 +74,10 @@ void BodyRows::ListRows() {
     knot.y = VectorX::Zero(3 * n_ + knot.forces);
     knot.dense = VectorX::Zero(6 + motors_.count());
     knot.D = MatrixX::Zero(knot.dense.size(), knot.y.size());
-    knot.feet = VectorX::Zero(CountOf(knot, Asked(k), kFeet));
-    knot.J = MatrixX::Zero(knot.feet.size(), n_);
-    if (knot.feet.size() > 0) knot.feet_within = WithinOf(Asked(k));
+    knot.posture = VectorX::Zero(CountOf(knot, Asked(k), kFeet) + CountOf(knot, Asked(k), kApart) +
+                                 CountOf(knot, Asked(k), kPoint));
+    knot.J = MatrixX::Zero(knot.posture.size(), n_);
+    if (CountOf(knot, Asked(k), kFeet) > 0) knot.feet_within = WithinOf(Asked(k));
   }
   value_ = VectorX::Zero(rows);
 }
@@ -104,6 +91,8 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
       return motors_.count();
     case kForce:
       return knot.forces;
+    case kPoint:
+      return asked.pins_place ? 0 : static_cast<Index>(3 * asked.points.size());
     case kDynamics:
       return asked.is_given ? 0 : 6;
     case kFeet: {
@@ -120,6 +109,8 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
       return asked.pins_place ? 0 : static_cast<Index>(ranged_.size());
     case kCone:
       return knot.forces / 3 * kPyramidSides;
+    case kApart:
+      return asked.pins_place ? 0 : static_cast<Index>(asked.apart.size());
     case kPinnedPlace:
       return asked.pins_place ? n_ : 0;
     case kPinnedMotion:
@@ -150,7 +141,11 @@ RowBounds BodyRows::BoundsOf(Index row) const {
     const double within = kFootUnit * knot.feet_within[row - knot.row[kFeet]];
     return {-within, within};
   }
-  if (row >= knot.row[kCone] && row < knot.row[kPinnedPlace]) return {-kNone, -problem_.use.cone_margin};
+  if (row >= knot.row[kCone] && row < knot.row[kApart]) return {-kNone, -problem_.use.cone_margin};
+  if (row >= knot.row[kApart] && row < knot.row[kPinnedPlace]) {
+    const std::vector<ApartPair>& apart = Asked(static_cast<std::size_t>(&knot - knots_.data())).apart;
+    return {kApartUnit * problem_.use.apart * apart[static_cast<std::size_t>(row - knot.row[kApart])].least_m, kNone};
+  }
   return {0.0, 0.0};
 }
 
@@ -180,6 +175,7 @@ std::string BodyRows::NameOf(Index row) const {
       left -= goal.count();
     }
   }
+  if (within(kApart)) what = fmt::format("distance of {}", problem_.distances->NameOf(Asked(k).apart[at(kApart)].pair));
   if (within(kCone)) {
     Index left = (row - knot.row[kCone]) / kPyramidSides;
     for (const PressingFoot& foot : Asked(k).pressing) {
@@ -207,9 +203,10 @@ std::vector<double> BodyRows::TimesUnmet(double tolerance) const {
 /// Factor of the weights of a joint's coordinate.
 double BodyRows::StillnessOf(Index i) const { return motors_.Sticks(static_cast<int>(i - 6)) ? kStill : 1.0; }
 
-double BodyRows::NearWeight(Index i) const {
+double BodyRows::NearWeight(std::size_t k, Index i) const {
   const BodyWeights& w = problem_.weights;
-  return i < 3 ? w.base_position : i < 6 ? w.base_rotation : StillnessOf(i) * w.joint;
+  const double scale = Asked(k).near_scale.size() > 0 ? Asked(k).near_scale[i] : 1.0;
+  return scale * (i < 3 ? w.base_position : i < 6 ? w.base_rotation : StillnessOf(i) * w.joint);
 }
 
 double BodyRows::AccelerationWeight(Index i) const {
@@ -233,8 +230,8 @@ void BodyRows::Evaluate(const VectorX& z) {
     knot.dense.head<3>() = needed.head<3>() / weight;
     knot.dense.segment<3>(3) = needed.segment<3>(3) / moment;
     motors_.Efforts(needed.tail(n_ - 6), state.v.tail(n_ - 6), state.a.tail(n_ - 6), knot.dense.tail(motors_.count()));
-    EvaluateFeet(knot, Asked(k), nullptr);
-    FillRows(k, knot.y, knot.dense, knot.feet, true, value_);
+    EvaluatePosture(knot, Asked(k), nullptr);
+    FillRows(k, knot.y, knot.dense, knot.posture, true, value_);
   }
 }
 
@@ -262,42 +259,12 @@ void BodyRows::Differentiate() {
     by_q = (by_q * state.turn.E + by_v * state.turn.w_by_x + by_a * state.turn.alpha_by_x).eval();
     by_v = (by_v * state.turn.E + by_a * state.turn.alpha_by_rate).eval();
     by_a = (by_a * state.turn.E).eval();
-    EvaluateFeet(knot, Asked(k), &state);
-  }
-}
-
-/// Needs the knot model where the knot is.
-void BodyRows::EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives) {
-  if (knot.feet.size() == 0) return;
-  Index row = 0;
-  MatrixX by_v;
-  for (const FootGoal& goal : asked.feet) {
-    const Foot& foot = model_.feet[static_cast<std::size_t>(goal.foot)];
-    knot_model_.FootAt(goal.foot, with_derivatives != nullptr, foot_);
-    Vector6 off;
-    const Vector3 rolled = foot.radius > 0.0 ? RotationLog(foot_.R_WF * goal.R_roll.transpose()) : Vector3::Zero();
-    const Vector3 turned = RotationLog(foot_.R_WF * goal.R_W.transpose());
-    off << goal.axes_W.transpose() * (foot_.p_WF - goal.p_W - foot.radius * rolled.cross(goal.normal_W)),
-        goal.R_W.transpose() * turned;
-    if (with_derivatives != nullptr) {
-      by_v.resize(6, n_);
-      by_v.topRows<3>() =
-          goal.axes_W.transpose() *
-          (foot_.J.topRows<3>() + foot.radius * Skew(goal.normal_W) * LogDerivative(rolled) * foot_.J.bottomRows<3>());
-      by_v.bottomRows<3>() = goal.R_W.transpose() * LogDerivative(turned) * foot_.J.bottomRows<3>();
-      by_v.middleCols<3>(3) = (by_v.middleCols<3>(3) * with_derivatives->turn.E).eval();
-    }
-    for (std::size_t i = 0; i < 6; ++i) {
-      if (!goal.rows[i]) continue;
-      knot.feet[row] = kFootUnit * off[static_cast<Index>(i)];
-      if (with_derivatives != nullptr) knot.J.row(row) = kFootUnit * by_v.row(static_cast<Index>(i));
-      ++row;
-    }
+    EvaluatePosture(knot, Asked(k), &state);
   }
 }
 
 /// The rows of a knot at y, or without constants their changes by y.
-void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& feet, bool constants,
+void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& posture, bool constants,
                         VectorX& rows) const {
   const Knot& knot = knots_[k];
   const BodyKnot& asked = Asked(k);
@@ -305,7 +272,7 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
   const double constant = constants ? 1.0 : 0.0;
   const auto x = y.head(n_), rate = y.segment(n_, n_), acceleration = y.segment(2 * n_, n_);
   for (Index i = 0; i < n_; ++i) {
-    rows[knot.row[kNear] + i] = share_[k] * NearWeight(i) * (x[i] - constant * reference.x[i]);
+    rows[knot.row[kNear] + i] = share_[k] * NearWeight(k, i) * (x[i] - constant * reference.x[i]);
     rows[knot.row[kNearAcceleration] + i] =
         share_[k] * AccelerationWeight(i) * (acceleration[i] - constant * reference.acceleration[i]);
   }
@@ -320,7 +287,11 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
   rows.segment<3>(knot.row[kDynamics]) -= constant / model_.weight_n() * asked.residual_W.head<3>();
   rows.segment<3>(knot.row[kDynamics] + 3) -=
       constant / (model_.weight_n() * model_.leg_length_m()) * asked.residual_W.tail<3>();
-  rows.segment(knot.row[kFeet], feet.size()) = feet;
+  const Index feet = knot.row[kFeet + 1] - knot.row[kFeet], apart = knot.row[kApart + 1] - knot.row[kApart],
+              points = posture.size() - feet - apart;
+  rows.segment(knot.row[kFeet], feet) = posture.head(feet);
+  rows.segment(knot.row[kApart], apart) = posture.segment(feet, apart);
+  rows.segment(knot.row[kPoint], points) = share_[k] * posture.tail(points);
   Index row = knot.row[kEffortLimit];
   for (const int motor : motors_.limited()) rows[row++] = dense[6 + motor];
   for (const MotorRows::Curve& curve : motors_.curves()) {
@@ -368,8 +339,8 @@ VectorX BodyRows::Moved(const VectorX& by) const {
     const Knot& knot = knots_[k];
     Flat(k, by, flat_);
     dense_.noalias() = knot.D * flat_;
-    feet_.noalias() = knot.J * flat_.head(n_);
-    FillRows(k, flat_, dense_, feet_, false, moved);
+    posture_.noalias() = knot.J * flat_.head(n_);
+    FillRows(k, flat_, dense_, posture_, false, moved);
   }
   return moved;
 }

@@ -17,7 +17,8 @@ namespace gaitwright {
 /// = Notation =
 ///   z     unknowns: control points one after the other, then forces knot by knot
 ///   y     of a knot, "flat": coordinates, their rates, their accelerations, and forces: size 3 n + f
-///   dense rows of a knot: six of the dynamics, then efforts of the motors; all else is linear in y, or of feet
+///   dense rows of a knot: six of the dynamics, then efforts of the motors
+///   posture rows of a knot: of feet, then distances of links, then of points near places; all else is linear in y
 class BodyRows : public ElasticRows {
  public:
   /// Keeps a reference to the problem. @param start  z, where the rows are evaluated and differentiated first.
@@ -54,12 +55,14 @@ class BodyRows : public ElasticRows {
     kNearAcceleration,
     kEffort,
     kForce,
+    kPoint,
     kDynamics,
     kFeet,
     kEffortLimit,
     kCurve,
     kRange,
     kCone,
+    kApart,
     kPinnedPlace,
     kPinnedMotion,
     kKinds
@@ -69,19 +72,23 @@ class BodyRows : public ElasticRows {
     Eigen::Index row[kKinds + 1] = {};   // first of each kind; residuals and constraints are apart
     Eigen::Index residual_end = 0;
     VectorX y;
-    VectorX dense, feet;  // values
-    VectorX feet_within;  // what rows of feet may be off by
-    MatrixX D;            // dense rows by y
-    MatrixX J;            // rows of feet by coordinates
-    MatrixX L, E;         // factors of the forces' own block, and of their coupling
+    VectorX dense, posture;  // values
+    VectorX feet_within;     // what rows of feet may be off by
+    MatrixX D;               // dense rows by y
+    MatrixX J;               // posture rows by coordinates
+    MatrixX L, E;            // factors of the forces' own block, and of their coupling
     std::vector<KnotContact> contacts;
   };
 
   void ListRows();
   Eigen::Index CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) const;
   void SetState(Knot& knot, ChartedState& state);
-  void EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives);
-  void FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& feet, bool constants,
+  void EvaluatePosture(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives);
+  Eigen::Index EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives);
+  void EvaluateApart(Knot& knot, const BodyKnot& asked, bool with_derivatives, Eigen::Index first);
+  void EvaluatePoints(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives, Eigen::Index first);
+  VectorX OfPosture(std::size_t k, const VectorX& of_rows, double of_points) const;
+  void FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& posture, bool constants,
                 VectorX& rows) const;
   void FillPins(const Knot& knot, const BodyKnot& asked, const VectorX& y, double constant, VectorX& rows) const;
   void Flat(std::size_t k, const VectorX& z, VectorX& y) const;
@@ -92,7 +99,7 @@ class BodyRows : public ElasticRows {
   void AddToChain(std::size_t k);
   const BodyKnot& Asked(std::size_t k) const { return problem_.knots[k]; }
   double StillnessOf(Eigen::Index coordinate) const;
-  double NearWeight(Eigen::Index coordinate) const;
+  double NearWeight(std::size_t k, Eigen::Index coordinate) const;
   double AccelerationWeight(Eigen::Index coordinate) const;
 
   const BodyProblem& problem_;
@@ -111,8 +118,13 @@ class BodyRows : public ElasticRows {
   MatrixX square_, yy_, coupled_, mixed_, chain_square_, scaled_;
   KnotForces forces_;
   KnotFoot foot_;
-  mutable VectorX flat_, dense_, feet_;
+  mutable VectorX flat_, dense_, posture_;
 };
+
+/// Rows of distances of links are in dm, so that their multipliers are about as large as those of others.
+inline constexpr double kApartUnit = 10.0;
+/// Rows of feet are in cm, so that their multipliers are as large as those of others.
+inline constexpr double kFootUnit = 100.0;
 
 /// Tangential directions of a friction pyramid: inside the cone by 3.4 %.
 inline constexpr int kPyramidSides = 12;

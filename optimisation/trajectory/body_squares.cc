@@ -36,6 +36,16 @@ Index BodyRows::AddDense(std::size_t k, const VectorX& of_rows) const {
   return row;
 }
 
+/// What belongs to the posture rows of a knot, with a factor for those of points.
+VectorX BodyRows::OfPosture(std::size_t k, const VectorX& of_rows, double of_points) const {
+  const Knot& knot = knots_[k];
+  const auto count = [&](Kind kind) { return CountOf(knot, Asked(k), kind); };
+  VectorX of_posture(knot.posture.size());
+  of_posture << of_rows.segment(knot.row[kFeet], count(kFeet)), of_rows.segment(knot.row[kApart], count(kApart)),
+      of_points * of_rows.segment(knot.row[kPoint], count(kPoint));
+  return of_posture;
+}
+
 /// J^T * by of a knot's rows, by y.
 void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const {
   const Knot& knot = knots_[k];
@@ -51,7 +61,7 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
     dense_[6 + curve.motor] += curve.by_effort * by[row++];
   }
   g.noalias() = knot.D.transpose() * dense_;
-  g.head(n_).noalias() += knot.J.transpose() * by.segment(knot.row[kFeet], knot.feet.size());
+  if (knot.posture.size() > 0) g.head(n_).noalias() += knot.J.transpose() * OfPosture(k, by, share_[k]);
   row = first_curve;
   for (const MotorRows::Curve& curve : motors_.curves()) {
     if (row == knot.row[kRange]) break;
@@ -60,7 +70,7 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
     ++row;
   }
   for (Index i = 0; i < n_; ++i) {
-    g[i] += share_[k] * NearWeight(i) * by[knot.row[kNear] + i];
+    g[i] += share_[k] * NearWeight(k, i) * by[knot.row[kNear] + i];
     g[2 * n_ + i] += share_[k] * AccelerationWeight(i) * by[knot.row[kNearAcceleration] + i];
   }
   g.tail(knot.forces) += share_[k] * problem_.weights.force * by.segment(knot.row[kForce], knot.forces);
@@ -118,8 +128,10 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   scaled_ = dense_.cwiseSqrt().asDiagonal() * knot.D;
   square_.setZero(size, size);
   square_.selfadjointView<Eigen::Lower>().rankUpdate(scaled_.transpose());
-  if (knot.feet.size() > 0) {
-    scaled_ = weights.segment(knot.row[kFeet], knot.feet.size()).cwiseSqrt().asDiagonal() * knot.J;
+  if (knot.posture.size() > 0) {
+    VectorX of_posture = OfPosture(k, weights, 1.0);
+    of_posture.tail(CountOf(knot, asked, kPoint)).setConstant(share_[k] * share_[k]);
+    scaled_ = of_posture.cwiseSqrt().asDiagonal() * knot.J;
     square_.topLeftCorner(n_, n_).selfadjointView<Eigen::Lower>().rankUpdate(scaled_.transpose());
   }
   row = first_curve;
@@ -142,7 +154,7 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   }
   auto diagonal = square_.diagonal();
   for (Index i = 0; i < n_; ++i) {
-    diagonal[i] += std::pow(share_[k] * NearWeight(i), 2);
+    diagonal[i] += std::pow(share_[k] * NearWeight(k, i), 2);
     diagonal[2 * n_ + i] += std::pow(share_[k] * AccelerationWeight(i), 2);
   }
   diagonal.tail(knot.forces).array() += force_weight * force_weight;

@@ -59,12 +59,13 @@ class KnotModel {
   Vector6 LockedWrench(const Vector6& acceleration_W) const;
 
   const RobotModel& model() const { return model_; }
+  /// Poses and axes, after either call.
+  const DynamicsScratch& kinematics() const { return differentiated_ ? derivatives_.kinematics() : scratch_; }
 
  private:
   void AddContact(const KnotContact& contact, const Eigen::Ref<const VectorX>& forces_W, VectorX& needed) const;
   void AddContactDerivatives(const KnotContact& contact, const Eigen::Ref<const VectorX>& forces_W, Eigen::Index column,
                              KnotForces& result);
-  const DynamicsScratch& kinematics() const { return differentiated_ ? derivatives_.kinematics() : scratch_; }
   const std::vector<int>& ChainOf(int foot) const { return chain_[static_cast<std::size_t>(foot)]; }
 
   const RobotModel& model_;

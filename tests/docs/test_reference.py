@@ -20,7 +20,7 @@ DOCS = ROOT / "docs"
 SCHEMAS = sorted(path.stem for path in (DOCS / "schemas").glob("*.json"))
 BLOCKS = {"mine.yaml": "gaits", "stroll.yaml": "gaits", "parts.yaml": "sequence", "yard.yaml": "terrain",
           "porch.yaml": "terrain", "names.yaml": "columns", "steps.yaml": "footsteps", "measured.yaml": "start-posture",
-          "goat/robot.yaml": "robot-yaml", "parallel/robot.yaml": "robot-yaml", "stones.json": "task-plan", "zmp-rubric.yaml": "rubric", "stairs-rubric.yaml": "rubric"}
+          "goat/robot.yaml": "robot-yaml", "parallel/robot.yaml": "robot-yaml", "stones.json": "task-plan", "weights.yaml": "repair-weights", "zmp-rubric.yaml": "rubric", "stairs-rubric.yaml": "rubric"}
 
 
 def gaitwright(*arguments, folder, statuses=(0,)):

@@ -14,6 +14,7 @@
 #include "workflows/exchange/file_shapes.h"
 #include "workflows/formats/result_shapes_internal.h"
 #include "workflows/grade/rubric_shape.h"
+#include "workflows/repair/follow_weights_internal.h"
 #include "workflows/study/trial.h"
 #include "workflows/walk/walk.h"
 
@@ -50,6 +51,7 @@ std::vector<Document> Documents() {
       Made("policy-contract", "Contract of a learned policy", "policies.md", ContractShape()),
       Made("policy-commands", "Velocity commands of a learned policy", "policies.md", CommandsFileShape()),
       Made("start-posture", "Measured joint positions before the first command", "audit.md", StartPostureShape()),
+      Made("repair-weights", "Weights of a repair", "repair.md", FollowWeightsShape()),
       Made("footsteps", "Footsteps of another planner", "import.md", FootstepFileShape()),
       Made("columns", "Column names of another program's file", "import.md", ColumnNamesShape()),
       Made("options", "An option file", "tune.md", OptionsShape()),

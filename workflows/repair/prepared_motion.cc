@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "planning/terrain/load_terrain.h"
 #include "workflows/exchange/frame_motion_internal.h"
@@ -97,6 +98,17 @@ Result<SourceMotion> ReadSource(const RobotModel& model, RepairRequest& request)
   return SourceMotion{std::move(*table), text->Hash()};
 }
 
+std::optional<Failure> ReadWeights(const RobotModel& model, const std::string& file, PreparedMotion& prepared) {
+  if (file.empty()) return std::nullopt;
+  const Result<std::string> text = ReadFile(file);
+  if (!text) return text.failure();
+  Result<FollowWeights> weights = ReadFollowWeights(model, *text, file);
+  if (!weights) return weights.failure();
+  prepared.weights = std::move(*weights);
+  prepared.weights_hash = HexHash(*text);
+  return std::nullopt;
+}
+
 }  // namespace
 
 EvenMotion SmoothRows(const RobotModel& model, const EvenMotion& rows, double cutoff_hz) {
@@ -126,7 +138,8 @@ Result<PreparedMotion> ReadAndFind(const RobotModel& model, RepairRequest reques
   }
   Result<SourceMotion> source = ReadSource(model, request);
   if (!source) return source.failure();
-  PreparedMotion prepared{*request.ground, std::move(source->hash), {}, {}, {}};
+  PreparedMotion prepared{*request.ground, std::move(source->hash), {}, {}, {}, {}, {}, {}};
+  if (std::optional<Failure> failure = ReadWeights(model, request.weights_file, prepared)) return *failure;
   MotionFindings& findings = prepared.findings;
   findings.format = source->table.format;
   findings.rows = source->table.rows();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "workflows/repair/follow_weights_internal.h"
 #include "workflows/repair/repair_motion_internal.h"
 
 namespace gaitwright {
@@ -17,6 +18,8 @@ struct PreparedMotion {
   EvenMotion of_file;                  ///< with the contacts found
   std::optional<MotionPlan> as_it_is;  ///< the file's motion, if it passes its audit
   MotionFindings findings;
+  FollowWeights weights = {};
+  std::string weights_hash = {};                    ///< of their file; "" without one
   std::shared_ptr<const EvenMotion> original = {};  ///< positions of the file's motion, with the times of `rested`
 };
 

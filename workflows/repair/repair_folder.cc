@@ -150,10 +150,11 @@ Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest&
   RepairRequest repair = request.repair;
   for (const auto& [key, value] : TextsOf(repair.Fields())) contents += key + '=' + value + '\n';
   contents += repair.source.terrain + '\n' + request.out + '\n';
-  if (!repair.source.columns_file.empty()) {
-    const Result<std::string> columns = ReadFile(repair.source.columns_file);
-    if (!columns) return columns.failure();
-    contents += *columns;
+  for (const std::string& file : {repair.source.columns_file, repair.weights_file}) {
+    if (file.empty()) continue;
+    const Result<std::string> text = ReadFile(file);
+    if (!text) return text.failure();
+    contents += *text;
   }
   return fmt::format("repair {} {} {} clips {}{}{}", Version(), model.hash, clips.size(), HexHash(contents),
                      request.check ? " check" : "", request.plays ? " plays" : "");

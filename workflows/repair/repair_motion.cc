@@ -53,6 +53,7 @@ void SetGoal(MotionPlan& plan) {
 Provenance ProvenanceOf(RepairRequest request, const PreparedMotion& prepared) {
   Provenance provenance{Version(), "RepairMotion", {}, 0};
   provenance.options = {{"format", prepared.findings.format}, {"source_hash", prepared.source_hash}};
+  if (!prepared.weights_hash.empty()) provenance.options.emplace_back("weights_hash", prepared.weights_hash);
   const OptionTexts options = TextsOf(request.Fields());
   provenance.options.insert(provenance.options.end(), options.begin(), options.end());
   return provenance;
@@ -66,6 +67,16 @@ bool IsSound(const PreparedMotion& prepared, const PlanProof& proof) {
   return added == 0.0 && prepared.as_it_is && (!proof || proof(*prepared.as_it_is).stands);
 }
 
+/// Times of the file's motion for knots.
+std::vector<double> FileTimesOf(const RestedMotion& rested, const std::vector<double>& knots_s) {
+  std::vector<double> file_s;
+  for (const double knot_s : knots_s) {
+    const auto row = static_cast<std::size_t>(std::lround(knot_s / rested.motion.step_s));
+    file_s.push_back(rested.file_s[std::min(row, rested.file_s.size() - 1)]);
+  }
+  return file_s;
+}
+
 /// The plan near the clean motion, which is dropped unless parts of it may be slowed.
 Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, PreparedMotion& prepared,
                             FollowReport& report) {
@@ -75,7 +86,13 @@ Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& reques
                    request.source.options, {}, ignored);
   if (request.repair.stretch <= 1.0) prepared.findings.clean.motion = {};
   ReleaseFreedMemory();
-  Result<MotionPlan> followed = FollowMotion(model, reference, request.trajectory, FollowOf(model, request), &report);
+  FollowOptions follow = FollowOf(model, request);
+  if (!prepared.weights.ranges.empty()) {
+    follow.prepare = [&](BodyProblem& problem) {
+      SetWeights(prepared.weights, FileTimesOf(prepared.findings.rested, problem.time_s), problem);
+    };
+  }
+  Result<MotionPlan> followed = FollowMotion(model, reference, request.trajectory, follow, &report);
   if (followed) return followed;
   Failure failure = followed.failure();
   failure.stage = "RepairMotion";

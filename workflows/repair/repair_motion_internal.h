@@ -24,6 +24,7 @@ struct RepairRequest {
   ImportRequest source;
   std::optional<MotionTable> table = {};  ///< the motion, instead of the file of `source`
   std::optional<Terrain> ground = {};     ///< the ground; `source.terrain` is then only its name
+  std::string weights_file = {};          ///< file of ReadFollowWeights; "": the usual weights
   RepairOptions repair;
   TrajectoryOptions trajectory = {.knot_step_s = 0.01, .max_solves = 4, .max_iterations = 100};
   std::function<void(const FollowProgress&)> progress = {};

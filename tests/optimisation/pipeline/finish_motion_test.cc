@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/model/upper_body.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/plan_motion.h"
 #include "planning/audit/audit.h"
@@ -137,6 +138,26 @@ TEST(FinishMotion, SolesUseAQuarterOfTheirFrictionIfThatIsEnough) {
   ASSERT_TRUE(slippery.ok()) << slippery.failure().message;
   EXPECT_GT(LargestSlope(model, *slippery), 1.3 * kQuarter * before);
   ExpectSound(model, *slippery);
+}
+
+TEST(FinishMotion, TakesAnArmOutOfTheTrunk) {
+  const RobotModel& model = NamedRobot("nao");
+  MotionPlan plan = Planned(model, "walk", 0.05, 0.04);
+  const int dof = FindUpperBody(model).left_arm->dofs[1];  // of the shoulder, about the forward axis
+  const double length = plan.duration_s();
+  for (int row = 0; row < plan.whole_body.size(); ++row) {
+    const double share = row * plan.whole_body.step_s / length;
+    plan.whole_body.q[static_cast<std::size_t>(row)][7 + dof] -= 0.5 * std::pow(std::sin(3.14159265 * share), 2.0);
+  }
+  const Result<AuditReport> broken = Audit(model, plan, {});
+  ASSERT_TRUE(broken.ok());
+  EXPECT_TRUE(std::ranges::any_of(broken->violations,
+                                  [](const Violation& v) { return v.law == Law::kSelfCollision && v.value > 5e-3; }));
+  FinishReport report;
+  const Result<MotionPlan> finished = FinishMotion(model, plan, {.knot_step_s = 0.02}, 0.9, &report);
+  ASSERT_TRUE(finished.ok()) << finished.failure().message;
+  ExpectSound(model, *finished);
+  EXPECT_FALSE(report.apart.empty());
 }
 
 TEST(FinishMotion, NamesWhatForbidsAMotion) {

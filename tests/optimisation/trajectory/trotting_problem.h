@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -51,7 +53,7 @@ inline BodyProblem LiftingProblem(const RobotModel& model, int knots) {
 }
 
 /// A problem of one of kAnyRobots with something of everything (rolled spheres and tilted ground, losses and curves, a
-/// row that is left out), and random unknowns.
+/// row that is left out, links that are kept apart, points near places, weights by coordinate), and random unknowns.
 struct AnyProblem {
   explicit AnyProblem(const std::string& name) : model(AnyRobot(name)) {
     RandomState random(7);
@@ -74,11 +76,19 @@ struct AnyProblem {
         size += 3 * static_cast<Eigen::Index>(foot.contact.points_F.size());
     }
     problem.knots[2].pressing.front().axes_W = RotationExp({0.3, -0.1, 0.2});
+    problem.distances = &distances.emplace(model);
+    for (int pair = 0; pair < std::min(4, distances->num_pairs()); ++pair)
+      problem.knots[1].apart.push_back({pair, 0.1});
+    const int last = static_cast<int>(model.bodies.size()) - 1;
+    problem.knots[3].apart = {{distances->num_pairs() - 1, 0.05}};
+    problem.knots[3].points = {{last, {0.1, -0.2, 0.3}, {0.1, 0.0, 0.2}, false, 3.0}, {last, {}, {}, true, 0.5}};
+    problem.knots[3].near_scale = VectorX::Ones(model.nv()) + random.Vector(model.nv()).cwiseAbs();
     z = 0.3 * random.Vector(size);
   }
   AnyProblem(const AnyProblem&) = delete;  // the problem refers to the model
 
   RobotModel model;
+  std::optional<SelfDistance> distances;
   BodyProblem problem;
   VectorX z;
 };

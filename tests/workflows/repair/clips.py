@@ -238,6 +238,11 @@ def humanoid_clips(robot):
         left('shoulder', 'pitch'): 0.8 * math.sin(5 * t) * pulse(t, 0, 6), right('shoulder', 'pitch'): -0.8 * math.sin(5 * t) * pulse(t, 0, 6),
         left('shoulder', 'roll'): 0.5 * wave(t, 1.5) * pulse(t, 0, 6), right('shoulder', 'roll'): -0.5 * wave(t, 1.5) * pulse(t, 0, 6)}
     c.base = lambda t: np.array([0, 0.03 * math.sin(4 * t), -0.03 + 0.02 * math.cos(8 * t)]) * pulse(t, 0, 6)
+    c = add('arms_in_hips', 5.0)
+    c.joints = lambda t: {
+        left('shoulder', 'pitch'): 0.6 * math.sin(4 * t) * pulse(t, 0, 5), right('shoulder', 'pitch'): -0.6 * math.sin(4 * t) * pulse(t, 0, 5),
+        left('shoulder', 'roll'): -0.45 * pulse(t, 0, 5), right('shoulder', 'roll'): 0.45 * pulse(t, 0, 5),
+        left('elbow'): 0.2 * pulse(t, 0, 5), right('elbow'): 0.2 * pulse(t, 0, 5)}
     c = stepping(add('walk_floats'), 6, 0.3, 0, 0)
     c.offset = lambda t: np.array([0, 0, 0.02])
     c = stepping(add('walk_sinks'), 6, 0.3, 0, 0)

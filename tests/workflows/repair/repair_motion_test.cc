@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "kinematics/model/upper_body.h"
 #include "tests/scratch_folder.h"
 #include "tests/workflows/repair/standing_motion.h"
 #include "workflows/repair/repair_motion_internal.h"
@@ -58,6 +59,35 @@ TEST(RepairMotion, MakesASoundPlanOfAMotionThatFloatsAndSkates) {
     EXPECT_FALSE(json["before"]["violations"].empty());
     EXPECT_EQ(json["changes"][0]["what"], "lifted");
     EXPECT_NEAR(json["changes"][0]["by"].get<double>(), -0.02, 1e-4);
+  }
+}
+
+TEST(RepairMotion, TakesArmsOutOfTheTrunk) {
+  for (const char* name : {"h1", "nao"}) {
+    const RobotModel& model = NamedRobot(name);
+    EvenMotion motion = synthetic::Standing(model, 201);
+    const int dof = FindUpperBody(model).left_arm->dofs[1];  // of the shoulder, about the forward axis
+    for (int k = 0; k < motion.size(); ++k)
+      motion.q[static_cast<std::size_t>(k)][7 + dof] -= 0.5 * std::pow(std::sin(M_PI * k / 200.0), 2.0);
+    const RepairRequest request = RequestOf(synthetic::FramesOf(model, motion));
+    const auto repaired = RepairMotion(model, request);
+    ASSERT_TRUE(repaired.ok()) << repaired.failure().message;
+    ASSERT_TRUE(repaired->findings.before);
+    ASSERT_FALSE(repaired->findings.before->pass());
+    const Violation& worst = repaired->findings.before->violations.front();
+    EXPECT_EQ(worst.law, Law::kSelfCollision);
+    EXPECT_GT(worst.value, 5e-3) << "the arm is deep in the trunk";
+    EXPECT_TRUE(repaired->after.pass()) << AuditText(repaired->after);
+    ASSERT_FALSE(repaired->finished.apart.empty());
+    EXPECT_NE(repaired->finished.summary.find("kept apart: " + repaired->finished.apart.front()), std::string::npos);
+    EXPECT_LT(repaired->distance.joint_rms_rad, 0.1);
+
+    RepairRequest through = request;
+    through.trajectory.self_distance_m = 0.0;
+    const auto touching = RepairMotion(model, through);
+    ASSERT_TRUE(touching.ok()) << touching.failure().message;
+    EXPECT_FALSE(touching->after.pass()) << "without the distance the links touch";
+    EXPECT_TRUE(touching->finished.apart.empty());
   }
 }
 

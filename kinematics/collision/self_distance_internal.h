@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/collision/convex_distance_internal.h"
+#include "kinematics/dynamics/dynamics.h"
+
+namespace gaitwright {
+
+/// A pair of links whose shapes are near each other.
+struct NearPair {
+  int pair = 0;  ///< index, from 0 to SelfDistance::num_pairs()
+  double distance_m = 0.0;
+};
+
+/// Signed distances of the pairs of shapes that CollisionChecker checks, with gradients. Negative distances are depths
+/// of overlaps.
+class SelfDistance {
+ public:
+  /// The model must outlive this.
+  explicit SelfDistance(const RobotModel& model);
+
+  int num_pairs() const { return static_cast<int>(pairs_.size()); }
+  /// The links of a pair, such as "'left_hand' and 'left_hip'".
+  std::string NameOf(int pair) const;
+  /// Distance of a pair in the standing posture [m], positive.
+  double standing_m(int pair) const { return pairs_[Of(pair)].standing_m; }
+
+  /// Distance of a pair at the scratch's pose. Needs ForwardKinematics, and so do the functions below.
+  ConvexDistance At(int pair, const DynamicsScratch& scratch) const;
+
+  /// Adds a multiple of the derivative of a pair's distance along the directions of v:
+  ///   n . (J_B - J_A),   J of the witness points.
+  /// The columns of the base are zero, since the distance does not depend on the place of the robot.
+  /// @param gradient  size nv.
+  void AddGradient(int pair, const ConvexDistance& at, const DynamicsScratch& scratch, double multiple,
+                   Eigen::Ref<VectorX> gradient) const;
+
+  /// Pairs that are nearer than `within_m`, in order of their index. For motions: a pair is examined again only when
+  /// its shapes may have moved far enough, so that small changes of the pose are cheap; the result does not depend on
+  /// this.
+  const std::vector<NearPair>& Near(const DynamicsScratch& scratch, double within_m);
+
+ private:
+  struct Part {
+    double radius = 0.0;           // about the shape's origin
+    Pose X_BS = Pose::Identity();  // in the robot's base
+    double path_m = 0.0;           // bound on the path length of any of its points since the start
+  };
+  struct Pair {
+    int a = 0, b = 0;
+    double standing_m = 0.0;
+    double free_m;  // sum of the two paths up to which the distance is surely positive; less the depth of an overlap
+  };
+  static std::size_t Of(int i) { return static_cast<std::size_t>(i); }
+  const Shape& ShapeOf(int i) const { return model_.collision_shapes[Of(i)]; }
+  void Move(const DynamicsScratch& scratch);
+  void AddPointGradient(int body, const Vector3& p_WQ, const Vector3& along_W, const DynamicsScratch& scratch,
+                        Eigen::Ref<VectorX> gradient) const;
+
+  const RobotModel& model_;
+  std::vector<Part> parts_;  // by collision shape
+  std::vector<Pair> pairs_;
+  std::vector<NearPair> near_;
+};
+
+}  // namespace gaitwright

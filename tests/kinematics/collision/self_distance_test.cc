@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/collision/collision_checker.h"
+#include "kinematics/collision/self_distance_internal.h"
+#include "tests/kinematics/made_robots.h"
+#include "tests/optimisation/numerics/derivative_check.h"
+
+namespace gaitwright {
+namespace {
+
+/// A posture in which some links overlap and others are near.
+VectorX Tangled(const RobotModel& model, RandomState& random) {
+  VectorX q = random.Configuration(model);
+  for (int d = 0; d < model.num_dofs(); ++d) q[7 + d] = model.standing_joints[d] + 0.9 * random.Vector(1)[0];
+  return q;
+}
+
+class DistancesOfLinks : public testing::TestWithParam<const char*> {
+ protected:
+  RobotModel model_ = Robot(GetParam());
+  SelfDistance distances_{model_};
+  DynamicsScratch scratch_{model_};
+  RandomState random_{11};
+};
+
+TEST_P(DistancesOfLinks, HaveTheGradientOfFiniteDifferences) {
+  int overlaps = 0, apart = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const VectorX q = Tangled(model_, random_);
+    ForwardKinematics(model_, q, scratch_);
+    const std::vector<NearPair> near = distances_.Near(scratch_, 0.03);
+    ASSERT_FALSE(near.empty());
+    for (const NearPair& pair : near) (pair.distance_m < 0.0 ? overlaps : apart) += 1;
+    ExpectDerivative(
+        [&](const VectorX& along, VectorX& value, MatrixX* J) {
+          ForwardKinematics(model_, Moved(q, along, 1.0), scratch_);
+          value.resize(static_cast<Eigen::Index>(near.size()));
+          if (J != nullptr) J->setZero(value.size(), model_.nv());
+          for (Eigen::Index i = 0; i < value.size(); ++i) {
+            const int pair = near[static_cast<std::size_t>(i)].pair;
+            const ConvexDistance at = distances_.At(pair, scratch_);
+            value[i] = at.distance_m;
+            VectorX gradient = VectorX::Zero(model_.nv());
+            distances_.AddGradient(pair, at, scratch_, 1.0, gradient);
+            if (J != nullptr) J->row(i) = gradient.transpose();
+          }
+        },
+        VectorX::Zero(model_.nv()), 2e-4);
+  }
+  EXPECT_GT(overlaps, 10);
+  EXPECT_GT(apart, 5);
+}
+
+TEST_P(DistancesOfLinks, AreThoseThatTheCollisionCheckerFinds) {
+  CollisionChecker checker(model_);
+  EXPECT_EQ(checker.num_pairs(), distances_.num_pairs());
+  for (int trial = 0; trial < 20; ++trial) {
+    ForwardKinematics(model_, Tangled(model_, random_), scratch_);
+    std::vector<std::string> here, there;
+    for (const NearPair& pair : distances_.Near(scratch_, 0.0)) here.push_back(distances_.NameOf(pair.pair));
+    for (const Overlap& overlap : checker.Overlaps(scratch_))
+      there.push_back("'" + overlap.link_a + "' and '" + overlap.link_b + "'");
+    EXPECT_EQ(here, there);
+  }
+}
+
+TEST_P(DistancesOfLinks, DoNotDependOnWhatWasSeenBefore) {
+  std::size_t found = 0;
+  const VectorX from = StandingConfiguration(model_), to = Tangled(model_, random_);
+  for (int k = 0; k <= 40; ++k) {
+    VectorX q = from;
+    q.tail(model_.num_dofs()) += k / 40.0 * (to - from).tail(model_.num_dofs());
+    ForwardKinematics(model_, q, scratch_);
+    SelfDistance fresh(model_);
+    const std::vector<NearPair>&near = distances_.Near(scratch_, 0.02), &wanted = fresh.Near(scratch_, 0.02);
+    ASSERT_EQ(near.size(), wanted.size());
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      EXPECT_EQ(near[i].pair, wanted[i].pair);
+      EXPECT_EQ(near[i].distance_m, wanted[i].distance_m);
+    }
+    found += near.size();
+  }
+  EXPECT_GT(found, 0U);
+}
+
+TEST_P(DistancesOfLinks, ArePositiveAsTheRobotStands) {
+  for (int i = 0; i < distances_.num_pairs(); ++i) EXPECT_GT(distances_.standing_m(i), 0.0) << distances_.NameOf(i);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, DistancesOfLinks, testing::Values("a1", "nao", "h1"));
+
+}  // namespace
+}  // namespace gaitwright
