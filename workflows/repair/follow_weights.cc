@@ -8,6 +8,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/upper_body.h"
 #include "workflows/repair/follow_weights_internal.h"
+#include "workflows/repair/joint_groups_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -34,23 +35,6 @@ std::vector<ShapeMember> GroupMembers() {
   for (const WeightGroup& group : kWeightGroups)
     members.push_back(shapes::Optional(group.key, shapes::Number(0.0, kLargestWeight), group.meaning));
   return members;
-}
-
-/// Groups of joints, by independent joint.
-std::vector<std::string> GroupsOfJoints(const RobotModel& model, const UpperBody& upper) {
-  std::vector<std::string> groups(static_cast<std::size_t>(model.num_dofs()), "torso");
-  const auto set = [&](int dof, const char* group) { groups[static_cast<std::size_t>(dof)] = group; };
-  for (const std::optional<Limb>* arm : {&upper.left_arm, &upper.right_arm}) {
-    if (!*arm) continue;
-    for (const int dof : (*arm)->dofs) set(dof, "arms");
-  }
-  if (upper.head) {
-    for (const int dof : upper.head->dofs) set(dof, "head");
-  }
-  for (const Leg& leg : model.legs) {
-    for (const int joint : leg.joints) set(model.joints[static_cast<std::size_t>(joint)].dof, "legs");
-  }
-  return groups;
 }
 
 /// The groups that a robot has.

@@ -4,30 +4,22 @@
 #include <utility>
 
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/model/body_tree.h"
 #include "kinematics/model/upper_body.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/sample_plan.h"
+#include "workflows/repair/joint_groups_internal.h"
 #include "workflows/repair/motion_distance_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr char kLegs[] = "legs", kArms[] = "arms", kRest[] = "torso_and_head";
+constexpr char kRest[] = "torso_and_head";
 
-/// The group of each independent joint.
-std::vector<std::string> GroupsOfJoints(const RobotModel& model, const UpperBody& upper) {
-  std::vector<std::string> groups(static_cast<std::size_t>(model.num_dofs()), kRest);
-  for (const bool left : {true, false}) {
-    if (!upper.arm(left)) continue;
-    const int root = model.dof_joint[static_cast<std::size_t>(upper.arm(left)->dofs.front())] + 1;
-    for (std::size_t d = 0; d < groups.size(); ++d) {
-      if (Carries(model, root, model.dof_joint[d] + 1)) groups[d] = kArms;
-    }
-  }
-  for (const Leg& leg : model.legs) {
-    for (const int joint : leg.joints)
-      groups[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof)] = kLegs;
+/// The groups by which joints are compared.
+std::vector<std::string> ComparedGroups(const RobotModel& model, const UpperBody& upper) {
+  std::vector<std::string> groups = GroupsOfJoints(model, upper);
+  for (std::string& group : groups) {
+    if (group != kLegJoints && group != kArmJoints) group = kRest;
   }
   return groups;
 }
@@ -100,8 +92,8 @@ class GroupTallies {
   explicit GroupTallies(const RobotModel& model)
       : model_(model), of_file_(model), of_plan_(model), base_("base", "m"), hands_("hands", "m"), feet_("feet", "m") {
     const UpperBody upper = FindUpperBody(model);
-    const std::vector<std::string> groups = GroupsOfJoints(model, upper);
-    for (const char* name : {kLegs, kArms, kRest}) {
+    const std::vector<std::string> groups = ComparedGroups(model, upper);
+    for (const char* name : {kLegJoints, kArmJoints, kRest}) {
       if (std::find(groups.begin(), groups.end(), name) != groups.end()) joints_.emplace_back(name, "rad");
     }
     for (const std::string& group : groups) {
