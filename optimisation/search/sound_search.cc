@@ -146,10 +146,13 @@ double LargestFinished(const SearchProblem& problem, double known, Evaluator& ev
   for (int i = 0; i < kTrials; ++i) {
     const double middle = TowardsZero(std::min(kGrowth * low, std::sqrt(low * high)), 2);
     if (middle <= low) break;
-    const bool sound = std::any_of(soles.begin(), soles.end(), [&](const Variation& v) {
-      const Candidate candidate{middle, 0, v.flight, false, true, v.heel_off_rad};
-      return evaluator.Evaluate(candidate, Effort::kStart).sound();
-    });
+    // Without this the walk would be refused before the whole body is tried, see FindSound.
+    const Evaluation passes = evaluator.Evaluate({middle}, Effort::kStart);
+    const bool tried = passes.sound() || IsOfJoints(*passes.refusal);
+    const bool sound = tried && std::any_of(soles.begin(), soles.end(), [&](const Variation& v) {
+                         const Candidate candidate{middle, 0, v.flight, false, true, v.heel_off_rad};
+                         return evaluator.Evaluate(candidate, Effort::kStart).sound();
+                       });
     (sound ? low : high) = middle;
     if (sound) best = middle;
   }

@@ -15,7 +15,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kSameKnot = 1e-9;    // [s]
-constexpr double kStanceTilt = 5e-4;  // [rad] of soles without ankle roll: with more they would stand on an edge
+constexpr double kStanceTilt = 1e-3;  // [rad] of soles without ankle roll: with more they would stand on an edge
 
 /// Rows of a foot's position along the heading's axes, and of its rotation along its own.
 MatrixX FootRowsOf(const RobotModel& model, const DynamicsScratch& scratch, int foot) {
