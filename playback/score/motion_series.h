@@ -52,7 +52,8 @@ struct MotionSeries {
 /// The force of a log sample is a mean over the preceding interval. Therefore scheduled feet and planned forces are
 /// taken at the middle of that interval, postures and velocities at its end. The planned ZMP follows from the plan's
 /// own q, v, a by inverse dynamics, the measured one from contact impulses. Both pass the same first-order low-pass, y
-/// += (1 - exp(-dt / zmp_filter_s)) (x - y), which restarts after samples without a ZMP.
+/// += (1 - exp(-dt / zmp_filter_s)) (x - y), which restarts after samples without a ZMP
+/// and where the support changes.
 /// @throws InvalidArgument if the plan has no rows or a vector of plan or log does not fit the model.
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                               const ScoreOptions& options);
