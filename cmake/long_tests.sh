@@ -67,7 +67,7 @@ fuzz_reader() {
   rm -rf "$corpus"
   mkdir -p "$corpus" "$found"
   "$bin/fuzz_$1" "$2" --write "$corpus" &&
-    "$bin/libfuzzer_$1" "--reader=$2" "$corpus" "-runs=$3" -seed=1 -max_len=65536 -timeout=20 -rss_limit_mb=4096 \
+    "$bin/libfuzzer_$1" "--reader=$2" "$corpus" "-runs=$3" -seed=1 -max_len=65536 -timeout=60 -rss_limit_mb=4096 \
       -print_final_stats=1 "-artifact_prefix=$found/$2-" >"$logs/fuzzing-$1-$2.log" 2>&1 &&
     echo "$2: passed, $3 inputs" || echo "$2: failed, see $logs/fuzzing-$1-$2.log"
 }
