@@ -40,6 +40,9 @@ struct ConstrainedProblem {
   std::vector<Residual> residuals;
   std::vector<Constraint> constraints;
   VectorX lower, upper;  ///< bounds; empty for none
+  /// Of a similar problem that was solved before, as in ConstrainedSolution, from which SolveElastic starts; empty:
+  /// none.
+  VectorX start_multipliers = {};
 };
 
 /// Tuning

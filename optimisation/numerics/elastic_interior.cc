@@ -21,7 +21,6 @@ struct Side {
   double sign, bound;
 };
 
-/// An equality row.
 struct Fixed {
   Index row;
   double bound;
@@ -47,7 +46,7 @@ struct Move {
 ///   y      multipliers of equality rows
 class ElasticSolver {
  public:
-  ElasticSolver(ElasticRows& rows, const VectorX& start, const ElasticOptions& options)
+  ElasticSolver(ElasticRows& rows, const ElasticStart& start, const ElasticOptions& options)
       : options_(options), rows_(rows), penalty_(options.penalty) {
     for (Index row = rows_.residuals(); row < rows_.count(); ++row) {
       const RowBounds bounds = rows_.BoundsOf(row);
@@ -58,10 +57,10 @@ class ElasticSolver {
       if (std::isfinite(bounds.upper)) sides_.push_back({row, 1.0, bounds.upper});
       if (std::isfinite(bounds.lower)) sides_.push_back({row, -1.0, bounds.lower});
     }
-    const auto n = static_cast<Index>(sides_.size()), m = static_cast<Index>(fixed_.size());
-    at_ = step_ = {start, VectorX::Zero(n), VectorX::Zero(n), VectorX::Zero(m), VectorX::Zero(n)};
-    c_ = VectorX::Zero(m);
-    h_ = wanted_s_ = wanted_t_ = VectorX::Zero(n);
+    c_ = VectorX::Zero(static_cast<Index>(fixed_.size()));
+    h_ = wanted_s_ = wanted_t_ = VectorX::Zero(static_cast<Index>(sides_.size()));
+    at_ = step_ = {start.x, h_, h_, c_, h_};
+    if (start.multipliers.size() == rows_.count() - rows_.residuals()) known_ = start.multipliers;
   }
 
   Result<ConstrainedSolution> Run();
@@ -70,6 +69,9 @@ class ElasticSolver {
  private:
   void Evaluate(const VectorX& x);
   void Start();
+  void StartAtMultipliers();
+  void StartSides(double room, double gap);
+  bool IsHopeless() const;
   void Measure();
   void Finish();
   bool Settled();
@@ -119,12 +121,12 @@ class ElasticSolver {
   ElasticRows& rows_;
   std::vector<Side> sides_;
   std::vector<Fixed> fixed_;
+  VectorX known_;  // multipliers of a problem that was solved before, or empty
   Move at_, step_;
-  VectorX gradient_, c_, h_, wanted_s_, wanted_t_, moved_;  // wanted: products of s and z, t and w
+  VectorX gradient_, c_, h_, merit_y_, wanted_s_, wanted_t_, moved_;  // wanted: products of s and z, t and w
   double half_cost_ = 0.0, last_total_ = std::numeric_limits<double>::infinity();
-  double penalty_, mean_ = 0.0;  // mean_: target of the products
-  bool yields_ = false;          // see EqualityMerit; merit_y_: their multipliers at the start of the step
-  VectorX merit_y_;
+  double penalty_, mean_ = 0.0;              // mean_: target of the products
+  bool yields_ = false;                      // see EqualityMerit; merit_y_: their multipliers at the start of the step
   double weight_ = 1.0, damping_ = kLittle;  // weight_: of the equality violations in the merit function
   static constexpr double kLittle = 1e-8, kKeep = 0.99;
   ConstrainedSolution solution_;
@@ -141,7 +143,7 @@ void ElasticSolver::Evaluate(const VectorX& x) {
 
 /// @throws InvalidArgument if a function is not finite.
 void ElasticSolver::Start() {
-  constexpr double kRoom = 1e-2;
+  constexpr double kRoom = 1e-2, kWarmRoom = 1e-5, kWarmGap = 1e-4;
   Evaluate(at_.x);
   for (Index row = 0; row < rows_.count(); ++row) {
     if (std::isfinite(rows_.value()[row])) continue;
@@ -150,11 +152,39 @@ void ElasticSolver::Start() {
             ? "SolveElastic: a residual is not finite at the start"
             : fmt::format("SolveElastic: constraint '{}' is not finite at the start", rows_.NameOf(row)));
   }
-  for (Index i = 0; i < h_.size(); ++i) {
-    at_.t[i] = std::max(h_[i], 0.0) + kRoom;
-    at_.s[i] = at_.t[i] - h_[i];
-    at_.z[i] = std::min(options_.first_gap / at_.s[i], 0.5 * penalty_);
+  if (known_.size() > 0) StartAtMultipliers();
+  known_.size() > 0 ? StartSides(kWarmRoom, kWarmGap) : StartSides(kRoom, options_.first_gap);
+}
+
+void ElasticSolver::StartAtMultipliers() {
+  constexpr double kMost = 0.95;  // of the penalty weight
+  const Index first = rows_.residuals();
+  double largest = 0.0;  // which the penalty weight must exceed
+  for (const Side& side : sides_) largest = std::max(largest, 0.5 * std::abs(known_[side.row - first]));
+  while (penalty_ <= largest && penalty_ < options_.max_penalty)
+    penalty_ = std::min(10.0 * penalty_, options_.max_penalty);
+  for (std::size_t i = 0; i < fixed_.size(); ++i) at_.y[static_cast<Index>(i)] = 0.5 * known_[fixed_[i].row - first];
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    at_.z[static_cast<Index>(i)] =
+        std::clamp(0.5 * sides_[i].sign * known_[sides_[i].row - first], 0.0, kMost * penalty_);
   }
+}
+
+/// Slacks with some room, and multipliers of at least a product with these.
+void ElasticSolver::StartSides(double room, double gap) {
+  for (Index i = 0; i < h_.size(); ++i) {
+    at_.t[i] = std::max(h_[i], 0.0) + room;
+    at_.s[i] = at_.t[i] - h_[i];
+    at_.z[i] = std::max(at_.z[i], std::min(gap / at_.s[i], 0.5 * penalty_));
+  }
+}
+
+/// The early check for infeasibility. A solve that is far from it is ended halfway to the check.
+bool ElasticSolver::IsHopeless() const {
+  constexpr double kFar = 100.0;
+  const double most = options_.infeasible * (solution_.iterations < options_.screening ? kFar : 1.0);
+  return 2 * solution_.iterations >= options_.screening && solution_.violations > most &&
+         solution_.violation > options_.infeasible_largest;
 }
 
 void ElasticSolver::Measure() {
@@ -231,7 +261,7 @@ void ElasticSolver::Solve() {
   }
 }
 
-/// Mehrotra's predictor and corrector: the step to zero products gives the new target and a second-order correction.
+/// Mehrotra's predictor and corrector. Products fall no faster than errors of equalities: steps would become short.
 void ElasticSolver::FindStep() {
   Factor();
   wanted_s_.setZero();
@@ -242,7 +272,7 @@ void ElasticSolver::FindStep() {
   const double mean = Mean(Gap(0.0, 0.0)), after = Mean(Gap(primal, dual));
   constexpr double kLeast = 0.02, kSecond = 10.0;
   mean_ = mean * std::clamp(std::pow(after / mean, 3.0), kLeast, 1.0);
-  mean_ = std::max(mean_, Mean(1e-3 * options_.cost_tolerance * (1e-3 + half_cost_)));
+  mean_ = std::max({mean_, Mean(1e-3 * options_.cost_tolerance * (1e-3 + half_cost_)), Mean(c_.lpNorm<1>())});
   const double most = kSecond * mean_;
   const VectorX of_s = (primal * dual * step_.s.cwiseProduct(step_.z)).cwiseMax(-most).cwiseMin(most);
   const VectorX of_t = (primal * dual * step_.t.cwiseProduct(step_.z)).cwiseMax(-most).cwiseMin(most);
@@ -272,9 +302,8 @@ double ElasticSolver::Bend(const Move& from, double share) {
 
 /// Takes the largest step for which s, t and multipliers stay positive and the merit function falls.
 void ElasticSolver::TakeStep() {
-  constexpr double kEnough = 1e-4, kRound = 1e-10;
+  constexpr double kEnough = 1e-4, kRound = 1e-10, kMost = 0.5;  // kMost: of errors of equalities that may stay
   constexpr int kMostHalvings = 8;
-  constexpr double kMost = 0.5;  // of the equalities' errors that a step may leave
   const double remaining = RemainingErrors(), equalities = c_.lpNorm<1>(), unbalanced = UnbalancedSides();
   yields_ = remaining > kMost * equalities;
   merit_y_ = at_.y;
@@ -334,7 +363,7 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
       last_total_ = std::numeric_limits<double>::infinity();
     }
     if (solution_.iterations == options_.max_iterations) break;
-    if (solution_.iterations >= options_.screening && solution_.violations > options_.infeasible) break;
+    if (IsHopeless()) break;
     FindStep();
     TakeStep();
   }
@@ -358,28 +387,8 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
 
 }  // namespace
 
-OptionFields ElasticOptions::Fields() {
-  return {
-      {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
-      {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
-       "Relative change of the cost below which the solve has converged."},
-      {"penalty", &penalty, "1", 1e-6, 1e9,
-       "Initial penalty weight on constraint violation, in units of half the cost."},
-      {"max_penalty", &max_penalty, "1", 1e-6, 1e9,
-       "Maximum penalty weight on constraint violation, in units of half the cost."},
-      {"first_gap", &first_gap, "1", 1e-12, 1e3,
-       "Initial barrier parameter: product of the distance to a bound and its multiplier."},
-      {"give", &give, "1", 1e-14, 1.0,
-       "Regularisation of equalities in a step: change of an equality for a unit change of its multiplier."},
-      {"screening", &screening, "1", 1, 10000,
-       "Iterations of the early infeasibility check: after these the solve stops if violations exceed `infeasible`."},
-      {"infeasible", &infeasible, "1", 0.0, 1e12,
-       "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
-      {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
-}
-
-Result<ConstrainedSolution> SolveElasticRows(ElasticRows& rows, const VectorX& start, const ElasticOptions& options,
-                                             ConstrainedSolution* last) {
+Result<ConstrainedSolution> SolveElasticRows(ElasticRows& rows, const ElasticStart& start,
+                                             const ElasticOptions& options, ConstrainedSolution* last) {
   ElasticOptions checked = options;
   CheckOptions(checked.Fields());
   ElasticSolver solver(rows, start, checked);

@@ -18,6 +18,7 @@ struct ElasticOptions {
   double give = 1e-8;
   int screening = 60;
   double infeasible = 1e12;
+  double infeasible_largest = 0.0;
   int max_iterations = 100;
 
   OptionFields Fields();
@@ -32,8 +33,9 @@ struct ElasticOptions {
 /// Each step solves Newton's equations with the squares of the Jacobians for curvature, twice with one factorisation
 /// (Mehrotra's predictor and corrector), and is shortened until a merit function falls. If it converges with violated
 /// constraints, the penalty weight is raised tenfold up to max_penalty. Failure kInfeasible names the most violated
-/// constraint and the amount, or that the cost does not converge. @throws InvalidArgument as Solve does, and for
-/// bounds, which must be given as constraints. Nocedal and Wright, Numerical Optimization, 2006, chapters 17.2 and 19.
+/// constraint and the amount, or that the cost does not converge. With multipliers at the start, products begin small,
+/// and the penalty weight above all multipliers. @throws InvalidArgument as Solve does, and for bounds, which must be
+/// given as constraints. Nocedal and Wright, Numerical Optimization, 2006, chapters 17.2 and 19.
 /// @param last  if given: the last iterate, also if it is not a solution; `outer` counts the penalty weights.
 Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options = {},
                                          ConstrainedSolution* last = nullptr);

@@ -38,13 +38,36 @@ class RowsOfProblem : public ElasticRows {
 
 }  // namespace
 
+OptionFields ElasticOptions::Fields() {
+  return {
+      {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest constraint violation that is accepted."},
+      {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0,
+       "Relative change of the cost below which the solve has converged."},
+      {"penalty", &penalty, "1", 1e-6, 1e9,
+       "Initial penalty weight on constraint violation, in units of half the cost."},
+      {"max_penalty", &max_penalty, "1", 1e-6, 1e9,
+       "Maximum penalty weight on constraint violation, in units of half the cost."},
+      {"first_gap", &first_gap, "1", 1e-12, 1e3,
+       "Initial barrier parameter: product of the distance to a bound and its multiplier."},
+      {"give", &give, "1", 1e-14, 1.0,
+       "Regularisation of equalities in a step: change of an equality for a unit change of its multiplier."},
+      {"screening", &screening, "1", 1, 10000,
+       "Iterations of the early infeasibility check: after these the solve stops if violations exceed `infeasible`, "
+       "after half of them if they exceed 100 times as much."},
+      {"infeasible", &infeasible, "1", 0.0, 1e12,
+       "Sum of constraint violations above which a solve is stopped as infeasible after `screening` iterations."},
+      {"infeasible_largest", &infeasible_largest, "1", 0.0, 1e12,
+       "Largest violation that the early infeasibility check lets pass."},
+      {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
+}
+
 Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options,
                                          ConstrainedSolution* last) {
   CheckConstrainedProblem(problem);
   if (problem.lower.size() + problem.upper.size() > 0)
     throw InvalidArgument("SolveElastic: bounds are not supported; give them as constraints");
   RowsOfProblem rows(problem);
-  return SolveElasticRows(rows, problem.start, options, last);
+  return SolveElasticRows(rows, {problem.start, problem.start_multipliers}, options, last);
 }
 
 }  // namespace gaitwright

@@ -44,8 +44,15 @@ class ElasticRows {
   virtual VectorX Solved(const VectorX& right) const = 0;
 };
 
+/// Where a solve starts: a point and, if a similar problem was solved before, its multipliers. A warm start, with both,
+/// begins close to complementarity and takes a few steps.
+struct ElasticStart {
+  VectorX x;
+  VectorX multipliers = {};  ///< as in ConstrainedSolution; empty, or of another number of rows: not known
+};
+
 /// SolveElastic of such rows.
-Result<ConstrainedSolution> SolveElasticRows(ElasticRows& rows, const VectorX& start, const ElasticOptions& options,
-                                             ConstrainedSolution* last = nullptr);
+Result<ConstrainedSolution> SolveElasticRows(ElasticRows& rows, const ElasticStart& start,
+                                             const ElasticOptions& options, ConstrainedSolution* last = nullptr);
 
 }  // namespace gaitwright

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/apart_pairs_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
+#include "optimisation/pipeline/press_soles_internal.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
 #include "optimisation/trajectory/motor_rows_internal.h"
 #include "planning/footsteps/ways_to_standing_internal.h"
@@ -19,11 +19,13 @@ namespace {
 
 constexpr double kViolation = 1e-5;       // [m g, rad, m] that constraints at knots may be off by
 constexpr double kGive = 1e-6;            // see ElasticOptions
+constexpr double kPenalty = 100.0;        // the same: above the multipliers of most motions
 constexpr int kScreening = 20;            // iterations after which a solve ends if the violations
-constexpr double kFar = 0.3;              // sum to more than this
+constexpr double kFar = 0.3;              // sum to more than this,
+constexpr double kFarLargest = 5e-3;      // and one of them is larger than this
 constexpr int kScreeningOfHeels = 40;     // of plans with heel-off, which need more iterations
 constexpr double kFinestRows = 1e-3;      // [s] of a row's step
-constexpr double kSparedFriction = 0.25;  // share of soles' friction that is used if possible
+constexpr double kFollowedShare = 0.5;    // see SoleMargin
 constexpr double kRolledAside = 1e-4;     // [m] that feet may be off where they roll to
 constexpr double kBesideStanding = 2e-4;  // [m] from places of the standing posture at the end
 
@@ -35,50 +37,6 @@ FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use)
   for (double* weight : {&w.base_position, &w.base_rotation, &w.joint}) *weight *= options.near;
   w.effort = options.effort;
   return settings;
-}
-
-/// Moves the points at which soles press inward, see FollowOptions.
-void KeepFromEdges(double margin_m, BodyProblem& problem) {
-  constexpr double kMost = 0.5;
-  for (BodyKnot& knot : problem.knots) {
-    for (PressingFoot& foot : knot.pressing) {
-      std::vector<Vector3>& points = foot.contact.points_F;
-      Vector3 low = points.front(), high = low;
-      for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-      const Vector3 middle = 0.5 * (low + high), half = 0.5 * (high - low);
-      for (Vector3& p : points) {
-        for (Eigen::Index i = 0; i < 2; ++i) {
-          if (half[i] > 0.0) p[i] = middle[i] + (p[i] - middle[i]) * (1.0 - std::min(kMost, margin_m / half[i]));
-        }
-      }
-    }
-  }
-}
-
-/// Whether a motion with little friction may exist near a plan: optimisation halves the horizontal forces at most.
-bool MaySpareSoles(const RobotModel& model, const MotionPlan& plan, double friction_use) {
-  constexpr double kLoaded = 0.3;  // of the weight: with a smaller load no direction matters
-  constexpr double kLess = 0.5;    // of the horizontal force
-  if (!std::ranges::any_of(model.feet, [](const Foot& foot) { return foot.has_sole(); })) return false;
-  double friction = std::numeric_limits<double>::infinity();
-  for (const Foothold& foothold : plan.footsteps.footholds)
-    friction = std::min(friction, kSparedFriction * friction_use * FrictionOf(plan.terrain, foothold.patch));
-  return std::ranges::all_of(plan.whole_body.wrenches, [&](const std::vector<ContactWrench>& wrenches) {
-    Vector3 sum_W = Vector3::Zero();
-    for (const ContactWrench& wrench : wrenches) sum_W += wrench.force_W;
-    return sum_W.z() < kLoaded * model.weight_n() || kLess * sum_W.head<2>().norm() <= friction * sum_W.z();
-  });
-}
-
-/// Lowers the friction of soles. What limits it is the moment about their normals: on bumps a sole touches at few
-/// points close to each other, and turns long before it slides.
-void SpareSoles(BodyProblem& problem) {
-  constexpr std::size_t kSole = 3;  // points
-  for (BodyKnot& knot : problem.knots) {
-    for (PressingFoot& foot : knot.pressing) {
-      if (foot.contact.points_F.size() >= kSole) foot.friction *= kSparedFriction;
-    }
-  }
 }
 
 /// Solves over knots until the motion balances between them, and brings plan and rolls along.
@@ -182,13 +140,12 @@ MatrixX Finisher::FirstPoints(const BodyProblem& problem) const {
 }
 
 ElasticOptions Finisher::Elastic() const {
-  ElasticOptions elastic;
-  elastic.tolerance = kViolation;
-  elastic.cost_tolerance = 2e-3;
+  ElasticOptions elastic{.tolerance = kViolation, .cost_tolerance = 2e-3, .penalty = kPenalty, .give = kGive};
   elastic.max_iterations = options_.max_iterations;
-  elastic.screening = follow_ != nullptr ? options_.max_iterations : raises_heels_ ? kScreeningOfHeels : kScreening;
+  if (follow_ != nullptr) return elastic;
+  elastic.screening = raises_heels_ ? kScreeningOfHeels : kScreening;
   elastic.infeasible = kFar;
-  elastic.give = kGive;
+  elastic.infeasible_largest = kFarLargest;
   return elastic;
 }
 
@@ -300,20 +257,20 @@ bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double en
 Result<MotionPlan> Finisher::Run() {
   BodyProblem problem = ProblemOf(model_, plan_, courses_, knots_s_, settings_);
   problem.knots.front().pins_place = follow_ == nullptr;
-  std::vector<std::vector<PressingFoot>> to_edges;
-  for (const BodyKnot& knot : problem.knots) to_edges.push_back(knot.pressing);
-  if (follow_ != nullptr) KeepFromEdges(follow_->sole_margin_m, problem);
+  PressingByKnot to_edges = PressingOf(problem);
+  KeepFromEdges(follow_ == nullptr ? SoleMargin{} : SoleMargin{follow_->sole_margin_m, kFollowedShare}, problem);
   if (follow_ != nullptr && follow_->prepare) follow_->prepare(problem);
   motion_ = {FirstPoints(problem), FirstForces(model_, finished_, problem)};
   windows_ = {{0, static_cast<int>(knots_s_.size()) - 1, problem.use}};
   if (follow_ != nullptr) windows_ = WindowsOf(problem, follow_->windows);
+  PressingByKnot inside = PressingOf(problem);
   if (follow_ == nullptr && MaySpareSoles(model_, plan_, settings_.friction_use)) {
     windows_.front().spares_soles = true;
     SpareSoles(problem);
   }
   constexpr double kCoarse = 4e-3;  // [s]
   if (apart_) apart_->Watch(plan_.whole_body, problem, kCoarse);
-  WindowSolver solver(Elastic(), std::move(to_edges));
+  WindowSolver solver(Elastic(), {std::move(inside), std::move(to_edges)});
   PlanResidual residual;
   for (report_.solves = 1;; ++report_.solves) {
     SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, problem);

@@ -11,8 +11,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kGoodEnough = 1e-4;  // [m g, rad, m] of a solve that was ended by its iterations
-constexpr double kLongest = 3.5;      // of a window that was joined with those before it, in their usual length
+constexpr double kGoodEnough = 1e-4;    // [m g, rad, m] of a solve that was ended by its iterations
+constexpr double kFarFromSole = 100.0;  // times what is infeasible: too far for the friction that soles spared
+constexpr double kFarFromRoom = 10.0;   // the same, for the room
+constexpr double kLongest = 3.5;        // of a window that was joined with those before it, in their usual length
 
 std::size_t Of(int knot) { return static_cast<std::size_t>(knot); }
 
@@ -51,22 +53,28 @@ std::vector<KnotWindow> WindowsOf(const BodyProblem& problem, const WindowOption
   return windows;
 }
 
-/// Lets soles use all that they have. Where the window begins, forces were found before.
+/// Where the window begins, forces were found before.
+void WindowSolver::Press(const PressingByKnot& pressing, const KnotWindow& window, BodyProblem& problem) {
+  for (int k = window.first == 0 ? 0 : window.first + 1; k <= window.last; ++k)
+    problem.knots[Of(k)].pressing = pressing[Of(k)];
+}
+
+/// Lets soles use all of their friction.
 void WindowSolver::UseSoles(BodyProblem& problem, KnotWindow& window) const {
   window.spares_soles = false;
-  for (int k = window.first == 0 ? 0 : window.first + 1; k <= window.last; ++k)
-    problem.knots[Of(k)].pressing = to_edges_[Of(k)];
+  Press(soles_.inside, window, problem);
 }
 
 /// Gives up the room that controllers would like to have.
 void WindowSolver::UseAll(BodyProblem& problem, KnotWindow& window) const {
   window.keeps_room = false;
   window.use = kFullUse;
-  UseSoles(problem, window);
+  window.spares_soles = false;
+  Press(soles_.to_edges, window, problem);
 }
 
-std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const ChainSpline& spline,
-                                              const KnotWindow& window, BodyMotion& motion) {
+std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const ChainSpline& spline, KnotWindow& window,
+                                              BodyMotion& motion) {
   const int knots = window.last - window.first + 1;
   const bool whole = knots == static_cast<int>(problem.time_s.size());
   BodyProblem part = whole ? problem : WindowOf(problem, spline, motion.points, window.first, window.last);
@@ -86,9 +94,10 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
   BodyRows rows(part, start);
   ConstrainedSolution last;
   const CpuClock clock;
-  const Result<ConstrainedSolution> solved = SolveElasticRows(rows, start, elastic_, &last);
+  const Result<ConstrainedSolution> solved = SolveElasticRows(rows, {start, window.multipliers}, elastic_, &last);
   work_.cpu_s += clock.elapsed_s();
   work_.iterations += last.iterations;
+  violations_ = last.violations;
   work_.variables = std::max(work_.variables, static_cast<int>(size));
   if (!solved && last.violation > kGoodEnough) {
     Failure failure = solved.failure();
@@ -98,6 +107,7 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
     failure.message = fmt::format("the whole body cannot follow this plan: {}", failure.message);
     return failure;
   }
+  window.multipliers = std::move(last.multipliers);
   // At the seam the points stay exactly as they were.
   const int given = part.knots.front().is_given ? 3 : 0;
   motion.points.middleCols(window.first + given, knots + 2 - given) =
@@ -113,11 +123,11 @@ std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<Kno
   const int usual = windows.front().last - windows.front().first;
   for (std::size_t i = 0; i < windows.size();) {
     std::optional<Failure> failure = SolveOne(problem, spline, windows[i], motion);
-    if (failure && windows[i].spares_soles) {
+    if (failure && windows[i].spares_soles && violations_ < kFarFromSole * elastic_.infeasible) {
       UseSoles(problem, windows[i]);
       failure = SolveOne(problem, spline, windows[i], motion);
     }
-    if (failure && windows[i].keeps_room) {
+    if (failure && windows[i].keeps_room && violations_ < kFarFromRoom * elastic_.infeasible) {
       UseAll(problem, windows[i]);
       failure = SolveOne(problem, spline, windows[i], motion);
     }
@@ -130,6 +140,7 @@ std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<Kno
     if (i == 0 || windows[i].last - windows[i - 1].first > kLongest * usual) return failure;
     // Joined with the window before it, which is solved once more, from its own seam on.
     windows[i - 1].last = windows[i].last;
+    windows[i - 1].multipliers.resize(0);
     windows.erase(windows.begin() + static_cast<std::ptrdiff_t>(i));
     --i;
     if (windows[i].keeps_room) UseAll(problem, windows[i]);

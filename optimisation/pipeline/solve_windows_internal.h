@@ -8,6 +8,7 @@
 
 #include "kinematics/base/result.h"
 #include "optimisation/numerics/elastic_interior.h"
+#include "optimisation/pipeline/press_soles_internal.h"
 #include "optimisation/trajectory/body_problem_internal.h"
 
 namespace gaitwright {
@@ -24,6 +25,7 @@ struct KnotWindow {
   BodyLimitUse use;
   bool keeps_room = true;     ///< keeps the room that controllers would like to have
   bool spares_soles = false;  ///< soles use little of their friction; given up before the room
+  VectorX multipliers = {};   ///< of its last solution, from which the next solve starts
 };
 
 /// Windows over all knots; one if the motion is at most one and a half times as long as a window. Seams are near
@@ -42,19 +44,22 @@ struct WindowWork {
   double cpu_s = 0.0;
 };
 
+/// How feet press, by knot, in windows that cannot do with less. Both use all of their friction.
+struct WindowSoles {
+  PressingByKnot inside;    ///< with the margin to their edges that controllers would like
+  PressingByKnot to_edges;  ///< up to their edges, in windows that keep no room
+};
+
 /// Solves a problem window by window: cost and memory are linear in its length, but for memory of one window. Each
 /// window begins with position, rate and acceleration of the one before it at the seam, so that the joined spline is as
 /// smooth as that of one solve.
 class WindowSolver {
  public:
-  /// @param to_edges  by knot: soles that press up to their edges with all their friction, for windows that cannot
-  /// spare soles or keep room.
-  WindowSolver(const ElasticOptions& elastic, std::vector<std::vector<PressingFoot>> to_edges)
-      : elastic_(elastic), to_edges_(std::move(to_edges)) {}
+  WindowSolver(const ElasticOptions& elastic, WindowSoles soles) : elastic_(elastic), soles_(std::move(soles)) {}
 
   /// Solves all windows from the motion on. A window that has no solution is solved again without sparing soles, then
-  /// without the room that controllers would like to have, then joined with the window before it. @param windows  are
-  /// changed like this.
+  /// without the room that controllers would like to have, unless it is far from a solution; then it is joined with the
+  /// window before it. @param windows  are changed like this.
   /// @param progress  called after each window, with its number from 1 on and how many there are.
   /// @return nothing, or the failure of a window.
   std::optional<Failure> Solve(BodyProblem& problem, std::vector<KnotWindow>& windows, BodyMotion& motion,
@@ -65,14 +70,16 @@ class WindowSolver {
   const std::vector<double>& unmet_s() const { return unmet_s_; }
 
  private:
-  std::optional<Failure> SolveOne(const BodyProblem& problem, const ChainSpline& spline, const KnotWindow& window,
+  std::optional<Failure> SolveOne(const BodyProblem& problem, const ChainSpline& spline, KnotWindow& window,
                                   BodyMotion& motion);
+  static void Press(const PressingByKnot& pressing, const KnotWindow& window, BodyProblem& problem);
   void UseSoles(BodyProblem& problem, KnotWindow& window) const;
   void UseAll(BodyProblem& problem, KnotWindow& window) const;
 
   const ElasticOptions elastic_;
-  const std::vector<std::vector<PressingFoot>> to_edges_;
+  const WindowSoles soles_;
   WindowWork work_;
+  double violations_ = 0.0;  // sum, of the last solve
   std::vector<double> unmet_s_;
 };
 

@@ -27,11 +27,8 @@ WalkRequest Cheap(const WalkRequest& request) {
 
 /// The start of a walk on level ground, if it is much shorter than the whole walk.
 WalkCommand ShortStart(const RobotModel& model, const Terrain& terrain, const Gait& gait, const WalkCommand& command) {
-  constexpr double kMuch = 1.5;  // factor of the start; a walk that is little longer is evaluated as a whole
-  if (KindOfGround(terrain) != GroundKind::kFlat) return command;
-  const WalkCommand start = StartOfWalk(model, command, gait);
-  const bool by_distance = command.extent == WalkCommand::Extent::kDistance;
-  return by_distance && command.distance_m < kMuch * start.distance_m ? command : start;
+  if (KindOfGround(terrain) != GroundKind::kFlat || IsShort(model, command, gait)) return command;
+  return StartOfWalk(model, command, gait);
 }
 
 /// Whether a plan was refused only after a problem was solved: by constraints of the solver, or by later stages.

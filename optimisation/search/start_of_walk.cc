@@ -14,6 +14,7 @@ namespace {
 using Extent = WalkCommand::Extent;
 
 constexpr double kCycles = 4.0;  // one to accelerate, one to stop, and two in between at full speed
+constexpr double kShort = 1.5;   // times as long as the start
 
 }  // namespace
 
@@ -40,6 +41,12 @@ WalkCommand StartOfWalk(const RobotModel& model, const WalkCommand& command, con
     c.goal_yaw_rad = near.yaw_rad;
   }
   return c;
+}
+
+bool IsShort(const RobotModel& model, const WalkCommand& command, const Gait& gait) {
+  const Result<Course> whole = MakeCourse(model, gait, command, {});
+  const Result<Course> start = MakeCourse(model, gait, StartOfWalk(model, command, gait), {});
+  return whole && start && whole->duration_s <= kShort * start->duration_s;
 }
 
 }  // namespace gaitwright

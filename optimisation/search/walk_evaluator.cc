@@ -88,6 +88,7 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
   if (!cycles) return Refused(cycles.failure());
   const Gait gait = GaitOf(candidate, *cycles);
   const WalkCommand command = CommandOf(candidate);
+  if (effort == Effort::kStart && candidate.finishes && IsShort(model_, command, gait)) effort = Effort::kWhole;
   const Key key{effort,
                 PaceFlags(command),
                 gait.cycle_s,
@@ -107,7 +108,7 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
   Evaluation evaluation = Made(candidate, effort, *cycles, gait);
   Trace(candidate, effort, gait, evaluation);
   Evaluation& kept = known_[key] = evaluation;
-  kept.planned.reset();
+  if (effort != Effort::kWhole || !evaluation.sound()) kept.planned.reset();
   return evaluation;
 }
 

@@ -196,6 +196,32 @@ TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
   EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .infeasible = 0.1}, &short_one).ok());
   EXPECT_EQ(short_one.iterations, 3);
   EXPECT_GT(whole.iterations, 3);
+  EXPECT_FALSE(SolveElastic(problem, {.screening = 6, .infeasible = 1e-3}, &short_one).ok());
+  EXPECT_EQ(short_one.iterations, 3) << "violations of more than a hundred times as much end it halfway";
+}
+
+/// The bound at 0 has the multiplier 900, more than the first penalty weight.
+TEST(SolveElastic, FromTheMultipliersOfASimilarProblemItTakesFewSteps) {
+  const auto problem = [](double nearest) {
+    ConstrainedProblem p{
+        Vec({0.5}), {Of([nearest](const VectorX& x) { return Values{30.0 * (x[0] - nearest)}; })}, {}, {}, {}};
+    p.constraints.push_back(
+        {"at most", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInfinity}), Vec({0.0})});
+    return p;
+  };
+  const ElasticOptions options{.penalty = 1.0, .max_penalty = 1e4};
+  const ConstrainedSolution before = Solved(problem(1.0), options);
+  ConstrainedProblem similar = problem(1.01);
+  const ConstrainedSolution cold = Solved(similar, options);
+  similar.start = before.x;
+  similar.start_multipliers = before.multipliers;
+  const ConstrainedSolution warm = Solved(similar, options);
+  EXPECT_NEAR(warm.x[0], 0.0, 1e-6);
+  EXPECT_NEAR(warm.multipliers[0], cold.multipliers[0], 1e-3 * cold.multipliers[0]);
+  EXPECT_LT(warm.outer, cold.outer);
+  EXPECT_LT(2 * warm.iterations, cold.iterations);
+  similar.start_multipliers = Vec({1.0, 2.0});  // of other rows
+  EXPECT_NEAR(Solved(similar, options).x[0], 0.0, 1e-6);
 }
 
 TEST(SolveElastic, SaysWhatIsNotFiniteAndRefusesBounds) {

@@ -178,7 +178,7 @@ TEST_P(RigidBodyPassesOf, AreFinishedToTheProgramsOwnTolerance) {
 
 TEST(RigidBodyPasses, OfAMotionPastLimitsStayThePlanAndSayWhyItIsUnfinished) {
   RobotModel model = *LoadNamedRobot("a1");
-  for (Joint& joint : model.joints) joint.velocity_limit *= 0.25;  // too slow for this bound
+  for (Joint& joint : model.joints) joint.velocity_limit *= 0.1;  // too slow for this bound
   const WalkCommand command = Ahead(0.8, 1.0);
   const Gait gait = *FindGait(model, "bound", CommandedSpeed(model, command), {});
   const Result<PlannedMotion> planned = PlanMotion(model, FlatTerrain(), gait, command, {});

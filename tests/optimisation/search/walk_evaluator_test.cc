@@ -37,6 +37,22 @@ TEST_F(WalkEvaluatorTest, PlansEachCandidateOnce) {
   EXPECT_EQ(trace_.back().effort, Effort::kStart);
 }
 
+/// A walk of 0.3 m is little longer than its start: with the whole body optimised, only the whole walk is planned.
+TEST_F(WalkEvaluatorTest, AShortWalkWithItsWholeBodyIsPlannedWhole) {
+  WalkEvaluator evaluator(a1_, terrain_, request_, &trace_);
+  const Candidate finished{0.4, 0, 1.0, false, true};
+  EXPECT_TRUE(evaluator.Evaluate(finished, Effort::kStart).sound());
+  const Evaluation whole = evaluator.Evaluate(finished, Effort::kWhole);
+  ASSERT_TRUE(whole.sound());
+  EXPECT_NE(whole.planned, nullptr);
+  ASSERT_EQ(trace_.size(), 1U);
+  EXPECT_EQ(trace_.back().effort, Effort::kWhole);
+  request_.command.distance_m = 3.0;
+  WalkEvaluator longer(a1_, terrain_, request_, &trace_);
+  EXPECT_TRUE(longer.Evaluate(finished, Effort::kStart).sound());
+  EXPECT_EQ(trace_.back().effort, Effort::kStart);
+}
+
 TEST_F(WalkEvaluatorTest, ACandidateIsTheRequestWithItsPaceCycleAndFlight) {
   const WalkEvaluator evaluator(a1_, terrain_, request_, nullptr);
   EXPECT_EQ(evaluator.CommandOf({0.4}), request_.command);

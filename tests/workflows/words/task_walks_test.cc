@@ -132,7 +132,7 @@ TEST(Tasks, AWalkTooFastOrTooLongOfStepIsToldWhatToSay) {
   struct Case {
     const char *robot, *walk, *too_much, *more;
   };
-  for (const Case& c : {Case{"nao", "walk 20 cm ", "at 3 m/s", "' or slower"},
+  for (const Case& c : {Case{"nao", "walk 60 cm ", "at 3 m/s", "' or slower"},
                         Case{"a1", "walk 4 ", "steps of 0.9 m", "' or shorter"}}) {
     const Result<PlannedTasks> fast = Planned(c.robot, std::string(c.walk) + c.too_much, FlatTerrain());
     ASSERT_FALSE(fast.ok()) << c.robot;
