@@ -25,8 +25,9 @@ void BindPlayback(pybind11::module_& module);
 void BindTrials(pybind11::module_& module);
 /// Instructions in words, and motions that carry them out.
 void BindTasks(pybind11::module_& module);
-/// Repair of motions of other software.
+/// Learned policies.
 void BindPolicies(pybind11::module_& module);
+/// Repair of motions of other software.
 void BindRepair(pybind11::module_& module);
 /// Comparison of two motions.
 void BindCompare(pybind11::module_& module);

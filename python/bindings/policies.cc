@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "python/bindings/policies.h"
+
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
@@ -18,7 +20,6 @@
 #include "python/bindings/plan.h"
 #include "python/bindings/playback.h"
 #include "python/bindings/terrain.h"
-#include "workflows/walk/prepare_policy_internal.h"
 
 namespace gaitwright::python {
 namespace {
@@ -70,10 +71,10 @@ void SetPolicy(const py::object& policy, PolicyRequest& request) {
   request.name = py::cast<std::string>(named.attr("__name__"));
 }
 
-Playback PlayPolicy(const SharedRobot& robot, const py::object& policy, const fs::path& contract,
-                    const fs::path& commands, double speed, double lateral_speed, double yaw_rate,
-                    const std::optional<double>& duration, const std::vector<std::string>& joint_order,
-                    const py::object& terrain, const py::dict& options, const std::optional<std::string>& engine) {
+std::shared_ptr<Policy> FitGiven(const SharedRobot& robot, const py::object& policy, const fs::path& contract,
+                                 const fs::path& commands, double speed, double lateral_speed, double yaw_rate,
+                                 const std::optional<double>& duration, const std::vector<std::string>& joint_order,
+                                 const py::object& terrain) {
   PolicyRequest request;
   SetPolicy(policy, request);
   request.contract_path = contract.string();
@@ -84,13 +85,16 @@ Playback PlayPolicy(const SharedRobot& robot, const py::object& policy, const fs
   request.ground = TerrainOf(terrain, *robot);
   if (!request.commands_path.empty() && !request.command.AsVector().isZero(0.0))
     throw InvalidArgument("give either commands, or speed, lateral_speed and yaw_rate");
+  const py::gil_scoped_release others_go_on;
+  return std::make_shared<Policy>(robot, Value(PreparePolicy(*robot, request)));
+}
+
+Playback PlayFitted(const Policy& policy, const py::dict& options, const std::optional<std::string>& engine) {
   PlayRequest play = PlayRequestOf(options);
   if (engine) play.play.world.engine = *engine;
   const py::gil_scoped_release others_go_on;
-  PreparedPolicy prepared = Value(PreparePolicy(*robot, request));
-  UsePolicy(prepared, play);
-  const auto plan = std::make_shared<Plan>(robot, std::move(prepared.plan));
-  return {plan, Value(PlayWalk(plan->model(), plan->motion(), play))};
+  UsePolicy(policy.prepared(), play);
+  return {policy.plan(), Value(PlayWalk(policy.model(), policy.plan()->motion(), play))};
 }
 
 }  // namespace
@@ -107,22 +111,30 @@ void BindPolicies(py::module_& module) {
         return fmt::format("<gaitwright.Network: {} inputs, {} outputs, {}>", n.network().input_size(),
                            n.network().output_size(), n.network().operators());
       });
-  module.def("play_policy", PlayPolicy, py::arg("robot").none(false), py::arg("policy").none(false),
-             py::arg("contract"), py::kw_only(), py::arg("commands") = "", py::arg("speed") = 0.0,
-             py::arg("lateral_speed") = 0.0, py::arg("yaw_rate") = 0.0, py::arg("duration") = py::none(),
-             py::arg("joint_order") = std::vector<std::string>(), py::arg("terrain") = "flat",
-             py::arg("options") = py::dict(), py::arg("engine") = py::none(),
-             R"(Plays a learned policy in physics and scores it, as ``gaitwright play --policy`` does.
+  py::class_<Policy, std::shared_ptr<Policy>>(module, "Policy",
+                                              R"(A learned policy that fits a robot, with its commands.
+
+Its text is the table of joints, gains and observations that the robot gets: read it before hardware. `trials` takes a
+policy instead of a plan.)")
+      .def(py::init(&FitGiven), py::arg("robot").none(false), py::arg("policy").none(false), py::arg("contract"),
+           py::kw_only(), py::arg("commands") = "", py::arg("speed") = 0.0, py::arg("lateral_speed") = 0.0,
+           py::arg("yaw_rate") = 0.0, py::arg("duration") = py::none(),
+           py::arg("joint_order") = std::vector<std::string>(), py::arg("terrain") = "flat",
+           R"(Reads a policy and fits it to the robot.
 
 Args:
     policy: path of an ONNX file, or any callable that takes an observation (array of float32) and returns an action.
     contract: path of the policy's contract, such as Unitree's deploy.yaml.
     commands: path of a file of velocity commands over time; or a constant command as ``speed``, ``lateral_speed``
         [m/s] and ``yaw_rate`` [rad/s].
-    duration: of the playback [s]; default 10, or 5 after the last command of a file.
+    duration: of a playback [s]; default 10, or 5 after the last command of a file.
     joint_order: names of the joints in the order of the contract's stiffness, if the contract does not have them.
-    terrain: a `Terrain`, or the name or file of one.
-    options, engine: as for `play`.)");
+    terrain: a `Terrain`, or the name or file of one.)")
+      .def_property_readonly("plan", &Policy::plan, "The commands as a plan.")
+      .def("play", PlayFitted, py::kw_only(), py::arg("options") = py::dict(), py::arg("engine") = py::none(),
+           "Plays the policy in physics and scores it; options and engine as for `play`.")
+      .def("to_json", [](const Policy& p) { return PolicyJson(p.model(), *p.prepared().policy); })
+      .def("__str__", [](const Policy& p) { return PolicyText(p.model(), *p.prepared().policy); });
 }
 
 }  // namespace gaitwright::python

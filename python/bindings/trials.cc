@@ -18,6 +18,7 @@
 #include "python/bindings/errors.h"
 #include "python/bindings/options.h"
 #include "python/bindings/playback.h"
+#include "python/bindings/policies.h"
 #include "workflows/study/run_trials.h"
 
 namespace gaitwright::python {
@@ -27,12 +28,10 @@ namespace py = pybind11;
 
 using Progress = std::function<void(int done, int wanted)>;
 
-RobustnessReport Trials(const std::shared_ptr<Plan>& plan, int n, const py::object& disturbances,
-                        const std::string& controller, int seed, int threads, const Progress& progress,
-                        const py::dict& options) {
-  PlayRequest request = PlayRequestOf(options);
-  request.controller = controller;
-  const Disturbances drawn = DisturbancesOf(disturbances, plan->model(), request);
+/// Runs trials, which the caller can interrupt. @param play  with its controller.
+RobustnessReport RunHere(const Plan& plan, PlayRequest play, const py::object& disturbances, const TrialOptions& trials,
+                         const Progress& progress) {
+  const Disturbances drawn = DisturbancesOf(disturbances, plan.model(), play);
   TrialHooks hooks;
   std::atomic<bool> interrupted = false;
   hooks.progress = [&](const TrialProgress& p) {
@@ -46,11 +45,26 @@ RobustnessReport Trials(const std::shared_ptr<Plan>& plan, int n, const py::obje
   };
   Result<RobustnessReport> report = [&] {
     const py::gil_scoped_release others_go_on;
-    return RunTrials({plan->model(), plan->motion(), request, drawn}, {.trials = n, .seed = seed, .threads = threads},
-                     hooks);
+    return RunTrials({plan.model(), plan.motion(), play, drawn}, trials, hooks);
   }();
   if (interrupted) throw py::error_already_set();
   return Value(std::move(report));
+}
+
+/// @param motion  a Plan, which the controller follows, or a Policy.
+RobustnessReport Trials(const py::object& motion, int n, const py::object& disturbances,
+                        const std::optional<std::string>& controller, int seed, int threads, const Progress& progress,
+                        const py::dict& options) {
+  PlayRequest play = PlayRequestOf(options);
+  const TrialOptions trials{.trials = n, .seed = seed, .threads = threads};
+  if (!py::isinstance<Policy>(motion)) {
+    if (controller) play.controller = *controller;
+    return RunHere(*py::cast<std::shared_ptr<Plan>>(motion), std::move(play), disturbances, trials, progress);
+  }
+  if (controller) throw InvalidArgument("a policy is its own controller");
+  const auto policy = py::cast<std::shared_ptr<Policy>>(motion);
+  UsePolicy(policy->prepared(), play);
+  return RunHere(*policy->plan(), std::move(play), disturbances, trials, progress);
 }
 
 /// Values of a trial by name, measured or sampled.
@@ -155,13 +169,16 @@ void BindTrials(py::module_& module) {
         return fmt::format("<gaitwright.TrialsReport: {} of {} survived, {:.1f} to {:.1f} %>", r.survived, r.n,
                            100.0 * r.survival.low, 100.0 * r.survival.high);
       });
-  module.def("trials", Trials, py::arg("plan").none(false), py::arg("n") = 100, py::kw_only(),
-             py::arg("disturbances") = "standard", py::arg("controller") = "stabilised", py::arg("seed") = 0,
+  module.def("trials", Trials, py::arg("motion").none(false), py::arg("n") = 100, py::kw_only(),
+             py::arg("disturbances") = "standard", py::arg("controller") = py::none(), py::arg("seed") = 0,
              py::arg("threads") = 0, py::arg("progress") = nullptr, py::arg("options") = py::dict(),
-             R"(Plays a plan many times under sampled disturbances and measures the survival rate.
+             R"(Plays a plan or policy many times under sampled disturbances and measures the survival rate.
 
 Args:
+    motion: a `Plan` or a `Policy`. A policy that is a callable is called from several trials in turn: it must not keep
+        a state from call to call, or ``threads`` must be 1.
     n: number of trials.
+    controller: of a plan; default "stabilised".
     disturbances: "standard", the path of a YAML file, its text, or a dictionary with its content (docs/trials.md),
         such as ``{"friction": 0.5}``.
     threads: number of threads, which does not change the result; 0: one per core.

@@ -24,6 +24,7 @@ from gaitwright._core import (
     Network,
     Plan,
     Playback,
+    Policy,
     Repair,
     Robot,
     RobotState,
@@ -47,7 +48,6 @@ from gaitwright._core import (
     plan_tasks,
     plan_walk,
     play,
-    play_policy,
     play_trial,
     repair,
     robot_names,
@@ -60,6 +60,7 @@ from gaitwright.errors import BadInputError, GaitwrightError, InfeasibleError
 from gaitwright.footstep_planner import FootstepPlanner, walk_with
 from gaitwright.notebook import Page, show
 from gaitwright.plots import plot
+from gaitwright.policies import play_policy
 
 __all__ = [
     "AUDIT_LAWS",
@@ -80,6 +81,7 @@ __all__ = [
     "Page",
     "Plan",
     "Playback",
+    "Policy",
     "Repair",
     "Robot",
     "RobotState",

@@ -483,21 +483,26 @@ class Network:
     def notes(self) -> dict[str, str]: ...
     def __call__(self, observation: Any) -> Any: ...
 
-def play_policy(
-    robot: Robot,
-    policy: Union[Path, Callable[[Any], Any]],
-    contract: Path,
-    *,
-    commands: Path = ...,
-    speed: float = ...,
-    lateral_speed: float = ...,
-    yaw_rate: float = ...,
-    duration: float = ...,
-    joint_order: Sequence[str] = ...,
-    terrain: Union[Terrain, Path] = ...,
-    options: Options = ...,
-    engine: Optional[str] = ...,
-) -> Playback: ...
+class Policy:
+    def __init__(
+        self,
+        robot: Robot,
+        policy: Union[Path, Callable[[Any], Any]],
+        contract: Path,
+        *,
+        commands: Path = ...,
+        speed: float = ...,
+        lateral_speed: float = ...,
+        yaw_rate: float = ...,
+        duration: Optional[float] = ...,
+        joint_order: Sequence[str] = ...,
+        terrain: Union[Terrain, Path] = ...,
+    ) -> None: ...
+    @property
+    def plan(self) -> Plan: ...
+    def play(self, *, options: Options = ..., engine: Optional[str] = ...) -> Playback: ...
+    def to_json(self) -> str: ...
+
 def compare(
     a: Union[Plan, Playback], b: Union[Plan, Playback], *, align: str = ..., tolerance: float = ...
 ) -> Comparison: ...
@@ -511,11 +516,11 @@ def play_trial(
 ) -> Playback: ...
 def load_log(path: Path, plan: Plan) -> Playback: ...
 def trials(
-    plan: Plan,
+    motion: Union[Plan, Policy],
     n: int = ...,
     *,
     disturbances: Union[Path, Mapping[str, Any]] = ...,
-    controller: str = ...,
+    controller: Optional[str] = ...,
     seed: int = ...,
     threads: int = ...,
     progress: Optional[Callable[[int, int], None]] = ...,

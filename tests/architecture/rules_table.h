@@ -180,7 +180,7 @@ inline const std::vector<Exempt> kManyParameters = {
     {"playback/bullet/condensed_solver.cc", "CondensedSolver::solveGroupCacheFriendlyIterations",
      "an override of Bullet's"},
     {"python/bindings/planning.cc", "PlanAWalk", "keyword arguments of Python"},
-    {"python/bindings/policies.cc", "PlayPolicy", "keyword arguments of Python"},
+    {"python/bindings/policies.cc", "FitGiven", "keyword arguments of Python"},
     {"python/bindings/terrain.cc", "WithHeights", "keyword arguments of Python"},
     {"python/bindings/trials.cc", "Trials", "keyword arguments of Python"},
     {"playback/score/gates.cc", "Reported", "columns of a table"},

@@ -106,6 +106,23 @@ def test_a_callable_and_its_network_play_the_same(tmp_path, standing):
     np.testing.assert_allclose(network.q, function.q, atol=1e-6)
 
 
+def test_a_policy_is_tried_like_a_plan(tmp_path, standing):
+    robot, contract, inputs, outputs = standing
+    (tmp_path / "policy.onnx").write_bytes(
+        model([node("Gemm", ["obs", "w"], ["action"], transB=1)], {"w": np.zeros((outputs, inputs), "f")}, inputs, outputs)
+    )
+    of_file = gw.Policy(robot, tmp_path / "policy.onnx", contract, duration=1.0)
+    assert robot.joints[0] in str(of_file)
+    report = gw.trials(of_file, 4, disturbances={"friction": 0.5}, seed=3)
+    assert (report.n, report.survived) == (4, 4)
+    function = gw.Policy(robot, lambda obs: np.zeros(outputs, "f"), contract, duration=1.0)
+    again = gw.trials(function, 4, disturbances={"friction": 0.5}, seed=3, threads=2)
+    np.testing.assert_allclose(again.scores, report.scores, atol=1e-6)
+    assert again.seeds == report.seeds
+    with pytest.raises(ValueError, match="its own controller"):
+        gw.trials(function, 1, controller="tracking")
+
+
 def test_a_wrong_size_is_refused(tmp_path, standing):
     robot, contract, inputs, outputs = standing
     weights = {"w": np.zeros((outputs, inputs + 1), "f")}
