@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "kinematics/base/result.h"
+#include "kinematics/base/text.h"
 #include "workflows/exchange/cdr_internal.h"
 
 namespace gaitwright {
@@ -15,6 +16,11 @@ constexpr std::size_t kCdrHead = 4;
 constexpr std::size_t PaddingBefore(std::size_t at, std::size_t size) { return (size - at % size) % size; }
 
 }  // namespace
+
+std::string RecordedText(std::string_view bytes) {
+  const std::string text(bytes);
+  return InUtf8(text).value_or(text);
+}
 
 CdrReader::CdrReader(std::string_view message) {
   if (message.size() < kCdrHead)
@@ -58,7 +64,7 @@ std::string CdrReader::Text() {
   at_ += length;
   if (!text.empty() && text.back() != '\0')
     throw InvalidArgument(fmt::format("the text at byte {} does not end with a zero", kCdrHead + at_ - length));
-  return std::string(text.substr(0, text.empty() ? 0 : text.size() - 1));
+  return RecordedText(text.substr(0, text.empty() ? 0 : text.size() - 1));
 }
 
 std::vector<double> CdrReader::Numbers() {

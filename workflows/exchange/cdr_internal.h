@@ -10,6 +10,9 @@
 
 namespace gaitwright {
 
+/// A text of a recording in UTF-8; other bytes are taken for Latin-1.
+std::string RecordedText(std::string_view bytes);
+
 /// Reads a message of ROS 2 in plain CDR, of either byte order: a head of four bytes, then values aligned to their
 /// size, counted from the end of the head. Object Management Group, DDSI-RTPS 2.5, chapter 10; CORBA 3.3, part 2, 9.3.
 /// All functions throw InvalidArgument, which names the byte, where the message is too short.
@@ -21,7 +24,7 @@ class CdrReader {
   std::int32_t Int32() { return static_cast<std::int32_t>(Uint32()); }
   std::uint32_t Uint32() { return static_cast<std::uint32_t>(Whole(4)); }
   double Number();
-  std::string Text();
+  std::string Text();             ///< see RecordedText
   std::vector<double> Numbers();  ///< a sequence
   std::vector<std::string> Texts();
   /// The length of a sequence of elements that have at least `least` bytes each.

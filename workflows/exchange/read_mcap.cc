@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kinematics/base/result.h"
+#include "workflows/exchange/cdr_internal.h"
 #include "workflows/exchange/crc32_internal.h"
 #include "workflows/exchange/mcap_file_internal.h"
 #include "workflows/exchange/mcap_records_internal.h"
@@ -37,7 +38,7 @@ class RecordFields {
     next_ += size;
     return bytes_.substr(next_ - size, size);
   }
-  std::string Text() { return std::string(Bytes(Whole(4))); }
+  std::string Text() { return RecordedText(Bytes(Whole(4))); }
   std::string_view Rest() { return Bytes(bytes_.size() - next_); }
 
  private:

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "kinematics/base/result.h"
+#include "workflows/exchange/cdr_internal.h"
 #include "workflows/exchange/sqlite_bag_internal.h"
 
 namespace gaitwright {
@@ -77,7 +78,7 @@ void ReadSqliteBag(const std::string& bytes, const TakeMessage& take) {
   const Database database = OpenedInMemory(copy);
   std::map<std::int64_t, RecordedTopic> topics;
   for (Query query(database.get(), "SELECT id, name, type, serialization_format FROM topics"); query.Next();) {
-    topics[query.Whole(0)] = {std::string(query.Bytes(1)), std::string(query.Bytes(2)), std::string(query.Bytes(3))};
+    topics[query.Whole(0)] = {RecordedText(query.Bytes(1)), RecordedText(query.Bytes(2)), RecordedText(query.Bytes(3))};
   }
   Query query(database.get(), "SELECT id, topic_id, timestamp, data FROM messages ORDER BY id");
   while (query.Next()) {

@@ -32,6 +32,11 @@ TEST(Cdr, ReadsBothByteOrdersWithTheirPadding) {
   }
 }
 
+TEST(Cdr, TextsAreUtf8WhateverTheirBytes) {
+  EXPECT_EQ(CdrReader(Bytes({0, 1, 0, 0, 3, 0, 0, 0, 0xa1, 'j', 0})).Text(), "\u00a1j");
+  EXPECT_EQ(CdrReader(Bytes({0, 1, 0, 0, 3, 0, 0, 0, 0xc2, 0xa1, 0})).Text(), "\u00a1");
+}
+
 TEST(Cdr, WritesLittleEndian) {
   CdrWriter cdr;
   cdr.Text("ab");

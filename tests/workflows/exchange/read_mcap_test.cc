@@ -36,6 +36,14 @@ TEST(ReadMcap, PassesMessagesOutsideAndInsideOfChunks) {
   }
 }
 
+/// Names end up in messages, plans and JSON, which are UTF-8.
+TEST(ReadMcap, NamesOfTopicsAreUtf8WhateverTheirBytes) {
+  const std::string records = ChannelRecord(1, 0, "\xa1joints") + MessageRecord(1, 5, "x");
+  const std::vector<SeenMessage> seen = MessagesIn(McapHead() + records + McapTail());
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen.front().topic.name, "\u00a1joints");
+}
+
 TEST(ReadMcap, SkipsRecordsThatItDoesNotNeed) {
   std::string others;
   for (const int code : {7, 8, 9, 10, 11, 12, 13, 14, 0x90}) others += McapRecord(code, "whatever");
