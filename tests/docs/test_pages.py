@@ -38,7 +38,8 @@ def test_commands(name, tmp_path):
             run_console(scratch, block, where)
     for picture in re.findall(r"\]\(images/([^)]+\.svg)\)", PAGES[name].read_text()):
         if (folder / picture).exists():
-            bare = lambda path: re.sub(r"[-+\u22120-9.,eE\s]+", "", path.read_text())
+            numbers = r"[-+\u22120-9.,eE\s]+"  # they change with the plan, and so does the length of its curves
+            bare = lambda path: re.sub(r"[MLZ]+", "M", re.sub(numbers, "", path.read_text()))
             assert bare(folder / picture) == bare(ROOT / "docs/images" / picture), (
                 f"{name}: its commands draw another docs/images/{picture}: copy the new one there")
 
