@@ -184,6 +184,22 @@ TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
   EXPECT_NEAR(last.x[0] + last.x[1], 3.0, 1e-6);
 }
 
+/// Both sides of a box are active, so that multipliers of both signs are known.
+TEST(SolveElastic, TheSignsOfKnownMultipliersCount) {
+  constexpr std::size_t kSize = 30;
+  Values wanted;
+  for (std::size_t i = 0; i < kSize; ++i) wanted.push_back((i % 2 == 0 ? 1.0 : -1.0) * 0.2 * static_cast<double>(i));
+  ConstrainedProblem problem{VectorX::Zero(kSize), {To(wanted)}, {}, {}, {}};
+  problem.constraints.push_back({"box", Of([](const VectorX& x) { return Values(x.data(), x.data() + x.size()); }),
+                                 VectorX::Constant(kSize, -1.0), VectorX::Constant(kSize, 1.0)});
+  const ConstrainedSolution before = Solved(problem);
+  problem.start = before.x;
+  problem.start_multipliers = before.multipliers;
+  const int right = Solved(problem).iterations;
+  problem.start_multipliers = -before.multipliers;
+  EXPECT_LT(right, Solved(problem).iterations);
+}
+
 TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
   // No point is near to both ends of a long arc; reaching the minimum of the violations takes some steps.
   ConstrainedProblem problem{Vec({3.0}), {To({0.0})}, {}, {}, {}};
