@@ -56,6 +56,23 @@ bool CanRunCode(bool package) {
   return serves && UnreadableForNobody(*python).empty();
 }
 
+std::set<std::string> ChildProcesses() {
+  std::set<std::string> children;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream stream(entry.path() / "stat");
+    std::stringstream text;
+    text << stream.rdbuf();
+    const std::string stat = text.str();  // number (name) state parent ...; a name may have spaces and parentheses
+    const std::size_t end = stat.rfind(')');
+    if (end == std::string::npos) continue;
+    std::istringstream rest(stat.substr(end + 1));
+    std::string state;
+    pid_t parent = 0;
+    if (rest >> state >> parent && parent == getpid()) children.insert(stat.substr(0, end + 1));
+  }
+  return children;
+}
+
 int ProcessesWith(const std::string& word) {
   int found = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {

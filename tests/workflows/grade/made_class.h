@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,10 @@ RubricPart PartOf(const std::string& part_yaml);
 /// Tests that need this are skipped if the kernel cannot confine processes or user nobody cannot read this build. If a
 /// build with Python finds no suitable Python, the test fails.
 bool CanRunCode(bool package = false);
+
+/// Process numbers and names of the child processes of this process that have not been waited for, such as
+/// "71 (python3)".
+std::set<std::string> ChildProcesses();
 
 /// Processes whose environment contains this word, as far as this user can read it.
 int ProcessesWith(const std::string& word);
