@@ -6,9 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinematics/collision/collision_checker.h"
-#include "kinematics/collision/shape_extent.h"
-#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/collision/feet_overlap_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/search/refuse_walk.h"
 #include "planning/plan/sample_plan.h"
@@ -16,25 +14,11 @@
 namespace gaitwright {
 namespace {
 
-/// Whether links collide at a time that are both fixed by their footholds and swings, so that no motion of the rest
-/// parts them.
-bool CollideByFeet(const RobotModel& model, const WholeBodyTrajectory& motion, double at_s) {
-  const auto is_fixed = [&](const std::string& link) {
-    return std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(), [&](const Shape& shape) {
-      const bool on_sole = std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) {
-        return foot.type == FootType::kSole && foot.body == shape.body;
-      });
-      return shape.link == link && (on_sole || IsShapeOfAFoot(model, shape));
-    });
-  };
+/// Whether the feet overlap at a time of the motion.
+bool DoFeetOverlap(const RobotModel& model, const WholeBodyTrajectory& motion, double at_s) {
   WholeBodySample sample;
   SampleWholeBody(motion, at_s, sample);
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, sample.q, scratch);
-  CollisionChecker checker(model);
-  const std::vector<Overlap>& overlaps = checker.Overlaps(scratch);
-  return std::any_of(overlaps.begin(), overlaps.end(),
-                     [&](const Overlap& overlap) { return is_fixed(overlap.link_a) && is_fixed(overlap.link_b); });
+  return FeetOverlap(model, sample.q);
 }
 
 /// Whether a plan fails because its motion and its forces do not agree, or because links touch, and keeps the robot's
@@ -42,7 +26,7 @@ bool CollideByFeet(const RobotModel& model, const WholeBodyTrajectory& motion, d
 bool IsUnsettled(const RobotModel& model, const PlannedWalk& planned) {
   const auto disagrees = [&](const Violation& v) {
     return v.law == Law::kConsistency || v.law == Law::kDynamics || v.law == Law::kFlight ||
-           (v.law == Law::kSelfCollision && !CollideByFeet(model, planned.motion.plan.whole_body, v.at_s));
+           (v.law == Law::kSelfCollision && !DoFeetOverlap(model, planned.motion.plan.whole_body, v.at_s));
   };
   const std::vector<Violation>& all = planned.audit.violations;
   return planned.motion.limit_excess < kSlightViolation && std::any_of(all.begin(), all.end(), disagrees) &&
