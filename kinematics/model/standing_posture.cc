@@ -343,9 +343,8 @@ void DeriveStanding(RobotModel& model, const VectorX& given) {
     lowest = std::min(lowest, (X_OE * foot.X_BF).translation().z() - foot.radius);
   }
   model.standing_base_height_m = -lowest;
-  const double froude_speed = std::sqrt(kGravity * model.leg_length_m());
-  const bool soles = std::any_of(model.feet.begin(), model.feet.end(), [](const Foot& f) { return !f.sole_F.empty(); });
-  model.nominal_speed_m_s = (soles ? 0.04 : 0.15) * froude_speed;
+  constexpr double kFroude = 0.15;  // speed over sqrt(g l), of a calm walk
+  model.nominal_speed_m_s = kFroude * std::sqrt(kGravity * model.leg_length_m());
 }
 
 }  // namespace gaitwright

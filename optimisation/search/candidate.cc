@@ -15,6 +15,8 @@ constexpr Variation kFinished[] = {{1.0, 0, 1.0, false, true},       {1.0, 3, 1.
                                    {1.0, 6, 1.0, false, true},       {1.0, 0, 1.0, false, true, 0.4},
                                    {1.0, 0, 1.12, false, true, 0.4}, {1.0, -1, 1.12, false, true, 0.35}};
 constexpr std::size_t kFlatSoles = 3;  // rows of kFinished
+/// A robot's own walk is calm: its heels stay down.
+constexpr Variation kFinishedCalm[] = {{1.0, 0, 1.0, false, true}, {0.7, 0, 1.0, false, true}};
 /// Other flights, then other footholds.
 constexpr Variation kOtherLeaps[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}, {1.0, 0, 1.0, true}};
 
@@ -39,6 +41,7 @@ std::span<const Variation> FinishedVariationsFor(const SearchSituation& s) {
   switch (s.kind) {
     case SearchSituation::Kind::kLevel:
       if (s.refused_by_ground) return {};
+      if (s.may_slow_down) return kFinishedCalm;
       return s.may_raise_heels ? std::span<const Variation>(kFinished) : std::span(kFinished).first(kFlatSoles);
     case SearchSituation::Kind::kUneven:
       return std::span<const Variation>(kFinished).first(1);

@@ -15,8 +15,9 @@ struct Evaluation {
   std::optional<Failure> refusal;  ///< nothing for a sound candidate
   bool at_every_pace = false;      ///< the refusal does not depend on the speed or the cycle
   bool by_ground = false;          ///< friction or support refuses it, not a limit of the robot
-  double ease = 0.8;   ///< factor of the speed at which it may be sound, estimated from the limit violations
-  bool solved = true;  ///< the evaluation solved an optimisation problem
+  double ease = 0.8;       ///< factor of the speed at which it may be sound, estimated from the limit violations
+  bool keeps_room = true;  ///< the plan leaves the room in motors and soles that controllers would like to have
+  bool solved = true;      ///< the evaluation solved an optimisation problem
   std::shared_ptr<PlannedWalk> planned;  ///< for Effort::kWhole: the plan if there is one, sound or not
 
   bool sound() const { return !refusal; }

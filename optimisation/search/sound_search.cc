@@ -42,14 +42,15 @@ class JointWatch : public Evaluator {
   bool refused_ = false;
 };
 
-/// The only loop over a table: returns the first row whose whole walk is sound.
-Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator) {
+/// The only loop over a table: returns the first row whose whole walk is sound, with room if that is needed.
+Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator,
+                 bool needs_room = false) {
   for (const Variation& v : variations) {
     const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
                               v.other_footholds,        v.finishes,           v.heel_off_rad};
     if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
-    if (whole.sound()) return std::pair(candidate, std::move(whole));
+    if (whole.sound() && (whole.keeps_room || !needs_room)) return std::pair(candidate, std::move(whole));
     if (whole.at_every_pace) return {};
   }
   return {};
@@ -140,8 +141,7 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
 double LargestFinished(const SearchProblem& problem, double known, Evaluator& evaluator) {
   constexpr int kTrials = 3;
   constexpr double kGrowth = 1.6;
-  constexpr Variation kSoles[] = {{1.0, 0, 1.0, false, true}, {1.0, 0, 1.12, false, true, 0.4}};  // flat, heels rise
-  const auto soles = std::span(kSoles).first(problem.situation.may_raise_heels ? 2 : 1);
+  const std::span<const Variation> rows = FinishedVariationsFor(problem.situation);
   double best = 0.0, low = known, high = problem.paces.asked;
   for (int i = 0; i < kTrials; ++i) {
     const double middle = TowardsZero(std::min(kGrowth * low, std::sqrt(low * high)), 2);
@@ -149,9 +149,9 @@ double LargestFinished(const SearchProblem& problem, double known, Evaluator& ev
     // Without this the walk would be refused before the whole body is tried, see FindSound.
     const Evaluation passes = evaluator.Evaluate({middle}, Effort::kStart);
     const bool tried = passes.sound() || IsOfJoints(*passes.refusal);
-    const bool sound = tried && std::any_of(soles.begin(), soles.end(), [&](const Variation& v) {
+    const bool sound = tried && std::any_of(rows.begin(), rows.end(), [&](const Variation& v) {
                          const Candidate candidate{middle, 0, v.flight, false, true, v.heel_off_rad};
-                         return evaluator.Evaluate(candidate, Effort::kStart).sound();
+                         return v.cycle == 0 && evaluator.Evaluate(candidate, Effort::kStart).sound();
                        });
     (sound ? low : high) = middle;
     if (sound) best = middle;
@@ -193,11 +193,14 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   result.why = result.evaluation.refusal->code;
   SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;
-  Sound sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), watch);
+  const bool is_calm = situation.may_slow_down && situation.kind == Kind::kLevel;
+  Sound sound;
+  if (is_calm && watch.refused())
+    sound = FirstSound(FinishedVariationsFor(situation), as_asked, Effort::kWhole, evaluator, true);
+  if (!sound) sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), watch);
   if (!sound && !situation.may_slow_down && watch.refused())
     sound = FirstSound(FinishedVariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
-  if (!sound && situation.may_slow_down && situation.kind == Kind::kLevel)
-    sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
+  if (!sound && is_calm) sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
   if (sound) std::tie(result.candidate, result.evaluation) = std::move(*sound);
   return result;
 }
@@ -213,11 +216,10 @@ SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator)
   if (situation.may_slow_down) return {};
   JointWatch watch(evaluator);
   const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, watch);
-  if (situation.kind == Kind::kLevel && sound && watch.refused()) {
-    const double finished = LargestFinished(problem, sound->first.pace, evaluator);
-    if (finished > 0.0) return {finished, Known::kMay};
-  }
-  return {sound ? sound->first.pace : 0.0, situation.kind == Kind::kLevel ? Known::kLargest : Known::kFeasible};
+  const bool is_level = situation.kind == Kind::kLevel, may_finish = is_level && sound && watch.refused();
+  const double finished = may_finish ? LargestFinished(problem, sound->first.pace, evaluator) : 0.0;
+  if (finished > 0.0) return {finished, Known::kMay};
+  return {sound ? sound->first.pace : 0.0, is_level && !may_finish ? Known::kLargest : Known::kFeasible};
 }
 
 }  // namespace gaitwright

@@ -17,7 +17,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kKnotStep_s = 0.02;  // motions without flight are slow enough
-constexpr int kStartIterations = 30;  // of an optimised whole body
+constexpr int kFewIterations = 30;    // of an optimised whole body, for starts and calm walks
 
 /// The request for plans that only test feasibility: with twice the time step if a cycle has enough steps, and without
 /// optimality.
@@ -46,6 +46,7 @@ Evaluation EvaluationOf(Result<PlannedWalk> planned) {
     evaluation.refusal = WhyForbidden(*planned);
     evaluation.by_ground = BrokenLimits(planned->audit).empty();
   }
+  evaluation.keeps_room = RoomOf(planned) >= Room::kAsSolved;
   evaluation.planned = std::make_shared<PlannedWalk>(std::move(*planned));
   return evaluation;
 }
@@ -124,7 +125,8 @@ Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const 
     trajectory.method = "whole-body";
     trajectory.knot_step_s = std::max(trajectory.knot_step_s, kKnotStep_s);
     trajectory.heel_off_rad = std::max(trajectory.heel_off_rad, candidate.heel_off_rad);
-    if (effort == Effort::kStart) trajectory.max_iterations = std::min(trajectory.max_iterations, kStartIterations);
+    if (effort == Effort::kStart || request_.own_pace)
+      trajectory.max_iterations = std::min(trajectory.max_iterations, kFewIterations);
   }
   switch (effort) {
     case Effort::kStartLook:

@@ -47,6 +47,8 @@ class TaskPlanner {
   Result<PostureMotion> GestureMotion(const Task& gesture, const PostureKey& from, double duration_s) const;
   std::optional<Failure> AddWalk(WalkRequest request, bool gestures);
   Result<MotionPlan> WithGestures(MotionPlan walk, PostureKey& key) const;
+  Result<MotionPlan> WithGesturesEased(const RobotModel& posed, const Terrain& ground, WalkRequest request,
+                                       PostureKey& key) const;
   std::optional<Failure> GoToStartOf(const MotionPlan& walk);
   std::optional<Failure> Walk(const Task& task, bool gestures);
   std::optional<Failure> Turn(const Task& task);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/plan_posture.h"
 #include "optimisation/pipeline/robot_body.h"
+#include "optimisation/search/pace.h"
 #include "planning/paths/standing_feet.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/moved_terrain.h"
@@ -59,17 +61,8 @@ std::optional<Failure> TaskPlanner::AddWalk(WalkRequest request, bool gestures) 
   PostureKey end = stance_.key;
   if (gestures && task_ != nullptr && !task_->during.empty()) {
     Result<MotionPlan> with = WithGestures(walk, end);
-    if (!with) {
-      // The body leans against a raised arm, which moves leg joints closer to their limits; a ZMP farther inward
-      // compensates this.
-      PipelineOptions& pipeline = request.motion.pipeline;
-      pipeline.zmp_inward = std::min(2.0 * pipeline.zmp_inward, PipelineOptions::kMostInward);
-      planned = PlanWalkOn(posed, *ground, request);
-      end = stance_.key;
-      Result<MotionPlan> eased = planned ? WithGestures(planned->motion.plan, end) : Result<MotionPlan>(with.failure());
-      if (!eased) return with.failure();
-      with = std::move(eased);
-    }
+    if (!with) with = WithGesturesEased(posed, *ground, std::move(request), end);
+    if (!with) return with.failure();
     walk = std::move(*with);
   }
   // Postures before the walk must end in its first state.
@@ -77,6 +70,29 @@ std::optional<Failure> TaskPlanner::AddWalk(WalkRequest request, bool gestures) 
   stance_.key.joints = end.joints;
   if (whole_model_.hash != model_.hash) AddRest(whole_model_, walk);
   return Append(std::move(walk));
+}
+
+/// WithGestures of walks in which they have more room. The body leans against a raised arm, which moves leg joints
+/// closer to their limits; a ZMP farther inward compensates this. A walk at the robot's own speed may also be slower.
+/// @return the failure of the last walk that was tried.
+Result<MotionPlan> TaskPlanner::WithGesturesEased(const RobotModel& posed, const Terrain& ground, WalkRequest request,
+                                                  PostureKey& key) const {
+  constexpr std::array kShares = {1.0, 0.5, 0.25};  // of the speed
+  PipelineOptions& pipeline = request.motion.pipeline;
+  pipeline.zmp_inward = std::min(2.0 * pipeline.zmp_inward, PipelineOptions::kMostInward);
+  const WalkCommand command = request.command;
+  const double pace = PaceValue(posed, command);
+  std::optional<Failure> failure;
+  for (const double share : kShares) {
+    if (share < 1.0) request.command = AtPace(posed, command, share * pace);
+    const Result<PlannedWalk> planned = PlanWalkOn(posed, ground, request);
+    key = stance_.key;
+    Result<MotionPlan> with = planned ? WithGestures(planned->motion.plan, key) : Result<MotionPlan>(planned.failure());
+    if (with) return with;
+    failure = with.failure();
+    if (!request.own_pace) break;
+  }
+  return *failure;
 }
 
 /// Adds the simultaneous gestures to a walk, in sequence; `key` gets the posture at its end.

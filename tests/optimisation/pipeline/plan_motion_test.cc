@@ -36,7 +36,9 @@ bool Passes(const RobotModel& model, const MotionPlan& plan) { return Audit(mode
 TEST(PlanMotion, GoesLowerWhereStraightKneesWouldBeTooFast) {
   const RobotModel model =
       *LoadRobotFromText(LoadNamedRobot("nao")->urdf_text,
-                         "standing: {LShoulderPitch: 0, RShoulderPitch: 0, LShoulderRoll: 0, RShoulderRoll: 0}", "nao");
+                         "nominal_speed_m_s: 0.06\n"
+                         "standing: {LShoulderPitch: 0, RShoulderPitch: 0, LShoulderRoll: 0, RShoulderRoll: 0}",
+                         "nao");
   const MotionPlan chosen = Planned(model, {});
   EXPECT_TRUE(chosen.warnings.empty());
   EXPECT_TRUE(Passes(model, chosen));

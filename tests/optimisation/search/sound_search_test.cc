@@ -206,6 +206,33 @@ TEST(FindSound, OtherLeapsThanTheRequestedAreLookedAtBeforeTheyArePlanned) {
   EXPECT_EQ(evaluator.Count(Effort::kWhole), 2);
 }
 
+/// At its own pace a robot walks with its whole body optimised at once, where that leaves room for controllers.
+TEST(FindSound, AWalkAtItsOwnPaceIsCalm) {
+  SearchProblem problem = ProblemAt(Kind::kLevel, 0.5);
+  problem.situation.may_slow_down = true;
+  problem.situation.may_raise_heels = true;
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.finishes; });
+  evaluator.breaks = Law::kJointVelocity;
+  SearchResult found = FindSound(problem, evaluator);
+  EXPECT_EQ(found.candidate, (Candidate{0.5, 0, 1.0, false, true}));
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 2);
+  EXPECT_EQ(evaluator.Count(Effort::kStart), 0);
+
+  MadeUp slower([](const Candidate& c, Effort) { return c.finishes && c.pace < 0.4; });
+  slower.breaks = Law::kJointVelocity;
+  found = FindSound(problem, slower);
+  EXPECT_TRUE(found.candidate.finishes);
+  EXPECT_DOUBLE_EQ(found.candidate.pace, 0.35);
+  EXPECT_EQ(found.candidate.heel_off_rad, 0.0);
+
+  MadeUp without_room([](const Candidate& c, Effort) { return c.finishes || c.pace < 0.1; });
+  without_room.breaks = Law::kJointVelocity;
+  without_room.refused.keeps_room = false;
+  found = FindSound(problem, without_room);
+  EXPECT_FALSE(found.candidate.finishes);
+  EXPECT_LT(found.candidate.pace, 0.1);
+}
+
 TEST(FindSound, StopsWhereNoPaceHelps) {
   MadeUp evaluator([](const Candidate&, Effort) { return false; });
   evaluator.refused.at_every_pace = true;
@@ -229,6 +256,13 @@ TEST(SlowerThatIsSound, IsLargerWithTheOptimisedWholeBody) {
   EXPECT_GT(slower.value, 0.35);
   EXPECT_LE(slower.value, 0.41);
   EXPECT_EQ(slower.known, SlowerPace::Known::kMay);
+
+  MadeUp without([](const Candidate& c, Effort) { return c.pace <= 0.2 && !c.finishes; });
+  without.breaks = Law::kJointTorque;
+  const SlowerPace of_passes = SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.6), without);
+  EXPECT_DOUBLE_EQ(of_passes.value, 0.2);
+  EXPECT_EQ(of_passes.known, SlowerPace::Known::kFeasible) << "the whole body was not optimised at all paces";
+
   evaluator.breaks.reset();
   EXPECT_DOUBLE_EQ(SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.6), evaluator).value, 0.2);
 }

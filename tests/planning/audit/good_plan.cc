@@ -16,6 +16,8 @@ GoodPlan Make(const std::string& robot) {
   const RobotModel model = LoadNamedRobot(robot).value();
   WalkCommand command;
   command.distance_m = 0.6 * model.leg_length_m();
+  // The passes alone, without the whole body optimised, are sound only for slow walks on soles.
+  if (model.feet.front().has_sole()) command.speed_m_s = 0.25 * model.nominal_speed_m_s;
   return {model, PlanOf(model, "", command)};
 }
 

@@ -24,6 +24,7 @@ Bench Make(const std::string& robot) {
   request.command.extent = WalkCommand::Extent::kSteps;
   request.command.steps = 2 * static_cast<int>(model.feet.size());
   request.command.step_length_m = 0.12 * model.leg_length_m();
+  if (model.feet.front().has_sole()) request.gait_options.cycle_s = 1.0;  // phases long enough to fall in
   request.motion.pipeline.com_height_m = 0.95 * StandingHeight(model);
   return {model, PlanWalk(model, request)->motion.plan};
 }

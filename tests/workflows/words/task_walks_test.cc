@@ -114,8 +114,8 @@ TEST(Tasks, AWalkIsMadeToGiveAGestureRoom) { Do("nao", "walk four steps while ra
 TEST(Tasks, AGestureThatAWalkHasNoRoomForIsRefused) {
   const Result<PlannedTasks> planned = Planned("nao", "turn left while raising both arms", FlatTerrain());
   ASSERT_FALSE(planned.ok());
-  EXPECT_EQ(planned.failure().code, FailureCode::kJointPosition);
-  EXPECT_NE(planned.failure().message.find("AnkleRoll"), std::string::npos) << planned.failure().message;
+  EXPECT_EQ(planned.failure().code, FailureCode::kJointTorque);
+  EXPECT_NE(planned.failure().message.find("KneePitch"), std::string::npos) << planned.failure().message;
   ASSERT_EQ(planned.failure().suggestions.size(), 1U);
   Do("nao", "turn left, then raise both arms");
 }
