@@ -22,9 +22,9 @@ TEST_F(Verdicts, TooMuchNamesWhatWorksWhenTypedIn) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"--speed", "9", "--distance", "0.5"}, " with gait 'trot' ("},
       {{"--speed", "9", "--yaw-rate", "1", "--duration", "1"}, " with gait 'trot' ("},
-      {{"--robot", "nao", "--lateral-speed", "-0.3", "--distance", "0.3"}, "a lateral speed of about "},
-      {{"--robot", "nao", "--yaw-rate", "2", "--duration", "1"}, "the largest turning rate with gait 'biped' is "},
-      {{"--robot", "nao", "--steps", "4", "--step-length", "0.3"}, "a step length of about "}};
+      {{"--robot", "nao", "--lateral-speed", "-0.4", "--distance", "0.3"}, "a lateral speed of about "},
+      {{"--robot", "nao", "--yaw-rate", "2", "--duration", "1"}, "a turning rate of "},
+      {{"--robot", "nao", "--steps", "2", "--step-length", "0.4"}, "a step length of about "}};
   for (const auto& [arguments, message] : cases) {
     SCOPED_TRACE(message);
     std::vector<std::string> asked = {"plan", "--quiet"};
