@@ -73,8 +73,7 @@ Failure FaultsBetween(const RigidBodySummary& summary) {
 }
 
 /// The result of the early infeasibility check, if constraints are clearly violated; otherwise nothing.
-std::optional<ConstrainedSolution> Infeasible(const RigidBodyProblem& problem, const RigidBodyOptions& options,
-                                              double infeasible) {
+std::optional<ConstrainedSolution> Infeasible(const RigidBodyProblem& problem, const RigidBodyOptions& options) {
   constexpr double kNearly = 1e-2;  // violations below it are not clearly infeasible
   const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals, options.grid_s);
   ConstrainedProblem rows = RigidBodyRows(problem, unknowns, options, {});
@@ -84,10 +83,10 @@ std::optional<ConstrainedSolution> Infeasible(const RigidBodyProblem& problem, c
   solving.penalty = options.penalty;
   solving.max_penalty = options.max_penalty;
   solving.screening = options.screening;
-  solving.infeasible = infeasible;
+  solving.infeasible = options.infeasible;
   solving.max_iterations = options.screening;
   ConstrainedSolution at;
-  if (SolveElastic(rows, solving, &at).ok() || at.violations <= infeasible) return std::nullopt;
+  if (SolveElastic(rows, solving, &at).ok() || at.violations <= options.infeasible) return std::nullopt;
   return at;
 }
 
@@ -168,14 +167,6 @@ class RigidBodyPlanner {
     return SolveElastic(rows, solving, &at).ok();
   }
 
-  /// Checks once, while constraints are violated, whether the problem is infeasible. Not after a warm start, because a
-  /// similar problem was feasible.
-  bool IsInfeasible() {
-    if (!checked_ && !breaks_stay_) not_carried_ = ReasonNotCarried(problem_, options_);
-    checked_ = true;
-    return not_carried_.has_value();
-  }
-
   bool SolveByCeres(const ConstrainedProblem& rows, ConstrainedSolution& at) {
     ConstrainedOptions solving;
     solving.tolerance = options_.tolerance;
@@ -186,10 +177,7 @@ class RigidBodyPlanner {
     solving.patience = 5;
     solving.max_outer = 25;
     solving.max_inner = 40;
-    solving.max_steps = 200;  // converges after 30 to 120 iterations, if at all
-    solving.ask_after = 60;
-    solving.ask_beyond = 10.0 * options_.tolerance;
-    solving.is_infeasible = [this] { return IsInfeasible(); };
+    solving.max_steps = 15;  // after these, the interior-point method converges faster
     return Solve(rows, solving, &at).ok();
   }
 
@@ -198,14 +186,15 @@ class RigidBodyPlanner {
     rows.start = start_;
     ConstrainedSolution at;
     RigidBodySummary& summary = plan_.summary;
-    summary.settled = options_.method == "ceres" && SolveByCeres(rows, at);
-    if (options_.method == "ceres" && at.violation > options_.tolerance) {
-      summary.gave_up = true;
+    const bool by_ceres = options_.method == "ceres";
+    summary.settled = by_ceres && SolveByCeres(rows, at);
+    if (!by_ceres || at.violation > options_.tolerance) {
       summary.iterations += at.iterations;
-      rows.start = at.x;
-    }
-    if (options_.method != "ceres" || (at.violation > options_.tolerance && !IsInfeasible()))
+      if (by_ceres) rows.start = at.x;
       summary.settled = SolveByInteriorPoint(rows, at);
+      if (by_ceres && at.violation > options_.tolerance && !breaks_stay_)
+        not_carried_ = ReasonNotCarried(problem_, options_);
+    }
     start_ = at.x;
     plan_.motion = MotionOf(problem_, *unknowns_, at.x);
     plan_.numbers = {unknowns_->breaks_s(), missed_, at.x, at.multipliers};
@@ -231,8 +220,7 @@ class RigidBodyPlanner {
   VectorX start_;
   double first_gap_ = kFirstGap;
   bool breaks_stay_ = false;
-  bool checked_ = false;
-  std::optional<Failure> not_carried_;  // result of the early infeasibility check
+  std::optional<Failure> not_carried_;  // a more general reason than unmet constraints
 };
 
 }  // namespace
@@ -245,17 +233,13 @@ std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const R
   lenient.force_margin = lenient.reach_margin_m = lenient.swing_lead_s = 0.0;
   RigidBodyProblem without_swings = problem;
   without_swings.swings.clear();
-  if (const auto at = Infeasible(without_swings, lenient, options.infeasible)) {
+  if (const auto at = Infeasible(without_swings, lenient)) {
     Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
     failure.code = FailureCode::kNotCarried;
     failure.message = "no contact forces can move the body along its path, for any rotation: " + UnmetOf(*at) +
                       TooSteepAtGoal(problem);
     return failure;
   }
-  if (options.method == "interior-point") return std::nullopt;  // does the same check when it plans
-  constexpr double kFar = 5.0;                                  // smaller violations may vanish with another solver
-  if (const auto at = Infeasible(problem, options, kFar * options.infeasible))
-    return Unmet(problem, at->worst_constraint, UnmetOf(*at));
   return std::nullopt;
 }
 
@@ -268,8 +252,8 @@ OptionFields RigidBodyOptions::Fields() {
            "",
            0.0,
            0.0,
-           "Solver: an interior-point method, or an augmented Lagrangian with Ceres, followed by interior-point if "
-           "constraints stay violated.",
+           "Solver: an interior-point method, or at most 15 steps of an augmented Lagrangian with Ceres, followed by "
+           "interior-point if constraints stay violated.",
            {"interior-point", "ceres"}},
           {"spacing_s", &spacing_s, "s", 0.005, 1.0, "Longest time between two nodes of the contact forces."},
           {"least_intervals", &least_intervals, "1", 2, 100,

@@ -51,7 +51,6 @@ struct RigidBodySummary {
   int iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
   bool settled = true;      ///< false: satisfies all constraints, but is not optimal
-  bool gave_up = false;     ///< the requested solver left constraints violated, so the interior-point method continued
   double violation = 0.0;   ///< largest, in m, rad, rad/s and m g
   double violations = 0.0;  ///< sum of all
   bool least = false;       ///< small changes of the motion do not reduce this sum
@@ -87,16 +86,15 @@ struct RigidBodyPlan {
 /// and a foot acceleration a. If violations at 1 kHz, also between nodes, exceed fault_tolerance, it is planned again:
 /// with additional reach checks if only reach is violated, else with half the node spacing. Failure kInfeasible
 /// `unmet_law` names the violated constraints with place and size, `faults_between` those violated between nodes after
-/// all refinements; `last` then has the last state. If the method is `ceres` and it leaves constraints violated after
-/// some iterations, ReasonNotCarried may end it with its failure, so that infeasible problems are refused early.
+/// all refinements; `last` then has the last state. If the method is `ceres`, the failure is that of ReasonNotCarried if
+/// there is one.
 /// @throws InvalidArgument as CheckRigidBodyProblem does.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
 
 /// Checks at a fraction of the cost of PlanRigidBody whether forces could carry the body at all with free rotation,
 /// free swings and the full reach and friction cones. @return kInfeasible `not_carried` with the violated constraints
-/// if violations exceed `infeasible` in all; nothing if a motion may exist. If the planner is not interior-point, the
-/// full problem is checked by that method too, with `unmet_law` if violations exceed five times as much.
+/// if violations exceed `infeasible` in all; nothing if a motion may exist.
 std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
 
 /// As above, warm-started from a motion of a similar problem: the same stances at other times, with nodes at those

@@ -156,8 +156,8 @@ class Solver {
     for (solution_.outer = 1; solution_.outer <= options_.max_outer; ++solution_.outer) {
       const auto [moved, converged] = Minimise(tolerance);
       Measure();
-      if (IsInfeasible()) break;
-      if (!moved && solution_.violation > options_.tolerance && stalled < 4) {
+      const bool spent = solution_.iterations >= options_.max_steps;
+      if (!moved && !spent && solution_.violation > options_.tolerance && stalled < 4) {
         tolerance *= 1e-3;
         ++stalled;
         continue;
@@ -165,7 +165,7 @@ class Solver {
       stalled = 0;
       const bool settled = std::abs(solution_.cost - last_cost) <= options_.cost_tolerance * (1.0 + solution_.cost);
       if (solution_.violation <= options_.tolerance && settled && converged) return Finished();
-      if (solution_.iterations >= options_.max_steps) break;
+      if (spent) break;
       last_cost = solution_.cost;
       UpdateMultipliers();
       const bool capped = (converged || options_.patience == 0) && GrowPenalty(last_violation);
@@ -287,14 +287,6 @@ class Solver {
     return {summary.num_successful_steps > 1, summary.termination_type == ceres::CONVERGENCE};
   }
 
-  /// Asks once whether the constraints can be satisfied at all, if they are still violated after some steps.
-  bool IsInfeasible() {
-    const bool asks = !asked_ && options_.is_infeasible && solution_.iterations >= options_.ask_after;
-    if (!asks || solution_.violation <= options_.ask_beyond) return false;
-    asked_ = true;
-    return options_.is_infeasible();
-  }
-
   void Measure() {
     solution_.cost = solution_.violation = 0.0;
     for (Term& term : terms_) {
@@ -373,7 +365,7 @@ class Solver {
   std::deque<Constraint> bounds_;
   std::vector<Term> terms_;
   std::vector<VariableBlock> blocks_;
-  bool has_constraints_ = false, asked_ = false;
+  bool has_constraints_ = false;
   double first_rho_ = 1.0;
   ceres::Problem ceres_problem_;
   ConstrainedSolution solution_;

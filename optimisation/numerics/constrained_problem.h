@@ -61,11 +61,6 @@ struct ConstrainedOptions {
   int max_outer = 80;
   int max_inner = 200;
   int max_steps = 16000;
-  /// Asked once, if a constraint is violated by more than `ask_beyond` after `ask_after` steps or more; true ends the
-  /// solve. Empty: not asked.
-  std::function<bool()> is_infeasible = {};
-  int ask_after = 0;
-  double ask_beyond = 0.0;
 
   OptionFields Fields() {
     return {
