@@ -64,10 +64,21 @@ RepairRequest RequestOf(const SharedRobot& robot, const py::object& motion, cons
   return request;
 }
 
+/// @param weights  None, a file, or a dictionary as in a file.
+void SetWeightsOf(const py::object& weights, RepairRequest& request) {
+  if (weights.is_none()) return;
+  if (py::isinstance<py::dict>(weights)) {
+    request.weights_file = "the weights";
+    request.weights_text = py::cast<std::string>(py::module_::import("json").attr("dumps")(weights));
+  } else {
+    request.weights_file = py::cast<fs::path>(weights).string();
+  }
+}
+
 std::shared_ptr<Repair> RepairGiven(const SharedRobot& robot, const py::object& motion, const py::object& terrain,
-                                    double stretch, bool play, const py::dict& options) {
+                                    const py::object& weights, bool play, const py::dict& options) {
   RepairRequest request = RequestOf(robot, motion, terrain, options);
-  if (stretch != 1.0) request.repair.stretch = stretch;
+  SetWeightsOf(weights, request);
   const py::gil_scoped_release others_go_on;
   return std::make_shared<Repair>(robot, Value(RepairAndPlay(*robot, request, play)));
 }
@@ -129,21 +140,8 @@ void BindRepair(py::module_& module) {
       .def("__str__", [](const Repair& r) { return RepairText(r.result()); })
       .def("__bool__", [](const Repair& r) { return r.result().pass(); });
   module.def("repair", RepairGiven, py::arg("robot").none(false), py::arg("motion").none(false), py::kw_only(),
-             py::arg("terrain") = "flat", py::arg("stretch") = 1.0, py::arg("play") = true,
-             py::arg("options") = py::dict(),
-             R"(Changes a motion as little as possible so that the robot can do it (docs/repair.md).
-
-Args:
-    motion: a file, or a dictionary of arrays with a row for each frame: ``dof_pos``, ``root_pos``, ``root_rot``
-        (x y z w), or ``joint_pos``, ``body_pos_w``, ``body_quat_w`` (w x y z; the first body is the base); with ``fps``
-        and ``joint_names``. Without names, joints are in the order of the robot's description.
-    stretch: most that a part may be slowed by if it cannot be done at its speed.
-    play: play the plan in both engines.
-    options: as for ``gaitwright repair --set``, such as ``{"repair.joint": 4.0}``.
-
-Raises:
-    BadInputError: the motion is wrong.
-    InfeasibleError: no motion near it was found; the message names the constraint and the time.)");
+             py::arg("terrain") = "flat", py::arg("weights") = py::none(), py::arg("play") = true,
+             py::arg("options") = py::dict(), "As `gaitwright.repair`, which sets `repair.stretch` among the options.");
 }
 
 }  // namespace gaitwright::python

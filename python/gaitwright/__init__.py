@@ -49,7 +49,6 @@ from gaitwright._core import (
     plan_walk,
     play,
     play_trial,
-    repair,
     robot_names,
     solve_leg,
     terrain_kinds,
@@ -61,6 +60,7 @@ from gaitwright.footstep_planner import FootstepPlanner, walk_with
 from gaitwright.notebook import Page, show
 from gaitwright.plots import plot
 from gaitwright.policies import play_policy
+from gaitwright.repairs import repair
 
 __all__ = [
     "AUDIT_LAWS",

@@ -448,7 +448,7 @@ def repair(
     motion: Union[Path, Mapping[str, Any]],
     *,
     terrain: Union[Terrain, Path] = ...,
-    stretch: float = ...,
+    weights: Union[None, Path, Mapping[str, Any]] = ...,
     play: bool = ...,
     options: Options = ...,
 ) -> Repair: ...

@@ -70,3 +70,16 @@ def test_wrong_arrays_say_what_is_wrong(a1, trot):
         gw.repair(a1, motion)
     with pytest.raises(gw.BadInputError, match="stretch"):
         gw.repair(a1, frames_of(trot), stretch=0.5)
+
+
+def test_weights_keep_what_matters_nearer(a1, trot, tmp_path):
+    motion = frames_of(trot, lift_m=0.02)
+    usual = gw.repair(a1, motion, play=False)
+    legs = gw.repair(a1, motion, weights={"always": {"legs": 100.0}}, play=False)
+    assert legs.passed
+    assert legs.distance["groups"]["legs"]["rms"] < usual.distance["groups"]["legs"]["rms"]
+    (tmp_path / "weights.yaml").write_text('{"always": {"legs": 100.0}}')
+    of_file = gw.repair(a1, motion, weights=tmp_path / "weights.yaml", play=False)
+    assert np.array_equal(of_file.plan.q, legs.plan.q)
+    with pytest.raises(gw.BadInputError, match="wings"):
+        gw.repair(a1, motion, weights={"always": {"wings": 2.0}})

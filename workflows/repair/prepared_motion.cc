@@ -98,11 +98,11 @@ Result<SourceMotion> ReadSource(const RobotModel& model, RepairRequest& request)
   return SourceMotion{std::move(*table), text->Hash()};
 }
 
-std::optional<Failure> ReadWeights(const RobotModel& model, const std::string& file, PreparedMotion& prepared) {
-  if (file.empty()) return std::nullopt;
-  const Result<std::string> text = ReadFile(file);
+std::optional<Failure> ReadWeights(const RobotModel& model, const RepairRequest& request, PreparedMotion& prepared) {
+  if (request.weights_file.empty() && !request.weights_text) return std::nullopt;
+  const Result<std::string> text = request.weights_text ? *request.weights_text : ReadFile(request.weights_file);
   if (!text) return text.failure();
-  Result<FollowWeights> weights = ReadFollowWeights(model, *text, file);
+  Result<FollowWeights> weights = ReadFollowWeights(model, *text, request.weights_file);
   if (!weights) return weights.failure();
   prepared.weights = std::move(*weights);
   prepared.weights_hash = HexHash(*text);
@@ -139,7 +139,7 @@ Result<PreparedMotion> ReadAndFind(const RobotModel& model, RepairRequest reques
   Result<SourceMotion> source = ReadSource(model, request);
   if (!source) return source.failure();
   PreparedMotion prepared{*request.ground, std::move(source->hash), {}, {}, {}, {}, {}, {}};
-  if (std::optional<Failure> failure = ReadWeights(model, request.weights_file, prepared)) return *failure;
+  if (std::optional<Failure> failure = ReadWeights(model, request, prepared)) return *failure;
   MotionFindings& findings = prepared.findings;
   findings.format = source->table.format;
   findings.rows = source->table.rows();

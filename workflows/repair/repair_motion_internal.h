@@ -22,9 +22,10 @@ namespace gaitwright {
 /// Request for RepairMotion. Of the import's options, those of reading apply.
 struct RepairRequest {
   ImportRequest source;
-  std::optional<MotionTable> table = {};  ///< the motion, instead of the file of `source`
-  std::optional<Terrain> ground = {};     ///< the ground; `source.terrain` is then only its name
-  std::string weights_file = {};          ///< file of ReadFollowWeights; "": the usual weights
+  std::optional<MotionTable> table = {};         ///< the motion, instead of the file of `source`
+  std::optional<Terrain> ground = {};            ///< the ground; `source.terrain` is then only its name
+  std::string weights_file = {};                 ///< file of ReadFollowWeights; "": the usual weights
+  std::optional<std::string> weights_text = {};  ///< the weights; `weights_file` is then only their name
   RepairOptions repair;
   TrajectoryOptions trajectory = {.knot_step_s = 0.01, .max_solves = 4, .max_iterations = 100};
   std::function<void(const FollowProgress&)> progress = {};
