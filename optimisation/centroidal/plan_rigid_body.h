@@ -86,8 +86,8 @@ struct RigidBodyPlan {
 /// and a foot acceleration a. If violations at 1 kHz, also between nodes, exceed fault_tolerance, it is planned again:
 /// with additional reach checks if only reach is violated, else with half the node spacing. Failure kInfeasible
 /// `unmet_law` names the violated constraints with place and size, `faults_between` those violated between nodes after
-/// all refinements; `last` then has the last state. If the method is `ceres`, the failure is that of ReasonNotCarried if
-/// there is one.
+/// all refinements; `last` then has the last state. If the method is `ceres`, the failure is that of ReasonNotCarried
+/// if there is one.
 /// @throws InvalidArgument as CheckRigidBodyProblem does.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
