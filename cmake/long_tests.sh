@@ -3,41 +3,52 @@
 
 results=()   # rows of the table
 failures=0
+page=$root/docs/long-test-results.md
 rooms="kinematics planning optimisation playback workflows cli examples python tests"
 tested_rooms="kinematics planning optimisation playback workflows cli examples"
 logs=$root/build/long-tests
 
-# state_of_tree: the commit, and a hash of the differences if files differ from it, except for the page of results.
+# state_of_tree: the last commit that changed more than the page of results, and a hash of the differences if files differ
+# from it.
 state_of_tree() {
   local changes
   changes=$(git -C "$root" diff HEAD -- . ':!docs/long-test-results.md' && git -C "$root" ls-files --others --exclude-standard)
-  git -C "$root" rev-parse --short=10 HEAD
+  git -C "$root" log -1 --format=%h --abbrev=10 -- . ':!docs/long-test-results.md'
   [ -z "$changes" ] || echo "with changes $(sha256sum <<<"$changes" | cut -c -10)"
 }
 
+# results_before: rows of the page of results if it is of this state of the tree.
+results_before() {
+  [ ! -e "$page" ] || ! grep -qF "at commit $(state_of_tree | paste -sd ' ')," "$page" || grep -E '\| (passed|\*\*failed\*\*) \|' "$page" || true
+}
+
+# wanted NAME: whether the part is asked for: its name contains one of the words that were given, or none was given.
+wanted() {
+  local word
+  [ ${#words[@]} -gt 0 ] || return 0
+  for word in "${words[@]}"; do [[ $1 != *"$word"* ]] || return 0; done
+  return 1
+}
+
 # step NAME COMMAND...: runs the command, shows and logs its output, and stores its outcome and last relevant line. A
-# part that has passed at this state of the tree is not run again, so that a stopped call can be continued by the next
-# one.
+# part whose row in the page of results says passed at this state of the tree is not run again, so that a stopped call
+# can be continued by the next one, in another clone too.
 step() {
-  local name=$1 log=$logs/${1//[ :]/-}.log start=$SECONDS outcome=passed
-  local kept=$logs/passed/$(state_of_tree | sha256sum | cut -c -16)-${1//[ :]/-}
+  local name=$1 log=$logs/${1//[ :]/-}.log start=$SECONDS outcome=passed before
   shift
-  if [ -e "$kept" ]; then
-    say "== $name: passed before"
-    results+=("$(cat "$kept")")
-    return
+  before=$(grep -F "| $name |" <<<"$rows_before" || true)
+  if [[ $before == *"| passed |"* ]] || ! wanted "$name"; then
+    [ -z "$before" ] || results+=("$before")
+    return 0
   fi
   say "== $name"
   if ! "$@" 2>&1 | tee "$log"; then
     outcome="**failed**"
     failures=$((failures + 1))
   fi
-  local detail row
+  local detail
   detail=$(grep -E '^[0-9]+ passed, |tests passed|No tests were found|are clean|findings in|inputs over' "$log" | tail -n 1 || true)
-  row="| $name | $outcome | ${detail:-see the output} | $((SECONDS - start)) |"
-  results+=("$row")
-  mkdir -p "$logs/passed"
-  [ "$outcome" != passed ] || echo "$row" >"$kept"
+  results+=("| $name | $outcome | ${detail:-see the output} | $((SECONDS - start)) |")
   write_results
 }
 
@@ -108,11 +119,24 @@ write_results() {
     echo "| part | outcome | detail | seconds |"
     echo "|---|---|---|---|"
     printf '%s\n' "${results[@]}"
-  } >"$root/docs/long-test-results.md"
+    not_run_yet
+  } >"$page"
 }
 
+# not_run_yet: rows of the page at the start whose parts come later in this call.
+not_run_yet() {
+  local row name
+  while read -r row; do
+    name=$(cut -d '|' -f 2 <<<"$row")
+    [ -z "$row" ] || grep -qF "|$name|" <(printf '%s\n' "${results[@]}") || echo "$row"
+  done <<<"$rows_before"
+}
+
+# run_long_tests [WORD...]: all parts, or those whose name contains one of the words.
 run_long_tests() {
   local room
+  words=("$@")
+  rows_before=$(results_before)
   mkdir -p "$logs"
   for room in $tested_rooms; do step "sanitizers: $room" sanitized_tests "$room."; done
   step "sanitizers: readers" sanitized_tests fuzz.

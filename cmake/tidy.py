@@ -76,16 +76,18 @@ def git(*arguments):
 
 def changed_since_clean(part):
     """Paths that differ from the last commit at which that part of the long tests passed; None if it is unknown."""
+    page = "docs/long-test-results.md"
     try:
-        page = git("show", "HEAD:docs/long-test-results.md")
-        commit = re.search(r"at commit ([0-9a-f]+),", page)
-        if not commit or not re.search(rf"^\| {part} \| passed \|", page, re.M):
-            return None
-        paths = git("diff", "--name-only", commit[1]) + git("ls-files", "--others", "--exclude-standard")
+        for version in git("log", "--format=%h", "--", page).split():
+            text = git("show", f"{version}:{page}")
+            commit = re.search(r"at commit ([0-9a-f]+),", text)
+            if commit and re.search(rf"^\| {part} \| passed \|", text, re.M):
+                paths = git("diff", "--name-only", commit[1]) + git("ls-files", "--others", "--exclude-standard")
+                changed = {ROOT / name for name in paths.splitlines()}
+                return None if ROOT / ".clang-tidy" in changed else changed
     except (OSError, subprocess.CalledProcessError):
-        return None  # not a repository, or one without that commit
-    changed = {ROOT / name for name in paths.splitlines()}
-    return None if ROOT / ".clang-tidy" in changed else changed
+        pass  # not a repository, or one without those commits
+    return None
 
 
 def findings(build, file):
