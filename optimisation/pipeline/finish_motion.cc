@@ -7,6 +7,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/apart_pairs_internal.h"
+#include "optimisation/pipeline/choose_contacts_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/press_soles_internal.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
@@ -17,10 +18,8 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kViolation = 1e-5;       // [m g, rad, m] that constraints at knots may be off by
-constexpr double kGive = 1e-6;            // see ElasticOptions
-constexpr double kPenalty = 100.0;        // the same: above the multipliers of most motions
 constexpr int kScreening = 20;            // iterations after which a solve ends if the violations
+constexpr double kFarFromApart = 10.0;    // times what is infeasible: more than links that are kept apart explain
 constexpr double kFar = 0.3;              // sum to more than this,
 constexpr double kFarLargest = 5e-3;      // and one of them is larger than this
 constexpr int kScreeningOfHeels = 40;     // of plans with heel-off, which need more iterations
@@ -36,6 +35,7 @@ FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use)
   BodyWeights& w = settings.weights;
   for (double* weight : {&w.base_position, &w.base_rotation, &w.joint}) *weight *= options.near;
   w.effort = options.effort;
+  w.power = options.power;
   return settings;
 }
 
@@ -79,7 +79,6 @@ class Finisher {
   bool LandsAsStanding();
   bool TightenLimits(const SolvedTrajectory& solved);
   bool Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use);
-  MatrixX FirstPoints(const BodyProblem& problem) const;
 
   const RobotModel& model_;
   const MotionPlan& plan_;
@@ -100,14 +99,8 @@ class Finisher {
 
 /// The courses pass where feet touch down less what they have rolled then by the plan; the last landings are moved.
 void Finisher::SetCourses() {
-  const WholeBodyTrajectory& motion = plan_.whole_body;
   for (std::size_t i = 0; i < courses_.size(); ++i) {
-    std::vector<Vector3> at_touchdown_W;
-    for (const std::size_t index : courses_[i].footholds()) {
-      const double time_s = plan_.footsteps.footholds[index].touchdown_s;
-      const double row = std::clamp((time_s - motion.start_s) / motion.step_s, 0.0, motion.size() - 1.0);
-      at_touchdown_W.push_back(rolls_.roll_W[i][static_cast<std::size_t>(std::lround(row))]);
-    }
+    std::vector<Vector3> at_touchdown_W = RolledAtTouchdowns(plan_, courses_[i], rolls_.roll_W[i]);
     at_touchdown_W.back() -= landing_W_[i];
     courses_[i].SetRolls(at_touchdown_W);
   }
@@ -131,17 +124,8 @@ bool Finisher::LandsAsStanding() {
   return false;
 }
 
-/// The spline through the plan.
-MatrixX Finisher::FirstPoints(const BodyProblem& problem) const {
-  MatrixX values(model_.nv(), static_cast<Eigen::Index>(knots_s_.size()));
-  for (std::size_t k = 0; k < knots_s_.size(); ++k)
-    values.col(static_cast<Eigen::Index>(k)) = problem.knots[k].reference.x;
-  return ChainSpline(knots_s_).Through(values, VectorX::Zero(model_.nv()), VectorX::Zero(model_.nv()));
-}
-
 ElasticOptions Finisher::Elastic() const {
-  ElasticOptions elastic{.tolerance = kViolation, .cost_tolerance = 2e-3, .penalty = kPenalty, .give = kGive};
-  elastic.max_iterations = options_.max_iterations;
+  ElasticOptions elastic = ElasticOfKnots(options_.max_iterations);
   if (follow_ != nullptr) return elastic;
   elastic.screening = raises_heels_ ? kScreeningOfHeels : kScreening;
   elastic.infeasible = kFar;
@@ -154,7 +138,7 @@ std::optional<Failure> Finisher::SolveApart(BodyProblem& problem, WindowSolver& 
   const BodyMotion before = motion_;
   const std::vector<KnotWindow> windows = windows_;
   std::optional<Failure> failure = SolveOnce(problem, solver);
-  if (!failure || follow_ != nullptr || !HasApart()) return failure;
+  if (!failure || follow_ != nullptr || !HasApart() || solver.far() > kFarFromApart) return failure;
   ApartPairs::Clear(problem);
   apart_.reset();
   motion_ = before;
@@ -328,9 +312,16 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
     throw InvalidArgument("FinishMotion: " + reason);
   FinishSettings settings = SettingsOf(options, friction_use);
   settings.end_as_standing = end_as_standing;
-  Finisher finisher(model, plan, options, settings);
+  ChosenContacts chosen;
+  const MotionPlan with_chosen = ChooseContacts(model, plan, options, settings, chosen);
+  Finisher finisher(model, with_chosen, options, settings);
   Result<MotionPlan> finished = finisher.Run();
-  if (report != nullptr) *report = finisher.report();
+  if (report != nullptr) {
+    *report = finisher.report();
+    report->iterations += chosen.iterations;
+    report->solve_cpu_s += chosen.solve_cpu_s;
+    if (!chosen.summary.empty()) report->summary += "; " + chosen.summary;
+  }
   return finished;
 }
 

@@ -62,7 +62,8 @@ struct PipelineOptions {
 ///
 /// Tuning
 ///   the motion strays far from the plan        raise near
-///   motors are near their limits               raise effort
+///   motors are near their limits               raise effort, timing=optimised, footholds=free
+///   the motion costs too much energy           raise power, timing=optimised
 ///   feet slip between knots of a fast motion   lower knot_step_s
 struct TrajectoryOptions {
   std::string method = "as-needed";
@@ -72,6 +73,11 @@ struct TrajectoryOptions {
   int max_iterations = 60;
   double near = 1.0;
   double effort = 0.3;
+  double power = 0.0;
+  std::string timing = "fixed";
+  double most_change = 0.25;
+  std::string footholds = "fixed";
+  double most_shift_m = 0.05;
   double heel_off_rad = 0.0;
   double heel_off_share = 1.0;
   double self_distance_m = 0.004;

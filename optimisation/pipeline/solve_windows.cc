@@ -11,10 +11,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kGoodEnough = 1e-4;    // [m g, rad, m] of a solve that was ended by its iterations
-constexpr double kFarFromSole = 100.0;  // times what is infeasible: too far for the friction that soles spared
-constexpr double kFarFromRoom = 10.0;   // the same, for the room
-constexpr double kLongest = 3.5;        // of a window that was joined with those before it, in their usual length
+constexpr double kFarFromSole = 10.0;  // times what is infeasible: too far for the friction that soles spared
+constexpr double kFarFromRoom = 10.0;  // the same, for the room
+constexpr double kLongest = 3.5;       // of a window that was joined with those before it, in their usual length
 
 std::size_t Of(int knot) { return static_cast<std::size_t>(knot); }
 
@@ -36,6 +35,15 @@ int QuietestKnot(const BodyProblem& problem, double from_s, double to_s) {
 }
 
 }  // namespace
+
+ElasticOptions ElasticOfKnots(int max_iterations) {
+  constexpr double kViolation = 1e-5;  // [m g, rad, m] that constraints at knots may be off by
+  constexpr double kGive = 1e-6;       // see ElasticOptions
+  constexpr double kPenalty = 100.0;   // the same: above the multipliers of most motions
+  ElasticOptions elastic{.tolerance = kViolation, .cost_tolerance = 2e-3, .penalty = kPenalty, .give = kGive};
+  elastic.max_iterations = max_iterations;
+  return elastic;
+}
 
 std::vector<KnotWindow> WindowsOf(const BodyProblem& problem, const WindowOptions& options) {
   constexpr double kOne = 1.5, kSearched = 0.2;  // of a window's length: for one window; to either side of a seam
@@ -82,15 +90,7 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
   const MatrixX points = motion.points.middleCols(window.first, knots + 2);
   std::vector<VectorX> forces(motion.forces.begin() + window.first, motion.forces.begin() + window.last + 1);
   if (part.knots.front().is_given) forces.front().resize(0);
-  Eigen::Index size = points.size();
-  for (const VectorX& of : forces) size += of.size();
-  VectorX start(size);
-  start.head(points.size()) = Eigen::Map<const VectorX>(points.data(), points.size());
-  Eigen::Index at = points.size();
-  for (const VectorX& of : forces) {
-    start.segment(at, of.size()) = of;
-    at += of.size();
-  }
+  const VectorX start = Unknowns(points, forces);
   BodyRows rows(part, start);
   ConstrainedSolution last;
   const CpuClock clock;
@@ -98,7 +98,7 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
   work_.cpu_s += clock.elapsed_s();
   work_.iterations += last.iterations;
   violations_ = last.violations;
-  work_.variables = std::max(work_.variables, static_cast<int>(size));
+  work_.variables = std::max(work_.variables, static_cast<int>(start.size()));
   if (!solved && last.violation > kGoodEnough) {
     Failure failure = solved.failure();
     failure.stage = "FinishMotion";

@@ -13,6 +13,12 @@
 
 namespace gaitwright {
 
+/// [m g, rad, m] that constraints may be off by in a solve that was ended by its iterations.
+inline constexpr double kGoodEnough = 1e-4;
+
+/// Options for solving a BodyProblem.
+ElasticOptions ElasticOfKnots(int max_iterations);
+
 /// Windows of a long BodyProblem.
 struct WindowOptions {
   double length_s = 12.0;  ///< from seam to seam, about
@@ -66,6 +72,8 @@ class WindowSolver {
                                const std::function<void(int done, int all)>& progress);
 
   const WindowWork& work() const { return work_; }
+  /// After a failure: sum of the violations that remain, over what the options call infeasible.
+  double far() const { return violations_ / elastic_.infeasible; }
   /// After a failure: times of knots at which constraints stay violated, in order.
   const std::vector<double>& unmet_s() const { return unmet_s_; }
 

@@ -80,6 +80,7 @@ struct BodyWeights {
   double joint_acceleration = 1e-3;  ///< [s^2/rad]
   double effort = 0.3;               ///< share of a motor's limit
   double force = 0.1;                ///< force of a contact point over the weight
+  double power = 0.0;                ///< mechanical power of a motor over weight times root of g times leg length
 };
 
 /// Shares of limits that a motion may use at knots. Controllers need room for corrections, and more is used between

@@ -50,7 +50,8 @@ void BodyRows::ListRows() {
   for (std::size_t k = 0; k < knots_.size(); ++k) {
     const double before = k > 0 ? times[k] - times[k - 1] : 0.0,
                  after = k + 1 < times.size() ? times[k + 1] - times[k] : 0.0;
-    share_.push_back(Asked(k).is_given ? 0.0 : std::sqrt(0.5 * (before + after) / kUnit));
+    of_knot_.push_back(Asked(k).is_given ? 0.0 : std::sqrt(0.5 * (before + after) / kUnit));
+    basis_.push_back(spline_.At(static_cast<int>(k)));
     Knot& knot = knots_[k];
     knot.force = points_size_ + forces_size_;
     for (const PressingFoot& foot : Asked(k).pressing) {
@@ -62,7 +63,9 @@ void BodyRows::ListRows() {
       knot.row[kind] = residuals_;
       residuals_ += CountOf(knot, Asked(k), static_cast<Kind>(kind));
     }
+    knot.residual_end = residuals_;
   }
+  share_ = of_knot_;
   Index rows = residuals_;
   for (std::size_t k = 0; k < knots_.size(); ++k) {
     Knot& knot = knots_[k];
@@ -72,7 +75,7 @@ void BodyRows::ListRows() {
     }
     knot.row[kKinds] = rows;
     knot.y = VectorX::Zero(3 * n_ + knot.forces);
-    knot.dense = VectorX::Zero(6 + motors_.count());
+    knot.dense = VectorX::Zero(6 + motors_.count() + powers());
     knot.D = MatrixX::Zero(knot.dense.size(), knot.y.size());
     knot.posture = VectorX::Zero(CountOf(knot, Asked(k), kFeet) + CountOf(knot, Asked(k), kApart) +
                                  CountOf(knot, Asked(k), kPoint));
@@ -91,6 +94,8 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
       return motors_.count();
     case kForce:
       return knot.forces;
+    case kPower:
+      return powers();
     case kPoint:
       return asked.pins_place ? 0 : static_cast<Index>(3 * asked.points.size());
     case kDynamics:
@@ -229,7 +234,9 @@ void BodyRows::Evaluate(const VectorX& z) {
     knot_model_.Evaluate(state.q, state.v, state.a, knot.contacts, weight * knot.y.tail(knot.forces), needed);
     knot.dense.head<3>() = needed.head<3>() / weight;
     knot.dense.segment<3>(3) = needed.segment<3>(3) / moment;
-    motors_.Efforts(needed.tail(n_ - 6), state.v.tail(n_ - 6), state.a.tail(n_ - 6), knot.dense.tail(motors_.count()));
+    motors_.Efforts(needed.tail(n_ - 6), state.v.tail(n_ - 6), state.a.tail(n_ - 6),
+                    knot.dense.segment(6, motors_.count()));
+    EvaluatePower(knot);
     EvaluatePosture(knot, Asked(k), nullptr);
     FillRows(k, knot.y, knot.dense, knot.posture, true, value_);
   }
@@ -247,8 +254,8 @@ void BodyRows::Differentiate() {
       auto block = knot.D.middleCols(column, by.cols());
       block.topRows<3>() = unit / weight * by.topRows<3>();
       block.middleRows<3>(3) = unit / moment * by.middleRows<3>(3);
-      motors_.ToMotors(by.bottomRows(joints), block.bottomRows(m));
-      if (unit != 1.0) block.bottomRows(m) *= unit;
+      motors_.ToMotors(by.bottomRows(joints), block.middleRows(6, m));
+      if (unit != 1.0) block.middleRows(6, m) *= unit;
     };
     set(0, forces_.by_q, 1.0);
     set(n_, forces_.by_v, 1.0);
@@ -259,6 +266,7 @@ void BodyRows::Differentiate() {
     by_q = (by_q * state.turn.E + by_v * state.turn.w_by_x + by_a * state.turn.alpha_by_x).eval();
     by_v = (by_v * state.turn.E + by_a * state.turn.alpha_by_rate).eval();
     by_a = (by_a * state.turn.E).eval();
+    DifferentiatePower(knot);
     EvaluatePosture(knot, Asked(k), &state);
   }
 }
@@ -277,7 +285,8 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
         share_[k] * AccelerationWeight(i) * (acceleration[i] - constant * reference.acceleration[i]);
   }
   const Index m = motors_.count();
-  rows.segment(knot.row[kEffort], m) = share_[k] * problem_.weights.effort * dense.tail(m);
+  rows.segment(knot.row[kEffort], m) = share_[k] * problem_.weights.effort * dense.segment(6, m);
+  rows.segment(knot.row[kPower], powers()) = share_[k] * problem_.weights.power * dense.tail(powers());
   rows.segment(knot.row[kForce], knot.forces) = share_[k] * problem_.weights.force * y.tail(knot.forces);
   if (asked.is_given) {
     FillPins(knot, asked, y, constant, rows);
@@ -322,7 +331,7 @@ void BodyRows::FillPins(const Knot& knot, const BodyKnot& asked, const VectorX& 
 
 void BodyRows::Flat(std::size_t k, const VectorX& z, VectorX& y) const {
   const Knot& knot = knots_[k];
-  const KnotBasis& basis = spline_.At(static_cast<int>(k));
+  const KnotBasis& basis = basis_[k];
   y.setZero(3 * n_ + knot.forces);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto point = z.segment(static_cast<Index>(k + i) * n_, n_);
@@ -345,19 +354,25 @@ VectorX BodyRows::Moved(const VectorX& by) const {
   return moved;
 }
 
-VectorX BodyRows::Joined(const MatrixX& points, const std::vector<VectorX>& forces) const {
-  VectorX z(size());
-  z.head(points_size_) = Eigen::Map<const VectorX>(points.data(), points.size());
-  for (std::size_t k = 0; k < knots_.size(); ++k) z.segment(knots_[k].force, knots_[k].forces) = forces[k];
-  return z;
-}
-
 MatrixX BodyRows::PointsOf(const VectorX& z) const { return Eigen::Map<const MatrixX>(z.data(), n_, spline_.points()); }
 
 std::vector<VectorX> BodyRows::ForcesOf(const VectorX& z) const {
   std::vector<VectorX> forces;
   for (const Knot& knot : knots_) forces.emplace_back(z.segment(knot.force, knot.forces));
   return forces;
+}
+
+VectorX Unknowns(const MatrixX& points, const std::vector<VectorX>& forces) {
+  Index size = points.size();
+  for (const VectorX& of : forces) size += of.size();
+  VectorX z(size);
+  z.head(points.size()) = Eigen::Map<const VectorX>(points.data(), points.size());
+  Index at = points.size();
+  for (const VectorX& of : forces) {
+    z.segment(at, of.size()) = of;
+    at += of.size();
+  }
+  return z;
 }
 
 }  // namespace gaitwright

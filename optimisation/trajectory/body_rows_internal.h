@@ -17,7 +17,7 @@ namespace gaitwright {
 /// = Notation =
 ///   z     unknowns: control points one after the other, then forces knot by knot
 ///   y     of a knot, "flat": coordinates, their rates, their accelerations, and forces: size 3 n + f
-///   dense rows of a knot: six of the dynamics, then efforts of the motors
+///   dense rows of a knot: six of the dynamics, then efforts of the motors, then their powers if these are weighed
 ///   posture rows of a knot: of feet, then distances of links, then of points near places; all else is linear in y
 class BodyRows : public ElasticRows {
  public:
@@ -36,15 +36,28 @@ class BodyRows : public ElasticRows {
   VectorX Moved(const VectorX& by) const override;
   bool Factor(const VectorX& weights, double damping) override;
   VectorX Solved(const VectorX& right) const override;
+  /// Solves for each column.
+  MatrixX SolvedAll(const MatrixX& right) const;
 
   /// Times of knots at which constraints are violated by more than a tolerance where Evaluate was last, in order.
   std::vector<double> TimesUnmet(double tolerance) const;
 
+  /// From the next Evaluate on, knots are passed at these rates, and feet are to be at their goals plus these shifts:
+  /// by knot, then by goal. Both are constant in all derivatives.
+  void SetChosen(const std::vector<KnotPace>& paces, const std::vector<std::vector<Vector3>>& shifts_W);
+  /// Change of the rows of a knot by a change of its pace or of the shift of a goal where Differentiate was last; other
+  /// rows of `rows` are left as they are.
+  void MovedByPace(std::size_t k, const KnotPace& by, VectorX& rows) const;
+  void MovedByShift(std::size_t k, std::size_t goal, const Vector3& by_W, VectorX& rows) const;
+  /// First and last row of a knot's residuals, and of its constraints.
+  std::array<std::pair<Eigen::Index, Eigen::Index>, 2> RowsOf(std::size_t k) const;
+  /// Adds J^T * by of the rows of a knot.
+  void AddGradient(std::size_t k, const VectorX& by, VectorX& gradient) const;
+
   /// How many unknowns there are.
   Eigen::Index size() const { return points_size_ + forces_size_; }
   const ChainSpline& spline() const { return spline_; }
-  /// z of control points (columns) and forces by knot, and the reverse.
-  VectorX Joined(const MatrixX& points, const std::vector<VectorX>& forces) const;
+  /// The reverse of Unknowns.
   MatrixX PointsOf(const VectorX& z) const;
   std::vector<VectorX> ForcesOf(const VectorX& z) const;
 
@@ -55,6 +68,7 @@ class BodyRows : public ElasticRows {
     kNearAcceleration,
     kEffort,
     kForce,
+    kPower,
     kPoint,
     kDynamics,
     kFeet,
@@ -72,15 +86,19 @@ class BodyRows : public ElasticRows {
     Eigen::Index row[kKinds + 1] = {};   // first of each kind; residuals and constraints are apart
     Eigen::Index residual_end = 0;
     VectorX y;
-    VectorX dense, posture;  // values
-    VectorX feet_within;     // what rows of feet may be off by
-    MatrixX D;               // dense rows by y
-    MatrixX J;               // posture rows by coordinates
-    MatrixX L, E;            // factors of the forces' own block, and of their coupling
+    VectorX dense, posture;        // values
+    VectorX feet_within;           // what rows of feet may be off by
+    std::vector<Vector3> shift_W;  // of goals of feet, or empty
+    KnotPace pace;
+    MatrixX D;     // dense rows by y
+    MatrixX J;     // posture rows by coordinates
+    MatrixX L, E;  // factors of the forces' own block, and of their coupling
     std::vector<KnotContact> contacts;
   };
 
   void ListRows();
+  template <class Right>
+  void Substitute(Right& solved, bool forward) const;
   Eigen::Index CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) const;
   void SetState(Knot& knot, ChartedState& state);
   void EvaluatePosture(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives);
@@ -92,7 +110,10 @@ class BodyRows : public ElasticRows {
                 VectorX& rows) const;
   void FillPins(const Knot& knot, const BodyKnot& asked, const VectorX& y, double constant, VectorX& rows) const;
   void Flat(std::size_t k, const VectorX& z, VectorX& y) const;
+  void EvaluatePower(Knot& knot);
+  void DifferentiatePower(Knot& knot);
   Eigen::Index AddDense(std::size_t k, const VectorX& of_rows) const;
+  Eigen::Index powers() const { return problem_.weights.power > 0.0 ? motors_.count() : 0; }
   void FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const;
   void AddSquares(std::size_t k, const VectorX& weights);
   bool EliminateForces(std::size_t k, double damping);
@@ -110,8 +131,9 @@ class BodyRows : public ElasticRows {
   Eigen::Index n_;  // coordinates
   Eigen::Index points_size_ = 0, forces_size_ = 0, residuals_ = 0;
   std::vector<Knot> knots_;
-  std::vector<double> share_;  // by knot: root of its share of time over 10 ms
-  std::vector<int> ranged_;    // joints with a range
+  std::vector<KnotBasis> basis_;         // by knot, for its pace
+  std::vector<double> share_, of_knot_;  // by knot: root of its share of time over 10 ms; of the problem's time
+  std::vector<int> ranged_;              // joints with a range
   VectorX value_;
   ChainMatrix chain_;
   // Work space
@@ -120,6 +142,9 @@ class BodyRows : public ElasticRows {
   KnotFoot foot_;
   mutable VectorX flat_, dense_, posture_;
 };
+
+/// z of control points (columns) and forces by knot.
+VectorX Unknowns(const MatrixX& points, const std::vector<VectorX>& forces);
 
 /// Rows of distances of links are in dm, so that their multipliers are about as large as those of others.
 inline constexpr double kApartUnit = 10.0;

@@ -51,9 +51,10 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
   const Knot& knot = knots_[k];
   const BodyKnot& asked = Asked(k);
   const Index m = motors_.count();
-  dense_.resize(6 + m);
+  dense_.resize(6 + m + powers());
   dense_.head<6>().setZero();
-  dense_.tail(m) = share_[k] * problem_.weights.effort * by.segment(knot.row[kEffort], m);
+  dense_.segment(6, m) = share_[k] * problem_.weights.effort * by.segment(knot.row[kEffort], m);
+  dense_.tail(powers()) = share_[k] * problem_.weights.power * by.segment(knot.row[kPower], powers());
   Index row = AddDense(k, by);
   const Index first_curve = row;
   for (const MotorRows::Curve& curve : motors_.curves()) {
@@ -97,17 +98,19 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
 
 VectorX BodyRows::Gradient(const VectorX& by) const {
   VectorX gradient = VectorX::Zero(size());
-  for (std::size_t k = 0; k < knots_.size(); ++k) {
-    FlatGradient(k, by, flat_);
-    const KnotBasis& basis = spline_.At(static_cast<int>(k));
-    for (std::size_t i = 0; i < 3; ++i) {
-      gradient.segment(static_cast<Index>(k + i) * n_, n_) += basis.value[i] * flat_.head(n_) +
-                                                              basis.rate[i] * flat_.segment(n_, n_) +
-                                                              basis.acceleration[i] * flat_.segment(2 * n_, n_);
-    }
-    gradient.segment(knots_[k].force, knots_[k].forces) = flat_.tail(knots_[k].forces);
-  }
+  for (std::size_t k = 0; k < knots_.size(); ++k) AddGradient(k, by, gradient);
   return gradient;
+}
+
+void BodyRows::AddGradient(std::size_t k, const VectorX& by, VectorX& gradient) const {
+  FlatGradient(k, by, flat_);
+  const KnotBasis& basis = basis_[k];
+  for (std::size_t i = 0; i < 3; ++i) {
+    gradient.segment(static_cast<Index>(k + i) * n_, n_) += basis.value[i] * flat_.head(n_) +
+                                                            basis.rate[i] * flat_.segment(n_, n_) +
+                                                            basis.acceleration[i] * flat_.segment(2 * n_, n_);
+  }
+  gradient.segment(knots_[k].force, knots_[k].forces) += flat_.tail(knots_[k].forces);
 }
 
 /// The lower triangle of the weighted squares of a knot's rows, by y.
@@ -116,9 +119,10 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   const BodyKnot& asked = Asked(k);
   const Index m = motors_.count(), size = knot.y.size();
   const double effort = share_[k] * problem_.weights.effort, force_weight = share_[k] * problem_.weights.force;
-  dense_.resize(6 + m);
+  dense_.resize(6 + m + powers());
   dense_.head<6>().setZero();
-  dense_.tail(m).setConstant(effort * effort);
+  dense_.segment(6, m).setConstant(effort * effort);
+  dense_.tail(powers()).setConstant(std::pow(share_[k] * problem_.weights.power, 2));
   Index row = AddDense(k, weights);
   const Index first_curve = row;
   for (const MotorRows::Curve& curve : motors_.curves()) {
@@ -182,7 +186,7 @@ bool BodyRows::EliminateForces(std::size_t k, double damping) {
   Eigen::Ref<MatrixX> own = knot.L;
   if (const Eigen::LLT<Eigen::Ref<MatrixX>> factors(own); factors.info() != Eigen::Success) return false;
   const auto coupled = square_.bottomRows(f);
-  const KnotBasis& basis = spline_.At(static_cast<int>(k));
+  const KnotBasis& basis = basis_[k];
   for (std::size_t i = 0; i < 3; ++i) {
     knot.E.middleCols(static_cast<Index>(i) * n_, n_) = basis.value[i] * coupled.leftCols(n_) +
                                                         basis.rate[i] * coupled.middleCols(n_, n_) +
@@ -194,7 +198,7 @@ bool BodyRows::EliminateForces(std::size_t k, double damping) {
 
 /// What is left of a knot's squares, by control points.
 void BodyRows::AddToChain(std::size_t k) {
-  const KnotBasis& basis = spline_.At(static_cast<int>(k));
+  const KnotBasis& basis = basis_[k];
   const auto weight = [&](Index derivative, std::size_t point) {
     const auto& of = derivative == 0 ? basis.value : derivative == 1 ? basis.rate : basis.acceleration;
     return of[point];
@@ -224,23 +228,37 @@ bool BodyRows::Factor(const VectorX& weights, double damping) {
   return chain_.Factor();
 }
 
-VectorX BodyRows::Solved(const VectorX& right) const {
-  VectorX solved = right;
+/// The share of the forces in solving with the factors: before that of the chain, or after it.
+template <class Right>
+void BodyRows::Substitute(Right& solved, bool forward) const {
   for (std::size_t k = 0; k < knots_.size(); ++k) {
     const Knot& knot = knots_[k];
     if (knot.forces == 0) continue;
-    auto own = solved.segment(knot.force, knot.forces);
-    knot.L.triangularView<Eigen::Lower>().solveInPlace(own);
-    solved.segment(static_cast<Index>(k) * n_, 3 * n_).noalias() -= knot.E.transpose() * own;
+    auto own = solved.middleRows(knot.force, knot.forces);
+    auto points = solved.middleRows(static_cast<Index>(k) * n_, 3 * n_);
+    if (forward) {
+      knot.L.triangularView<Eigen::Lower>().solveInPlace(own);
+      points.noalias() -= knot.E.transpose() * own;
+    } else {
+      own.noalias() -= knot.E * points;
+      knot.L.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+    }
   }
+}
+
+VectorX BodyRows::Solved(const VectorX& right) const {
+  VectorX solved = right;
+  Substitute(solved, true);
   chain_.Solve(solved.head(points_size_));
-  for (const Knot& knot : knots_) {
-    if (knot.forces == 0) continue;
-    const auto k = static_cast<Index>(&knot - knots_.data());
-    auto own = solved.segment(knot.force, knot.forces);
-    own.noalias() -= knot.E * solved.segment(k * n_, 3 * n_);
-    knot.L.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
-  }
+  Substitute(solved, false);
+  return solved;
+}
+
+MatrixX BodyRows::SolvedAll(const MatrixX& right) const {
+  MatrixX solved = right;
+  Substitute(solved, true);
+  chain_.SolveAll(solved.topRows(points_size_));
+  Substitute(solved, false);
   return solved;
 }
 

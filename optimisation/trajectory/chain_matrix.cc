@@ -38,21 +38,25 @@ bool ChainMatrix::Factor() {
   return true;
 }
 
-void ChainMatrix::Solve(Eigen::Ref<VectorX> right) const {
+template <class Right>
+void ChainMatrix::SolveInPlace(Right& right) const {
   for (int k = 0; k < blocks_; ++k) {
-    auto own = right.segment(k * size_, size_);
+    auto own = right.middleRows(k * size_, size_);
     const Eigen::Ref<const MatrixX> diagonal = Column(k).topRows(size_);
     diagonal.triangularView<Eigen::Lower>().solveInPlace(own);
     const Eigen::Index below = std::min(2, blocks_ - 1 - k) * size_;
-    right.segment((k + 1) * size_, below).noalias() -= Column(k).middleRows(size_, below) * own;
+    right.middleRows((k + 1) * size_, below).noalias() -= Column(k).middleRows(size_, below) * own;
   }
   for (int k = blocks_ - 1; k >= 0; --k) {
-    auto own = right.segment(k * size_, size_);
+    auto own = right.middleRows(k * size_, size_);
     const Eigen::Index below = std::min(2, blocks_ - 1 - k) * size_;
-    own.noalias() -= Column(k).middleRows(size_, below).transpose() * right.segment((k + 1) * size_, below);
+    own.noalias() -= Column(k).middleRows(size_, below).transpose() * right.middleRows((k + 1) * size_, below);
     const Eigen::Ref<const MatrixX> diagonal = Column(k).topRows(size_);
     diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
   }
 }
+
+template void ChainMatrix::SolveInPlace(Eigen::Ref<VectorX>& right) const;
+template void ChainMatrix::SolveInPlace(Eigen::Ref<MatrixX>& right) const;
 
 }  // namespace gaitwright

@@ -19,10 +19,13 @@ class ChainMatrix {
   void Add(int first, const Eigen::Ref<const MatrixX>& lower);
   /// @return false if the matrix is not positive definite.
   bool Factor();
-  /// Solves in place with the factors.
-  void Solve(Eigen::Ref<VectorX> right) const;
+  /// Solves in place with the factors; for each column.
+  void Solve(Eigen::Ref<VectorX> right) const { SolveInPlace(right); }
+  void SolveAll(Eigen::Ref<MatrixX> right) const { SolveInPlace(right); }
 
  private:
+  template <class Right>
+  void SolveInPlace(Right& right) const;
   /// Block column: what is at and below the diagonal.
   auto Column(int block) { return columns_.middleCols(block * size_, size_); }
   auto Column(int block) const { return columns_.middleCols(block * size_, size_); }

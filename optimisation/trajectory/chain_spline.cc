@@ -7,6 +7,15 @@
 
 namespace gaitwright {
 
+KnotBasis AtPace(const KnotBasis& basis, const KnotPace& pace) {
+  KnotBasis now = basis;
+  for (std::size_t i = 0; i < 3; ++i) {
+    now.rate[i] = pace.rate * basis.rate[i];
+    now.acceleration[i] = pace.rate * (pace.rate * basis.acceleration[i] + pace.slope * basis.rate[i]);
+  }
+  return now;
+}
+
 ChainSpline::ChainSpline(std::vector<double> time_s) : time_s_(std::move(time_s)) {
   for (std::size_t k = 0; k < time_s_.size(); ++k) {
     const CubicBasis of = EvaluateCubicBasis(time_s_, time_s_[k]);

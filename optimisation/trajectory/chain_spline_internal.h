@@ -13,6 +13,14 @@ struct KnotBasis {
   std::array<double, 3> value{}, rate{}, acceleration{};
 };
 
+/// How fast a knot is passed: change of the spline's own time s with time t, and the change of that with s.
+///   dx/dt = rate x',  d2x/dt2 = rate^2 x'' + rate slope x'
+struct KnotPace {
+  double rate = 1.0;
+  double slope = 0.0;  ///< [1/s]
+};
+KnotBasis AtPace(const KnotBasis& basis, const KnotPace& pace);
+
 /// A vector over time.
 struct VectorJet {
   VectorX x, rate, acceleration;

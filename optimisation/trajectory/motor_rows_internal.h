@@ -25,6 +25,8 @@ class MotorRows {
   };
 
   int count() const { return static_cast<int>(motors_.size()); }
+  /// What a share of 1 is [N m], [N].
+  double EffortOf(int motor) const { return scale_[static_cast<std::size_t>(motor)]; }
   const std::vector<Actuator>& motors() const { return motors_; }
   /// Motors whose effort is limited: their share is to be within [-1, 1].
   const std::vector<int>& limited() const { return limited_; }

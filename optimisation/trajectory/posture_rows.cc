@@ -38,10 +38,12 @@ Index BodyRows::EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedSta
   for (const FootGoal& goal : asked.feet) {
     const Foot& foot = model_.feet[static_cast<std::size_t>(goal.foot)];
     knot_model_.FootAt(goal.foot, with_derivatives != nullptr, foot_);
+    const auto index = static_cast<std::size_t>(&goal - asked.feet.data());
+    const Vector3 p_W = knot.shift_W.empty() ? goal.p_W : (goal.p_W + knot.shift_W[index]).eval();
     Vector6 off;
     const Vector3 rolled = foot.radius > 0.0 ? RotationLog(foot_.R_WF * goal.R_roll.transpose()) : Vector3::Zero();
     const Vector3 turned = RotationLog(foot_.R_WF * goal.R_W.transpose());
-    off << goal.axes_W.transpose() * (foot_.p_WF - goal.p_W - foot.radius * rolled.cross(goal.normal_W)),
+    off << goal.axes_W.transpose() * (foot_.p_WF - p_W - foot.radius * rolled.cross(goal.normal_W)),
         goal.R_W.transpose() * turned;
     if (with_derivatives != nullptr) {
       by_v.resize(6, n_);

@@ -228,6 +228,26 @@ void SetRolledGoals(const RobotModel& model, const WholeBodyTrajectory& motion, 
   }
 }
 
+MatrixX FirstPoints(const BodyProblem& problem) {
+  const Eigen::Index coordinates = problem.model->nv();
+  MatrixX values(coordinates, static_cast<Eigen::Index>(problem.knots.size()));
+  for (std::size_t k = 0; k < problem.knots.size(); ++k)
+    values.col(static_cast<Eigen::Index>(k)) = problem.knots[k].reference.x;
+  return ChainSpline(problem.time_s).Through(values, VectorX::Zero(coordinates), VectorX::Zero(coordinates));
+}
+
+std::vector<Vector3> RolledAtTouchdowns(const MotionPlan& plan, const FootCourse& course,
+                                        const std::vector<Vector3>& roll_W) {
+  const WholeBodyTrajectory& motion = plan.whole_body;
+  std::vector<Vector3> rolled_W;
+  for (const std::size_t index : course.footholds()) {
+    const double time_s = plan.footsteps.footholds[index].touchdown_s;
+    const double row = std::clamp((time_s - motion.start_s) / motion.step_s, 0.0, motion.size() - 1.0);
+    rolled_W.push_back(roll_W[static_cast<std::size_t>(std::lround(row))]);
+  }
+  return rolled_W;
+}
+
 std::vector<VectorX> FirstForces(const RobotModel& model, const MotionPlan& plan, const BodyProblem& problem) {
   std::vector<VectorX> all;
   WholeBodySample sample;

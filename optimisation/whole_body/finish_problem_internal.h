@@ -36,6 +36,14 @@ BodyProblem ProblemOf(const RobotModel& model, const MotionPlan& plan, const std
 void SetRolledGoals(const RobotModel& model, const WholeBodyTrajectory& motion, const FootRolls& rolls,
                     const std::vector<FootCourse>& courses, BodyProblem& problem);
 
+/// Control points of the spline through the references of a problem, at rest at both ends.
+MatrixX FirstPoints(const BodyProblem& problem);
+
+/// What the foot of a course has rolled when it touches down on each of its footholds. @param roll_W  by row of the
+/// plan's motion, as in FootRolls.
+std::vector<Vector3> RolledAtTouchdowns(const MotionPlan& plan, const FootCourse& course,
+                                        const std::vector<Vector3>& roll_W);
+
 /// Forces at the knots of a problem in units of the weight: those of a plan's wrenches, shared evenly among the points
 /// of a foot; where it has none, the weight shared evenly.
 std::vector<VectorX> FirstForces(const RobotModel& model, const MotionPlan& plan, const BodyProblem& problem);

@@ -35,6 +35,23 @@ TEST(ChainMatrix, SolvesAsADenseFactorisationDoes) {
   }
 }
 
+TEST(ChainMatrix, SolvesAllColumnsAsItSolvesEach) {
+  RandomState random(5);
+  ChainMatrix chain(kSize, 6);
+  chain.SetDiagonal(0.5);
+  for (int k = 0; k < 4; ++k) chain.Add(k, RandomSquare(random));
+  ASSERT_TRUE(chain.Factor());
+  MatrixX columns(6 * kSize, 3);
+  for (int j = 0; j < 3; ++j) columns.col(j) = random.Vector(6 * kSize);
+  MatrixX solved = columns;
+  chain.SolveAll(solved);
+  for (int j = 0; j < 3; ++j) {
+    VectorX alone = columns.col(j);
+    chain.Solve(alone);
+    EXPECT_LT((alone - solved.col(j)).norm(), 1e-12 * alone.norm());
+  }
+}
+
 TEST(ChainMatrix, SaysWhereItIsNotPositiveDefinite) {
   ChainMatrix chain(kSize, 3);
   chain.SetDiagonal(1.0);
