@@ -29,7 +29,8 @@ bool Stands(const RobotModel& model, const MotionPlan& plan, const Foothold& foo
 }
 
 /// The largest share of the most a foothold may be shifted by for which it stands at all corners of its region.
-double RoomOf(const RobotModel& model, const MotionPlan& plan, const Foothold& foothold, const ShiftedFoothold& choice) {
+double RoomOf(const RobotModel& model, const MotionPlan& plan, const Foothold& foothold,
+              const ShiftedFoothold& choice) {
   for (double share = 1.0; share > 0.1; share *= 0.5) {
     bool stands = true;
     for (const double x : {choice.lower_m[0], choice.upper_m[0]}) {
@@ -43,7 +44,7 @@ double RoomOf(const RobotModel& model, const MotionPlan& plan, const Foothold& f
 
 /// How the goals of a foot move with a foothold, by knot.
 std::vector<ShiftedFoothold::Share> SharesOf(const MotionPlan& plan, const FootCourse& course, std::size_t goal,
-                                            std::size_t index, const std::vector<double>& knots_s) {
+                                             std::size_t index, const std::vector<double>& knots_s) {
   std::vector<ShiftedFoothold::Share> shares;
   for (std::size_t k = 0; k < knots_s.size(); ++k) {
     const FootCourse::Place place = course.At(knots_s[k]);

@@ -19,7 +19,6 @@ namespace gaitwright {
 namespace {
 
 constexpr int kScreening = 20;            // iterations after which a solve ends if the violations
-constexpr double kFarFromApart = 10.0;    // times what is infeasible: more than links that are kept apart explain
 constexpr double kFar = 0.3;              // sum to more than this,
 constexpr double kFarLargest = 5e-3;      // and one of them is larger than this
 constexpr int kScreeningOfHeels = 40;     // of plans with heel-off, which need more iterations
@@ -138,7 +137,7 @@ std::optional<Failure> Finisher::SolveApart(BodyProblem& problem, WindowSolver& 
   const BodyMotion before = motion_;
   const std::vector<KnotWindow> windows = windows_;
   std::optional<Failure> failure = SolveOnce(problem, solver);
-  if (!failure || follow_ != nullptr || !HasApart() || solver.far() > kFarFromApart) return failure;
+  if (!failure || follow_ != nullptr || !HasApart() || solver.is_far()) return failure;
   ApartPairs::Clear(problem);
   apart_.reset();
   motion_ = before;

@@ -11,9 +11,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kFarFromSole = 10.0;  // times what is infeasible: too far for the friction that soles spared
-constexpr double kFarFromRoom = 10.0;  // the same, for the room
-constexpr double kLongest = 3.5;       // of a window that was joined with those before it, in their usual length
+constexpr double kLongest = 3.5;  // of a window that was joined with those before it, in their usual length
 
 std::size_t Of(int knot) { return static_cast<std::size_t>(knot); }
 
@@ -123,11 +121,11 @@ std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<Kno
   const int usual = windows.front().last - windows.front().first;
   for (std::size_t i = 0; i < windows.size();) {
     std::optional<Failure> failure = SolveOne(problem, spline, windows[i], motion);
-    if (failure && windows[i].spares_soles && violations_ < kFarFromSole * elastic_.infeasible) {
+    if (failure && windows[i].spares_soles && !is_far()) {
       UseSoles(problem, windows[i]);
       failure = SolveOne(problem, spline, windows[i], motion);
     }
-    if (failure && windows[i].keeps_room && violations_ < kFarFromRoom * elastic_.infeasible) {
+    if (failure && windows[i].keeps_room && !is_far()) {
       UseAll(problem, windows[i]);
       failure = SolveOne(problem, spline, windows[i], motion);
     }

@@ -72,8 +72,9 @@ class WindowSolver {
                                const std::function<void(int done, int all)>& progress);
 
   const WindowWork& work() const { return work_; }
-  /// After a failure: sum of the violations that remain, over what the options call infeasible.
-  double far() const { return violations_ / elastic_.infeasible; }
+  /// After a failure: whether the violations that remain are too large to vanish with a little more friction, with all
+  /// of the limits, or with links that may touch.
+  bool is_far() const { return violations_ > kFarFromSolution * elastic_.infeasible; }
   /// After a failure: times of knots at which constraints stay violated, in order.
   const std::vector<double>& unmet_s() const { return unmet_s_; }
 
@@ -83,6 +84,8 @@ class WindowSolver {
   static void Press(const PressingByKnot& pressing, const KnotWindow& window, BodyProblem& problem);
   void UseSoles(BodyProblem& problem, KnotWindow& window) const;
   void UseAll(BodyProblem& problem, KnotWindow& window) const;
+
+  static constexpr double kFarFromSolution = 3.0;  // times what is infeasible
 
   const ElasticOptions elastic_;
   const WindowSoles soles_;

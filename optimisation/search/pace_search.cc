@@ -44,18 +44,25 @@ double TowardsZero(double value, int digits) {
 
 double NextLower(double value) { return TwoDigitsBetween(0.5 * value, value).back(); }
 
+double SomePace(const PaceRange& range, const std::function<bool(double)>& possible) {
+  double pace = TowardsZero(std::min(0.5 * range.asked, range.unreachable), 2);
+  if (!possible(TowardsZero(std::ldexp(pace, -range.halvings), 2))) return 0.0;
+  for (int halvings = 0; halvings < range.halvings; ++halvings) {
+    if (possible(pace)) return pace;
+    pace = TowardsZero(0.5 * pace, 2);
+  }
+  return 0.0;
+}
+
 double LargestPace(const PaceRange& range, const std::function<bool(double)>& possible) {
   double high = range.asked;
-  double low = TowardsZero(std::min(0.5 * high, range.unreachable), 2);
-  if (!possible(TowardsZero(std::ldexp(low, -range.halvings), 2))) return 0.0;
-  int halvings = 0;
-  while (halvings < range.halvings && !possible(low)) {
-    high = low;
-    low = TowardsZero(0.5 * low, 2);
-    ++halvings;
-  }
-  if (halvings == range.halvings) return 0.0;
-  return LargestBetween(low, high, possible);
+  const auto noted = [&](double pace) {
+    const bool is_possible = possible(pace);
+    if (!is_possible) high = pace;
+    return is_possible;
+  };
+  const double low = SomePace(range, noted);
+  return low == 0.0 ? 0.0 : LargestBetween(low, high, possible);
 }
 
 double LargestPaceAbove(const PaceRange& range, double known, int grain, const std::function<bool(double)>& possible) {

@@ -18,6 +18,10 @@ double TowardsZero(double value, int digits);
 /// The next lower number of two significant digits.
 double NextLower(double value);
 
+/// The first possible speed of the range among halves of the requested one; 0 if there is none, which is assumed if the
+/// slowest one is not possible.
+double SomePace(const PaceRange& range, const std::function<bool(double)>& possible);
+
 /// Largest possible speed of the range, by halving and then bisection, with at most 20 evaluations. 0 if no speed is
 /// possible; this is assumed if the slowest one is not.
 double LargestPace(const PaceRange& range, const std::function<bool(double)>& possible);

@@ -135,26 +135,36 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   return 0.0;
 }
 
-/// A larger speed than that of the passes, below the requested one, at which a start with the whole body optimised is
-/// sound; 0 if none is found. With few trials, because each takes seconds: upward from the known speed, because the
-/// requested one may be far out of reach.
-double LargestFinished(const SearchProblem& problem, double known, Evaluator& evaluator) {
-  constexpr int kTrials = 3;
+/// A larger speed than those of the passes, below the requested one, at which a start with the whole body optimised is
+/// sound; 0 if none is found. With few trials of the whole body, because each takes seconds: upward from a speed at
+/// which the passes suffice, because the requested one may be far out of reach; first with flat soles.
+double LargestFinished(const SearchProblem& problem, Evaluator& evaluator) {
+  constexpr int kTrials = 3, kTrialsOfHeels = 1;
   constexpr double kGrowth = 1.6;
-  const std::span<const Variation> rows = FinishedVariationsFor(problem.situation);
-  double best = 0.0, low = known, high = problem.paces.asked;
-  for (int i = 0; i < kTrials; ++i) {
-    const double middle = TowardsZero(std::min(kGrowth * low, std::sqrt(low * high)), 2);
-    if (middle <= low) break;
-    // Without this the walk would be refused before the whole body is tried, see FindSound.
-    const Evaluation passes = evaluator.Evaluate({middle}, Effort::kStart);
-    const bool tried = passes.sound() || IsOfJoints(*passes.refusal);
-    const bool sound = tried && std::any_of(rows.begin(), rows.end(), [&](const Variation& v) {
-                         const Candidate candidate{middle, 0, v.flight, false, true, v.heel_off_rad};
-                         return v.cycle == 0 && evaluator.Evaluate(candidate, Effort::kStart).sound();
-                       });
-    (sound ? low : high) = middle;
-    if (sound) best = middle;
+  const auto suffice = [&](double pace) {
+    return evaluator.Evaluate({pace, GaitCycles::kQuickest / 2}, Effort::kStart).sound();
+  };
+  double low = SomePace(problem.paces, suffice);
+  double best = 0.0;
+  for (const Variation& v : FinishedVariationsFor(problem.situation)) {
+    if (v.cycle != 0 || low == 0.0) continue;
+    double high = problem.paces.asked;
+    for (int trial = 0; trial < (v.heel_off_rad > 0.0 ? kTrialsOfHeels : kTrials);) {
+      const double middle = TowardsZero(std::min(kGrowth * low, std::sqrt(low * high)), 2);
+      if (middle <= low) break;
+      if (suffice(middle)) {
+        low = middle;
+        continue;
+      }
+      // Without this the walk would be refused before the whole body is tried, see FindSound.
+      const Evaluation passes = evaluator.Evaluate({middle}, Effort::kStart);
+      const bool is_tried = passes.sound() || IsOfJoints(*passes.refusal);
+      const Candidate finished{middle, 0, v.flight, false, true, v.heel_off_rad};
+      const bool sound = is_tried && evaluator.Evaluate(finished, Effort::kStart).sound();
+      (sound ? low : high) = middle;
+      if (sound) best = middle;
+      trial += is_tried ? 1 : 0;
+    }
   }
   return best;
 }
@@ -214,12 +224,13 @@ SlowerPace SlowerThatIsSound(const SearchProblem& problem, Evaluator& evaluator)
     return {leaping > 0.0 ? leaping : LargestOnTheGround(problem, evaluator), Known::kMay};
   }
   if (situation.may_slow_down) return {};
+  const bool is_level = situation.kind == Kind::kLevel;
+  if (const double finished = is_level ? LargestFinished(problem, evaluator) : 0.0; finished > 0.0)
+    return {finished, Known::kMay};
   JointWatch watch(evaluator);
   const Sound sound = SlowerWithoutFlight(problem, situation.kind, Candidate{}.flight, watch);
-  const bool is_level = situation.kind == Kind::kLevel, may_finish = is_level && sound && watch.refused();
-  const double finished = may_finish ? LargestFinished(problem, sound->first.pace, evaluator) : 0.0;
-  if (finished > 0.0) return {finished, Known::kMay};
-  return {sound ? sound->first.pace : 0.0, is_level && !may_finish ? Known::kLargest : Known::kFeasible};
+  const bool is_largest = is_level && !(sound && watch.refused());
+  return {sound ? sound->first.pace : 0.0, is_largest ? Known::kLargest : Known::kFeasible};
 }
 
 }  // namespace gaitwright

@@ -116,9 +116,11 @@ struct BodyProblem {
   std::vector<BodyKnot> knots;  ///< as many
   BodyWeights weights;
   BodyLimitUse use;
+  std::vector<bool> still;  ///< by joint: it stays exactly where the first reference has it; empty: none does
   std::optional<BodyWindow> window;
   const SelfDistance* distances = nullptr;  ///< of the model; needed if a knot has an ApartPair
 
+  bool StaysStill(int dof) const { return !still.empty() && still[static_cast<std::size_t>(dof)]; }
   double start_s() const { return window ? window->start_s : time_s.front(); }
   double end_s() const { return window ? window->end_s : time_s.back(); }
   ChainSpline spline() const { return window ? ChainSpline(time_s, window->basis) : ChainSpline(time_s); }

@@ -35,7 +35,8 @@ BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
       n_(problem.model->nv()),
       chain_(n_, spline_.points()) {
   for (int d = 0; d < model_.num_dofs(); ++d) {
-    if (std::isfinite(model_.dof_lower(d)) || std::isfinite(model_.dof_upper(d))) ranged_.push_back(d);
+    if (std::isfinite(model_.dof_lower(d)) || std::isfinite(model_.dof_upper(d)) || problem_.StaysStill(d))
+      ranged_.push_back(d);
   }
   ListRows();
   if (start.size() != size()) throw InvalidArgument("BodyRows: the start does not have the size of the unknowns");
@@ -134,6 +135,10 @@ RowBounds BodyRows::BoundsOf(Index row) const {
   if (row >= knot.row[kEffortLimit] && row < knot.row[kRange]) return {-1.0, 1.0};
   if (row >= knot.row[kRange] && row < knot.row[kCone]) {
     const int dof = ranged_[static_cast<std::size_t>(row - knot.row[kRange])];
+    if (problem_.StaysStill(dof)) {
+      const double place = problem_.knots.front().reference.x[6 + dof];
+      return {place, place};
+    }
     const double lower = model_.dof_lower(dof), upper = model_.dof_upper(dof);
     const double margin = std::min(problem_.use.range_margin, 0.25 * (upper - lower));
     const double standing = std::clamp(model_.standing_joints[dof], lower, upper);

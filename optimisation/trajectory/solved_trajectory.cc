@@ -78,6 +78,11 @@ void SolvedTrajectory::Sample(double time_s, VectorJet& jet) const {
   jet.x.head<6>() += h * h * x;
   jet.rate.head<6>() += h * rate;
   jet.acceleration.head<6>() += acceleration;
+  for (int dof = 0; dof < problem_.model->num_dofs(); ++dof) {
+    if (!problem_.StaysStill(dof)) continue;
+    jet.x[6 + dof] = problem_.knots.front().reference.x[6 + dof];
+    jet.rate[6 + dof] = jet.acceleration[6 + dof] = 0.0;
+  }
 }
 
 /// A foot may press at other points at the next knot: a point that one knot lacks has no force there.

@@ -6,6 +6,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
+#include "optimisation/trajectory/motor_rows_internal.h"
 #include "optimisation/whole_body/finish_problem_internal.h"
 #include "planning/plan/heel_off_internal.h"
 #include "planning/plan/sample_plan.h"
@@ -107,6 +108,21 @@ bool HeelRises(const MotionPlan& plan, double time_s) {
   });
 }
 
+/// Joints that the plan holds still and whose dry friction takes most of what their motors have: any motion, however
+/// small, would need that friction.
+std::vector<bool> StillJoints(const BodyProblem& problem) {
+  constexpr double kStill = 1e-9;  // [rad] or [m]
+  const MotorRows motors(*problem.model, problem.use);
+  std::vector<bool> still;
+  for (int dof = 0; dof < problem.model->num_dofs(); ++dof) {
+    const double place = problem.knots.front().reference.x[6 + dof];
+    still.push_back(motors.Sticks(dof) && std::ranges::all_of(problem.knots, [&](const BodyKnot& knot) {
+                      return std::abs(knot.reference.x[6 + dof] - place) < kStill;
+                    }));
+  }
+  return still;
+}
+
 }  // namespace
 
 std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int least_per_swing) {
@@ -199,6 +215,7 @@ BodyProblem ProblemOf(const RobotModel& model, const MotionPlan& plan, const std
     }
     problem.knots.push_back(std::move(knot));
   }
+  problem.still = StillJoints(problem);
   for (BodyKnot* end : {&problem.knots.front(), &problem.knots.back()}) {
     end->pins_motion = true;
     end->reference.rate.setZero();

@@ -77,6 +77,23 @@ TEST(FinishMotion, FeetThatRollLandWhereTheyStandAtTheEndIfAsked) {
   EXPECT_LT(beside_m(true), 3e-4);
 }
 
+/// As grippers do: the slightest motion would need all of the dry friction.
+TEST(FinishMotion, JointsThatStickDoNotMove) {
+  RobotModel model = NamedRobot("nao");
+  const int dof = 0;
+  for (Joint& joint : model.joints) {
+    if (joint.dof == dof) joint.friction = 0.98 * joint.effort_limit;
+  }
+  const Result<MotionPlan> finished =
+      FinishMotion(model, Planned(NamedRobot("nao"), "walk", 0.05, 0.04), {.knot_step_s = 0.02});
+  ASSERT_TRUE(finished.ok()) << finished.failure().message;
+  for (std::size_t row = 0; row < finished->whole_body.q.size(); ++row) {
+    EXPECT_EQ(finished->whole_body.q[row][7 + dof], finished->whole_body.q.front()[7 + dof]);
+    EXPECT_EQ(finished->whole_body.v[row][6 + dof], 0.0);
+    EXPECT_EQ(finished->whole_body.a[row][6 + dof], 0.0);
+  }
+}
+
 TEST(FinishMotion, MendsAMotionThatDoesNotBalance) {
   const RobotModel& model = NamedRobot("a1");
   MotionPlan plan = Trot();

@@ -65,5 +65,16 @@ TEST(NextLower, IsTheNextNumberOfTwoDigits) {
   EXPECT_DOUBLE_EQ(NextLower(1.234), 1.2);
 }
 
+TEST(PaceSearch, SomePaceIsTheFirstPossibleHalf) {
+  int calls = 0;
+  const auto possible = [&](double pace) {
+    ++calls;
+    return pace <= 0.3;
+  };
+  EXPECT_DOUBLE_EQ(SomePace({2.0, 10.0}, possible), 0.25);
+  EXPECT_EQ(calls, 4) << "the slowest, 1, 0.5 and 0.25";
+  EXPECT_EQ(SomePace({2.0, 10.0}, [](double) { return false; }), 0.0);
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -271,7 +271,8 @@ TEST(SlowerThatIsSound, IsFoundAlsoIfTheRequestIsFarOutOfReach) {
   MadeUp evaluator([](const Candidate& c, Effort) { return c.pace <= (c.finishes ? 0.25 : 0.2); });
   evaluator.breaks = Law::kJointTorque;
   const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kLevel, 3.0), evaluator);
-  EXPECT_DOUBLE_EQ(slower.value, 0.25);
+  EXPECT_GT(slower.value, 0.22);
+  EXPECT_LE(slower.value, 0.25);
   EXPECT_EQ(slower.known, SlowerPace::Known::kMay);
 }
 

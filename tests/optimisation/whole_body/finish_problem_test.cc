@@ -55,6 +55,20 @@ TEST(ProblemOf, OnlyTheFrontEdgePressesAfterHeelOff) {
   }
 }
 
+TEST(ProblemOf, JointsThatStickStayExactlyWhereThePlanHoldsThem) {
+  RobotModel model = AnyRobot("nao");
+  for (Joint& joint : model.joints) joint.friction = 0.0;
+  const int dof = model.joints.back().dof;
+  MotionPlan plan = SteppingPlan(model);
+  const std::vector<double> knots_s = KnotTimesOf(plan, 0.01);
+  const auto stays = [&] { return ProblemOf(model, plan, CoursesOf(model, plan), knots_s, {}).StaysStill(dof); };
+  EXPECT_FALSE(stays());
+  model.joints.back().friction = 0.9 * model.dof_effort_limit(dof);
+  EXPECT_TRUE(stays());
+  plan.whole_body.q.back()[7 + dof] += 0.1;
+  EXPECT_FALSE(stays()) << "the plan moves it";
+}
+
 TEST(FreeFootRows, OfAnkles) {
   using Rows = std::array<bool, 6>;
   const std::vector<Rows> of_ball = FreeFootRows(AnyRobot("a1"));
