@@ -22,6 +22,7 @@ constexpr int kScreening = 20;            // iterations after which a solve ends
 constexpr double kFar = 0.3;              // sum to more than this,
 constexpr double kFarLargest = 5e-3;      // and one of them is larger than this
 constexpr int kScreeningOfHeels = 40;     // of plans with heel-off, which need more iterations
+constexpr double kLeastFactor = 0.95;     // of limits that leave room: motors use more than these between knots
 constexpr double kFinestRows = 1e-3;      // [s] of a row's step
 constexpr double kFollowedShare = 0.5;    // see SoleMargin
 constexpr double kRolledAside = 1e-4;     // [m] that feet may be off where they roll to
@@ -77,6 +78,7 @@ class Finisher {
   double RolledAside(const BodyProblem& problem) const;
   bool LandsAsStanding();
   bool TightenLimits(const SolvedTrajectory& solved);
+  double LeastFactor() const;
   bool Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use);
 
   const RobotModel& model_;
@@ -191,17 +193,28 @@ double Finisher::RolledAside(const BodyProblem& problem) const {
   return aside;
 }
 
-/// Lowers the shares of limits for knots by as much as motors exceed their limits between knots, by window.
-/// @return whether any does.
+/// Lowers the limits of motors for knots by as much as the motors exceed them between knots, by window.
+/// @return whether any is lowered.
 bool Finisher::TightenLimits(const SolvedTrajectory& solved) {
   report_.effort_use = 0.0;
-  bool exceeds = false;
+  bool tightens = false;
   for (std::size_t i = 0; i < windows_.size(); ++i) {
     const auto knot_s = [&](int knot) { return knots_s_[static_cast<std::size_t>(knot)]; };
     const double end_s = i + 1 < windows_.size() ? knot_s(windows_[i + 1].first) : knots_s_.back();
-    exceeds |= Tighten(solved, knot_s(windows_[i].first), end_s, windows_[i].use);
+    tightens |= Tighten(solved, knot_s(windows_[i].first), end_s, windows_[i].use);
   }
-  return exceeds;
+  return tightens;
+}
+
+/// Of a motor's limits at knots.
+double Finisher::LeastFactor() const {
+  double least = 1.0;
+  for (const KnotWindow& window : windows_) {
+    for (const std::vector<double>* factors : {&window.use.effort_of, &window.use.speed_of}) {
+      for (const double factor : *factors) least = std::min(least, factor);
+    }
+  }
+  return least;
 }
 
 bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use) {
@@ -221,20 +234,22 @@ bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double en
     solved.ForcesAt(time_s, contacts, forces_W);
     forces_W *= model_.weight_n();
     knot.Evaluate(state.q, state.v, state.a, contacts, forces_W, needed);
-    const MotorRows::Largest now = motors.LargestAt(needed.tail(n), state.v.tail(n), state.a.tail(n));
-    largest.effort = std::max(largest.effort, now.effort);
-    largest.curve = std::max(largest.curve, now.curve);
+    motors.Raise(needed.tail(n), state.v.tail(n), state.a.tail(n), largest);
   }
-  report_.effort_use = std::max(report_.effort_use, largest.effort);
-  bool exceeds = false;
-  const auto tighten = [&](double share, double& of_limit) {
-    if (share <= 1.0) return;
-    exceeds = true;
-    of_limit = std::max(kLeast, of_limit / share - kRoom);
+  report_.effort_use = std::max(report_.effort_use, largest.effort.maxCoeff());
+  bool tightens = false;
+  const auto tighten = [&](const VectorX& shares, std::vector<double>& factors) {
+    factors.resize(static_cast<std::size_t>(shares.size()), 1.0);
+    for (std::size_t motor = 0; motor < factors.size(); ++motor) {
+      const double share = shares[static_cast<Eigen::Index>(motor)];
+      if (share <= 1.0 || factors[motor] <= kLeast) continue;
+      factors[motor] = std::max(kLeast, factors[motor] / share - kRoom);
+      tightens = true;
+    }
   };
-  tighten(largest.effort, use.effort);
-  tighten(largest.curve, use.speed);
-  return exceeds;
+  tighten(largest.effort, use.effort_of);
+  tighten(largest.curve, use.speed_of);
+  return tightens;
 }
 
 Result<MotionPlan> Finisher::Run() {
@@ -262,9 +277,9 @@ Result<MotionPlan> Finisher::Run() {
     TakeOver(solved);
     residual = ResidualOf(model_, finished_);
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
-    const bool exceeds = TightenLimits(solved), last = report_.solves >= MostSolves();
+    const bool tightens = TightenLimits(solved), last = report_.solves >= MostSolves();
     const bool in_place = !settings_.end_as_standing || last || LandsAsStanding();
-    const bool settled = balanced && in_place && !exceeds;
+    const bool settled = balanced && in_place && !tightens;
     const bool looks = settled || HasApart() || report_.solves >= options_.max_solves;
     const bool touches = looks && apart_ && apart_->Watch(finished_.whole_body, problem);
     if ((settled && !touches) || last) break;
@@ -272,6 +287,7 @@ Result<MotionPlan> Finisher::Run() {
   }
   SetFootholds(rolls_, courses_, finished_);
   SetCentroidal(model_, finished_);
+  report_.keeps_room = report_.keeps_room && LeastFactor() >= kLeastFactor;
   if (apart_) report_.apart = apart_->Listed();
   report_.knots = static_cast<int>(knots_s_.size());
   report_.residual_force = residual.force;

@@ -135,9 +135,12 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   return 0.0;
 }
 
+bool KeepsRoom(const Evaluation& evaluation) { return evaluation.sound() && evaluation.keeps_room; }
+
 /// A larger speed than those of the passes, below the requested one, at which a start with the whole body optimised is
-/// sound; 0 if none is found. With few trials of the whole body, because each takes seconds: upward from a speed at
-/// which the passes suffice, because the requested one may be far out of reach; first with flat soles.
+/// sound and leaves room for a controller; 0 if none is found. With few trials of the whole body, because each takes
+/// seconds: upward from a speed at which the passes suffice, because the requested one may be far out of reach; first
+/// with flat soles.
 double LargestFinished(const SearchProblem& problem, Evaluator& evaluator) {
   constexpr int kTrials = 3, kTrialsOfHeels = 1;
   constexpr double kGrowth = 1.6;
@@ -160,9 +163,9 @@ double LargestFinished(const SearchProblem& problem, Evaluator& evaluator) {
       const Evaluation passes = evaluator.Evaluate({middle}, Effort::kStart);
       const bool is_tried = passes.sound() || IsOfJoints(*passes.refusal);
       const Candidate finished{middle, 0, v.flight, false, true, v.heel_off_rad};
-      const bool sound = is_tried && evaluator.Evaluate(finished, Effort::kStart).sound();
-      (sound ? low : high) = middle;
-      if (sound) best = middle;
+      const bool is_sound = is_tried && KeepsRoom(evaluator.Evaluate(finished, Effort::kStart));
+      (is_sound ? low : high) = middle;
+      if (is_sound) best = middle;
       trial += is_tried ? 1 : 0;
     }
   }

@@ -90,10 +90,12 @@ struct BodyLimitUse {
   double range_margin = 0.015;  ///< to the ends of a joint's range [rad], [m]; smaller near the start and end
   double cone_margin = 1e-3;    ///< of the force at a contact point to its friction cone, over the weight
   double apart = 1.0;           ///< share of the distances of ApartPair
+  /// Factors of effort and speed by motor, which make up for what motors use between knots; empty: all 1.
+  std::vector<double> effort_of = {}, speed_of = {};
 };
 
 /// For motions that need nearly all that the robot has.
-inline constexpr BodyLimitUse kFullUse = {0.98, 0.99, 4e-3, 0.0, 0.3};
+inline const BodyLimitUse kFullUse = {0.98, 0.99, 4e-3, 0.0, 0.3};
 
 /// Of a problem that is some knots in a row of a longer problem.
 struct BodyWindow {

@@ -29,15 +29,19 @@ MotorRows::MotorRows(const RobotModel& model, const BodyLimitUse& use) : motors_
       sticks_[static_cast<std::size_t>(motor.terms.front().dof)] = true;
       lost = 0.0;
     }
-    const double most = known ? std::max(use.effort * limit - lost, kLeastShare * limit)
+    const auto factor = [&](const std::vector<double>& of) {
+      return of.empty() ? 1.0 : of[static_cast<std::size_t>(m)];
+    };
+    const double most = known ? std::max(factor(use.effort_of) * use.effort * limit - lost, kLeastShare * limit)
                               : kUnlimited * model.weight_n() * (motor.slides ? 1.0 : model.leg_length_m());
     scale_.push_back(most);
     rotor_.push_back(motor.motor.rotor_inertia);
     if (known) limited_.push_back(m);
-    if (std::isfinite(motor.velocity_limit)) curves_.push_back({m, 0.0, use.speed * motor.velocity_limit});
+    if (std::isfinite(motor.velocity_limit))
+      curves_.push_back({m, 0.0, factor(use.speed_of) * use.speed * motor.velocity_limit});
     if (known && motor.motor.has_curve()) {
       const double no_load = motor.motor.no_load_speed;
-      curves_.push_back({m, (no_load - motor.motor.corner_speed) / no_load, no_load});
+      curves_.push_back({m, (no_load - motor.motor.corner_speed) / no_load, factor(use.speed_of) * no_load});
     }
   }
 }
@@ -53,17 +57,17 @@ void MotorRows::Efforts(const Eigen::Ref<const VectorX>& torque, const Eigen::Re
   }
 }
 
-MotorRows::Largest MotorRows::LargestAt(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
-                                        const Eigen::Ref<const VectorX>& a) const {
+void MotorRows::Raise(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
+                      const Eigen::Ref<const VectorX>& a, Largest& largest) const {
+  if (largest.effort.size() == 0) largest.effort = largest.curve = VectorX::Zero(count());
   VectorX shares(count());
   Efforts(torque, v, a, shares);
-  Largest largest;
-  for (const int motor : limited_) largest.effort = std::max(largest.effort, std::abs(shares[motor]));
+  for (const int motor : limited_) largest.effort[motor] = std::max(largest.effort[motor], std::abs(shares[motor]));
   for (const Curve& curve : curves_) {
     const double speed = motors_[static_cast<std::size_t>(curve.motor)].Speed(v) / curve.speed_scale;
-    largest.curve = std::max(largest.curve, std::abs(curve.by_effort * shares[curve.motor] + speed));
+    double& most = largest.curve[curve.motor];
+    most = std::max(most, std::abs(curve.by_effort * shares[curve.motor] + speed));
   }
-  return largest;
 }
 
 void MotorRows::ToMotors(const Eigen::Ref<const MatrixX>& of_torque, Eigen::Ref<MatrixX> of_shares) const {

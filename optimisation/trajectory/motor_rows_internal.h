@@ -39,12 +39,13 @@ class MotorRows {
   void Efforts(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
                const Eigen::Ref<const VectorX>& a, Eigen::Ref<VectorX> shares) const;
 
-  /// The largest shares at a time: of efforts, and of limits of speed and torque-speed curves.
+  /// The largest shares so far, by motor: of efforts, and of limits of speed and torque-speed curves.
   struct Largest {
-    double effort = 0.0, curve = 0.0;
+    VectorX effort, curve;
   };
-  Largest LargestAt(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
-                    const Eigen::Ref<const VectorX>& a) const;
+  /// Raises the largest shares to those at a time. @param largest  at first without sizes.
+  void Raise(const Eigen::Ref<const VectorX>& torque, const Eigen::Ref<const VectorX>& v,
+             const Eigen::Ref<const VectorX>& a, Largest& largest) const;
 
   /// Rows by joint of some derivative of torques, to rows by motor of that of shares.
   void ToMotors(const Eigen::Ref<const MatrixX>& of_torque, Eigen::Ref<MatrixX> of_shares) const;

@@ -36,12 +36,12 @@ TEST(SearchTrace, OfARefusedWalkEndsWithWhatMadeTheSuggestion) {
   const RobotModel nao = LoadNamedRobot("nao").value();
   WalkRequest request;
   request.command.distance_m = 0.3;
-  request.command.speed_m_s = 0.5;
+  request.command.speed_m_s = 1.0;
   SearchTrace trace;
   const Result<PlannedWalk> planned = PlanWalk(nao, request, &trace);
   ASSERT_FALSE(planned.ok());
   ASSERT_GT(trace.size(), 1U);
-  EXPECT_EQ(trace.front().pace_value, 0.5);
+  EXPECT_EQ(trace.front().pace_value, 1.0);
   EXPECT_EQ(trace.front().refused, planned.failure().code);
   ASSERT_FALSE(planned.failure().suggestions.empty());
   const double suggested = std::get<double>(planned.failure().suggestions.front().value);

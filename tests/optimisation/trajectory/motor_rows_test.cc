@@ -94,11 +94,34 @@ TEST(MotorRows, NameTheLargestShares) {
   const Eigen::Index n = model.num_dofs();
   VectorX torque = VectorX::Zero(n), v = VectorX::Zero(n);
   torque[0] = 0.5 * rows.motors()[0].effort_limit;
-  const MotorRows::Largest still = rows.LargestAt(torque, v, v);
-  EXPECT_NEAR(still.effort, 0.5, 1e-9);
-  EXPECT_NEAR(still.curve, 0.5 * (12.0 - 5.0) / 12.0, 1e-9);
+  MotorRows::Largest largest;
+  rows.Raise(torque, v, v, largest);
+  EXPECT_NEAR(largest.effort[0], 0.5, 1e-9);
+  EXPECT_NEAR(largest.curve[0], 0.5 * (12.0 - 5.0) / 12.0, 1e-9);
+  EXPECT_EQ(largest.effort.tail(largest.effort.size() - 1).maxCoeff(), 0.0);
   v[0] = 6.0;
-  EXPECT_NEAR(rows.LargestAt(torque, v, 0.0 * v).curve, 0.5 * (12.0 - 5.0) / 12.0 + 0.5, 0.02);
+  rows.Raise(torque, v, 0.0 * v, largest);
+  EXPECT_NEAR(largest.curve[0], 0.5 * (12.0 - 5.0) / 12.0 + 0.5, 0.02);
+  rows.Raise(0.0 * torque, 0.0 * v, 0.0 * v, largest);
+  EXPECT_NEAR(largest.effort[0], 0.5, 1e-9) << "the largest so far";
+}
+
+TEST(MotorRows, FactorsLowerTheLimitsOfTheirMotorsAlone) {
+  const RobotModel model = AnyRobot("a1");
+  BodyLimitUse use;
+  const MotorRows all(model, use);
+  use.effort_of.assign(static_cast<std::size_t>(all.count()), 1.0);
+  use.speed_of = use.effort_of;
+  use.effort_of[1] = 0.8;
+  use.speed_of[2] = 0.7;
+  const MotorRows rows(model, use);
+  for (int motor = 0; motor < rows.count(); ++motor)
+    EXPECT_NEAR(rows.EffortOf(motor), (motor == 1 ? 0.8 : 1.0) * all.EffortOf(motor), 1e-12) << motor;
+  ASSERT_EQ(rows.curves().size(), all.curves().size());
+  for (std::size_t i = 0; i < rows.curves().size(); ++i) {
+    const double factor = rows.curves()[i].motor == 2 ? 0.7 : 1.0;
+    EXPECT_NEAR(rows.curves()[i].speed_scale, factor * all.curves()[i].speed_scale, 1e-12);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RowsOfMotors, testing::ValuesIn(kAnyRobots));
