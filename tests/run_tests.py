@@ -37,7 +37,7 @@ def run_all(build, choice, quick):
         old.unlink()
     junit.unlink(missing_ok=True)
     environment = dict(os.environ, **({"GAITWRIGHT_QUICK_TESTS": "1"} if quick else {}))
-    status = ctest(build, f"-j{os.cpu_count() + 1}", "--output-on-failure", "--output-junit", str(junit), *choice,
+    status = ctest(build, f"-j{os.cpu_count() + 2}", "--output-on-failure", "--output-junit", str(junit), *choice,
                    env=environment).returncode
     return status, counts_of(results, junit)
 
