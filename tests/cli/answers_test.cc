@@ -135,7 +135,7 @@ TEST_F(Answers, QuietPrintsTheVerdictAlone) {
   EXPECT_EQ(Run({"audit", "plan.json", "--quiet"}).out, "pass\n");
   EXPECT_EQ(Run({"play", "plan.json", "--quiet"}).out, "pass\n");
   EXPECT_EQ(Run({"walk", "--distance", "0.3", "--quiet"}).out, "pass\n");
-  EXPECT_EQ(Run({"robots", "--quiet"}).out, "a1\ngo1\nh1\nhumanoid\nlaikago\nmini_cheetah\nnao\n");
+  EXPECT_EQ(Run({"robots", "--quiet"}).out, "a1\ng1\ngo1\nh1\nh1_2\nhumanoid\nlaikago\nmini_cheetah\nnao\n");
   EXPECT_TRUE(Run({"terrains", "--quiet"}).out.starts_with("flat\n"));
 }
 

@@ -29,9 +29,9 @@ class Refusals : public Stranger {
 
 TEST_F(Refusals, RobotThatIsNotThere) {
   ExpectRefused(Walk({"--robot", "b2"}), 1,
-                {"'b2'", "'a1', 'go1', 'h1', 'humanoid', 'laikago', 'mini_cheetah', 'nao'"});
+                {"'b2'", "'a1', 'g1', 'go1', 'h1', 'h1_2', 'humanoid', 'laikago', 'mini_cheetah', 'nao'"});
   ExpectRefused(Run({"robots", "show", "b2"}), 1,
-                {"'b2'", "'a1', 'go1', 'h1', 'humanoid', 'laikago', 'mini_cheetah', 'nao'"});
+                {"'b2'", "'a1', 'g1', 'go1', 'h1', 'h1_2', 'humanoid', 'laikago', 'mini_cheetah', 'nao'"});
   ExpectRefused(Walk({"--urdf", "none.urdf"}), 1, {"none.urdf"});
   ExpectRefused(Walk({"--robot", "a1", "--urdf", "none.urdf"}), 1, {"--robot", "--urdf"});
   ExpectNothingWritten();

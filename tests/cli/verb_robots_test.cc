@@ -27,7 +27,7 @@ class RobotsCheck : public Stranger {
 };
 
 TEST_F(RobotsCheck, RobotsOfOursHaveNoWarnings) {
-  for (const char* robot : {"a1", "go1", "nao", "mini_cheetah", "laikago"}) {
+  for (const char* robot : {"a1", "g1", "go1", "h1_2", "nao", "mini_cheetah", "laikago"}) {
     const Ran ran = Run({"robots", "check", robot, "--json"});
     EXPECT_EQ(ran.status, 0) << robot;
     EXPECT_EQ(ran.json().at("warnings"), 0) << robot << ran.json().at("findings");

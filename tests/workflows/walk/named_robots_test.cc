@@ -24,7 +24,7 @@ void ExpectWalks(const RobotModel& model, const std::string& gait = "") {
 
 class NamedRobot : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(All, NamedRobot,
-                         testing::Values("a1", "go1", "laikago", "mini_cheetah", "nao", "humanoid", "h1"),
+                         testing::Values("a1", "go1", "laikago", "mini_cheetah", "nao", "humanoid", "h1", "g1", "h1_2"),
                          [](const auto& name) { return name.param; });
 
 TEST_P(NamedRobot, WalksAMetre) { ExpectWalks(LoadNamedRobot(GetParam()).value()); }
@@ -43,6 +43,24 @@ INSTANTIATE_TEST_SUITE_P(All, NamedQuadruped, testing::Values("a1", "go1", "laik
                          [](const auto& name) { return name.param; });
 
 TEST_P(NamedQuadruped, TrotsAMetre) { ExpectWalks(LoadNamedRobot(GetParam()).value(), "trot"); }
+
+/// By the limits that their maker publishes.
+TEST(NamedRobots, HumanoidsWalkAMetreASecondInBothEngines) {
+  for (const char* name : {"g1", "h1_2"}) {
+    const RobotModel model = LoadNamedRobot(name).value();
+    WalkRequest request;
+    request.command.distance_m = 2.0;
+    request.command.speed_m_s = 1.0;
+    const Result<PlannedWalk> planned = PlanWalk(model, request);
+    ASSERT_TRUE(planned.ok()) << planned.failure().message;
+    EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+    PlayRequest play;
+    play.play.world.engine = ProvingEngine();
+    const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, play);
+    ASSERT_TRUE(played.ok()) << played.failure().message;
+    EXPECT_TRUE(played->report.pass) << name << ": " << played->report.reason;
+  }
+}
 
 /// Its soles are bars of 3 cm without an ankle roll joint, so the body falls from foot to foot.
 TEST(NamedRobots, TheH1WalksInBothEngines) {
