@@ -28,8 +28,18 @@ constexpr double kFollowedShare = 0.5;    // see SoleMargin
 constexpr double kRolledAside = 1e-4;     // [m] that feet may be off where they roll to
 constexpr double kBesideStanding = 2e-4;  // [m] from places of the standing posture at the end
 
-FinishSettings SettingsOf(const TrajectoryOptions& options, double friction_use) {
+/// Whether the robot lands on legs that are free to give.
+bool Lands(const MotionPlan& plan) {
+  return LongestFlight(plan.schedule) > 0.0 &&
+         std::ranges::none_of(plan.parts, [](const MotionPart& part) { return TurnsOver(part.gait); });
+}
+
+FinishSettings SettingsOf(const MotionPlan& plan, const TrajectoryOptions& options, double friction_use) {
   FinishSettings settings;
+  if (Lands(plan)) {  // where legs bend further than planned, by up to 0.1 rad
+    settings.use.range_margin = 0.2;
+    settings.use.range_share = 0.11;
+  }
   settings.knot_step_s = options.knot_step_s;
   settings.friction_use = friction_use;
   BodyWeights& w = settings.weights;
@@ -220,7 +230,7 @@ double Finisher::LeastFactor() const {
 bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use) {
   constexpr double kRoom = 2e-3, kLeast = 0.9;  // of a limit
   constexpr double kStep = 1e-3;                // [s]
-  const MotorRows motors(model_, {1.0, 1.0, 0.0, 0.0});
+  const MotorRows motors(model_, {.effort = 1.0, .speed = 1.0});
   MotorRows::Largest largest;
   KnotModel knot(model_);
   VectorJet jet;
@@ -325,7 +335,7 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FinishMotion: " + reason);
-  FinishSettings settings = SettingsOf(options, friction_use);
+  FinishSettings settings = SettingsOf(plan, options, friction_use);
   settings.end_as_standing = end_as_standing;
   ChosenContacts chosen;
   const MotionPlan with_chosen = ChooseContacts(model, plan, options, settings, chosen);

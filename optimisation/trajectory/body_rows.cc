@@ -140,7 +140,7 @@ RowBounds BodyRows::BoundsOf(Index row) const {
       return {place, place};
     }
     const double lower = model_.dof_lower(dof), upper = model_.dof_upper(dof);
-    const double margin = std::min(problem_.use.range_margin, 0.25 * (upper - lower));
+    const double margin = std::min(problem_.use.range_margin, problem_.use.range_share * (upper - lower));
     const double standing = std::clamp(model_.standing_joints[dof], lower, upper);
     const double now_s = problem_.time_s[static_cast<std::size_t>(&knot - knots_.data())];
     const double ramp = std::min(1.0, std::min(now_s - problem_.start_s(), problem_.end_s() - now_s) / kToMargin);

@@ -102,10 +102,10 @@ TEST(Jumps, SeveralLeapsOfOneJumpAreReported) {
 }
 
 TEST(Jumps, GoOntoABlockAndDownFromIt) {
-  const Terrain block = MakeTerrain("block:height_m=0.15,start_m=0.31,length_m=0.9", ScaleOf(Jumper())).value();
+  const Terrain block = MakeTerrain("block:height_m=0.2,start_m=0.31,length_m=0.9", ScaleOf(Jumper())).value();
   const EndOfJump up = EndOf(DoneInBoth("jump onto the block", block));
-  ExpectStanding(up, 0.15);
-  const Terrain below = MakeTerrain("block:height_m=0.12,start_m=-1.5,length_m=1.72", ScaleOf(Jumper())).value();
+  ExpectStanding(up, 0.2);
+  const Terrain below = MakeTerrain("block:height_m=0.2,start_m=-1.5,length_m=1.72", ScaleOf(Jumper())).value();
   const EndOfJump down = EndOf(DoneInBoth("jump down", below));
   EXPECT_GT(down.base.x_m, 0.45);
   ExpectStanding(down);
