@@ -8,7 +8,8 @@
 
 namespace gaitwright {
 
-/// A folder of this process alone, gone with it, so that tests may run side by side.
+/// A folder of this process alone, gone with it, so that tests may run side by side. A copy of the process that ends
+/// by exit() leaves it.
 inline const std::filesystem::path& ScratchFolder() {
   struct Own {
     std::filesystem::path path =
@@ -17,9 +18,11 @@ inline const std::filesystem::path& ScratchFolder() {
     Own(const Own&) = delete;
     Own& operator=(const Own&) = delete;
     ~Own() {
+      if (::getpid() != owner) return;
       std::error_code ignored;
       std::filesystem::remove_all(path, ignored);
     }
+    const pid_t owner = ::getpid();
   };
   static const Own own;
   return own.path;

@@ -228,7 +228,7 @@ double Finisher::LeastFactor() const {
 }
 
 bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use) {
-  constexpr double kRoom = 2e-3, kLeast = 0.9;  // of a limit
+  constexpr double kRoom = 2e-3, kLeast = 0.93;  // of a limit
   constexpr double kStep = 1e-3;                // [s]
   const MotorRows motors(model_, {.effort = 1.0, .speed = 1.0});
   MotorRows::Largest largest;
