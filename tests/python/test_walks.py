@@ -87,7 +87,7 @@ def test_failures_have_the_programs_words(a1):
 def test_a_refusal_has_the_law_and_a_speed_that_can_be_planned():
     nao = gw.load_robot("nao")
     with pytest.raises(gw.InfeasibleError) as told:
-        gw.plan_walk(nao, speed=0.5, distance=0.3)
+        gw.plan_walk(nao, speed=1.0, distance=0.3)
     refused = told.value
     assert refused.code in gw.FAILURE_CODES
     assert refused.violation["law"] in gw.AUDIT_LAWS
