@@ -36,10 +36,8 @@ bool Lands(const MotionPlan& plan) {
 
 FinishSettings SettingsOf(const MotionPlan& plan, const TrajectoryOptions& options, double friction_use) {
   FinishSettings settings;
-  if (Lands(plan)) {  // where legs bend further than planned, by up to 0.1 rad
-    settings.use.range_margin = 0.2;
-    settings.use.range_share = 0.11;
-  }
+  constexpr double kLanding = 0.2;  // [rad]: legs bend by up to 0.1 rad more than planned
+  if (Lands(plan)) settings.use.landing_margin = kLanding;
   settings.knot_step_s = options.knot_step_s;
   settings.friction_use = friction_use;
   BodyWeights& w = settings.weights;
@@ -229,7 +227,7 @@ double Finisher::LeastFactor() const {
 
 bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use) {
   constexpr double kRoom = 2e-3, kLeast = 0.93;  // of a limit
-  constexpr double kStep = 1e-3;                // [s]
+  constexpr double kStep = 1e-3;                 // [s]
   const MotorRows motors(model_, {.effort = 1.0, .speed = 1.0});
   MotorRows::Largest largest;
   KnotModel knot(model_);

@@ -88,7 +88,8 @@ struct BodyWeights {
 struct BodyLimitUse {
   double effort = 0.92, speed = 0.97;
   double range_margin = 0.015;  ///< to the ends of a joint's range [rad], [m]; smaller near the start and end
-  double range_share = 0.25;    ///< of the range: largest margin
+  double landing_margin = 0.0;  ///< the same for landings, where joints go further than planned; smaller to an end that
+                                ///< is near the standing posture
   double cone_margin = 1e-3;    ///< of the force at a contact point to its friction cone, over the weight
   double apart = 1.0;           ///< share of the distances of ApartPair
   /// Factors of effort and speed by motor, which make up for what motors use between knots; empty: all 1.
@@ -96,7 +97,7 @@ struct BodyLimitUse {
 };
 
 /// For motions that need nearly all that the robot has.
-inline const BodyLimitUse kFullUse = {0.98, 0.99, 4e-3, 0.25, 0.0, 0.3};
+inline const BodyLimitUse kFullUse = {0.98, 0.99, 4e-3, 0.0, 0.0, 0.3};
 
 /// Of a problem that is some knots in a row of a longer problem.
 struct BodyWindow {

@@ -13,9 +13,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kUnit = 0.01;     // [s] of time that weights are for
-constexpr double kToMargin = 0.3;  // [s] in which joints that stand at the end of their range come to its margin
-constexpr double kStill = 100.0;   // of weights of joints that stick
+constexpr double kUnit = 0.01;       // [s] of time that weights are for
+constexpr double kToMargin = 0.3;    // [s] in which joints that stand at the end of their range come to its margin
+constexpr double kOfLanding = 0.18;  // of the way from the standing posture: largest margin for landings
+constexpr double kStill = 100.0;     // of weights of joints that stick
 
 /// A side of the pyramid inside a friction cone: the force along it is at most zero.
 Vector3 SideOf(const PressingFoot& foot, int side) {
@@ -140,11 +141,14 @@ RowBounds BodyRows::BoundsOf(Index row) const {
       return {place, place};
     }
     const double lower = model_.dof_lower(dof), upper = model_.dof_upper(dof);
-    const double margin = std::min(problem_.use.range_margin, problem_.use.range_share * (upper - lower));
     const double standing = std::clamp(model_.standing_joints[dof], lower, upper);
+    const double margin = std::min(problem_.use.range_margin, 0.25 * (upper - lower));
+    const auto margin_to = [&](double end) {
+      return std::max(margin, std::min(problem_.use.landing_margin, kOfLanding * std::abs(end - standing)));
+    };
     const double now_s = problem_.time_s[static_cast<std::size_t>(&knot - knots_.data())];
     const double ramp = std::min(1.0, std::min(now_s - problem_.start_s(), problem_.end_s() - now_s) / kToMargin);
-    const double low = lower + margin, high = upper - margin;
+    const double low = lower + margin_to(lower), high = upper - margin_to(upper);
     return {low + (1.0 - ramp) * std::min(0.0, standing - low), high + (1.0 - ramp) * std::max(0.0, standing - high)};
   }
   if (row >= knot.row[kFeet] && row < knot.row[kEffortLimit]) {

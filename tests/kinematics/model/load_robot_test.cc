@@ -136,7 +136,8 @@ TEST(LoadRobot, ChecksTheYaml) {
 TEST(LoadRobot, UnknownNameListsWhatThereIs) {
   const Result<RobotModel> model = LoadNamedRobot("b2");
   ASSERT_FALSE(model.ok());
-  ExpectSays(model.failure().message, {"'a1', 'g1', 'go1', 'h1', 'h1_2', 'humanoid', 'laikago', 'mini_cheetah', 'nao'"});
+  ExpectSays(model.failure().message,
+             {"'a1', 'g1', 'go1', 'h1', 'h1_2', 'humanoid', 'laikago', 'mini_cheetah', 'nao'"});
   EXPECT_FALSE(LoadRobot("/no/such.urdf").ok());
 }
 

@@ -47,6 +47,24 @@ TEST_P(RowsOfBodies, NameWhatTheyAre) {
     EXPECT_TRUE(kinds.contains(kind)) << kind;
 }
 
+TEST(BodyRows, LandingJointsKeepFurtherFromTheEndsOfTheirRanges) {
+  AnyProblem any("a1");
+  const BodyRows usual(any.problem, any.z);
+  any.problem.use.landing_margin = 0.2;
+  const BodyRows landing(any.problem, any.z);
+  double most = 0.0;
+  for (Eigen::Index row = usual.residuals(); row < usual.count(); ++row) {
+    if (!usual.NameOf(row).starts_with("position")) continue;
+    const RowBounds before = usual.BoundsOf(row), now = landing.BoundsOf(row);
+    for (const double kept : {now.lower - before.lower, before.upper - now.upper}) {
+      EXPECT_GE(kept, 0.0);
+      EXPECT_LE(kept, 0.2);
+      most = std::max(most, kept);
+    }
+  }
+  EXPECT_GT(most, 0.1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, RowsOfBodies, testing::ValuesIn(kAnyRobots));
 
 }  // namespace
