@@ -48,10 +48,10 @@ TEST_P(RowsOfBodies, NameWhatTheyAre) {
 }
 
 TEST(BodyRows, LandingJointsKeepFurtherFromTheEndsOfTheirRanges) {
-  AnyProblem any("a1");
-  const BodyRows usual(any.problem, any.z);
-  any.problem.use.landing_margin = 0.2;
-  const BodyRows landing(any.problem, any.z);
+  const AnyProblem any("a1");
+  BodyProblem lands = any.problem;
+  lands.use.landing_margin = 0.2;
+  const BodyRows usual(any.problem, any.z), landing(lands, any.z);
   double most = 0.0;
   for (Eigen::Index row = usual.residuals(); row < usual.count(); ++row) {
     if (!usual.NameOf(row).starts_with("position")) continue;
