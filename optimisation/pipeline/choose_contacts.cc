@@ -110,8 +110,9 @@ int PacePoints(const MotionPlan& plan) {
 /// A plan whose times follow a map and whose footholds are shifted, with the motion of a solution.
 class ChosenPlan {
  public:
-  ChosenPlan(const MotionPlan& plan, const BodyProblem& problem, const PacedTimes& times)
-      : plan_(plan), problem_(problem), times_(times) {}
+  /// @param retimes  whether times are chosen; otherwise they stay as they are.
+  ChosenPlan(const MotionPlan& plan, const BodyProblem& problem, const PacedTimes& times, bool retimes)
+      : plan_(plan), problem_(problem), times_(times), retimes_(retimes) {}
 
   MotionPlan Made(const PaceSpline& pace, const MatrixX& points, const std::vector<Vector3>& shift_W) {
     MotionPlan made = plan_;
@@ -123,7 +124,7 @@ class ChosenPlan {
   }
 
  private:
-  double New(double time_s) const { return times_.NewRow(time_s); }
+  double New(double time_s) const { return retimes_ ? times_.NewRow(time_s) : time_s; }
 
   void SetTimes(MotionPlan& made) const {
     for (MotionPart& part : made.parts) {
@@ -170,9 +171,7 @@ class ChosenPlan {
     for (int row = 0; row <= times_.rows(); ++row) {
       const double old_s = times_.Old(old.start_s + row * old.step_s);
       spline.Sample(points, old_s, jet);
-      const KnotPace now = pace.At(old_s);
-      jet.acceleration = now.rate * (now.rate * jet.acceleration + now.slope * jet.rate);
-      jet.rate *= now.rate;
+      SetPace(pace.At(old_s), jet);
       StateOf(problem_.chart, jet, state);
       SampleWholeBody(old, old_s, sample);
       motion.q.push_back(state.q);
@@ -186,6 +185,7 @@ class ChosenPlan {
   const MotionPlan& plan_;
   const BodyProblem& problem_;
   const PacedTimes& times_;
+  const bool retimes_;
 };
 
 /// Sets what was chosen. @return whether each phase still has a time.
@@ -273,7 +273,8 @@ MotionPlan ChooseContacts(const RobotModel& model, const MotionPlan& plan, const
   const PacedTimes map(pace, plan.whole_body.start_s, plan.whole_body.end_s(), plan.whole_body.step_s);
   std::vector<Vector3> shifts_W(plan.footsteps.footholds.size(), Vector3::Zero());
   for (std::size_t i = 0; i < free.size(); ++i) shifts_W[free[i].index] = rows.ShiftsOf(last.x)[i];
-  MotionPlan made = ChosenPlan(plan, problem, map).Made(pace, rows.inner().PointsOf(rows.InnerOf(last.x)), shifts_W);
+  MotionPlan made =
+      ChosenPlan(plan, problem, map, times).Made(pace, rows.inner().PointsOf(rows.InnerOf(last.x)), shifts_W);
   if (!Measure(plan, made, shifts_W, chosen)) return plan;
   chosen.summary = fmt::format(
       "contacts chosen in {} iterations: phases take {:.2f} to {:.2f} of their time, footholds "

@@ -244,7 +244,7 @@ bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double en
     knot.Evaluate(state.q, state.v, state.a, contacts, forces_W, needed);
     motors.Raise(needed.tail(n), state.v.tail(n), state.a.tail(n), largest);
   }
-  report_.effort_use = std::max(report_.effort_use, largest.effort.maxCoeff());
+  if (largest.effort.size() > 0) report_.effort_use = std::max(report_.effort_use, largest.effort.maxCoeff());
   bool tightens = false;
   const auto tighten = [&](const VectorX& shares, std::vector<double>& factors) {
     factors.resize(static_cast<std::size_t>(shares.size()), 1.0);

@@ -7,6 +7,11 @@
 
 namespace gaitwright {
 
+void SetPace(const KnotPace& pace, VectorJet& jet) {
+  jet.acceleration = pace.rate * (pace.rate * jet.acceleration + pace.slope * jet.rate);
+  jet.rate *= pace.rate;
+}
+
 KnotBasis AtPace(const KnotBasis& basis, const KnotPace& pace) {
   KnotBasis now = basis;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -25,6 +25,8 @@ KnotBasis AtPace(const KnotBasis& basis, const KnotPace& pace);
 struct VectorJet {
   VectorX x, rate, acceleration;
 };
+/// Derivatives by the spline's own time, made those by time.
+void SetPace(const KnotPace& pace, VectorJet& jet);
 
 /// A cubic spline of vectors over knots at given times: its acceleration is continuous, and linear between knots. Knot
 /// k is decided by control points k, k + 1 and k + 2 alone, so that what holds at knots makes a banded system.

@@ -123,6 +123,7 @@ TEST(ChooseContacts, KeepsFeetOnTheirPatches) {
   ChosenContacts chosen;
   const MotionPlan moved = ChooseContacts(model, plan, {.footholds = "free"}, Loose(), chosen);
   EXPECT_GT(chosen.largest_shift_m, 1e-3);
+  EXPECT_EQ(moved.schedule, plan.schedule) << "times are not chosen";
   for (std::size_t i = 0; i < plan.footsteps.footholds.size(); ++i) {
     const Foothold& foothold = moved.footsteps.footholds[i];
     const Vector3 in_stone = plan.terrain.patches[i].X_WT.inverse() * foothold.X_WF.translation();

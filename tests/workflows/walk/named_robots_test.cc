@@ -44,40 +44,29 @@ INSTANTIATE_TEST_SUITE_P(All, NamedQuadruped, testing::Values("a1", "go1", "laik
 
 TEST_P(NamedQuadruped, TrotsAMetre) { ExpectWalks(LoadNamedRobot(GetParam()).value(), "trot"); }
 
+void ExpectWalksInBothEngines(const std::string& robot, double speed_m_s, double distance_m) {
+  const RobotModel model = LoadNamedRobot(robot).value();
+  WalkRequest request;
+  request.command.distance_m = distance_m;
+  request.command.speed_m_s = speed_m_s;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  PlayRequest play;
+  play.play.world.engine = ProvingEngine();
+  const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, play);
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_TRUE(played->pass()) << robot << ": " << played->decisive().report.reason;
+}
+
 /// By the limits that their maker publishes.
 TEST(NamedRobots, HumanoidsWalkAMetreASecondInBothEngines) {
-  for (const char* name : {"g1", "h1_2"}) {
-    const RobotModel model = LoadNamedRobot(name).value();
-    WalkRequest request;
-    request.command.distance_m = 2.0;
-    request.command.speed_m_s = 1.0;
-    const Result<PlannedWalk> planned = PlanWalk(model, request);
-    ASSERT_TRUE(planned.ok()) << planned.failure().message;
-    EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
-    PlayRequest play;
-    play.play.world.engine = ProvingEngine();
-    const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, play);
-    ASSERT_TRUE(played.ok()) << played.failure().message;
-    EXPECT_TRUE(played->report.pass) << name << ": " << played->report.reason;
-  }
+  for (const char* robot : {"g1", "h1_2"}) ExpectWalksInBothEngines(robot, 1.0, 2.0);
 }
 
 /// Its soles are bars of 3 cm without an ankle roll joint, so the body falls from foot to foot.
 TEST(NamedRobots, TheH1WalksInBothEngines) {
-  const RobotModel h1 = LoadNamedRobot("h1").value();
-  for (const double speed_m_s : {0.5, -0.3}) {
-    WalkRequest request;
-    request.command.distance_m = 1.0;
-    request.command.speed_m_s = speed_m_s;
-    const Result<PlannedWalk> planned = PlanWalk(h1, request);
-    ASSERT_TRUE(planned.ok()) << planned.failure().message;
-    EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
-    PlayRequest play;
-    play.play.world.engine = ProvingEngine();
-    const Result<PlayedWalk> played = PlayWalk(h1, planned->motion.plan, play);
-    ASSERT_TRUE(played.ok()) << played.failure().message;
-    EXPECT_TRUE(played->pass()) << played->decisive().report.reason;
-  }
+  for (const double speed_m_s : {0.5, -0.3}) ExpectWalksInBothEngines("h1", speed_m_s, 1.0);
 }
 
 /// Stands for three seconds and withstands pushes of 10 N for half a second.
