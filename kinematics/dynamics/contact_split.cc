@@ -13,25 +13,25 @@ namespace {
 
 constexpr double kDualPenalty = 1e-9;
 
-/// Projection of a force (tangents, normal) onto the cone |t| <= mu n, and its derivative.
+/// Projection of a force (tangents, normal) onto the cone |t| <= mu n. Its derivative is the identity inside of the
+/// cone, zero inside of the polar cone, and ray ray^T + across across^T elsewhere.
 struct ConeProjection {
-  Vector3 force;
-  Matrix3 derivative;
+  enum class Part { kInside, kPolar, kSurface };
+  Part part;
+  Vector3 force, ray, across;
 };
 
 ConeProjection ProjectOntoCone(const Vector3& f, double mu) {
+  using Part = ConeProjection::Part;
   const double t = f.head<2>().norm(), n = f.z();
-  if (t <= mu * n) return {f, Matrix3::Identity()};
-  if (mu * t <= -n) return {Vector3::Zero(), Matrix3::Zero()};
+  if (t <= mu * n) return {Part::kInside, f, {}, {}};
+  if (mu * t <= -n) return {Part::kPolar, Vector3::Zero(), {}, {}};
   const double scale = 1.0 / (1.0 + mu * mu);
   const double along = (mu * t + n) * scale;  // the projection is `along` times (mu u, 1)
   const Vector2 u = f.head<2>() / t;
-  Vector3 ray;
-  ray << mu * u, 1.0;
-  ConeProjection projection{along * ray, scale * ray * ray.transpose()};
-  const Vector2 across(-u.y(), u.x());
-  projection.derivative.topLeftCorner<2, 2>() += mu * along / t * across * across.transpose();
-  return projection;
+  const Vector3 ray(mu * u.x(), mu * u.y(), 1.0);
+  return {Part::kSurface, along * ray, std::sqrt(scale) * ray,
+          std::sqrt(std::max(0.0, mu * along / t)) * Vector3(-u.y(), u.x(), 0.0)};
 }
 
 /// Axes of a contact as rows: two tangents and the normal.
@@ -55,15 +55,20 @@ double ContactSplitter::Dual(const Vector6& wanted, const Vector6& y, bool with_
   }
   for (std::size_t i = 0; i < maps_.size(); ++i) {
     const Map& map = maps_[i];
-    Eigen::Matrix<double, 3, 6> Gt;  // contact force per unit of y
-    Gt.leftCols<3>() = map.to_contact;
-    Gt.rightCols<3>() = -map.to_contact * Skew(map.arm);
-    const ConeProjection projection = ProjectOntoCone(Gt * y / map.weight, map.mu);
+    const ConeProjection projection = ProjectOntoCone(map.Gt * y / map.weight, map.mu);
     value -= 0.5 * map.weight * projection.force.squaredNorm();
     if (!with_derivatives) continue;
     forces_[i] = projection.force;
-    gradient_ -= Gt.transpose() * projection.force;
-    hessian_ += Gt.transpose() * projection.derivative * Gt / map.weight;
+    if (projection.part == ConeProjection::Part::kPolar) continue;
+    gradient_.noalias() -= map.Gt.transpose() * projection.force;
+    if (projection.part == ConeProjection::Part::kInside) {
+      hessian_ += map.inside;
+      continue;
+    }
+    for (const Vector3& direction : {projection.ray, projection.across}) {
+      const Vector6 along = map.Gt.transpose() * direction;
+      hessian_.noalias() += (along / map.weight) * along.transpose();
+    }
   }
   return value;
 }
@@ -74,7 +79,7 @@ bool ContactSplitter::Climb(const Vector6& wanted, double penalty, Vector6& y, i
   double value = Dual(wanted, y, true);
   for (int i = 0; i < kMaxIterations; ++i, ++iterations) {
     if (gradient_.norm() < 1e-11 + 1e-15 * y.norm()) return true;
-    const Vector6 step = hessian_.ldlt().solve(gradient_);
+    const Vector6 step = hessian_.llt().solve(gradient_);
     const double slope = gradient_.dot(step);
     if (slope < 1e-20) return true;
     double length = 1.0, trial = Dual(wanted, y + step, false);
@@ -102,8 +107,13 @@ void ContactSplitter::Solve(const std::vector<ContactPoint>& contacts, const Poi
     if (!(contact.friction > 0.0) || !(contact.reluctance > 0.0)) {
       throw InvalidArgument("ContactSplitter: friction and reluctance must be positive");
     }
-    maps_.push_back({(contact.p_W - centre) / length, ContactAxes(contact.normal_W), contact.friction,
-                     contact.reluctance / lightest});
+    Map& map = maps_.emplace_back();
+    const Matrix3 axes = ContactAxes(contact.normal_W);
+    map.Gt.leftCols<3>() = axes;
+    map.Gt.rightCols<3>() = -axes * Skew(Vector3((contact.p_W - centre) / length));
+    map.mu = contact.friction;
+    map.weight = contact.reluctance / lightest;
+    map.inside.noalias() = map.Gt.transpose() * map.Gt / map.weight;
   }
   forces_.resize(maps_.size());
   const double scale = std::max(wanted.force_W.norm(), 1e-9);
@@ -125,7 +135,7 @@ void ContactSplitter::Solve(const std::vector<ContactPoint>& contacts, const Poi
   split.residual_force_W = wanted.force_W;
   split.residual_moment_W = wanted.moment_W;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    split.force_W[i] = scale * (maps_[i].to_contact.transpose() * forces_[i]);
+    split.force_W[i] = scale * (maps_[i].Gt.leftCols<3>().transpose() * forces_[i]);
     split.residual_force_W -= split.force_W[i];
     split.residual_moment_W -= (contacts[i].p_W - wanted.p_W).cross(split.force_W[i]);
   }

@@ -44,8 +44,8 @@ class ContactSplitter {
 
  private:
   struct Map {
-    Vector3 arm;         // from the reference point, in units of a length
-    Matrix3 to_contact;  // rows: two tangents, normal
+    Eigen::Matrix<double, 3, 6> Gt;      // force in the contact's axes (two tangents, normal) per unit of y
+    Eigen::Matrix<double, 6, 6> inside;  // Hessian of a force inside of its cone
     double mu, weight;
   };
   double Dual(const Vector6& wanted, const Vector6& y, bool with_derivatives);

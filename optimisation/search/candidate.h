@@ -59,8 +59,8 @@ struct SearchSituation {
 /// footholds that move on their patches.
 std::span<const Variation> VariationsFor(const SearchSituation& situation);
 
-/// Candidates for which the whole body is optimised, after all others: they cost seconds, and can walk where the passes
-/// of the pendulum exceed limits of joints and motors. None for motions of a rigid body, which are always finished so.
+/// Candidates for which the whole body is optimised. They cost seconds, and can walk where the passes of the pendulum
+/// exceed limits of joints and motors. None for motions of a rigid body, which are always finished so.
 std::span<const Variation> FinishedVariationsFor(const SearchSituation& situation);
 
 /// Evaluation of a variation before the whole walk is planned; kWhole for none.

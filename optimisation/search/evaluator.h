@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kinematics/base/result.h"
+#include "optimisation/search/audited_plan.h"
 #include "optimisation/search/candidate.h"
 #include "optimisation/search/plan_walk.h"
 
@@ -15,9 +16,9 @@ struct Evaluation {
   std::optional<Failure> refusal;  ///< nothing for a sound candidate
   bool at_every_pace = false;      ///< the refusal does not depend on the speed or the cycle
   bool by_ground = false;          ///< friction or support refuses it, not a limit of the robot
-  double ease = 0.8;       ///< factor of the speed at which it may be sound, estimated from the limit violations
-  bool keeps_room = true;  ///< the plan leaves the room in motors and soles that controllers would like to have
-  bool solved = true;      ///< the evaluation solved an optimisation problem
+  double ease = 0.8;         ///< factor of the speed at which it may be sound, estimated from the limit violations
+  Room room = Room::kAmple;  ///< of the plan, for corrections by a controller
+  bool solved = true;        ///< the evaluation solved an optimisation problem
   std::shared_ptr<PlannedWalk> planned;  ///< for Effort::kWhole: the plan if there is one, sound or not
 
   bool sound() const { return !refusal; }

@@ -42,15 +42,15 @@ class JointWatch : public Evaluator {
   bool refused_ = false;
 };
 
-/// The only loop over a table: returns the first row whose whole walk is sound, with room if that is needed.
+/// The only loop over a table: returns the first row whose whole walk is sound and leaves `least` room.
 Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator,
-                 bool needs_room = false) {
+                 Room least = Room::kNone) {
   for (const Variation& v : variations) {
     const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
                               v.other_footholds,        v.finishes,           v.heel_off_rad};
     if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
-    if (whole.sound() && (whole.keeps_room || !needs_room)) return std::pair(candidate, std::move(whole));
+    if (whole.sound() && whole.room >= least) return std::pair(candidate, std::move(whole));
     if (whole.at_every_pace) return {};
   }
   return {};
@@ -135,7 +135,7 @@ double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   return 0.0;
 }
 
-bool KeepsRoom(const Evaluation& evaluation) { return evaluation.sound() && evaluation.keeps_room; }
+bool KeepsRoom(const Evaluation& evaluation) { return evaluation.sound() && evaluation.room >= Room::kAsSolved; }
 
 /// A larger speed than those of the passes, below the requested one, at which a start with the whole body optimised is
 /// sound and leaves room for a controller; 0 if none is found. With few trials of the whole body, because each takes
@@ -206,14 +206,21 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   result.why = result.evaluation.refusal->code;
   SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;
-  const bool is_calm = situation.may_slow_down && situation.kind == Kind::kLevel;
+  const bool is_level = situation.kind == Kind::kLevel;
+  const std::span<const Variation> finished = FinishedVariationsFor(situation);
   Sound sound;
-  if (is_calm && watch.refused())
-    sound = FirstSound(FinishedVariationsFor(situation), as_asked, Effort::kWhole, evaluator, true);
+  if (is_level && watch.refused()) {
+    // At the robot's own speed there is a slower row; at a requested speed another cycle may leave more room.
+    const bool slows = situation.may_slow_down;
+    const std::size_t rows = slows ? finished.size() : std::min<std::size_t>(1, finished.size());
+    sound =
+        FirstSound(finished.first(rows), as_asked, Effort::kWhole, evaluator, slows ? Room::kAsSolved : Room::kAmple);
+  }
   if (!sound) sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), watch);
   if (!sound && !situation.may_slow_down && watch.refused())
-    sound = FirstSound(FinishedVariationsFor(situation), as_asked, ScreeningOf(situation.kind), evaluator);
-  if (!sound && is_calm) sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
+    sound = FirstSound(finished, as_asked, ScreeningOf(situation.kind), evaluator);
+  if (!sound && situation.may_slow_down && is_level)
+    sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
   if (sound) std::tie(result.candidate, result.evaluation) = std::move(*sound);
   return result;
 }

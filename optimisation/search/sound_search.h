@@ -26,9 +26,11 @@ struct SearchResult {
   std::optional<FailureCode> why;  ///< why the requested walk is refused, if it is
 };
 
-/// Evaluates the requested walk. If it is refused, returns the first sound candidate of VariationsFor. If its speed may
-/// be lowered on level ground, returns the largest speed with a sound plan. Candidates are first evaluated on the start
-/// of the walk; a whole walk is planned only if its start is sound.
+/// Evaluates the requested walk. If it is refused, returns the first sound candidate: on level ground, where limits of
+/// joints or motors refuse it, the same walk with the whole body optimised, if the plan leaves ample room for a
+/// controller; then those of VariationsFor; then those of FinishedVariationsFor. If its speed may be lowered on level
+/// ground, returns the largest speed with a sound plan. Other candidates are first evaluated on the start of the walk;
+/// a whole walk is planned only if its start is sound.
 SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator);
 
 /// The largest speed below the requested one that has, or may have, a sound plan; for failure messages. Gaits with

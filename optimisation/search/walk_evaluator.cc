@@ -46,7 +46,7 @@ Evaluation EvaluationOf(Result<PlannedWalk> planned) {
     evaluation.refusal = WhyForbidden(*planned);
     evaluation.by_ground = BrokenLimits(planned->audit).empty();
   }
-  evaluation.keeps_room = RoomOf(planned) >= Room::kAsSolved;
+  evaluation.room = RoomOf(planned);
   evaluation.planned = std::make_shared<PlannedWalk>(std::move(*planned));
   return evaluation;
 }

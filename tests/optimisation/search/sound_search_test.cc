@@ -100,6 +100,16 @@ TEST(FindSound, TheWholeBodyIsOptimisedWhereJointsRefuseAllPasses) {
   }
 }
 
+TEST(FindSound, AWholeBodyThatLeavesAmpleRoomComesBeforeOtherCycles) {
+  MadeUp evaluator([](const Candidate& c, Effort) { return c.finishes || c.cycle == 1; });
+  evaluator.breaks = Law::kJointTorque;
+  EXPECT_EQ(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate, (Candidate{.pace = 0.5, .finishes = true}));
+  EXPECT_EQ(evaluator.Count(Effort::kWhole), 2);
+  EXPECT_EQ(evaluator.Count(Effort::kStart), 0);
+  evaluator.refused.room = Room::kAsSolved;
+  EXPECT_EQ(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate, (Candidate{0.5, 1}));
+}
+
 /// Refusals by joints only where the given function says so.
 class JointsRefuse : public MadeUp {
  public:
@@ -227,7 +237,7 @@ TEST(FindSound, AWalkAtItsOwnPaceIsCalm) {
 
   MadeUp without_room([](const Candidate& c, Effort) { return c.finishes || c.pace < 0.1; });
   without_room.breaks = Law::kJointVelocity;
-  without_room.refused.keeps_room = false;
+  without_room.refused.room = Room::kNone;
   found = FindSound(problem, without_room);
   EXPECT_FALSE(found.candidate.finishes);
   EXPECT_LT(found.candidate.pace, 0.1);
