@@ -138,14 +138,15 @@ run_long_tests() {
   words=("$@")
   rows_before=$(results_before)
   mkdir -p "$logs"
+  # first what changes sources most often, after which other parts would have to be run again
+  step "clang-tidy" tidy
+  step "files alone" alone
   for room in $tested_rooms; do step "sanitizers: $room" sanitized_tests "$room."; done
   step "sanitizers: readers" sanitized_tests fuzz.
   step "threads" threaded_tests
   # URDF, MJCF and meshes, which people bring, with a million inputs
   step "fuzzing: kinematics" fuzzed_readers kinematics 200000
   for room in planning playback workflows cli; do step "fuzzing: $room" fuzzed_readers "$room" 50000; done
-  step "clang-tidy" tidy
-  step "files alone" alone
   step "long tests" "$root/tests/run_tests.py" --build "$root/build/release" --long
   step "tests" "$root/tests/run_tests.py" --build "$root/build/release"
   write_results

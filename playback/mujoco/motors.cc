@@ -25,9 +25,8 @@ Motors::Motors(const RobotModel& model, const WorldOptions& options, mjModel& m,
   tau_ = motor_torque_ = effort_use_ = VectorX::Zero(n);
   v_ = VectorX::Zero(model.nv());
   bare_inertia_ = Eigen::Map<const VectorX>(m.dof_invweight0, m.nv).cwiseMax(mjMINVAL).cwiseInverse();
-  for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    const Joint& joint = model.joints[i];
-    const std::vector<int>& locked = options.locked_dofs;
+  const std::vector<int>& locked = options.locked_dofs;
+  for (const Joint& joint : model.joints) {
     if (std::find(locked.begin(), locked.end(), joint.dof) != locked.end()) continue;
     const int id = IdOf(m, mjOBJ_JOINT, joint.name);
     members_[static_cast<std::size_t>(joint.dof)].push_back(

@@ -125,7 +125,7 @@ class Chromium::Pipe {
   Result<Json> Attach(const ChromiumOptions& options) {
     const Result<Json> target = Call("Target.createTarget", {{"url", "about:blank"}});
     if (!target) return target.failure();
-    const Result<Json> session =
+    Result<Json> session =
         Call("Target.attachToTarget", {{"targetId", target->value("targetId", "")}, {"flatten", true}});
     if (!session) return session.failure();
     session_ = session->value("sessionId", "");

@@ -126,7 +126,8 @@ void AddJoints(const RobotModel& model, const DynamicsScratch& scratch, const Ve
   const std::size_t columns = std::max<std::size_t>(1, static_cast<std::size_t>((width_px + kBetween) / wide));
   const std::size_t rows = (n + columns - 1) / columns;
   for (std::size_t j = 0; j < n; ++j) {
-    const double x = at_px.x() + wide * static_cast<double>(j / rows);
+    const std::size_t column = j / rows;
+    const double x = at_px.x() + wide * static_cast<double>(column);
     const double y = at_px.y() + table.height_px + kLine * (static_cast<double>(j % rows) + 1.0) - 5.0;
     const std::string css = AxisClass(scratch.axis_W[j]);
     table.svg += SvgText(x + kNumberWide - 8.0, y, css + " number-of-table", fmt::format("{}", j + 1));

@@ -38,8 +38,9 @@ class NumberPlacer {
     for (double away = 9.0; away < 90.0; away += 6.0) {
       for (int i = 0; i < kTurns; ++i) {
         // 0, +1, -1, +2, -2, ...: directions near `ahead` first
-        const double turn = (i % 2 == 0 ? -1 : 1) * ((i + 1) / 2) * 2.0 * std::numbers::pi / kTurns;
-        const Vector2 middle = tip_px + away * (Eigen::Rotation2Dd(turn) * ahead);
+        const int turns = (i % 2 == 0 ? -1 : 1) * ((i + 1) / 2);
+        const double turn = turns * 2.0 * std::numbers::pi / kTurns;
+        Vector2 middle = tip_px + away * (Eigen::Rotation2Dd(turn) * ahead);
         if (Take({middle - half, middle + half})) return middle;
       }
     }
@@ -137,17 +138,18 @@ std::string DrawnJoints(const DrawnView& view, const RobotModel& model, const Dy
     placer.Block(drawn.tip_px, 3.0);
   }
   std::string arrows, numbers;
-  for (auto drawn = joints.rbegin(); drawn != joints.rend(); ++drawn) {  // the nearest is drawn last
-    const Joint& joint = model.joints[drawn->index];
-    const Vector3& axis_W = scratch.axis_W[drawn->index];
+  for (std::size_t i = joints.size(); i-- > 0;) {  // the nearest is drawn last
+    const DrawnJoint& drawn = joints[i];
+    const Joint& joint = model.joints[drawn.index];
+    const Vector3& axis_W = scratch.axis_W[drawn.index];
     const char* css = AxisClass(axis_W);
-    const Vector2 along = drawn->tip_px - drawn->at_px;
+    const Vector2 along = drawn.tip_px - drawn.at_px;
     const bool end_on = along.norm() < kShortest;
-    arrows += fmt::format(
-        "<g data-joint=\"{}\">{}</g>", EscapedXml(joint.name),
-        end_on ? EndOnAxis(drawn->at_px, axis_W.dot(view.toward_W) > 0.0, css) : ArrowOf(*drawn, joint, css));
-    const std::string number = fmt::format("{}", drawn->index + 1);
-    const Vector2 from = end_on ? drawn->at_px : drawn->tip_px;
+    arrows +=
+        fmt::format("<g data-joint=\"{}\">{}</g>", EscapedXml(joint.name),
+                    end_on ? EndOnAxis(drawn.at_px, axis_W.dot(view.toward_W) > 0.0, css) : ArrowOf(drawn, joint, css));
+    const std::string number = fmt::format("{}", drawn.index + 1);
+    const Vector2 from = end_on ? drawn.at_px : drawn.tip_px;
     const Vector2 ahead = end_on ? Vector2(Vector2(1.0, -1.0).normalized()) : Vector2(along.normalized());
     const Vector2 at = placer.Place(from, ahead, 4.0 + 7.0 * static_cast<double>(number.size()));
     if ((at - from).norm() > 14.0) arrows += SvgSegment(from, at, std::string(css) + " lead");

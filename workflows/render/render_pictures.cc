@@ -63,7 +63,7 @@ class Studio {
   }
 
   Result<std::string> PictureAt(double time_s) {
-    const auto shown = browser_->Evaluate(fmt::format("window.gaitwright.viewers[0].showNow({})", time_s));
+    auto shown = browser_->Evaluate(fmt::format("window.gaitwright.viewers[0].showNow({})", time_s));
     if (!shown) return shown;
     return browser_->Png();
   }

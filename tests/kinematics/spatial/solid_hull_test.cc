@@ -44,7 +44,7 @@ void ExpectHull(const Points& points, const Triangles& triangles, double roundin
 
 Points BoxCorners(const Vector3& size) {
   Points corners;
-  for (int i = 0; i < 8; ++i) corners.push_back(Vector3(i % 2, i / 2 % 2, i / 4).cwiseProduct(size));
+  for (int i = 0; i < 8; ++i) corners.push_back(Vector3(i & 1, (i >> 1) & 1, i >> 2).cwiseProduct(size));
   return corners;
 }
 
@@ -70,9 +70,9 @@ TEST(HullTriangles, AreTheSameSolidWhereverItLies) {
 TEST(HullTriangles, OfAPrismAndOfRandomPointsAreClosed) {
   constexpr int kSides = 32;
   Points prism;
-  for (int i = 0; i < 2 * kSides; ++i) {
-    const double turn = 2.0 * std::numbers::pi * (i / 2) / kSides;
-    prism.emplace_back(std::cos(turn), std::sin(turn), i % 2);
+  for (int side = 0; side < kSides; ++side) {
+    const double turn = 2.0 * std::numbers::pi * side / kSides;
+    for (const double height : {0.0, 1.0}) prism.emplace_back(std::cos(turn), std::sin(turn), height);
   }
   const Triangles sides = HullTriangles(prism);
   EXPECT_EQ(sides.size(), 2U * (2 * kSides) - 4U) << "Euler: all points are corners";

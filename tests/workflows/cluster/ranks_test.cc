@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace gaitwright {
 namespace {
 
@@ -12,8 +14,8 @@ TEST(Ranks, AProcessOfItsOwnLeadsAlone) {
   EXPECT_EQ(ranks.rank(), 0);
   EXPECT_EQ(ranks.count(), 1);
   EXPECT_TRUE(ranks.leads());
-  const Ranks copy = ranks;
-  EXPECT_EQ(copy.rank(), ranks.rank());
+  const std::vector<Ranks> copies(2, ranks);
+  for (const Ranks& copy : copies) EXPECT_EQ(copy.rank(), ranks.rank());
 }
 
 TEST(Ranks, AbortEndsTheProcessWithItsStatus) { EXPECT_EXIT(Ranks::Join().Abort(7), testing::ExitedWithCode(7), ""); }

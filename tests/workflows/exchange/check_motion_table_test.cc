@@ -173,7 +173,7 @@ TEST(GridStep, IsNoneOrOneThatAPlanCanHave) {
             "its 3600 s at steps of 0.0005 s would need 7200001 rows; at most 1000000 are accepted; raise grid_step_s");
   ImportOptions options;
   options.grid_step_s = 1e-9;
-  EXPECT_THROW(Imported(NamedRobot("a1"), StanceOf(NamedRobot("a1")), options), InvalidArgument);
+  EXPECT_THROW((void)Imported(NamedRobot("a1"), StanceOf(NamedRobot("a1")), options), InvalidArgument);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Result<ComparedMotion> Side(const std::string& text, const CsvReading& reading =
 }
 
 std::string FileWith(const std::string& text) {
-  const std::string path = ScratchFile("side_names.yaml");
+  std::string path = ScratchFile("side_names.yaml");
   EXPECT_TRUE(WriteFileAtomically(path, text).ok());
   return path;
 }

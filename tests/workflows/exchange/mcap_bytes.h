@@ -26,16 +26,17 @@ inline const std::string kMagicOfMcap("\x89MCAP0\r\n", 8);
 
 inline std::string McapHead() { return kMagicOfMcap + McapRecord(1, LongText("ros2") + LongText("by hand")); }
 
-inline std::string SchemaRecord(int id, const std::string& type) {
+inline std::string SchemaRecord(std::uint16_t id, const std::string& type) {
   return McapRecord(3, LittleEndian(id, 2) + LongText(type) + LongText("ros2msg") + LongText("float64 x\n"));
 }
 
-inline std::string ChannelRecord(int id, int schema, const std::string& topic, const std::string& encoding = "cdr") {
+inline std::string ChannelRecord(std::uint16_t id, std::uint16_t schema, const std::string& topic,
+                                 const std::string& encoding = "cdr") {
   return McapRecord(
       4, LittleEndian(id, 2) + LittleEndian(schema, 2) + LongText(topic) + LongText(encoding) + LongText(""));
 }
 
-inline std::string MessageRecord(int channel, std::uint64_t time_ns, const std::string& data) {
+inline std::string MessageRecord(std::uint16_t channel, std::uint64_t time_ns, const std::string& data) {
   return McapRecord(
       5, LittleEndian(channel, 2) + LittleEndian(7, 4) + LittleEndian(time_ns, 8) + LittleEndian(time_ns, 8) + data);
 }

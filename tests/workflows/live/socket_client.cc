@@ -72,7 +72,7 @@ std::string SocketClient::Get(const std::string& path, const std::string& header
   std::size_t end;
   while ((end = read_.find("\r\n\r\n")) == std::string::npos && Fill(until)) continue;
   if (read_.find(" 101 ") < 20) {
-    const std::string answer = read_.substr(0, end + 4);
+    std::string answer = read_.substr(0, end + 4);
     read_.erase(0, end + 4);
     return answer;
   }

@@ -120,7 +120,7 @@ TEST_F(SystemCallFilter, LooksAtArguments) {
   EXPECT_EQ(ErrorOf([] { return prlimit(getppid(), RLIMIT_AS, nullptr, nullptr); }), EPERM);
   for (const int command : {F_SETOWN, F_SETSIG, F_SETLEASE, F_NOTIFY})
     EXPECT_EQ(ErrorOf([&] { return fcntl(0, command, 0); }), EPERM) << command;
-  for (const unsigned command : {TIOCSTI, FIOASYNC, TIOCSCTTY})
+  for (const int command : {TIOCSTI, FIOASYNC, TIOCSCTTY})
     EXPECT_EQ(ErrorOf([&] { return syscall(SYS_ioctl, 0, command, 0); }), EPERM) << command;
 }
 

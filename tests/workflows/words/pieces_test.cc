@@ -34,10 +34,8 @@ TEST(Pieces, WordsNumbersCharactersAndSignsArePartedAndLabelled) {
 
 /// The bytes of a piece refer to the original text, also after respelling.
 TEST(Pieces, PlacesCoverTheTextInOrderAndWithoutSpaces) {
-  for (const std::string text : {"Don't  walk 1.5e3 m/s!", "請往前走３米，然後揮手。", "plz go\xC2\xA0on",
-                                 "a\xFF"
-                                 "b",
-                                 "3rd two-metre"}) {
+  for (const std::string text :
+       {"Don't  walk 1.5e3 m/s!", "請往前走３米，然後揮手。", "plz go\xC2\xA0on", "a\377b", "3rd two-metre"}) {
     std::size_t end = 0;
     for (const Piece& piece : PiecesOf(text)) {
       EXPECT_GE(piece.begin, end) << text;

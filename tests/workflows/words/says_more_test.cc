@@ -44,12 +44,12 @@ Clause AfterComma() {
 }
 
 /// Whether the second draft adds to the first; `last` then has the parameters of both.
-bool SaysMoreOf(const SaidDraft& before, const SaidDraft& said, Draft& last, Clause clause = AfterComma()) {
+bool SaysMoreOf(const SaidDraft& before, const SaidDraft& said, Draft& last, const Clause& clause = AfterComma()) {
   last = before.draft();
   return SaysMore(kTwelveLetters, clause, said.draft(), last);
 }
 
-bool SaysMoreOf(const SaidDraft& before, const SaidDraft& said, Clause clause = AfterComma()) {
+bool SaysMoreOf(const SaidDraft& before, const SaidDraft& said, const Clause& clause = AfterComma()) {
   Draft ignored;
   return SaysMoreOf(before, said, ignored, std::move(clause));
 }
