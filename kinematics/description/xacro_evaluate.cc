@@ -98,9 +98,8 @@ class XacroEvaluator {
 
   /// A variable of a comprehension, a property, or a constant of mathematics, in this order.
   std::optional<XacroValue> Known(const std::string& name) {
-    for (auto local = locals_.rbegin(); local != locals_.rend(); ++local) {
-      if (local->first == name) return local->second;
-    }
+    const auto local = std::find_if(locals_.rbegin(), locals_.rend(), [&](const auto& l) { return l.first == name; });
+    if (local != locals_.rend()) return local->second;
     if (auto property = context_.Property(name)) {
       if (property->text() != nullptr) context_.budget.Spend(property->text()->size() / 16);
       return property;

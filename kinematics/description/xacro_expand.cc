@@ -117,7 +117,7 @@ void XacroExpander::ExpandNodes(const Node* first, Node& out, XacroScope& scope)
 
 /// The element's name without `xacro:`; "" if it is not an element of xacro.
 std::string XacroExpander::XacroWord(const Element& element, const Node& out, XacroScope& scope) {
-  const std::string name = element.Name();
+  std::string name = element.Name();
   if (name.starts_with(kXacroPrefix)) return name.substr(kXacroPrefix.size());
   if (!FileOf(element).bare_tags) return "";
   const bool has_name = element.Attribute("name") != nullptr;

@@ -191,7 +191,7 @@ XacroValue XacroListOf(std::vector<XacroValue> items, XacroBudget& budget) {
   return {std::make_shared<XacroList>(XacroList{std::move(items), depth + 1})};
 }
 
-XacroValue XacroDictOf(std::vector<std::pair<XacroValue, XacroValue>> entries, XacroBudget& budget) {
+XacroValue XacroDictOf(std::vector<std::pair<XacroValue, XacroValue>>&& entries, XacroBudget& budget) {
   int depth = 0;
   XacroDict dict;
   for (auto& [key, value] : entries) {

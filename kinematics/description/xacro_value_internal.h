@@ -92,7 +92,7 @@ struct XacroDict {
 XacroValue XacroText(std::string text);
 XacroValue XacroListOf(std::vector<XacroValue> items, XacroBudget& budget);
 /// If a key appears twice, the last value is used.
-XacroValue XacroDictOf(std::vector<std::pair<XacroValue, XacroValue>> entries, XacroBudget& budget);
+XacroValue XacroDictOf(std::vector<std::pair<XacroValue, XacroValue>>&& entries, XacroBudget& budget);
 
 /// "text", "list" and so on, for messages.
 std::string XacroKind(const XacroValue& value);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "kinematics/spatial/rotation.h"
@@ -38,76 +39,81 @@ class Descent {
         upper_(upper),
         screws_(6, static_cast<Eigen::Index>(chain.links.size())),
         J_(6, chain.num_coordinates()),
-        A_(chain.num_rows, chain.num_coordinates()),
-        error_(chain.num_rows),
+        at_(chain),
+        tried_(chain),
         step_(chain.num_coordinates()),
         trial_(chain.num_coordinates()) {}
 
   void Run(const VectorX& start, DampedSearch& out) {
     VectorX& x = out.coordinates;
     x = start.cwiseMax(lower_).cwiseMin(upper_);
-    double cost = Linearise(x);
-    double damping = std::min(1e-2, cost);
+    Linearise(x, at_);
+    double damping = std::min(1e-2, at_.cost);
     int stalled = 0;
-    for (out.iterations = 0; out.iterations < kMaxSteps && !Converged(); ++out.iterations) {
+    for (out.iterations = 0; out.iterations < kMaxSteps && !at_.Converged(); ++out.iterations) {
       Step(x, damping);
       trial_ = (x + step_).cwiseMax(lower_).cwiseMin(upper_);
       if ((trial_ - x).lpNorm<Eigen::Infinity>() < 1e-14) break;  // at rest
-      const double tried = ErrorOf(trial_);
-      stalled = tried > 0.98 * cost ? stalled + 1 : 0;
+      Linearise(trial_, tried_);
+      stalled = tried_.cost > 0.98 * at_.cost ? stalled + 1 : 0;
       if (stalled > kPatience) break;
-      if (tried < cost) {
+      if (tried_.cost < at_.cost) {
         x.swap(trial_);
-        cost = Linearise(x);
-        damping = std::max(std::min(0.2 * damping, cost), 1e-15);
+        std::swap(at_, tried_);
+        damping = std::max(std::min(0.2 * damping, at_.cost), 1e-15);
       } else {
         damping = std::max(10.0 * damping, 1e-9);
         if (damping > 1e6) break;
       }
     }
-    Linearise(x);
-    out.converged = Converged();
-    out.distance_m = chain_.length_m * error_.head<3>().norm();
-    out.angle_rad = error_.tail(error_.size() - 3).norm();
+    out.converged = at_.Converged();
+    out.distance_m = chain_.length_m * at_.error.head<3>().norm();
+    out.angle_rad = at_.error.tail(at_.error.size() - 3).norm();
   }
 
  private:
-  bool Converged() const { return error_.lpNorm<Eigen::Infinity>() < kConvergedError; }
+  /// The scaled error of the foot's pose, and its derivative.
+  struct Linearised {
+    explicit Linearised(const LegChain& chain) : A(chain.num_rows, chain.num_coordinates()), error(chain.num_rows) {}
+    bool Converged() const { return error.lpNorm<Eigen::Infinity>() < kConvergedError; }
 
-  /// Sets error_ for a pose. @return its squared length.
-  double SetError(const Pose& X) {
-    full_.head<3>() = (target_.translation() - X.translation()) / chain_.length_m;
-    full_.tail<3>().setZero();
-    if (chain_.num_rows > 3) full_.tail<3>() = RotationLog(X.linear().transpose() * target_.linear());
-    for (int r = 0; r < chain_.num_rows; ++r) error_[r] = full_[chain_.rows[static_cast<std::size_t>(r)]];
-    return error_.squaredNorm();
-  }
-  double ErrorOf(const VectorX& x) { return SetError(chain_.FootPose(x)); }
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, Eigen::Dynamic> A;  // -d error / dx
+    Vector6 full = Vector6::Zero();                                                               // of all rows
+    Rows error;
+    double cost = 0.0;  // squared length of the error
+  };
 
-  /// Sets error_ and A_ = -d error_ / dx at x.
-  double Linearise(const VectorX& x) {
-    const double cost = SetError(chain_.FootPose(x, screws_, J_));
+  void Linearise(const VectorX& x, Linearised& out) {
+    const Pose X = chain_.FootPose(x, screws_, J_);
+    Vector6 full = Vector6::Zero();
+    full.head<3>() = (target_.translation() - X.translation()) / chain_.length_m;
     J_.topRows<3>() /= chain_.length_m;
     if (chain_.num_rows > 3) {
-      const Matrix3 to_log = InverseLeftJacobian(full_.tail<3>());
+      full.tail<3>() = RotationLog(X.linear().transpose() * target_.linear());
+      const Matrix3 to_log = InverseLeftJacobian(full.tail<3>());
       for (Eigen::Index c = 0; c < J_.cols(); ++c) J_.col(c).tail<3>() = (to_log * J_.col(c).tail<3>()).eval();
     }
-    for (int r = 0; r < chain_.num_rows; ++r) A_.row(r) = J_.row(chain_.rows[static_cast<std::size_t>(r)]);
-    return cost;
+    for (int r = 0; r < chain_.num_rows; ++r) {
+      const int row = chain_.rows[static_cast<std::size_t>(r)];
+      out.error[r] = full[row];
+      out.A.row(r) = J_.row(row);
+    }
+    out.cost = out.error.squaredNorm();
   }
 
   /// Sets step_ from x; coordinates that would leave their limits are fixed.
   void Step(const VectorX& x, double damping) {
+    auto& A = at_.A;
     for (Eigen::Index c = 0; c < x.size(); ++c) {
-      const double push = A_.col(c).dot(error_);
-      held_ = (x[c] <= lower_[c] && push < 0.0) || (x[c] >= upper_[c] && push > 0.0);
-      if (held_) A_.col(c).setZero();
+      const double push = A.col(c).dot(at_.error);
+      const bool held = (x[c] <= lower_[c] && push < 0.0) || (x[c] >= upper_[c] && push > 0.0);
+      if (held) A.col(c).setZero();
     }
-    normal_ = A_.lazyProduct(A_.transpose());
+    normal_ = A.lazyProduct(A.transpose());
     normal_.diagonal().array() += damping;
     solver_.compute(normal_);
-    solved_ = solver_.solve(error_);
-    step_ = A_.transpose().lazyProduct(solved_);
+    solved_ = solver_.solve(at_.error);
+    step_ = A.transpose().lazyProduct(solved_);
     const double longest = step_.lpNorm<Eigen::Infinity>();
     if (longest > kLongestJointStep) step_ *= kLongestJointStep / longest;
   }
@@ -116,13 +122,11 @@ class Descent {
   const Pose& target_;
   const VectorX &lower_, &upper_;
   LegChain::Jacobian screws_, J_;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, Eigen::Dynamic> A_;
-  Vector6 full_;
-  Rows error_, solved_;
+  Linearised at_, tried_;
+  Rows solved_;
   Square normal_;
   Eigen::LDLT<Square> solver_;
   VectorX step_, trial_;
-  bool held_ = false;
 };
 
 /// Random coordinates within the limits; within a full turn for joints without limits.
@@ -148,11 +152,14 @@ DampedSearch SearchPose(const LegChain& chain, const Pose& X_BF, const VectorX& 
                         const VectorX& guess, int starts) {
   Descent descent(chain, X_BF, lower, upper);
   DampedSearch best, found;
-  std::mt19937 engine(1);
+  std::optional<std::mt19937> engine;  // costs as much as some steps
+  const bool at_standing = guess.size() == chain.standing.size() && guess == chain.standing;
   const auto left = [&](const DampedSearch& s) { return std::hypot(s.distance_m / chain.length_m, s.angle_rad); };
   int iterations = 0;
   for (int i = 0; i < starts && !best.converged; ++i) {
-    descent.Run(i == 0 ? guess : i == 1 ? chain.standing : Place(lower, upper, engine), found);
+    if (i == 1 && at_standing) continue;
+    if (i > 1 && !engine) engine.emplace(1);
+    descent.Run(i == 0 ? guess : i == 1 ? chain.standing : Place(lower, upper, *engine), found);
     iterations += found.iterations;
     if (i == 0 || found.converged || left(found) < left(best)) std::swap(best, found);
   }

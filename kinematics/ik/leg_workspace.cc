@@ -126,7 +126,7 @@ bool LegWorkspace::BallsAt(const Pose& X_BF, std::vector<Ball>& balls) {
   const Vector3 middle = InCell(cell, 0.0, 0).translation();
   if (entry.posture < 0) {
     entry.posture = static_cast<int>(centres_.size() / std::max<std::size_t>(balls_.size(), 1));
-    balls_.CentresAt(JointsAt(InCell(cell, 0.0, 0)).value(), centres_);
+    balls_.CentresAt(JointsAt(InCell(cell, 0.0, 0), standing_).value(), centres_);
   }
   // The offset of the foot from the centre of the cell moves a ball in proportion to its position between hip and foot.
   const Vector3 off = X_BF.translation() - middle, along = middle - p_BH_;
@@ -154,25 +154,28 @@ Pose LegWorkspace::InCell(const Cell& cell, double share, unsigned corner) const
 
 bool LegWorkspace::WorkOut(const Cell& cell) const {
   const Pose X_BF = InCell(cell, 0.0, 0);
+  const std::optional<VectorX> centre = JointsAt(X_BF, standing_);
+  if (!centre) return false;
   const Vector3 from_hip = X_BF.translation() - p_BH_;
   Pose farther = X_BF;
   farther.translation() += reserve_m_ * from_hip.normalized();
-  const double spare = std::min(MarginOf(X_BF), MarginOf(farther));
-  if (spare < 0.0) return false;
+  const std::optional<VectorX> far = reserve_m_ > 0.0 ? JointsAt(farther, *centre) : centre;
+  if (!far) return false;
   // Largest rotation of the joints within the cell: the angle of the foot about the hip, larger for folded legs, and
   // the rotation of the foot.
   constexpr double kLeverage = 2.0;
   const double within = kLeverage * (cell_m_ / from_hip.norm() + (turned_ ? kAngle : 0.0));
-  if (spare > within) return true;
+  if (std::min(MarginOf(*centre), MarginOf(*far)) > within) return true;
   for (unsigned corner = 0; corner < 8; ++corner)
-    if (!Solves(InCell(cell, 1.0, corner))) return false;
+    if (!JointsAt(InCell(cell, 1.0, corner), *centre)) return false;
   return true;
 }
 
-std::optional<VectorX> LegWorkspace::JointsAt(const Pose& X_BF) const {
+/// @param guess  from which an iterative search starts.
+std::optional<VectorX> LegWorkspace::JointsAt(const Pose& X_BF, const VectorX& guess) const {
   constexpr int kStarts = 4;  // starts of the damped search; a failed search needs far more time than a success
   if (ik_.method() == LegIk::Method::kDamped) {
-    DampedSearch found = SearchPose(chain_, X_BF, chain_.lower, chain_.upper, standing_, kStarts);
+    DampedSearch found = SearchPose(chain_, X_BF, chain_.lower, chain_.upper, guess, kStarts);
     if (!found.converged) return std::nullopt;
     return std::move(found.coordinates);
   }
@@ -181,10 +184,9 @@ std::optional<VectorX> LegWorkspace::JointsAt(const Pose& X_BF) const {
   return std::move(solution->joints);
 }
 
-double LegWorkspace::MarginOf(const Pose& X_BF) const {
-  const std::optional<VectorX> joints = JointsAt(X_BF);
-  if (!joints) return -1.0;
-  return std::max(0.0, std::min((*joints - chain_.lower).minCoeff(), (chain_.upper - *joints).minCoeff()));
+/// Distance of the nearest joint from its limit.
+double LegWorkspace::MarginOf(const VectorX& joints) const {
+  return std::max(0.0, std::min((joints - chain_.lower).minCoeff(), (chain_.upper - joints).minCoeff()));
 }
 
 void LegWorkspace::Grow() {
@@ -197,6 +199,12 @@ void LegWorkspace::Grow() {
     while (table_[at].key != 0) at = (at + 1) & mask;
     table_[at] = entry;
   }
+}
+
+LegWorkspace& LegWorkspaces::Of(const RobotModel& model, int leg, double reserve) {
+  std::unique_ptr<LegWorkspace>& workspace = of_[{leg, reserve}];
+  if (workspace == nullptr) workspace = std::make_unique<LegWorkspace>(model, leg, reserve);
+  return *workspace;
 }
 
 }  // namespace gaitwright

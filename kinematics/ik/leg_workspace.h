@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "kinematics/ik/leg_balls.h"
@@ -56,9 +58,8 @@ class LegWorkspace {
   std::size_t Find(const Cell& cell);
   bool WorkOut(const Cell& cell) const;
   Pose InCell(const Cell& cell, double share, unsigned corner) const;
-  bool Solves(const Pose& X_BF) const { return MarginOf(X_BF) >= 0.0; }
-  double MarginOf(const Pose& X_BF) const;
-  std::optional<VectorX> JointsAt(const Pose& X_BF) const;
+  double MarginOf(const VectorX& joints) const;
+  std::optional<VectorX> JointsAt(const Pose& X_BF, const VectorX& guess) const;
   void Grow();
 
   std::shared_ptr<const RobotModel> narrow_;  // with limits reduced by the margin
@@ -73,6 +74,17 @@ class LegWorkspace {
   LegBalls balls_;
   std::vector<Vector3> centres_;  // ball centres at the centres of cells, by posture and ball
   int known_ = 0;
+};
+
+/// The workspaces of a robot's legs, for searches that follow each other. Not thread-safe.
+class LegWorkspaces {
+ public:
+  /// The workspace of a leg with a margin, which is made at the first call. @param model  the same at all calls.
+  /// @throws InvalidArgument as the constructor of LegWorkspace.
+  LegWorkspace& Of(const RobotModel& model, int leg, double reserve);
+
+ private:
+  std::map<std::pair<int, double>, std::unique_ptr<LegWorkspace>> of_;  // by leg and margin
 };
 
 }  // namespace gaitwright

@@ -169,7 +169,7 @@ Eigen::Quaterniond BottomTilt(const Pose& X_OE, const std::vector<const Shape*>&
       middle += p;
     }
   }
-  const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
   if (points.size() < 3) return none;
   middle /= static_cast<double>(points.size());
   Matrix3 spread = Matrix3::Zero();

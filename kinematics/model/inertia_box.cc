@@ -37,7 +37,7 @@ std::optional<Shape> InertiaBox(const RobotModel& model, int body) {
   const Body& b = model.bodies[static_cast<std::size_t>(body)];
   if (b.mass <= 0.0) return std::nullopt;
   const Eigen::SelfAdjointEigenSolver<Matrix3> principal(b.I_C);
-  const Vector3 I = principal.eigenvalues();
+  const Vector3& I = principal.eigenvalues();
   Shape box;
   box.body = body;
   box.link = b.name;

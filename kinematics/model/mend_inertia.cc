@@ -25,7 +25,8 @@ bool HasZeroMoment(const Vector3& moments) {
 MendedInertia ThickenedRod(const Matrix3& I, const std::optional<Matrix3>& solid, const std::string& broken) {
   constexpr double kOfCylinder = 12.0 / 800.0;  // m d^2 / 8 of m l^2 / 12, with l = 10 d
   const Eigen::SelfAdjointEigenSolver<Matrix3> principal(I);
-  const Vector3 axis = principal.eigenvectors().col(0), moments = principal.eigenvalues();
+  const Vector3 axis = principal.eigenvectors().col(0);
+  const Vector3& moments = principal.eigenvalues();
   const double of_shapes = solid ? axis.dot(*solid * axis) : 0.0;
   const bool fits = of_shapes > 0.0 && of_shapes <= moments[1] + moments[2];
   const double moment = fits ? of_shapes : kOfCylinder * moments[2];

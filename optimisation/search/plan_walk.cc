@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "kinematics/base/cpu_clock.h"
+#include "kinematics/ik/leg_workspace.h"
 #include "optimisation/pipeline/options_of_robot_internal.h"
 #include "optimisation/search/plan_parts.h"
 #include "optimisation/search/plan_turn_internal.h"
@@ -84,6 +85,7 @@ Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, 
   WalkRequest checked = request;
   CheckOptions(checked.Fields());
   checked.motion = OptionsOf(model, checked.motion);
+  checked.motion.footsteps.search.workspaces = std::make_shared<LegWorkspaces>();
   Result<PlannedWalk> planned = PlanAsked(model, terrain, checked, trace);
   if (!planned) return planned;
   Provenance& provenance = planned->motion.plan.provenance;

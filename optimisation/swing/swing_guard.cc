@@ -91,6 +91,14 @@ VectorX SwingGuard::StandingLeg(int foot) const {
 
 namespace {
 
+/// Joints of a leg for a pose of its foot: those near the guess, or others. A search for others takes a hundred times
+/// longer, and only finds what a swing reaches continuously if it is the first.
+std::optional<VectorX> AnySolution(const LegIk& ik, const Pose& X_BF, const VectorX& guess) {
+  if (std::optional<VectorX> near = ik.SolveNear(X_BF, guess)) return near;
+  Result<LegIk::Solution> other = ik.Solve(X_BF, guess);
+  return other ? std::optional(std::move(other->joints)) : std::nullopt;
+}
+
 /// Whether motors can move the leg's joints by `way` in the given time. Other joints of a transmission do not move.
 bool MotorsFollow(const std::vector<Actuator>& motors, const std::vector<int>& dofs, const VectorX& way,
                   double step_s) {
@@ -116,10 +124,11 @@ bool SwingGuard::LegFollows(const SwingTrajectory& swing) const {
   std::vector<Actuator> motors;
   for (const int dof : ik.dofs()) motors.push_back(ActuatorOf(model_, dof));
   for (int k = 0; k <= kSamples; ++k) {
-    const auto leg = ik.Solve(former_.base(TimeOf(swing, k)).inverse() * X_WF[static_cast<std::size_t>(k)], guess);
+    const Pose X_BF = former_.base(TimeOf(swing, k)).inverse() * X_WF[static_cast<std::size_t>(k)];
+    const std::optional<VectorX> leg = k == 0 ? AnySolution(ik, X_BF, guess) : ik.SolveNear(X_BF, guess);
     if (!leg) return false;
-    if (k > 0 && !MotorsFollow(motors, ik.dofs(), leg->joints - guess, step_s)) return false;
-    guess = leg->joints;
+    if (k > 0 && !MotorsFollow(motors, ik.dofs(), *leg - guess, step_s)) return false;
+    guess = *leg;
   }
   return true;
 }
@@ -131,9 +140,10 @@ std::optional<SwingHit> SwingGuard::CheckLeg(const SwingTrajectory& swing, int s
   VectorX guess = StandingLeg(swing.foot);
   for (int k = 0; k <= kSamples; k += stride) {
     const Pose X_WB = former_.base(TimeOf(swing, k));
-    const auto leg = ik.Solve(X_WB.inverse() * X_WF[static_cast<std::size_t>(k)], guess);
+    const Pose X_BF = X_WB.inverse() * X_WF[static_cast<std::size_t>(k)];
+    const std::optional<VectorX> leg = k == 0 ? AnySolution(ik, X_BF, guess) : ik.SolveNear(X_BF, guess);
     if (!leg) continue;  // checked by LegFollows and the whole-body stage
-    guess = leg->joints;
+    guess = *leg;
     for (Eigen::Index i = 0; i < guess.size(); ++i) q[7 + ik.dofs()[static_cast<std::size_t>(i)]] = guess[i];
     q.head<3>() = X_WB.translation();
     q.segment<4>(3) = Quaternion(X_WB.linear()).coeffs();

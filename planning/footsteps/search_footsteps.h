@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "kinematics/base/options.h"
@@ -12,6 +13,8 @@
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
+
+class LegWorkspaces;
 
 /// Limits, cost weights and budget of the search.
 ///
@@ -43,6 +46,8 @@ struct FootstepSearchOptions {
   int patience = 1000;
   int max_expansions = 20000;
   int improving_expansions = 200;
+  /// Kept by searches with the same robot that follow each other in one thread; null: each search has its own.
+  std::shared_ptr<LegWorkspaces> workspaces = nullptr;
 
   OptionFields Fields();
 };

@@ -79,10 +79,13 @@ StanceChecker::StanceChecker(const RobotModel& model, const GroundIndex& ground,
       options_(options),
       margin_m_(footholds.margin_m),
       standing_(StandingFeet(model)),
+      workspaces_(options.workspaces != nullptr ? options.workspaces : std::make_shared<LegWorkspaces>()),
       lone_(LoneSoles(model, query.gait)),
       leg_room_(model, ground, options.leg_clearance * model.leg_length_m()),
       leg_m_(model.leg_length_m()) {
-  for (int leg = 0; leg < static_cast<int>(model.legs.size()); ++leg) legs_.emplace_back(model, leg, options.reserve);
+  for (int leg = 0; leg < static_cast<int>(model.legs.size()); ++leg) {
+    legs_.push_back(&workspaces_->Of(model, leg, options.reserve));
+  }
   MeasureBody(model);
 }
 
@@ -158,7 +161,7 @@ bool StanceChecker::AllReach(const std::vector<Pose>& X_WF, const Pose& X_WB) {
     const auto f = static_cast<std::size_t>(model_->legs[i].foot);
     Pose X_BF = X_BW * X_WF[f];
     X_BF.translation() += model_->feet[f].radius * X_BF.linear().col(2);
-    if (!legs_[i].Reaches(X_BF)) return false;
+    if (!legs_[i]->Reaches(X_BF)) return false;
   }
   return true;
 }
@@ -180,7 +183,7 @@ bool StanceChecker::LegsClear(const std::vector<Pose>& X_WF, const Pose& X_WB) {
     for (const double ahead : {-kDrift, kDrift}) {
       Pose moved = X_WB;
       moved.translation() += leg_m_ * (ahead * X_WB.linear().col(0) - kDrift * Vector3::UnitZ());
-      if (!leg_room_.IsClear(legs_[i], model_->feet[f], X_WF[f], moved)) return false;
+      if (!leg_room_.IsClear(*legs_[i], model_->feet[f], X_WF[f], moved)) return false;
     }
   }
   return true;

@@ -58,8 +58,9 @@ class StanceChecker {
   FootstepSearchOptions options_;
   double margin_m_;
   std::vector<Pose> standing_;
-  std::vector<LegWorkspace> legs_;  // by foot
-  std::vector<int> lone_;           // see LoneSoles
+  std::shared_ptr<LegWorkspaces> workspaces_;
+  std::vector<LegWorkspace*> legs_;  // by foot, in workspaces_
+  std::vector<int> lone_;            // see LoneSoles
   LegRoom leg_room_;
   double leg_m_;
   Vector3 trunk_low_, trunk_high_, whole_low_, whole_high_;  // boxes in B

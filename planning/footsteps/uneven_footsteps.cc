@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/ik/leg_workspace.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/base_over_feet.h"
 #include "planning/footsteps/search_beside_goal.h"
@@ -184,7 +185,8 @@ namespace {
 template <class Search>
 Result<FootstepSequence> SearchAtEase(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                       const FootstepOptions& options, Search search) {
-  const FootstepSearchOptions& asked = options.search;
+  FootstepSearchOptions asked = options.search;
+  if (asked.workspaces == nullptr) asked.workspaces = std::make_shared<LegWorkspaces>();
   if (LoneSoles(model, query.gait).empty()) return search(model, terrain, query, options.foothold, asked);
   FootstepSearchOptions easy = asked, full = asked;
   easy.sway = std::max(asked.sway, asked.easy_sway);

@@ -30,7 +30,7 @@ enum ElementType : std::int64_t {
 };
 
 std::string NameOf(const WireField& field) {
-  const std::string name(BytesOf(field));
+  std::string name(BytesOf(field));
   if (name.size() > kLongestName || !IsPlainText(name))
     throw InvalidArgument(
         fmt::format("field {} is not a name in plain text of up to {} bytes", field.number, kLongestName));

@@ -16,7 +16,7 @@ namespace gaitwright::cli {
 namespace {
 
 std::string OptionsFileWith(const std::string& text) {
-  const std::string path = ScratchFile("options.yaml");
+  std::string path = ScratchFile("options.yaml");
   std::ofstream(path) << text;
   return path;
 }
@@ -56,7 +56,7 @@ TEST(OptionsFiles, UnknownKeysAreRefused) {
 }
 
 std::string FileOfDisturbances(const std::string& text) {
-  const std::string path = ScratchFile("disturbances.yaml");
+  std::string path = ScratchFile("disturbances.yaml");
   std::ofstream(path) << text;
   return path;
 }

@@ -65,7 +65,7 @@ TEST_F(Exchange, AJointTrajectoryIsComparedAsItIs) {
 
 /// The path of a new file with a text.
 std::string ComparedFile(const std::string& name, const std::string& text) {
-  const std::string path = ScratchFile(name);
+  std::string path = ScratchFile(name);
   std::ofstream(path) << text;
   return path;
 }

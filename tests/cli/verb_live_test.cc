@@ -32,7 +32,7 @@ std::string Greeting(int port) {
   try {
     SocketClient client(port);
     if (client.Open("/live", "http://" + host, host) != 101) return "";
-    const std::string greeting = client.Hear().value_or("");
+    std::string greeting = client.Hear().value_or("");
     for (int told = 0; told < 10; ++told) client.Hear();  // the page number, and frames of a running world
     return greeting;
   } catch (const std::runtime_error&) {

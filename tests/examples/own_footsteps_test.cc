@@ -33,7 +33,8 @@ TEST(OwnFootstepsExample, EveryFootStaysOnACircleOfItsOwn) {
       const Vector2 from = first.head<2>() - middle, to = PlaceOf(steps[k]) - middle;
       EXPECT_NEAR(to.norm(), from.norm(), 1e-12);
       const double turned = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
-      EXPECT_NEAR(turned, turn_rad * static_cast<double>(k / 4 + 1) / static_cast<double>(steps.size() / 4), 1e-12);
+      const std::size_t round = k / 4 + 1, rounds = steps.size() / 4;
+      EXPECT_NEAR(turned, turn_rad * static_cast<double>(round) / static_cast<double>(rounds), 1e-12);
       EXPECT_NEAR(steps[k].place.yaw_rad, turned, 1e-12);
     }
   }

@@ -152,7 +152,7 @@ class BvhReader {
       size += p_S.squaredNorm();
     }
     const Eigen::JacobiSVD<Matrix3> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Vector3 sizes = svd.singularValues();
+    const Vector3& sizes = svd.singularValues();
     if (!(sizes[1] > kFlat * sizes[0])) {
       throw InvalidArgument(
           "its axes are unknown, because the joints of its skeleton at rest (OFFSET) are at one place or on one line");

@@ -16,7 +16,7 @@ namespace gaitwright {
 namespace {
 
 /// Makes a plan from a table.
-void MakePlan(const RobotModel& model, const Terrain& terrain, const ImportRequest& request, MotionTable table,
+void MakePlan(const RobotModel& model, const Terrain& terrain, const ImportRequest& request, const MotionTable& table,
               ImportedMotion& imported) {
   imported.format = table.format;
   imported.rows = table.rows();
@@ -59,7 +59,7 @@ Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& te
     } else {
       Result<MotionTable> table = ReadMotionTable(model, *text, request);
       if (!table) return table.failure();
-      MakePlan(model, terrain, request, std::move(*table), imported);
+      MakePlan(model, terrain, request, *table, imported);
     }
   } catch (const InvalidArgument& error) {
     return RefusedMotion(request.file, error.what());

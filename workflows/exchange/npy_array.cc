@@ -75,7 +75,7 @@ class HeadReader {
     if (quote != '\'' && quote != '"') Refuse();
     const std::size_t end = text_.find(quote, ++at_);
     if (end == std::string_view::npos) Refuse();
-    const std::string quoted(text_.substr(at_, end - at_));
+    std::string quoted(text_.substr(at_, end - at_));
     at_ = end + 1;
     return quoted;
   }

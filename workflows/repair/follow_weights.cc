@@ -110,11 +110,10 @@ FollowWeights WeightsOf(const RobotModel& model, const YAML::Node& root) {
 }  // namespace
 
 double FollowWeights::Of(const std::string& group, double time_s, double otherwise) const {
-  for (auto range = ranges.rbegin(); range != ranges.rend(); ++range) {
-    if (time_s < range->start_s || time_s > range->end_s) continue;
-    if (const auto at = range->of.find(group); at != range->of.end()) return at->second;
-  }
-  return otherwise;
+  const auto last = std::find_if(ranges.rbegin(), ranges.rend(), [&](const auto& range) {
+    return time_s >= range.start_s && time_s <= range.end_s && range.of.contains(group);
+  });
+  return last == ranges.rend() ? otherwise : last->of.at(group);
 }
 
 DataShape FollowWeightsShape() {

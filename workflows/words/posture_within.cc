@@ -87,7 +87,7 @@ void StayOn(double duration_s, MotionPlan& plan) {
   CentroidalTrajectory& c = plan.centroidal;
   const double from_s = w.end_s();
   const long rows = std::max(1L, std::lround(duration_s / w.step_s));
-  const auto still = [](VectorX x) { return VectorX(VectorX::Zero(x.size())); };
+  const auto still = [](const VectorX& x) { return VectorX(VectorX::Zero(x.size())); };
   for (long k = 0; k < rows; ++k) {
     w.q.push_back(w.q.back());
     w.v.push_back(still(w.v.back()));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/words/refer_back.h"
 
+#include <algorithm>
+
 #include "workflows/words/says_more.h"
 
 namespace gaitwright::words {
@@ -12,14 +14,14 @@ TaskValue Word(const char* word) { return std::string(word); }
 void TakeLastSide(const std::string& text, const std::vector<Draft>& before, Draft& said) {
   const auto side = said.parameters.find("side");
   if (side == said.parameters.end() || (side->second != Word("same") && side->second != Word("other"))) return;
-  for (auto draft = before.rbegin(); draft != before.rend(); ++draft) {
-    if (draft->action != "raise_arm" && draft->action != "wave" && draft->action != "lower_arm") continue;
-    const TaskValue last = draft->parameters.at("side");
-    const TaskValue opposite = last == Word("left") ? Word("right") : Word("left");
-    side->second = side->second == Word("other") ? opposite : last;
-    return;
-  }
-  throw Refused{{FailureCode::kAmbiguous, TextOf(text, said.words), "does not name the arm", ""}};
+  const auto draft = std::find_if(before.rbegin(), before.rend(), [](const Draft& of_arm) {
+    return of_arm.action == "raise_arm" || of_arm.action == "wave" || of_arm.action == "lower_arm";
+  });
+  if (draft == before.rend())
+    throw Refused{{FailureCode::kAmbiguous, TextOf(text, said.words), "does not name the arm", ""}};
+  const TaskValue last = draft->parameters.at("side");
+  const TaskValue opposite = last == Word("left") ? Word("right") : Word("left");
+  side->second = side->second == Word("other") ? opposite : last;
 }
 
 /// "on the left foot for five seconds, then on the right foot for another five".

@@ -144,7 +144,7 @@ class StairsWalker {
     if (by < 1 || by > there)
       Refuse(FailureCode::kRange, draft,
              fmt::format("goes {} steps, but there are {} steps from the robot's place at that time", by, there));
-    const PlaceName place = stairs_->levels[static_cast<std::size_t>(at + way * by)];
+    PlaceName place = stairs_->levels[static_cast<std::size_t>(at + way * by)];
     if (place.name.empty())
       Refuse(FailureCode::kCannot, draft,
              "goes down to the ground before the stairs, which has no name on this ground");

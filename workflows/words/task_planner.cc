@@ -198,7 +198,7 @@ Result<PostureMotion> TaskPlanner::GestureMotion(const Task& gesture, const Post
     return WaveArms(model_, from, SidesOf(gesture), times);
   };
   if (gesture.Has("times")) return often(gesture.Count("times", 1));
-  const Result<PostureMotion> once = often(1);
+  Result<PostureMotion> once = often(1);
   if (!once) return once;
   // As often as fits into the time, without the time to raise and lower the arm.
   constexpr double kMost = 1000.0;

@@ -20,7 +20,7 @@ class MjcfPostureTest : public testing::Test {
                         kNoKeyFiles, "model.xml");
     const MjcfTree tree = ReadMjcfTree(context);
     couplings_.resize(tree.joints.size());
-    const MjcfPosture posture = ReadMjcfPosture(context, tree, couplings_);
+    MjcfPosture posture = ReadMjcfPosture(context, tree, couplings_);
     notes_ = context.notes;
     return posture;
   }

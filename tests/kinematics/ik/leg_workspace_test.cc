@@ -125,5 +125,18 @@ TEST(LegWorkspace, RefusesAReserveOutOfRange) {
   EXPECT_THROW(LegWorkspace(model, 9, 0.0), InvalidArgument);
 }
 
+TEST(LegWorkspaces, KeepOneOfEachLegAndMargin) {
+  const RobotModel model = AnyRobot("nao");
+  LegWorkspaces workspaces;
+  LegWorkspace& left = workspaces.Of(model, 0, 0.03);
+  left.Reaches(left.standing());
+  const int known = left.size();
+  EXPECT_EQ(&workspaces.Of(model, 0, 0.03), &left);
+  EXPECT_NE(&workspaces.Of(model, 1, 0.03), &left);
+  EXPECT_NE(&workspaces.Of(model, 0, 0.0), &left);
+  EXPECT_EQ(left.size(), known);
+  EXPECT_THROW(workspaces.Of(model, 9, 0.0), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -18,7 +18,7 @@ class ReadDescriptionTest : public testing::Test {
   void SetUp() override { fs::remove_all(ScratchFile("description")); }
 
   static std::string Write(const std::string& name, const std::string& text) {
-    const std::string path = ScratchFile("description/" + name);
+    std::string path = ScratchFile("description/" + name);
     EXPECT_TRUE(WriteFileAtomically(path, text).ok());
     return path;
   }

@@ -101,7 +101,8 @@ TEST(GaitCycle, WhatRepeatsItselfWithOtherFeetStillDoes) {
 TEST(GaitCycle, NoSwingBecomesShorterThanItMay) {
   for (const char* name : {"gallop", "pronk", "bound"}) {
     const GaitCycle cycle(GaitOf(name), 0);
-    const VectorX swing = cycle.TouchDown(0, 0) - cycle.LiftOff(0, 0), given = cycle.durations_s();
+    const VectorX swing = cycle.TouchDown(0, 0) - cycle.LiftOff(0, 0);
+    const VectorX& given = cycle.durations_s();
     VectorX hurried = given;
     for (Eigen::Index k = 0; k < given.size(); ++k) hurried[k] *= swing[k] > 0.0 ? 0.5 : 1.5;
     const double share = cycle.ShareKeepingSwings(hurried, 0.0, 0.7);

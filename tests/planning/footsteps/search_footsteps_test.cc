@@ -9,6 +9,7 @@
 #include <set>
 
 #include "grounds.h"
+#include "kinematics/ik/leg_workspace.h"
 #include "kinematics/model/load_robot.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/footstep_graph.h"
@@ -300,6 +301,22 @@ TEST(SearchFootsteps, GivesTheSameFootfallsAgain) {
   for (std::size_t k = 0; k < a->steps.size(); ++k)
     for (std::size_t m = 0; m < a->steps[k].size(); ++m)
       EXPECT_EQ(a->steps[k][m].X_WF.matrix(), b->steps[k][m].X_WF.matrix());
+}
+
+TEST(SearchFootsteps, KeptWorkspacesOfLegsChangeNothing) {
+  const RobotModel model = LoadNamedRobot("nao").value();
+  const Terrain terrain = StepUp(0.3, 0.02);
+  FootstepSearchOptions keeps;
+  keeps.workspaces = std::make_shared<LegWorkspaces>();
+  const auto own = SearchFootsteps(model, terrain, Ahead(model, "", 0.6, 0.05), {}, {});
+  for (const double speed_m_s : {0.06, 0.05}) {
+    const auto kept = SearchFootsteps(model, terrain, Ahead(model, "", 0.6, speed_m_s), {}, keeps);
+    ASSERT_TRUE(own.ok() && kept.ok());
+    if (speed_m_s == 0.06) continue;
+    EXPECT_EQ(own->stats.expanded, kept->stats.expanded);
+    EXPECT_EQ(own->stats.cost, kept->stats.cost);
+  }
+  EXPECT_GT(keeps.workspaces->Of(model, 0, keeps.reserve).size(), 10);
 }
 
 std::string Refusal(const char* robot, const Terrain& terrain, double length_m, double speed_m_s) {

@@ -22,7 +22,8 @@ class ComparedSolver : public CondensedSolver {
 
  protected:
   void convertContacts(btPersistentManifold** manifolds, int num_manifolds, const btContactSolverInfo& info) override {
-    btMultiBodyConstraintSolver::convertContacts(manifolds, num_manifolds, info);
+    btMultiBodyConstraintSolver::convertContacts(  // NOLINT(bugprone-parent-virtual-call): Bullet's own rows
+        manifolds, num_manifolds, info);
     const btMultiBodyConstraintArray normals = m_multiBodyNormalContactConstraints;
     const btMultiBodyConstraintArray frictions = m_multiBodyFrictionContactConstraints;
     const btAlignedObjectArray<btScalar> jacobians = m_data.m_jacobians;

@@ -136,7 +136,7 @@ TEST(StoredZip, RefusesNamesThatDoNotDo) {
 
 /// A Python that has NumPy: Debian's, or the first on the path; empty without one.
 std::string PythonWithNumPy() {
-  for (const std::string python : {"/usr/bin/python3", "python3"}) {
+  for (std::string python : {"/usr/bin/python3", "python3"}) {
     if (std::system((python + " -c 'import numpy' >/dev/null 2>&1").c_str()) == 0) return python;
   }
   return "";

@@ -21,7 +21,7 @@ namespace {
 
 /// Writes a text to a file in the folder of the tests.
 std::string FileWith(const std::string& name, const std::string& text) {
-  const std::string path = ScratchFile(name);
+  std::string path = ScratchFile(name);
   EXPECT_TRUE(WriteFileAtomically(path, text).ok());
   return path;
 }

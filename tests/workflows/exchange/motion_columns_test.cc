@@ -197,7 +197,7 @@ TEST(MotionColumns, JointsThatFollowAreHeldAgainstTheirLeaders) {
 }
 
 std::string FileWithNames(const std::string& text) {
-  const std::string path = ScratchFile("names.yaml");
+  std::string path = ScratchFile("names.yaml");
   EXPECT_TRUE(WriteFileAtomically(path, text).ok());
   return path;
 }

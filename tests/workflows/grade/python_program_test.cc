@@ -12,7 +12,7 @@ namespace {
 
 /// A program that is a shell script.
 std::string ShellProgram(const std::string& name, const std::string& script) {
-  const std::string path = ScratchFile(name);
+  std::string path = ScratchFile(name);
   std::ofstream(path) << "#!/bin/sh\n" << script << "\n";
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);
   return path;

@@ -230,7 +230,8 @@ TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
   input.trials = ResultOf(AWalk(), 500, 487, 0.9558, 0.9846);
   const Preflight preflight = Of(input);
   const std::string text = PreflightText(preflight), page = PreflightPage(preflight);
-  const Json json = Json::parse(PreflightJson(preflight)), trials = json.at("trials");
+  const Json json = Json::parse(PreflightJson(preflight));
+  const Json& trials = json.at("trials");
   for (const char* part :
        {"483 of 500 trials also passed every gate: 96.6 %", "a go requires a survival rate of at least 85 %",
         "state true", "sensors not used", "command_delay_s 0", "play.friction 0.4 (default 0)"}) {

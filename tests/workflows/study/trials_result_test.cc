@@ -98,7 +98,7 @@ TEST(TrialsResults, AreReadWithCausesAndWorst) {
 
 TEST(TrialsResults, CountEachLogOnce) {
   Json json = Good();
-  for (int i = 5; i < 20; ++i) json["trials"]["rows"][i][4] = "log5";
+  for (std::size_t i = 5; i < 20; ++i) json["trials"]["rows"][i][4] = "log5";
   json["trials"]["rows"][1][4] = "log2";
   const auto read = TrialsResultFromJson(json.dump(), "trials.json");
   ASSERT_TRUE(read) << read.failure().message;

@@ -19,7 +19,7 @@ using written::A1;
 class PreparePolicyTest : public testing::Test {
  protected:
   static std::string Write(const std::string& name, const std::string& text) {
-    const std::string path = ScratchFile(name);
+    std::string path = ScratchFile(name);
     EXPECT_TRUE(WriteFileAtomically(path, text).ok());
     return path;
   }

@@ -51,7 +51,7 @@ bool SaysMoreOf(const SaidDraft& before, const SaidDraft& said, Draft& last, con
 
 bool SaysMoreOf(const SaidDraft& before, const SaidDraft& said, const Clause& clause = AfterComma()) {
   Draft ignored;
-  return SaysMoreOf(before, said, ignored, std::move(clause));
+  return SaysMoreOf(before, said, ignored, clause);
 }
 
 TEST(SaysMore, AnAmountAfterTheSameActionIsOfThatOne) {
