@@ -53,7 +53,7 @@ Result<std::string> ExpandXacroText(const std::string& text, const std::string& 
 Result<std::string> ExpandXacro(const XacroRequest& request) {
   XacroSources sources;
   sources.read = [&](const std::string& path) { return ReadXacroText(path, request.strict); };
-  const Result<std::string> text = sources.read(request.path);
+  Result<std::string> text = sources.read(request.path);
   if (!text) return text;
   sources.find_package = [&](const std::string& package, const std::string& folder) {
     return FindPackage(package, folder, request.packages);

@@ -97,19 +97,19 @@ class XacroParser {
 
   /// Operands of the next precedence, joined by these operators.
   XacroNode Joined(XacroNodeKind kind, std::initializer_list<std::string_view> joints, Rank next) {
-    XacroNode first = (this->*next)();
     std::vector<XacroNode> operands;
+    operands.push_back((this->*next)());
     std::vector<std::string> operators;
     const auto is_joint = [&] {
       return std::any_of(joints.begin(), joints.end(), [&](std::string_view joint) { return Is(joint); });
     };
     while (is_joint()) {
-      if (operands.empty()) operands.push_back(std::move(first));
       operators.push_back(Token().text);
       ++at_;
       operands.push_back((this->*next)());
     }
-    return operands.empty() ? std::move(first) : XacroNodeOf(kind, std::move(operands), std::move(operators));
+    return operators.empty() ? std::move(operands.front())
+                             : XacroNodeOf(kind, std::move(operands), std::move(operators));
   }
 
   XacroNode Or() { return Joined(XacroNodeKind::kOr, {"or"}, &XacroParser::And); }
@@ -138,15 +138,14 @@ class XacroParser {
   }
 
   XacroNode Comparison() {
-    XacroNode first = Sum();
     std::vector<XacroNode> operands;
+    operands.push_back(Sum());
     std::vector<std::string> operators;
     for (std::string joint = TakeComparison(); !joint.empty(); joint = TakeComparison()) {
-      if (operands.empty()) operands.push_back(std::move(first));
       operators.push_back(joint);
       operands.push_back(Sum());
     }
-    if (operands.empty()) return first;
+    if (operators.empty()) return std::move(operands.front());
     return XacroNodeOf(XacroNodeKind::kCompare, std::move(operands), std::move(operators));
   }
 

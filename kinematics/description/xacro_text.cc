@@ -99,8 +99,8 @@ XacroValue EvaluateXacroText(const std::string& text, XacroContext& context) {
     }
     at = XacroPieceEnd(text, piece);
     const std::string inside = text.substr(piece + 2, at - piece - 3);
-    const XacroValue value = text[piece + 1] == '{' ? EvaluateXacro(PrintedXacroText(inside, context), context)
-                                                    : XacroSubstitutionPiece(inside, context);
+    XacroValue value = text[piece + 1] == '{' ? EvaluateXacro(PrintedXacroText(inside, context), context)
+                                              : XacroSubstitutionPiece(inside, context);
     if (piece == 0 && at == text.size()) return value;
     joined += XacroPrinted(value, context.budget);
     if (joined.size() > kLongestXacroText) break;

@@ -277,7 +277,7 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
   };
   Result<RobotModel> model = LoadGuarded({description->urdf, description->yaml, name, loading.strict}, source);
   const bool has_key =
-      description->yaml_without_posture != description->yaml && description->yaml_without_posture != "";
+      description->yaml_without_posture != description->yaml && !description->yaml_without_posture.empty();
   const bool stands = model.ok() || model.failure().code != FailureCode::kRobotYaml;
   if (has_key && (!stands || (model && HasStraightKnee(*model)))) {
     Result<RobotModel> other =

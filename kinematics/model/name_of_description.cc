@@ -36,7 +36,7 @@ std::string NameOfDescription(const std::string& path, const std::string& urdf) 
   std::string stem = fs::path(path).stem().string();
   if (fs::path(stem).extension() == ".urdf") stem = fs::path(stem).stem().string();  // of `go1.urdf.xacro`
   if ((stem != "robot" && !stem.empty()) || !folder.has_filename()) return stem;
-  const std::string of_folder = folder.filename().string();
+  std::string of_folder = folder.filename().string();
   if (std::find(kFoldersOfAllRobots.begin(), kFoldersOfAllRobots.end(), of_folder) == kFoldersOfAllRobots.end())
     return of_folder;
   const std::string in_text = NameInText(urdf);

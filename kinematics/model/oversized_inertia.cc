@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "kinematics/model/shape_support.h"
 #include "kinematics/model/solid_inertia.h"
@@ -21,7 +22,8 @@ double LinkExtent(const std::vector<const Shape*>& shapes, std::vector<Vector3> 
   for (const Shape* shape : shapes) {
     if (shape->type == ShapeType::kMesh && shape->vertices.empty()) continue;
     for (int i = 0; i < 27; ++i) {  // along the axes and the diagonals
-      const Vector3 d_S(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      const std::div_t by_nine = std::div(i, 9), by_three = std::div(by_nine.rem, 3);
+      const Vector3 d_S(by_three.rem - 1, by_three.quot - 1, by_nine.quot - 1);
       if (!d_S.isZero()) points.push_back(shape->X_BS * SupportPoint(*shape, d_S.normalized()));
     }
   }

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 Result<std::string> ReadText(const std::string& path, bool strict) {
   Result<std::string> text = ReadFile(path);
   if (text || strict || text.failure().code != FailureCode::kNotText) return text;
-  const Result<std::string> bytes = ReadBytes(path);
+  Result<std::string> bytes = ReadBytes(path);
   if (!bytes) return bytes;
   const std::optional<std::string> converted = InUtf8(*bytes);
   return converted ? Result<std::string>(*converted) : text;

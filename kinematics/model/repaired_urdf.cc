@@ -67,7 +67,7 @@ bool WriteInertia(const std::vector<LinkInertia>& used, XMLElement& link) {
 }  // namespace
 
 std::string RepairedUrdf(const RobotModel& model) {
-  const std::string text = MendUrdf(model.urdf_text).text;
+  std::string text = MendUrdf(model.urdf_text).text;
   tinyxml2::XMLDocument document;
   if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) return text;
   const std::vector<LinkInertia> used = InertiasOf(model, text);

@@ -89,8 +89,9 @@ struct UrdfGraph {
       const std::vector<UrdfEdge>& edges = Below(order[i]);
       for (const UrdfEdge& edge : edges) order.push_back(edge.child);
     }
-    for (auto link = order.rbegin(); link != order.rend(); ++link) {
-      if (!MovingBelow(*link).empty()) carries_motion.insert(*link);
+    while (!order.empty()) {
+      if (!MovingBelow(order.back()).empty()) carries_motion.insert(order.back());
+      order.pop_back();
     }
   }
 };

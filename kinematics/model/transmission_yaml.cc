@@ -12,7 +12,7 @@ namespace gaitwright {
 namespace {
 
 std::string NameOfPart(const YamlMap& map, const YAML::Node& node, const char* what) {
-  const std::string name = map.Text("name");
+  std::string name = map.Text("name");
   if (name.empty()) RefuseYaml(node, fmt::format("{} has an empty 'name'", what));
   return name;
 }

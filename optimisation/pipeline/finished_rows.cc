@@ -91,13 +91,13 @@ void SetFootholds(const FootRolls& rolls, const std::vector<FootCourse>& courses
       foothold.roll_W = to - from;
     }
   }
-  for (std::size_t i = 0; i < courses.size(); ++i) {
+  for (const FootCourse& course : courses) {
     std::size_t s = 0;
     for (SwingTrajectory& swing : plan.swings) {
-      if (swing.foot != courses[i].foot()) continue;
-      const Foothold& left = plan.footsteps.footholds[courses[i].footholds()[s]];
+      if (swing.foot != course.foot()) continue;
+      const Foothold& left = plan.footsteps.footholds[course.footholds()[s]];
       if (!left.heel_off_s) swing.X_WF_start.translation() = left.X_WF.translation() + left.roll_W;
-      swing.X_WF_end.translation() = plan.footsteps.footholds[courses[i].footholds()[++s]].X_WF.translation();
+      swing.X_WF_end.translation() = plan.footsteps.footholds[course.footholds()[++s]].X_WF.translation();
     }
   }
 }

@@ -55,7 +55,7 @@ class TurningLeap {
 
   /// The configuration of each row. @param q  of the row before.
   Result<int> Solve(double time_s, VectorX& q) {
-    const Result<int> solved = ik_.SolvePosition(TargetAt(time_s), q);
+    Result<int> solved = ik_.SolvePosition(TargetAt(time_s), q);
     if (solved) last_q_ = q;
     return solved;
   }

@@ -196,8 +196,7 @@ class Writer {
   /// Mimic joints follow by equality constraints, as stiff as the step allows.
   std::string Gears() const {
     std::string text;
-    for (std::size_t i = 0; i < model_.joints.size(); ++i) {
-      const Joint& joint = model_.joints[i];
+    for (const Joint& joint : model_.joints) {
       if (!joint.is_mimic || Locked(joint)) continue;
       text += fmt::format(
           "<joint joint1=\"{}\" joint2=\"{}\" polycoef=\"{} {} 0 0 0\" solref=\"{} 1\" solimp=\"0.9999 0.9999 "

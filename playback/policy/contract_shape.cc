@@ -11,7 +11,7 @@ constexpr std::size_t kMostJoints = 300, kMostHistory = 1000;
 constexpr double kMostGain = 1e6, kMostNumber = 1e6, kLongestStep = 1.0;
 
 /// One number for all elements, or a number for each of them.
-DataShape OneOrEach(DataShape number) { return Either(number, List(number, 1, 10 * kMostJoints)); }
+DataShape OneOrEach(const DataShape& number) { return Either(number, List(number, 1, 10 * kMostJoints)); }
 
 DataShape Bounded() { return Number(-kMostNumber, kMostNumber); }
 DataShape RangeShape() { return List(Bounded(), 2, 2); }

@@ -147,9 +147,9 @@ const Eigen::VectorXf& Observer::Observe(const PolicyState& state) {
   Eigen::Index at = 0;
   const int frames = contract_.history_by_frame ? contract_.observations.front().history : 1;
   for (int frame = 0; frame < frames; ++frame) {
-    for (std::size_t i = 0; i < histories_.size(); ++i) {
-      const Eigen::Index count = histories_[i].size() / frames;
-      input_.segment(at, count) = histories_[i].segment(frame * count, count);
+    for (const auto& history : histories_) {
+      const Eigen::Index count = history.size() / frames;
+      input_.segment(at, count) = history.segment(frame * count, count);
       at += count;
     }
   }

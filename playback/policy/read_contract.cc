@@ -14,7 +14,7 @@ namespace {
 bool IsNull(const YAML::Node* node) { return node == nullptr || node->IsNull(); }
 
 std::vector<YAML::Node> SizedList(const YAML::Node& node, const std::string& what, const DataShape& shape) {
-  const std::vector<YAML::Node> list = ListOf(node, what);
+  std::vector<YAML::Node> list = ListOf(node, what);
   if (list.size() < shape.least || list.size() > shape.most)
     RefuseYaml(node, fmt::format("{} has {} entries; accepted: {} to {}", what, list.size(), shape.least, shape.most));
   return list;

@@ -54,7 +54,8 @@ TEST_F(Trials, AndEachByTheCommandThatIsGiven) {
   const Ran ran = Run({"trials", "plan.json", "-n", "2", "--disturbances", "calm.yaml", "--state", "estimated",
                        "--sensors", "hobby", "--command-delay", "0.004", "--set", "stabilised.dcm_gain=1.4", "--json"});
   ASSERT_EQ(ran.status, 0) << ran.err;
-  const Json json = ran.json(), trials = json.at("trials");
+  const Json json = ran.json();
+  const Json& trials = json.at("trials");
   const auto of_last = [&](const char* column) {
     const auto& columns = trials.at("columns");
     const auto at = std::find(columns.begin(), columns.end(), column) - columns.begin();

@@ -69,7 +69,7 @@ const Reader& ReaderNamed(const std::string& name) {
 
 std::string InFile(const std::string& bytes, const std::string& ending) {
   static const OwnFolder folder;
-  const std::string path = (folder.path() / ("input" + ending)).string();
+  std::string path = (folder.path() / ("input" + ending)).string();
   std::ofstream(path, std::ios::binary | std::ios::trunc)
       .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return path;

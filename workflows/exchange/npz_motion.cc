@@ -54,7 +54,7 @@ class NpzArrays {
   const NpyArray& Rows(const std::string& name, std::size_t rows, std::size_t width) {
     const NpyArray& array = At(name);
     const bool fits =
-        !array.has_texts && array.shape.size() >= 1 && array.rows() == rows && (width == 0 || array.width() == width);
+        !array.has_texts && !array.shape.empty() && array.rows() == rows && (width == 0 || array.width() == width);
     if (!fits) {
       throw InvalidArgument(fmt::format("array '{}' has shape {}; needed: {} rows of {}numbers", name, ShapeOf(array),
                                         rows, width == 0 ? "" : fmt::format("{} ", width)));

@@ -228,7 +228,9 @@ class RecordingReader {
                any_tau = std::find(loaded.begin(), loaded.end(), true) != loaded.end();
     for (const std::int64_t time : rows_) {
       table_.time_s.push_back(1e-9 * static_cast<double>(time - rows_.front()));
-      VectorX q = model_.standing_joints, v = VectorX::Constant(q.size(), kUnknown), tau = v;
+      VectorX q = model_.standing_joints;
+      VectorX v = VectorX::Constant(q.size(), kUnknown);
+      VectorX tau = VectorX::Constant(q.size(), kUnknown);
       for (std::size_t d = 0; d < joints_.size(); ++d) {
         if (joints_[d].times.empty()) continue;
         const TimePlace at = PlaceAt(joints_[d].times, time);

@@ -35,8 +35,10 @@ Failure NotHandedIn(const std::string& message) {
 /// A name in which bytes that are not printable ASCII are written as \xHH.
 std::string Visible(const std::string& name) {
   std::string text;
-  for (const unsigned char c : name)
-    text += c < 0x20 || c > 0x7e ? fmt::format("\\x{:02x}", c) : std::string(1, static_cast<char>(c));
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += byte < 0x20 || byte > 0x7e ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
   return text;
 }
 

@@ -246,7 +246,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     return !error;
   }
 
-  void Say(const http::request<http::empty_body>& request, http::status status, const char* type, Text text) {
+  void Say(const http::request<http::empty_body>& request, http::status status, const char* type, const Text& text) {
     const bool head = request.method() == http::verb::head;
     using Body = http::span_body<const char>;
     auto response = std::make_shared<http::response<Body>>(status, request.version());

@@ -113,7 +113,7 @@ Result<std::string> HashOfClip(const std::string& path) {
     if (entry.is_regular_file()) files.insert(entry.path());
   }
   for (const fs::path& file : files) {
-    const Result<std::string> hash = HashOfClip(file.string());
+    Result<std::string> hash = HashOfClip(file.string());
     if (!hash) return hash;
     hashes += file.filename().string() + ' ' + *hash + '\n';
   }

@@ -21,7 +21,7 @@ constexpr double kSmallestPositive = 1e-6, kLargestNumber = 1e6;
 
 Matrix3 ToInertia(const JsonPart& part) {
   const auto at = [&](const char* key) { return part.At(key).NumberIn(-kLargestNumber, kLargestNumber); };
-  const Matrix3 inertia = SymmetricMatrix(at("xx"), at("xy"), at("xz"), at("yy"), at("yz"), at("zz"));
+  Matrix3 inertia = SymmetricMatrix(at("xx"), at("xy"), at("xz"), at("yy"), at("yz"), at("zz"));
   const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments[0] > 0.0) || moments[0] + moments[1] < (1.0 - 1e-6) * moments[2])
     part.Refuse(

@@ -170,11 +170,9 @@ class ItemReader {
       return true;
     }
     const bool drawn = piece.text == "—" && next < pieces_.size() && (pieces_[next].text == "—" || IsDrill(next));
-    if (piece.text == ":" && !OpensUnknown()) {  // "the test is this: ..."
-      Push(M::kBreak, 1);
-    } else if (piece.text == ":") {
-      Push(M::kFiller, 1);
-    } else if (drawn && !items_.empty()) {  // "向后——转"
+    if (piece.text == ":") {
+      Push(OpensUnknown() ? M::kFiller : M::kBreak, 1);  // "the test is this: ..."
+    } else if (drawn && !items_.empty()) {               // "向后——转"
       Push(M::kFiller, 1);
     } else if (breaks || (piece.text == "." && ends)) {
       Push(M::kBreak, 1);

@@ -183,7 +183,8 @@ TEST(XacroDictMethods, GiveKeysValuesAndPairsInTheirOrder) {
 }
 
 TEST(XacroListMethods, PopTakesTheItemFromAllCopies) {
-  const XacroValue list = ListValue({WholeValue(1), WholeValue(2), WholeValue(3), WholeValue(4)}), copy = list;
+  const std::vector<XacroValue> copies(2, ListValue({WholeValue(1), WholeValue(2), WholeValue(3), WholeValue(4)}));
+  const XacroValue &list = copies[0], &copy = copies[1];
   EXPECT_EQ(ReprOfMethod(list, "pop"), "4");
   EXPECT_EQ(ReprOfMethod(copy, "pop", {WholeValue(0)}), "1");
   EXPECT_EQ(ReprOfMethod(list, "pop", {WholeValue(-2)}), "2");

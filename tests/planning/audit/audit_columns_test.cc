@@ -15,7 +15,7 @@ Violation ColumnViolation(const std::string& where, const std::function<void(Mot
   MotionPlan plan = GoodPlanOf("a1").plan;
   change(plan);
   const std::vector<Violation> found = ViolationsOf(GoodPlanOf("a1").model, plan);
-  const Violation violation = At(found, where);
+  Violation violation = At(found, where);
   EXPECT_EQ(violation.law, Law::kConsistency);
   return violation;
 }

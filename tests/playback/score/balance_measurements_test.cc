@@ -34,10 +34,10 @@ void ShiftBase(LogSample& sample, double by_m) {
 
 TEST(BalanceMeasurements, ErrorsOfTheZmpHaveMeanRootMeanSquareAndLargest) {
   Played c = Stood();
-  const std::size_t count = c.log.samples.size();
+  const std::size_t count = c.log.samples.size(), even = (count + 1) / 2;
   for (std::size_t k = 0; k < count; k += 2) ShiftZmpAhead(c.log.samples[k], 0.02);
   ShiftZmpAhead(c.log.samples[11], -0.03);
-  const double shifted = static_cast<double>((count + 1) / 2), all = static_cast<double>(count);
+  const double shifted = static_cast<double>(even), all = static_cast<double>(count);
   const StabilityReport report = RawScore(c);
   EXPECT_NEAR(*report.At("zmp_error_mean_m").value, (0.02 * shifted + 0.03) / all, 1e-9);
   EXPECT_NEAR(*report.At("zmp_error_rms_m").value, std::sqrt((4e-4 * shifted + 9e-4) / all), 1e-9);

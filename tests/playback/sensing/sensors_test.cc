@@ -300,7 +300,8 @@ TEST(ContactSensors, AreReadAtTheirRateAndLate) {
   ContactSensors sensors(2, 100.0, sheet, kSensorStep);
   for (int k = 0; k < 40; ++k) {
     const double load = sensors.Read(AllFeet(2), Loads(k + 1.0, 1.0)).load_n[0];
-    EXPECT_EQ(load, std::max(0, k - 2) / 2 * 2 + 1.0);
+    const int before = std::max(0, k - 2);
+    EXPECT_EQ(load, before - before % 2 + 1.0);
   }
 }
 

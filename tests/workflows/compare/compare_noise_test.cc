@@ -163,8 +163,10 @@ TEST(NoiseGain, IsWhatNoiseComesOutWithBetweenUnevenRows) {
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0.0, 1e-3);
   MotionTable table;
+  double time_s = 0.0;
   for (int k = 0; k < 2000; ++k) {
-    table.time_s.push_back(0.01 * (k / 2) + (k % 2 == 0 ? 0.0 : 0.004));  // 4 and 6 ms apart alternately
+    table.time_s.push_back(time_s);
+    time_s += k % 2 == 0 ? 0.004 : 0.006;
     VectorX q(6);
     for (double& x : q) x = noise(random);
     table.q.push_back(q);

@@ -44,9 +44,11 @@ INSTANTIATE_TEST_SUITE_P(All, NamedQuadruped, testing::Values("a1", "go1", "laik
 
 TEST_P(NamedQuadruped, TrotsAMetre) { ExpectWalks(LoadNamedRobot(GetParam()).value(), "trot"); }
 
-void ExpectWalksInBothEngines(const std::string& robot, double speed_m_s, double distance_m) {
+void ExpectWalksInBothEngines(const std::string& robot, double speed_m_s, double distance_m,
+                              const std::string& terrain = "flat") {
   const RobotModel model = LoadNamedRobot(robot).value();
   WalkRequest request;
+  request.terrain = terrain;
   request.command.distance_m = distance_m;
   request.command.speed_m_s = speed_m_s;
   const Result<PlannedWalk> planned = PlanWalk(model, request);
@@ -62,6 +64,11 @@ void ExpectWalksInBothEngines(const std::string& robot, double speed_m_s, double
 /// By the limits that their maker publishes.
 TEST(NamedRobots, HumanoidsWalkAMetreASecondInBothEngines) {
   for (const char* robot : {"g1", "h1_2"}) ExpectWalksInBothEngines(robot, 1.0, 2.0);
+}
+
+/// The steps of houses, a quarter of its legs high.
+TEST(NamedRobots, TheG1ClimbsStairsOfHouses) {
+  ExpectWalksInBothEngines("g1", 0.137, 1.0, "stairs:rise_m=0.17,tread_m=0.28,count=3");
 }
 
 /// Its soles are bars of 3 cm without an ankle roll joint, so the body falls from foot to foot.
