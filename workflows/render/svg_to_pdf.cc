@@ -20,7 +20,7 @@ Result<std::string> SvgToPdf(const std::string& svg) {
   if (!folder.there())
     return Failure{
         FailureKind::kBadInput, FailureCode::kNoFolder, "SvgToPdf", "no temporary folder can be created", {}};
-  const auto written = WriteFileAtomically(folder.In("figure.svg"), svg);
+  auto written = WriteFileAtomically(folder.In("figure.svg"), svg);
   if (!written) return written;
   const auto made =
       RunProgram(program, {"--format=pdf", "--output=" + folder.In("figure.pdf"), folder.In("figure.svg")});

@@ -104,7 +104,7 @@ std::string FlagsOf(const std::string& controller, const OptionTexts& options, c
 }
 
 std::string ConditionText(const OptionChange& condition) {
-  const std::string text = fmt::format("{} {}", condition.key, condition.value);
+  std::string text = fmt::format("{} {}", condition.key, condition.value);
   if (condition.value == condition.usual) return text;
   return text +
          (condition.usual.empty() ? " (not known to this program)" : fmt::format(" (default {})", condition.usual));

@@ -170,17 +170,11 @@ class ItemReader {
       return true;
     }
     const bool drawn = piece.text == "—" && next < pieces_.size() && (pieces_[next].text == "—" || IsDrill(next));
-    if (piece.text == ":") {
-      Push(OpensUnknown() ? M::kFiller : M::kBreak, 1);  // "the test is this: ..."
-    } else if (drawn && !items_.empty()) {               // "向后——转"
-      Push(M::kFiller, 1);
-    } else if (breaks || (piece.text == "." && ends)) {
-      Push(M::kBreak, 1);
-    } else if (piece.text == "'" || piece.text == "\"" || piece.text == "“" || piece.text == "”") {
-      Push(M::kFiller, 1);
-    } else {
-      return false;
-    }
+    const bool quotes = piece.text == "'" || piece.text == "\"" || piece.text == "“" || piece.text == "”";
+    const bool opens = piece.text == ":" && OpensUnknown();            // "the test is this: ..."
+    const bool fills = opens || quotes || (drawn && !items_.empty());  // "向后——转"
+    if (!fills && !breaks && piece.text != ":" && !(piece.text == "." && ends)) return false;
+    Push(fills ? M::kFiller : M::kBreak, 1);
     return true;
   }
 

@@ -223,7 +223,7 @@ TEST_F(Live, StandsAndWalksOnASlopeAndFrictionThatItDoesNotKnow) {
 
 TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
   const Vector3 aside(0.0, 0.01, 0.0);
-  for (const HandId hand : {1, 2}) live_->hands().Pull(hand, 0, Vector3::Zero(), aside);
+  for (const HandId hand : {HandId{1}, HandId{2}}) live_->hands().Pull(hand, 0, Vector3::Zero(), aside);
   live_->hands().Pull(2, 0, Vector3::Zero(), -aside);
   Run(0.01);
   ASSERT_EQ(live_->hands().grips().size(), 2U);
