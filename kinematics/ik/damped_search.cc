@@ -78,11 +78,11 @@ class Descent {
     bool Converged() const { return error.lpNorm<Eigen::Infinity>() < kConvergedError; }
 
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, Eigen::Dynamic> A;  // -d error / dx
-    Vector6 full = Vector6::Zero();                                                               // of all rows
     Rows error;
     double cost = 0.0;  // squared length of the error
   };
 
+  /// Sets error and derivative at x.
   void Linearise(const VectorX& x, Linearised& out) {
     const Pose X = chain_.FootPose(x, screws_, J_);
     Vector6 full = Vector6::Zero();
