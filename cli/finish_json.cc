@@ -13,7 +13,8 @@ nlohmann::ordered_json FinishJson(const std::optional<FinishReport>& finished) {
           {"iterations", finished->iterations},
           {"solve_cpu_s", finished->solve_cpu_s},
           {"residual_force_mg", finished->residual_force},
-          {"residual_moment_mgl", finished->residual_moment}};
+          {"residual_moment_mgl", finished->residual_moment},
+          {"periodic_cycles", finished->cycles}};
 }
 
 }  // namespace gaitwright::cli

@@ -9,6 +9,7 @@
 #include "cli/flags.h"
 #include "cli/json_text_internal.h"
 #include "cli/program.h"
+#include "cli/robot_input.h"
 #include "workflows/study/centroidal_bench.h"
 #include "workflows/study/whole_body_bench.h"
 
@@ -144,6 +145,7 @@ int RunBench(BenchSettings& a) {
 
 struct WholeBodySettings {
   Common common;
+  RobotFlags robot = {.name = ""};
   std::string filter;
   MotionOptions motion;
 };
@@ -161,14 +163,35 @@ Json OutcomeJson(const WholeBodyOutcome& o) {
           {"ms_an_iteration", o.MsAnIteration()}};
 }
 
-int RunWholeBody(WholeBodySettings& a) {
-  ApplySets("--set", a.common.sets, a.motion.Fields());
-  const std::vector<WholeBodyCase> cases = WholeBodyCases(a.filter);
-  if (cases.empty()) {
-    return Report(NoSuchCase(a.filter, "a case name is ROBOT-GAIT-SPEED, such as a1-trot-3.5"), a.common);
+/// The step tasks of the robot of the flags.
+Result<std::vector<WholeBodyOutcome>> RunStepTasks(const WholeBodySettings& a) {
+  const Result<RobotModel> model = ReadRobot(a.robot);
+  if (!model) return model.failure();
+  std::vector<WholeBodyOutcome> outcomes;
+  for (const WholeBodyCase& task : StepTasks(model->name, static_cast<int>(model->legs.size()))) {
+    if (task.name.find(a.filter) != std::string::npos) outcomes.push_back(RunWholeBodyCase(*model, task, a.motion));
   }
+  if (outcomes.empty())
+    return NoSuchCase(a.filter,
+                      "robots of two legs have the task step-walk; those of four also "
+                      "have step-trot, step-pace, step-bound and step-jump");
+  return outcomes;
+}
+
+Result<std::vector<WholeBodyOutcome>> RunBuiltInCases(const WholeBodySettings& a) {
+  const std::vector<WholeBodyCase> cases = WholeBodyCases(a.filter);
+  if (cases.empty()) return NoSuchCase(a.filter, "a case name is ROBOT-GAIT-SPEED, such as a1-trot-3.5");
   std::vector<WholeBodyOutcome> outcomes;
   for (const WholeBodyCase& one : cases) outcomes.push_back(RunWholeBodyCase(one, a.motion));
+  return outcomes;
+}
+
+int RunWholeBody(WholeBodySettings& a) {
+  ApplySets("--set", a.common.sets, a.motion.Fields());
+  const bool given = a.robot.is_file() || !a.robot.name.empty();
+  const Result<std::vector<WholeBodyOutcome>> ran = given ? RunStepTasks(a) : RunBuiltInCases(a);
+  if (!ran) return Report(ran.failure(), a.common);
+  const std::vector<WholeBodyOutcome>& outcomes = *ran;
   if (!a.common.json) {
     fmt::print("{}", WholeBodyTable(outcomes));
     return kPass;
@@ -206,7 +229,12 @@ void AddBench(Verb program, int& status) {
   const Verb whole_body = verb.AddVerb("whole-body", "Plan walks by whole-body trajectory optimisation");
   AddText(whole_body, "--only", "TEXT", b->filter,
           "Run only cases whose name (ROBOT-GAIT-SPEED, such as a1-trot-3.5) contains this text; default: all.");
-  AddCommon(whole_body, b->common, {"bench whole-body --only a1-pronk", "bench whole-body --only nao --json"});
+  b->robot.AddTo(
+      whole_body,
+      "Robot by name, see 'gaitwright robots', for the tasks with steps of given length and duration; default "
+      "none: the built-in cases.");
+  AddCommon(whole_body, b->common,
+            {"bench whole-body --only a1-pronk", "bench whole-body --only nao --json", "bench whole-body --robot go1"});
   AddOptionList(whole_body, b->motion.Fields(), b->common.json);
   AddCommon(verb, a->common, {"bench centroidal --only hyq-1-gap"});
   verb.RequireVerbs(1, 1);

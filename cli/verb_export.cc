@@ -20,6 +20,7 @@ struct ExportSettings {
   MotionRobot robot;
   std::string motion, format = "csv", out;
   double rate_hz = 0.0;
+  bool cycle = false;
 };
 
 /// Default of --out.
@@ -96,7 +97,9 @@ void PrintExported(const ExportSettings& a, const std::string& kind, const std::
 }
 
 Result<ExportedMotion> ExportInput(const ExportSettings& a, const MotionInput& input, ExportFormat format) {
-  if (input.plan) return ExportPlan(*input.model, *input.plan, format, a.rate_hz, a.out);
+  const ExportPart part = a.cycle ? ExportPart::kCycle : ExportPart::kAll;
+  if (input.plan) return ExportPlan(*input.model, *input.plan, format, a.rate_hz, a.out, part);
+  if (a.cycle) throw InvalidArgument("--cycle is for plans; a log has no cycle that repeats exactly");
   return ExportLog(*input.model, *input.log, input.played ? &*input.played : nullptr, format, a.rate_hz, a.out);
 }
 
@@ -131,6 +134,8 @@ void AddExport(Verb program, int& status) {
   AddNumber(verb, "--rate-hz", "Hz", a->rate_hz,
             "Rows per second, from 0.1 to 10000, for a log at most its own rate; default 0: the motion's own rate, for "
             "a plan at least 200.");
+  verb.AddSwitch("--cycle", a->cycle,
+                 "Export one cycle of a plan's steady walk, whose last row continues with the first.");
   AddText(
       verb, "--out", "PATH", a->out,
       "Output file, or folder of plots; default motion.csv, trajectory.yaml, trajectory.json, motion.npz, motion.json, "
@@ -139,6 +144,7 @@ void AddExport(Verb program, int& status) {
   AddCommon(verb, a->common,
             {"export plan.json --format csv --rate-hz 500 --out motion.csv",
              "export plan.json --format joint-trajectory-yaml --out trajectory.yaml",
+             "export plan.json --cycle --format frames-json --rate-hz 60 --out cycle.json",
              "export out/log.json --plan out/plan.json --format npz --out motion.npz"});
   SetWork(verb, a->common, status, [a] { return RunExport(*a); });
 }

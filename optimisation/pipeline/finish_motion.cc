@@ -10,6 +10,7 @@
 #include "optimisation/pipeline/choose_contacts_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/press_soles_internal.h"
+#include "optimisation/pipeline/repeat_cycles_internal.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
 #include "optimisation/trajectory/motor_rows_internal.h"
 #include "planning/footsteps/ways_to_standing_internal.h"
@@ -47,6 +48,12 @@ FinishSettings SettingsOf(const MotionPlan& plan, const TrajectoryOptions& optio
   return settings;
 }
 
+std::vector<double> TimesOf(const std::vector<RepeatedCycles>& all) {
+  std::vector<double> times_s;
+  for (const RepeatedCycles& cycles : all) times_s.insert(times_s.end(), cycles.time_s.begin(), cycles.time_s.end());
+  return times_s;
+}
+
 /// Solves over knots until the motion balances between them, and brings plan and rolls along.
 class Finisher {
  public:
@@ -59,7 +66,9 @@ class Finisher {
         settings_(settings),
         follow_(follow),
         courses_(CoursesOf(model, plan)),
-        knots_s_(KnotTimesOf(plan, options.knot_step_s, follow == nullptr ? 0 : follow->least_per_swing)),
+        cycles_(options.cycles == "periodic" ? CyclesToRepeat(plan, courses_) : std::vector<RepeatedCycles>{}),
+        knots_s_(
+            KnotTimesOf(plan, options.knot_step_s, follow == nullptr ? 0 : follow->least_per_swing, TimesOf(cycles_))),
         raises_heels_(
             std::ranges::any_of(plan.footsteps.footholds, [](const Foothold& f) { return f.heel_off_s.has_value(); })),
         finished_(plan) {
@@ -95,6 +104,7 @@ class Finisher {
   const FinishSettings settings_;
   const FollowOptions* const follow_;  // null: finishes a plan
   std::vector<FootCourse> courses_;
+  const std::vector<RepeatedCycles> cycles_;
   const std::vector<double> knots_s_;
   const bool raises_heels_;
   MotionPlan finished_;              // of the last solve; at first the plan
@@ -226,8 +236,8 @@ double Finisher::LeastFactor() const {
 }
 
 bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double end_s, BodyLimitUse& use) {
-  constexpr double kRoom = 2e-3, kLeast = 0.93;  // of a limit
-  constexpr double kStep = 1e-3;                 // [s]
+  constexpr double kRoom = 2e-3, kLeast = 0.93, kLeastSpeed = 0.9;  // of a limit
+  constexpr double kStep = 1e-3;                                    // [s]
   const MotorRows motors(model_, {.effort = 1.0, .speed = 1.0});
   MotorRows::Largest largest;
   KnotModel knot(model_);
@@ -246,23 +256,25 @@ bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double en
   }
   if (largest.effort.size() > 0) report_.effort_use = std::max(report_.effort_use, largest.effort.maxCoeff());
   bool tightens = false;
-  const auto tighten = [&](const VectorX& shares, std::vector<double>& factors) {
+  const auto tighten = [&](const VectorX& shares, double least, std::vector<double>& factors) {
     factors.resize(static_cast<std::size_t>(shares.size()), 1.0);
     for (std::size_t motor = 0; motor < factors.size(); ++motor) {
       const double share = shares[static_cast<Eigen::Index>(motor)];
-      if (share <= 1.0 || factors[motor] <= kLeast) continue;
-      factors[motor] = std::max(kLeast, factors[motor] / share - kRoom);
+      if (share <= 1.0 || factors[motor] <= least) continue;
+      factors[motor] = std::max(least, factors[motor] / share - kRoom);
       tightens = true;
     }
   };
-  tighten(largest.effort, use.effort_of);
-  tighten(largest.curve, use.speed_of);
+  tighten(largest.effort, kLeast, use.effort_of);
+  tighten(largest.curve, kLeastSpeed, use.speed_of);
   return tightens;
 }
 
 Result<MotionPlan> Finisher::Run() {
   BodyProblem problem = ProblemOf(model_, plan_, courses_, knots_s_, settings_);
   problem.knots.front().pins_place = follow_ == nullptr;
+  TieCycles(cycles_, problem);
+  for (const RepeatedCycles& cycles : cycles_) report_.cycles += cycles.count();
   PressingByKnot to_edges = PressingOf(problem);
   KeepFromEdges(follow_ == nullptr ? SoleMargin{} : SoleMargin{follow_->sole_margin_m, kFollowedShare}, problem);
   if (follow_ != nullptr && follow_->prepare) follow_->prepare(problem);
@@ -304,6 +316,7 @@ Result<MotionPlan> Finisher::Run() {
   report_.summary = fmt::format(
       "whole body over {} knots: {} iterations, unbalanced {:.1e} m g and {:.1e} m g l at most between knots",
       report_.knots, report_.iterations, residual.force, residual.moment);
+  if (report_.cycles > 0) report_.summary += fmt::format("; {} cycles repeat exactly", report_.cycles);
   if (!report_.apart.empty()) report_.summary += fmt::format("; kept apart: {}", fmt::join(report_.apart, ", "));
   return std::move(finished_);
 }
@@ -333,6 +346,8 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FinishMotion: " + reason);
+  if (options.cycles == "periodic" && (options.timing != "fixed" || options.footholds != "fixed"))
+    throw InvalidArgument("trajectory.cycles=periodic needs trajectory.timing=fixed and trajectory.footholds=fixed");
   FinishSettings settings = SettingsOf(plan, options, friction_use);
   settings.end_as_standing = end_as_standing;
   ChosenContacts chosen;

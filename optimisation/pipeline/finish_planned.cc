@@ -24,6 +24,12 @@ void FinishPlanned(const RobotModel& model, const MotionOptions& options, Planne
     return std::find(before.begin(), before.end(), warning) != before.end();
   });
   for (std::string& warning : LimitWarnings(model, finished->whole_body)) finished->warnings.push_back(warning);
+  if (options.trajectory.cycles == "periodic" && report.cycles == 0) {
+    finished->warnings.emplace_back(
+        "trajectory.cycles=periodic has no effect: the plan has no two moments one whole cycle apart at the same "
+        "speed; "
+        "walk farther or more slowly");
+  }
   planned.plan = std::move(*finished);
   planned.finished = report;
   planned.residual = std::max(report.residual_force, report.residual_moment * model.leg_length_m());

@@ -112,7 +112,14 @@ OptionFields TrajectoryOptions::Fields() {
         "Time in which a heel rises before lift-off, as a share of the shortest double support."},
        {"self_distance_m", &self_distance_m, "m", 0.0, 0.1,
         "Distance at knots of links that would touch otherwise; at most half of their distance in the standing "
-        "posture. 0: links may touch."}});
+        "posture. 0: links may touch."},
+       {"cycles",
+        &cycles,
+        "",
+        0.0,
+        0.0,
+        "Steady cycles of a walk: 'periodic' optimises the whole body so that each repeats the one before exactly.",
+        {"free", "periodic"}}});
 }
 
 FootstepOptions StandingOptions(const MotionOptions& options) {
@@ -248,7 +255,7 @@ class PendulumPlan {
 
   const MotionTask& task_;
   // Passes let soles without an ankle roll joint tilt.
-  const bool finishes_ = task_.options.trajectory.method == "whole-body" || HasTiltingSole(task_.model);
+  const bool finishes_ = task_.options.trajectory.finishes_all() || HasTiltingSole(task_.model);
   int passes_ = 0;
   std::optional<PlannedMotion> tried_;  // by Mends
   double tried_violation_ = -1.0;       // of the motion that was tried
@@ -266,12 +273,23 @@ Result<std::optional<Crouch>> CrouchOf(const RobotModel& model, const ContactSch
   return CrouchFor(model, schedule, options.pipeline.com_height_m);
 }
 
+/// With periodic cycles, cycles of whole steps of the grid: contact times are rounded to it.
+std::vector<WalkPart> OnGrid(std::vector<WalkPart> parts, const MotionOptions& options) {
+  const double step_s = options.pipeline.grid_step_s;
+  for (WalkPart& part : parts) {
+    if (options.trajectory.cycles == "periodic")
+      part.gait.cycle_s = step_s * std::max(1.0, std::round(part.gait.cycle_s / step_s));
+  }
+  return parts;
+}
+
 }  // namespace
 
-Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& given,
                                  const MotionOptions& asked) {
   MotionOptions checked = asked;
   CheckOptions(checked.Fields());
+  const std::vector<WalkPart> parts = OnGrid(given, asked);
   const bool stands = std::any_of(parts.begin(), parts.end(), [](const WalkPart& p) { return StandsStill(p.gait); });
   if (std::optional<Failure> falls = WhyCannotStand(model); falls && stands) return *falls;
   const MotionOptions options = OptionsOf(model, asked);

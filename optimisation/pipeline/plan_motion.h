@@ -81,6 +81,10 @@ struct TrajectoryOptions {
   double heel_off_rad = 0.0;
   double heel_off_share = 1.0;
   double self_distance_m = 0.004;
+  std::string cycles = "free";
+
+  /// Whether each plan is finished by the optimisation of the whole body.
+  bool finishes_all() const { return method == "whole-body" || cycles == "periodic"; }
 
   OptionFields Fields();
 };
@@ -142,6 +146,7 @@ struct FinishReport {
   double residual_at_s = 0.0;
   bool keeps_room = true;               ///< limits keep the room that controllers need for corrections
   double effort_use = 0.0;              ///< largest share of a motor's effort limit
+  int cycles = 0;                       ///< that repeat exactly, with `cycles` periodic
   std::vector<std::string> apart = {};  ///< pairs of links that would touch otherwise
   std::string summary;                  ///< one line
 };

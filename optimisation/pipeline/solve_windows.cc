@@ -6,7 +6,7 @@
 
 #include "kinematics/base/cpu_clock.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
-#include "optimisation/trajectory/body_rows_internal.h"
+#include "optimisation/trajectory/chosen_rows_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -88,8 +88,19 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
   const MatrixX points = motion.points.middleCols(window.first, knots + 2);
   std::vector<VectorX> forces(motion.forces.begin() + window.first, motion.forces.begin() + window.last + 1);
   if (part.knots.front().is_given) forces.front().resize(0);
-  const VectorX start = Unknowns(points, forces);
-  BodyRows rows(part, start);
+  const VectorX inner_start = Unknowns(points, forces);
+  const BodyChoices none;
+  std::optional<BodyRows> free;
+  std::optional<ChosenRows> tied;  // with the states of cycles that repeat
+  const bool repeats = std::ranges::any_of(part.knots, [](const BodyKnot& knot) { return knot.tie.has_value(); });
+  if (repeats) {
+    tied.emplace(part, none, inner_start);
+  } else {
+    free.emplace(part, inner_start);
+  }
+  const VectorX start = repeats ? tied->StartOf(inner_start) : inner_start;
+  ElasticRows& rows = repeats ? static_cast<ElasticRows&>(*tied) : *free;
+  const BodyRows& inner = repeats ? tied->inner() : *free;
   ConstrainedSolution last;
   const CpuClock clock;
   const Result<ConstrainedSolution> solved = SolveElasticRows(rows, {start, window.multipliers}, elastic_, &last);
@@ -101,7 +112,7 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
     Failure failure = solved.failure();
     failure.stage = "FinishMotion";
     rows.Evaluate(last.x);
-    unmet_s_ = rows.TimesUnmet(kGoodEnough);
+    unmet_s_ = inner.TimesUnmet(kGoodEnough);
     failure.message = fmt::format("the whole body cannot follow this plan: {}", failure.message);
     return failure;
   }
@@ -109,8 +120,8 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
   // At the seam the points stay exactly as they were.
   const int given = part.knots.front().is_given ? 3 : 0;
   motion.points.middleCols(window.first + given, knots + 2 - given) =
-      rows.PointsOf(last.x).rightCols(knots + 2 - given);
-  std::vector<VectorX> found = rows.ForcesOf(last.x);
+      inner.PointsOf(last.x).rightCols(knots + 2 - given);
+  std::vector<VectorX> found = inner.ForcesOf(last.x);
   for (int k = given > 0 ? 1 : 0; k < knots; ++k) motion.forces[Of(window.first + k)] = std::move(found[Of(k)]);
   return std::nullopt;
 }

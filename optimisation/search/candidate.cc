@@ -9,8 +9,8 @@ constexpr Variation kQuickerFirst[] = {{1.0, 1}, {1.0, 2},  {1.0, 3},  {1.0, 4},
 constexpr Variation kSlowerFirst[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}, {1.0, 1},
                                       {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},  {1.0, 6}};
 constexpr Variation kSlowerSteps[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
-/// Over uneven ground: fewer and longer steps at less speed, then slow steps of the usual cycle.
-constexpr Variation kSlowerWalks[] = {{0.7, -2}, {0.5, -2}, {0.35, 0}};
+/// Over uneven ground: fewer and longer steps at less speed, then slow steps.
+constexpr Variation kSlowerWalks[] = {{0.7, -2}, {0.5, -2}, {0.35, 0}, {0.3, -1}};
 /// Flat soles; then heels that rise, also with longer swings; then longer steps of slow joints.
 constexpr Variation kFinished[] = {{1.0, 0, 1.0, false, true},       {1.0, 3, 1.0, false, true},
                                    {1.0, 6, 1.0, false, true},       {1.0, 0, 1.0, false, true, 0.4},

@@ -182,7 +182,7 @@ void WalkEvaluator::Trace(const Candidate& candidate, Effort effort, const Gait&
   const Pace pace = PaceOf(command);
   const bool free = MayMoveFeet(request_.motion, terrain_) && IsDynamic(gait, request_.motion.centre_of_mass) &&
                     WithFootholds(request_.motion, candidate.other_footholds).footholds == "free";
-  const bool finishes = candidate.finishes || request_.motion.trajectory.method == "whole-body";
+  const bool finishes = candidate.finishes || request_.motion.trajectory.finishes_all();
   const double heel_off_rad = std::max(request_.motion.trajectory.heel_off_rad, candidate.heel_off_rad);
   trace_->push_back({effort, PaceFlag(pace), PaceValue(model_, command), PaceUnit(pace), gait.cycle_s,
                      evaluation.refusal ? std::optional(evaluation.refusal->code) : std::nullopt, free, finishes,

@@ -53,6 +53,15 @@ struct PointGoal {
   double weight = 1.0;  ///< [1/m], for 10 ms
 };
 
+/// A knot at which a periodic motion repeats itself: its coordinates, rates and accelerations are those of the cycle's
+/// own state, a free variable, turned about the vertical axis through the origin of W and moved. The chart of the
+/// problem turns by yaw first.
+struct CycleTie {
+  int cycle = 0;         ///< of the problem: ties of one cycle have one state
+  double yaw_rad = 0.0;  ///< this and the next are 0 for the first tie of a cycle
+  Vector3 move_W = Vector3::Zero();
+};
+
 /// What is asked at a knot. Vectors are in the coordinates of BodyProblem.
 struct BodyKnot {
   std::vector<PressingFoot> pressing;
@@ -65,7 +74,8 @@ struct BodyKnot {
   Vector6 residual_W = Vector6::Zero();
   bool pins_place = false;   ///< the position is that of the reference
   bool pins_motion = false;  ///< rate and acceleration are those of the reference
-  bool is_given = false;     ///< place and motion are those of the reference, and nothing else is asked or weighed
+  std::optional<CycleTie> tie;
+  bool is_given = false;  ///< place and motion are those of the reference, and nothing else is asked or weighed
 };
 
 /// What the rows of a knot's feet may be off by, in their order [m], [rad].
@@ -86,8 +96,8 @@ struct BodyWeights {
 /// Shares of limits that a motion may use at knots. Controllers need room for corrections, and more is used between
 /// knots.
 struct BodyLimitUse {
-  double effort = 0.92, speed = 0.97;
-  double range_margin = 0.015;  ///< to the ends of a joint's range [rad], [m]; smaller near the start and end
+  double effort = 0.92, speed = 0.97;  ///< of acceleration limits: as of speeds
+  double range_margin = 0.015;         ///< to the ends of a joint's range [rad], [m]; smaller near the start and end
   double landing_margin = 0.0;  ///< the same for landings, where joints go further than planned; smaller to an end that
                                 ///< is near the standing posture
   double cone_margin = 1e-3;    ///< of the force at a contact point to its friction cone, over the weight
@@ -111,8 +121,8 @@ struct BodyWindow {
 ///   x = [p_WB (3), angles of TurningChart (3), independent joints (n)],
 /// and at each knot the force at each contact point, in units of the weight; between knots forces are linear. At knots
 /// hold: Newton's and Euler's equations of the whole (six rows), feet on their goals, forces inside their cones,
-/// positions, speeds and efforts within limits, torque-speed curves included; links that are listed keep their
-/// distance.
+/// positions, speeds, accelerations and efforts within limits, torque-speed curves included; links that are listed keep
+/// their distance. Knots with a CycleTie repeat the state of their cycle.
 struct BodyProblem {
   const RobotModel* model = nullptr;
   TurningChart chart;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "optimisation/trajectory/body_rows_internal.h"
@@ -13,10 +10,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kUnit = 0.01;       // [s] of time that weights are for
-constexpr double kToMargin = 0.3;    // [s] in which joints that stand at the end of their range come to its margin
-constexpr double kOfLanding = 0.18;  // of the way from the standing posture: largest margin for landings
-constexpr double kStill = 100.0;     // of weights of joints that stick
+constexpr double kUnit = 0.01;    // [s] of time that weights are for
+constexpr double kTieTime = 0.1;  // [s] for which rates and their own rates count in ties
+constexpr double kStill = 100.0;  // of weights of joints that stick
 
 /// A side of the pyramid inside a friction cone: the force along it is at most zero.
 Vector3 SideOf(const PressingFoot& foot, int side) {
@@ -38,6 +34,15 @@ BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
   for (int d = 0; d < model_.num_dofs(); ++d) {
     if (std::isfinite(model_.dof_lower(d)) || std::isfinite(model_.dof_upper(d)) || problem_.StaysStill(d))
       ranged_.push_back(d);
+    if (std::isfinite(model_.MotorOf(d).acceleration_limit)) accelerated_.push_back(d);
+  }
+  tie_unit_.resize(3 * n_);
+  tie_unit_ << VectorX::Ones(n_), VectorX::Constant(n_, kTieTime), VectorX::Constant(n_, kTieTime * kTieTime);
+  for (const BodyKnot& knot : problem.knots) {
+    if (!knot.tie) continue;
+    if (!problem.chart.yaw_first())
+      throw InvalidArgument("BodyRows: periodic motions need a chart that turns by yaw first");
+    cycles_.resize(std::max(cycles_.size(), static_cast<std::size_t>(knot.tie->cycle) + 1), VectorX::Zero(3 * n_));
   }
   ListRows();
   if (start.size() != size()) throw InvalidArgument("BodyRows: the start does not have the size of the unknowns");
@@ -112,6 +117,8 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
       return asked.is_given ? 0 : static_cast<Index>(motors_.limited().size());
     case kCurve:
       return asked.pins_motion ? 0 : static_cast<Index>(motors_.curves().size());
+    case kAcceleration:
+      return asked.pins_motion ? 0 : static_cast<Index>(accelerated_.size());
     case kRange:
       return asked.pins_place ? 0 : static_cast<Index>(ranged_.size());
     case kCone:
@@ -122,97 +129,16 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
       return asked.pins_place ? n_ : 0;
     case kPinnedMotion:
       return asked.pins_motion ? 2 * n_ : 0;
+    case kTied:
+      return asked.tie ? 3 * n_ : 0;
     case kKinds:
       break;
   }
   return 0;
 }
 
-RowBounds BodyRows::BoundsOf(Index row) const {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const auto above = std::upper_bound(knots_.begin(), knots_.end(), row,
-                                      [](Index r, const Knot& knot) { return r < knot.row[kDynamics]; });
-  const Knot& knot = *(above - 1);
-  if (row >= knot.row[kEffortLimit] && row < knot.row[kRange]) return {-1.0, 1.0};
-  if (row >= knot.row[kRange] && row < knot.row[kCone]) {
-    const int dof = ranged_[static_cast<std::size_t>(row - knot.row[kRange])];
-    if (problem_.StaysStill(dof)) {
-      const double place = problem_.knots.front().reference.x[6 + dof];
-      return {place, place};
-    }
-    const double lower = model_.dof_lower(dof), upper = model_.dof_upper(dof);
-    const double standing = std::clamp(model_.standing_joints[dof], lower, upper);
-    const double margin = std::min(problem_.use.range_margin, 0.25 * (upper - lower));
-    const auto margin_to = [&](double end) {
-      return std::max(margin, std::min(problem_.use.landing_margin, kOfLanding * std::abs(end - standing)));
-    };
-    const double now_s = problem_.time_s[static_cast<std::size_t>(&knot - knots_.data())];
-    const double ramp = std::min(1.0, std::min(now_s - problem_.start_s(), problem_.end_s() - now_s) / kToMargin);
-    const double low = lower + margin_to(lower), high = upper - margin_to(upper);
-    return {low + (1.0 - ramp) * std::min(0.0, standing - low), high + (1.0 - ramp) * std::max(0.0, standing - high)};
-  }
-  if (row >= knot.row[kFeet] && row < knot.row[kEffortLimit]) {
-    const double within = kFootUnit * knot.feet_within[row - knot.row[kFeet]];
-    return {-within, within};
-  }
-  if (row >= knot.row[kCone] && row < knot.row[kApart]) return {-kNone, -problem_.use.cone_margin};
-  if (row >= knot.row[kApart] && row < knot.row[kPinnedPlace]) {
-    const std::vector<ApartPair>& apart = Asked(static_cast<std::size_t>(&knot - knots_.data())).apart;
-    return {kApartUnit * problem_.use.apart * apart[static_cast<std::size_t>(row - knot.row[kApart])].least_m, kNone};
-  }
-  return {0.0, 0.0};
-}
-
-std::string BodyRows::NameOf(Index row) const {
-  const auto above = std::upper_bound(knots_.begin(), knots_.end(), row,
-                                      [](Index r, const Knot& knot) { return r < knot.row[kDynamics]; });
-  const auto k = static_cast<std::size_t>(above - knots_.begin() - 1);
-  const Knot& knot = knots_[k];
-  const auto at = [&](Kind kind) { return static_cast<std::size_t>(row - knot.row[kind]); };
-  const auto motor = [&](int index) { return motors_.motors()[static_cast<std::size_t>(index)].name; };
-  const auto within = [&](Kind kind) { return row >= knot.row[kind] && row < knot.row[kind + 1]; };
-  std::string what = "start and end";
-  if (within(kDynamics)) what = at(kDynamics) < 3 ? "balance of forces" : "balance of moments";
-  if (within(kEffortLimit)) what = fmt::format("torque of '{}'", motor(motors_.limited()[at(kEffortLimit)]));
-  if (within(kCurve)) {
-    const MotorRows::Curve& curve = motors_.curves()[at(kCurve)];
-    what = fmt::format("{} of '{}'", curve.by_effort > 0.0 ? "torque at speed" : "speed", motor(curve.motor));
-  }
-  if (within(kRange))
-    what = fmt::format("position of '{}'", model_.dof_names[static_cast<std::size_t>(ranged_[at(kRange)])]);
-  const auto foot_name = [&](int foot) { return model_.feet[static_cast<std::size_t>(foot)].name; };
-  if (within(kFeet)) {
-    Index left = row - knot.row[kFeet];
-    for (const FootGoal& goal : Asked(k).feet) {
-      if (left >= 0 && left < goal.count())
-        what = fmt::format("{} of foot '{}'", goal.swings ? "swing" : "foothold", foot_name(goal.foot));
-      left -= goal.count();
-    }
-  }
-  if (within(kApart)) what = fmt::format("distance of {}", problem_.distances->NameOf(Asked(k).apart[at(kApart)].pair));
-  if (within(kCone)) {
-    Index left = (row - knot.row[kCone]) / kPyramidSides;
-    for (const PressingFoot& foot : Asked(k).pressing) {
-      const auto points = static_cast<Index>(foot.contact.points_F.size());
-      if (left >= 0 && left < points) what = fmt::format("friction cone of foot '{}'", foot_name(foot.contact.foot));
-      left -= points;
-    }
-  }
-  return fmt::format("{} at {:.3f} s", what, problem_.time_s[k]);
-}
-
-std::vector<double> BodyRows::TimesUnmet(double tolerance) const {
-  std::vector<double> times;
-  for (std::size_t k = 0; k < knots_.size(); ++k) {
-    for (Index row = knots_[k].row[kDynamics]; row < knots_[k].row[kKinds]; ++row) {
-      const RowBounds bounds = BoundsOf(row);
-      if (value_[row] >= bounds.lower - tolerance && value_[row] <= bounds.upper + tolerance) continue;
-      times.push_back(problem_.time_s[k]);
-      break;
-    }
-  }
-  return times;
-}
+/// [rad/s^2], [m/s^2] that a joint may use.
+double BodyRows::MostAcceleration(int dof) const { return problem_.use.speed * model_.MotorOf(dof).acceleration_limit; }
 
 /// Factor of the weights of a joint's coordinate.
 double BodyRows::StillnessOf(Index i) const { return motors_.Sticks(static_cast<int>(i - 6)) ? kStill : 1.0; }
@@ -313,9 +239,13 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
   Index row = knot.row[kEffortLimit];
   for (const int motor : motors_.limited()) rows[row++] = dense[6 + motor];
   for (const MotorRows::Curve& curve : motors_.curves()) {
-    if (row == knot.row[kRange]) break;
+    if (row == knot.row[kAcceleration]) break;
     const Actuator& motor = motors_.motors()[static_cast<std::size_t>(curve.motor)];
     rows[row++] = curve.by_effort * dense[6 + curve.motor] + motor.Speed(rate.tail(n_ - 6)) / curve.speed_scale;
+  }
+  for (Index i = 0; i < knot.row[kRange] - knot.row[kAcceleration]; ++i) {
+    const int dof = accelerated_[static_cast<std::size_t>(i)];
+    rows[knot.row[kAcceleration] + i] = acceleration[6 + dof] / MostAcceleration(dof);
   }
   for (Index i = 0; i < knot.row[kCone] - knot.row[kRange]; ++i)
     rows[knot.row[kRange] + i] = x[6 + ranged_[static_cast<std::size_t>(i)]];
@@ -332,6 +262,11 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
 void BodyRows::FillPins(const Knot& knot, const BodyKnot& asked, const VectorX& y, double constant,
                         VectorX& rows) const {
   const VectorJet& reference = asked.reference;
+  if (asked.tie) {
+    const VectorX& state = cycles_[static_cast<std::size_t>(asked.tie->cycle)];
+    rows.segment(knot.row[kTied], 3 * n_) =
+        tie_unit_.cwiseProduct(y.head(3 * n_) - constant * StateOfTie(*asked.tie, state, 1.0));
+  }
   if (asked.pins_place) rows.segment(knot.row[kPinnedPlace], n_) = y.head(n_) - constant * reference.x;
   if (!asked.pins_motion) return;
   rows.segment(knot.row[kPinnedMotion], n_) = y.segment(n_, n_) - constant * reference.rate;

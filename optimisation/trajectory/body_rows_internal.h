@@ -49,6 +49,15 @@ class BodyRows : public ElasticRows {
   /// rows of `rows` are left as they are.
   void MovedByPace(std::size_t k, const KnotPace& by, VectorX& rows) const;
   void MovedByShift(std::size_t k, std::size_t goal, const Vector3& by_W, VectorX& rows) const;
+  /// From the next Evaluate on, knots that are tied repeat these states, by cycle: coordinates, rates, accelerations.
+  /// At first all are zero. Constant in all derivatives.
+  void SetCycles(std::vector<VectorX> states);
+  /// Likewise, by a change of the state of the knot's cycle. The knot is tied.
+  void MovedByCycle(std::size_t k, const VectorX& by_state, VectorX& rows) const;
+  /// How many cycles the problem has.
+  int cycles() const { return static_cast<int>(cycles_.size()); }
+  /// Coordinates, rates and accelerations of a knot at z, at the problem's own pace.
+  VectorX StateAt(std::size_t k, const VectorX& z) const;
   /// First and last row of a knot's residuals, and of its constraints.
   std::array<std::pair<Eigen::Index, Eigen::Index>, 2> RowsOf(std::size_t k) const;
   /// Adds J^T * by of the rows of a knot.
@@ -74,11 +83,13 @@ class BodyRows : public ElasticRows {
     kFeet,
     kEffortLimit,
     kCurve,
+    kAcceleration,
     kRange,
     kCone,
     kApart,
     kPinnedPlace,
     kPinnedMotion,
+    kTied,
     kKinds
   };
   struct Knot {
@@ -108,6 +119,7 @@ class BodyRows : public ElasticRows {
   VectorX OfPosture(std::size_t k, const VectorX& of_rows, double of_points) const;
   void FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& posture, bool constants,
                 VectorX& rows) const;
+  VectorX StateOfTie(const CycleTie& tie, const VectorX& state, double constant) const;
   void FillPins(const Knot& knot, const BodyKnot& asked, const VectorX& y, double constant, VectorX& rows) const;
   void Flat(std::size_t k, const VectorX& z, VectorX& y) const;
   void EvaluatePower(Knot& knot);
@@ -119,6 +131,7 @@ class BodyRows : public ElasticRows {
   bool EliminateForces(std::size_t k, double damping);
   void AddToChain(std::size_t k);
   const BodyKnot& Asked(std::size_t k) const { return problem_.knots[k]; }
+  double MostAcceleration(int dof) const;
   double StillnessOf(Eigen::Index coordinate) const;
   double NearWeight(std::size_t k, Eigen::Index coordinate) const;
   double AccelerationWeight(Eigen::Index coordinate) const;
@@ -134,6 +147,9 @@ class BodyRows : public ElasticRows {
   std::vector<KnotBasis> basis_;         // by knot, for its pace
   std::vector<double> share_, of_knot_;  // by knot: root of its share of time over 10 ms; of the problem's time
   std::vector<int> ranged_;              // joints with a range
+  std::vector<int> accelerated_;         // joints with a limit of acceleration
+  std::vector<VectorX> cycles_;          // states
+  VectorX tie_unit_;                     // of rows that tie a state
   VectorX value_;
   ChainMatrix chain_;
   // Work space

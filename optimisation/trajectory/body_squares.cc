@@ -58,14 +58,14 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
   Index row = AddDense(k, by);
   const Index first_curve = row;
   for (const MotorRows::Curve& curve : motors_.curves()) {
-    if (row == knot.row[kRange]) break;
+    if (row == knot.row[kAcceleration]) break;
     dense_[6 + curve.motor] += curve.by_effort * by[row++];
   }
   g.noalias() = knot.D.transpose() * dense_;
   if (knot.posture.size() > 0) g.head(n_).noalias() += knot.J.transpose() * OfPosture(k, by, share_[k]);
   row = first_curve;
   for (const MotorRows::Curve& curve : motors_.curves()) {
-    if (row == knot.row[kRange]) break;
+    if (row == knot.row[kAcceleration]) break;
     for (const Actuator::Term& term : motors_.motors()[static_cast<std::size_t>(curve.motor)].terms)
       g[n_ + 6 + term.dof] += term.by_speed / curve.speed_scale * by[row];
     ++row;
@@ -75,6 +75,10 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
     g[2 * n_ + i] += share_[k] * AccelerationWeight(i) * by[knot.row[kNearAcceleration] + i];
   }
   g.tail(knot.forces) += share_[k] * problem_.weights.force * by.segment(knot.row[kForce], knot.forces);
+  for (Index i = 0; i < knot.row[kRange] - knot.row[kAcceleration]; ++i) {
+    const int dof = accelerated_[static_cast<std::size_t>(i)];
+    g[2 * n_ + 6 + dof] += by[knot.row[kAcceleration] + i] / MostAcceleration(dof);
+  }
   for (Index i = 0; i < knot.row[kCone] - knot.row[kRange]; ++i)
     g[6 + ranged_[static_cast<std::size_t>(i)]] += by[knot.row[kRange] + i];
   row = knot.row[kCone];
@@ -90,6 +94,7 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
       g.segment<3>(force) += foot.axes_W * sum;
     }
   }
+  if (asked.tie) g.head(3 * n_) += tie_unit_.cwiseProduct(by.segment(knot.row[kTied], 3 * n_));
   if (asked.pins_place) g.head(n_) += by.segment(knot.row[kPinnedPlace], n_);
   if (!asked.pins_motion) return;
   g.segment(n_, n_) += by.segment(knot.row[kPinnedMotion], n_);
@@ -126,7 +131,7 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   Index row = AddDense(k, weights);
   const Index first_curve = row;
   for (const MotorRows::Curve& curve : motors_.curves()) {
-    if (row == knot.row[kRange]) break;
+    if (row == knot.row[kAcceleration]) break;
     dense_[6 + curve.motor] += curve.by_effort * curve.by_effort * weights[row++];
   }
   scaled_ = dense_.cwiseSqrt().asDiagonal() * knot.D;
@@ -140,7 +145,7 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   }
   row = first_curve;
   for (const MotorRows::Curve& curve : motors_.curves()) {
-    if (row == knot.row[kRange]) break;
+    if (row == knot.row[kAcceleration]) break;
     const double weight = weights[row++];
     const std::vector<Actuator::Term>& terms = motors_.motors()[static_cast<std::size_t>(curve.motor)].terms;
     for (const Actuator::Term& term : terms) {
@@ -162,6 +167,10 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
     diagonal[2 * n_ + i] += std::pow(share_[k] * AccelerationWeight(i), 2);
   }
   diagonal.tail(knot.forces).array() += force_weight * force_weight;
+  for (Index i = 0; i < knot.row[kRange] - knot.row[kAcceleration]; ++i) {
+    const int dof = accelerated_[static_cast<std::size_t>(i)];
+    diagonal[2 * n_ + 6 + dof] += weights[knot.row[kAcceleration] + i] / std::pow(MostAcceleration(dof), 2);
+  }
   for (Index i = 0; i < knot.row[kCone] - knot.row[kRange]; ++i)
     diagonal[6 + ranged_[static_cast<std::size_t>(i)]] += weights[knot.row[kRange] + i];
   row = knot.row[kCone];
@@ -170,6 +179,7 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
     for (std::size_t p = 0; p < foot.contact.points_F.size(); ++p, force += 3, row += kPyramidSides)
       square_.block<3, 3>(force, force) += SquareOfSides(foot, weights.segment(row, kPyramidSides));
   }
+  if (asked.tie) diagonal.head(3 * n_) += tie_unit_.cwiseAbs2().cwiseProduct(weights.segment(knot.row[kTied], 3 * n_));
   if (asked.pins_place) diagonal.head(n_) += weights.segment(knot.row[kPinnedPlace], n_);
   if (asked.pins_motion) diagonal.segment(n_, 2 * n_) += weights.segment(knot.row[kPinnedMotion], 2 * n_);
 }

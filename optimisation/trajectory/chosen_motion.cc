@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of a knot that depend on what is chosen beside its motion: the pace, and shifts of feet; and the motors' powers.
+// Rows of a knot that depend on what is chosen beside its motion: the pace, shifts of feet, and states of cycles; and
+// the motors' powers.
 #include <cmath>
+#include <utility>
 
+#include "kinematics/spatial/rotation.h"
 #include "optimisation/trajectory/body_rows_internal.h"
 
 namespace gaitwright {
@@ -69,6 +72,38 @@ void BodyRows::MovedByShift(std::size_t k, std::size_t goal, const Vector3& by_W
   for (std::size_t i = 0; i < 3; ++i) {
     if (of.rows[i]) rows[row++] = -kFootUnit * of.axes_W.col(static_cast<Index>(i)).dot(by_W);
   }
+}
+
+void BodyRows::SetCycles(std::vector<VectorX> states) {
+  if (states.size() != cycles_.size()) throw InvalidArgument("BodyRows: a state is needed for each cycle");
+  cycles_ = std::move(states);
+}
+
+VectorX BodyRows::StateAt(std::size_t k, const VectorX& z) const {
+  const KnotBasis& basis = spline_.At(static_cast<int>(k));
+  VectorX state = VectorX::Zero(3 * n_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto point = z.segment(static_cast<Index>(k + i) * n_, n_);
+    state.head(n_) += basis.value[i] * point;
+    state.segment(n_, n_) += basis.rate[i] * point;
+    state.tail(n_) += basis.acceleration[i] * point;
+  }
+  return state;
+}
+
+/// The state at a tied knot; without its constants if `constant` is 0.
+VectorX BodyRows::StateOfTie(const CycleTie& tie, const VectorX& state, double constant) const {
+  VectorX tied = state;
+  const Matrix3 R = YawRotation(tie.yaw_rad);
+  for (const Index at : {Index{0}, n_, 2 * n_}) tied.segment<3>(at) = R * state.segment<3>(at);
+  tied.head<3>() += constant * tie.move_W;
+  tied[3] += constant * tie.yaw_rad;
+  return tied;
+}
+
+void BodyRows::MovedByCycle(std::size_t k, const VectorX& by_state, VectorX& rows) const {
+  for (const auto& [first, end] : RowsOf(k)) rows.segment(first, end - first).setZero();
+  rows.segment(knots_[k].row[kTied], 3 * n_) = -tie_unit_.cwiseProduct(StateOfTie(*Asked(k).tie, by_state, 0.0));
 }
 
 std::array<std::pair<Index, Index>, 2> BodyRows::RowsOf(std::size_t k) const {

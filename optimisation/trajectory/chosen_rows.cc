@@ -48,7 +48,12 @@ KnotPace PaceSpline::At(double problem_s) const {
 }
 
 ChosenRows::ChosenRows(const BodyProblem& problem, const BodyChoices& choices, const VectorX& start)
-    : problem_(problem), choices_(choices), inner_(problem, start), chosen_(choices.count()) {
+    : problem_(problem),
+      choices_(choices),
+      inner_(problem, start),
+      chosen_(choices.count()),
+      state_size_(3 * problem.model->nv()),
+      free_(chosen_ + inner_.cycles() * state_size_) {
   if (HasPace() && choices.pace_points <= kPieces)
     throw InvalidArgument("ChosenRows: the pace needs at least four control points");
   const std::vector<double>& time_s = problem.time_s;
@@ -65,8 +70,12 @@ ChosenRows::ChosenRows(const BodyProblem& problem, const BodyChoices& choices, c
 }
 
 VectorX ChosenRows::StartOf(const VectorX& inner) const {
-  VectorX z = VectorX::Zero(inner_.size() + chosen_);
+  VectorX z = VectorX::Zero(inner_.size() + free_);
   z.head(inner_.size()) = inner;
+  for (std::size_t k = problem_.knots.size(); k-- > 0;) {  // a cycle's state is that of its first knot
+    if (const std::optional<CycleTie>& tie = problem_.knots[k].tie)
+      z.segment(inner_.size() + chosen_ + tie->cycle * state_size_, state_size_) = inner_.StateAt(k, inner);
+  }
   return z;
 }
 
@@ -145,9 +154,13 @@ void ChosenRows::Evaluate(const VectorX& z) {
       of_goals_W[static_cast<std::size_t>(share.knot)][share.goal] += share.share * shifts_W[i];
   }
   inner_.SetChosen(paces, of_goals_W);
+  std::vector<VectorX> states;
+  for (Index at = inner_.size() + chosen_; at < z.size(); at += state_size_)
+    states.emplace_back(z.segment(at, state_size_));
+  inner_.SetCycles(std::move(states));
   inner_.Evaluate(InnerOf(z));
   const double problem_s = problem_.end_s() - problem_.start_s();
-  const VectorX chosen = z.tail(chosen_);
+  const VectorX chosen = z.segment(inner_.size(), chosen_);
   value_ = Joined(inner_.value(), weight_.cwiseProduct(chosen), chosen, DurationOf(pace) / problem_s - 1.0);
 }
 
@@ -185,23 +198,32 @@ void ChosenRows::Differentiate() {
       ++column;
     }
   }
-  border_.resize(inner_.count(), chosen_);
+  for (std::size_t k = 0; k < problem_.knots.size(); ++k) {
+    if (!problem_.knots[k].tie) continue;
+    for (Index i = 0; i < state_size_; ++i) {
+      inner_.MovedByCycle(k, VectorX::Unit(state_size_, i), moved);
+      take(k, chosen_ + problem_.knots[k].tie->cycle * state_size_ + i);
+    }
+  }
+  border_.resize(inner_.count(), free_);
   border_.setFromTriplets(entries.begin(), entries.end());
 }
 
 VectorX ChosenRows::Gradient(const VectorX& by) const {
   const VectorX inner = InnerRows(by);
-  VectorX gradient(inner_.size() + chosen_);
+  VectorX gradient(inner_.size() + free_);
   gradient.head(inner_.size()) = inner_.Gradient(inner);
-  gradient.tail(chosen_) = border_.transpose() * inner + weight_.cwiseProduct(by.segment(inner_.residuals(), chosen_)) +
-                           by.segment(inner_.count() + chosen_, chosen_);
-  if (HasPace()) gradient.tail(chosen_) += by[by.size() - 1] * longer_by_;
+  gradient.tail(free_) = border_.transpose() * inner;
+  auto chosen = gradient.segment(inner_.size(), chosen_);
+  chosen +=
+      weight_.cwiseProduct(by.segment(inner_.residuals(), chosen_)) + by.segment(inner_.count() + chosen_, chosen_);
+  if (HasPace()) chosen += by[by.size() - 1] * longer_by_;
   return gradient;
 }
 
 VectorX ChosenRows::Moved(const VectorX& by) const {
-  const VectorX chosen = by.tail(chosen_);
-  return Joined(inner_.Moved(InnerOf(by)) + border_ * chosen, weight_.cwiseProduct(chosen), chosen,
+  const VectorX chosen = by.segment(inner_.size(), chosen_);
+  return Joined(inner_.Moved(InnerOf(by)) + border_ * by.tail(free_), weight_.cwiseProduct(chosen), chosen,
                 longer_by_.dot(chosen));
 }
 
@@ -210,12 +232,13 @@ bool ChosenRows::Factor(const VectorX& weights, double damping) {
   if (!inner_.Factor(inner, damping)) return false;
   inner.head(inner_.residuals()).setOnes();
   MatrixX own = border_.transpose() * inner.asDiagonal() * border_;
-  own.diagonal() += weight_.cwiseAbs2() + weights.segment(inner_.count() + chosen_, chosen_);
+  own.diagonal().head(chosen_) += weight_.cwiseAbs2() + weights.segment(inner_.count() + chosen_, chosen_);
   own.diagonal().array() += damping;
-  if (HasPace()) own += weights[weights.size() - 1] * longer_by_ * longer_by_.transpose();
-  MatrixX coupled = MatrixX::Zero(inner_.size(), chosen_);
+  if (HasPace())
+    own.topLeftCorner(chosen_, chosen_) += weights[weights.size() - 1] * longer_by_ * longer_by_.transpose();
+  MatrixX coupled = MatrixX::Zero(inner_.size(), free_);
   VectorX rows = VectorX::Zero(inner_.count()), gradient(inner_.size());
-  for (Index j = 0; j < chosen_; ++j) {
+  for (Index j = 0; j < free_; ++j) {
     std::size_t first = problem_.knots.size(), end = 0;
     for (Eigen::SparseMatrix<double>::InnerIterator entry(border_, j); entry; ++entry)
       rows[entry.row()] = inner[entry.row()] * entry.value();
@@ -240,7 +263,7 @@ bool ChosenRows::Factor(const VectorX& weights, double damping) {
 VectorX ChosenRows::Solved(const VectorX& right) const {
   VectorX solved(right.size());
   const VectorX inner = right.head(inner_.size());
-  const VectorX chosen = factors_.solve(right.tail(chosen_) - eliminated_.transpose() * inner);
+  const VectorX chosen = factors_.solve(right.tail(free_) - eliminated_.transpose() * inner);
   solved << inner_.Solved(inner) - eliminated_ * chosen, chosen;
   return solved;
 }

@@ -60,8 +60,8 @@ class PaceSpline {
   VectorX points_;
 };
 
-/// BodyRows whose paces and footholds are unknowns too: their Jacobian has a border of dense columns, which is
-/// eliminated last.
+/// BodyRows whose paces, footholds and states of cycles are unknowns too: their Jacobian has a border of dense columns,
+/// which is eliminated last.
 class ChosenRows : public ElasticRows {
  public:
   /// Keeps references. @param start  of BodyRows; nothing is shifted there, at the problem's pace.
@@ -80,7 +80,8 @@ class ChosenRows : public ElasticRows {
   bool Factor(const VectorX& weights, double damping) override;
   VectorX Solved(const VectorX& right) const override;
 
-  /// Unknowns: those of BodyRows, then pace points, then two shifts a foothold.
+  /// Unknowns: those of BodyRows, then pace points, then two shifts a foothold, then the states of cycles. The paces
+  /// are the problem's own there, nothing is shifted, and cycles have the states of their first knots.
   VectorX StartOf(const VectorX& inner) const;
   const BodyRows& inner() const { return inner_; }
   VectorX InnerOf(const VectorX& z) const { return z.head(inner_.size()); }
@@ -97,8 +98,8 @@ class ChosenRows : public ElasticRows {
   const BodyProblem& problem_;
   const BodyChoices& choices_;
   BodyRows inner_;
-  Eigen::Index chosen_;
-  std::vector<double> share_s_;  // by knot: time that it stands for
+  Eigen::Index chosen_, state_size_, free_;  // how many choices, values of a state, and unknowns beside the inner ones
+  std::vector<double> share_s_;              // by knot: time that it stands for
   VectorX value_, z_;
   VectorX weight_;                      // of a choice
   Eigen::SparseMatrix<double> border_;  // of the inner rows

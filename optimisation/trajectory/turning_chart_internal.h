@@ -36,6 +36,9 @@ class TurningChart {
   /// The chart that is farthest from its singularity over all orientations; yaw first where that is as good.
   static TurningChart For(const std::vector<Matrix3>& R_WB, const Matrix3& R_0);
 
+  /// Whether the first angle turns about the vertical axis.
+  bool yaw_first() const { return axes_[0].z() == 1.0; }
+
   ChartedTurn At(const AngleJet& jet) const;
 
   /// The angles of an orientation, each within pi of those given (the first and the last), and |x1| <= pi/2.

@@ -88,9 +88,8 @@ double LargestStepIn(const MotionPlan& plan, double start_s, double end_s, int l
   return step_s;
 }
 
-/// Times at which contacts change after the start, in order: ends of phases, and heels that rise.
-std::vector<double> ChangesOf(const MotionPlan& plan) {
-  std::vector<double> changes;
+/// Times at which contacts change after the start, in order: ends of phases, and heels that rise; and other times.
+std::vector<double> ChangesOf(const MotionPlan& plan, std::vector<double> changes) {
   for (const ContactPhase& phase : plan.schedule.phases) changes.push_back(phase.end_s);
   for (const Foothold& foothold : plan.footsteps.footholds) {
     if (foothold.heel_off_s) changes.push_back(*foothold.heel_off_s);
@@ -125,7 +124,8 @@ std::vector<bool> StillJoints(const BodyProblem& problem) {
 
 }  // namespace
 
-std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int least_per_swing) {
+std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int least_per_swing,
+                                const std::vector<double>& also_s) {
   constexpr double kRounding = 1e-6;  // of a step
   constexpr double kOfHeelOff = 0.5;  // soles turn far in a short time
   std::vector<double> times{plan.schedule.start_s()};
@@ -135,7 +135,7 @@ std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int 
   };
   const auto is_on_row = [&](double time_s) { return std::abs(on_row(time_s) - time_s) < kSameKnot; };
   double start_s = plan.schedule.start_s();
-  for (const double end_s : ChangesOf(plan)) {
+  for (const double end_s : ChangesOf(plan, also_s)) {
     const double length = end_s - start_s;
     const bool on_rows = is_on_row(start_s) && is_on_row(end_s);
     double step_s = HeelRises(plan, 0.5 * (start_s + end_s)) ? kOfHeelOff * knot_step_s : knot_step_s;

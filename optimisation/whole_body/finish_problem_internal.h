@@ -19,8 +19,9 @@ struct FinishSettings {
 
 /// Knots over a schedule: at all its changes, and at most so far apart in between, half as far while heels rise; where
 /// the plan's rows are, if they are at the changes. @param least_per_swing  knots over a swing of any foot are at least
-/// as dense as this many over the swing; 0: no such limit.
-std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int least_per_swing = 0);
+/// as dense as this many over the swing; 0: no such limit. @param also_s  further times at which there are knots.
+std::vector<double> KnotTimesOf(const MotionPlan& plan, double knot_step_s, int least_per_swing = 0,
+                                const std::vector<double>& also_s = {});
 
 /// Rows of a foot's position and rotation that no other foot's rows before it fix already, in the standing posture: a
 /// leg that cannot roll its ankle has no row for it. By foot of a leg.

@@ -121,9 +121,11 @@ py::dict SampleAt(const Plan& plan, double time_s) {
   return at;
 }
 
-std::vector<std::string> Export(const Plan& plan, const fs::path& path, const std::string& format, double rate_hz) {
+std::vector<std::string> Export(const Plan& plan, const fs::path& path, const std::string& format, double rate_hz,
+                                bool cycle) {
+  const ExportPart part = cycle ? ExportPart::kCycle : ExportPart::kAll;
   const ExportedMotion exported =
-      ExportPlan(plan.model(), plan.motion(), ExportFormatOf(format), rate_hz, path.string());
+      ExportPlan(plan.model(), plan.motion(), ExportFormatOf(format), rate_hz, path.string(), part);
   if (const auto written = WriteFilesTogether(exported.files); !written) throw FailureError(written.failure());
   return exported.notes;
 }
@@ -199,7 +201,8 @@ A plan never changes. Its arrays are shared and read-only: to change an array, c
           "save", [](const Plan& p, const fs::path& path) { return Value(SavePlan(p.motion(), path.string())); },
           py::arg("path"), "Writes the plan as JSON, as the program does; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
-           "Writes csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns notes on the result.")
+           py::arg("cycle") = false,
+           "Writes a file in a format of `gaitwright export`, whole or one steady cycle; returns notes on the result.")
       .def("__repr__", [](const Plan& p) {
         return fmt::format("<gaitwright.Plan {}: {}, {:.2f} s, {} footholds>", p.motion().robot,
                            GaitNames(p.motion().parts), p.motion().duration_s(), p.motion().footsteps.footholds.size());

@@ -59,10 +59,10 @@ std::string FramesCsv(const RobotModel& model, const MotionRows& rows) {
   return text;
 }
 
-std::string FramesJson(const RobotModel& model, const MotionRows& rows, double rate_hz) {
+std::string FramesJson(const RobotModel& model, const MotionRows& rows, double rate_hz, bool wraps) {
   const std::vector<Eigen::Index> dofs = DescribedDofs(model);
-  std::string text =
-      fmt::format("{{\n\"LoopMode\": \"Clamp\",\n\"FrameDuration\": {:.9g},\n\"Frames\":\n[\n", 1.0 / rate_hz);
+  std::string text = fmt::format("{{\n\"LoopMode\": \"{}\",\n\"FrameDuration\": {:.9g},\n\"Frames\":\n[\n",
+                                 wraps ? "Wrap" : "Clamp", 1.0 / rate_hz);
   for (const VectorX& q : rows.q) {
     text += '[';
     AppendFrame(dofs, q, text);

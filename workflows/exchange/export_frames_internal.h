@@ -12,7 +12,8 @@ namespace gaitwright {
 std::string FramesCsv(const RobotModel& model, const MotionRows& rows);
 
 /// The same frames as motion_imitation's {"LoopMode", "FrameDuration", "Frames"}; six decimals.
-std::string FramesJson(const RobotModel& model, const MotionRows& rows, double rate_hz);
+/// @param wraps  the motion repeats itself from its last frame on: "Wrap" instead of "Clamp".
+std::string FramesJson(const RobotModel& model, const MotionRows& rows, double rate_hz, bool wraps = false);
 
 /// Rows as the arrays that frameworks for imitation learning read: fps, joint_pos, joint_vel (DescribedJointOrder),
 /// body_pos_w, body_quat_w (w x y z), body_lin_vel_w and body_ang_vel_w (frames x bodies, the base first), joint_names,

@@ -36,7 +36,8 @@ void AddPlots(const std::vector<Plot>& plots, const std::string& folder, Exporte
   }
 }
 
-std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz) {
+std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz,
+                       ExportPart part) {
   switch (format) {
     case ExportFormat::kCsv:
       return MotionCsv(model, rows);
@@ -49,7 +50,7 @@ std::string ExportText(const RobotModel& model, const MotionRows& rows, ExportFo
     case ExportFormat::kFramesCsv:
       return FramesCsv(model, rows);
     case ExportFormat::kFramesJson:
-      return FramesJson(model, rows, rate_hz);
+      return FramesJson(model, rows, rate_hz, part == ExportPart::kCycle);
     case ExportFormat::kFramesNpz:
       return FramesNpz(model, rows, rate_hz);
     case ExportFormat::kMcap:
@@ -115,8 +116,16 @@ void AddEndNote(double motion_end_s, ExportedMotion& exported) {
                                : fmt::format("the last {:.6g} s are left out, so that all steps are equal", -beyond_s));
 }
 
+/// How exactly the cycle repeats.
+std::string CycleNote(const CycleRows& cycle) {
+  return fmt::format(
+      "one cycle of {:.6g} s: the last row is the first one a cycle later, to {:.1e} rad or m of the joints and {:.1e} "
+      "rad/s or m/s of their rates",
+      cycle.rows.time_s.back() - cycle.rows.time_s.front(), cycle.seam.joints, cycle.seam.joint_rates);
+}
+
 ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz,
-                          const std::string& out) {
+                          const std::string& out, ExportPart part = ExportPart::kAll) {
   ExportedMotion exported;
   exported.rows = rows.size();
   exported.start_s = rows.time_s.front();
@@ -125,7 +134,7 @@ ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, Expor
   if (format == ExportFormat::kSvg) {
     AddPlots(MotionPlots({{model.name, &model, &rows}}), out, exported);
   } else {
-    exported.files.push_back({out, ExportText(model, rows, format, rate_hz)});
+    exported.files.push_back({out, ExportText(model, rows, format, rate_hz, part)});
   }
   AddNotes(model, rows, format, rate_hz, exported);
   AddSizeNote(model, rows, format, exported);
@@ -182,9 +191,18 @@ ExportFormat ExportFormatOf(const std::string& name) {
 }
 
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
-                          const std::string& out) {
-  if (format == ExportFormat::kMjcf) return ExportModel(model, plan, rate_hz, out);
+                          const std::string& out, ExportPart part) {
+  if (format == ExportFormat::kMjcf) {
+    if (part == ExportPart::kCycle) throw InvalidArgument("--format mjcf is a model and has no cycle");
+    return ExportModel(model, plan, rate_hz, out);
+  }
   const double rate = rate_hz != 0.0 ? rate_hz : UsualRate(plan);
+  if (part == ExportPart::kCycle) {
+    const CycleRows cycle = RowsOfCycle(model, plan, rate);
+    ExportedMotion exported = ExportRows(model, cycle.rows, format, cycle.rate_hz, out, part);
+    exported.notes.push_back(CycleNote(cycle));
+    return exported;
+  }
   ExportedMotion exported = ExportRows(model, RowsOfPlan(model, plan, rate), format, rate, out);
   AddEndNote(plan.whole_body.end_s(), exported);
   return exported;

@@ -31,6 +31,9 @@ const std::vector<std::string>& ExportFormatNames();
 /// The format with this name. @throws InvalidArgument that lists the formats.
 ExportFormat ExportFormatOf(const std::string& name);
 
+/// Which part of a plan is exported.
+enum class ExportPart { kAll, kCycle };
+
 /// An exported motion: files and notes.
 struct ExportedMotion {
   std::vector<OutputFile> files;  ///< one file, or one for each plot
@@ -41,9 +44,11 @@ struct ExportedMotion {
 
 /// Exports a plan in a format; "mjcf" is the robot on its ground with the first posture and the gains (MujocoFiles).
 /// @param rate_hz  of rows; 0 for UsualRate.  @param out  the file, or the folder of plots.
-/// @throws InvalidArgument as RowsOfPlan does, and for a value that is not finite.
+/// @param part  kCycle for RowsOfCycle, whose first and last row are one cycle apart.
+/// @throws InvalidArgument as RowsOfPlan and RowsOfCycle do, for a value that is not finite, and for the cycle of a
+/// model.
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
-                          const std::string& out);
+                          const std::string& out, ExportPart part = ExportPart::kAll);
 
 /// Exports a log in a format. @param rate_hz of rows; 0 for the rate of the log. @param plan the played plan, if known;
 /// plots then show both, with all plots of a report. @throws InvalidArgument as RowsOfLog does, and if log and plan are

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kinematics/base/result.h"
 #include "planning/plan/check_motion.h"
 #include "planning/plan/sample_plan.h"
+#include "planning/plan/steady_stretch.h"
 
 namespace gaitwright {
 namespace {
@@ -91,6 +93,23 @@ Place PlaceOf(const std::vector<double>& times, double time_s) {
   return {row, share < kStepRounding ? 0.0 : share, false};
 }
 
+MotionRows RowsAt(const MotionPlan& plan, std::vector<double> times_s) {
+  const WholeBodyTrajectory& motion = plan.whole_body;
+  MotionRows rows;
+  rows.time_s = std::move(times_s);
+  WholeBodySample sample;
+  for (const double time_s : rows.time_s) {
+    SampleWholeBody(motion, time_s, sample);
+    rows.q.push_back(sample.q);
+    rows.v.push_back(sample.v);
+    rows.a.push_back(sample.a);
+    if (!motion.tau.empty()) rows.tau.push_back(sample.tau);
+    if (!motion.wrenches.empty()) rows.wrenches.push_back(sample.wrenches);
+    rows.contact.push_back(ScheduledAt(plan.schedule, time_s));
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<double> TimesAtRate(double start_s, double end_s, double rate_hz, LastTime last) {
@@ -112,19 +131,36 @@ double UsualRate(const MotionPlan& plan) {
 MotionRows RowsOfPlan(const RobotModel& model, const MotionPlan& plan, double rate_hz) {
   CheckMotion(model, plan.whole_body);
   const WholeBodyTrajectory& motion = plan.whole_body;
-  MotionRows rows;
-  rows.time_s = TimesAtRate(motion.start_s, motion.end_s(), rate_hz, LastTime::kBehindEnd);
-  WholeBodySample sample;
-  for (const double time_s : rows.time_s) {
-    SampleWholeBody(motion, time_s, sample);
-    rows.q.push_back(sample.q);
-    rows.v.push_back(sample.v);
-    rows.a.push_back(sample.a);
-    if (!motion.tau.empty()) rows.tau.push_back(sample.tau);
-    if (!motion.wrenches.empty()) rows.wrenches.push_back(sample.wrenches);
-    rows.contact.push_back(ScheduledAt(plan.schedule, time_s));
+  return RowsAt(plan, TimesAtRate(motion.start_s, motion.end_s(), rate_hz, LastTime::kBehindEnd));
+}
+
+CycleRows RowsOfCycle(const RobotModel& model, const MotionPlan& plan, double rate_hz) {
+  CheckMotion(model, plan.whole_body);
+  CheckRate(rate_hz);
+  SteadyStretch longest;
+  for (std::size_t part = 0; part < plan.parts.size(); ++part) {
+    if (const auto stretch = SteadyStretchOf(plan, part); stretch && stretch->cycles > longest.cycles)
+      longest = *stretch;
   }
-  return rows;
+  if (longest.cycles == 0) {
+    throw InvalidArgument(
+        "no cycle of this plan repeats itself: walk farther, or plan with --set trajectory.cycles=periodic");
+  }
+  CycleRows best;
+  double start_s = 0.0;
+  for (int i = 0; i < longest.cycles; ++i) {
+    const double at_s = longest.start_s + i * longest.cycle_s;
+    const Seam seam = SeamBetween(plan, at_s, plan, at_s + longest.cycle_s);
+    if (i > 0 && seam.joints >= best.seam.joints) continue;
+    best.seam = seam;
+    start_s = at_s;
+  }
+  const double frames = std::max(1.0, std::round(rate_hz * longest.cycle_s));
+  std::vector<double> times_s;
+  for (int k = 0; k <= static_cast<int>(frames); ++k) times_s.push_back(start_s + longest.cycle_s * k / frames);
+  best.rows = RowsAt(plan, std::move(times_s));
+  best.rate_hz = frames / longest.cycle_s;
+  return best;
 }
 
 MotionRows RowsOfLog(const RobotModel& model, const PlaybackLog& log, double rate_hz) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kinematics/model/robot_model.h"
+#include "planning/plan/joined_plans.h"
 #include "planning/plan/motion_plan.h"
 #include "playback/log/playback_log.h"
 
@@ -38,6 +39,17 @@ double UsualRate(const MotionPlan& plan);
 /// the time is in contact). If the plan's end is not among the times, one more row has its last posture at rest.
 /// @throws InvalidArgument if the plan does not fit the robot.
 MotionRows RowsOfPlan(const RobotModel& model, const MotionPlan& plan, double rate_hz);
+
+/// One cycle of a plan.
+struct CycleRows {
+  MotionRows rows;       ///< the last one is the first one a cycle later
+  double rate_hz = 0.0;  ///< nearest to the one asked for that has whole steps in a cycle
+  Seam seam;             ///< difference of the last from the first state, independent of their pose in plan view
+};
+
+/// The cycle of the plan's longest steady stretch (SteadyStretchOf) that repeats most exactly, as RowsOfPlan.
+/// @throws InvalidArgument if the plan has none or does not fit the robot.
+CycleRows RowsOfCycle(const RobotModel& model, const MotionPlan& plan, double rate_hz);
 
 /// The samples of the log at its own rate, unchanged. At a lower rate, postures, speeds, torques and forces are
 /// interpolated linearly between samples (the base rotation by the shortest turn), and contacts are those of the sample

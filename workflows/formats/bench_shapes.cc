@@ -82,7 +82,7 @@ DataShape WholeBodyBenchShape() {
                                 {"gait", Text()},
                                 {"speed_m_s", Number()},
                                 {"distance_m", Number()},
-                                {"reason", Text(), "Reason why there is no finished plan, or empty."},
+                                {"reason", Text(), "Reason why there is no finished plan, or what its audit finds; or empty."},
                                 {"planning_cpu_s", Number()},
                                 {"audit", VerdictShape()},
                                 {"whole_body", OrNull(FinishShape())},

@@ -201,7 +201,8 @@ DataShape FinishShape() {
                  {"iterations", Whole(), "Of all solves."},
                  {"solve_cpu_s", Number()},
                  {"residual_force_mg", Number(), "At 1 kHz, divided by the weight."},
-                 {"residual_moment_mgl", Number(), "At 1 kHz, divided by the weight and the leg length."}});
+                 {"residual_moment_mgl", Number(), "At 1 kHz, divided by the weight and the leg length."},
+                 {"periodic_cycles", Whole(), "Steady cycles that repeat exactly (trajectory.cycles=periodic)."}});
 }
 
 DataShape PlanResultShape() {

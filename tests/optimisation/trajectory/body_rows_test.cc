@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <set>
 #include <string>
 
 #include "optimisation/trajectory/body_rows_internal.h"
@@ -33,36 +32,6 @@ TEST_P(RowsOfBodies, MoveAsFiniteDifferencesSay) {
       EXPECT_NEAR(moved[row], difference[row], tolerance * (1.0 + std::abs(difference[row]))) << row << name;
     }
   }
-}
-
-TEST_P(RowsOfBodies, NameWhatTheyAre) {
-  const BodyRows rows(any_.problem, any_.z);
-  std::set<std::string> kinds;
-  for (Eigen::Index row = rows.residuals(); row < rows.count(); ++row) {
-    const std::string name = rows.NameOf(row);
-    EXPECT_NE(name.find(" s"), std::string::npos);
-    kinds.insert(name.substr(0, name.find(' ')));
-  }
-  for (const char* kind : {"balance", "foothold", "swing", "torque", "position", "friction", "start", "distance"})
-    EXPECT_TRUE(kinds.contains(kind)) << kind;
-}
-
-TEST(BodyRows, LandingJointsKeepFurtherFromTheEndsOfTheirRanges) {
-  const AnyProblem any("a1");
-  BodyProblem lands = any.problem;
-  lands.use.landing_margin = 0.2;
-  const BodyRows usual(any.problem, any.z), landing(lands, any.z);
-  double most = 0.0;
-  for (Eigen::Index row = usual.residuals(); row < usual.count(); ++row) {
-    if (!usual.NameOf(row).starts_with("position")) continue;
-    const RowBounds before = usual.BoundsOf(row), now = landing.BoundsOf(row);
-    for (const double kept : {now.lower - before.lower, before.upper - now.upper}) {
-      EXPECT_GE(kept, 0.0);
-      EXPECT_LE(kept, 0.2);
-      most = std::max(most, kept);
-    }
-  }
-  EXPECT_GT(most, 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RowsOfBodies, testing::ValuesIn(kAnyRobots));

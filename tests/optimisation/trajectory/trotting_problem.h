@@ -61,6 +61,7 @@ struct AnyProblem {
     model.motors[0].rotor_inertia = 0.05;
     model.motors[1].corner_speed = 5.0;
     model.motors[1].no_load_speed = 12.0;
+    model.motors[3].acceleration_limit = 40.0;
     problem = LiftingProblem(model, 5);
     Eigen::Index size = model.nv() * (5 + 2);
     for (BodyKnot& knot : problem.knots) {

@@ -184,7 +184,7 @@ TEST_P(Demonstration, QuadrupedIsPushed) {
 }
 
 TEST_P(Demonstration, BipedIsPushed) {
-  EXPECT_GE(PushAround({"nao_walk", "nao", "", "stabilised", Steps(10, 0.04)}, 10.0, 3.5, 1.4), 30);
+  EXPECT_GE(PushAround({"nao_walk", "nao", "", "stabilised", Steps(20, 0.04)}, 10.0, 3.5, 0.7), 30);
 }
 
 TEST_P(Demonstration, UnannouncedGround) {
