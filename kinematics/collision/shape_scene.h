@@ -27,6 +27,12 @@ struct HalfSpace {
   double offset_m = 0.0;
 };
 
+/// Convex solids that do not move.
+struct FixedSolids {
+  std::vector<Shape> shapes;  ///< X_BS is X_WS; `link` is the name of the solid
+  std::vector<HalfSpace> half_spaces;
+};
+
 /// A shape prepared for repeated queries of a scene. Not thread-safe.
 class PreparedShape {
  public:

@@ -18,8 +18,8 @@ constexpr double kMoreRoom = 5e-4;  // [m] by which a distance grows that is not
 
 }  // namespace
 
-ApartPairs::ApartPairs(const RobotModel& model, double margin_m)
-    : model_(model), margin_m_(margin_m), distances_(model), scratch_(model) {
+ApartPairs::ApartPairs(const RobotModel& model, double margin_m, FixedSolids ground)
+    : model_(model), margin_m_(margin_m), distances_(model, std::move(ground)), scratch_(model) {
   if (!(margin_m > 0.0)) throw InvalidArgument("ApartPairs: the margin must be positive");
 }
 

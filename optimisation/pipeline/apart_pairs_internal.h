@@ -11,13 +11,14 @@
 
 namespace gaitwright {
 
-/// Finds pairs of links that touch in a motion, and lets a BodyProblem keep them apart. Links that never touch cost
-/// nothing in the problem.
+/// Finds pairs of links that touch in a motion, and links that touch the ground but belong to no foot, and lets a
+/// BodyProblem keep them apart. Links that never touch cost nothing in the problem.
 class ApartPairs {
  public:
   /// The model must outlive this. @param margin_m  distance that links are to keep at knots; at most half of what they
-  /// have in the standing posture. @throws InvalidArgument unless it is positive.
-  ApartPairs(const RobotModel& model, double margin_m);
+  /// have in the standing posture. @param ground  solids that links are to keep from as well.
+  /// @throws InvalidArgument unless it is positive.
+  ApartPairs(const RobotModel& model, double margin_m, FixedSolids ground = {});
 
   /// Looks at a motion every `step_s`. Each pair that comes nearer there than a quarter of its margin is listed in the
   /// problem (BodyKnot::apart) at all knots near which its links are close; a pair that is listed at all of these knots
@@ -44,7 +45,7 @@ class ApartPairs {
 
   const RobotModel& model_;
   const double margin_m_;
-  SelfDistance distances_;
+  LinkDistances distances_;
   DynamicsScratch scratch_;
   std::map<int, double> wanted_m_;  // of listed pairs
 };

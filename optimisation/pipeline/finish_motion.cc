@@ -15,6 +15,7 @@
 #include "optimisation/trajectory/motor_rows_internal.h"
 #include "planning/footsteps/ways_to_standing_internal.h"
 #include "planning/paths/standing_feet.h"
+#include "planning/plan/terrain_shapes.h"
 
 namespace gaitwright {
 namespace {
@@ -75,7 +76,7 @@ class Finisher {
     rolls_ = RollsOf(model, plan.whole_body, courses_);
     landing_W_.assign(courses_.size(), Vector3::Zero());
     SetCourses();
-    if (options.self_distance_m > 0.0) apart_.emplace(model, options.self_distance_m);
+    if (options.self_distance_m > 0.0) apart_.emplace(model, options.self_distance_m, ConvexSolidsOf(plan.terrain));
   }
 
   Result<MotionPlan> Run();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/collision/self_distance_internal.h"
+#include "kinematics/collision/link_distances_internal.h"
 #include "optimisation/trajectory/chain_spline_internal.h"
 #include "optimisation/trajectory/knot_model_internal.h"
 #include "optimisation/trajectory/turning_chart_internal.h"
@@ -40,7 +40,7 @@ struct FootGoal {
 
 /// Two links that are to keep a distance at a knot.
 struct ApartPair {
-  int pair = 0;          ///< of the problem's SelfDistance
+  int pair = 0;          ///< of the problem's LinkDistances
   double least_m = 0.0;  ///< times BodyLimitUse::apart
 };
 
@@ -132,7 +132,7 @@ struct BodyProblem {
   BodyLimitUse use;
   std::vector<bool> still;  ///< by joint: it stays exactly where the first reference has it; empty: none does
   std::optional<BodyWindow> window;
-  const SelfDistance* distances = nullptr;  ///< of the model; needed if a knot has an ApartPair
+  const LinkDistances* distances = nullptr;  ///< of the model; needed if a knot has an ApartPair
 
   bool StaysStill(int dof) const { return !still.empty() && still[static_cast<std::size_t>(dof)]; }
   double start_s() const { return window ? window->start_s : time_s.front(); }

@@ -114,7 +114,7 @@ class BodyRows : public ElasticRows {
   void SetState(Knot& knot, ChartedState& state);
   void EvaluatePosture(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives);
   Eigen::Index EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives);
-  void EvaluateApart(Knot& knot, const BodyKnot& asked, bool with_derivatives, Eigen::Index first);
+  void EvaluateApart(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives, Eigen::Index first);
   void EvaluatePoints(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives, Eigen::Index first);
   VectorX OfPosture(std::size_t k, const VectorX& of_rows, double of_points) const;
   void FillRows(std::size_t k, const VectorX& y, const VectorX& dense, const VectorX& posture, bool constants,

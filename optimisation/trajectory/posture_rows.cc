@@ -27,7 +27,7 @@ Matrix3 LogDerivative(const Vector3& turn) {
 void BodyRows::EvaluatePosture(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives) {
   if (knot.posture.size() == 0) return;
   const Index feet = EvaluateFeet(knot, asked, with_derivatives);
-  EvaluateApart(knot, asked, with_derivatives != nullptr, feet);
+  EvaluateApart(knot, asked, with_derivatives, feet);
   EvaluatePoints(knot, asked, with_derivatives, feet + static_cast<Index>(asked.apart.size()));
 }
 
@@ -63,15 +63,15 @@ Index BodyRows::EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedSta
   return row;
 }
 
-/// Distances do not depend on the base, so that their derivatives by coordinates are those by v.
-void BodyRows::EvaluateApart(Knot& knot, const BodyKnot& asked, bool with_derivatives, Index first) {
+void BodyRows::EvaluateApart(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives, Index first) {
   VectorX gradient;
   for (const ApartPair& pair : asked.apart) {
     const ConvexDistance at = problem_.distances->At(pair.pair, knot_model_.kinematics());
     knot.posture[first] = kApartUnit * at.distance_m;
-    if (with_derivatives) {
+    if (with_derivatives != nullptr) {
       gradient.setZero(n_);
       problem_.distances->AddGradient(pair.pair, at, knot_model_.kinematics(), kApartUnit, gradient);
+      gradient.segment<3>(3) = (with_derivatives->turn.E.transpose() * gradient.segment<3>(3)).eval();
       knot.J.row(first) = gradient.transpose();
     }
     ++first;

@@ -145,6 +145,9 @@ AuditReport Auditor::Run() {
       return plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, t))].stance;
     };
     stance_ = phase(time_s);
+    const double row_s = plan_.whole_body.step_s;
+    const double before_s = plan_.whole_body.start_s + row_s * std::floor((time_s - plan_.whole_body.start_s) / row_s);
+    between_stances_ = phase(before_s - step) != phase(before_s + row_s + step);
     at_switch_ = phase(time_s - 1.5 * step) != stance_ || phase(time_s + 1.5 * step) != stance_;
     InverseDynamics(model_, sample_.q, sample_.v, sample_.a, scratch_, needed_);
     FindFooting(time_s);

@@ -162,6 +162,7 @@ void Auditor::CheckZmp(double time_s) {
   const double limit = has_area && !at_switch_ ? 1e-6 : std::max(kSupportLine, slight);
   findings_.Hold(places_.zmp, time_s, outside, limit, limit - outside);
   if (plan_.centroidal.size() != plan_.whole_body.size()) return;
+  if (between_stances_) return;  // between rows of different stances, the reference may be of neither
   // With feet at several heights, the reference is in another plane.
   if (FarthestFrom(SupportPlaneAt(plan_.schedule, time_s, points_), points_, stance_) > kCoplanar) return;
   const double reference = -SignedDistance(support, SampleCentroidal(plan_.centroidal, time_s).p_WZ);

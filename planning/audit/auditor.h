@@ -114,6 +114,7 @@ class Auditor {
   FootSet stance_ = 0;
   bool forces_hold_ = false;      // the plan's contact forces give the needed wrench, inside their cones
   bool flies_ = false;            // no foot is in contact; see Flies
+  bool between_stances_ = false;  // feet land or lift from the row before this time to the row after it, both included
   bool at_switch_ = false;        // a foot lands or lifts within one sample of this time
   GroundPlane plane_;             // through the points of the standing feet
   double com_height_m_ = 0.0;     // above plane_

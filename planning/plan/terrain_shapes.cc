@@ -28,31 +28,35 @@ Shape HullShape(const std::vector<Vector3>& corners_W) {
 
 }  // namespace
 
-ShapeScene SolidsOf(const Terrain& terrain) {
-  std::vector<Shape> shapes;
-  std::vector<GridSolid> grids;
-  std::vector<HalfSpace> half_spaces;
+FixedSolids ConvexSolidsOf(const Terrain& terrain) {
+  FixedSolids solids;
   for (std::size_t i = 0; i < terrain.patches.size(); ++i) {
     const TerrainPatch& patch = terrain.patches[i];
     const std::string name = NameOf(patch.name, "patch", i);
     if (patch.outline_T.empty()) {
       const Vector3 normal_W = patch.X_WT.linear().col(2);
-      half_spaces.push_back({name, normal_W, normal_W.dot(patch.X_WT.translation())});
+      solids.half_spaces.push_back({name, normal_W, normal_W.dot(patch.X_WT.translation())});
     } else {
-      shapes.push_back(HullShape(SolidUnder(patch)));
-      shapes.back().link = name;
+      solids.shapes.push_back(HullShape(SolidUnder(patch)));
+      solids.shapes.back().link = name;
     }
   }
   for (std::size_t i = 0; i < terrain.obstacles.size(); ++i) {
-    shapes.push_back(ShapeOf(terrain.obstacles[i]));
-    shapes.back().link = NameOf(terrain.obstacles[i].name, "obstacle", i);
+    solids.shapes.push_back(ShapeOf(terrain.obstacles[i]));
+    solids.shapes.back().link = NameOf(terrain.obstacles[i].name, "obstacle", i);
   }
+  return solids;
+}
+
+ShapeScene SolidsOf(const Terrain& terrain) {
+  const FixedSolids solids = ConvexSolidsOf(terrain);
+  std::vector<GridSolid> grids;
   for (std::size_t i = 0; i < terrain.height_fields.size(); ++i) {
     const HeightField& field = terrain.height_fields[i];
     grids.push_back({NameOf(field.name, "height field", i), field.origin_W, field.resolution_m, field.columns,
                      field.rows, field.height_m, kSolidDepth});
   }
-  return ShapeScene(shapes, grids, half_spaces);
+  return ShapeScene(solids.shapes, grids, solids.half_spaces);
 }
 
 std::vector<Vector2> PlanOutline(const TerrainPatch& patch) {

@@ -12,6 +12,9 @@ namespace gaitwright {
 /// @throws InvalidArgument for a height field without a height for each node.
 ShapeScene SolidsOf(const Terrain& terrain);
 
+/// Those of them that are convex: all but the volumes below height fields.
+FixedSolids ConvexSolidsOf(const Terrain& terrain);
+
 /// The corners of a patch in plan view, in W; empty for an infinite plane.
 std::vector<Vector2> PlanOutline(const TerrainPatch& patch);
 

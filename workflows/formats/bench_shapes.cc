@@ -77,16 +77,17 @@ DataShape BenchResultShape() {
 }
 
 DataShape WholeBodyBenchShape() {
-  const DataShape one = Object({{"case", Text(), "ROBOT-GAIT-SPEED."},
-                                {"robot", Text()},
-                                {"gait", Text()},
-                                {"speed_m_s", Number()},
-                                {"distance_m", Number()},
-                                {"reason", Text(), "Reason why there is no finished plan, or what its audit finds; or empty."},
-                                {"planning_cpu_s", Number()},
-                                {"audit", VerdictShape()},
-                                {"whole_body", OrNull(FinishShape())},
-                                {"ms_an_iteration", Number(), "CPU time."}});
+  const DataShape one =
+      Object({{"case", Text(), "ROBOT-GAIT-SPEED."},
+              {"robot", Text()},
+              {"gait", Text()},
+              {"speed_m_s", Number()},
+              {"distance_m", Number()},
+              {"reason", Text(), "Reason why there is no finished plan, or what its audit finds; or empty."},
+              {"planning_cpu_s", Number()},
+              {"audit", VerdictShape()},
+              {"whole_body", OrNull(FinishShape())},
+              {"ms_an_iteration", Number(), "CPU time."}});
   return Object({{"bench", Text({"whole-body"})}, {"cases", List(one)}});
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "kinematics/model/upper_body.h"
 #include "optimisation/pipeline/apart_pairs_internal.h"
@@ -75,6 +76,24 @@ TEST(ApartPairs, ListAPairAroundTheTimeAtWhichItTouches) {
   EXPECT_EQ(in.Listed(), listed) << "pairs stay listed";
   ApartPairs::Clear(in.problem);
   EXPECT_EQ(in.Listed(), 0U);
+}
+
+/// A wall on the left, into which the arm swings.
+TEST(ApartPairs, ListLinksThatTouchASolid) {
+  ArmMotion out(0.6);
+  const FixedSolids wall{{}, {{"wall", -Vector3::UnitY(), -0.5}}};
+  ApartPairs pairs(out.model, 0.004, wall);
+  EXPECT_TRUE(pairs.Watch(out.motion, out.problem));
+  EXPECT_GT(out.Listed(), 10U);
+  EXPECT_LT(out.Listed(), out.problem.knots.size());
+  ASSERT_FALSE(pairs.Listed().empty());
+  for (const std::string& pair : pairs.Listed()) {
+    EXPECT_NE(pair.find("left"), std::string::npos) << pair;
+    EXPECT_NE(pair.find("and 'wall'"), std::string::npos) << pair;
+  }
+  EXPECT_EQ(out.problem.knots[50].apart.front().least_m, 0.004);
+  ApartPairs without(out.model, 0.004);
+  EXPECT_FALSE(without.Watch(out.motion, out.problem));
 }
 
 TEST(ApartPairs, RiseToTheirMarginFromAPostureThatIsPinned) {

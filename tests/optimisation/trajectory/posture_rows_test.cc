@@ -32,7 +32,7 @@ struct StandingRows {
   }
 
   RobotModel model;
-  SelfDistance distances;
+  LinkDistances distances;
   BodyProblem problem;
 };
 

@@ -53,7 +53,8 @@ inline BodyProblem LiftingProblem(const RobotModel& model, int knots) {
 }
 
 /// A problem of one of kAnyRobots with something of everything (rolled spheres and tilted ground, losses and curves, a
-/// row that is left out, links that are kept apart, points near places, weights by coordinate), and random unknowns.
+/// row that is left out, links that are kept apart and off a slope, points near places, weights by coordinate), and
+/// random unknowns.
 struct AnyProblem {
   explicit AnyProblem(const std::string& name) : model(AnyRobot(name)) {
     RandomState random(7);
@@ -77,7 +78,9 @@ struct AnyProblem {
         size += 3 * static_cast<Eigen::Index>(foot.contact.points_F.size());
     }
     problem.knots[2].pressing.front().axes_W = RotationExp({0.3, -0.1, 0.2});
-    problem.distances = &distances.emplace(model);
+    FixedSolids solids;
+    solids.half_spaces.push_back({"slope", Vector3(0.1, -0.2, 1.0).normalized(), 0.1});
+    problem.distances = &distances.emplace(model, solids);
     for (int pair = 0; pair < std::min(4, distances->num_pairs()); ++pair)
       problem.knots[1].apart.push_back({pair, 0.1});
     const int last = static_cast<int>(model.bodies.size()) - 1;
@@ -89,7 +92,7 @@ struct AnyProblem {
   AnyProblem(const AnyProblem&) = delete;  // the problem refers to the model
 
   RobotModel model;
-  std::optional<SelfDistance> distances;
+  std::optional<LinkDistances> distances;
   BodyProblem problem;
   VectorX z;
 };

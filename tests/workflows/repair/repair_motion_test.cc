@@ -91,6 +91,30 @@ TEST(RepairMotion, TakesArmsOutOfTheTrunk) {
   }
 }
 
+/// An arm that swings into a wall on the left.
+TEST(RepairMotion, TakesAnArmOutOfAWall) {
+  const RobotModel& model = NamedRobot("h1");
+  EvenMotion motion = synthetic::Standing(model, 201);
+  const int dof = FindUpperBody(model).left_arm->dofs[1];
+  for (int k = 0; k < motion.size(); ++k)
+    motion.q[static_cast<std::size_t>(k)][7 + dof] += 0.6 * std::pow(std::sin(M_PI * k / 200.0), 2.0);
+  RepairRequest request = RequestOf(synthetic::FramesOf(model, motion));
+  request.ground = FlatTerrain();
+  Obstacle wall;
+  wall.name = "wall";
+  wall.X_WO.translation() = Vector3(0.0, 1.0, 1.0);
+  wall.size_m = Vector3(2.0, 1.0, 2.0);
+  request.ground->obstacles.push_back(wall);
+  const auto repaired = RepairMotion(model, request);
+  ASSERT_TRUE(repaired.ok()) << repaired.failure().message;
+  ASSERT_TRUE(repaired->findings.before);
+  ASSERT_FALSE(repaired->findings.before->pass());
+  EXPECT_EQ(repaired->findings.before->violations.front().law, Law::kBodyClearance);
+  EXPECT_TRUE(repaired->after.pass()) << AuditText(repaired->after);
+  ASSERT_FALSE(repaired->finished.apart.empty());
+  EXPECT_NE(repaired->finished.apart.front().find("and 'wall'"), std::string::npos);
+}
+
 TEST(RepairMotion, KeepsAMotionThatIsSound) {
   const RobotModel& model = NamedRobot("a1");
   const RepairRequest request = RequestOf(synthetic::FramesOf(model, synthetic::Standing(model, 101)));

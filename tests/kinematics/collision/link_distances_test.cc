@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "kinematics/collision/collision_checker.h"
-#include "kinematics/collision/self_distance_internal.h"
+#include "kinematics/collision/link_distances_internal.h"
 #include "tests/kinematics/made_robots.h"
 #include "tests/optimisation/numerics/derivative_check.h"
 
@@ -20,7 +22,7 @@ VectorX Tangled(const RobotModel& model, RandomState& random) {
 class DistancesOfLinks : public testing::TestWithParam<const char*> {
  protected:
   RobotModel model_ = Robot(GetParam());
-  SelfDistance distances_{model_};
+  LinkDistances distances_{model_};
   DynamicsScratch scratch_{model_};
   RandomState random_{11};
 };
@@ -73,7 +75,7 @@ TEST_P(DistancesOfLinks, DoNotDependOnWhatWasSeenBefore) {
     VectorX q = from;
     q.tail(model_.num_dofs()) += k / 40.0 * (to - from).tail(model_.num_dofs());
     ForwardKinematics(model_, q, scratch_);
-    SelfDistance fresh(model_);
+    LinkDistances fresh(model_);
     const std::vector<NearPair>&near = distances_.Near(scratch_, 0.02), &wanted = fresh.Near(scratch_, 0.02);
     ASSERT_EQ(near.size(), wanted.size());
     for (std::size_t i = 0; i < near.size(); ++i) {
@@ -87,6 +89,65 @@ TEST_P(DistancesOfLinks, DoNotDependOnWhatWasSeenBefore) {
 
 TEST_P(DistancesOfLinks, ArePositiveAsTheRobotStands) {
   for (int i = 0; i < distances_.num_pairs(); ++i) EXPECT_GT(distances_.standing_m(i), 0.0) << distances_.NameOf(i);
+}
+
+/// A tilted half space and a box among the links.
+FixedSolids SomeSolids() {
+  FixedSolids solids;
+  solids.half_spaces.push_back({"slope", Vector3(0.1, -0.2, 1.0).normalized(), 0.1});
+  Shape box;
+  box.type = ShapeType::kBox;
+  box.size = Vector3(0.3, 0.2, 0.4);
+  box.link = "box";
+  box.X_BS.translation() = Vector3(0.1, 0.1, 0.3);
+  solids.shapes.push_back(box);
+  return solids;
+}
+
+TEST_P(DistancesOfLinks, ToSolidsMoveWithTheBaseToo) {
+  const LinkDistances all(model_, SomeSolids());
+  EXPECT_GT(all.num_pairs(), distances_.num_pairs());
+  int overlaps = 0, apart = 0;
+  for (int trial = 0; trial < 6; ++trial) {
+    const VectorX q = Tangled(model_, random_);
+    ForwardKinematics(model_, q, scratch_);
+    for (int pair = distances_.num_pairs(); pair < all.num_pairs(); ++pair) {
+      const double distance_m = all.At(pair, scratch_).distance_m;
+      EXPECT_TRUE(std::isinf(all.standing_m(pair)));
+      (distance_m < 0.0 ? overlaps : apart) += 1;
+    }
+    ExpectDerivative(
+        [&](const VectorX& along, VectorX& value, MatrixX* J) {
+          ForwardKinematics(model_, Moved(q, along, 1.0), scratch_);
+          const int first = distances_.num_pairs();
+          value.resize(all.num_pairs() - first);
+          if (J != nullptr) J->setZero(value.size(), model_.nv());
+          for (int pair = first; pair < all.num_pairs(); ++pair) {
+            const ConvexDistance at = all.At(pair, scratch_);
+            value[pair - first] = at.distance_m;
+            VectorX gradient = VectorX::Zero(model_.nv());
+            all.AddGradient(pair, at, scratch_, 1.0, gradient);
+            if (J != nullptr) J->row(pair - first) = gradient.transpose();
+          }
+        },
+        VectorX::Zero(model_.nv()), 2e-4);
+  }
+  EXPECT_GT(apart, 5);
+}
+
+TEST_P(DistancesOfLinks, NameSolidsThatAreNear) {
+  LinkDistances all(model_, SomeSolids());
+  ForwardKinematics(model_, StandingConfiguration(model_), scratch_);
+  const std::vector<NearPair> near = all.Near(scratch_, 10.0);
+  EXPECT_EQ(static_cast<int>(near.size()), all.num_pairs());
+  std::set<std::string> solids;
+  for (const NearPair& pair : near) {
+    EXPECT_EQ(pair.distance_m, all.At(pair.pair, scratch_).distance_m);
+    const std::string name = all.NameOf(pair.pair);
+    solids.insert(name.substr(name.find(" and ") + 5));
+  }
+  EXPECT_TRUE(solids.contains("'slope'"));
+  EXPECT_TRUE(solids.contains("'box'"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, DistancesOfLinks, testing::Values("a1", "nao", "h1"));

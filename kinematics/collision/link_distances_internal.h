@@ -5,27 +5,28 @@
 #include <vector>
 
 #include "kinematics/collision/convex_distance_internal.h"
+#include "kinematics/collision/shape_scene.h"
 #include "kinematics/dynamics/dynamics.h"
 
 namespace gaitwright {
 
-/// A pair of links whose shapes are near each other.
+/// Two links whose shapes are near each other, or a link and a solid.
 struct NearPair {
-  int pair = 0;  ///< index, from 0 to SelfDistance::num_pairs()
+  int pair = 0;  ///< index, from 0 to LinkDistances::num_pairs()
   double distance_m = 0.0;
 };
 
-/// Signed distances of the pairs of shapes that CollisionChecker checks, with gradients. Negative distances are depths
-/// of overlaps.
-class SelfDistance {
+/// Signed distances of the pairs of shapes that CollisionChecker checks, and of all shapes that belong to no foot to
+/// fixed solids, with gradients. Negative distances are depths of overlaps.
+class LinkDistances {
  public:
   /// The model must outlive this.
-  explicit SelfDistance(const RobotModel& model);
+  explicit LinkDistances(const RobotModel& model, FixedSolids solids = {});
 
   int num_pairs() const { return static_cast<int>(pairs_.size()); }
-  /// The links of a pair, such as "'left_hand' and 'left_hip'".
+  /// The links or solids of a pair, such as "'left_hand' and 'left_hip'".
   std::string NameOf(int pair) const;
-  /// Distance of a pair in the standing posture [m], positive.
+  /// Distance of two links in the standing posture [m], positive; infinite for a link and a solid.
   double standing_m(int pair) const { return pairs_[Of(pair)].standing_m; }
 
   /// Distance of a pair at the scratch's pose. Needs ForwardKinematics, and so do the functions below.
@@ -33,7 +34,7 @@ class SelfDistance {
 
   /// Adds a multiple of the derivative of a pair's distance along the directions of v:
   ///   n . (J_B - J_A),   J of the witness points.
-  /// The columns of the base are zero, since the distance does not depend on the place of the robot.
+  /// For two links the columns of the base are zero, since the distance does not depend on the place of the robot.
   /// @param gradient  size nv.
   void AddGradient(int pair, const ConvexDistance& at, const DynamicsScratch& scratch, double multiple,
                    Eigen::Ref<VectorX> gradient) const;
@@ -50,18 +51,25 @@ class SelfDistance {
     double path_m = 0.0;           // bound on the path length of any of its points since the start
   };
   struct Pair {
-    int a = 0, b = 0;
+    int a = 0, b = 0;  // robot's shapes, then solids, then half spaces
     double standing_m = 0.0;
     double free_m;  // sum of the two paths up to which the distance is surely positive; less the depth of an overlap
   };
   static std::size_t Of(int i) { return static_cast<std::size_t>(i); }
-  const Shape& ShapeOf(int i) const { return model_.collision_shapes[Of(i)]; }
+  int num_shapes() const { return static_cast<int>(model_.collision_shapes.size()); }
+  bool IsSolid(int i) const { return i >= num_shapes(); }
+  const HalfSpace* HalfSpaceOf(int i) const;
+  const Shape& ShapeOf(int i) const;
+  const std::string& NameOfPart(int i) const;
+  Pose PoseOf(int i, const DynamicsScratch& scratch) const;
+  void AddSolidPairs();
   void Move(const DynamicsScratch& scratch);
   void AddPointGradient(int body, const Vector3& p_WQ, const Vector3& along_W, const DynamicsScratch& scratch,
                         Eigen::Ref<VectorX> gradient) const;
 
   const RobotModel& model_;
-  std::vector<Part> parts_;  // by collision shape
+  FixedSolids solids_;
+  std::vector<Part> parts_;  // by shape of the robot, then of the solids
   std::vector<Pair> pairs_;
   std::vector<NearPair> near_;
 };
