@@ -14,13 +14,53 @@
 namespace gaitwright {
 namespace {
 
-ConvexDistance ApartFrom(const HalfSpace& half_space, const Shape& shape, const Pose& X_WS) {
+/// Points of which the convex hull is a shape, or the part of it that is farthest along a direction; in S.
+std::vector<Vector3> CornersAlong(const Shape& shape, const Vector3& direction_S) {
+  std::vector<Vector3> corners = shape.vertices;
+  if (shape.type == ShapeType::kBox) {
+    for (int i = 0; i < 8; ++i) {
+      const Vector3 sign(i % 2 == 0 ? -0.5 : 0.5, i / 2 % 2 == 0 ? -0.5 : 0.5, i / 4 == 0 ? -0.5 : 0.5);
+      corners.emplace_back(sign.cwiseProduct(shape.size));
+    }
+  } else if (shape.type == ShapeType::kCylinder || shape.type == ShapeType::kCapsule) {
+    const Vector3 end = SupportPoint(shape, direction_S);
+    const double length = shape.size.y();
+    corners = {end, end - Vector3(0.0, 0.0, std::copysign(length, direction_S.z()))};
+  } else if (shape.type == ShapeType::kSphere) {
+    corners = {SupportPoint(shape, direction_S)};
+  }
+  return corners;
+}
+
+/// The corner of a shape, in W, that is nearest to a half space, at least `apart_m` from all of some points of W;
+/// nothing if there is none.
+std::optional<Vector3> NextCorner(const std::vector<Vector3>& corners_S, const Pose& X_WS, const HalfSpace& side,
+                                  double apart_m, const std::vector<ConvexDistance>& taken) {
+  std::optional<Vector3> next_W;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector3& corner_S : corners_S) {
+    const Vector3 corner_W = X_WS * corner_S;
+    const double height = side.normal_W.dot(corner_W);
+    const bool is_apart =
+        std::ranges::all_of(taken, [&](const ConvexDistance& at) { return (at.p_WA - corner_W).norm() >= apart_m; });
+    if (!is_apart || height >= least) continue;
+    least = height;
+    next_W = corner_W;
+  }
+  return next_W;
+}
+
+ConvexDistance PointOver(const HalfSpace& half_space, const Vector3& p_WA) {
   ConvexDistance at;
   at.n_W = -half_space.normal_W;
-  at.p_WA = X_WS * SupportPoint(shape, X_WS.linear().transpose() * at.n_W);
-  at.distance_m = half_space.normal_W.dot(at.p_WA) - half_space.offset_m;
-  at.p_WB = at.p_WA + at.distance_m * at.n_W;
+  at.p_WA = p_WA;
+  at.distance_m = half_space.normal_W.dot(p_WA) - half_space.offset_m;
+  at.p_WB = p_WA + at.distance_m * at.n_W;
   return at;
+}
+
+ConvexDistance ApartFrom(const HalfSpace& half_space, const Shape& shape, const Pose& X_WS) {
+  return PointOver(half_space, X_WS * SupportPoint(shape, -(X_WS.linear().transpose() * half_space.normal_W)));
 }
 
 }  // namespace
@@ -35,17 +75,20 @@ LinkDistances::LinkDistances(const RobotModel& model, FixedSolids solids) : mode
     pairs_.push_back({a, b, 0.0, -std::numeric_limits<double>::infinity()});
     pairs_.back().standing_m = At(num_pairs() - 1, scratch).distance_m;
   }
-  AddSolidPairs();
+  AddSolidPairs(scratch);
 }
 
-/// Feet are where footholds and swings are.
-void LinkDistances::AddSolidPairs() {
+/// Feet are where footholds and swings are, and so are links that touch the ground in the standing posture.
+void LinkDistances::AddSolidPairs(const DynamicsScratch& standing) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
+  const HalfSpace ground;
   const int solids = static_cast<int>(solids_.shapes.size() + solids_.half_spaces.size());
   for (int a = 0; a < num_shapes(); ++a) {
     const bool of_foot =
         std::ranges::any_of(model_.feet, [&](const Foot& foot) { return IsShapeOfFoot(foot, ShapeOf(a)); });
-    for (int b = num_shapes(); b < num_shapes() + solids && !of_foot; ++b) pairs_.push_back({a, b, kNone, -kNone});
+    const double standing_m = ApartFrom(ground, ShapeOf(a), PoseOf(a, standing)).distance_m;
+    for (int b = num_shapes(); b < num_shapes() + solids && !of_foot && standing_m > 0.0; ++b)
+      pairs_.push_back({a, b, standing_m, -kNone});
   }
 }
 
@@ -77,6 +120,39 @@ ConvexDistance LinkDistances::At(int pair, const DynamicsScratch& scratch) const
   const auto& [a, b, standing_m, free_m] = pairs_[Of(pair)];
   if (const HalfSpace* half_space = HalfSpaceOf(b)) return ApartFrom(*half_space, ShapeOf(a), PoseOf(a, scratch));
   return DistanceOf(ShapeOf(a), PoseOf(a, scratch), ShapeOf(b), PoseOf(b, scratch));
+}
+
+/// The half space of the plane side of a solid at a link's nearest point; nothing if an edge or a corner is nearest, or
+/// a round side.
+std::optional<HalfSpace> LinkDistances::SideFacing(int solid, const ConvexDistance& nearest) const {
+  if (const HalfSpace* half_space = HalfSpaceOf(solid)) return *half_space;
+  constexpr double kOnSide = 1e-6;  // [m]
+  constexpr std::size_t kOfSide = 3;
+  const Shape& shape = ShapeOf(solid);
+  HalfSpace side{shape.link, -nearest.n_W, -nearest.n_W.dot(nearest.p_WB)};
+  std::size_t on_side = 0;
+  for (const Vector3& corner_S : CornersAlong(shape, shape.X_BS.linear().transpose() * side.normal_W))
+    on_side += std::abs(side.normal_W.dot(shape.X_BS * corner_S) - side.offset_m) < kOnSide ? 1 : 0;
+  if (on_side < kOfSide) return std::nullopt;
+  return side;
+}
+
+void LinkDistances::PointsAt(int pair, const DynamicsScratch& scratch, std::vector<ConvexDistance>& points) const {
+  constexpr double kApart = 0.2;  // of a link's radius
+  const Pair& of = pairs_[Of(pair)];
+  points.assign(1, At(pair, scratch));
+  if (!IsSolid(of.b)) return;
+  if (const std::optional<HalfSpace> side = SideFacing(of.b, points.front())) {
+    const Shape& link = ShapeOf(of.a);
+    const Pose X_WS = PoseOf(of.a, scratch);
+    const std::vector<Vector3> corners_S = CornersAlong(link, -(X_WS.linear().transpose() * side->normal_W));
+    while (static_cast<int>(points.size()) < kPointsOfSolids) {
+      const auto next_W = NextCorner(corners_S, X_WS, *side, kApart * parts_[Of(of.a)].radius, points);
+      if (!next_W) break;
+      points.push_back(PointOver(*side, *next_W));
+    }
+  }
+  points.resize(kPointsOfSolids, points.front());
 }
 
 /// The derivative of the position of a point of a body along a direction, without the columns of the base.

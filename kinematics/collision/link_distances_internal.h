@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,18 @@ class LinkDistances {
   int num_pairs() const { return static_cast<int>(pairs_.size()); }
   /// The links or solids of a pair, such as "'left_hand' and 'left_hip'".
   std::string NameOf(int pair) const;
-  /// Distance of two links in the standing posture [m], positive; infinite for a link and a solid.
+  /// Distance of two links in the standing posture [m], positive; for a link and a solid, that of
+  /// the link to the ground.
   double standing_m(int pair) const { return pairs_[Of(pair)].standing_m; }
 
   /// Distance of a pair at the scratch's pose. Needs ForwardKinematics, and so do the functions below.
   ConvexDistance At(int pair, const DynamicsScratch& scratch) const;
+
+  /// How many points a pair is held by: a link that lies flat on a face of a solid touches it in several.
+  int num_points(int pair) const { return IsSolid(pairs_[Of(pair)].b) ? kPointsOfSolids : 1; }
+  /// The pair's distance at its points, the nearest first. Where a link faces a plane side of a solid, the others are
+  /// those of its corners that are nearest to this side, apart from each other; else they are all the first.
+  void PointsAt(int pair, const DynamicsScratch& scratch, std::vector<ConvexDistance>& points) const;
 
   /// Adds a multiple of the derivative of a pair's distance along the directions of v:
   ///   n . (J_B - J_A),   J of the witness points.
@@ -45,6 +53,7 @@ class LinkDistances {
   const std::vector<NearPair>& Near(const DynamicsScratch& scratch, double within_m);
 
  private:
+  static constexpr int kPointsOfSolids = 4;
   struct Part {
     double radius = 0.0;           // about the shape's origin
     Pose X_BS = Pose::Identity();  // in the robot's base
@@ -62,7 +71,8 @@ class LinkDistances {
   const Shape& ShapeOf(int i) const;
   const std::string& NameOfPart(int i) const;
   Pose PoseOf(int i, const DynamicsScratch& scratch) const;
-  void AddSolidPairs();
+  void AddSolidPairs(const DynamicsScratch& standing);
+  std::optional<HalfSpace> SideFacing(int solid, const ConvexDistance& nearest) const;
   void Move(const DynamicsScratch& scratch);
   void AddPointGradient(int body, const Vector3& p_WQ, const Vector3& along_W, const DynamicsScratch& scratch,
                         Eigen::Ref<VectorX> gradient) const;

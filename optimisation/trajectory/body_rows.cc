@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "optimisation/trajectory/body_rows_internal.h"
 
@@ -124,7 +125,10 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
     case kCone:
       return knot.forces / 3 * kPyramidSides;
     case kApart:
-      return asked.pins_place ? 0 : static_cast<Index>(asked.apart.size());
+      if (asked.pins_place) return 0;
+      return std::accumulate(asked.apart.begin(), asked.apart.end(), Index{0}, [&](Index rows, const ApartPair& pair) {
+        return rows + problem_.distances->num_points(pair.pair);
+      });
     case kPinnedPlace:
       return asked.pins_place ? n_ : 0;
     case kPinnedMotion:

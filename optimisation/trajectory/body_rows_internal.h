@@ -132,6 +132,7 @@ class BodyRows : public ElasticRows {
   void AddToChain(std::size_t k);
   const BodyKnot& Asked(std::size_t k) const { return problem_.knots[k]; }
   double MostAcceleration(int dof) const;
+  const ApartPair& PairOf(const BodyKnot& asked, Eigen::Index apart_row) const;
   double StillnessOf(Eigen::Index coordinate) const;
   double NearWeight(std::size_t k, Eigen::Index coordinate) const;
   double AccelerationWeight(Eigen::Index coordinate) const;
@@ -156,6 +157,7 @@ class BodyRows : public ElasticRows {
   MatrixX square_, yy_, coupled_, mixed_, chain_square_, scaled_;
   KnotForces forces_;
   KnotFoot foot_;
+  std::vector<ConvexDistance> apart_points_;
   mutable VectorX flat_, dense_, posture_;
 };
 

@@ -28,7 +28,7 @@ void BodyRows::EvaluatePosture(Knot& knot, const BodyKnot& asked, const ChartedS
   if (knot.posture.size() == 0) return;
   const Index feet = EvaluateFeet(knot, asked, with_derivatives);
   EvaluateApart(knot, asked, with_derivatives, feet);
-  EvaluatePoints(knot, asked, with_derivatives, feet + static_cast<Index>(asked.apart.size()));
+  EvaluatePoints(knot, asked, with_derivatives, feet + CountOf(knot, asked, kApart));
 }
 
 /// @return how many rows these are.
@@ -66,15 +66,17 @@ Index BodyRows::EvaluateFeet(Knot& knot, const BodyKnot& asked, const ChartedSta
 void BodyRows::EvaluateApart(Knot& knot, const BodyKnot& asked, const ChartedState* with_derivatives, Index first) {
   VectorX gradient;
   for (const ApartPair& pair : asked.apart) {
-    const ConvexDistance at = problem_.distances->At(pair.pair, knot_model_.kinematics());
-    knot.posture[first] = kApartUnit * at.distance_m;
-    if (with_derivatives != nullptr) {
-      gradient.setZero(n_);
-      problem_.distances->AddGradient(pair.pair, at, knot_model_.kinematics(), kApartUnit, gradient);
-      gradient.segment<3>(3) = (with_derivatives->turn.E.transpose() * gradient.segment<3>(3)).eval();
-      knot.J.row(first) = gradient.transpose();
+    problem_.distances->PointsAt(pair.pair, knot_model_.kinematics(), apart_points_);
+    for (const ConvexDistance& at : apart_points_) {
+      knot.posture[first] = kApartUnit * at.distance_m;
+      if (with_derivatives != nullptr) {
+        gradient.setZero(n_);
+        problem_.distances->AddGradient(pair.pair, at, knot_model_.kinematics(), kApartUnit, gradient);
+        gradient.segment<3>(3) = (with_derivatives->turn.E.transpose() * gradient.segment<3>(3)).eval();
+        knot.J.row(first) = gradient.transpose();
+      }
+      ++first;
     }
-    ++first;
   }
 }
 

@@ -18,6 +18,15 @@ constexpr double kOfLanding = 0.18;  // of the way from the standing posture: la
 
 }  // namespace
 
+/// The pair of a row of distances.
+const ApartPair& BodyRows::PairOf(const BodyKnot& asked, Index apart_row) const {
+  for (const ApartPair& pair : asked.apart) {
+    apart_row -= problem_.distances->num_points(pair.pair);
+    if (apart_row < 0) return pair;
+  }
+  throw InvalidArgument("BodyRows: no pair of links has this row");
+}
+
 RowBounds BodyRows::BoundsOf(Index row) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const auto above = std::upper_bound(knots_.begin(), knots_.end(), row,
@@ -47,8 +56,8 @@ RowBounds BodyRows::BoundsOf(Index row) const {
   }
   if (row >= knot.row[kCone] && row < knot.row[kApart]) return {-kNone, -problem_.use.cone_margin};
   if (row >= knot.row[kApart] && row < knot.row[kPinnedPlace]) {
-    const std::vector<ApartPair>& apart = Asked(static_cast<std::size_t>(&knot - knots_.data())).apart;
-    return {kApartUnit * problem_.use.apart * apart[static_cast<std::size_t>(row - knot.row[kApart])].least_m, kNone};
+    const BodyKnot& asked = Asked(static_cast<std::size_t>(&knot - knots_.data()));
+    return {kApartUnit * problem_.use.apart * PairOf(asked, row - knot.row[kApart]).least_m, kNone};
   }
   return {0.0, 0.0};
 }
@@ -84,7 +93,8 @@ std::string BodyRows::NameOf(Index row) const {
       left -= goal.count();
     }
   }
-  if (within(kApart)) what = fmt::format("distance of {}", problem_.distances->NameOf(Asked(k).apart[at(kApart)].pair));
+  if (within(kApart))
+    what = fmt::format("distance of {}", problem_.distances->NameOf(PairOf(Asked(k), row - knot.row[kApart]).pair));
   if (within(kCone)) {
     Index left = (row - knot.row[kCone]) / kPyramidSides;
     for (const PressingFoot& foot : Asked(k).pressing) {

@@ -113,7 +113,7 @@ TEST_P(DistancesOfLinks, ToSolidsMoveWithTheBaseToo) {
     ForwardKinematics(model_, q, scratch_);
     for (int pair = distances_.num_pairs(); pair < all.num_pairs(); ++pair) {
       const double distance_m = all.At(pair, scratch_).distance_m;
-      EXPECT_TRUE(std::isinf(all.standing_m(pair)));
+      EXPECT_GT(all.standing_m(pair), 0.0) << "above the ground";
       (distance_m < 0.0 ? overlaps : apart) += 1;
     }
     ExpectDerivative(
@@ -133,6 +133,30 @@ TEST_P(DistancesOfLinks, ToSolidsMoveWithTheBaseToo) {
         VectorX::Zero(model_.nv()), 2e-4);
   }
   EXPECT_GT(apart, 5);
+}
+
+/// The nearest point first; over a plane side other corners of the link, with their own distances to it.
+TEST_P(DistancesOfLinks, ToSolidsHaveSeveralPoints) {
+  const LinkDistances all(model_, SomeSolids());
+  std::vector<ConvexDistance> points;
+  int corners = 0;
+  for (int trial = 0; trial < 6; ++trial) {
+    ForwardKinematics(model_, Tangled(model_, random_), scratch_);
+    all.PointsAt(0, scratch_, points);
+    EXPECT_EQ(points.size(), 1U) << "of two links";
+    for (int pair = distances_.num_pairs(); pair < all.num_pairs(); ++pair) {
+      all.PointsAt(pair, scratch_, points);
+      ASSERT_EQ(static_cast<int>(points.size()), all.num_points(pair));
+      EXPECT_EQ(points.front().distance_m, all.At(pair, scratch_).distance_m);
+      for (const ConvexDistance& at : points) {
+        EXPECT_GE(at.distance_m, points.front().distance_m - 1e-9);
+        EXPECT_LT((at.n_W - points.front().n_W).norm(), 1e-9);
+        EXPECT_LT((at.p_WB - at.p_WA - at.distance_m * at.n_W).norm(), 1e-9);
+        corners += (at.p_WA - points.front().p_WA).norm() > 1e-3 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(corners, 10);
 }
 
 TEST_P(DistancesOfLinks, NameSolidsThatAreNear) {
