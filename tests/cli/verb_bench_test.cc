@@ -71,6 +71,17 @@ TEST_F(Bench, WholeBodiesAreFinished) {
   ExpectRefused(Run({"bench", "whole-body", "--only", "horse"}), 1, {"no case name contains 'horse'", "a1-trot-3.5"});
 }
 
+TEST_F(Bench, StepTasksAreThoseOfAnyRobot) {
+  const Ran ran = Run({"bench", "whole-body", "--robot", "go1", "--only", "trot", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  ASSERT_EQ(ran.json().at("cases").size(), 1U);
+  const Json one = ran.json().at("cases")[0];
+  EXPECT_EQ(one.at("case"), "go1-step-trot");
+  EXPECT_EQ(one.at("audit"), "pass") << one.at("reason");
+  EXPECT_LE(one.at("whole_body").at("iterations").get<int>(), 30);
+  ExpectRefused(Run({"bench", "whole-body", "--robot", "nao", "--only", "trot"}), 1, {"trot", "step-walk"});
+}
+
 TEST_F(Bench, RefusesWhatThereIsNot) {
   ExpectRefused(Run({"bench", "centroidal", "--only", "hyq-1-gap", "--timing", "loose"}), 1, {"loose", "fixed"});
 

@@ -49,6 +49,24 @@ TEST_F(Exchange, ImportReadsBackAllFormatsOfFrames) {
   }
 }
 
+TEST_F(Exchange, ExportWritesOneCycleOfAPeriodicWalk) {
+  ASSERT_EQ(Run({"plan", "--robot", "a1", "--gait", "trot", "--speed", "0.8", "--distance", "1.6", "--set",
+                 "trajectory.cycles=periodic", "--out", "trot.json"})
+                .status,
+            0);
+  const Ran ran = Run({"export", "trot.json", "--cycle", "--format", "frames-json", "--rate-hz", "60", "--out",
+                       "cycle.json", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Json cycle = Json::parse(Read("cycle.json"));
+  EXPECT_EQ(cycle.at("LoopMode"), "Wrap");
+  const Json first = cycle.at("Frames").front(), last = cycle.at("Frames").back();
+  EXPECT_EQ(cycle.at("Frames").size(), ran.json().at("rows"));
+  for (std::size_t i = 7; i < first.size(); ++i) EXPECT_NEAR(first[i].get<double>(), last[i].get<double>(), 2e-6) << i;
+  EXPECT_GT(last[0].get<double>(), first[0].get<double>() + 0.1);
+  ExpectRefused(Run({"export", "out/log.json", "--robot", "a1", "--cycle"}), 1, {"--cycle is for plans"});
+  ExpectRefused(Run({"export", "trot.json", "--cycle", "--format", "mjcf"}), 1, {"has no cycle"});
+}
+
 TEST_F(Exchange, ExportRefusesWhatItCannotDo) {
   ExpectRefused(Run({"export", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE", "--robot a1"});
   ExpectRefused(Run({"export", "out/log.json", "--robot", "nao"}), 1, {"the log is of robot 'a1'", "'nao'"});

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import json
 import time
 
 import gaitwright as gw
@@ -55,6 +56,15 @@ def test_plans_and_logs_go_through_files(trot, playback, tmp_path):
     trot.export(str(tmp_path / "motion.csv"))
     imported = gw.import_motion(trot.robot, str(tmp_path / "motion.csv"))
     assert imported.q[-1, :3] == pytest.approx(trot.q[-1, :3], abs=1e-3)
+
+
+def test_one_cycle_of_a_periodic_walk_is_exported(a1, tmp_path):
+    walk = gw.plan_walk(a1, gait="trot", speed=0.8, distance=1.6, options={"trajectory.cycles": "periodic"})
+    notes = walk.export(tmp_path / "cycle.json", "frames-json", 60.0, cycle=True)
+    assert any("one cycle" in note for note in notes)
+    cycle = json.loads((tmp_path / "cycle.json").read_text())
+    assert cycle["LoopMode"] == "Wrap"
+    assert cycle["Frames"][-1][7:] == pytest.approx(cycle["Frames"][0][7:], abs=2e-6)
 
 
 def test_a_playback_is_the_same_each_time(trot, playback):

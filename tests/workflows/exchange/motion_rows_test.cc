@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "kinematics/base/non_finite.h"
+#include "optimisation/search/plan_walk.h"
 #include "planning/plan/sample_plan.h"
+#include "tests/named_robot.h"
 #include "tests/workflows/exchange/quoted_walker.h"
 
 namespace gaitwright {
@@ -27,6 +29,30 @@ TEST(MotionRows, OfAPlanAreItsOwnRowsAtItsOwnRateAndInterpolatedBetween) {
   SampleWholeBody(walker.plan.whole_body, fine.time_s[777], sample);
   EXPECT_TRUE(AreSame(fine.q[777], sample.q) && AreSame(fine.v[777], sample.v) && AreSame(fine.a[777], sample.a));
   EXPECT_GT((fine.q[777] - own.q[777 / 5]).norm(), 1e-6) << "between two nodes it is neither";
+}
+
+TEST(MotionRows, OfACycleEndWhereTheNextCycleBegins) {
+  WalkRequest request;
+  request.gait = "trot";
+  request.gait_options.cycle_step_s = 0.005;
+  request.command.distance_m = 1.5;
+  request.command.speed_m_s = 0.4;
+  const RobotModel& model = NamedRobot("a1");
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  const MotionPlan& plan = planned->motion.plan;
+  const double cycle_s = plan.parts[0].gait.cycle_s;
+  const CycleRows cycle = RowsOfCycle(model, plan, 60.0);
+  const MotionRows& rows = cycle.rows;
+  EXPECT_EQ(rows.size(), std::lround(60.0 * cycle_s) + 1);
+  EXPECT_NEAR(cycle.rate_hz, (rows.size() - 1) / cycle_s, 1e-9);
+  EXPECT_NEAR(rows.time_s.back() - rows.time_s.front(), cycle_s, 1e-9);
+  EXPECT_LT((rows.q.front().tail(12) - rows.q.back().tail(12)).cwiseAbs().maxCoeff(), cycle.seam.joints + 1e-9);
+  EXPECT_LT(cycle.seam.joints, 1e-3);
+  EXPECT_NEAR(rows.q.back()[0] - rows.q.front()[0], 0.4 * cycle_s, 2e-3);
+  EXPECT_EQ(rows.contact.front(), rows.contact.back());
+  const QuotedWalker walker;
+  EXPECT_THROW(RowsOfCycle(walker.model, walker.plan, 60.0), InvalidArgument) << "it takes one step";
 }
 
 TEST(MotionRows, AreEvenlySpacedAtRatesThatDoNotMeetTheEndToo) {

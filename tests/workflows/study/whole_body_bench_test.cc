@@ -19,6 +19,20 @@ TEST(WholeBodyBench, NamesItsCases) {
   EXPECT_TRUE(WholeBodyCases("horse").empty());
 }
 
+/// Of Crocoddyl's examples: a quadruped's walk has four swings of 0.25 s and 0.25 m in a cycle of 1.08 s.
+TEST(WholeBodyBench, StatesTasksByTheirSteps) {
+  const std::vector<WholeBodyCase> tasks = StepTasks("dog", 4);
+  ASSERT_EQ(tasks.size(), 5U);
+  EXPECT_EQ(tasks[0].name, "dog-step-walk");
+  EXPECT_NEAR(tasks[0].timing.cycle_s, 1.08, 1e-12);
+  EXPECT_NEAR((1.0 - tasks[0].timing.duty_factor) * 1.08, 0.25, 1e-12);
+  EXPECT_NEAR(tasks[0].speed_m_s * 1.08, 0.25, 1e-12);
+  EXPECT_EQ(tasks[0].swing_height_m, 0.15);
+  ASSERT_EQ(StepTasks("man", 2).size(), 1U);
+  EXPECT_NEAR(StepTasks("man", 2)[0].timing.cycle_s, 2.7, 1e-12);
+  EXPECT_TRUE(StepTasks("ant", 6).empty());
+}
+
 TEST(WholeBodyBench, MeasuresAFinishedPlan) {
   const WholeBodyOutcome outcome = RunWholeBodyCase({"a1-pronk", "a1", "pronk", 0.5, 0.3}, {});
   ASSERT_TRUE(outcome.finished) << outcome.reason;
