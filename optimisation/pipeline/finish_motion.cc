@@ -274,8 +274,10 @@ bool Finisher::Tighten(const SolvedTrajectory& solved, double start_s, double en
 Result<MotionPlan> Finisher::Run() {
   BodyProblem problem = ProblemOf(model_, plan_, courses_, knots_s_, settings_);
   problem.knots.front().pins_place = follow_ == nullptr;
-  TieCycles(cycles_, problem);
-  for (const RepeatedCycles& cycles : cycles_) report_.cycles += cycles.count();
+  if (problem.chart.yaw_first()) {
+    TieCycles(cycles_, problem);
+    for (const RepeatedCycles& cycles : cycles_) report_.cycles += cycles.count();
+  }
   PressingByKnot to_edges = PressingOf(problem);
   KeepFromEdges(follow_ == nullptr ? SoleMargin{} : SoleMargin{follow_->sole_margin_m, kFollowedShare}, problem);
   if (follow_ != nullptr && follow_->prepare) follow_->prepare(problem);
