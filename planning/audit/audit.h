@@ -65,7 +65,8 @@ struct AuditOptions {
 ///   friction_cone  tangential force at most friction times normal force
 ///   zmp_support    multibody ZMP, on the plane of the contacts, inside the hull of the scheduled soles (only the parts
 ///                  on their surfaces), or within 2 mm of the hull if it is a line. With a load under an eighth of the
-///                  weight, the tolerance is a moment of 1e-3 m g h. The plan's ZMP reference is checked to 5 mm.
+///                  weight, the tolerance is a moment of 1e-3 m g h. The plan's ZMP reference is checked to 5 mm,
+///                  except between rows with a change of stance.
 ///                  For contacts that are not in one plane, the contact forces are checked instead
 ///   foot_clearance the whole foot against all solids of the terrain (SolidsOf): at most 0.1 mm deep in swing, 1 mm in
 ///                  stance, and a value between them near both ends of a swing (SwingDepth)
