@@ -144,7 +144,6 @@ void AddExport(Verb program, int& status) {
   AddCommon(verb, a->common,
             {"export plan.json --format csv --rate-hz 500 --out motion.csv",
              "export plan.json --format joint-trajectory-yaml --out trajectory.yaml",
-             "export plan.json --cycle --format frames-json --rate-hz 60 --out cycle.json",
              "export out/log.json --plan out/plan.json --format npz --out motion.npz"});
   SetWork(verb, a->common, status, [a] { return RunExport(*a); });
 }

@@ -128,6 +128,7 @@ class BodyRows : public ElasticRows {
   Eigen::Index powers() const { return problem_.weights.power > 0.0 ? motors_.count() : 0; }
   void FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const;
   void AddSquares(std::size_t k, const VectorX& weights);
+  void AddDiagonal(std::size_t k, const VectorX& weights);
   bool EliminateForces(std::size_t k, double damping);
   void AddToChain(std::size_t k);
   const BodyKnot& Asked(std::size_t k) const { return problem_.knots[k]; }

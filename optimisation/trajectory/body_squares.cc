@@ -118,12 +118,33 @@ void BodyRows::AddGradient(std::size_t k, const VectorX& by, VectorX& gradient) 
   gradient.segment(knots_[k].force, knots_[k].forces) += flat_.tail(knots_[k].forces);
 }
 
+/// The weighted squares of a knot's rows of one value each.
+void BodyRows::AddDiagonal(std::size_t k, const VectorX& weights) {
+  const Knot& knot = knots_[k];
+  const BodyKnot& asked = Asked(k);
+  auto diagonal = square_.diagonal();
+  for (Index i = 0; i < n_; ++i) {
+    diagonal[i] += std::pow(share_[k] * NearWeight(k, i), 2);
+    diagonal[2 * n_ + i] += std::pow(share_[k] * AccelerationWeight(i), 2);
+  }
+  diagonal.tail(knot.forces).array() += std::pow(share_[k] * problem_.weights.force, 2);
+  for (Index i = 0; i < knot.row[kRange] - knot.row[kAcceleration]; ++i) {
+    const int dof = accelerated_[static_cast<std::size_t>(i)];
+    diagonal[2 * n_ + 6 + dof] += weights[knot.row[kAcceleration] + i] / std::pow(MostAcceleration(dof), 2);
+  }
+  for (Index i = 0; i < knot.row[kCone] - knot.row[kRange]; ++i)
+    diagonal[6 + ranged_[static_cast<std::size_t>(i)]] += weights[knot.row[kRange] + i];
+  if (asked.tie) diagonal.head(3 * n_) += tie_unit_.cwiseAbs2().cwiseProduct(weights.segment(knot.row[kTied], 3 * n_));
+  if (asked.pins_place) diagonal.head(n_) += weights.segment(knot.row[kPinnedPlace], n_);
+  if (asked.pins_motion) diagonal.segment(n_, 2 * n_) += weights.segment(knot.row[kPinnedMotion], 2 * n_);
+}
+
 /// The lower triangle of the weighted squares of a knot's rows, by y.
 void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   const Knot& knot = knots_[k];
   const BodyKnot& asked = Asked(k);
   const Index m = motors_.count(), size = knot.y.size();
-  const double effort = share_[k] * problem_.weights.effort, force_weight = share_[k] * problem_.weights.force;
+  const double effort = share_[k] * problem_.weights.effort;
   dense_.resize(6 + m + powers());
   dense_.head<6>().setZero();
   dense_.segment(6, m).setConstant(effort * effort);
@@ -161,27 +182,13 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
       square_(at, at) += effort_row[at];
     }
   }
-  auto diagonal = square_.diagonal();
-  for (Index i = 0; i < n_; ++i) {
-    diagonal[i] += std::pow(share_[k] * NearWeight(k, i), 2);
-    diagonal[2 * n_ + i] += std::pow(share_[k] * AccelerationWeight(i), 2);
-  }
-  diagonal.tail(knot.forces).array() += force_weight * force_weight;
-  for (Index i = 0; i < knot.row[kRange] - knot.row[kAcceleration]; ++i) {
-    const int dof = accelerated_[static_cast<std::size_t>(i)];
-    diagonal[2 * n_ + 6 + dof] += weights[knot.row[kAcceleration] + i] / std::pow(MostAcceleration(dof), 2);
-  }
-  for (Index i = 0; i < knot.row[kCone] - knot.row[kRange]; ++i)
-    diagonal[6 + ranged_[static_cast<std::size_t>(i)]] += weights[knot.row[kRange] + i];
+  AddDiagonal(k, weights);
   row = knot.row[kCone];
   Index force = 3 * n_;
   for (const PressingFoot& foot : asked.pressing) {
     for (std::size_t p = 0; p < foot.contact.points_F.size(); ++p, force += 3, row += kPyramidSides)
       square_.block<3, 3>(force, force) += SquareOfSides(foot, weights.segment(row, kPyramidSides));
   }
-  if (asked.tie) diagonal.head(3 * n_) += tie_unit_.cwiseAbs2().cwiseProduct(weights.segment(knot.row[kTied], 3 * n_));
-  if (asked.pins_place) diagonal.head(n_) += weights.segment(knot.row[kPinnedPlace], n_);
-  if (asked.pins_motion) diagonal.segment(n_, 2 * n_) += weights.segment(knot.row[kPinnedMotion], 2 * n_);
 }
 
 /// From a knot's squares by y: factors of the forces' own block, and their coupling to control points.

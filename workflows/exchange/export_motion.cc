@@ -121,7 +121,7 @@ std::string CycleNote(const CycleRows& cycle) {
   return fmt::format(
       "one cycle of {:.6g} s: the last row is the first one a cycle later, to {:.1e} rad or m of the joints and {:.1e} "
       "rad/s or m/s of their rates",
-      cycle.rows.time_s.back() - cycle.rows.time_s.front(), cycle.seam.joints, cycle.seam.joint_rates);
+      cycle.rows.time_s.back() - cycle.rows.time_s.front(), cycle.joints, cycle.joint_rates);
 }
 
 ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz,

@@ -151,8 +151,9 @@ CycleRows RowsOfCycle(const RobotModel& model, const MotionPlan& plan, double ra
   for (int i = 0; i < longest.cycles; ++i) {
     const double at_s = longest.start_s + i * longest.cycle_s;
     const Seam seam = SeamBetween(plan, at_s, plan, at_s + longest.cycle_s);
-    if (i > 0 && seam.joints >= best.seam.joints) continue;
-    best.seam = seam;
+    if (i > 0 && seam.joints >= best.joints) continue;
+    best.joints = seam.joints;
+    best.joint_rates = seam.joint_rates;
     start_s = at_s;
   }
   const double frames = std::max(1.0, std::round(rate_hz * longest.cycle_s));

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "kinematics/model/robot_model.h"
-#include "planning/plan/joined_plans.h"
 #include "planning/plan/motion_plan.h"
 #include "playback/log/playback_log.h"
 
@@ -42,9 +41,10 @@ MotionRows RowsOfPlan(const RobotModel& model, const MotionPlan& plan, double ra
 
 /// One cycle of a plan.
 struct CycleRows {
-  MotionRows rows;       ///< the last one is the first one a cycle later
-  double rate_hz = 0.0;  ///< nearest to the one asked for that has whole steps in a cycle
-  Seam seam;             ///< difference of the last from the first state, independent of their pose in plan view
+  MotionRows rows;           ///< the last one is the first one a cycle later
+  double rate_hz = 0.0;      ///< nearest to the one asked for that has whole steps in a cycle
+  double joints = 0.0;       ///< largest difference of a joint of the last row from the first [rad], [m]
+  double joint_rates = 0.0;  ///< the same of its rate [rad/s], [m/s]
 };
 
 /// The cycle of the plan's longest steady stretch (SteadyStretchOf) that repeats most exactly, as RowsOfPlan.

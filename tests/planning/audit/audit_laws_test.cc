@@ -124,6 +124,22 @@ TEST_P(AuditLaw, ZmpSupportFindsAReferenceOutside) {
   EXPECT_NEAR(At(found, "reference of the zero-moment point").at_s, row_s(), 1e-9);
 }
 
+/// Between the rows before and after a change of stance, the reference may be of neither stance.
+TEST_P(AuditLaw, ZmpSupportLooksAtTheReferenceInsideAStanceOnly) {
+  const auto violated_by = [&](double time_s) {
+    MotionPlan plan = good();
+    const double row = std::round((time_s - plan.whole_body.start_s) / plan.whole_body.step_s);
+    plan.centroidal.p_WZ[static_cast<std::size_t>(row)].y() += 0.2;
+    const auto found = ViolationsOf(model(), plan);
+    return std::ranges::any_of(found,
+                               [](const Violation& v) { return v.where == "reference of the zero-moment point"; });
+  };
+  const ContactPhase& swing = good().schedule.phases[1];
+  EXPECT_FALSE(violated_by(swing.start_s));
+  EXPECT_FALSE(violated_by(swing.end_s));
+  EXPECT_TRUE(violated_by(0.5 * (swing.start_s + swing.end_s)));
+}
+
 TEST_P(AuditLaw, JointPositionFindsALimitPassed) {
   const int dof = MovingDof(model());
   const auto [at_s, most] = LargestOf(model(), good(), [&](const Moment& moment) { return moment.sample.q[7 + dof]; });
