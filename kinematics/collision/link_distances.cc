@@ -14,22 +14,14 @@
 namespace gaitwright {
 namespace {
 
-/// Points of which the convex hull is a shape, or the part of it that is farthest along a direction; in S.
+/// The corners of a box or a mesh; of a round shape, the point that is farthest along a direction, and for a cylinder
+/// or a capsule the same point of its other end. In S.
 std::vector<Vector3> CornersAlong(const Shape& shape, const Vector3& direction_S) {
-  std::vector<Vector3> corners = shape.vertices;
-  if (shape.type == ShapeType::kBox) {
-    for (int i = 0; i < 8; ++i) {
-      const Vector3 sign(i % 2 == 0 ? -0.5 : 0.5, i / 2 % 2 == 0 ? -0.5 : 0.5, i / 4 == 0 ? -0.5 : 0.5);
-      corners.emplace_back(sign.cwiseProduct(shape.size));
-    }
-  } else if (shape.type == ShapeType::kCylinder || shape.type == ShapeType::kCapsule) {
-    const Vector3 end = SupportPoint(shape, direction_S);
-    const double length = shape.size.y();
-    corners = {end, end - Vector3(0.0, 0.0, std::copysign(length, direction_S.z()))};
-  } else if (shape.type == ShapeType::kSphere) {
-    corners = {SupportPoint(shape, direction_S)};
-  }
-  return corners;
+  if (shape.type == ShapeType::kBox) return BoxCorners(shape.size);
+  if (shape.type == ShapeType::kMesh) return shape.vertices;
+  const Vector3 end = SupportPoint(shape, direction_S);
+  if (shape.type == ShapeType::kSphere) return {end};
+  return {end, end - Vector3(0.0, 0.0, std::copysign(shape.size.y(), direction_S.z()))};
 }
 
 /// The corner of a shape, in W, that is nearest to a half space, at least `apart_m` from all of some points of W;
@@ -78,7 +70,8 @@ LinkDistances::LinkDistances(const RobotModel& model, FixedSolids solids) : mode
   AddSolidPairs(scratch);
 }
 
-/// Feet are where footholds and swings are, and so are links that touch the ground in the standing posture.
+/// Shapes of feet have no such pairs, because footholds and swings decide where feet are. Shapes that touch the ground
+/// in the standing posture have none either.
 void LinkDistances::AddSolidPairs(const DynamicsScratch& standing) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const HalfSpace ground;

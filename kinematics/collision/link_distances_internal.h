@@ -34,7 +34,7 @@ class LinkDistances {
   /// Distance of a pair at the scratch's pose. Needs ForwardKinematics, and so do the functions below.
   ConvexDistance At(int pair, const DynamicsScratch& scratch) const;
 
-  /// How many points a pair is held by: a link that lies flat on a face of a solid touches it in several.
+  /// Number of points that PointsAt gives: several for a link and a solid, because a flat link can touch it in several.
   int num_points(int pair) const { return IsSolid(pairs_[Of(pair)].b) ? kPointsOfSolids : 1; }
   /// The pair's distance at its points, the nearest first. Where a link faces a plane side of a solid, the others are
   /// those of its corners that are nearest to this side, apart from each other; else they are all the first.

@@ -30,6 +30,15 @@ Vector3 SupportPoint(const Shape& shape, const Vector3& direction_S) {
                            [&](const Vector3& a, const Vector3& b) { return a.dot(direction_S) < b.dot(direction_S); });
 }
 
+std::vector<Vector3> BoxCorners(const Vector3& size_m) {
+  std::vector<Vector3> corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3 sign(i % 2 == 0 ? -0.5 : 0.5, i / 2 % 2 == 0 ? -0.5 : 0.5, i / 4 == 0 ? -0.5 : 0.5);
+    corners.emplace_back(sign.cwiseProduct(size_m));
+  }
+  return corners;
+}
+
 double BoundingRadius(const Shape& shape) {
   if (shape.type == ShapeType::kBox) return 0.5 * shape.size.norm();
   if (shape.type == ShapeType::kSphere) return shape.size.x();

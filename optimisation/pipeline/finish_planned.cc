@@ -26,9 +26,8 @@ void FinishPlanned(const RobotModel& model, const MotionOptions& options, Planne
   for (std::string& warning : LimitWarnings(model, finished->whole_body)) finished->warnings.push_back(warning);
   if (options.trajectory.cycles == "periodic" && report.cycles == 0) {
     finished->warnings.emplace_back(
-        "trajectory.cycles=periodic has no effect: the plan has no two moments one whole cycle apart at the same "
-        "speed; "
-        "walk farther or more slowly");
+        "trajectory.cycles=periodic has no effect: the plan has no two moments one cycle apart between which all feet "
+        "move equally far; walk farther");
   }
   planned.plan = std::move(*finished);
   planned.finished = report;

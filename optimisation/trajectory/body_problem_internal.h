@@ -72,10 +72,10 @@ struct BodyKnot {
   VectorX near_scale;   ///< factors of the weights on the distance from the reference, by coordinate; empty: all 1
   /// Wrench on the base about its origin that the spline leaves unbalanced [N, N m]; see SolvedTrajectory.
   Vector6 residual_W = Vector6::Zero();
-  bool pins_place = false;   ///< the position is that of the reference
-  bool pins_motion = false;  ///< rate and acceleration are those of the reference
-  std::optional<CycleTie> tie;
-  bool is_given = false;  ///< place and motion are those of the reference, and nothing else is asked or weighed
+  bool pins_place = false;      ///< the position is that of the reference
+  bool pins_motion = false;     ///< rate and acceleration are those of the reference
+  std::optional<CycleTie> tie;  ///< the state of a cycle is repeated here
+  bool is_given = false;        ///< place and motion are those of the reference, and nothing else is asked or weighed
 };
 
 /// What the rows of a knot's feet may be off by, in their order [m], [rad].
@@ -96,7 +96,7 @@ struct BodyWeights {
 /// Shares of limits that a motion may use at knots. Controllers need room for corrections, and more is used between
 /// knots.
 struct BodyLimitUse {
-  double effort = 0.92, speed = 0.97;  ///< of acceleration limits: as of speeds
+  double effort = 0.92, speed = 0.97;  ///< shares of the limits of torque, and of those of speed and acceleration
   double range_margin = 0.015;         ///< to the ends of a joint's range [rad], [m]; smaller near the start and end
   double landing_margin = 0.0;  ///< the same for landings, where joints go further than planned; smaller to an end that
                                 ///< is near the standing posture

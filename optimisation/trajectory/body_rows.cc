@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kUnit = 0.01;    // [s] of time that weights are for
-constexpr double kTieTime = 0.1;  // [s] for which rates and their own rates count in ties
+constexpr double kTieTime = 0.1;  // [s] by which rates of ties are multiplied, and accelerations twice
 constexpr double kStill = 100.0;  // of weights of joints that stick
 
 /// A side of the pyramid inside a friction cone: the force along it is at most zero.

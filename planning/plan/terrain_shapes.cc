@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/model/shape_support.h"
+
 namespace gaitwright {
 namespace {
 
@@ -69,10 +71,7 @@ std::vector<Vector2> PlanOutline(const TerrainPatch& patch) {
 std::vector<Vector3> CornersOf(const Obstacle& obstacle) {
   std::vector<Vector3> corners = obstacle.vertices_O;
   if (obstacle.type == ShapeType::kBox) {
-    for (int i = 0; i < 8; ++i) {
-      const Vector3 sign(i % 2 == 0 ? -0.5 : 0.5, i / 2 % 2 == 0 ? -0.5 : 0.5, i / 4 == 0 ? -0.5 : 0.5);
-      corners.emplace_back(sign.cwiseProduct(obstacle.size_m));
-    }
+    corners = BoxCorners(obstacle.size_m);
   } else if (obstacle.type == ShapeType::kCylinder) {
     constexpr int kSides = 32;
     for (int i = 0; i < 2 * kSides; ++i) {
