@@ -11,27 +11,18 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/robot_model.h"
+#include "kinematics/model/shape_support.h"
 
 namespace gaitwright {
 
-/// Corners of a box about the origin; corner i is on the plus side of axis k if bit k of i is set.
-inline std::vector<Vector3> BoxCorners(const Vector3& half) {
-  std::vector<Vector3> corners;
-  for (int i = 0; i < 8; ++i) {
-    corners.emplace_back((i & 1) != 0 ? half.x() : -half.x(), (i & 2) != 0 ? half.y() : -half.y(),
-                         (i & 4) != 0 ? half.z() : -half.z());
-  }
-  return corners;
-}
-
-/// Triangles of the box, as indices of corners.
+/// Triangles of a box, as indices of its BoxCorners.
 inline std::vector<std::array<int, 3>> BoxTriangles() {
   return {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
           {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
 }
 
 inline std::string BinaryStl(const Vector3& half) {
-  const auto corners = BoxCorners(half);
+  const auto corners = BoxCorners(2.0 * half);
   std::string bytes(80, '\0');
   const auto append = [&bytes](const auto& value) {
     char raw[sizeof(value)];
@@ -50,7 +41,7 @@ inline std::string BinaryStl(const Vector3& half) {
 }
 
 inline std::string TextStl(const Vector3& half) {
-  const auto corners = BoxCorners(half);
+  const auto corners = BoxCorners(2.0 * half);
   std::ostringstream text;
   text << "solid box\n";
   for (const auto& triangle : BoxTriangles()) {
@@ -65,7 +56,7 @@ inline std::string TextStl(const Vector3& half) {
 
 inline std::string Obj(const Vector3& half) {
   std::ostringstream text;
-  for (const Vector3& corner : BoxCorners(half)) text << "v " << corner.transpose() << "\n";
+  for (const Vector3& corner : BoxCorners(2.0 * half)) text << "v " << corner.transpose() << "\n";
   for (const auto& t : BoxTriangles()) text << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
   return text.str();
 }
@@ -76,7 +67,7 @@ inline std::string Collada(const Vector3& half, double metres) {
   text << "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">"
        << "<asset><unit name=\"u\" meter=\"" << metres << "\"/><up_axis>Z_UP</up_axis></asset>"
        << "<library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"24\">";
-  for (const Vector3& corner : BoxCorners(half)) text << corner.transpose() << " ";
+  for (const Vector3& corner : BoxCorners(2.0 * half)) text << corner.transpose() << " ";
   text << "</float_array><technique_common><accessor source=\"#a\" count=\"8\" stride=\"3\"><param name=\"X\" "
           "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
           "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"

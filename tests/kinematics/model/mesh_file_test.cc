@@ -44,7 +44,7 @@ class MeshFile : public testing::Test {
 const Vector3 kHalf(0.1, 0.05, 0.01);
 
 TEST_F(MeshFile, EveryKindGivesTheSameBox) {
-  const std::vector<Vector3> corners = HullPoints(BoxCorners(kHalf));
+  const std::vector<Vector3> corners = HullPoints(BoxCorners(2.0 * kHalf));
   ASSERT_EQ(corners.size(), 8U);
   for (const std::string& path :
        {Write("binary.stl", BinaryStl(kHalf)), Write("text.STL", TextStl(kHalf)), Write("box.obj", Obj(kHalf)),
