@@ -15,7 +15,7 @@ namespace gaitwright {
 struct OdometryOptions {
   double stance_slip_m_s_sqrt_hz = 0.002;
   double landing_slip_m_s_sqrt_hz = 0.1;
-  double stance_turn_rad_s_sqrt_hz = 0.01;
+  double stance_turn_rad_s_sqrt_hz = 0.1;
   double landing_turn_rad_s_sqrt_hz = 0.5;
   double trust_s = 0.02;
   double trust_load = 0.1;

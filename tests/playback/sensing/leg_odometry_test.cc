@@ -63,6 +63,21 @@ TEST(LegOdometry, PerfectSensorsGiveTheTruth) {
   }
 }
 
+/// A sole that turns onto the ground in the middle of its stance turns the sole, not the estimate of the base.
+TEST(LegOdometry, ASoleThatRocksInStanceDoesNotTiltTheEstimate) {
+  for (const Vector3& turn : {Vector3(0.05, 0.0, 0.0), Vector3(0.0, -0.05, 0.0), Vector3(0.0, 0.0, 0.05)}) {
+    Case c(swaying::OnASole(), FootBit(0), Hobby(3));
+    c.robot.RockSoles(turn, 0.5, 0.12);
+    const auto off_after = [&](int steps) -> Error {
+      for (int k = 0; k < steps; ++k) c.Step();
+      return c.Off();
+    };
+    const Error before = off_after(500), after = off_after(140);
+    EXPECT_LT((after - before).head<3>().norm(), 0.2 * turn.norm()) << turn.transpose();
+    EXPECT_LT(after.segment<3>(3).norm(), 0.03) << turn.transpose();
+  }
+}
+
 /// Effect of an initial error, or a bias, without feet, from differences of complete predictions.
 Error LedTo(int index, double size) {
   const RobotModel model = LoadNamedRobot("a1").value();

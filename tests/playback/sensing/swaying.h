@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -27,9 +28,17 @@ class Robot {
     home_ = q;
   }
 
+  /// From a time on, all soles that stand turn about their middles, at a constant rate for `for_s`, and stay so.
+  void RockSoles(const Vector3& turn_W, double from_s, double for_s) {
+    rock_W_ = turn_W;
+    rock_from_s_ = from_s;
+    rock_for_s_ = for_s;
+  }
+
   /// The state at a time; velocities are differences over the step, as in the simulator.
   void MoveTo(double t, double step_s) {
     const VectorX before = q;
+    rocked_ = RotationExp(std::clamp((t - rock_from_s_) / rock_for_s_, 0.0, 1.0) * rock_W_);
     const double ramp = 1.0 - std::exp(-4.0 * t * t);
     const Vector3 way(0.02 * std::sin(5.0 * t), 0.015 * std::sin(7.0 * t + 1.0) - 0.0126, 0.01 * std::sin(4.0 * t));
     const Vector3 turn(0.05 * std::sin(6.0 * t), 0.06 * std::sin(4.5 * t), 0.08 * std::sin(3.0 * t));
@@ -61,7 +70,7 @@ class Robot {
       J.middleRows(row, size) = jacobian_.topRightCorner(size, model.num_dofs());
       Vector6 error;
       error << places_[i].translation() - X_WF.translation(),
-          RotationLog(places_[i].linear() * X_WF.linear().transpose());
+          RotationLog(rocked_ * places_[i].linear() * X_WF.linear().transpose());
       off.segment(row, size) = error.head(size);
       row += size;
     }
@@ -73,6 +82,9 @@ class Robot {
   std::vector<std::size_t> feet_;
   std::vector<Pose> places_;
   VectorX home_;
+  Vector3 rock_W_ = Vector3::Zero();
+  double rock_from_s_ = 0.0, rock_for_s_ = 1.0;
+  Matrix3 rocked_ = Matrix3::Identity();
 };
 
 /// A quadruped on point feet.
