@@ -5,6 +5,7 @@
 #include "cli/policy_arguments_internal.h"
 #include "cli/trials_arguments.h"
 #include "cli/walk_arguments.h"
+#include "workflows/study/orbit_stability_internal.h"
 #include "workflows/study/trial.h"
 
 namespace gaitwright::cli {
@@ -17,6 +18,7 @@ struct PlaySettings {
   OptionsFile options;
   DisturbanceArguments disturbances;
   Outputs outputs;
+  bool orbit = false;
 };
 
 /// Plays the plan, under the disturbances of one trial if they are given.
@@ -38,6 +40,10 @@ int RunPlay(PlaySettings& a) {
   ApplySets("--set", a.common.sets, a.play.Fields());
   a.play.Finish();
   a.input.Check();
+  if (a.orbit && a.input.is_policy())
+    throw InvalidArgument("--orbit needs a plan, because a policy has no planned cycles");
+  if (a.orbit && !a.disturbances.file.empty())
+    throw InvalidArgument("--orbit measures the gait without the disturbances of a trial; leave out --disturbances");
   Paths paths;
   a.input.AddPathsTo(paths);
   paths.Write("--log", a.outputs.log, {".json"});
@@ -57,6 +63,12 @@ int RunPlay(PlaySettings& a) {
   if (!audit) return Report(audit.failure(), a.common);
   const Result<PlayedWalk> played = PlayAsAsked(a, input->model, input->plan);
   if (!played) return Report(played.failure(), a.common);
+  std::optional<OrbitStability> orbit;
+  if (a.orbit) {
+    Result<OrbitStability> measured = MeasureOrbit(input->model, input->plan, a.play.request, {.threads = 0});
+    if (!measured) return Report(measured.failure(), a.common);
+    orbit = std::move(*measured);
+  }
   const Judged judged{input->model, input->plan, *played, *audit};
   Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
@@ -64,7 +76,9 @@ int RunPlay(PlaySettings& a) {
   files->insert(files->begin(), read.begin(), read.end());
   std::vector<std::pair<std::string, std::string>> more;
   if (input->prepared) more.emplace_back("policy", PolicyJson(input->model, *input->prepared->policy));
+  if (orbit) more.emplace_back("orbit", OrbitJson(*orbit));
   PrintJudged(judged, *files, a.common, more);
+  if (orbit && !a.common.json && !a.common.quiet) fmt::print("{}\n", OrbitText(*orbit));
   return judged.pass() ? kPass : kVerdictFail;
 }
 
@@ -79,6 +93,9 @@ void AddPlay(Verb program, int& status) {
   a->options.AddTo(verb);
   verb.SetGroup("Playback and disturbances");
   a->disturbances.AddTo(verb, "none; with it, this plays the trial of --seed");
+  verb.SetGroup("Stability of the gait");
+  verb.AddSwitch("--orbit", a->orbit,
+                 "Also play 24 times with small pushes, and report the Floquet multipliers of the steady gait.");
   verb.SetGroup("Output");
   AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this JSON file; default: none.");
   AddText(verb, "--report", "FILE", a->outputs.report, "Write the report to this HTML file; default: none.");

@@ -10,9 +10,6 @@
 namespace gaitwright {
 namespace {
 
-/// Tolerance of periodicity before the optimisation: motions of the passes settle slowly.
-constexpr Seam kNearlySteady = {
-    .height_m = 0.02, .tilt_rad = 0.05, .joints = 0.1, .base_rates = 0.3, .joint_rates = 2.0};
 constexpr double kSamePlace = 1e-5;  // [m], [rad]
 
 /// The displacement of all feet of legs from around one time to around another; nothing if they are not displaced

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace gaitwright {
 namespace {
+
+constexpr double kTime = 1e-6;  // [s]
 
 /// Sum of the components of a seam, each relative to its limit in kSteady.
 double Worth(const Seam& seam) {
@@ -20,7 +23,6 @@ double Worth(const Seam& seam) {
 /// The same stretch, moved to start in the middle of the longest phase of its first cycle in which the most feet stand.
 /// There the seam between two cycles cuts the fewest swings, and the standing feet are the same on both sides.
 SteadyStretch AtItsStance(const MotionPlan& plan, const SteadyStretch& stretch, double last_s) {
-  constexpr double kTime = 1e-6;
   const WholeBodyTrajectory& w = plan.whole_body;
   SteadyStretch best = stretch;
   std::pair<int, double> most = {-1, 0.0};
@@ -37,23 +39,19 @@ SteadyStretch AtItsStance(const MotionPlan& plan, const SteadyStretch& stretch, 
   return best;
 }
 
-}  // namespace
-
-bool Within(const Seam& seam, const Seam& limit) {
-  return seam.height_m <= limit.height_m && seam.tilt_rad <= limit.tilt_rad && seam.joints <= limit.joints &&
-         seam.base_rates <= limit.base_rates && seam.joint_rates <= limit.joint_rates;
-}
-
-std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within) {
+const MotionPart& PartOf(const MotionPlan& plan, std::size_t part) {
   if (part >= plan.parts.size())
     throw InvalidArgument(fmt::format("part {} does not exist in a plan of {} parts", part, plan.parts.size()));
-  constexpr double kTime = 1e-6;
-  const MotionPart& asked = plan.parts[part];
+  return plan.parts[part];
+}
+
+/// The longest stretch in which states one cycle apart, to the nearest row, are equal within `within`.
+/// @param same_stance  whether the same feet must stand, too.
+std::optional<SteadyStretch> LongestRepeating(const MotionPlan& plan, const MotionPart& asked, const Seam& within,
+                                              bool same_stance) {
   const WholeBodyTrajectory& w = plan.whole_body;
-  const double rows = asked.gait.cycle_s / w.step_s, cycle_rows = std::round(rows);
-  if (StandsStill(asked.gait) || std::abs(rows - cycle_rows) * w.step_s > kTime || cycle_rows < 1.0)
-    return std::nullopt;
-  const auto count = static_cast<int>(cycle_rows);
+  const auto count = static_cast<int>(std::round(asked.gait.cycle_s / w.step_s));
+  if (StandsStill(asked.gait) || count < 1) return std::nullopt;
   const double cycle_s = count * w.step_s;
   const int first = std::max(0, static_cast<int>(std::ceil((asked.start_s - w.start_s - kTime) / w.step_s)));
   const int last = std::min(w.size() - 1, static_cast<int>(std::floor((asked.end_s - w.start_s + kTime) / w.step_s)));
@@ -61,7 +59,7 @@ std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t
   SteadyStretch longest;
   int begun = first, last_row = first;
   for (int row = first; row + count <= last; ++row) {
-    const bool repeats = SameStance(plan, time(row), plan, time(row + count)) &&
+    const bool repeats = (!same_stance || SameStance(plan, time(row), plan, time(row + count))) &&
                          Within(SeamBetween(plan, time(row), plan, time(row + count)), within);
     if (!repeats) {
       begun = row + 1;
@@ -73,6 +71,25 @@ std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t
   }
   if (longest.cycles == 0) return std::nullopt;
   return AtItsStance(plan, longest, time(last_row));
+}
+
+}  // namespace
+
+bool Within(const Seam& seam, const Seam& limit) {
+  return seam.height_m <= limit.height_m && seam.tilt_rad <= limit.tilt_rad && seam.joints <= limit.joints &&
+         seam.base_rates <= limit.base_rates && seam.joint_rates <= limit.joint_rates;
+}
+
+std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within) {
+  const MotionPart& asked = PartOf(plan, part);
+  if (std::abs(std::remainder(asked.gait.cycle_s, plan.whole_body.step_s)) > kTime) return std::nullopt;
+  return LongestRepeating(plan, asked, within, true);
+}
+
+std::optional<SteadyStretch> NearlySteadyStretchOf(const MotionPlan& plan, std::size_t part) {
+  Seam within = kNearlySteady;
+  within.joint_rates = std::numeric_limits<double>::infinity();  // at a landing, a row makes a large difference
+  return LongestRepeating(plan, PartOf(plan, part), within, false);
 }
 
 double LastLikeStart(const MotionPlan& plan, const SteadyStretch& stretch, const Seam& within) {

@@ -20,6 +20,10 @@ struct SteadyStretch {
 inline constexpr Seam kSteady = {
     .height_m = 2e-4, .tilt_rad = 1e-3, .joints = 1e-3, .base_rates = 5e-3, .joint_rates = 0.05};
 
+/// Tolerance of a gait that repeats itself, but not exactly: motions of passes settle slowly.
+inline constexpr Seam kNearlySteady = {
+    .height_m = 0.02, .tilt_rad = 0.05, .joints = 0.1, .base_rates = 0.3, .joint_rates = 2.0};
+
 /// Whether each component of a seam is within the limit.
 bool Within(const Seam& seam, const Seam& limit);
 
@@ -28,6 +32,10 @@ bool Within(const Seam& seam, const Seam& limit);
 /// end.
 /// @throws InvalidArgument for an unknown part.
 std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within = kSteady);
+
+/// As SteadyStretchOf, within kNearlySteady and for any cycle, rounded to the plan's time step. Feet may land a row
+/// earlier or later in one cycle than in the next, so that rates of joints may differ.
+std::optional<SteadyStretch> NearlySteadyStretchOf(const MotionPlan& plan, std::size_t part);
 
 /// The last time of a plan, a whole number of cycles after the start of a steady stretch, at which the state equals
 /// that at the start within `within`. The next part is nearest from there.

@@ -67,6 +67,9 @@ def made(tmp_path_factory):
     keep("play", "play", "out/plan.json", "--disturbances", hobby, "--state", "estimated", "--sensors", "hobby", "--seed", "3",
          "--push", "30,0,0", "--push-at", "1.5", "--push-for", "0.1", "--log", "played.json", statuses=(0, 3))
     keep("fell", "play", "out/plan.json", "--push", "0,300,0", "--push-at", "1", "--push-for", "0.2", "--log", "fell-log.json", statuses=(3,))
+    keep("no-orbit", "play", "out/plan.json", "--orbit")
+    keep("long-walk", "plan", "--robot", "a1", "--speed", "1", "--distance", "4", "--out", "long-plan.json")
+    keep("orbit", "play", "long-plan.json", "--orbit")
     keep("plan", "plan", "--robot", "a1", "--sequence", "trot: distance=0.2; stand: duration=0.5", "--out", "plan-file.json")
     keep("margins", "audit", "out/plan.json", "--margins")
     keep("approach", "audit", "out/plan.json", "--start-posture", "measured.yaml", "--approach", "approach-plan.json", statuses=(0, 3))
@@ -116,7 +119,7 @@ def block_named(name):
 @pytest.mark.parametrize("name, files", [
     ("motion-plan", ["out/plan.json", "plan-file.json", "approach-plan.json", "imported.json", "repaired.json", "did/plan.json", "best.json"]),
     ("playback-log", ["out/log.json", "played.json", "fell-log.json", "did/log.json"]),
-    ("walk-result", ["walk.json", "play.json", "fell.json"]), ("do-result", ["do.json"]), ("plan-result", ["plan.json"]),
+    ("walk-result", ["walk.json", "play.json", "fell.json", "orbit.json", "no-orbit.json"]), ("do-result", ["do.json"]), ("plan-result", ["plan.json"]),
     ("audit-result", ["margins.json", "approach.json"]), ("preflight-result", ["preflight.json"]),
     ("trials-result", ["trials.json", "trials-file.json"]), ("sweep-result", ["sweep.json"]),
     ("tune-result", ["tune.json", "tune-file.json"]), ("compare-result", ["compare.json", "compare-reports.json"]),

@@ -160,6 +160,19 @@ DataShape PolicyTableShape() {
                  {"warnings", TextsShape()}});
 }
 
+/// Floquet multipliers of the steady part of a gait.
+DataShape OrbitShape() {
+  return Object({{"stable", OrNull(Truth()), "Whether all magnitudes are below 1; null if they are unknown."},
+                 {"largest", NumberOrNull(), "Largest magnitude."},
+                 {"multipliers", List(Numbers(2)), "Real and imaginary part, the largest magnitude first."},
+                 {"unexplained", Number(), "Root mean square error of the linear map, as a share."},
+                 {"cycle_s", Number()},
+                 {"cycles", Whole(), "Steady cycles of the plan."},
+                 {"impulse_n_s", Number(), "Of each push."},
+                 {"playbacks", Whole()},
+                 {"missing", Text(), "Why the multipliers are unknown; else empty."}});
+}
+
 }  // namespace
 
 DataShape WalkResultShape() {
@@ -181,6 +194,7 @@ DataShape WalkResultShape() {
                  {"planning_cpu_s", Number(), "CPU time of planning; 0 for play."},
                  {"playback_realtime_factor", Number()},
                  Optional("policy", PolicyTableShape(), "Of play --policy; there is no plan then."),
+                 Optional("orbit", OrbitShape(), "Stability of the steady gait; of play --orbit."),
                  {"files", FilesShape({"plan", "policy", "contract", "log", "second_log", "report", "plots"})}});
 }
 

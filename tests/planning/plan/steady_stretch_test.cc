@@ -54,6 +54,17 @@ TEST(SteadyStretch, IsOnlyWhereThePlansStepsFitTheCycle) {
   EXPECT_THROW(SteadyStretchOf(Even(), 1).has_value(), InvalidArgument);
 }
 
+/// Measurements of playbacks need no rows that are the same.
+TEST(NearlySteadyStretch, AlsoHasCyclesThatAreNoMultipleOfThePlansSteps) {
+  const MotionPlan uneven = Trot({.cycle_s = 0.4321});
+  const auto nearly = NearlySteadyStretchOf(uneven, 0);
+  ASSERT_TRUE(nearly);
+  EXPECT_GE(nearly->cycles, 5);
+  EXPECT_NEAR(nearly->cycle_s, 0.43, 1e-9);
+  EXPECT_GE(NearlySteadyStretchOf(Even(), 0).value().cycles, SteadyStretchOf(Even(), 0).value().cycles);
+  EXPECT_THROW(NearlySteadyStretchOf(Even(), 1).has_value(), InvalidArgument);
+}
+
 TEST(LastLikeStart, IsWholeCyclesLaterAndNoEarlierThanTheStretchsEnd) {
   const SteadyStretch stretch = SteadyStretchOf(Even(), 0).value();
   const double last_s = LastLikeStart(Even(), stretch);
