@@ -87,7 +87,7 @@ std::optional<MjcfVolume> VolumeOfMjcfMesh(const MjcfMesh& mesh) {
 
 Matrix3 InertiaOfMjcfVolume(const MjcfVolume& volume, double mass) {
   const Matrix3 about = volume.second.trace() * Matrix3::Identity() - volume.second;
-  return mass / volume.volume * about;
+  return mass * (about / volume.volume);  // the density of a tiny volume would overflow
 }
 
 MjcfVolume MjcfInertias::VolumeOfMesh(const MjcfGeom& geom) {

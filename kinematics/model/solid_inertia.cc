@@ -75,7 +75,8 @@ std::optional<Matrix3> SolidInertia(const std::vector<const Shape*>& shapes, dou
     volume += solid.mass;
     centre += solid.mass * (shape->X_BS * solid.centre);
   }
-  if (!(volume > 0.0)) return std::nullopt;
+  constexpr double kLeastVolume = 1e-30;  // [m^3]; below it the density would overflow
+  if (!(volume >= kLeastVolume)) return std::nullopt;
   centre /= volume;
   Matrix3 inertia = Matrix3::Zero();
   for (const Shape* shape : shapes) {

@@ -49,6 +49,14 @@ TEST(SolidInertia, HalvesMakeAWholeWhereverTheyAre) {
   EXPECT_FALSE(SolidInertia({}, 1.0).has_value());
 }
 
+TEST(SolidInertia, HasNoDensityThatOverflows) {
+  for (const double thin : {0.0, 1e-320, 1e-300, 1e-40}) {
+    const Shape disc = Made(ShapeType::kCylinder, {0.05, thin, 0.0});
+    EXPECT_FALSE(SolidInertia({&disc}, 1.0).has_value()) << thin;
+  }
+  EXPECT_TRUE(InertiaOf({Made(ShapeType::kCylinder, {0.05, 1e-20, 0.0})}, 1.0).allFinite());
+}
+
 TEST(SolidInertia, StandsInForWhatAUrdfLeavesOut) {
   const std::string zero = Replaced(FourLegs(), "ixx='0.01' iyy='0.01' izz='0.01'", "ixx='0' iyy='0' izz='0'");
   const RobotModel model = LoadRobotFromText(zero, "").value();
