@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "playback/trials/floquet_multipliers_internal.h"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -8,11 +6,12 @@
 #include <utility>
 
 #include "kinematics/base/result.h"
+#include "playback/trials/floquet_multipliers_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kLeast = 0.1;      // of the first deviation
+constexpr double kLeast = 0.1;       // of the first deviation
 constexpr double kLeastSize = 0.05;  // of the largest singular value
 
 /// Deviations by column, each beside its successor.
@@ -79,9 +78,10 @@ FloquetMultipliers EstimateMultipliers(const std::vector<CycleDeviations>& seque
     if (left_out.before.size() == 0) continue;
     whole += left_out.after.squaredNorm();
     const bool none = others.A.size() == 0;
-    off += none ? left_out.after.squaredNorm()
-                : (left_out.after - others.basis * (others.A * (others.basis.transpose() * left_out.before)))
-                      .squaredNorm();
+    off +=
+        none
+            ? left_out.after.squaredNorm()
+            : (left_out.after - others.basis * (others.A * (others.basis.transpose() * left_out.before))).squaredNorm();
   }
   result.unexplained = whole > 0.0 ? std::sqrt(off / whole) : 0.0;
   return result;

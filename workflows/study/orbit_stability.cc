@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/study/orbit_stability_internal.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/steady_stretch.h"
+#include "workflows/study/orbit_stability_internal.h"
 
 namespace gaitwright {
 namespace {

@@ -13,8 +13,8 @@ namespace gaitwright {
 struct OrbitStability {
   std::string missing = {};  ///< why there are no multipliers; else empty
   double cycle_s = 0.0;
-  int cycles = 0;             ///< of the plan's steady stretch
-  double impulse_n_s = 0.0;   ///< of each push
+  int cycles = 0;            ///< of the plan's steady stretch
+  double impulse_n_s = 0.0;  ///< of each push
   int playbacks = 0;
   FloquetMultipliers multipliers;
 
