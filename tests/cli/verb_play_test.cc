@@ -27,7 +27,7 @@ TEST_F(Played, OrbitIsOfAPlanWithoutDisturbances) {
                 {"--orbit", "policy"});
 }
 
-TEST_F(Played, ALogIsWrittenAndNothingElse) {
+TEST_F(Played, QuietlyPrintsTheVerdictAndWritesTheLog) {
   const Ran ran = Run({"play", "plan.json", "--log", "log.json", "--quiet"});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(ran.out, "pass\n");
