@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
