@@ -23,7 +23,7 @@ constexpr const char* kBagKey = "rosbag2_bagfile_information";
 
 struct BagDescription {
   std::vector<std::string> files;
-  bool packed = false;  ///< each file as a whole, by zstd
+  bool packed = false;  ///< each file as a whole, by zstd; messages may be packed one by one
 };
 
 std::string BagText(const YAML::Node& bag, const std::string& key) {
@@ -47,7 +47,8 @@ BagDescription ParseBagDescription(const std::string& text) {
   }
   BagDescription description;
   description.packed = mode == "FILE" || mode == "file";
-  if (!packing.empty() && (packing != "zstd" || !description.packed)) {
+  const bool by_message = mode == "MESSAGE" || mode == "message";
+  if (!packing.empty() && (packing != "zstd" || (!description.packed && !by_message))) {
     RefuseYaml(bag["compression_format"],
                fmt::format("the compression '{}' of '{}' is not read; 'ros2 bag convert' writes a bag without it",
                            packing, mode));

@@ -68,6 +68,8 @@ std::string UnpackedZstd(std::string_view bytes, std::size_t most) {
   });
 }
 
+bool IsZstd(std::string_view bytes) { return bytes.starts_with("\x28\xb5\x2f\xfd"); }
+
 std::string Unpacked(std::string_view bytes, const std::string& compression, std::size_t size) {
   std::string all;
   if (compression.empty()) {

@@ -15,6 +15,9 @@ std::string Unpacked(std::string_view bytes, const std::string& compression, std
 /// Unpacks frames of zstd with an unknown size. @throws InvalidArgument for damaged bytes and for more than `most`.
 std::string UnpackedZstd(std::string_view bytes, std::size_t most);
 
+/// Whether the bytes begin as a frame of zstd.
+bool IsZstd(std::string_view bytes);
+
 /// Packs bytes as one frame of zstd, so that the same bytes give the same frame.
 std::string PackedZstd(std::string_view bytes);
 

@@ -10,6 +10,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "workflows/exchange/csv_table.h"
+#include "workflows/exchange/packed_bytes_internal.h"
 #include "workflows/exchange/recorded_topics_internal.h"
 #include "workflows/exchange/sqlite_bag_internal.h"
 
@@ -22,6 +23,14 @@ std::string FullTypeOf(const std::string& type) {
   return slash == std::string::npos || type.find('/', slash + 1) != std::string::npos
              ? type
              : type.substr(0, slash) + "/msg" + type.substr(slash);
+}
+
+constexpr std::size_t kLargestMessage = std::size_t{1} << 26U;  // unpacked [bytes]
+
+/// Parses a message, which a bag may pack with zstd on its own; the first byte of a message of CDR is 0.
+template <class Message>
+Message ParsePacked(std::string_view data, Message (*parse)(std::string_view)) {
+  return IsZstd(data) ? parse(UnpackedZstd(data, kLargestMessage)) : parse(data);
 }
 
 /// Adds the messages of a file to the topics.
@@ -55,7 +64,7 @@ class Collector {
     if (series.messages.size() == static_cast<std::size_t>(kMostCsvRows))
       throw InvalidArgument(fmt::format("topic '{}' has more than {} messages", name, kMostCsvRows));
     try {
-      series.messages.push_back(parse(recorded.data));
+      series.messages.push_back(ParsePacked(recorded.data, parse));
     } catch (const InvalidArgument& error) {
       throw InvalidArgument(
           fmt::format("message {} of topic '{}': {}", series.messages.size() + 1, name, error.what()));

@@ -60,6 +60,13 @@ TEST(BagFolder, UnpacksFilesThatArePackedAsAWhole) {
   EXPECT_NE(WhyNoBag(Description(more), {{"a.mcap.zstd", McapHead()}}).find("are damaged"), std::string::npos);
 }
 
+TEST(BagFolder, LeavesMessagesPacked) {
+  const std::string more = "  compression_format: zstd\n  compression_mode: MESSAGE\n  relative_file_paths: [a.mcap]\n";
+  const auto files = ReadBagFolder(BagOf(Description(more), {{"a.mcap", McapHead()}}));
+  ASSERT_TRUE(files.ok()) << files.failure().message;
+  EXPECT_EQ(files->front(), McapHead());
+}
+
 TEST(BagFolder, RefusesOthersWithTheLine) {
   EXPECT_FALSE(IsBagFolder(BagOf("other: 1\n", {})));
   EXPECT_FALSE(IsBagFolder(ScratchFile("none")));
@@ -70,8 +77,8 @@ TEST(BagFolder, RefusesOthersWithTheLine) {
   EXPECT_NE(WhyNoBag(Description("")).find("lacks 'relative_file_paths'"), std::string::npos);
   EXPECT_NE(WhyNoBag(Description("  relative_file_paths: []\n")).find("line 4: relative_file_paths is empty"),
             std::string::npos);
-  const std::string messages = "  compression_format: zstd\n  compression_mode: MESSAGE\n  relative_file_paths: [a]\n";
-  EXPECT_NE(WhyNoBag(Description(messages)).find("'ros2 bag convert'"), std::string::npos);
+  const std::string other = "  compression_format: lz4\n  compression_mode: FILE\n  relative_file_paths: [a]\n";
+  EXPECT_NE(WhyNoBag(Description(other)).find("'ros2 bag convert'"), std::string::npos);
   EXPECT_NE(WhyNoBag(Description("  relative_file_paths: [a]\n")).find("bag/a"), std::string::npos) << "no such file";
   EXPECT_NE(WhyNoBag(Description("  relative_file_paths: [a]\n"), {{"a", "text"}}).find("neither an MCAP file"),
             std::string::npos);

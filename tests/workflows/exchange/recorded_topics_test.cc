@@ -4,6 +4,7 @@
 #include "kinematics/base/result.h"
 #include "tests/workflows/exchange/mcap_bytes.h"
 #include "tests/workflows/exchange/recorded_walk.h"
+#include "workflows/exchange/packed_bytes_internal.h"
 #include "workflows/exchange/recorded_topics_internal.h"
 
 namespace gaitwright {
@@ -49,6 +50,17 @@ TEST(RecordedTopics, TypesMayLackTheFolder) {
                            MessageRecord(1, 5, CdrOf(kHip));
   EXPECT_EQ(TopicsIn(file).joint_states.count("/a"), 1U);
   EXPECT_FALSE(TopicsIn(file).whole) << "no end";
+}
+
+TEST(RecordedTopics, UnpackMessagesOneByOne) {
+  const auto read = [](const std::string& data) {
+    return TopicsIn(McapHead() + SchemaRecord(1, kJointStateType) + ChannelRecord(1, 1, "/a") +
+                    MessageRecord(1, 5, CdrOf(kHip)) + MessageRecord(1, 6, data));
+  };
+  EXPECT_EQ(read(PackedZstd(CdrOf(kGripper))).joint_states.at("/a").messages, (std::vector{kHip, kGripper}));
+  const std::string cut = PackedZstd(CdrOf(kGripper)).substr(0, 20);
+  EXPECT_NE(WhatOf<InvalidArgument>([&] { read(cut); }).find("message 2 of topic '/a': its zstd data are damaged"),
+            std::string::npos);
 }
 
 TEST(RecordedTopics, RefuseOtherEncodingsAndNameTheMessage) {
