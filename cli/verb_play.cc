@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include "cli/options_file.h"
+#include "cli/orbit_switch_internal.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/policy_arguments_internal.h"
 #include "cli/trials_arguments.h"
 #include "cli/walk_arguments.h"
-#include "workflows/study/orbit_stability_internal.h"
 #include "workflows/study/trial.h"
 
 namespace gaitwright::cli {
@@ -20,7 +18,7 @@ struct PlaySettings {
   OptionsFile options;
   DisturbanceArguments disturbances;
   Outputs outputs;
-  bool orbit = false;
+  OrbitSwitch orbit;
 };
 
 /// Plays the plan, under the disturbances of one trial if they are given.
@@ -42,9 +40,9 @@ int RunPlay(PlaySettings& a) {
   ApplySets("--set", a.common.sets, a.play.Fields());
   a.play.Finish();
   a.input.Check();
-  if (a.orbit && a.input.is_policy())
+  if (a.orbit.asked && a.input.is_policy())
     throw InvalidArgument("--orbit needs a plan, because a policy has no planned cycles");
-  if (a.orbit && !a.disturbances.file.empty())
+  if (a.orbit.asked && !a.disturbances.file.empty())
     throw InvalidArgument("--orbit measures the gait without the disturbances of a trial; leave out --disturbances");
   Paths paths;
   a.input.AddPathsTo(paths);
@@ -65,22 +63,19 @@ int RunPlay(PlaySettings& a) {
   if (!audit) return Report(audit.failure(), a.common);
   const Result<PlayedWalk> played = PlayAsAsked(a, input->model, input->plan);
   if (!played) return Report(played.failure(), a.common);
-  std::optional<OrbitStability> orbit;
-  if (a.orbit) {
-    Result<OrbitStability> measured = MeasureOrbit(input->model, input->plan, a.play.request, {.threads = 0});
-    if (!measured) return Report(measured.failure(), a.common);
-    orbit = std::move(*measured);
-  }
-  const Judged judged{input->model, input->plan, *played, *audit};
+  const auto orbit = a.orbit.Measure(input->model, input->plan, a.play.request);
+  if (!orbit) return Report(orbit.failure(), a.common);
+  Judged judged{input->model, input->plan, *played, *audit};
+  AddOrbitTo(judged, *orbit);
   Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
   const Files read = a.input.Files();
   files->insert(files->begin(), read.begin(), read.end());
   std::vector<std::pair<std::string, std::string>> more;
   if (input->prepared) more.emplace_back("policy", PolicyJson(input->model, *input->prepared->policy));
-  if (orbit) more.emplace_back("orbit", OrbitJson(*orbit));
+  AddOrbitTo(more, *orbit);
   PrintJudged(judged, *files, a.common, more);
-  if (orbit && !a.common.json && !a.common.quiet) fmt::print("{}\n", OrbitText(*orbit));
+  PrintOrbit(*orbit, a.common);
   return judged.pass() ? kPass : kVerdictFail;
 }
 
@@ -95,9 +90,7 @@ void AddPlay(Verb program, int& status) {
   a->options.AddTo(verb);
   verb.SetGroup("Playback and disturbances");
   a->disturbances.AddTo(verb, "none; with it, this plays the trial of --seed");
-  verb.SetGroup("Stability of the gait");
-  verb.AddSwitch("--orbit", a->orbit,
-                 "Also play 24 times with small pushes, and report the Floquet multipliers of the steady gait.");
+  a->orbit.AddTo(verb);
   verb.SetGroup("Output");
   AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this JSON file; default: none.");
   AddText(verb, "--report", "FILE", a->outputs.report, "Write the report to this HTML file; default: none.");

@@ -4,6 +4,7 @@
 
 #include "cli/explain.h"
 #include "cli/options_file.h"
+#include "cli/orbit_switch_internal.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/robot_input.h"
@@ -17,6 +18,7 @@ struct WalkSettings {
   WalkArguments walk;
   PlayArguments play;
   OptionsFile options;
+  OrbitSwitch orbit;
   Outputs outputs;
   Explain explain;
 };
@@ -52,13 +54,18 @@ int RunWalk(WalkSettings& a) {
   }
   const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
+  const auto orbit = a.orbit.Measure(*model, planned->motion.plan, a.play.request);
+  if (!orbit) return Report(orbit.failure(), a.common);
   Judged judged{*model, planned->motion.plan, *played, planned->audit, planned->planning_cpu_s, true};
   if (a.walk.robot.is_file()) judged.mesh_folder = a.walk.robot.folder();
+  AddOrbitTo(judged, *orbit);
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
   std::vector<std::pair<std::string, std::string>> more;
   if (a.explain.asked) more.emplace_back("tried", a.explain.Json());
+  AddOrbitTo(more, *orbit);
   PrintJudged(judged, *files, a.common, more);
+  PrintOrbit(*orbit, a.common);
   a.explain.Print(a.common);
   return judged.pass() ? kPass : kVerdictFail;
 }
@@ -73,6 +80,7 @@ void AddWalk(Verb program, int& status) {
   a->play.request.play.world.engine = ProvingEngine();
   a->play.AddTo(verb);
   a->options.AddTo(verb);
+  a->orbit.AddTo(verb);
   a->outputs.AddTo(verb);
   a->explain.AddTo(verb);
   AddCommon(verb, a->common,

@@ -36,6 +36,7 @@ p{margin:6px 0}
 .use i.fail{background:var(--fail)}
 figure{margin:18px 0 26px}
 figure svg{width:100%;height:auto;display:block}
+.narrow{max-width:420px}
 figcaption{color:var(--soft);font-size:13.5px;max-width:78ch;margin-top:4px}
 .scroll{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:13.5px}

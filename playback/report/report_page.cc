@@ -209,7 +209,7 @@ std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const Pl
   std::string html = Head(about) + Cards(report);
   if (!words.viewer.empty()) html += "<h2 class=\"screen\">In motion</h2>\n" + words.viewer;
   if (words.second) html += EnginesPart(model, plan, log, report, *words.second);
-  html += Figures(plots) + MetricTable(report, words.second);
+  html += words.orbit + Figures(plots) + MetricTable(report, words.second);
   html += ListPart("Audit of the plan", words.audit_lines) + ListPart("Notes", report.notes);
   html += ListPart("Warnings of the plan", plan.warnings) + Origin(plan, log, words.changed_options);
   return WholePage(fmt::format("{} \u2013 {}", TitleOf(model, plan), about.pass() ? "pass" : "fail"), html);

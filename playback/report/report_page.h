@@ -24,6 +24,7 @@ struct ReportWords {
   std::vector<std::string> audit_lines;  ///< plain sentences of the plan's audit; without any the section is hidden
   std::vector<OptionChange> changed_options;  ///< of plan and playback, with their default values
   std::string objection;    ///< reason of a fail independent of physics, such as a failed audit; else empty
+  std::string orbit = {};   ///< orbit stability, as returned by OrbitPart; else empty
   std::string viewer = {};  ///< the motion in 3D, as returned by ViewerPart; else empty
   std::optional<SecondVerdict> second = {};  ///< its verdict, metrics and curves are shown beside the first
 };

@@ -162,7 +162,8 @@ DataShape PolicyTableShape() {
 
 /// Floquet multipliers of the steady part of a gait.
 DataShape OrbitShape() {
-  return Object({{"stable", OrNull(Truth()), "Whether all magnitudes are below 1; null if they are unknown."},
+  return Object({{"verdict", Text({"unknown", "stable", "neutral", "unstable"}),
+                  "By the largest magnitude: neutral if it is 1 within 0.05."},
                  {"largest", NumberOrNull(), "Largest magnitude."},
                  {"multipliers", List(Numbers(2)), "Real and imaginary part, the largest magnitude first."},
                  {"unexplained", Number(), "Root mean square error of the linear map, as a share."},
@@ -194,7 +195,7 @@ DataShape WalkResultShape() {
                  {"planning_cpu_s", Number(), "CPU time of planning; 0 for play."},
                  {"playback_realtime_factor", Number()},
                  Optional("policy", PolicyTableShape(), "Of play --policy; there is no plan then."),
-                 Optional("orbit", OrbitShape(), "Stability of the steady gait; of play --orbit."),
+                 Optional("orbit", OrbitShape(), "Stability of the steady gait; with --orbit."),
                  {"files", FilesShape({"plan", "policy", "contract", "log", "second_log", "report", "plots"})}});
 }
 

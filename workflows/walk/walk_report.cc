@@ -26,7 +26,8 @@ std::string Judged::objection() const {
 
 std::string WalkReport(const Judged& judged) {
   const auto& [model, plan, played] = std::tie(judged.model, judged.plan, judged.played);
-  ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(plan, played.log), judged.objection()};
+  ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(plan, played.log), judged.objection(),
+                    judged.orbit_part};
   words.viewer = ViewerPart(
       {{TitleOf(model, plan), model, plan, &played.log, &played.report, words.objection, judged.mesh_folder}});
   if (const SecondPlayback* second = played.second.get())

@@ -17,6 +17,7 @@ struct Judged {
   double planning_cpu_s = 0.0;
   bool audit_counts = false;                    ///< the verdict also needs the plan's audit
   std::optional<std::string> mesh_folder = {};  ///< folder of the robot's URDF, to find its visual meshes
+  std::string orbit_part = {};                  ///< of the report, see OrbitPart
 
   bool pass() const { return played.pass() && (!audit_counts || audit.pass()); }
   /// Reason for a fail independent of physics; "" if there is none.

@@ -11,7 +11,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/steady_stretch.h"
-#include "workflows/study/orbit_stability_internal.h"
+#include "workflows/study/measure_orbit_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -142,29 +142,10 @@ Result<OrbitStability> MeasureOrbit(const RobotModel& model, const MotionPlan& p
   return orbit;
 }
 
-std::string OrbitText(const OrbitStability& orbit) {
-  if (!orbit.missing.empty()) return fmt::format("orbit: no Floquet multipliers: {}", orbit.missing);
-  constexpr double kNeutral = 0.05;  // deviation from 1
-  const double largest = orbit.multipliers.largest();
-  std::string verdict = "stable", pace = "deviations more than halve in each cycle";
-  if (std::abs(largest - 1.0) < kNeutral) {
-    verdict = "neutral";
-    pace = "some deviation, such as of place or heading, neither grows nor decays";
-  } else if (largest > 1.0) {
-    verdict = "unstable";
-    pace = fmt::format("a deviation doubles in {:.1f} cycles", std::log(2.0) / std::log(largest));
-  } else if (largest > 0.5) {
-    pace = fmt::format("deviations halve in {:.1f} cycles", std::log(0.5) / std::log(largest));
-  }
-  return fmt::format(
-      "orbit: {}; largest Floquet multiplier {:.2f} over {} cycles of {:.3f} s, {:.0f} % of deviations unexplained; {}",
-      verdict, largest, orbit.cycles, orbit.cycle_s, 100.0 * orbit.multipliers.unexplained, pace);
-}
-
 std::string OrbitJson(const OrbitStability& orbit) {
   auto json = nlohmann::ordered_json::object();
   const bool known = orbit.missing.empty();
-  json["stable"] = known ? nlohmann::ordered_json(orbit.stable()) : nlohmann::ordered_json();
+  json["verdict"] = OrbitVerdictName(orbit.verdict());
   json["largest"] = known ? nlohmann::ordered_json(orbit.multipliers.largest()) : nlohmann::ordered_json();
   json["multipliers"] = nlohmann::ordered_json::array();
   for (const std::complex<double>& value : orbit.multipliers.values)
