@@ -46,10 +46,12 @@ OrbitVerdict OrbitStability::verdict() const {
 
 std::string OrbitText(const OrbitStability& orbit) {
   if (orbit.verdict() == OrbitVerdict::kUnknown) return fmt::format("no Floquet multipliers: {}", orbit.missing);
+  constexpr double kMuch = 0.5;
   const double largest = orbit.multipliers.largest();
   return fmt::format(
-      "{}; largest Floquet multiplier {:.2f} over {} cycles of {:.3f} s, {:.0f} % of deviations unexplained; {}",
+      "{}; largest Floquet multiplier {:.2f} over {} cycles of {:.3f} s, {:.0f} % of deviations unexplained{}; {}",
       OrbitVerdictName(orbit.verdict()), largest, orbit.cycles, orbit.cycle_s, 100.0 * orbit.multipliers.unexplained,
+      orbit.multipliers.unexplained > kMuch ? ", so that the multipliers are rough" : "",
       PaceText(orbit.verdict(), largest));
 }
 

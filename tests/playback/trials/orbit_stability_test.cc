@@ -32,6 +32,11 @@ TEST(OrbitStability, TheTextSaysHowFastDeviationsChange) {
   EXPECT_NE(OrbitText(OrbitOf(2.0)).find("doubles in 1.0 cycles"), std::string::npos);
   EXPECT_NE(OrbitText(OrbitOf(std::sqrt(0.5))).find("halve in 2.0 cycles"), std::string::npos);
   EXPECT_NE(OrbitText(OrbitOf(0.3)).find("more than halve"), std::string::npos);
+  OrbitStability rough = OrbitOf(0.3);
+  EXPECT_EQ(OrbitText(rough).find("rough"), std::string::npos);
+  rough.multipliers.unexplained = 0.6;
+  EXPECT_NE(OrbitText(rough).find("60 % of deviations unexplained, so that the multipliers are rough"),
+            std::string::npos);
   EXPECT_NE(OrbitText(OrbitOf(1.0)).find("neither grows nor decays"), std::string::npos);
 }
 
