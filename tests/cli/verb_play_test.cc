@@ -21,6 +21,14 @@ TEST_F(Played, OrbitSaysWhyAShortWalkHasNoMultipliers) {
   EXPECT_FALSE(Run({"play", "plan.json", "--json"}).json().contains("orbit"));
 }
 
+TEST_F(Played, WalkMeasuresTheOrbitToo) {
+  const Ran ran = Run({"walk", "--robot", "a1", "--gait", "trot", "--speed", "0.5", "--distance", "0.2", "--engine",
+                       "bullet", "--orbit", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.json().at("orbit").at("verdict"), "unknown") << "too short";
+  EXPECT_NE(Read("out/report.html").find("Orbit stability"), std::string::npos);
+}
+
 TEST_F(Played, OrbitIsOfAPlanWithoutDisturbances) {
   ExpectRefused(Run({"play", "plan.json", "--orbit", "--disturbances", "standard"}), 1, {"--orbit", "--disturbances"});
   ExpectRefused(Run({"play", "--policy", "policy.onnx", "--contract", "deploy.yaml", "--orbit"}), 1,
