@@ -77,12 +77,16 @@ def run_named(build, names, tests):
     return status, counts
 
 
+def slow_tests(results):
+    """(program, name, seconds) of the tests of the last run that take long."""
+    reports = [json.loads(file.read_text()) for file in results.glob("*.json")]
+    return [(report["program"], test["name"], test["seconds"]) for report in reports for test in report["tests"]
+            if test["seconds"] >= SLOW_SECONDS]
+
+
 def renew_slow_tests(results):
     """Writes tests/slow_tests.txt from the results of the last whole run."""
-    rows = []
-    for file in results.glob("*.json"):
-        report = json.loads(file.read_text())
-        rows += [(report["program"], test["name"], test["seconds"]) for test in report["tests"] if test["seconds"] >= SLOW_SECONDS]
+    rows = slow_tests(results)
     text = ("# Seconds, program and name of the tests that take long. Shards are balanced by it, and `./test --quick` leaves these\n"
             "# tests out. Renewed by `tests/run_tests.py --renew-slow` after a whole run.\n")
     (HERE / "slow_tests.txt").write_text(text + "".join(f"{s:.2f} {program} {name}\n" for program, name, s in sorted(set(rows))))
@@ -104,6 +108,9 @@ def main():
         status, counts = run_named(build, arguments.names, listed(build))
     elif arguments.quick:
         status, counts = run_all(build, ["-L", "^(shard|quick)$", "-LE", "^long$"], True)
+        slow = slow_tests(build / "test-results")
+        if slow:
+            print(f"{len(slow)} of these tests take {SLOW_SECONDS} s or more; tests/run_tests.py --renew-slow after a whole run leaves them out")
     else:
         status, counts = run_all(build, ["-L" if arguments.long else "-LE", "^long$"], False)
     for name in counts["skipped"]:
