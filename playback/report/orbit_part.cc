@@ -48,14 +48,16 @@ std::string MultiplierTable(const FloquetMultipliers& multipliers) {
 }  // namespace
 
 std::string OrbitPart(const OrbitStability& orbit) {
-  const std::string html = fmt::format("<h2>Orbit stability</h2>\n<p>{}</p>\n", SentencePart(OrbitText(orbit)));
+  std::string html = fmt::format("<h2>Orbit stability</h2>\n<p>{}</p>\n", SentencePart(OrbitText(orbit)));
   if (orbit.verdict() == OrbitVerdict::kUnknown) return html;
-  return html + "<div class=\"narrow\">" + FigurePart(MultiplierPlot(orbit.multipliers)) +
-         MultiplierTable(orbit.multipliers) + "</div>\n" +
-         fmt::format(
-             "<p class=\"soft\">From {} playbacks, each with a push of {:.3g} N s in one of three directions "
-             "and at one of four phases of a steady cycle.</p>\n",
-             orbit.playbacks, orbit.impulse_n_s);
+  html += "<div class=\"narrow\">" + FigurePart(MultiplierPlot(orbit.multipliers)) +
+          MultiplierTable(orbit.multipliers) + "</div>\n";
+  html += fmt::format(
+      "<p class=\"soft\">From {} playbacks, each with a push of {:.3g} N s in one of three directions and at one of "
+      "four "
+      "phases of a steady cycle.</p>\n",
+      orbit.playbacks, orbit.impulse_n_s);
+  return html;
 }
 
 }  // namespace gaitwright
