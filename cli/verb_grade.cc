@@ -39,7 +39,7 @@ void PrintClassInputs(const std::vector<OutputFile>& files, const Common& common
 int WriteClassInputs(const GradeSettings& a, const Rubric& rubric) {
   std::vector<OutputFile> files;
   for (const RubricPart& part : rubric.parts) {
-    if (part.kind == PartKind::kAnswers)
+    if (part.kind == RubricPartKind::kAnswers)
       files.push_back({(fs::path(a.inputs) / (part.name + "_inputs.csv")).string(),
                        InputsCsv(part, static_cast<std::uint64_t>(a.common.seed))});
   }

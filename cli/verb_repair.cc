@@ -113,7 +113,8 @@ int RunOne(const RepairSettings& a, const RobotModel& model) {
 }
 
 void PrintClips(const RepairSettings& a, const RobotModel& model, const std::vector<ClipOutcome>& clips) {
-  const auto passed = std::count_if(clips.begin(), clips.end(), [](const auto& c) { return c.verdict == "pass"; });
+  const auto passed =
+      std::count_if(clips.begin(), clips.end(), [](const auto& c) { return c.verdict == ClipVerdict::kPass; });
   if (a.common.json) {
     fmt::print("{}\n", ClipsJson(model, clips, a.Table()));
   } else if (a.common.quiet) {
@@ -172,7 +173,8 @@ int RunFolder(const RepairSettings& a, const RobotModel& model, SharedWork& work
   if (!written) return Report(written.failure(), a.common);
   journal->Remove();
   PrintClips(a, model, *outcomes);
-  const bool all = std::all_of(outcomes->begin(), outcomes->end(), [](const auto& c) { return c.verdict == "pass"; });
+  const bool all =
+      std::all_of(outcomes->begin(), outcomes->end(), [](const auto& c) { return c.verdict == ClipVerdict::kPass; });
   return all ? kPass : kVerdictFail;
 }
 

@@ -181,7 +181,7 @@ nlohmann::ordered_json FindingsJson(const std::vector<Finding>& findings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Finding& finding : findings) {
     nlohmann::ordered_json json = {
-        {"level", NameOf(finding.level)}, {"code", FailureCodeName(finding.code)}, {"part", finding.part}};
+        {"level", NameOf(finding.level)}, {"code", FailureCodeName(finding.code)}, {"part", PartText(finding.part)}};
     json["line"] = nullptr;
     if (finding.line > 0) json["line"] = finding.line;
     json["message"] = finding.message;
@@ -227,7 +227,7 @@ int ShowRobot(const RobotsSettings& a) {
 /// Findings about a robot description, and differences from another one if it is given.
 std::vector<Finding> FindingsOf(const RobotsSettings& a, const Result<RobotModel>& model) {
   const auto not_loaded = [](const Failure& failure, const std::string& message) {
-    return Finding{FindingLevel::kError, failure.code, "robot", 0, message};
+    return Finding{FindingLevel::kError, failure.code, RobotPart(), 0, message};
   };
   if (!model) return {not_loaded(model.failure(), model.failure().message)};
   std::vector<Finding> findings = CheckRobot(*model);
@@ -254,7 +254,7 @@ void PrintFindings(const RobotsSettings& a, const std::vector<Finding>& findings
       if (findings[k].level != first.level || findings[k].code != first.code || findings[k].message != first.message)
         continue;
       printed[k] = true;
-      parts.push_back(findings[k].part);
+      parts.push_back(PartText(findings[k].part));
     }
     const std::size_t more = parts.size() > kNamed ? parts.size() - kNamed : 0;
     parts.resize(parts.size() - more);

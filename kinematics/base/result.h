@@ -25,6 +25,19 @@ enum class FailureKind {
   kInfeasible,  ///< no plan exists within the limits (exit status 2)
 };
 
+/// Kind of a part of a robot description.
+enum class PartKind { kRobot, kLink, kJoint, kLeg, kTransmission };
+
+/// A part of a robot description.
+struct RobotPart {
+  PartKind kind = PartKind::kRobot;
+  std::string name = {};  ///< empty for the whole robot
+
+  bool operator==(const RobotPart&) const = default;
+};
+/// The text for the user and JSON: `robot`, `link 'trunk'`, `joint 'FL_KFE'`.
+std::string PartText(const RobotPart& part);
+
 /// Reason why a stage has no result: one sentence, and hints.
 struct Failure {
   FailureKind kind = FailureKind::kBadInput;
@@ -33,6 +46,7 @@ struct Failure {
   std::string message;
   std::vector<Suggestion> suggestions;      ///< hints, the most promising first
   std::optional<Violation> violation = {};  ///< the violated check of the audit, if it is the reason
+  std::optional<RobotPart> part = {};       ///< the part of the robot description that is wrong, if it is one
 
   bool operator==(const Failure&) const = default;
 };

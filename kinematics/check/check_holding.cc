@@ -187,7 +187,7 @@ void CheckHolding(const RobotModel& model, std::vector<Finding>& findings) {
   const VectorX standing = StandingConfiguration(model);
   ForwardKinematics(model, standing, scratch);
   std::vector<double> worst(static_cast<std::size_t>(model.num_dofs()), 0.0);
-  std::vector<Finding> of_dof(worst.size());
+  std::vector<std::optional<Finding>> of_dof(worst.size());
   for (const HeldStance& stance : StancesOf(model, scratch)) {
     const std::optional<HeldLoad> load = LeastLoad(model, standing, stance, scratch);
     if (!load) continue;
@@ -199,17 +199,17 @@ void CheckHolding(const RobotModel& model, std::vector<Finding>& findings) {
       if (!(limit > 0.0) || !(share > kTight) || share <= worst[d]) continue;
       worst[d] = share;
       const char* unit = joint.is_prismatic() ? "N" : "N m";
-      of_dof[d] = {
+      of_dof[d] = Finding{
           share > 1.0 ? FindingLevel::kError : FindingLevel::kWarning, FailureCode::kWeakMotor,
-          fmt::format("joint '{}'", joint.name), 0,
+          RobotPart{PartKind::kJoint, joint.name}, 0,
           fmt::format(
               "to hold the robot still {}, it needs at least {:.3g} {}, which is {:.0f} % of its limit of {:.3g} {}{}",
               stance.words, effort, unit, 100.0 * share, limit, unit,
               share > kBeforeGear ? "; the limit may be that of the motor before its gear" : "")};
     }
   }
-  for (Finding& finding : of_dof) {
-    if (!finding.part.empty()) findings.push_back(std::move(finding));
+  for (std::optional<Finding>& finding : of_dof) {
+    if (finding) findings.push_back(std::move(*finding));
   }
 }
 

@@ -92,7 +92,7 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
     const auto add = [&](FindingLevel level, FailureCode code, const std::string& message) {
-      findings.push_back({level, code, fmt::format("link '{}'", body.name), 0, message});
+      findings.push_back({level, code, RobotPart{PartKind::kLink, body.name}, 0, message});
     };
     const bool collides = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
                                       [&](const Shape& shape) { return shape.body == static_cast<int>(b); });
@@ -135,7 +135,7 @@ void CheckRanges(const RobotModel& model, std::vector<Finding>& findings) {
   if (wide.size() < kFewest) return;
   for (const Joint* joint : wide) {
     findings.push_back(
-        {FindingLevel::kWarning, FailureCode::kBadLimit, fmt::format("joint '{}'", joint->name), 0,
+        {FindingLevel::kWarning, FailureCode::kBadLimit, RobotPart{PartKind::kJoint, joint->name}, 0,
          fmt::format("its range is {:.4g} to {:.4g} rad, which is {:.0f} turns; the file may give it in "
                      "degrees",
                      joint->lower, joint->upper, (joint->upper - joint->lower) / (2.0 * std::numbers::pi))});
@@ -150,7 +150,7 @@ void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
   const double lift = model.weight_n() * model.leg_length_m();
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
     const Joint& joint = model.LeaderOf(dof);
-    const std::string part = fmt::format("joint '{}'", joint.name);
+    const RobotPart part{PartKind::kJoint, joint.name};
     const bool of_leg = leg_of[static_cast<std::size_t>(dof)] >= 0;
     const double effort = model.dof_effort_limit(dof), speed = model.dof_velocity_limit(dof);
     const auto add = [&](FindingLevel level, FailureCode code, const std::string& message) {

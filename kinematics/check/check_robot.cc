@@ -78,7 +78,7 @@ void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Findin
   if (!differ) return;
   const char* unit = a.is_prismatic() ? "m" : "rad";
   findings.push_back(
-      {FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
+      {FindingLevel::kWarning, FailureCode::kSidesDiffer, RobotPart{PartKind::kJoint, a.name}, 0,
        fmt::format("its range is {}, but its mirror '{}' has {}{}", RangeText(a.lower, a.upper, unit, "unlimited"),
                    b.name, RangeText(b.lower, b.upper, unit, "no limits"),
                    sense < 0 ? ", where signs are opposite" : "")});
@@ -87,7 +87,7 @@ void CompareRanges(const Joint& a, const Joint& b, int sense, std::vector<Findin
 /// Compares left and right of a pair of legs that mirror each other.
 void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::vector<Finding>& findings) {
   if (left.joints.size() != right.joints.size()) {
-    findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("leg '{}'", left.name), 0,
+    findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, RobotPart{PartKind::kLeg, left.name}, 0,
                         fmt::format("it has {} joints, but its mirror '{}' has {}", left.joints.size(), right.name,
                                     right.joints.size())});
     return;
@@ -99,7 +99,7 @@ void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::
     const Joint& b = model.joints[static_cast<std::size_t>(right.joints[i])];
     const auto compare = [&](const char* what, double of_a, double of_b, const char* unit) {
       if (!NumbersDiffer(of_a, of_b)) return;
-      findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
+      findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, RobotPart{PartKind::kJoint, a.name}, 0,
                           fmt::format("its {} is {}, but that of its mirror '{}' is {}", what, ValueText(of_a, unit),
                                       b.name, ValueText(of_b, unit))});
     };
@@ -123,12 +123,6 @@ void CheckSides(const RobotModel& model, std::vector<Finding>& findings) {
   }
 }
 
-/// "touching in the standing posture, and in ..."
-std::string WithoutColon(std::string reason) {
-  const std::size_t at = reason.find(": ");
-  return at == std::string::npos ? reason : reason.replace(at, 1, ",");
-}
-
 /// Feet are longer in front of the ankle than behind it. If this is not so for all legs, the robot may face backward.
 void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
   constexpr double kShorter = 0.7;  // share of the part behind the ankle
@@ -146,7 +140,7 @@ void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
     if (ahead > kShorter * behind) return;
   }
   if (model.legs.empty()) return;
-  findings.push_back({FindingLevel::kWarning, FailureCode::kFacesBack, "robot", 0,
+  findings.push_back({FindingLevel::kWarning, FailureCode::kFacesBack, RobotPart(), 0,
                       fmt::format("its feet reach {:.0f} mm in front of the ankles and {:.0f} mm behind them, as if it "
                                   "faced backward; if so, set 'ahead' and 'up' in robot.yaml",
                                   1e3 * ahead, 1e3 * behind)});
@@ -158,7 +152,7 @@ void CheckSize(const RobotModel& model, std::vector<Finding>& findings) {
   constexpr double kLightest = 3.0, kHeaviest = 2e4;  // [kg/m^3]
   const double length = model.leg_length_m(), density = model.total_mass_kg / (length * length * length);
   if (!(length > 0.0) || (density >= kLightest && density <= kHeaviest)) return;
-  findings.push_back({FindingLevel::kWarning, FailureCode::kOddSize, "robot", 0,
+  findings.push_back({FindingLevel::kWarning, FailureCode::kOddSize, RobotPart(), 0,
                       fmt::format("it has {:.3g} kg and legs of {:.3g} m, too {} for its size; if the file's lengths "
                                   "are not in m, set 'scale' in robot.yaml",
                                   model.total_mass_kg, length, density < kLightest ? "light" : "heavy")});
@@ -172,14 +166,14 @@ void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
     if (IsShapeOfAFoot(model, shape)) continue;
     const double z = LowestPoint(scratch, shape).z();
     if (z >= -kSunk || !told.insert(shape.link).second) continue;
-    findings.push_back({FindingLevel::kWarning, FailureCode::kInTheGround, fmt::format("link '{}'", shape.link), 0,
+    findings.push_back({FindingLevel::kWarning, FailureCode::kInTheGround, RobotPart{PartKind::kLink, shape.link}, 0,
                         fmt::format("it is {:.1f} mm below the ground in the standing posture", -1e3 * z)});
   }
   const CollisionChecker collision(model);
   for (const LeftOutPair& pair : collision.left_out()) {
     if (pair.adjacent) continue;
-    findings.push_back({FindingLevel::kInfo, FailureCode::kSelfCollision, fmt::format("link '{}'", pair.link_a), 0,
-                        fmt::format("contact with '{}' is not checked: {}", pair.link_b, WithoutColon(pair.reason))});
+    findings.push_back({FindingLevel::kInfo, FailureCode::kSelfCollision, RobotPart{PartKind::kLink, pair.link_a}, 0,
+                        fmt::format("contact with '{}' is not checked: {}", pair.link_b, pair.reason)});
   }
 }
 

@@ -21,7 +21,7 @@ constexpr double kAlikeInertia = 0.02;      // share of the larger inertia
 
 /// One body of two descriptions, both in the base frame O at joint positions zero.
 struct BodyPair {
-  std::string part;
+  RobotPart part;
   const Body &a, &b;
   Pose X_OA, X_OB;
 };
@@ -37,9 +37,9 @@ class Comparison {
         length_(std::max(kAlikeLength, kAlikeShareOfLeg * a.leg_length_m())) {}
 
   std::vector<Finding> Run() {
-    Numbers("robot", "mass", a_.total_mass_kg, b_.total_mass_kg, " kg");
+    Numbers({}, "mass", a_.total_mass_kg, b_.total_mass_kg, " kg");
     FindOffset();
-    Bodies({fmt::format("link '{}'", a_.bodies[0].name), a_.bodies[0], b_.bodies[0], X_OA_[0], X_OB_[0]});
+    Bodies({RobotPart{PartKind::kLink, a_.bodies[0].name}, a_.bodies[0], b_.bodies[0], X_OA_[0], X_OB_[0]});
     for (std::size_t j = 0; j < a_.joints.size(); ++j) {
       if (const int other = IndexIn(b_, a_.joints[j].name); other >= 0) Joints(j, static_cast<std::size_t>(other));
     }
@@ -47,7 +47,7 @@ class Comparison {
     Transmissions();
     for (const std::string& name : b_.dof_names) {
       if (std::find(a_.dof_names.begin(), a_.dof_names.end(), name) == a_.dof_names.end())
-        Add(fmt::format("joint '{}'", name), "it exists only in the other robot");
+        Add(RobotPart{PartKind::kJoint, name}, "it exists only in the other robot");
     }
     return findings_;
   }
@@ -59,11 +59,11 @@ class Comparison {
     return found == model.joints.end() ? -1 : static_cast<int>(found - model.joints.begin());
   }
 
-  void Add(const std::string& part, const std::string& message) {
+  void Add(const RobotPart& part, const std::string& message) {
     findings_.push_back({FindingLevel::kWarning, FailureCode::kDescriptionsDiffer, part, 0, message});
   }
 
-  void Numbers(const std::string& part, const char* what, double of_a, double of_b, const char* unit) {
+  void Numbers(const RobotPart& part, const char* what, double of_a, double of_b, const char* unit) {
     if (!NumbersDiffer(of_a, of_b)) return;
     if (!std::isfinite(of_a))
       Add(part, fmt::format("its {} does not exist here and is {:.4g}{} in the other robot", what, of_b, unit));
@@ -89,7 +89,7 @@ class Comparison {
     }
   }
 
-  void Places(const std::string& part, const char* what, const Vector3& p_a, const Vector3& p_b) {
+  void Places(const RobotPart& part, const char* what, const Vector3& p_a, const Vector3& p_b) {
     const double distance = (p_b + offset_ - p_a).norm();
     if (distance > length_)
       Add(part, fmt::format("its {} differs by {:.4g} mm in the other robot", what, 1e3 * distance));
@@ -111,7 +111,7 @@ class Comparison {
   }
 
   void Joints(std::size_t j, std::size_t other) {
-    const std::string part = fmt::format("joint '{}'", a_.joints[j].name);
+    const RobotPart part{PartKind::kJoint, a_.joints[j].name};
     const Pose &X_a = X_OA_[j + 1], &X_b = X_OB_[other + 1];
     Places(part, "place", X_a.translation(), X_b.translation());
     const Vector3 u_a = X_a.linear() * a_.joints[j].axis_J, u_b = X_b.linear() * b_.joints[other].axis_J;
@@ -126,7 +126,7 @@ class Comparison {
     };
     for (const Transmission& of_a : a_.transmissions) {
       const auto of_b = find(b_.transmissions, of_a.name);
-      const std::string part = fmt::format("transmission '{}'", of_a.name);
+      const RobotPart part{PartKind::kTransmission, of_a.name};
       if (of_b == b_.transmissions.end()) {
         Add(part, "it exists only in this robot");
       } else if (of_a.ratios.rows() != of_b->ratios.rows() || !of_a.ratios.isApprox(of_b->ratios, 1e-9)) {
@@ -135,13 +135,13 @@ class Comparison {
     }
     for (const Transmission& of_b : b_.transmissions) {
       if (find(a_.transmissions, of_b.name) == a_.transmissions.end())
-        Add(fmt::format("transmission '{}'", of_b.name), "it exists only in the other robot");
+        Add(RobotPart{PartKind::kTransmission, of_b.name}, "it exists only in the other robot");
     }
   }
 
   void Limits(int dof) {
     const std::string& name = a_.dof_names[static_cast<std::size_t>(dof)];
-    const std::string part = fmt::format("joint '{}'", name);
+    const RobotPart part{PartKind::kJoint, name};
     const auto other = std::find(b_.dof_names.begin(), b_.dof_names.end(), name);
     if (other == b_.dof_names.end()) return Add(part, "it exists only in this robot");
     const int there = static_cast<int>(other - b_.dof_names.begin());

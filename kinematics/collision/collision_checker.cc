@@ -135,7 +135,7 @@ struct CollisionChecker::Scene {
       LeaveOut(
           touching[k], false,
           touched[k] == kPostures
-              ? fmt::format("always touching: in all of {} postures over the joints' ranges", kPostures)
+              ? fmt::format("always touching, in all of {} postures over the joints' ranges", kPostures)
               : fmt::format("touching in the standing posture, and in {} of {} other postures over the joints' ranges",
                             touched[k], kPostures));
     }

@@ -21,7 +21,7 @@ struct Overlap {
 struct LeftOutPair {
   std::string link_a, link_b;
   bool adjacent = false;  ///< a joint connects them; otherwise they touch in the standing posture
-  std::string reason;     ///< "adjacent: ...", "always touching: ..." or "touching in the standing posture, ..."
+  std::string reason;     ///< "adjacent: ...", "always touching, ..." or "touching in the standing posture, ..."
 
   bool operator==(const LeftOutPair&) const = default;
 };

@@ -84,7 +84,7 @@ void CheckMotorName(const RobotYaml::SharedMotor& motor, const RobotYaml::Shared
 /// Name of a joint that was fixed during loading because nothing beyond it has inertia; "" if there is no such joint.
 std::string FixedJointOf(const RobotYaml::SharedDrive& drive, const RobotModel& model) {
   for (const std::string& joint : drive.joints) {
-    const std::string part = fmt::format("joint '{}'", joint);
+    const RobotPart part{PartKind::kJoint, joint};
     if (std::any_of(model.findings.begin(), model.findings.end(),
                     [&](const Finding& f) { return f.code == FailureCode::kNoInertia && f.part == part; }))
       return joint;
@@ -127,7 +127,7 @@ void ApplyTransmissions(const RobotYaml& yaml, RobotModel& model) {
       continue;
     }
     model.findings.push_back(
-        {FindingLevel::kWarning, FailureCode::kTransmission, fmt::format("transmission '{}'", drive.name), 0,
+        {FindingLevel::kWarning, FailureCode::kTransmission, RobotPart{PartKind::kTransmission, drive.name}, 0,
          fmt::format("it is left out, because its joint '{}' moves nothing and was fixed", fixed)});
   }
 }

@@ -117,7 +117,7 @@ class Builder {
       I = *solid;
       used_.push_back({link.name, I});
       model_.findings.push_back(
-          {FindingLevel::kWarning, FailureCode::kPlaceholderInertia, fmt::format("link '{}'", link.name), 0,
+          {FindingLevel::kWarning, FailureCode::kPlaceholderInertia, RobotPart{PartKind::kLink, link.name}, 0,
            "its inertia equals that of all links, which is a placeholder; the inertia of its shapes is used"});
     } else if (auto mended = Mended(link, given, X_LI.translation(), shapes)) {
       I = mended->I;
@@ -167,7 +167,7 @@ class Builder {
       const std::string change = share < 1.0 ? fmt::format("a change of {:.2g} % of the robot's inertia", 100.0 * share)
                                              : fmt::format("and the whole robot then has {:.4g} kg m^2", whole);
       model_.findings.push_back(
-          {FindingLevel::kWarning, FailureCode::kImpossibleInertia, fmt::format("link '{}'", mended.link), 0,
+          {FindingLevel::kWarning, FailureCode::kImpossibleInertia, RobotPart{PartKind::kLink, mended.link}, 0,
            fmt::format("its inertia {}; {} is used, with the principal moments {:.4g}, {:.4g} and {:.4g} kg m^2, {}",
                        mended.by.was, mended.by.used, moments[0], moments[1], moments[2], change)});
     }
@@ -284,11 +284,16 @@ class Builder {
   std::map<std::size_t, std::string> leader_;
 };
 
+Failure RefusedModel(FailureCode code, std::string message, std::vector<Suggestion> suggestions = {},
+                     std::optional<RobotPart> part = {}) {
+  return {FailureKind::kBadInput, code, "LoadRobot", std::move(message), std::move(suggestions), {}, std::move(part)};
+}
+
 /// The failure of a strict reader if an inertia was replaced.
 std::optional<Failure> RefusedInertia(const RobotModel& model) {
   for (const Finding& finding : model.findings) {
     if (finding.code != FailureCode::kImpossibleInertia && finding.code != FailureCode::kPlaceholderInertia) continue;
-    return Failure{FailureKind::kBadInput, finding.code, "LoadRobot", finding.part + ": " + finding.message, {}};
+    return RefusedModel(finding.code, PartText(finding.part) + ": " + finding.message, {}, finding.part);
   }
   return std::nullopt;
 }
@@ -299,15 +304,13 @@ std::optional<Failure> CheckFollowers(const RobotModel& model) {
   for (const Joint& joint : model.joints) {
     const double gear = std::abs(joint.multiplier);
     if (gear >= kLeast && gear <= kMost && std::abs(joint.offset) <= kMost) continue;
-    return Failure{
-        FailureKind::kBadInput,
+    return RefusedModel(
         FailureCode::kBadMimic,
-        "LoadRobot",
         fmt::format("joint '{}' follows '{}' with multiplier {} and offset {}; accepted: magnitudes of {} to {} for "
                     "the multiplier and up to {} for the offset",
                     joint.name, model.dof_names[static_cast<std::size_t>(joint.dof)], joint.multiplier, joint.offset,
                     kLeast, kMost, kMost),
-        {}};
+        {}, RobotPart{PartKind::kJoint, joint.name});
   }
   return std::nullopt;
 }
@@ -352,38 +355,30 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
   std::string reason;
   const urdf::ModelInterfaceSharedPtr urdf = ParseTree(parts.tree_text, reason);
   if (!urdf || !urdf->getRoot()) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kNotUrdf,
-                   "LoadRobot",
-                   fmt::format("the URDF of '{}' cannot be read: {}", name, reason),
-                   {}};
+    return RefusedModel(FailureCode::kNotUrdf, fmt::format("the URDF of '{}' cannot be read: {}", name, reason));
   }
   RobotModel model = Builder(*urdf, parts, name, scale).Take();
   if (!(model.total_mass_kg >= kLightestRobot)) {
-    return Failure{FailureKind::kBadInput,
-                   FailureCode::kNoMass,
-                   "LoadRobot",
-                   fmt::format("robot '{}': its {} links have a total mass of {} kg; {} kg or more is needed", name,
-                               model.frames.size(), model.total_mass_kg, kLightestRobot),
-                   {"give its links an <inertial>"}};
+    return RefusedModel(FailureCode::kNoMass,
+                        fmt::format("robot '{}': its {} links have a total mass of {} kg; {} kg or more is needed",
+                                    name, model.frames.size(), model.total_mass_kg, kLightestRobot),
+                        {"give its links an <inertial>"});
   }
   if (auto failure = strict ? RefusedInertia(model) : std::nullopt) return *failure;
   if (auto failure = CheckFollowers(model)) return *failure;
   const std::vector<std::string> idle = IdleJoints(model);
   if (idle.empty()) return model;
   if (strict) {
-    return Failure{
-        FailureKind::kBadInput,
+    return RefusedModel(
         FailureCode::kNoInertia,
-        "LoadRobot",
         fmt::format("joint '{}' moves nothing: the links beyond it have no inertia about its axis", idle.front()),
-        {"give a link beyond it an <inertial>, or make the joint fixed"}};
+        {"give a link beyond it an <inertial>, or make the joint fixed"}, RobotPart{PartKind::kJoint, idle.front()});
   }
   const std::vector<std::string> fixed = FixJoints(*urdf, idle);
   model = Builder(*urdf, parts, name, scale).Take();
   for (const std::string& joint : fixed) {
     model.findings.push_back(
-        {FindingLevel::kWarning, FailureCode::kNoInertia, fmt::format("joint '{}'", joint), 0,
+        {FindingLevel::kWarning, FailureCode::kNoInertia, RobotPart{PartKind::kJoint, joint}, 0,
          "it moves nothing, because the links beyond it have no inertia about its axis; it is fixed"});
   }
   return model;

@@ -95,7 +95,7 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
     if (is_seen) {
       if (EndsBeyond(model, gone->link, foot)) {
         model.findings.push_back({FindingLevel::kWarning, FailureCode::kMissingMesh,
-                                  fmt::format("link '{}'", gone->link), 0,
+                                  RobotPart{PartKind::kLink, gone->link}, 0,
                                   fmt::format("{}: it ends a leg, and the foot was derived from the shape of link '{}' "
                                               "instead; set the foot in robot.yaml (feet)",
                                               gone->why, foot.link)});
@@ -106,7 +106,7 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
                                   [&](const Leg& l) { return &model.feet[static_cast<std::size_t>(l.foot)] == &foot; });
     if (leg != model.legs.end() && leg->joints.size() < kSoleJoints && IsContactFrame(model, foot, missing)) {
       model.findings.push_back(
-          {FindingLevel::kWarning, FailureCode::kMissingMesh, fmt::format("link '{}'", gone->link), 0,
+          {FindingLevel::kWarning, FailureCode::kMissingMesh, RobotPart{PartKind::kLink, gone->link}, 0,
            fmt::format("{}: it ends a leg, and the origin of link '{}', which is fixed to it, is used as a point foot; "
                        "set its radius in robot.yaml: feet: [{{link: '{}', radius_m: R}}, ...]",
                        gone->why, foot.link, foot.link)});
@@ -124,7 +124,9 @@ std::optional<Failure> CheckFeetAreKnown(RobotModel& model, const std::vector<Fo
                     gone->link, gone->why),
         {"add the mesh as an .stl, .obj or .dae file",
          fmt::format("describe the foot in robot.yaml: feet: [{}], with R in m; for a sole, give its corners: 'sole_m'",
-                     feet)}};
+                     feet)},
+        {},
+        RobotPart{PartKind::kLink, gone->link}};
   }
   return std::nullopt;
 }

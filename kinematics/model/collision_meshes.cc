@@ -59,8 +59,9 @@ void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource&
         if (hull == nullptr) continue;
         for (const Vector3& v : hull->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
       }
-      model.findings.push_back({FindingLevel::kWarning, FailureCode::kVisualFoot, fmt::format("link '{}'", shape.link),
-                                0, "its foot has no collision geometry; its visual geometry is used for contact"});
+      model.findings.push_back({FindingLevel::kWarning, FailureCode::kVisualFoot,
+                                RobotPart{PartKind::kLink, shape.link}, 0,
+                                "its foot has no collision geometry; its visual geometry is used for contact"});
       model.collision_shapes.push_back(std::move(shape));
     }
   }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "kinematics/base/failure_code.h"
+#include "kinematics/base/result.h"
 
 namespace gaitwright {
 
@@ -18,9 +19,9 @@ enum class FindingLevel {
 struct Finding {
   FindingLevel level = FindingLevel::kWarning;
   FailureCode code = FailureCode::kInternal;  ///< kind of the finding; failure code of the refusal with `--strict`
-  std::string part;                           ///< "link 'trunk'", "joint 'FL_KFE'" or "robot"
-  int line = 0;                               ///< line in the file; 0 if there is no single line
-  std::string message;                        ///< finding and replacement
+  RobotPart part = {};
+  int line = 0;         ///< line in the file; 0 if there is no single line
+  std::string message;  ///< finding and replacement
 
   bool operator==(const Finding&) const = default;
 };

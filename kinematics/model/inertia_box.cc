@@ -26,7 +26,7 @@ bool HasShapeOrFoot(const RobotModel& model, int body) {
 
 /// Whether a finding already reports the replacement of a link's missing mesh, as for feet.
 bool IsReported(const RobotModel& model, const std::string& link) {
-  const std::string part = fmt::format("link '{}'", link);
+  const RobotPart part{PartKind::kLink, link};
   return std::any_of(model.findings.begin(), model.findings.end(),
                      [&](const Finding& f) { return f.code == FailureCode::kMissingMesh && f.part == part; });
 }
@@ -54,7 +54,7 @@ void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model
   for (const MissingMesh& mesh : missing) {
     const int body = BodyOfLink(model, mesh.link);
     const auto add = [&](FindingLevel level, const std::string& message) {
-      model.findings.push_back({level, FailureCode::kMissingMesh, fmt::format("link '{}'", mesh.link), 0, message});
+      model.findings.push_back({level, FailureCode::kMissingMesh, RobotPart{PartKind::kLink, mesh.link}, 0, message});
     };
     if (IsReported(model, mesh.link)) continue;
     if (body >= 0 && HasShapeOrFoot(model, body)) {

@@ -52,7 +52,7 @@ std::string RobotHash(const RobotModel& model) {
 /// Removes the data of the robot.yaml for joints that were fixed because they move nothing or a toe.
 void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
   const auto is_fixed = [&](const auto& entry) {
-    const std::string part = fmt::format("joint '{}'", entry.joint);
+    const RobotPart part{PartKind::kJoint, entry.joint};
     return std::any_of(model.findings.begin(), model.findings.end(), [&](const Finding& f) {
       return (f.code == FailureCode::kNoInertia || f.code == FailureCode::kToeHeld) && f.part == part;
     });
@@ -67,7 +67,9 @@ void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
 std::optional<Failure> RefusedMesh(const RobotModel& model) {
   for (const Finding& finding : model.findings) {
     if (finding.code != FailureCode::kMissingMesh || finding.level == FindingLevel::kInfo) continue;
-    return BadInput(finding.code, finding.part + ": " + finding.message);
+    Failure failure = BadInput(finding.code, PartText(finding.part) + ": " + finding.message);
+    failure.part = finding.part;
+    return failure;
   }
   return std::nullopt;
 }
@@ -110,7 +112,7 @@ Result<BuiltTree> BuildWithToesHeld(const std::string& tree, const RobotTexts& t
   built = BuildTree(WithFixedJoints(tree, toes), texts, yaml.scale, source);
   if (!built) return built;
   for (const std::string& toe : toes) {
-    built->model.findings.push_back({FindingLevel::kInfo, FailureCode::kToeHeld, fmt::format("joint '{}'", toe), 0,
+    built->model.findings.push_back({FindingLevel::kInfo, FailureCode::kToeHeld, RobotPart{PartKind::kJoint, toe}, 0,
                                      "it moves a toe, which is locked here, so both links of the foot form one sole; "
                                      "name the feet in robot.yaml to let the toe move"});
   }
@@ -137,7 +139,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   model.findings.insert(model.findings.begin(), mended.findings.begin(), mended.findings.end());
   if (rerooted) {
     model.findings.push_back(
-        {FindingLevel::kInfo, FailureCode::kRootOfLimb, fmt::format("link '{}'", rerooted->former), 0,
+        {FindingLevel::kInfo, FailureCode::kRootOfLimb, RobotPart{PartKind::kLink, rerooted->former}, 0,
          fmt::format("it is the root of the file but the end of a limb; link '{}' is used as the base",
                      rerooted->root)});
   }
@@ -204,15 +206,14 @@ void NoteMissingPictures(const std::string& folder, const PackageFolders& packag
   }
 }
 
-/// The line of the text on which the element of a part such as "link 'trunk'" begins; 0 if there is no such element.
-int LineOfPart(const std::string& text, const std::string& part) {
-  const std::size_t quote = part.find(" '");
-  if (quote == std::string::npos) return 0;
-  const std::string kind = "<" + part.substr(0, quote);
-  const std::string name = part.substr(quote + 2, part.size() - quote - 3);
+/// The line of the text on which the element of a part begins; 0 if there is no such element.
+int LineOfPart(const std::string& text, const RobotPart& part) {
+  if (part.kind != PartKind::kLink && part.kind != PartKind::kJoint) return 0;
+  const std::string kind = part.kind == PartKind::kLink ? "<link" : "<joint";
   for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind, at + 1)) {
     const std::string head = text.substr(at, std::min(text.find('>', at), text.size()) - at);
-    if (head.find("\"" + name + "\"") == std::string::npos && head.find("'" + name + "'") == std::string::npos)
+    if (head.find("\"" + part.name + "\"") == std::string::npos &&
+        head.find("'" + part.name + "'") == std::string::npos)
       continue;
     return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
   }
@@ -228,20 +229,14 @@ void FillLines(const std::string& text, std::vector<Finding>& findings) {
 
 /// Puts file and line before a message on a link or a joint, and the file before one on the whole document.
 Failure WithLine(Failure failure, const std::string& path, const std::string& text) {
-  for (const FailureCode code :
-       {FailureCode::kNotXml, FailureCode::kNotUrdf, FailureCode::kUrdfRoots, FailureCode::kUrdfMissing}) {
-    const bool is_of_part = failure.message.starts_with("link '") || failure.message.starts_with("joint '");
-    if (failure.code != code || is_of_part) continue;
-    failure.message = fmt::format("{}: {}", fs::path(path).filename().string(), failure.message);
-    return failure;
-  }
-  for (const char* kind : {"link '", "joint '"}) {
-    if (!failure.message.starts_with(kind)) continue;
-    const std::size_t end = failure.message.find('\'', std::char_traits<char>::length(kind));
-    const int line = LineOfPart(text, failure.message.substr(0, std::min(end, failure.message.size() - 1) + 1));
-    if (line > 0)
-      failure.message = fmt::format("{}, line {}: {}", fs::path(path).filename().string(), line, failure.message);
-    break;
+  constexpr FailureCode kOfDocument[] = {FailureCode::kNotXml, FailureCode::kNotUrdf, FailureCode::kUrdfRoots,
+                                         FailureCode::kUrdfMissing};
+  const std::string file = fs::path(path).filename().string();
+  if (failure.part) {
+    const int line = LineOfPart(text, *failure.part);
+    if (line > 0) failure.message = fmt::format("{}, line {}: {}", file, line, failure.message);
+  } else if (std::find(std::begin(kOfDocument), std::end(kOfDocument), failure.code) != std::end(kOfDocument)) {
+    failure.message = fmt::format("{}: {}", file, failure.message);
   }
   return failure;
 }
@@ -284,7 +279,7 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
         LoadGuarded({description->urdf, description->yaml_without_posture, name, loading.strict}, source);
     if (other) {
       other->findings.push_back(
-          {FindingLevel::kInfo, FailureCode::kMjcf, "robot", 0,
+          {FindingLevel::kInfo, FailureCode::kMjcf, RobotPart(), 0,
            stands ? "a leg is straight in its keyframe, so no foot could be lifted; a posture is derived instead"
                   : "the robot does not stand in its keyframe's posture; a posture is derived instead"});
     }

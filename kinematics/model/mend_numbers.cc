@@ -72,7 +72,7 @@ std::optional<std::string> WithoutCommas(const std::string& text, std::size_t co
   return std::nullopt;
 }
 
-bool MendNumbers(XMLElement& element, const std::string& part, std::vector<Finding>& findings) {
+bool MendNumbers(XMLElement& element, const RobotPart& part, std::vector<Finding>& findings) {
   bool mended = false;
   const auto put = [&](const char* name, const std::string& value, const std::string& why) {
     findings.push_back({FindingLevel::kWarning, FailureCode::kNumberFormat, part, element.GetLineNum(),

@@ -20,7 +20,7 @@ constexpr char kNoLimit[] = "1000";      // [rad], [m] replaces a missing limit 
 
 /// Collects the findings about the elements of a link or a joint.
 struct PartNotes {
-  const std::string& part;
+  const RobotPart& part;
   std::vector<Finding>& findings;
 
   void Add(FindingLevel level, FailureCode code, const XMLElement& element, std::string message) const {
@@ -186,14 +186,14 @@ bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& not
 
 }  // namespace
 
-bool MendLink(XMLElement& link, const std::string& part, std::vector<Finding>& findings) {
+bool MendLink(XMLElement& link, const RobotPart& part, std::vector<Finding>& findings) {
   const PartNotes notes{part, findings};
   const bool numbers = MendNumbers(link, part, findings);
   const bool inertial = MendInertial(link, notes);
   return MendShapes(link, notes) || inertial || numbers;
 }
 
-bool MendJoint(XMLElement& joint, const std::string& part, bool at_root, std::vector<Finding>& findings) {
+bool MendJoint(XMLElement& joint, const RobotPart& part, bool at_root, std::vector<Finding>& findings) {
   const PartNotes notes{part, findings};
   bool mended = MendNumbers(joint, part, findings);
   const char* given = joint.Attribute("type");

@@ -72,19 +72,19 @@ class Mender {
     FreePlaceholderRanges();
     const std::set<std::string> roots = FreeRoots();
     for (XMLElement* link : ElementsOf(robot_, "link"))
-      mended_ = MendLink(*link, PartOf("link", *link), findings_) || mended_;
+      mended_ = MendLink(*link, PartOf(PartKind::kLink, *link), findings_) || mended_;
     for (XMLElement* joint : ElementsOf(robot_, "joint")) {
       const bool at_root = roots.contains(LinkAt(*joint, "parent"));
-      mended_ = MendJoint(*joint, PartOf("joint", *joint), at_root, findings_) || mended_;
+      mended_ = MendJoint(*joint, PartOf(PartKind::kJoint, *joint), at_root, findings_) || mended_;
     }
     return mended_;
   }
 
  private:
-  static std::string PartOf(const char* kind, const XMLElement& element) {
-    return fmt::format("{} '{}'", kind, TextOr(element.Attribute("name")));
+  static RobotPart PartOf(PartKind kind, const XMLElement& element) {
+    return {kind, TextOr(element.Attribute("name"))};
   }
-  void Add(FailureCode code, const char* kind, const XMLElement& element, const std::string& message) {
+  void Add(FailureCode code, PartKind kind, const XMLElement& element, const std::string& message) {
     findings_.push_back({FindingLevel::kWarning, code, PartOf(kind, element), element.GetLineNum(), message});
     mended_ = true;
   }
@@ -120,7 +120,7 @@ class Mender {
       XMLElement* limit = joint->FirstChildElement("limit");
       limit->DeleteAttribute("lower");
       limit->DeleteAttribute("upper");
-      findings_.push_back({FindingLevel::kWarning, FailureCode::kMissingLimit, PartOf("joint", *joint),
+      findings_.push_back({FindingLevel::kWarning, FailureCode::kMissingLimit, PartOf(PartKind::kJoint, *joint),
                            joint->GetLineNum(),
                            "its position range is 0 to 0, like that of all joints: the range is not used"});
       mended_ = true;
@@ -132,7 +132,7 @@ class Mender {
     for (XMLElement* link : ElementsOf(robot_, "link")) {
       const auto [known, is_new] = first.try_emplace(TextOr(link->Attribute("name")), link);
       if (is_new || Printed(*link) != Printed(*known->second)) continue;
-      Add(FailureCode::kDoubleName, "link", *link,
+      Add(FailureCode::kDoubleName, PartKind::kLink, *link,
           fmt::format("it is given twice identically, in lines {} and {}", known->second->GetLineNum(),
                       link->GetLineNum()));
       robot_.DeleteChild(link);
@@ -157,7 +157,7 @@ class Mender {
         !std::includes(names.begin(), names.end(), held.begin(), held.end());
     if (misspelt || loose.size() > kMost || loose.size() == ElementsOf(robot_, "link").size()) return;
     for (XMLElement* link : loose) {
-      Add(FailureCode::kLooseLink, "link", *link, "no joint connects it to the robot: left out");
+      Add(FailureCode::kLooseLink, PartKind::kLink, *link, "no joint connects it to the robot: left out");
       robot_.DeleteChild(link);
     }
   }
@@ -172,7 +172,7 @@ class Mender {
       int number = 2;
       while (names.contains(fmt::format("{}_{}", name, number))) ++number;
       const std::string renamed = fmt::format("{}_{}", name, number);
-      Add(FailureCode::kDoubleName, "joint", *joint,
+      Add(FailureCode::kDoubleName, PartKind::kJoint, *joint,
           fmt::format("another joint has the same name: renamed to '{}'", renamed));
       joint->SetAttribute("name", renamed.c_str());
       names.insert(renamed);
@@ -190,7 +190,7 @@ MendedUrdf MendUrdf(const std::string& urdf_text) {
   MendedUrdf mended{urdf_text, {}};
   if (const auto text = InUtf8(urdf_text)) {
     mended.text = *text;
-    mended.findings.push_back({FindingLevel::kInfo, FailureCode::kEncoding, "robot", 0,
+    mended.findings.push_back({FindingLevel::kInfo, FailureCode::kEncoding, RobotPart(), 0,
                                "the file is not in UTF-8: read as UTF-16 or Latin-1"});
   }
   tinyxml2::XMLDocument document;
@@ -201,7 +201,7 @@ MendedUrdf MendUrdf(const std::string& urdf_text) {
   bool changed = false;
   if (const std::size_t colon = name.find(':'); colon != std::string::npos && name.substr(colon + 1) == "robot") {
     changed = DropPrefix(*robot, name.substr(0, colon + 1));
-    mended.findings.push_back({FindingLevel::kInfo, FailureCode::kNamespace, "robot", robot->GetLineNum(),
+    mended.findings.push_back({FindingLevel::kInfo, FailureCode::kNamespace, RobotPart(), robot->GetLineNum(),
                                fmt::format("its elements are in the namespace '{}'", name.substr(0, colon))});
   }
   if (std::strcmp(robot->Name(), "robot") != 0) return mended;

@@ -72,7 +72,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
   if (!yaml) return yaml.failure();
   RobotDescription description{*text, *yaml, "", {}, {}};
   const auto note = [&](FailureCode code, const std::string& message) {
-    description.findings.push_back({FindingLevel::kInfo, code, "robot", 0, message});
+    description.findings.push_back({FindingLevel::kInfo, code, RobotPart(), 0, message});
   };
   if (IsMjcf(*text)) {
     Result<ConvertedMjcf> converted =

@@ -42,8 +42,7 @@ std::string NameOf(const XMLElement& element, const std::string& what) {
   return name;
 }
 
-void CheckJoint(const XMLElement& joint, bool strict, Tree& tree) {
-  const std::string name = NameOf(joint, "a joint");
+void CheckJoint(const XMLElement& joint, const std::string& name, bool strict, Tree& tree) {
   const std::string owner = fmt::format("joint '{}'", name);
   if (!tree.joint_names.insert(name).second) {
     Refuse(FailureCode::kDoubleName, fmt::format("{}: two joints have this name", owner));
@@ -68,7 +67,8 @@ void CheckJoint(const XMLElement& joint, bool strict, Tree& tree) {
   if (tree.parent_of.contains(ends[1])) {
     Refuse(FailureCode::kUrdfLoop,
            fmt::format("link '{}' has two parent joints, '{}' and '{}': a closed loop; the joints must form a tree",
-                       ends[1], tree.joint_of[ends[1]], name));
+                       ends[1], tree.joint_of[ends[1]], name),
+           {}, RobotPart{PartKind::kLink, ends[1]});
   }
   tree.parent_of[ends[1]] = ends[0];
   tree.joint_of[ends[1]] = name;
@@ -91,9 +91,11 @@ void CheckRoots(const Tree& tree) {
     std::string at = link;
     std::set<std::string> seen;
     while (tree.parent_of.contains(at)) {
-      if (!seen.insert(at).second)
+      if (!seen.insert(at).second) {
         Refuse(FailureCode::kUrdfLoop,
-               fmt::format("link '{}' is part of a cycle of joints: a closed loop; the joints must form a tree", link));
+               fmt::format("link '{}' is part of a cycle of joints: a closed loop; the joints must form a tree", link),
+               {}, RobotPart{PartKind::kLink, link});
+      }
       at = tree.parent_of.at(at);
     }
   }
@@ -173,16 +175,19 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
   for (const XMLElement* link = robot->FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
     const std::string name = NameOf(*link, "a link");
-    const std::string owner = fmt::format("link '{}'", name);
-    if (!tree.links.insert(name).second)
-      Refuse(FailureCode::kDoubleName, fmt::format("{}: two links have this name", owner));
-    tree.link_names.push_back(name);
-    CheckLink(*link, strict, owner);
+    const RobotPart part{PartKind::kLink, name};
+    CheckPart(part, [&] {
+      if (!tree.links.insert(name).second)
+        Refuse(FailureCode::kDoubleName, fmt::format("{}: two links have this name", PartText(part)));
+      tree.link_names.push_back(name);
+      CheckLink(*link, strict, PartText(part));
+    });
   }
   if (tree.links.empty()) Refuse(FailureCode::kNotUrdf, "the URDF has no link");
   for (const XMLElement* joint = robot->FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
-    CheckJoint(*joint, strict, tree);
+    const std::string name = NameOf(*joint, "a joint");
+    CheckPart({PartKind::kJoint, name}, [&] { CheckJoint(*joint, name, strict, tree); });
   }
   CheckMimics(*robot);
   CheckRoots(tree);

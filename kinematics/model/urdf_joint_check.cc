@@ -108,7 +108,8 @@ void CheckMimics(const XMLElement& robot) {
   for (const XMLElement* j = robot.FirstChildElement("joint"); j != nullptr; j = j->NextSiblingElement("joint")) {
     const XMLElement* mimic = j->FirstChildElement("mimic");
     if (mimic == nullptr || types[j->Attribute("name")] == "fixed") continue;
-    CheckMimic(*mimic, types, j->Attribute("name"));
+    const std::string name = j->Attribute("name");
+    CheckPart({PartKind::kJoint, name}, [&] { CheckMimic(*mimic, types, name); });
     leader[j->Attribute("name")] = mimic->Attribute("joint");
   }
   for (const auto& [follower, first] : leader) {
@@ -118,7 +119,8 @@ void CheckMimics(const XMLElement& robot) {
       path += fmt::format(" mimics '{}'", at);
       if (!seen.insert(at).second) {
         Refuse(FailureCode::kBadMimic,
-               fmt::format("joint '{}': {}: a cycle; one of them must not mimic another", follower, path));
+               fmt::format("joint '{}': {}: a cycle; one of them must not mimic another", follower, path), {},
+               RobotPart{PartKind::kJoint, follower});
       }
       if (!leader.contains(at)) break;
       path += ", which";

@@ -78,8 +78,9 @@ void CheckShape(const XMLElement& shape, const std::string& owner) {
 
 }  // namespace
 
-void Refuse(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions) {
-  throw Failure{FailureKind::kBadInput, code, "LoadRobot", message, std::move(suggestions)};
+void Refuse(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions,
+            std::optional<RobotPart> part) {
+  throw Failure{FailureKind::kBadInput, code, "LoadRobot", message, std::move(suggestions), {}, std::move(part)};
 }
 
 std::string Attribute(const XMLElement& element, const char* name, const std::string& owner) {

@@ -3,6 +3,7 @@
 
 #include <tinyxml2.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,19 @@
 namespace gaitwright {
 
 /// Stops reading a URDF by throwing a Failure, which CheckUrdf catches.
-[[noreturn]] void Refuse(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions = {});
+[[noreturn]] void Refuse(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions = {},
+                         std::optional<RobotPart> part = {});
+
+/// Runs a check of a link or joint. A failure that names no part gets this one.
+template <class Check>
+void CheckPart(const RobotPart& part, const Check& check) {
+  try {
+    check();
+  } catch (Failure& failure) {
+    if (!failure.part) failure.part = part;
+    throw;
+  }
+}
 
 /// The text of an attribute. Refuses a missing attribute; the message names the owner.
 std::string Attribute(const tinyxml2::XMLElement& element, const char* name, const std::string& owner);

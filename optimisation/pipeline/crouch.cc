@@ -62,8 +62,9 @@ std::string MotorText(const RobotModel& model, int index, bool speed) {
 Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const PushOff& best, double gives,
                   bool by_speed) {
   const double takes = 0.5 * kGravity * flight.duration_s, longest_s = 2.0 * gives / (kLeastSpeed * kGravity);
-  std::vector<Suggestion> suggestions = {"a shorter cycle (--set gait.cycle_s)",
-                                         "a larger duty factor (--set gait.duty_factor)"};
+  std::vector<Suggestion> suggestions = {
+      {"gait.cycle_s", {}, Certainty::kUntried, "a shorter cycle (--set gait.cycle_s)"},
+      {"gait.duty_factor", {}, Certainty::kUntried, "a larger duty factor (--set gait.duty_factor)"}};
   if (longest_s > 0.005) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
   return {FailureKind::kInfeasible, by_speed ? FailureCode::kLegsTooSlow : FailureCode::kLegsTooWeak, "CrouchFor",
           fmt::format(

@@ -105,7 +105,8 @@ Failure Refusal(const RobotModel& model, const WalkRequest& request, const std::
     if (!at_every_pace)
       failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
                                      model.name, PaceName(PaceOf(command)), gait);
-    failure.suggestions.insert(failure.suggestions.begin(), "another gait");
+    failure.suggestions.insert(failure.suggestions.begin(),
+                               Suggestion("gait", {}, Certainty::kUntried, "another gait"));
     return failure;
   }
   const WalkCommand at_pace = AtPace(model, command, slower.value);

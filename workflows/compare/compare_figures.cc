@@ -176,8 +176,8 @@ std::vector<WordDifference> WordsOf(const ComparedMotion& a, const ComparedMotio
   std::vector<WordDifference> words;
   AddDifferences(of_a.facts, of_b.facts, alike, words);
   AddDifferences(of_a.options, of_b.options, alike, words);
-  if (a.kind == "plan" && b.log) AddUnusual(b, true, words);
-  if (b.kind == "plan" && a.log) AddUnusual(a, false, words);
+  if (a.plan && b.log) AddUnusual(b, true, words);
+  if (b.plan && a.log) AddUnusual(a, false, words);
   return words;
 }
 

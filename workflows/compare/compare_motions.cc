@@ -226,8 +226,8 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   MotionComparison comparison;
   comparison.name_a = a.name;
   comparison.name_b = b.name;
-  comparison.kind_a = a.kind;
-  comparison.kind_b = b.kind;
+  comparison.kind_a = ComparedKindName(a.kind);
+  comparison.kind_b = ComparedKindName(b.kind);
   comparison.robot_a = a.model.name;
   comparison.robot_b = b.model.name;
   const std::vector<NamedPair> joints = CommonJoints(a, b);

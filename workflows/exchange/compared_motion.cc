@@ -114,8 +114,22 @@ std::vector<std::string> NotesOf(const RobotModel& model, const MotionTable& tab
 
 }  // namespace
 
+const char* ComparedKindName(ComparedKind kind) {
+  switch (kind) {
+    case ComparedKind::kPlan:
+      return "plan";
+    case ComparedKind::kLog:
+      return "log";
+    case ComparedKind::kCsv:
+      return "csv";
+    case ComparedKind::kTrajectory:
+      return "trajectory";
+  }
+  return "";
+}
+
 ComparedMotion ComparedPlan(const RobotModel& model, const MotionPlan& plan, const std::string& name) {
-  ComparedMotion motion{.name = name, .kind = "plan", .model = model, .plan = plan};
+  ComparedMotion motion{.name = name, .kind = ComparedKind::kPlan, .model = model, .plan = plan};
   motion.rows = RowsOfPlan(model, plan, UsualRate(plan));
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
     motion.stances.push_back(IntervalsOf(plan.schedule, foot));
@@ -123,7 +137,7 @@ ComparedMotion ComparedPlan(const RobotModel& model, const MotionPlan& plan, con
 }
 
 ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, const std::string& name) {
-  ComparedMotion motion{.name = name, .kind = "log", .model = model, .log = log};
+  ComparedMotion motion{.name = name, .kind = ComparedKind::kLog, .model = model, .log = log};
   motion.rows = RowsOfLog(model, log, log.log_rate_hz);
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
     motion.stances.push_back(MeasuredIntervals(log, foot, TimingGate()));
@@ -134,12 +148,12 @@ ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, cons
 
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
   CheckTable(model, table);
-  const char* const kind = table.format == "joint-trajectory" ? "trajectory" : "csv";
+  const ComparedKind kind = table.format == "joint-trajectory" ? ComparedKind::kTrajectory : ComparedKind::kCsv;
   ComparedMotion motion{.name = name, .kind = kind, .model = model, .notes = NotesOf(model, table, name)};
   MotionRows& rows = motion.rows;
   rows.time_s = table.time_s;
   // Points of a joint trajectory may be far apart, because a controller interpolates between them.
-  if (motion.kind == "csv") WatchGaps(motion);
+  if (kind == ComparedKind::kCsv) WatchGaps(motion);
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
     VectorX q = VectorX::Constant(model.nq(), kNaN), v = VectorX::Constant(model.nv(), kNaN);
     if (!table.base_m.empty()) q.head<3>() = table.base_m[k];

@@ -13,10 +13,15 @@
 
 namespace gaitwright {
 
+/// The source of one side of a comparison.
+enum class ComparedKind { kPlan, kLog, kCsv, kTrajectory };
+/// The name in JSON and for the user: `plan`, `log`, `csv` or `trajectory`.
+const char* ComparedKindName(ComparedKind kind);
+
 /// One side of a comparison: a plan, a log, or columns of numbers such as a robot's own log.
 struct ComparedMotion {
-  std::string name;                                        ///< its name: the file as given
-  std::string kind;                                        ///< "plan", "log", "csv" or "trajectory"
+  std::string name;  ///< its name: the file as given
+  ComparedKind kind = ComparedKind::kPlan;
   RobotModel model;                                        ///< defines the order of its rows
   std::optional<MotionPlan> plan = {};                     ///< set for a plan
   std::optional<PlaybackLog> log = {};                     ///< set for a log

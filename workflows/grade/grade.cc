@@ -32,8 +32,8 @@ std::optional<Failure> ReasonInvalidRequest(const GradeRequest& request) {
     if (!model) return model.failure();
     try {
       for (const MotionRun& run : DrawRuns(part, *model, request.seed)) {
-        if (part.kind == PartKind::kPlan) (void)GoalOf(*model, run.walk.command);
-        if (part.kind == PartKind::kController) (void)GivenPlan(part, *model, run);
+        if (part.kind == RubricPartKind::kPlan) (void)GoalOf(*model, run.walk.command);
+        if (part.kind == RubricPartKind::kController) (void)GivenPlan(part, *model, run);
       }
     } catch (const InvalidArgument& error) {
       return CannotGrade(FailureCode::kRubric, error.what());

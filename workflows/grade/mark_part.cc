@@ -11,17 +11,17 @@ namespace {
 
 PartMark MarkByKind(const HandedIn& in) {
   switch (in.part.kind) {
-    case PartKind::kFunction:
+    case RubricPartKind::kFunction:
       return MarkFunction(in);
-    case PartKind::kAnswers:
+    case RubricPartKind::kAnswers:
       return MarkAnswers(in);
-    case PartKind::kPlan:
+    case RubricPartKind::kPlan:
       return MarkPlan(in);
-    case PartKind::kMotion:
+    case RubricPartKind::kMotion:
       return MarkMotionFile(in);
-    case PartKind::kParameters:
+    case RubricPartKind::kParameters:
       return MarkParameters(in);
-    case PartKind::kPlanner:
+    case RubricPartKind::kPlanner:
       return MarkPlanner(in);
     default:
       return MarkController(in);

@@ -122,11 +122,11 @@ void CheckCommandOf(const YamlMap& map, const YAML::Node& node, const RubricPart
     return std::any_of(command.begin(), command.end(), [&](const auto& one) { return one.first == key; });
   };
   const bool goal = has("goal_x_m") || has("goal_y_m") || has("goal_yaw_rad");
-  if (part.kind == PartKind::kPlanner && !goal)
+  if (part.kind == RubricPartKind::kPlanner && !goal)
     RefuseYaml(node,
                fmt::format("part '{}' lacks a goal: its 'command' needs goal_x_m, goal_y_m, goal_yaw_rad", part.name));
   const bool steps_only = goal || command.empty();
-  if ((part.kind == PartKind::kPlanner || part.kind == PartKind::kMotion) && !steps_only)
+  if ((part.kind == RubricPartKind::kPlanner || part.kind == RubricPartKind::kMotion) && !steps_only)
     RefuseYaml(
         *map.Find("command"),
         fmt::format("part '{}' is marked by its end pose: its 'command' accepts only goal_x_m, goal_y_m, goal_yaw_rad",
@@ -150,7 +150,7 @@ NumberRange RangeAt(const YAML::Node& node, const std::string& what) {
   return range;
 }
 
-MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, PartKind kind) {
+MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, RubricPartKind kind) {
   const std::vector<std::string> names = MeasuresOf(kind);
   if (std::find(names.begin(), names.end(), measure) == names.end())
     RefuseYaml(node, fmt::format("there is no measure '{}'{}", measure,
@@ -178,7 +178,7 @@ void ReadQuestionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& p
   std::vector<std::string> inputs;
   for (const QuestionInput& input : asked.inputs) inputs.push_back(input.name);
   if (const YAML::Node* ranges = map.Find("inputs")) question.inputs = RangesAt(*ranges, "'inputs'", inputs);
-  if (part.kind == PartKind::kAnswers && map.Find("seed") != nullptr)
+  if (part.kind == RubricPartKind::kAnswers && map.Find("seed") != nullptr)
     question.seed = static_cast<std::uint64_t>(*map.InRange("seed"));
 }
 
@@ -215,16 +215,16 @@ void ReadMotionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& par
 }
 
 void ReadCodeSetup(const YamlMap& map, RubricPart& part) {
-  part.package = part.kind != PartKind::kFunction;
+  part.package = part.kind != RubricPartKind::kFunction;
   if (const YAML::Node* package = map.Find("package")) {
     if (!YAML::convert<bool>::decode(*package, part.package))
       RefuseYaml(*package, fmt::format("'package' is '{}'; accepted: true, false", TextOf(*package, "'package'")));
   }
   part.function = map.Text("function");
   if (!part.function.empty()) return;
-  part.function = part.kind == PartKind::kPlanner      ? "plan_steps"
-                  : part.kind == PartKind::kController ? "make_controller"
-                                                       : part.question.reference;
+  part.function = part.kind == RubricPartKind::kPlanner      ? "plan_steps"
+                  : part.kind == RubricPartKind::kController ? "make_controller"
+                                                             : part.question.reference;
 }
 
 }  // namespace gaitwright

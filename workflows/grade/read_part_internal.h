@@ -12,7 +12,7 @@
 namespace gaitwright {
 
 /// The rule of a measure for parts of this kind. Refuses an unknown measure and names the nearest.
-MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, PartKind kind);
+MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, RubricPartKind kind);
 
 /// Each function reads the keys of one kind of part. It refuses unknown names and values out of range, and names the
 /// line.

@@ -28,14 +28,14 @@ bool IsFileName(const std::string& text) {
   return !text.empty() && text.front() != '.' && text.find('/') == std::string::npos && text.size() <= 255;
 }
 
-PartKind KindAt(const YamlMap& map) {
+RubricPartKind KindAt(const YamlMap& map) {
   map.Require({"kind"});
   const std::string word = map.Text("kind");
   const std::vector<std::string>& names = PartKindNames();
   const auto at = std::find(names.begin(), names.end(), word);
   if (at == names.end())
     RefuseYaml(*map.Find("kind"), fmt::format("there is no kind of part '{}'{}", word, NearestOrAll(word, names)));
-  return static_cast<PartKind>(at - names.begin());
+  return static_cast<RubricPartKind>(at - names.begin());
 }
 
 void ReadLimits(const YAML::Node& node, RubricPart& part) {
@@ -55,7 +55,7 @@ void ReadLimits(const YAML::Node& node, RubricPart& part) {
   }
 }
 
-Check ReadCheck(const YAML::Node& node, PartKind kind) {
+Check ReadCheck(const YAML::Node& node, RubricPartKind kind) {
   const DataShape shape = CheckShape(kind);
   const YamlMap map(node, "a check", shape);
   Check check;

@@ -11,11 +11,11 @@ const std::vector<std::string>& PartKindNames() {
   return names;
 }
 
-bool RunsCode(PartKind kind) {
-  return kind == PartKind::kFunction || kind == PartKind::kPlanner || kind == PartKind::kController;
+bool RunsCode(RubricPartKind kind) {
+  return kind == RubricPartKind::kFunction || kind == RubricPartKind::kPlanner || kind == RubricPartKind::kController;
 }
 
-bool PlaysMotions(PartKind kind) { return kind != PartKind::kFunction && kind != PartKind::kAnswers; }
+bool PlaysMotions(RubricPartKind kind) { return kind != RubricPartKind::kFunction && kind != RubricPartKind::kAnswers; }
 
 const std::vector<std::string>& CommandKeys() {
   static const std::vector<std::string> keys = {

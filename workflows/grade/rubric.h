@@ -24,15 +24,15 @@ struct NumberRange {
 using NamedRanges = std::vector<std::pair<std::string, NumberRange>>;
 
 /// Kind of a part of a rubric, which sets the submitted file.
-enum class PartKind { kFunction, kAnswers, kPlan, kMotion, kParameters, kPlanner, kController };
+enum class RubricPartKind { kFunction, kAnswers, kPlan, kMotion, kParameters, kPlanner, kController };
 
 /// Their names in a rubric, in the order of the enumeration.
 const std::vector<std::string>& PartKindNames();
 
 /// Whether submissions of this kind are Python code to run.
-bool RunsCode(PartKind kind);
+bool RunsCode(RubricPartKind kind);
 /// Whether motions are played for this kind.
-bool PlaysMotions(PartKind kind);
+bool PlaysMotions(RubricPartKind kind);
 
 /// A measure and its points: all points at `full_at` or better, none at `none_at` or worse, linear in between. Without
 /// `none_at`, all or nothing.
@@ -85,7 +85,7 @@ const std::vector<std::string>& CommandKeys();
 /// needs.
 struct RubricPart {
   std::string name, title;
-  PartKind kind = PartKind::kFunction;
+  RubricPartKind kind = RubricPartKind::kFunction;
   std::string file;      ///< a plain name in the student's folder
   std::string function;  ///< function to call, if code runs
   bool package = false;  ///< whether the code may import gaitwright

@@ -47,22 +47,22 @@ Members MotionMembers() {
 }
 
 /// Keys that only parts of one kind have.
-Members OwnMembers(PartKind kind) {
+Members OwnMembers(RubricPartKind kind) {
   using namespace shapes;
   Members own;
   if (RunsCode(kind)) {
     own.push_back(Optional("function", Text(), "Function to call in the file."));
     own.push_back(Optional("package", Truth(), "True if the code may import gaitwright."));
   }
-  if (kind == PartKind::kAnswers)
+  if (kind == RubricPartKind::kAnswers)
     own.push_back(Optional("seed", Whole(0, kMostSeed), "Seed of inputs that are always the same."));
-  if (PlaysMotions(kind) && kind != PartKind::kController)
+  if (PlaysMotions(kind) && kind != RubricPartKind::kController)
     own.push_back(Optional("controller", Text(ControllerNames()), "Controller that plays the motion."));
-  if (kind == PartKind::kParameters || kind == PartKind::kController)
+  if (kind == RubricPartKind::kParameters || kind == RubricPartKind::kController)
     own.push_back(Optional("gait", Text(), "Gait that the program plans with."));
-  if (kind == PartKind::kParameters)
+  if (kind == RubricPartKind::kParameters)
     own.push_back(Optional("options", List(Text(), 1), "Keys that the file may set, such as gait.cycle_s or swing.*."));
-  if (kind == PartKind::kPlanner) {
+  if (kind == RubricPartKind::kPlanner) {
     own.push_back(Optional("swing_s", Number(0.05, 10.0), "Duration of a swing."));
     own.push_back(Optional("pause_s", Number(0.0, 10.0), "Time on the ground after a swing."));
   }
@@ -71,11 +71,11 @@ Members OwnMembers(PartKind kind) {
 
 }  // namespace
 
-std::vector<std::string> MeasuresOf(PartKind kind) {
+std::vector<std::string> MeasuresOf(RubricPartKind kind) {
   return PlaysMotions(kind) ? MotionMeasureNames() : std::vector<std::string>{"share_right", "largest_error"};
 }
 
-DataShape CheckShape(PartKind kind) {
+DataShape CheckShape(RubricPartKind kind) {
   using namespace shapes;
   return Object({{"measure", Text(MeasuresOf(kind))},
                  {"points", Number(0.0, kMostPoints)},
@@ -83,7 +83,7 @@ DataShape CheckShape(PartKind kind) {
                  Optional("none_at", Number(-kLargestValue, kLargestValue), "Value from which no points are given.")});
 }
 
-DataShape LimitsShape(PartKind kind) {
+DataShape LimitsShape(RubricPartKind kind) {
   using namespace shapes;
   ChildLimits limits;
   Members members;
@@ -94,7 +94,7 @@ DataShape LimitsShape(PartKind kind) {
   return Object(members);
 }
 
-DataShape PartShape(PartKind kind) {
+DataShape PartShape(RubricPartKind kind) {
   using namespace shapes;
   Members members = {{"name", Text(), "Name of the part and of its column in the table of marks."},
                      Optional("title", Text(), "Title for readers."),
@@ -111,9 +111,9 @@ DataShape PartShape(PartKind kind) {
 
 DataShape RubricShape() {
   using namespace shapes;
-  DataShape part = PartShape(static_cast<PartKind>(0));
+  DataShape part = PartShape(static_cast<RubricPartKind>(0));
   for (std::size_t kind = 1; kind < PartKindNames().size(); ++kind)
-    part = Either(part, PartShape(static_cast<PartKind>(kind)));
+    part = Either(part, PartShape(static_cast<RubricPartKind>(kind)));
   return Object({{"title", Text(), "Title of the assignment."}, {"parts", List(part, 1, kMostParts)}});
 }
 

@@ -11,15 +11,15 @@ namespace gaitwright {
 DataShape RubricShape();
 
 /// Structure of a part of this kind.
-DataShape PartShape(PartKind kind);
+DataShape PartShape(RubricPartKind kind);
 
 /// Structure of the limits of a part of this kind.
-DataShape LimitsShape(PartKind kind);
+DataShape LimitsShape(RubricPartKind kind);
 
 /// Structure of the checks of a part of this kind.
-DataShape CheckShape(PartKind kind);
+DataShape CheckShape(RubricPartKind kind);
 
 /// Names of the measures for parts of this kind.
-std::vector<std::string> MeasuresOf(PartKind kind);
+std::vector<std::string> MeasuresOf(RubricPartKind kind);
 
 }  // namespace gaitwright

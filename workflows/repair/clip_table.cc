@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json ClipJson(const ClipOutcome& c) {
   return {{"clip", c.clip},
-          {"verdict", c.verdict},
+          {"verdict", ClipVerdictName(c.verdict)},
           {"duration_s", c.duration_s},
           {"broken_share", c.broken_share},
           {"broken", c.broken},
@@ -27,6 +27,14 @@ Json ClipJson(const ClipOutcome& c) {
           {"plan", c.plan}};
 }
 
+/// @throws std::runtime_error for another name.
+ClipVerdict VerdictOfName(const std::string& name) {
+  for (const ClipVerdict verdict : {ClipVerdict::kRefused, ClipVerdict::kFail, ClipVerdict::kPass}) {
+    if (name == ClipVerdictName(verdict)) return verdict;
+  }
+  throw std::runtime_error("a line of the journal has an unknown verdict");
+}
+
 std::string QuotedCell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -34,11 +42,23 @@ std::string QuotedCell(const std::string& text) {
   return quoted + '"';
 }
 
-std::ptrdiff_t CountOf(const std::vector<ClipOutcome>& clips, const std::string& verdict) {
+std::ptrdiff_t CountOf(const std::vector<ClipOutcome>& clips, ClipVerdict verdict) {
   return std::count_if(clips.begin(), clips.end(), [&](const ClipOutcome& c) { return c.verdict == verdict; });
 }
 
 }  // namespace
+
+const char* ClipVerdictName(ClipVerdict verdict) {
+  switch (verdict) {
+    case ClipVerdict::kRefused:
+      return "refused";
+    case ClipVerdict::kFail:
+      return "fail";
+    case ClipVerdict::kPass:
+      return "pass";
+  }
+  return "";
+}
 
 std::string LineOf(const ClipOutcome& outcome) {
   return ClipJson(outcome).dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -49,7 +69,7 @@ ClipOutcome ClipOfLine(const std::string& line) {
     const Json json = Json::parse(line);
     ClipOutcome c;
     json.at("clip").get_to(c.clip);
-    json.at("verdict").get_to(c.verdict);
+    c.verdict = VerdictOfName(json.at("verdict").get<std::string>());
     json.at("duration_s").get_to(c.duration_s);
     json.at("broken_share").get_to(c.broken_share);
     json.at("broken").get_to(c.broken);
@@ -73,11 +93,11 @@ std::string ClipsText(const std::vector<ClipOutcome>& clips) {
                                  "slowed", "joints RMS", "base RMS", "file breaks longest; reason");
   for (const ClipOutcome& c : clips) {
     text += fmt::format("{:<{}}  {:<7}  {:>5.1f} %  {:>4.1f} s  {:>6.3f} rad  {:>6.1f} mm  {}{}{}\n", c.clip, width,
-                        c.verdict, 100.0 * c.broken_share, c.slowed_s, c.joint_rms_rad, 1e3 * c.base_rms_m, c.broken,
-                        c.broken.empty() || c.reason.empty() ? "" : "; ", c.reason);
+                        ClipVerdictName(c.verdict), 100.0 * c.broken_share, c.slowed_s, c.joint_rms_rad,
+                        1e3 * c.base_rms_m, c.broken, c.broken.empty() || c.reason.empty() ? "" : "; ", c.reason);
   }
-  return text + fmt::format("{} of {} pass, {} fail, {} refused\n", CountOf(clips, "pass"), clips.size(),
-                            CountOf(clips, "fail"), CountOf(clips, "refused"));
+  return text + fmt::format("{} of {} pass, {} fail, {} refused\n", CountOf(clips, ClipVerdict::kPass), clips.size(),
+                            CountOf(clips, ClipVerdict::kFail), CountOf(clips, ClipVerdict::kRefused));
 }
 
 std::string ClipsCsv(const std::vector<ClipOutcome>& clips) {
@@ -85,9 +105,10 @@ std::string ClipsCsv(const std::vector<ClipOutcome>& clips) {
       "clip,verdict,duration_s,broken_share,broken,violations,joint_rms_rad,joint_largest_rad,base_rms_m,slowed_s,"
       "reason,plan\n";
   for (const ClipOutcome& c : clips) {
-    text += fmt::format("{},{},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", QuotedCell(c.clip), c.verdict,
-                        c.duration_s, c.broken_share, c.broken, c.violations, c.joint_rms_rad, c.joint_largest_rad,
-                        c.base_rms_m, c.slowed_s, QuotedCell(c.reason), QuotedCell(c.plan));
+    text +=
+        fmt::format("{},{},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", QuotedCell(c.clip),
+                    ClipVerdictName(c.verdict), c.duration_s, c.broken_share, c.broken, c.violations, c.joint_rms_rad,
+                    c.joint_largest_rad, c.base_rms_m, c.slowed_s, QuotedCell(c.reason), QuotedCell(c.plan));
   }
   return text;
 }
@@ -95,10 +116,10 @@ std::string ClipsCsv(const std::vector<ClipOutcome>& clips) {
 std::string ClipsJson(const RobotModel& model, const std::vector<ClipOutcome>& clips, const std::string& table_path) {
   Json list = Json::array();
   for (const ClipOutcome& c : clips) list.push_back(ClipJson(c));
-  const bool all = CountOf(clips, "pass") == static_cast<std::ptrdiff_t>(clips.size());
+  const bool all = CountOf(clips, ClipVerdict::kPass) == static_cast<std::ptrdiff_t>(clips.size());
   const Json json = {{"robot", model.name},
                      {"verdict", all ? "pass" : "fail"},
-                     {"passed", CountOf(clips, "pass")},
+                     {"passed", CountOf(clips, ClipVerdict::kPass)},
                      {"clips", list},
                      {"files", {{"table", table_path}}}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

@@ -40,7 +40,7 @@ void SetBefore(const MotionFindings& findings, ClipOutcome& outcome) {
 ClipOutcome RefusedClip(const std::string& clip, const Failure& failure) {
   ClipOutcome outcome;
   outcome.clip = clip;
-  outcome.verdict = "refused";
+  outcome.verdict = ClipVerdict::kRefused;
   outcome.broken_share = 1.0;
   outcome.reason = failure.message;
   return outcome;
@@ -56,16 +56,16 @@ std::string ReasonOf(const PlayedRepair& done) {
 }
 
 void SetAfter(const RobotModel& model, const PlayedRepair& done, ClipOutcome& outcome) {
-  outcome.verdict = done.ResultOf(model).pass() ? "pass" : "fail";
+  outcome.verdict = done.ResultOf(model).pass() ? ClipVerdict::kPass : ClipVerdict::kFail;
   outcome.joint_rms_rad = done.repaired.distance.joint_rms_rad;
   outcome.joint_largest_rad = done.repaired.distance.joint_largest_rad;
   outcome.base_rms_m = done.repaired.distance.base_rms_m;
   if (!done.repaired.findings.kept) {
     for (const RepairChange& change : ChangesOf(model, done.repaired.findings)) {
-      if (change.what == "slowed") outcome.slowed_s += change.by;
+      if (change.kind == RepairChangeKind::kSlowed) outcome.slowed_s += change.by;
     }
   }
-  if (outcome.verdict == "fail") outcome.reason = ReasonOf(done);
+  if (outcome.verdict == ClipVerdict::kFail) outcome.reason = ReasonOf(done);
 }
 
 /// @throws CannotKeep if the plan cannot be written.
@@ -79,7 +79,7 @@ ClipOutcome RepairClip(const RobotModel& model, const FolderRequest& request, co
     const Result<MotionFindings> findings = ExamineMotion(model, one);
     if (!findings) return RefusedClip(clip, findings.failure());
     SetBefore(*findings, outcome);
-    outcome.verdict = findings->before && findings->before->pass() ? "pass" : "fail";
+    outcome.verdict = findings->before && findings->before->pass() ? ClipVerdict::kPass : ClipVerdict::kFail;
     outcome.reason = findings->not_audited;
     return outcome;
   }
@@ -92,12 +92,10 @@ ClipOutcome RepairClip(const RobotModel& model, const FolderRequest& request, co
   return outcome;
 }
 
-int RankOf(const ClipOutcome& outcome) { return outcome.verdict == "refused" ? 0 : outcome.verdict == "fail" ? 1 : 2; }
-
 void SortClips(std::vector<ClipOutcome>& outcomes) {
   std::sort(outcomes.begin(), outcomes.end(), [](const ClipOutcome& a, const ClipOutcome& b) {
-    return std::tuple(RankOf(a), -a.broken_share, -a.joint_rms_rad, a.clip) <
-           std::tuple(RankOf(b), -b.broken_share, -b.joint_rms_rad, b.clip);
+    return std::tuple(a.verdict, -a.broken_share, -a.joint_rms_rad, a.clip) <
+           std::tuple(b.verdict, -b.broken_share, -b.joint_rms_rad, b.clip);
   });
 }
 

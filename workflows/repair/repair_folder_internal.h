@@ -20,10 +20,15 @@ struct FolderRequest {
   bool plays = true;     ///< play the plans
 };
 
+/// Sorted: the worst first.
+enum class ClipVerdict { kRefused, kFail, kPass };
+/// The name in JSON, CSV and for the user: `refused`, `fail` or `pass`.
+const char* ClipVerdictName(ClipVerdict verdict);
+
 /// What became of a clip. Shares and distances are 0 where they are unknown.
 struct ClipOutcome {
-  std::string clip;     ///< path within the folder
-  std::string verdict;  ///< "pass", "fail" or "refused"
+  std::string clip;  ///< path within the folder
+  ClipVerdict verdict = ClipVerdict::kFail;
   double duration_s = 0.0;
   double broken_share = 0.0;  ///< of the time, for the check that the file's motion fails longest; 1 if none was made
   std::string broken;         ///< that check, or ""

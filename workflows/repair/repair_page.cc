@@ -215,7 +215,7 @@ std::string ChangesPart(const RepairResult& result) {
   std::string items;
   std::size_t count = 0;
   for (const RepairChange& change : ChangesOf(result.model, result.findings)) {
-    if (kept && change.what != "smoothed") continue;
+    if (kept && change.kind != RepairChangeKind::kSmoothed) continue;
     items += "<li>" + EscapedXml(change.text) + "</li>\n";
     ++count;
   }

@@ -20,7 +20,7 @@ void AddContactChange(const MotionFindings& findings, std::vector<RepairChange>&
   const FoundContacts& c = findings.contacts;
   const int count = c.short_stances + c.short_swings + c.false_flights;
   if (count == 0) return;
-  changes.push_back({"contacts", "", 0.0, findings.duration_s, static_cast<double>(count), "1",
+  changes.push_back({RepairChangeKind::kContacts, "", 0.0, findings.duration_s, static_cast<double>(count), "1",
                      fmt::format("contacts: {} short stances and {} short swings were taken away, and {} times without "
                                  "a foot on the ground in which the robot does not fall",
                                  c.short_stances, c.short_swings, c.false_flights)});
@@ -31,25 +31,26 @@ void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& c
   const double end_s = r.motion.TimeOf(static_cast<int>(r.file_s.size()) - 1);
   if (r.stood_start_s > 0.0) {
     changes.push_back(
-        {"stood", "", 0.0, r.stood_start_s, r.stood_start_s, "s",
+        {RepairChangeKind::kStood, "", 0.0, r.stood_start_s, r.stood_start_s, "s",
          fmt::format("stood: {:.2f} s were added at the start, because the file begins with a foot in the "
                      "air; the robot first stands on all feet and lifts it",
                      r.stood_start_s)});
   }
   if (r.slowed_start_s > 0.0) {
-    changes.push_back({"slowed", "", r.stood_start_s, r.stood_start_s + r.slowed_start_s, 0.5 * r.slowed_start_s, "s",
+    changes.push_back({RepairChangeKind::kSlowed, "", r.stood_start_s, r.stood_start_s + r.slowed_start_s,
+                       0.5 * r.slowed_start_s, "s",
                        fmt::format("slowed: the first {:.2f} s take {:.2f} s, because the file does not begin at rest",
                                    0.5 * r.slowed_start_s, r.slowed_start_s)});
   }
   if (r.slowed_end_s > 0.0) {
     const double until_s = end_s - r.stood_end_s;
-    changes.push_back({"slowed", "", until_s - r.slowed_end_s, until_s, 0.5 * r.slowed_end_s, "s",
+    changes.push_back({RepairChangeKind::kSlowed, "", until_s - r.slowed_end_s, until_s, 0.5 * r.slowed_end_s, "s",
                        fmt::format("slowed: the last {:.2f} s take {:.2f} s, because the file does not end at rest",
                                    0.5 * r.slowed_end_s, r.slowed_end_s)});
   }
   if (r.stood_end_s > 0.0) {
     changes.push_back(
-        {"stood", "", end_s - r.stood_end_s, end_s, r.stood_end_s, "s",
+        {RepairChangeKind::kStood, "", end_s - r.stood_end_s, end_s, r.stood_end_s, "s",
          fmt::format("stood: {:.2f} s were added at the end, because the file ends with a foot in the air; "
                      "the robot sets it down and stands",
                      r.stood_end_s)});
@@ -66,7 +67,7 @@ void AddSlowedParts(const MotionFindings& findings, std::vector<RepairChange>& c
   for (const SlowedPart& part : findings.slowed) {
     const double start_s = std::max(0.0, part.start_s), end_s = std::min(findings.duration_s, part.end_s);
     const double from_s = plan_s(start_s), to_s = plan_s(end_s);
-    changes.push_back({"slowed", "", from_s, to_s, (to_s - from_s) - (end_s - start_s), "s",
+    changes.push_back({RepairChangeKind::kSlowed, "", from_s, to_s, (to_s - from_s) - (end_s - start_s), "s",
                        fmt::format("slowed: {:.2f} to {:.2f} s of the file take {:.2f} times as long, because {}",
                                    start_s, end_s, part.factor, part.why)});
   }
@@ -75,8 +76,13 @@ void AddSlowedParts(const MotionFindings& findings, std::vector<RepairChange>& c
 Json AuditOf(const AuditReport& report) { return Json::parse(AuditJson(report)); }
 
 Json ChangeJson(const RepairChange& change) {
-  return {{"what", change.what}, {"where", change.where}, {"start_s", change.start_s}, {"end_s", change.end_s},
-          {"by", change.by},     {"unit", change.unit},   {"text", change.text}};
+  return {{"what", RepairChangeName(change.kind)},
+          {"where", change.where},
+          {"start_s", change.start_s},
+          {"end_s", change.end_s},
+          {"by", change.by},
+          {"unit", change.unit},
+          {"text", change.text}};
 }
 
 Json GroupsJson(const std::vector<GroupDistance>& groups) {
@@ -125,10 +131,28 @@ std::string BeforeText(const MotionFindings& findings) {
 
 }  // namespace
 
+const char* RepairChangeName(RepairChangeKind kind) {
+  switch (kind) {
+    case RepairChangeKind::kSmoothed:
+      return "smoothed";
+    case RepairChangeKind::kLifted:
+      return "lifted";
+    case RepairChangeKind::kSlowed:
+      return "slowed";
+    case RepairChangeKind::kStood:
+      return "stood";
+    case RepairChangeKind::kPinned:
+      return "pinned";
+    case RepairChangeKind::kContacts:
+      return "contacts";
+  }
+  return "";
+}
+
 std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFindings& findings) {
   std::vector<RepairChange> changes;
   if (findings.smoothing_hz > 0.0) {
-    changes.push_back({"smoothed", "", 0.0, findings.duration_s, findings.smoothing_hz, "Hz",
+    changes.push_back({RepairChangeKind::kSmoothed, "", 0.0, findings.duration_s, findings.smoothing_hz, "Hz",
                        fmt::format("smoothed: positions were smoothed above {:.3g} Hz", findings.smoothing_hz)});
   }
   AddContactChange(findings, changes);
@@ -137,14 +161,14 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
   const double lift_m = findings.clean.lift_m;
   if (std::abs(lift_m) > kMovedLittle) {
     changes.push_back(
-        {"lifted", "", 0.0, findings.duration_s, lift_m, "m",
+        {RepairChangeKind::kLifted, "", 0.0, findings.duration_s, lift_m, "m",
          fmt::format("lifted: the base was moved {} by {:.1f} mm, because the feet {}", lift_m > 0.0 ? "up" : "down",
                      1e3 * std::abs(lift_m), lift_m > 0.0 ? "sink into the ground" : "float above it")});
   }
   for (const PinnedStance& stance : findings.clean.stances) {
     if (stance.slid_m < kMovedLittle && stance.tilt_rad < kTiltedLittle) continue;
     const std::string& foot = model.feet[static_cast<std::size_t>(stance.foot)].name;
-    changes.push_back({"pinned", foot, stance.start_s, stance.end_s, stance.slid_m, "m",
+    changes.push_back({RepairChangeKind::kPinned, foot, stance.start_s, stance.end_s, stance.slid_m, "m",
                        fmt::format("pinned: foot '{}' from {:.2f} to {:.2f} s, moved by up to {:.1f} mm{}", foot,
                                    stance.start_s, stance.end_s, 1e3 * stance.slid_m,
                                    stance.tilt_rad < kTiltedLittle
@@ -169,7 +193,7 @@ std::string RepairText(const RepairResult& result) {
   text += BeforeText(findings);
   const bool kept = findings.kept;
   for (const RepairChange& change : ChangesOf(result.model, findings)) {
-    if (!kept || change.what == "smoothed") text += change.text + "\n";
+    if (!kept || change.kind == RepairChangeKind::kSmoothed) text += change.text + "\n";
   }
   if (result.repaired == nullptr) return text;
   if (kept) text += "the motion is sound as it is, and was kept\n";
@@ -189,7 +213,7 @@ std::string RepairJson(const RepairResult& result, const std::vector<std::pair<s
   Json changes = Json::array(), derived = Json::array();
   const bool kept = findings.kept;
   for (const RepairChange& change : ChangesOf(result.model, findings)) {
-    if (!kept || change.what == "smoothed") changes.push_back(ChangeJson(change));
+    if (!kept || change.kind == RepairChangeKind::kSmoothed) changes.push_back(ChangeJson(change));
   }
   for (const DerivedPart& part : findings.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
   Json json = {{"robot", result.model.name},

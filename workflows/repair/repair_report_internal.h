@@ -10,9 +10,13 @@
 
 namespace gaitwright {
 
+enum class RepairChangeKind { kSmoothed, kLifted, kSlowed, kStood, kPinned, kContacts };
+/// The name in JSON and Python, such as `smoothed`.
+const char* RepairChangeName(RepairChangeKind kind);
+
 /// A change that a repair made, or would make.
 struct RepairChange {
-  std::string what;   ///< "smoothed", "lifted", "slowed", "stood", "pinned", "contacts"
+  RepairChangeKind kind = RepairChangeKind::kSmoothed;
   std::string where;  ///< foot; "" for the whole robot
   double start_s = 0.0, end_s = 0.0;
   double by = 0.0;  ///< in `unit`

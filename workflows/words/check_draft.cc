@@ -36,10 +36,10 @@ void CheckParameter(const std::string& text, const TaskScope& scope, const Task&
   const Task alone = Alone(task, key, rule);
   const auto failure = WhyNoTask(alone);
   if (failure && failure->code == FailureCode::kRange)
-    throw Refused{{FailureCode::kRange, words, failure->message, ""}};
+    throw Refused{{FailureCode::kRange, words, failure->message, "", "", true}};
   if (key != "to") return;
   if (const auto away = ReasonNotDone(alone, scope); away && away->code == FailureCode::kPlace)
-    throw Refused{{FailureCode::kPlace, words, away->message, ""}};
+    throw Refused{{FailureCode::kPlace, words, away->message, "", "", true}};
 }
 
 void CheckExtents(const std::string& text, const Task& task, const Draft& draft) {
@@ -88,7 +88,8 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
   const ActionRule& rule = *FindAction(task.action);
   if (!scope.Can(rule)) {
     const Task bare{task.action, {}, "", {}};
-    throw Refused{{FailureCode::kCannot, TextOf(text, draft.words), ReasonNotDone(bare, scope)->message, rule.instead}};
+    throw Refused{
+        {FailureCode::kCannot, TextOf(text, draft.words), ReasonNotDone(bare, scope)->message, rule.instead, "", true}};
   }
   if (draft.side) {
     const std::string words = TextOf(text, draft.side_said.value_or(draft.words));

@@ -36,11 +36,7 @@ std::vector<Suggestion> HintsFor(const Refusal& refusal, const TaskScope& scope)
 
 Failure FailureOf(const Refusal& refusal, const TaskScope& scope) {
   const std::string part = refusal.part.empty() ? "the instruction" : fmt::format("'{}'", refusal.part);
-  // An error of the part continues the sentence after it; an error of the whole instruction is a sentence after a
-  // colon.
-  const bool whole =
-      refusal.why.starts_with("robot '") || refusal.why.starts_with("'") || refusal.why.starts_with("there ");
-  const std::string message = fmt::format("{}{} {}", part, whole ? ":" : "", refusal.why);
+  const std::string message = fmt::format("{}{} {}", part, refusal.is_sentence ? ":" : "", refusal.why);
   return {FailureKind::kBadInput, refusal.code, "Understand", message, HintsFor(refusal, scope)};
 }
 

@@ -90,6 +90,8 @@ struct Refusal {
   std::string part, why;
   std::string nearest;   ///< a similar action, or ""
   std::string say = {};  ///< what to say instead, if known
+  /// `why` is a sentence of its own; otherwise it continues a sentence that begins with the part.
+  bool is_sentence = false;
 };
 
 }  // namespace gaitwright::words

@@ -99,7 +99,7 @@ class Assembler {
     if (plan.tasks.empty()) throw Refused{{FailureCode::kEmpty, "", "contains no instruction", ""}};
     for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
     if (const auto failure = ReasonNotPlanned(plan, scope_))
-      throw Refused{{failure->code, text_, failure->message, ""}};
+      throw Refused{{failure->code, text_, failure->message, "", "", true}};
     return plan;
   }
 

@@ -28,7 +28,7 @@ TEST(CheckHolding, StrongMotorsHoldTheRobotAndWeakOnesAreErrors) {
   ASSERT_FALSE(weak.empty());
   for (const Finding& finding : weak) {
     EXPECT_EQ(finding.code, FailureCode::kWeakMotor);
-    EXPECT_TRUE(finding.part.starts_with("joint '")) << finding.part;
+    EXPECT_TRUE(PartText(finding.part).starts_with("joint '")) << PartText(finding.part);
   }
   EXPECT_TRUE(std::any_of(weak.begin(), weak.end(), [](const Finding& f) { return f.level == FindingLevel::kError; }));
 }
@@ -45,7 +45,7 @@ TEST(CheckHolding, WeakerMotorsAreNeverFewerFindings) {
 
 TEST(CheckHolding, EachJointIsNamedOnce) {
   std::vector<std::string> parts;
-  for (const Finding& finding : HoldingFindings(PlainWithEfforts(0.01))) parts.push_back(finding.part);
+  for (const Finding& finding : HoldingFindings(PlainWithEfforts(0.01))) parts.push_back(PartText(finding.part));
   std::sort(parts.begin(), parts.end());
   EXPECT_EQ(std::unique(parts.begin(), parts.end()), parts.end());
 }

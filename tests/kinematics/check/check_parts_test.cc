@@ -14,7 +14,7 @@ RobotModel SoundFour() { return *LoadRobotFromText(FourLegs(), ""); }
 std::vector<FailureCode> BodyCodes(const RobotModel& model) {
   std::vector<Finding> findings;
   CheckBodies(model, findings);
-  std::erase_if(findings, [](const Finding& finding) { return finding.part != "link 'trunk'"; });
+  std::erase_if(findings, [](const Finding& finding) { return PartText(finding.part) != "link 'trunk'"; });
   std::vector<FailureCode> codes;
   for (const Finding& finding : findings) codes.push_back(finding.code);
   return codes;
@@ -109,7 +109,7 @@ TEST(CheckRanges, RangesOfManyTurnsMayBeInDegrees) {
   model.joints[2].upper = 120.0;
   CheckRanges(model, findings);
   ASSERT_EQ(findings.size(), 2U);
-  EXPECT_EQ(findings[1].part, "joint '" + model.joints[2].name + "'");
+  EXPECT_EQ(PartText(findings[1].part), "joint '" + model.joints[2].name + "'");
 }
 
 TEST(NumbersDiffer, ByMoreThanOnePercent) {

@@ -21,7 +21,7 @@ std::vector<Finding> FindingsOfKind(const RobotModel& model, FailureCode code) {
 
 TEST(CheckRobot, TheModelsOwnFindingsComeFirst) {
   RobotModel model = PlainRobot();
-  const Finding own{FindingLevel::kInfo, FailureCode::kXacro, "robot", 12, "of the file"};
+  const Finding own{FindingLevel::kInfo, FailureCode::kXacro, RobotPart(), 12, "of the file"};
   model.findings = {own};
   ASSERT_FALSE(CheckRobot(model).empty());
   EXPECT_EQ(CheckRobot(model).front(), own);
@@ -44,7 +44,7 @@ TEST(CheckRobot, EachDifferenceBetweenTheSidesIsNamedByItsJoint) {
   knee.velocity_limit *= 0.5;
   const std::vector<Finding> findings = FindingsOfKind(model, FailureCode::kSidesDiffer);
   ASSERT_EQ(findings.size(), 2U);
-  for (const Finding& finding : findings) EXPECT_EQ(finding.part, "joint '" + knee.name + "'");
+  for (const Finding& finding : findings) EXPECT_EQ(PartText(finding.part), "joint '" + knee.name + "'");
   model.bodies[static_cast<std::size_t>(left.knee_joint) + 1].mass *= 2.0;
   EXPECT_EQ(FindingsOfKind(model, FailureCode::kSidesDiffer).size(), 3U);
 }
@@ -90,7 +90,7 @@ TEST(CheckRobot, PartsBelowTheGroundAreNamedOnceWithTheirDepth) {
   model.collision_shapes.push_back(low);
   const std::vector<Finding> findings = FindingsOfKind(model, FailureCode::kInTheGround);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_EQ(findings[0].part, "link 'keel'");
+  EXPECT_EQ(PartText(findings[0].part), "link 'keel'");
   ExpectSays(findings[0].message, {"10.0 mm"});
 }
 

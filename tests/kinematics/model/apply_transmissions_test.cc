@@ -109,14 +109,15 @@ TEST(ApplyTransmissions, WhatTheMotorsHaveIsNotGivenForTheirJointsToo) {
 
 TEST(ApplyTransmissions, ADriveOfAJointThatWasFixedIsLeftOut) {
   RobotModel model = *LoadRobotFromText(FourLegs(), "");
-  model.findings.push_back({FindingLevel::kWarning, FailureCode::kNoInertia, "joint 'A_hip'", 0, ""});
+  model.findings.push_back(
+      {FindingLevel::kWarning, FailureCode::kNoInertia, RobotPart{PartKind::kJoint, "A_hip"}, 0, ""});
   RobotYaml yaml;
   yaml.transmissions = {DriveOfLeg("A", "front"), DriveOfLeg("B", "other")};
   ApplyTransmissions(yaml, model);
   ASSERT_EQ(model.transmissions.size(), 1U);
   EXPECT_EQ(model.transmissions[0].name, "other");
   EXPECT_EQ(model.findings.back().code, FailureCode::kTransmission);
-  EXPECT_EQ(model.findings.back().part, "transmission 'front'");
+  EXPECT_EQ(PartText(model.findings.back().part), "transmission 'front'");
 }
 
 }  // namespace

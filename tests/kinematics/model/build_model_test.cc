@@ -124,7 +124,7 @@ TEST(BuildModel, ALinkWithoutInertiaEndsInAFixedJointOrIsRefusedStrictly) {
   EXPECT_EQ(model.frames.size(), 2U);
   ASSERT_EQ(model.findings.size(), 1U);
   EXPECT_EQ(model.findings[0].code, FailureCode::kNoInertia);
-  EXPECT_EQ(model.findings[0].part, "joint 'idle'");
+  EXPECT_EQ(PartText(model.findings[0].part), "joint 'idle'");
   const Result<RobotModel> strict = Built(text, 1.0, true);
   ASSERT_FALSE(strict.ok());
   EXPECT_EQ(strict.failure().code, FailureCode::kNoInertia);

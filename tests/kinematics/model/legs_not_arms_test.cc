@@ -77,7 +77,7 @@ TEST(Legs, AJointThatMovesNothingIsFixed) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   EXPECT_EQ(model->num_dofs(), 8);
   ASSERT_EQ(model->findings.size(), 1U);
-  EXPECT_EQ(model->findings.front().part, "joint 'spin'");
+  EXPECT_EQ(PartText(model->findings.front().part), "joint 'spin'");
   const std::string text = Replaced(FourLegs(), "</robot>", spin + "</robot>");
   EXPECT_EQ(MessageOf(text, "standing: {spin: 0.1}\n"), "") << "what is said of it is not missed";
 }

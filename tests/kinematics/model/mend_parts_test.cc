@@ -34,13 +34,15 @@ MendedPart MendedBy(const std::string& text, const Mend& mend) {
 }
 
 MendedPart MendedLinkOf(const std::string& inside) {
-  return MendedBy("<link name='l'>" + inside + "</link>",
-                  [](auto& e, auto& findings) { return MendLink(e, "link 'l'", findings); });
+  return MendedBy("<link name='l'>" + inside + "</link>", [](auto& e, auto& findings) {
+    return MendLink(e, {PartKind::kLink, "l"}, findings);
+  });
 }
 
 MendedPart MendedJointOf(const std::string& type, const std::string& inside, bool at_root = false) {
-  return MendedBy("<joint type='" + type + "'>" + inside + "</joint>",
-                  [&](auto& e, auto& findings) { return MendJoint(e, "joint 'j'", at_root, findings); });
+  return MendedBy("<joint type='" + type + "'>" + inside + "</joint>", [&](auto& e, auto& findings) {
+    return MendJoint(e, {PartKind::kJoint, "j"}, at_root, findings);
+  });
 }
 
 TEST(MendParts, SoundPartsStayAsTheyAre) {
@@ -122,7 +124,7 @@ TEST(MendParts, AFreeJointAtTheRootBecomesFixed) {
 TEST(MendParts, FindingsNameThePartAndItsLine) {
   const MendedPart part = MendedLinkOf("\n\n<visual/>");
   ASSERT_EQ(part.findings.size(), 1U);
-  EXPECT_EQ(part.findings[0].part, "link 'l'");
+  EXPECT_EQ(PartText(part.findings[0].part), "link 'l'");
   EXPECT_EQ(part.findings[0].line, 3);
   EXPECT_EQ(part.findings[0].level, FindingLevel::kInfo);
 }

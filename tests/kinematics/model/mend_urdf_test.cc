@@ -29,7 +29,7 @@ RobotModel Mended(const std::string& from, const std::string& to, FailureCode co
   const Finding* finding = FindingOf(*model, code);
   EXPECT_NE(finding, nullptr) << code;
   if (finding != nullptr) {
-    EXPECT_EQ(finding->part, part);
+    EXPECT_EQ(PartText(finding->part), part);
   }
   EXPECT_NE(MessageOf(urdf, "", true), "") << "strictly it is refused";
   return std::move(*model);
@@ -75,7 +75,7 @@ TEST(MendUrdf, AnInertiaWithoutMassIsReported) {
   const RobotModel model = LoadRobotFromText(urdf, "").value();
   const Finding* finding = FindingOf(model, FailureCode::kNoMass);
   ASSERT_NE(finding, nullptr);
-  EXPECT_EQ(finding->part, "link 'A_foot'");
+  EXPECT_EQ(PartText(finding->part), "link 'A_foot'");
 }
 
 TEST(MendUrdf, LimitsOfAContinuousJointHoldItWhereTheyAreLessThanATurn) {
@@ -119,7 +119,7 @@ TEST(MendUrdf, AFloatingJointAtTheRootIsTheFreeBase) {
     ASSERT_TRUE(model.ok()) << model.failure().message;
     EXPECT_EQ(model->num_dofs(), 8);
     ASSERT_NE(FindingOf(*model, FailureCode::kFloatingRoot), nullptr);
-    EXPECT_EQ(FindingOf(*model, FailureCode::kFloatingRoot)->part, "joint 'free'");
+    EXPECT_EQ(PartText(FindingOf(*model, FailureCode::kFloatingRoot)->part), "joint 'free'");
   }
   ExpectSays(MessageOf(Replaced(FourLegs(), "name='A_end' type='fixed'", "name='A_end' type='floating'")),
              {"joint 'A_end'", "'floating'"});
@@ -233,7 +233,7 @@ TEST(MendInertia, ALinkThatIsAThinRodIsReportedAndRefusedStrictly) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   const Finding* finding = FindingOf(*model, FailureCode::kImpossibleInertia);
   ASSERT_NE(finding, nullptr);
-  EXPECT_EQ(finding->part, "link 'A_shank'");
+  EXPECT_EQ(PartText(finding->part), "link 'A_shank'");
   ExpectSays(MessageOf(urdf, "", true), {"link 'A_shank'", "principal moment of zero"});
 }
 

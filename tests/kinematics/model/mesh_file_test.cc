@@ -145,7 +145,7 @@ TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsReported) {
   EXPECT_EQ(model->feet[0].radius, 0.02);
   ASSERT_EQ(model->missing_meshes.size(), 2U);
   const auto said = std::find_if(model->findings.begin(), model->findings.end(), [](const Finding& f) {
-    return f.code == FailureCode::kMissingMesh && f.part == "link 'A_foot'";
+    return f.code == FailureCode::kMissingMesh && f.part == RobotPart{PartKind::kLink, "A_foot"};
   });
   ASSERT_NE(said, model->findings.end());
   EXPECT_EQ(said->level, FindingLevel::kInfo);
@@ -174,7 +174,7 @@ TEST_F(MeshFile, TheCoreOfItsInertiaBoxStandsForAMissingMesh) {
   const auto warning = std::find_if(model->findings.begin(), model->findings.end(),
                                     [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
   ASSERT_NE(warning, model->findings.end());
-  EXPECT_EQ(warning->part, "link 'A_thigh'");
+  EXPECT_EQ(PartText(warning->part), "link 'A_thigh'");
 }
 
 TEST_F(MeshFile, AMeshThatCannotBeReadIsReplacedAsAMissingOneIs) {
@@ -192,7 +192,7 @@ TEST_F(MeshFile, AMeshThatCannotBeReadIsReplacedAsAMissingOneIs) {
     const auto warning = std::find_if(model->findings.begin(), model->findings.end(),
                                       [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
     ASSERT_NE(warning, model->findings.end()) << mesh;
-    EXPECT_EQ(warning->part, "link 'A_thigh'");
+    EXPECT_EQ(PartText(warning->part), "link 'A_thigh'");
     ExpectSays(warning->message, {mesh, reason, "inertia box"});
     EXPECT_FALSE(LoadRobot(file, {.strict = true}).ok());
     ExpectSays(Load(std::string("<mesh filename='") + mesh + "'/>"), {"robot.urdf, line 1: link 'A_foot'", reason});

@@ -65,7 +65,7 @@ TEST(SolidInertia, StandsInForWhatAUrdfLeavesOut) {
   std::vector<std::string> parts;
   for (const Finding& finding : model.findings) {
     EXPECT_EQ(finding.code, FailureCode::kImpossibleInertia);
-    parts.push_back(finding.part);
+    parts.push_back(PartText(finding.part));
   }
   EXPECT_EQ(std::count(parts.begin(), parts.end(), "link 'trunk'"), 1);
   EXPECT_EQ(std::count(parts.begin(), parts.end(), "link 'A_thigh'"), 0) << "it has no shapes";

@@ -38,6 +38,34 @@ TEST(UrdfCheck, RefusesMimicsThatCannotBeAndNamesTheJoint) {
   ExpectSays(MessageOf(circle), {"'A_knee' mimics 'B_knee', which mimics 'C_knee', which mimics 'B_knee'", "a cycle"});
 }
 
+/// The part that a refusal is about.
+std::optional<RobotPart> PartOf(const std::string& urdf, bool strict = false) {
+  const std::optional<Failure> failure = CheckUrdf(urdf, strict);
+  if (!failure) throw InvalidArgument("the URDF is accepted");
+  return failure->part;
+}
+
+TEST(UrdfCheck, ARefusalCarriesItsPart) {
+  const auto where = [](const std::string& from, const std::string& to) {
+    return PartOf(Replaced(FourLegs(), from, to));
+  };
+  EXPECT_EQ(where("mass value='1'", "mass value='1e7'"), (RobotPart{PartKind::kLink, "trunk"}));
+  EXPECT_EQ(where("damping='0.1'", "damping='nan'"), (RobotPart{PartKind::kJoint, "A_hip"}));
+  EXPECT_EQ(where("name='A_hip' type='revolute'", "name='A_hip'"), (RobotPart{PartKind::kJoint, "A_hip"}));
+  EXPECT_EQ(where("name='B_hip'", "name='A_hip'"), (RobotPart{PartKind::kJoint, "A_hip"}));
+  EXPECT_EQ(PartOf(FourLegsWhere("A", "<mimic joint='A_knee'/>")), (RobotPart{PartKind::kJoint, "A_knee"}));
+  const std::string second = PitchJoint("second", "B_thigh", "A_shank", "0 0 0");
+  EXPECT_EQ(where("</robot>", second + "</robot>"), (RobotPart{PartKind::kLink, "A_shank"}));
+  EXPECT_EQ(PartOf("<robot name='r'/>"), std::nullopt);
+  EXPECT_EQ(where("</robot>", SmallLink("other") + "</robot>"), std::nullopt) << "two roots are no part";
+}
+
+TEST(RobotPart, ItsTextNamesKindAndName) {
+  EXPECT_EQ(PartText({}), "robot");
+  EXPECT_EQ(PartText({PartKind::kLink, "trunk"}), "link 'trunk'");
+  EXPECT_EQ(PartText({PartKind::kJoint, ""}), "joint ''");
+}
+
 TEST(UrdfCheck, AChainOfMimicsMovesAsItsProduct) {
   // A = 2 B + 0.1, B = -C + 0.2, C = 0.5 D - 0.3, with the chain against the order of the joints.
   std::string urdf = Replaced(FourLegs(), "<!--A_extra-->", "<mimic joint='B_knee' multiplier='2' offset='0.1'/>");

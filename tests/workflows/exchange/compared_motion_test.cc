@@ -167,8 +167,8 @@ TEST(ComparedMotion, PlansAndLogsHaveTheirContactsAndTheAgeOfMeanTorques) {
   const synthetic::Played walker = synthetic::Walked(2, {.count = 2});
   const ComparedMotion plan = ComparedPlan(walker.model, walker.plan, "plan.json"),
                        log = ComparedLog(walker.model, walker.log, "log.json");
-  EXPECT_EQ(plan.kind, "plan");
-  EXPECT_EQ(log.kind, "log");
+  EXPECT_EQ(plan.kind, ComparedKind::kPlan);
+  EXPECT_EQ(log.kind, ComparedKind::kLog);
   EXPECT_FALSE(plan.foreign() || log.foreign());
   EXPECT_EQ(plan.torque_age_s, 0.0);
   EXPECT_NEAR(log.torque_age_s, 0.5 * synthetic::kStep, 1e-12);

@@ -13,7 +13,7 @@ namespace {
 RubricPart JudgedPart() {
   RubricPart part;
   part.name = part.title = "walks";
-  part.kind = PartKind::kPlan;
+  part.kind = RubricPartKind::kPlan;
   part.points = 4.0;
   Check survival, audit;
   survival.measure = "survival";

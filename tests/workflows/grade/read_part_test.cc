@@ -24,7 +24,7 @@ void ExpectWords(const std::string& text, const std::vector<std::string>& words)
 }
 
 /// The YAML of a part, completed with the required keys of its kind.
-std::string WholePart(const std::string& yaml, PartKind kind) {
+std::string WholePart(const std::string& yaml, RubricPartKind kind) {
   std::string keys = "{name: p, kind: " + PartKindNames()[static_cast<std::size_t>(kind)] + ", file: f, points: 1";
   if (PlaysMotions(kind)) keys += ", checks: []";
   const std::string needed = PlaysMotions(kind) ? "robot" : "reference";
@@ -32,7 +32,7 @@ std::string WholePart(const std::string& yaml, PartKind kind) {
   return keys + (yaml == "{}" ? "" : ", ") + yaml.substr(1);
 }
 
-RubricPart MotionPartOf(const std::string& yaml, PartKind kind = PartKind::kParameters) {
+RubricPart MotionPartOf(const std::string& yaml, RubricPartKind kind = RubricPartKind::kParameters) {
   RubricPart part;
   part.name = "p";
   part.kind = kind;
@@ -53,15 +53,15 @@ TEST(ReadPart, ANumberIsARangeOfNoWidth) {
 
 TEST(ReadPart, AMeasureIsOneOfItsKindAndKnowsWhichWayIsBetter) {
   const YAML::Node node = YAML::Load("measure");
-  const MeasureRule share = MeasureAt(node, "share_right", PartKind::kFunction),
-                    error = MeasureAt(node, "largest_error", PartKind::kFunction);
+  const MeasureRule share = MeasureAt(node, "share_right", RubricPartKind::kFunction),
+                    error = MeasureAt(node, "largest_error", RubricPartKind::kFunction);
   EXPECT_TRUE(share.higher_is_better);
   EXPECT_EQ(share.usual_full_at, 1.0);
   EXPECT_FALSE(error.higher_is_better);
   EXPECT_FALSE(error.usual_full_at) << "the rubric says it";
-  ExpectWords(RefusalOfYaml([&] { MeasureAt(node, "share_right", PartKind::kPlan); }), {"'share_right'"});
-  ExpectWords(RefusalOfYaml([&] { MeasureAt(node, "goal_error_m", PartKind::kAnswers); }), {"'goal_error_m'"});
-  ExpectWords(RefusalOfYaml([&] { MeasureAt(node, "larges_error", PartKind::kAnswers); }), {"'largest_error'"});
+  ExpectWords(RefusalOfYaml([&] { MeasureAt(node, "share_right", RubricPartKind::kPlan); }), {"'share_right'"});
+  ExpectWords(RefusalOfYaml([&] { MeasureAt(node, "goal_error_m", RubricPartKind::kAnswers); }), {"'goal_error_m'"});
+  ExpectWords(RefusalOfYaml([&] { MeasureAt(node, "larges_error", RubricPartKind::kAnswers); }), {"'largest_error'"});
 }
 
 TEST(ReadPart, AMotionHasWhatIsSaidAndElseItsDefaults) {
@@ -96,11 +96,11 @@ TEST(ReadPart, BothEndsOfARangeOfThePlaybackAreChecked) {
 
 TEST(ReadPart, APlannerIsMarkedByItsGoalAlone) {
   const std::string goal = "{robot: nao, command: {goal_x_m: 1, goal_yaw_rad: [0, 0.5]}}";
-  EXPECT_EQ(MotionPartOf(goal, PartKind::kPlanner).motion.command.size(), 2U);
-  ExpectWords(RefusalOfYaml([] { MotionPartOf("{robot: nao}", PartKind::kPlanner); }), {"'p'", "goal_x_m"});
-  ExpectWords(RefusalOfYaml([] { MotionPartOf("{robot: nao, command: {distance_m: 1}}", PartKind::kMotion); }),
+  EXPECT_EQ(MotionPartOf(goal, RubricPartKind::kPlanner).motion.command.size(), 2U);
+  ExpectWords(RefusalOfYaml([] { MotionPartOf("{robot: nao}", RubricPartKind::kPlanner); }), {"'p'", "goal_x_m"});
+  ExpectWords(RefusalOfYaml([] { MotionPartOf("{robot: nao, command: {distance_m: 1}}", RubricPartKind::kMotion); }),
               {"goal_x_m"});
-  EXPECT_NO_THROW(MotionPartOf("{robot: nao}", PartKind::kMotion));
+  EXPECT_NO_THROW(MotionPartOf("{robot: nao}", RubricPartKind::kMotion));
 }
 
 TEST(ReadPart, FilesAreNoGroundsOfARubric) {
@@ -114,7 +114,7 @@ TEST(ReadPart, OptionsMayEndInAStarAndMustBePlanOptions) {
   ExpectWords(RefusalOfYaml([] { MotionPartOf("{robot: a1, options: [swim.*]}"); }), {"'swim.*'"});
 }
 
-RubricPart QuestionPartOf(const std::string& yaml, PartKind kind) {
+RubricPart QuestionPartOf(const std::string& yaml, RubricPartKind kind) {
   RubricPart part;
   part.name = "p";
   part.kind = kind;
@@ -125,15 +125,16 @@ RubricPart QuestionPartOf(const std::string& yaml, PartKind kind) {
 }
 
 TEST(ReadPart, ASeedIsOfAnswersAloneAndAReferenceMayNeedARobot) {
-  EXPECT_EQ(QuestionPartOf("{reference: dcm, seed: 3}", PartKind::kAnswers).question.seed, 3U);
-  EXPECT_FALSE(QuestionPartOf("{reference: dcm}", PartKind::kAnswers).question.seed);
-  EXPECT_EQ(QuestionPartOf("{reference: leg_fk, robot: nao}", PartKind::kFunction).question.robot, "nao");
-  ExpectWords(RefusalOfYaml([] { QuestionPartOf("{reference: leg_fk}", PartKind::kFunction); }), {"'p'", "'leg_fk'"});
-  ExpectWords(RefusalOfYaml([] { QuestionPartOf("{reference: dcn}", PartKind::kFunction); }), {"'dcn'", "'dcm'"});
+  EXPECT_EQ(QuestionPartOf("{reference: dcm, seed: 3}", RubricPartKind::kAnswers).question.seed, 3U);
+  EXPECT_FALSE(QuestionPartOf("{reference: dcm}", RubricPartKind::kAnswers).question.seed);
+  EXPECT_EQ(QuestionPartOf("{reference: leg_fk, robot: nao}", RubricPartKind::kFunction).question.robot, "nao");
+  ExpectWords(RefusalOfYaml([] { QuestionPartOf("{reference: leg_fk}", RubricPartKind::kFunction); }),
+              {"'p'", "'leg_fk'"});
+  ExpectWords(RefusalOfYaml([] { QuestionPartOf("{reference: dcn}", RubricPartKind::kFunction); }), {"'dcn'", "'dcm'"});
 }
 
 TEST(ReadPart, CodeHasTheFunctionOfItsKindUnlessAnotherIsNamed) {
-  const auto function_of = [](const std::string& yaml, PartKind kind) {
+  const auto function_of = [](const std::string& yaml, RubricPartKind kind) {
     RubricPart part;
     part.kind = kind;
     part.question.reference = "dcm";
@@ -142,14 +143,14 @@ TEST(ReadPart, CodeHasTheFunctionOfItsKindUnlessAnotherIsNamed) {
     ReadCodeSetup(YamlMap(node, "a part", shape), part);
     return part;
   };
-  EXPECT_EQ(function_of("{}", PartKind::kFunction).function, "dcm");
-  EXPECT_EQ(function_of("{}", PartKind::kPlanner).function, "plan_steps");
-  EXPECT_EQ(function_of("{}", PartKind::kController).function, "make_controller");
-  EXPECT_EQ(function_of("{function: mine}", PartKind::kPlanner).function, "mine");
-  EXPECT_FALSE(function_of("{}", PartKind::kFunction).package);
-  EXPECT_TRUE(function_of("{}", PartKind::kController).package);
-  EXPECT_TRUE(function_of("{package: true}", PartKind::kFunction).package);
-  ExpectWords(RefusalOfYaml([&] { function_of("{package: perhaps}", PartKind::kFunction); }), {"'perhaps'"});
+  EXPECT_EQ(function_of("{}", RubricPartKind::kFunction).function, "dcm");
+  EXPECT_EQ(function_of("{}", RubricPartKind::kPlanner).function, "plan_steps");
+  EXPECT_EQ(function_of("{}", RubricPartKind::kController).function, "make_controller");
+  EXPECT_EQ(function_of("{function: mine}", RubricPartKind::kPlanner).function, "mine");
+  EXPECT_FALSE(function_of("{}", RubricPartKind::kFunction).package);
+  EXPECT_TRUE(function_of("{}", RubricPartKind::kController).package);
+  EXPECT_TRUE(function_of("{package: true}", RubricPartKind::kFunction).package);
+  ExpectWords(RefusalOfYaml([&] { function_of("{package: perhaps}", RubricPartKind::kFunction); }), {"'perhaps'"});
 }
 
 }  // namespace

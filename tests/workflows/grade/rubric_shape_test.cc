@@ -13,9 +13,9 @@
 namespace gaitwright {
 namespace {
 
-const std::vector<PartKind> kPartKinds = {PartKind::kFunction,  PartKind::kAnswers,    PartKind::kPlan,
-                                          PartKind::kMotion,    PartKind::kParameters, PartKind::kPlanner,
-                                          PartKind::kController};
+const std::vector<RubricPartKind> kPartKinds = {
+    RubricPartKind::kFunction,   RubricPartKind::kAnswers, RubricPartKind::kPlan,      RubricPartKind::kMotion,
+    RubricPartKind::kParameters, RubricPartKind::kPlanner, RubricPartKind::kController};
 
 bool HasKey(const DataShape& shape, const std::string& key) {
   const std::vector<std::string> keys = shape.Keys();
@@ -29,7 +29,7 @@ bool NeedsKey(const DataShape& shape, const std::string& key) {
 
 TEST(RubricShape, EveryPartNeedsWhatMarksItAndHasEachKeyOnce) {
   ASSERT_EQ(kPartKinds.size(), PartKindNames().size());
-  for (const PartKind kind : kPartKinds) {
+  for (const RubricPartKind kind : kPartKinds) {
     const DataShape part = PartShape(kind);
     for (const char* key : {"name", "kind", "file", "points"}) EXPECT_TRUE(NeedsKey(part, key)) << key;
     EXPECT_EQ(part.At("kind").choices, std::vector<std::string>{PartKindNames()[static_cast<std::size_t>(kind)]});
@@ -39,7 +39,7 @@ TEST(RubricShape, EveryPartNeedsWhatMarksItAndHasEachKeyOnce) {
 }
 
 TEST(RubricShape, PartsThatArePlayedNeedARobotAndChecksAndTheOthersAReference) {
-  for (const PartKind kind : kPartKinds) {
+  for (const RubricPartKind kind : kPartKinds) {
     const DataShape part = PartShape(kind);
     EXPECT_EQ(NeedsKey(part, "robot"), PlaysMotions(kind));
     EXPECT_EQ(NeedsKey(part, "checks"), PlaysMotions(kind));
@@ -51,23 +51,23 @@ TEST(RubricShape, PartsThatArePlayedNeedARobotAndChecksAndTheOthersAReference) {
 }
 
 TEST(RubricShape, KeysOfOneKindAreOfNoOther) {
-  EXPECT_TRUE(HasKey(PartShape(PartKind::kPlanner), "swing_s"));
-  EXPECT_FALSE(HasKey(PartShape(PartKind::kMotion), "swing_s"));
-  EXPECT_TRUE(HasKey(PartShape(PartKind::kParameters), "options"));
-  EXPECT_FALSE(HasKey(PartShape(PartKind::kController), "options"));
-  EXPECT_FALSE(HasKey(PartShape(PartKind::kController), "controller")) << "it is what is handed in";
-  EXPECT_TRUE(HasKey(PartShape(PartKind::kPlan), "controller"));
-  EXPECT_TRUE(HasKey(PartShape(PartKind::kAnswers), "seed"));
-  EXPECT_FALSE(HasKey(PartShape(PartKind::kFunction), "seed")) << "a function is asked what it does not know";
+  EXPECT_TRUE(HasKey(PartShape(RubricPartKind::kPlanner), "swing_s"));
+  EXPECT_FALSE(HasKey(PartShape(RubricPartKind::kMotion), "swing_s"));
+  EXPECT_TRUE(HasKey(PartShape(RubricPartKind::kParameters), "options"));
+  EXPECT_FALSE(HasKey(PartShape(RubricPartKind::kController), "options"));
+  EXPECT_FALSE(HasKey(PartShape(RubricPartKind::kController), "controller")) << "it is what is handed in";
+  EXPECT_TRUE(HasKey(PartShape(RubricPartKind::kPlan), "controller"));
+  EXPECT_TRUE(HasKey(PartShape(RubricPartKind::kAnswers), "seed"));
+  EXPECT_FALSE(HasKey(PartShape(RubricPartKind::kFunction), "seed")) << "a function is asked what it does not know";
 }
 
 TEST(RubricShape, ChecksAreOfMeasuresThatTheKindHas) {
-  for (const PartKind kind : kPartKinds) {
+  for (const RubricPartKind kind : kPartKinds) {
     EXPECT_EQ(CheckShape(kind).At("measure").choices, MeasuresOf(kind));
     EXPECT_FALSE(MeasuresOf(kind).empty());
   }
-  EXPECT_EQ(MeasuresOf(PartKind::kPlan), MotionMeasureNames());
-  EXPECT_EQ(MeasuresOf(PartKind::kAnswers), (std::vector<std::string>{"share_right", "largest_error"}));
+  EXPECT_EQ(MeasuresOf(RubricPartKind::kPlan), MotionMeasureNames());
+  EXPECT_EQ(MeasuresOf(RubricPartKind::kAnswers), (std::vector<std::string>{"share_right", "largest_error"}));
 }
 
 TEST(RubricShape, ARubricIsAListOfPartsOfAnyKind) {

@@ -13,7 +13,7 @@ namespace {
 std::vector<ClipOutcome> Outcomes() {
   ClipOutcome fails;
   fails.clip = "walk, fast.csv";
-  fails.verdict = "fail";
+  fails.verdict = ClipVerdict::kFail;
   fails.duration_s = 3.5;
   fails.broken_share = 0.25;
   fails.broken = "joint_torque";
@@ -23,7 +23,7 @@ std::vector<ClipOutcome> Outcomes() {
   fails.plan = "out/walk, fast.csv.plan.json";
   ClipOutcome passes;
   passes.clip = "squat.csv";
-  passes.verdict = "pass";
+  passes.verdict = ClipVerdict::kPass;
   passes.slowed_s = 0.5;
   return {fails, passes};
 }

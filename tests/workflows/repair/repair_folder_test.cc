@@ -101,12 +101,12 @@ TEST_F(RepairFolder, OutcomesAreTheWorstFirst) {
   ASSERT_TRUE(outcomes.ok()) << outcomes.failure().message;
   ASSERT_EQ(outcomes->size(), 5U);
   EXPECT_EQ(outcomes->front().clip, "broken.csv");
-  EXPECT_EQ(outcomes->front().verdict, "refused");
+  EXPECT_EQ(outcomes->front().verdict, ClipVerdict::kRefused);
   EXPECT_NE(outcomes->front().reason.find("3 columns without names"), std::string::npos);
   EXPECT_EQ(outcomes->back().clip, "stands.csv");
   EXPECT_EQ(outcomes->back().broken_share, 0.0);
   for (std::size_t i = 1; i < outcomes->size(); ++i) {
-    EXPECT_EQ((*outcomes)[i].verdict, "pass") << (*outcomes)[i].clip << ": " << (*outcomes)[i].reason;
+    EXPECT_EQ((*outcomes)[i].verdict, ClipVerdict::kPass) << (*outcomes)[i].clip << ": " << (*outcomes)[i].reason;
     EXPECT_TRUE(fs::exists((*outcomes)[i].plan)) << (*outcomes)[i].plan;
     if (i + 1 == outcomes->size()) break;
     EXPECT_GT((*outcomes)[i].broken_share, 0.5) << "sinks all the time";
@@ -158,9 +158,9 @@ TEST_F(RepairFolder, MayOnlyExamine) {
   ASSERT_TRUE(journal.ok());
   const auto outcomes = RepairClips(model_, request_, ClipsOf(folder_), *journal, {});
   ASSERT_TRUE(outcomes.ok());
-  EXPECT_EQ((*outcomes)[1].verdict, "fail");
+  EXPECT_EQ((*outcomes)[1].verdict, ClipVerdict::kFail);
   EXPECT_EQ((*outcomes)[1].plan, "");
-  EXPECT_EQ(outcomes->back().verdict, "pass");
+  EXPECT_EQ(outcomes->back().verdict, ClipVerdict::kPass);
   journal->Remove();
 }
 

@@ -42,9 +42,11 @@ TEST(Hints, ThePlacesThatThereAreAreNamed) {
 }
 
 TEST(Hints, WhatIsSaidInsteadComesAlone) {
-  const Refusal refusal{FailureCode::kAmbiguous, "turn", "does not give the direction", "", "left or right"};
+  Refusal refusal{FailureCode::kAmbiguous, "turn", "does not give the direction", "", "left or right"};
   EXPECT_EQ(TextsOf(FailureOf(refusal, CorpusScope("nao")).suggestions), Hints{"left or right"});
   EXPECT_EQ(FailureOf(refusal, CorpusScope("nao")).message, "'turn' does not give the direction");
+  refusal.is_sentence = true;
+  EXPECT_EQ(FailureOf(refusal, CorpusScope("nao")).message, "'turn': does not give the direction");
 }
 
 }  // namespace
