@@ -20,6 +20,7 @@
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/exchange/recorded_motion_internal.h"
+#include "workflows/repair/kept_solves_internal.h"
 #include "workflows/repair/played_repair_internal.h"
 #include "workflows/repair/repair_folder_internal.h"
 #include "workflows/repair/repair_page_internal.h"
@@ -37,7 +38,8 @@ struct RepairSettings {
   bool check = false, no_play = false, resume = false;
 
   std::string Table() const { return (std::filesystem::path(out) / "clips.csv").string(); }
-  std::string SoFar() const { return Table() + ".so-far"; }
+  /// @param result  the table, or the plan of a single motion.
+  static std::string SoFar(const std::string& result) { return result + ".so-far"; }
 };
 
 int PrintRepair(const RepairResult& result, const Files& files, const Common& common) {
@@ -79,13 +81,19 @@ int ReportRefusal(const RepairSettings& a, const RobotModel& model, const Failur
 }
 
 /// Shows a progress bar over the windows of all solves: two solves are usual, more are added when they come.
-Result<PlayedRepair> RepairWithBar(const RobotModel& model, const RepairSettings& a) {
+Result<PlayedRepair> RepairWithBar(const RobotModel& model, const RepairSettings& a, JobJournal& journal) {
   ProgressBar bar(!a.common.quiet, "windows");
+  KeptSolves kept(journal);
   RepairRequest request = a.request;
+  request.record = &kept;
   request.progress = [&](const FollowProgress& p) {
     bar.Show({(p.solve - 1) * p.all + p.done, std::max(2, p.solve) * p.all}, fmt::format("solve {}", p.solve));
   };
-  return RepairAndPlay(model, request, !a.no_play);
+  try {
+    return RepairAndPlay(model, request, !a.no_play);
+  } catch (const CannotKeep& error) {
+    return Failure{FailureKind::kBadInput, FailureCode::kSoFar, "RepairMotion", error.what(), {}};
+  }
 }
 
 Files WithReport(const RepairSettings& a, Files files) {
@@ -102,10 +110,18 @@ int RunOne(const RepairSettings& a, const RobotModel& model) {
     if (!written) return Report(written.failure(), a.common);
     return PrintRepair(result, WithReport(a, {}), a.common);
   }
-  const Result<PlayedRepair> done = RepairWithBar(model, a);
-  if (!done) return ReportRefusal(a, model, done.failure());
+  const Result<std::string> identity = MotionIdentity(model, {a.request, a.out, false, !a.no_play});
+  if (!identity) return Report(identity.failure(), a.common);
+  Result<JobJournal> journal = JobJournal::Open(RepairSettings::SoFar(a.out), *identity, a.resume);
+  if (!journal) return Report(journal.failure(), a.common);
+  const Result<PlayedRepair> done = RepairWithBar(model, a, *journal);
+  if (!done) {
+    if (done.failure().code != FailureCode::kSoFar) journal->Remove();
+    return ReportRefusal(a, model, done.failure());
+  }
   const Result<std::string> saved = SavePlan(done->repaired.plan, a.out);
   if (!saved) return Report(saved.failure(), a.common);
+  journal->Remove();
   const RepairResult result = done->ResultOf(model);
   const auto written = WritePage(a, result, "");
   if (!written) return Report(written.failure(), a.common);
@@ -161,7 +177,7 @@ int RunFolder(const RepairSettings& a, const RobotModel& model, SharedWork& work
   const Result<FolderInputs> folder = ReadFolderInputs(a, model);
   if (!folder) return Report(folder.failure(), a.common);
   std::filesystem::create_directories(a.out);
-  Result<JobJournal> journal = JobJournal::Open(a.SoFar(), folder->identity, a.resume);
+  Result<JobJournal> journal = JobJournal::Open(RepairSettings::SoFar(a.Table()), folder->identity, a.resume);
   if (!journal) return Report(journal.failure(), a.common);
   const Interruptible interruptible;
   const auto outcomes = RepairOnAllRanks(a, model, *folder, *journal, work);
@@ -169,7 +185,7 @@ int RunFolder(const RepairSettings& a, const RobotModel& model, SharedWork& work
     const int status = Report(outcomes.failure(), a.common);
     return outcomes.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
   }
-  const auto written = WriteResults({{a.Table(), ClipsCsv(*outcomes)}}, a.SoFar());
+  const auto written = WriteResults({{a.Table(), ClipsCsv(*outcomes)}}, RepairSettings::SoFar(a.Table()));
   if (!written) return Report(written.failure(), a.common);
   journal->Remove();
   PrintClips(a, model, *outcomes);
@@ -185,7 +201,6 @@ bool Settle(RepairSettings& a, const Ranks& ranks) {
   const bool is_folder =
       std::filesystem::is_directory(a.request.source.file, ignored) && !IsBagFolder(a.request.source.file);
   if (a.out.empty()) a.out = is_folder ? "repaired" : "repaired.json";
-  if (a.resume && !is_folder) throw InvalidArgument("--resume is for a folder of motions");
   if (!a.report.empty() && is_folder) throw InvalidArgument("--report is for a single motion, not for a folder");
   if (!is_folder && ranks.count() > 1) {
     throw InvalidArgument(fmt::format(
@@ -216,9 +231,10 @@ int RunRepair(RepairSettings& a) {
   paths.Read("--weights", a.request.weights_file);
   if (is_folder) {
     paths.Write("the table", a.Table(), {".csv"});
-    paths.Write("the run so far", a.SoFar());
+    paths.Write("the run so far", RepairSettings::SoFar(a.Table()));
   } else if (!a.check) {
     paths.Write("the plan", a.out, {".json"});
+    paths.Write("the run so far", RepairSettings::SoFar(a.out));
   }
   paths.Write("--report", a.report, {".html"});
   CheckPaths(paths);
@@ -254,10 +270,10 @@ void AddRepair(Verb program, int& status) {
           "and the motion in 3D with the original as a ghost; also if it fails or is refused; default: none.");
   verb.AddSwitch("--check", a->check, "Only say what is wrong with the motion; default: no.");
   verb.AddSwitch("--no-play", a->no_play, "Do not play the plan in physics; default: no.");
+  verb.AddSwitch("--resume", a->resume, "Continue an interrupted run over a folder or a long motion; default: no.");
   verb.SetGroup("Folders");
   AddWholeNumber(verb, "--threads", 0, a->threads,
                  "Number of motions that are repaired at the same time; default 0: one per core.");
-  verb.AddSwitch("--resume", a->resume, "Continue an interrupted run over a folder; default: no.");
   AddCommon(
       verb, a->common,
       {"repair dance.csv --urdf g1.urdf --out dance.json --report dance.html",

@@ -291,7 +291,8 @@ Result<MotionPlan> Finisher::Run() {
   }
   constexpr double kCoarse = 4e-3;  // [s]
   if (apart_) apart_->Watch(plan_.whole_body, problem, kCoarse);
-  WindowSolver solver(Elastic(), {std::move(inside), std::move(to_edges)});
+  WindowSolver solver(Elastic(), {std::move(inside), std::move(to_edges)},
+                      follow_ != nullptr ? follow_->record : nullptr);
   PlanResidual residual;
   for (report_.solves = 1;; ++report_.solves) {
     SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, problem);

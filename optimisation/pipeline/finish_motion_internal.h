@@ -62,6 +62,7 @@ struct FollowOptions {
   WindowOptions windows;
   std::function<void(BodyProblem&)> prepare;  ///< changes the problem before it is solved, such as its weights
   std::function<void(const FollowProgress&)> progress;
+  SolveRecord* record = nullptr;  ///< keeps the solves of a motion in several windows; may be null
 };
 
 /// What FollowMotion did.

@@ -79,6 +79,26 @@ void WindowSolver::UseAll(BodyProblem& problem, KnotWindow& window) const {
   Press(soles_.to_edges, window, problem);
 }
 
+/// Solves rows, or finds the solution in the record. @param keeps  whether the record keeps it.
+Result<ConstrainedSolution> WindowSolver::SolveRows(ElasticRows& rows, const ElasticStart& start, bool keeps,
+                                                    ConstrainedSolution& last) {
+  keeps = keeps && record_ != nullptr;
+  const std::size_t number = keeps ? record_->Next() : 0;
+  if (std::optional<SolvedWindow> kept = keeps ? record_->Find(number) : std::nullopt) {
+    last.x = std::move(kept->x);
+    last.multipliers = std::move(kept->multipliers);
+    last.iterations = kept->iterations;
+    last.violations = kept->violations;
+    return last;
+  }
+  const CpuClock clock;
+  Result<ConstrainedSolution> solved = SolveElasticRows(rows, start, elastic_, &last);
+  work_.cpu_s += clock.elapsed_s();
+  const bool usable = solved || last.violation <= kGoodEnough;
+  if (keeps && usable) record_->Keep(number, {last.x, last.multipliers, last.iterations, last.violations});
+  return solved;
+}
+
 std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const ChainSpline& spline, KnotWindow& window,
                                               BodyMotion& motion) {
   const int knots = window.last - window.first + 1;
@@ -102,9 +122,7 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
   ElasticRows& rows = repeats ? static_cast<ElasticRows&>(*tied) : *free;
   const BodyRows& inner = repeats ? tied->inner() : *free;
   ConstrainedSolution last;
-  const CpuClock clock;
-  const Result<ConstrainedSolution> solved = SolveElasticRows(rows, {start, window.multipliers}, elastic_, &last);
-  work_.cpu_s += clock.elapsed_s();
+  const Result<ConstrainedSolution> solved = SolveRows(rows, {start, window.multipliers}, !whole, last);
   work_.iterations += last.iterations;
   violations_ = last.violations;
   work_.variables = std::max(work_.variables, static_cast<int>(start.size()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "kinematics/base/result.h"
 #include "optimisation/numerics/elastic_interior.h"
+#include "optimisation/numerics/elastic_rows_internal.h"
 #include "optimisation/pipeline/press_soles_internal.h"
 #include "optimisation/trajectory/body_problem_internal.h"
 
@@ -44,6 +46,28 @@ struct BodyMotion {
   std::vector<VectorX> forces;  ///< by knot
 };
 
+/// Solution of a window, as far as later solves need it.
+struct SolvedWindow {
+  VectorX x, multipliers;
+  int iterations = 0;
+  double violations = 0.0;  ///< sum
+};
+
+/// Solutions of a motion in several windows, in the order of the solves. A run that was interrupted finds them instead
+/// of computing them again, and ends with the same motion, because solves are deterministic.
+class SolveRecord {
+ public:
+  virtual ~SolveRecord() = default;
+  /// Nothing if the solve was not kept.
+  virtual std::optional<SolvedWindow> Find(std::size_t solve) = 0;
+  virtual void Keep(std::size_t solve, const SolvedWindow& solved) = 0;
+  /// The number of the next solve, from 0.
+  std::size_t Next() { return next_++; }
+
+ private:
+  std::size_t next_ = 0;
+};
+
 /// What solving took.
 struct WindowWork {
   int iterations = 0, variables = 0;
@@ -61,7 +85,9 @@ struct WindowSoles {
 /// smooth as that of one solve.
 class WindowSolver {
  public:
-  WindowSolver(const ElasticOptions& elastic, WindowSoles soles) : elastic_(elastic), soles_(std::move(soles)) {}
+  /// @param record  may be null, and must outlive this.
+  WindowSolver(const ElasticOptions& elastic, WindowSoles soles, SolveRecord* record = nullptr)
+      : elastic_(elastic), soles_(std::move(soles)), record_(record) {}
 
   /// Solves all windows from the motion on. A window that has no solution is solved again without sparing soles, then
   /// without the room that controllers would like to have, unless it is far from a solution; then it is joined with the
@@ -81,6 +107,8 @@ class WindowSolver {
  private:
   std::optional<Failure> SolveOne(const BodyProblem& problem, const ChainSpline& spline, KnotWindow& window,
                                   BodyMotion& motion);
+  Result<ConstrainedSolution> SolveRows(ElasticRows& rows, const ElasticStart& start, bool keeps,
+                                        ConstrainedSolution& last);
   static void Press(const PressingByKnot& pressing, const KnotWindow& window, BodyProblem& problem);
   void UseSoles(BodyProblem& problem, KnotWindow& window) const;
   void UseAll(BodyProblem& problem, KnotWindow& window) const;
@@ -89,6 +117,7 @@ class WindowSolver {
 
   const ElasticOptions elastic_;
   const WindowSoles soles_;
+  SolveRecord* const record_;
   WindowWork work_;
   double violations_ = 0.0;  // sum, of the last solve
   std::vector<double> unmet_s_;

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 
+#include "kinematics/base/base64_internal.h"
 #include "playback/viewer/packed_columns_internal.h"
 
 namespace gaitwright {
@@ -17,23 +18,6 @@ std::string Bytes(const std::vector<Number>& values) {
 }
 
 }  // namespace
-
-std::string Base64(std::string_view bytes) {
-  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  const auto byte = [&](std::size_t i) {
-    return i < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) : 0U;
-  };
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::uint32_t group = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    text += kLetters[group >> 18U & 63U];
-    text += kLetters[group >> 12U & 63U];
-    text += i + 1 < bytes.size() ? kLetters[group >> 6U & 63U] : '=';
-    text += i + 2 < bytes.size() ? kLetters[group & 63U] : '=';
-  }
-  return text;
-}
 
 Json Packed(int columns, const std::vector<float>& values) { return {{"columns", columns}, {"f32", Bytes(values)}}; }
 

@@ -11,9 +11,6 @@
 
 namespace gaitwright {
 
-/// Base64 (RFC 4648) of bytes.
-std::string Base64(std::string_view bytes);
-
 /// Rows of numbers as stored in a scene: the number of columns, and base64 of their little-endian values.
 nlohmann::ordered_json Packed(int columns, const std::vector<float>& values);
 nlohmann::ordered_json Packed(int columns, const std::vector<std::uint32_t>& values);

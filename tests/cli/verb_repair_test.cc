@@ -119,7 +119,29 @@ TEST_F(Repair, AFolderIsRepairedAndResumedAfterAKill) {
     table.replace(at, 5, "whole/");
   EXPECT_EQ(table, Read("whole/clips.csv"));
   EXPECT_FALSE(std::filesystem::exists(In("part/clips.csv.so-far")));
-  ExpectRefused(Run({"repair", "motion.csv", "--resume"}), 1, {"--resume is for a folder"});
+}
+
+TEST_F(Repair, ALongMotionContinuesAfterAKill) {
+  const std::vector<std::string> repair = {"repair",   "motion.csv",        "--set", "lift_m=0.02",
+                                           "--set",    "repair.window_s=1", "--set", "repair.overlap_s=0.4",
+                                           "--no-play"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), repair.begin(), repair.end());
+    return more;
+  };
+  ASSERT_EQ(Run(with({"--out", "whole.json"})).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(In("whole.json.so-far")));
+  const auto some = [&] {
+    std::error_code ignored;
+    const auto size = std::filesystem::file_size(In("part.json.so-far"), ignored);
+    return !ignored && size > 10000;
+  };
+  ASSERT_EQ(RunUntil(with({"--out", "part.json"}), SIGKILL, some).status, 128 + SIGKILL);
+  ExpectRefused(Run(with({"--out", "part.json"})), 1, {"part.json.so-far", "--resume"});
+  ExpectRefused(Run(with({"--out", "part.json", "--set", "repair.joint=3", "--resume"})), 1, {"belongs to other work"});
+  EXPECT_EQ(Run(with({"--out", "part.json", "--resume"})).status, 0);
+  EXPECT_EQ(Read("part.json"), Read("whole.json"));
+  EXPECT_FALSE(std::filesystem::exists(In("part.json.so-far")));
 }
 
 TEST_F(Repair, SlowsOnlyWhatItMay) {

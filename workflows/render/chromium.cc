@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "kinematics/base/base64_internal.h"
 #include "workflows/render/devtools_pipe_internal.h"
 #include "workflows/render/run_program.h"
 #include "workflows/render/temporary_folder_internal.h"
@@ -47,29 +48,6 @@ std::vector<std::string> ArgumentsOf(const std::string& profile) {
   if (geteuid() == 0) arguments.emplace_back("--no-sandbox");  // Chromium refuses root otherwise
   arguments.emplace_back("about:blank");
   return arguments;
-}
-
-int Letter(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-std::string FromBase64(const std::string& text) {
-  std::string bytes;
-  unsigned held = 0;
-  int bits = 0;
-  for (const char c : text) {
-    const int value = Letter(c);
-    if (value < 0) continue;
-    held = held << 6U | static_cast<unsigned>(value);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(held >> static_cast<unsigned>(bits) & 0xFFU);
-  }
-  return bytes;
 }
 
 Failure Refused(const std::string& what) {

@@ -118,6 +118,22 @@ Result<std::string> HashOfClip(const std::string& path) {
   return HexHash(hashes);
 }
 
+/// A line on a repair. @param contents  of what is repaired. @param kind  of it.
+Result<std::string> IdentityOf(const RobotModel& model, const FolderRequest& request, std::string contents,
+                               const std::string& kind) {
+  RepairRequest repair = request.repair;
+  for (const auto& [key, value] : TextsOf(repair.Fields())) contents += key + '=' + value + '\n';
+  contents += repair.source.terrain + '\n' + request.out + '\n';
+  for (const std::string& file : {repair.source.columns_file, repair.weights_file}) {
+    if (file.empty()) continue;
+    const Result<std::string> text = ReadFile(file);
+    if (!text) return text.failure();
+    contents += *text;
+  }
+  return fmt::format("repair {} {} {} {}{}{}", Version(), model.hash, kind, HexHash(contents),
+                     request.check ? " check" : "", request.plays ? " plays" : "");
+}
+
 }  // namespace
 
 std::vector<std::string> ClipsOf(const std::string& folder) {
@@ -145,17 +161,13 @@ Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest&
     if (!hash) return hash.failure();
     contents += clip + ' ' + *hash + '\n';
   }
-  RepairRequest repair = request.repair;
-  for (const auto& [key, value] : TextsOf(repair.Fields())) contents += key + '=' + value + '\n';
-  contents += repair.source.terrain + '\n' + request.out + '\n';
-  for (const std::string& file : {repair.source.columns_file, repair.weights_file}) {
-    if (file.empty()) continue;
-    const Result<std::string> text = ReadFile(file);
-    if (!text) return text.failure();
-    contents += *text;
-  }
-  return fmt::format("repair {} {} {} clips {}{}{}", Version(), model.hash, clips.size(), HexHash(contents),
-                     request.check ? " check" : "", request.plays ? " plays" : "");
+  return IdentityOf(model, request, contents, fmt::format("{} clips", clips.size()));
+}
+
+Result<std::string> MotionIdentity(const RobotModel& model, const FolderRequest& request) {
+  const Result<std::string> hash = HashOfClip(request.repair.source.file);
+  if (!hash) return hash.failure();
+  return IdentityOf(model, request, *hash + '\n', "motion");
 }
 
 std::string RepairOneClip(const RobotModel& model, const FolderRequest& request, const std::string& clip) {

@@ -49,6 +49,9 @@ std::vector<std::string> ClipsOf(const std::string& folder);
 Result<std::string> FolderIdentity(const RobotModel& model, const FolderRequest& request,
                                    const std::vector<std::string>& clips);
 
+/// Likewise for a single motion, the file of the request.
+Result<std::string> MotionIdentity(const RobotModel& model, const FolderRequest& request);
+
 /// Repairs clips on several threads. Each clip that is done goes into the journal; those that are there are not done
 /// again, so that a run that was interrupted ends with the same outcomes. @return the worst first: refused, then
 /// failed, then passed, and among these by the share of the time that the file breaks a check. Failure `interrupted`.

@@ -34,6 +34,7 @@ FollowOptions FollowOf(const RobotModel& model, const RepairRequest& request) {
   follow.effort_use = request.repair.effort_use;
   follow.windows = {request.repair.window_s, std::min(request.repair.overlap_s, 0.5 * request.repair.window_s)};
   follow.progress = request.progress;
+  follow.record = request.record;
   return follow;
 }
 

@@ -29,7 +29,8 @@ struct RepairRequest {
   RepairOptions repair;
   TrajectoryOptions trajectory = {.knot_step_s = 0.01, .max_solves = 4, .max_iterations = 100};
   std::function<void(const FollowProgress&)> progress = {};
-  bool keeps_plan = false;  ///< ExamineMotion keeps MotionFindings::plan
+  SolveRecord* record = nullptr;  ///< keeps the solves of a long motion; may be null
+  bool keeps_plan = false;        ///< ExamineMotion keeps MotionFindings::plan
 
   OptionFields Fields();
 };

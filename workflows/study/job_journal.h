@@ -24,6 +24,9 @@ class CannotKeep : public std::runtime_error {
 /// results counts as absent: it is started again when opened, and deleted when closed.
 class JobJournal {
  public:
+  /// Largest number of bytes of a result.
+  static constexpr std::size_t kLongestResult = (std::size_t{16} << 20) - 32;
+
   /// A journal that stores nothing.
   JobJournal() = default;
   /// The file is kept if it contains a result.

@@ -9,19 +9,6 @@
 namespace gaitwright {
 namespace {
 
-/// The test vectors of RFC 4648, section 10.
-TEST(PackedColumns, Base64IsThatOfItsStandard) {
-  const std::pair<const char*, const char*> vectors[] = {{"", ""},
-                                                         {"f", "Zg=="},
-                                                         {"fo", "Zm8="},
-                                                         {"foo", "Zm9v"},
-                                                         {"foob", "Zm9vYg=="},
-                                                         {"fooba", "Zm9vYmE="},
-                                                         {"foobar", "Zm9vYmFy"}};
-  for (const auto& [plain, coded] : vectors) EXPECT_EQ(Base64(plain), coded);
-  EXPECT_EQ(Base64(std::string("\xff\x00\xfe", 3)), "/wD+");
-}
-
 TEST(PackedColumns, NumbersAreLittleEndian) {
   EXPECT_EQ(Packed(1, std::vector<float>{1.0F})["f32"], "AACAPw==");  // 00 00 80 3f
   EXPECT_EQ(Packed(2, std::vector<std::uint32_t>{1, 256})["u32"], "AQAAAAABAAA=");
