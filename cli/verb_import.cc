@@ -30,7 +30,7 @@ nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::v
   for (const DerivedPart& part : imported.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
   return {{"robot", imported.plan.robot},
           {"verdict", imported.audit.pass() ? "pass" : "fail"},
-          {"format", imported.format},
+          {"format", MotionFormatName(imported.format)},
           {"rows", imported.rows},
           {"duration_s", imported.plan.duration_s()},
           {"footholds", imported.plan.footsteps.footholds.size()},
@@ -52,8 +52,8 @@ void PrintImported(const ImportedMotion& imported, const std::vector<BrokenTime>
     fmt::print("{}\n", imported.audit.pass() ? "pass" : "fail");
     return;
   }
-  fmt::print("{}: {} rows of {}, {:.3f} s, {} footholds\n", imported.plan.robot, imported.rows, imported.format,
-             imported.plan.duration_s(), imported.plan.footsteps.footholds.size());
+  fmt::print("{}: {} rows of {}, {:.3f} s, {} footholds\n", imported.plan.robot, imported.rows,
+             MotionFormatName(imported.format), imported.plan.duration_s(), imported.plan.footsteps.footholds.size());
   for (const DerivedPart& part : imported.notes.derived) fmt::print("derived: {}: {}\n", part.what, part.how);
   for (const std::string& column : imported.unused_columns) fmt::print("not used: {}\n", column);
   for (const std::string& warning : imported.notes.warnings) fmt::print("warning: {}\n", warning);

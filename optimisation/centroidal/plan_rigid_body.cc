@@ -9,6 +9,7 @@
 
 #include "optimisation/centroidal/hold_goal.h"
 #include "optimisation/centroidal/rigid_body_rows.h"
+#include "optimisation/centroidal/rigid_body_terms.h"
 #include "optimisation/centroidal/rigid_body_unknowns.h"
 #include "optimisation/numerics/elastic_interior.h"
 
@@ -41,21 +42,30 @@ std::string UnmetOf(const ConstrainedSolution& at) {
                      at.iterations, at.violations, at.least ? ", which small changes of the motion do not reduce" : "");
 }
 
-/// Suggestion for a violated constraint with this name.
-std::string ReliefOf(const std::string& worst) {
-  if (worst.starts_with("reach"))
-    return "reduce the travel in a stance: lower speed, shorter cycle, or footholds closer together";
-  if (worst.starts_with("friction") || worst.starts_with("motors"))
-    return "reduce the forces: larger duty factor, lower speed or more time; or raise the friction";
-  if (worst.starts_with("rise") || worst.starts_with("free flight"))
-    return "shorten the flights: shorter cycle or larger duty factor";
-  if (worst.starts_with("clearance")) return "move ground or obstacles farther from the body, or raise the body";
-  if (worst.starts_with("region")) return "put footholds on larger or other patches";
-  if (worst.starts_with("turning")) return "let feet stand longer, so that they can turn the body: larger duty factor";
+/// Suggestion for a violated constraint.
+std::string ReliefOf(RigidBodyRowKind worst) {
+  switch (worst) {
+    case RigidBodyRowKind::kReach:
+      return "reduce the travel in a stance: lower speed, shorter cycle, or footholds closer together";
+    case RigidBodyRowKind::kFriction:
+    case RigidBodyRowKind::kMotors:
+      return "reduce the forces: larger duty factor, lower speed or more time; or raise the friction";
+    case RigidBodyRowKind::kRise:
+    case RigidBodyRowKind::kFreeFlight:
+      return "shorten the flights: shorter cycle or larger duty factor";
+    case RigidBodyRowKind::kClearance:
+      return "move ground or obstacles farther from the body, or raise the body";
+    case RigidBodyRowKind::kRegion:
+      return "put footholds on larger or other patches";
+    case RigidBodyRowKind::kTurning:
+      return "let feet stand longer, so that they can turn the body: larger duty factor";
+    case RigidBodyRowKind::kOther:
+      break;
+  }
   return "give more time";
 }
 
-Failure Unmet(const RigidBodyProblem& problem, const std::string& worst, const std::string& unmet) {
+Failure Unmet(const RigidBodyProblem& problem, RigidBodyRowKind worst, const std::string& unmet) {
   return {FailureKind::kInfeasible,
           FailureCode::kUnmetLaw,
           "PlanRigidBody",
@@ -123,7 +133,7 @@ class RigidBodyPlanner {
       SolveOnce();
       if (not_carried_) return *not_carried_;
       RigidBodySummary& summary = plan_.summary;
-      if (summary.violation > options_.tolerance) return Unmet(problem_, summary.worst, summary.unmet);
+      if (summary.violation > options_.tolerance) return Unmet(problem_, worst_, summary.unmet);
       if (summary.faults.Largest() <= options_.fault_tolerance) return plan_;
       if (summary.refinements == options_.max_refinements) return FaultsBetween(summary);
       ++summary.refinements;
@@ -207,6 +217,7 @@ class RigidBodyPlanner {
     summary.violations = at.violations;
     summary.least = at.least;
     summary.worst = at.worst_constraint;
+    worst_ = static_cast<RigidBodyRowKind>(at.worst_family);
     summary.unmet = UnmetOf(at);
     summary.faults = FaultsOf(problem_, plan_.motion, 1e-3);
   }
@@ -220,7 +231,8 @@ class RigidBodyPlanner {
   VectorX start_;
   double first_gap_ = kFirstGap;
   bool breaks_stay_ = false;
-  std::optional<Failure> not_carried_;  // a more general reason than unmet constraints
+  RigidBodyRowKind worst_ = RigidBodyRowKind::kOther;  // of the last solve
+  std::optional<Failure> not_carried_;                 // a more general reason than unmet constraints
 };
 
 }  // namespace
@@ -234,7 +246,7 @@ std::optional<Failure> ReasonNotCarried(const RigidBodyProblem& problem, const R
   RigidBodyProblem without_swings = problem;
   without_swings.swings.clear();
   if (const auto at = Infeasible(without_swings, lenient)) {
-    Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
+    Failure failure = Unmet(problem, static_cast<RigidBodyRowKind>(at->worst_family), UnmetOf(*at));
     failure.code = FailureCode::kNotCarried;
     failure.message = "no contact forces can move the body along its path, for any rotation: " + UnmetOf(*at) +
                       TooSteepAtGoal(problem);

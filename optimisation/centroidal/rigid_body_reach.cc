@@ -148,6 +148,7 @@ Constraint RigidBodyTerms::SwingClearance(std::size_t swing) const {
     beyond.emplace_back(plane.normal_W, unknowns_.InSwing(swing, plane.share).SeenBy(seen));
     rows.lower[i] = plane.offset_m;
   }
+  rows.family = static_cast<int>(RigidBodyRowKind::kClearance);
   rows.variables = seen.variables();
   rows.affine = true;
   rows.function = [beyond](const VectorX& x, VectorX& value, MatrixX* J) {
@@ -168,6 +169,7 @@ Constraint RigidBodyTerms::ReachOf(int foot, const std::vector<WorkspaceSide>& w
   SeenUnknowns seen;
   const FootPlace own = place.SeenBy(seen);
   rows.function = ReachTerm{std::move(normals), own, BodyAt(problem_, unknowns_, time_s, seen)};
+  rows.family = static_cast<int>(RigidBodyRowKind::kReach);
   rows.name = fmt::format("reach of foot {} at {:.3f} s", foot, time_s);
   rows.variables = seen.variables();
   return rows;
@@ -176,8 +178,9 @@ Constraint RigidBodyTerms::ReachOf(int foot, const std::vector<WorkspaceSide>& w
 Constraint RigidBodyTerms::Clearance(const RigidClearance& clearance) const {
   SeenUnknowns seen;
   const ClearanceTerm term{clearance.normal_W, clearance.p_CQ_B, BodyAt(problem_, unknowns_, clearance.time_s, seen)};
-  return {fmt::format("clearance of {} at {:.3f} s", clearance.of, clearance.time_s), term,
-          VectorX::Constant(1, clearance.offset_m), VectorX::Constant(1, kInfinity), seen.variables()};
+  return OfKind(RigidBodyRowKind::kClearance,
+                {fmt::format("clearance of {} at {:.3f} s", clearance.of, clearance.time_s), term,
+                 VectorX::Constant(1, clearance.offset_m), VectorX::Constant(1, kInfinity), seen.variables()});
 }
 
 }  // namespace gaitwright

@@ -163,19 +163,15 @@ Constraint RigidBodyTerms::Turning(std::size_t interval) const {
   term.lost = (inner_.At(breaks[interval + 1]) - at_start) / unknowns_.mean_inertia();
   term.unseen = UnseenOf(inner_, breaks[interval], term.h);
   for (Vector3& l : term.unseen) l /= unknowns_.mean_inertia();
-  return {fmt::format("turning from {:.3f} s on", breaks[interval]), term, VectorX::Zero(6), VectorX::Zero(6),
-          seen.variables()};
+  return OfKind(RigidBodyRowKind::kTurning, {fmt::format("turning from {:.3f} s on", breaks[interval]), term,
+                                             VectorX::Zero(6), VectorX::Zero(6), seen.variables()});
 }
 
 Constraint RigidBodyTerms::Free(std::size_t at_break) const {
   SeenUnknowns seen;
   VectorFunction rows = AffineRows(unknowns_.WholeForce(at_break), Matrix3::Identity(), Vector3::Zero(), seen);
-  return {fmt::format("free flight at {:.3f} s", unknowns_.breaks_s()[at_break]),
-          rows,
-          Vector3::Zero(),
-          Vector3::Zero(),
-          seen.variables(),
-          true};
+  return OfKind(RigidBodyRowKind::kFreeFlight, {fmt::format("free flight at {:.3f} s", unknowns_.breaks_s()[at_break]),
+                                                rows, Vector3::Zero(), Vector3::Zero(), seen.variables(), true});
 }
 
 Constraint RigidBodyTerms::Friction(const BoundForce& force, int sides, double margin) const {
@@ -194,12 +190,9 @@ Constraint RigidBodyTerms::Friction(const BoundForce& force, int sides, double m
   SeenUnknowns seen;
   VectorFunction rows =
       AffineRows(force.force, directions * stance.X_WF.linear().transpose(), VectorX::Zero(sides + 1), seen);
-  return {fmt::format("friction of foot {} at {:.3f} s", stance.foot, unknowns_.breaks_s()[force.at_break]),
-          rows,
-          VectorX::Constant(sides + 1, -kInfinity),
-          upper,
-          seen.variables(),
-          true};
+  return OfKind(RigidBodyRowKind::kFriction,
+                {fmt::format("friction of foot {} at {:.3f} s", stance.foot, unknowns_.breaks_s()[force.at_break]),
+                 rows, VectorX::Constant(sides + 1, -kInfinity), upper, seen.variables(), true});
 }
 
 Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
@@ -221,19 +214,17 @@ Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
       if (J != nullptr) own[i].AddTo(by_own, *J, 0);
     }
   };
-  return {fmt::format("motors of foot {} at {:.3f} s", stance.foot, time_s),
-          rows,
-          limits.lower.cwiseQuotient(unit),
-          limits.upper.cwiseQuotient(unit),
-          seen.variables(),
-          true};
+  return OfKind(RigidBodyRowKind::kMotors,
+                {fmt::format("motors of foot {} at {:.3f} s", stance.foot, time_s), rows,
+                 limits.lower.cwiseQuotient(unit), limits.upper.cwiseQuotient(unit), seen.variables(), true});
 }
 
 Constraint RigidBodyTerms::Rise(double time_s) const {
   SeenUnknowns seen;
   const VectorX most = VectorX::Constant(1, problem_.rise_max_m_s);
   VectorFunction rows = AffineRows(unknowns_.Velocity(time_s), Vector3::UnitZ().transpose(), VectorX::Zero(1), seen);
-  return {fmt::format("rise at {:.3f} s", time_s), rows, -most, most, seen.variables(), true};
+  return OfKind(RigidBodyRowKind::kRise,
+                {fmt::format("rise at {:.3f} s", time_s), rows, -most, most, seen.variables(), true});
 }
 
 Constraint RigidBodyTerms::Region(std::size_t stance) const {
@@ -253,13 +244,14 @@ Constraint RigidBodyTerms::Region(std::size_t stance) const {
     value = normals * x;
     if (J != nullptr) *J = normals;
   };
-  return {fmt::format("region of foot {}'s foothold from {:.3f} s on", problem_.stances[stance].foot,
-                      problem_.stances[stance].start_s),
-          rows,
-          VectorX::Constant(n, -kInfinity),
-          upper,
-          {start, start + 1},
-          true};
+  return OfKind(RigidBodyRowKind::kRegion,
+                {fmt::format("region of foot {}'s foothold from {:.3f} s on", problem_.stances[stance].foot,
+                             problem_.stances[stance].start_s),
+                 rows,
+                 VectorX::Constant(n, -kInfinity),
+                 upper,
+                 {start, start + 1},
+                 true});
 }
 
 }  // namespace gaitwright

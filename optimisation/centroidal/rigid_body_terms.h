@@ -7,6 +7,15 @@
 
 namespace gaitwright {
 
+/// Constraint::family of the rigid body's constraints.
+enum class RigidBodyRowKind { kOther, kReach, kFriction, kMotors, kRise, kFreeFlight, kClearance, kRegion, kTurning };
+
+/// The constraint with that family.
+inline Constraint OfKind(RigidBodyRowKind kind, Constraint constraint) {
+  constraint.family = static_cast<int>(kind);
+  return constraint;
+}
+
 /// The rows of a rigid body's problem over its unknowns. Keeps references to both; its results do not.
 class RigidBodyTerms {
  public:

@@ -296,6 +296,7 @@ class Solver {
       } else if (const double worst = term.Violation(); worst >= solution_.violation) {
         solution_.violation = worst;
         solution_.worst_constraint = term.constraint->name;
+        solution_.worst_family = term.constraint->family;
       }
     }
   }

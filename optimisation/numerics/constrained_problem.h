@@ -31,6 +31,7 @@ struct Constraint {
   VectorX lower, upper;
   std::vector<int> variables = {};  ///< on which `function` depends, as in Residual; empty for all
   bool affine = false;              ///< its Jacobian is constant
+  int family = 0;                   ///< a number that tells the caller what it is of
 };
 
 /// min |r(x)|^2 subject to constraints and bounds. Solved by dense factorisation up to 60 variables, by sparse
@@ -95,6 +96,7 @@ struct ConstrainedSolution {
   /// bound, negative at a lower bound, zero if no bound is active.
   VectorX multipliers = {};
   std::string worst_constraint;  ///< name of the constraint with the largest violation
+  int worst_family = 0;          ///< its family
   int outer = 0, iterations = 0;
   std::string brief;  ///< one line
 };

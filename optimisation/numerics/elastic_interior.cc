@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "optimisation/numerics/elastic_rows_internal.h"
 
@@ -203,18 +202,11 @@ void ElasticSolver::Finish() {
     solution_.multipliers[fixed_[i].row - first] = 2.0 * at_.y[static_cast<Index>(i)];
   for (std::size_t i = 0; i < sides_.size(); ++i)
     solution_.multipliers[sides_[i].row - first] += 2.0 * sides_[i].sign * at_.z[static_cast<Index>(i)];
-  std::map<std::string, double> by;
-  const auto look = [&](Index row, double violation) {
-    if (violation <= options_.tolerance) return;
-    double& worst = by[rows_.NameOf(row)];
-    worst = std::max(worst, violation);
-  };
-  for (std::size_t i = 0; i < fixed_.size(); ++i) look(fixed_[i].row, std::abs(c_[static_cast<Index>(i)]));
-  for (std::size_t i = 0; i < sides_.size(); ++i) look(sides_[i].row, h_[static_cast<Index>(i)]);
-  solution_.unmet.assign(by.begin(), by.end());
-  std::stable_sort(solution_.unmet.begin(), solution_.unmet.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  if (!solution_.unmet.empty()) solution_.worst_constraint = solution_.unmet.front().first;
+  std::vector<std::pair<Index, double>> violations;
+  for (std::size_t i = 0; i < fixed_.size(); ++i)
+    violations.emplace_back(fixed_[i].row, std::abs(c_[static_cast<Index>(i)]));
+  for (std::size_t i = 0; i < sides_.size(); ++i) violations.emplace_back(sides_[i].row, h_[static_cast<Index>(i)]);
+  SetUnmet(rows_, violations, options_.tolerance, solution_);
 }
 
 /// Whether cost and violations no longer change and the multipliers satisfy the optimality conditions.

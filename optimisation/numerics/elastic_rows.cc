@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "optimisation/numerics/check_problem.h"
@@ -24,6 +28,7 @@ class RowsOfProblem : public ElasticRows {
     return bounds_[static_cast<std::size_t>(row - rows_.residuals())];
   }
   std::string NameOf(Eigen::Index row) const override { return rows_.ConstraintOf(row)->name; }
+  int FamilyOf(Eigen::Index row) const override { return rows_.ConstraintOf(row)->family; }
   void Evaluate(const VectorX& x) override { rows_.Evaluate(x); }
   void Differentiate() override { rows_.Differentiate(); }
   VectorX Gradient(const VectorX& by) const override { return rows_.Gradient(by); }
@@ -59,6 +64,24 @@ OptionFields ElasticOptions::Fields() {
       {"infeasible_largest", &infeasible_largest, "1", 0.0, 1e12,
        "Largest violation that the early infeasibility check lets pass."},
       {"max_iterations", &max_iterations, "1", 1, 10000, "Maximum number of iterations."}};
+}
+
+void SetUnmet(const ElasticRows& rows, const std::vector<std::pair<Eigen::Index, double>>& violations, double tolerance,
+              ConstrainedSolution& solution) {
+  std::map<std::string, double> by;
+  double largest = 0.0;
+  for (const auto& [row, violation] : violations) {
+    if (violation <= tolerance) continue;
+    double& worst = by[rows.NameOf(row)];
+    worst = std::max(worst, violation);
+    if (violation <= largest) continue;
+    largest = violation;
+    solution.worst_family = rows.FamilyOf(row);
+  }
+  solution.unmet.assign(by.begin(), by.end());
+  std::stable_sort(solution.unmet.begin(), solution.unmet.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (!solution.unmet.empty()) solution.worst_constraint = solution.unmet.front().first;
 }
 
 Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options,

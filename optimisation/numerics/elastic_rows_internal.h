@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "optimisation/numerics/elastic_interior.h"
 
@@ -28,6 +30,8 @@ class ElasticRows {
   virtual RowBounds BoundsOf(Eigen::Index row) const = 0;
   /// Of a row that is no residual, for people. Rows of one name count as one constraint.
   virtual std::string NameOf(Eigen::Index row) const = 0;
+  /// Constraint::family of such a row.
+  virtual int FamilyOf(Eigen::Index /*row*/) const { return 0; }
   /// Sum of all violations that is too small to say how much they weigh against the cost.
   virtual double unnoticed() const { return 1e-9; }
 
@@ -50,6 +54,11 @@ struct ElasticStart {
   VectorX x;
   VectorX multipliers = {};  ///< as in ConstrainedSolution; empty, or of another number of rows: not known
 };
+
+/// Sets the unmet constraints of a solution, and the worst of them. @param violations  by row, those of others may be
+/// missing.
+void SetUnmet(const ElasticRows& rows, const std::vector<std::pair<Eigen::Index, double>>& violations, double tolerance,
+              ConstrainedSolution& solution);
 
 /// SolveElastic of such rows.
 Result<ConstrainedSolution> SolveElasticRows(ElasticRows& rows, const ElasticStart& start,

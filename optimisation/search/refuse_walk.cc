@@ -80,7 +80,7 @@ FailureCode ReasonRefused(const Result<PlannedWalk>& planned) {
 
 std::string LimitText(const Violation& v) {
   if (v.law == Law::kSelfCollision) return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
-  if (v.law == Law::kDynamics && v.where.starts_with("base")) {
+  if (v.law == Law::kDynamics) {
     return fmt::format(
         "at {:.2f} s the contact forces cannot produce the motion: the residual is {:.3g} {}, the limit "
         "{:.2g}; the friction or the support area is too small",

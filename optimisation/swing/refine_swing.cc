@@ -24,7 +24,7 @@ namespace {
 /// Initial guesses for a path down: (lead of the foot as a share of the path, earlier arrival as a share of the swing).
 constexpr std::array<std::pair<double, double>, 6> kGuesses = {
     {{0.0, 0.0}, {0.15, 0.0}, {0.35, 0.0}, {-0.35, 0.0}, {0.0, 0.2}, {0.0, 0.3}}};
-const char* const kReach = "the reach";
+constexpr int kReach = 1;  // Constraint::family
 
 /// Values or accelerations of the free control points' basis at fractions of the swing.
 MatrixX BasisAt(const std::vector<double>& fractions, int free, bool acceleration) {
@@ -94,7 +94,7 @@ class Detour {
                                    [this](const VectorX& x, VectorX& value, MatrixX* J) { Clearance(x, value, J); },
                                    VectorX::Zero(rows), VectorX::Constant(rows, kInfinity)});
     if (within_.rows() == 0) return problem;
-    problem.constraints.push_back({kReach,
+    problem.constraints.push_back({"the reach",
                                    [this](const VectorX& x, VectorX& value, MatrixX* J) {
                                      value.noalias() = within_ * x;
                                      if (J != nullptr) *J = within_;
@@ -102,7 +102,8 @@ class Detour {
                                    VectorX::Constant(within_.rows(), -kInfinity),
                                    room_m_,
                                    {},
-                                   true});
+                                   true,
+                                   kReach});
     return problem;
   }
 
@@ -268,7 +269,7 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
     ConstrainedSolution last;
     const Result<ConstrainedSolution> solution =
         LeastJerk(detour.Problem(side * lead, -side * wait), !choice.reach.empty(), last);
-    double& least_m = last.worst_constraint == kReach ? least_out_m : least_missed_m;
+    double& least_m = last.worst_family == kReach ? least_out_m : least_missed_m;
     if (!solution) least_m = std::min(least_m, last.violation);
     constexpr double kOut = 1e12;  // more than any jerk
     const double cost = solution ? solution->cost : kOut * last.violations;

@@ -84,7 +84,10 @@ Json HeadJson(const PlaybackLog& log) {
     head["start_penetration"] = {{"depth_m", log.start_penetration->depth_m},
                                  {"link", log.start_penetration->link},
                                  {"solid", log.start_penetration->solid}};
-  if (!log.broke_off.empty()) head["broke_off"] = log.broke_off;
+  if (!log.broke_off.empty()) {
+    head["broke_off"] = log.broke_off;
+    head["broke_off_by"] = StoppedByName(log.broke_off_by);
+  }
   return head;
 }
 
@@ -253,6 +256,7 @@ PlaybackLog ReadLog(const Json& j) {
                              deepest.at("solid").get<std::string>()};
   }
   if (j.contains("broke_off")) log.broke_off = j.at("broke_off").get<std::string>();
+  if (j.value("broke_off_by", "") == StoppedByName(StoppedBy::kController)) log.broke_off_by = StoppedBy::kController;
   ReadSamples(j, log);
   CheckLog(log);
   return log;
@@ -264,6 +268,8 @@ Failure Refused(const std::string& source, const std::string& why) {
 }
 
 }  // namespace
+
+const char* StoppedByName(StoppedBy by) { return by == StoppedBy::kController ? "controller" : "physics"; }
 
 std::string LogToJson(const PlaybackLog& log) {
   std::string text = HeadJson(log).dump();

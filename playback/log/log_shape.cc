@@ -62,6 +62,7 @@ DataShape LogShape() {
        Optional("pushes", List(LogPushShape())),
        Optional("start_penetration", PenetrationShape(), "Deepest contact of the first posture, if over 1 mm."),
        Optional("broke_off", Text(), "Reason for an early end of the playback."),
+       Optional("broke_off_by", Text({"physics", "controller"}), "What ended it early."),
        {"time_s", List(Numbers(1)), "Time of the end of each sample's interval."},
        {"q", RowsShape()},
        {"v", RowsShape()},

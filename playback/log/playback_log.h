@@ -76,6 +76,11 @@ struct GateRecord {
   bool operator==(const GateRecord&) const = default;
 };
 
+/// What ended a playback early.
+enum class StoppedBy { kPhysics, kController };
+/// The name in files: `physics` or `controller`.
+const char* StoppedByName(StoppedBy by);
+
 /// Measurements of a simulation; never copied from the plan. A pure value.
 struct PlaybackLog {
   static constexpr int kSchema = 5;
@@ -95,6 +100,7 @@ struct PlaybackLog {
       options;                                   ///< every option of the playback, "play." before those of Play
   std::optional<Penetration> start_penetration;  ///< in the first posture, if deeper than kReportedPenetration
   std::string broke_off;  ///< reason of an early end, such as a state that is not finite; else ""
+  StoppedBy broke_off_by = StoppedBy::kPhysics;  ///< after an early end
 };
 
 }  // namespace gaitwright

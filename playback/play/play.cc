@@ -200,10 +200,10 @@ class Playback {
     ReadState(time_s);
     if (may_push) Push(time_s);
     const JointCommand command = controller_.Update(input_);
-    if (!LogEstimate()) return BreakOff(kNoEstimate);
-    if (!IsFinite(command)) return BreakOff(kNoCommand);
+    if (!LogEstimate()) return BreakOff(StoppedBy::kController, kNoEstimate);
+    if (!IsFinite(command)) return BreakOff(StoppedBy::kController, kNoCommand);
     world_->Step(command);
-    if (!IsPhysical(*world_)) return BreakOff(kNoPhysics);
+    if (!IsPhysical(*world_)) return BreakOff(StoppedBy::kPhysics, kNoPhysics);
     input_.contact = 0;
     for (std::size_t i = 0; i < world_->feet().size(); ++i) {
       input_.wrenches[i] = world_->feet()[i].wrench;
@@ -213,8 +213,9 @@ class Playback {
   }
 
   /// Logs the reason, and at least one sample: the last valid state. @return false
-  bool BreakOff(const char* why) {
+  bool BreakOff(StoppedBy by, const char* why) {
     log_.broke_off = why;
+    log_.broke_off_by = by;
     if (!log_.samples.empty()) return false;
     const VectorX none = VectorX::Zero(model_.num_dofs());
     log_.samples.push_back({input_.time_s, input_.q, input_.v, none, none, none, input_.wrenches, input_.contact, {}});
@@ -252,7 +253,7 @@ class Playback {
     if (log_.samples.empty() || log_.samples.back().estimate) return;
     ReadState(end_s);
     controller_.Update(input_);
-    if (!LogEstimate()) BreakOff(kNoEstimate);
+    if (!LogEstimate()) BreakOff(StoppedBy::kController, kNoEstimate);
   }
 
   void Record(double time_s) {

@@ -55,9 +55,8 @@ void Earlier(const std::optional<Fall>& other, Fall& fall) {
   if (other && !(fall.fell && fall.time_s <= other->time_s)) fall = *other;
 }
 
-/// The log contains the reason as text only.
-FallKind KindOfEnd(const std::string& broke_off) {
-  return broke_off.starts_with("the controller") ? FallKind::kControllerStopped : FallKind::kPhysicsStopped;
+FallKind KindOfEnd(StoppedBy by) {
+  return by == StoppedBy::kController ? FallKind::kControllerStopped : FallKind::kPhysicsStopped;
 }
 
 }  // namespace
@@ -75,7 +74,7 @@ Fall FindFall(const MotionPlan& plan, const PlaybackLog& log, const MotionSeries
             fall);
   }
   if (!log.broke_off.empty() && (!fall.fell || fall.time_s >= log_end))
-    fall = {true, log_end, KindOfEnd(log.broke_off), log.broke_off};
+    fall = {true, log_end, KindOfEnd(log.broke_off_by), log.broke_off};
   if (series.measured.size() < log.samples.size()) {
     Earlier(Fall{true, log.samples[series.measured.size()].time_s, FallKind::kNotFinite,
                  "the physics gave a state that is not finite"},

@@ -171,8 +171,7 @@ void TakeApart(const std::vector<SeriesDifference>& differences, const SharedTim
   }
   for (; next < differences.size(); ++next) {
     if (differences[next].samples == 0) continue;
-    const bool of_base = differences[next].quantity.ends_with("of the base");
-    (of_base ? comparison.base : comparison.balance).push_back(differences[next]);
+    (differences[next].of_base ? comparison.base : comparison.balance).push_back(differences[next]);
   }
 }
 

@@ -27,6 +27,7 @@ struct SeriesDifference {
   double tolerance = 0.0;                       ///< tolerance for rows with typical noise
   double noise = 0.0;                           ///< standard deviation of the measurement, which widens the tolerance
   bool derived = false;                         ///< a speed computed from positions
+  bool of_base = false;                         ///< place or attitude of the base
   std::optional<double> first_s = {};           ///< time of the first difference; nothing if there is none
   double first_a = 0.0, first_b = 0.0, first_tolerance = 0.0;  ///< both values at that time, and the tolerance there
 };

@@ -22,6 +22,7 @@ struct ComparedSeries {
   std::vector<double> a, b;
   double resolution = 0.0;              ///< of a measured position: the coarser resolution of the two sides
   std::vector<double> noise_gain = {};  ///< of a computed speed: its noise per position noise [1/s]
+  bool of_base = false;
 };
 
 /// The times at which two motions are compared, and the joints and feet that both have.

@@ -79,8 +79,8 @@ std::vector<ComparedSeries> EmptySeries(const ComparedMotion& a, const ComparedM
     series.push_back({"torque of " + joint.name, EffortUnit(model, joint.a), SeriesScale::kTorque, {}, {}});
   }
   for (const char* axis : {"x", "y", "z"})
-    series.push_back({fmt::format("{} of the base", axis), "m", SeriesScale::kLength, {}, {}});
-  series.push_back({"attitude of the base", "rad", SeriesScale::kAngle, {}, {}});
+    series.push_back({fmt::format("{} of the base", axis), "m", SeriesScale::kLength, {}, {}, 0.0, {}, true});
+  series.push_back({"attitude of the base", "rad", SeriesScale::kAngle, {}, {}, 0.0, {}, true});
   for (const char* axis : {"x", "y", "z"})
     series.push_back({fmt::format("{} of the centre of mass", axis), "m", SeriesScale::kLength, {}, {}});
   for (const char* axis : {"x", "y"})
@@ -142,7 +142,8 @@ double ShownAt(const SharedTime& shared, std::size_t k) {
 SeriesDifference DifferenceOf(const ComparedSeries& series, const SharedTime& shared, double tolerance, double noise) {
   const std::vector<double>& time_s = shared.time_s;
   const bool derived = !series.noise_gain.empty();
-  SeriesDifference difference{.quantity = series.quantity, .unit = series.unit, .derived = derived};
+  SeriesDifference difference{
+      .quantity = series.quantity, .unit = series.unit, .derived = derived, .of_base = series.of_base};
   difference.noise = derived ? noise * MedianOf(series.noise_gain) : noise;
   difference.tolerance = tolerance + kNoiseWidth * difference.noise;
   double sum = 0.0;

@@ -66,7 +66,7 @@ class BvhReader {
   MotionTable Run() {
     FindPartners();
     const SkeletonFit fit = Fit();
-    SkeletonFrames frames(model_, "frames-bvh", fit.R_BS);
+    SkeletonFrames frames(model_, MotionFormat::kFramesBvh, fit.R_BS);
     for (int k = 0; k < file_.frames(); ++k) {
       frames.Begin(k * file_.step_s, fit.unit.metres * file_.PositionOf(0, k), file_.RotationOf(0, k, radians_));
       for (const auto& [joint, run] : runs_) Move(fit, joint, run, k, frames);

@@ -30,8 +30,7 @@ const char* LikelyTimeUnit(double step) {
 
 void CheckTimes(const MotionTable& table, const ImportOptions& options) {
   constexpr double kCoarse = 0.5;  // [s]
-  const bool waypoints = table.format == "joint-trajectory" || table.format == "ros-bag-trajectory",
-             detect = options.time_unit == "detect";
+  const bool waypoints = HasWaypoints(table.format), detect = options.time_unit == "detect";
   const int least = waypoints ? 2 : 5;
   if (table.rows() < least)
     throw InvalidArgument(fmt::format("has {} rows; a motion needs {} or more", table.rows(), least));

@@ -148,7 +148,7 @@ ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, cons
 
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
   CheckTable(model, table);
-  const ComparedKind kind = table.format == "joint-trajectory" ? ComparedKind::kTrajectory : ComparedKind::kCsv;
+  const ComparedKind kind = HasWaypoints(table.format) ? ComparedKind::kTrajectory : ComparedKind::kCsv;
   ComparedMotion motion{.name = name, .kind = kind, .model = model, .notes = NotesOf(model, table, name)};
   MotionRows& rows = motion.rows;
   rows.time_s = table.time_s;

@@ -17,7 +17,7 @@ Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, 
   names->some_joints = reading.some_joints;
   Result<MotionTable> motion = MotionFromCsv(model, table, *names, reading.options);
   if (!motion) return motion;
-  if (ocs2) motion->format = "ocs2-csv";
+  if (ocs2) motion->format = MotionFormat::kOcs2Csv;
   motion->derived.insert(motion->derived.begin(), derived.begin(), derived.end());
   return motion;
 }

@@ -119,7 +119,7 @@ class DeepMimicReader {
 
   MotionTable Table() {
     const Matrix3 R_BS = AxesOfFile();
-    SkeletonFrames rows(model_, "frames-deepmimic", R_BS);
+    SkeletonFrames rows(model_, MotionFormat::kFramesDeepMimic, R_BS);
     double time_s = 0.0;
     for (const std::vector<double>& frame : frames_) {
       rows.Begin(time_s, unit_m_ * Vector3(frame[1], frame[2], frame[3]),

@@ -82,7 +82,7 @@ class Resampler {
 
   /// Notes on times; points of a joint trajectory may be far apart, because a controller interpolates between them.
   void SayTimes() {
-    if (table_.format == "joint-trajectory" || time_s_.size() < 3) return;
+    if (HasWaypoints(table_.format) || time_s_.size() < 3) return;
     std::vector<double> steps;
     for (std::size_t i = 1; i < time_s_.size(); ++i) steps.push_back(time_s_[i] - time_s_[i - 1]);
     const double usual = MedianOf(steps);

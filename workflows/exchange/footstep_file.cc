@@ -352,7 +352,7 @@ std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& 
   Result<PlannedMotion> planned =
       PlanMotion(model, terrain, *skeleton, RoundOf(*skeleton, model.feet.size()), request.motion);
   if (!planned) return planned.failure();
-  imported.format = "footsteps";
+  imported.format = MotionFormat::kFootsteps;
   imported.rows = static_cast<int>(skeleton->footsteps.footholds.size() - model.feet.size());
   imported.plan = std::move(planned->plan);
   imported.notes.warnings = std::exchange(imported.plan.warnings, {});

@@ -38,9 +38,9 @@ std::string JoinedNames(const std::vector<std::string>& names) {
 /// Turns frames into rows of a motion.
 class FrameTable {
  public:
-  FrameTable(const RobotModel& model, const ImportOptions& options, std::string format)
+  FrameTable(const RobotModel& model, const ImportOptions& options, MotionFormat format)
       : options_(options), order_(DescribedJointOrder(model)) {
-    table_.format = std::move(format);
+    table_.format = format;
     for (const std::string& name : order_) {
       dofs_.push_back(model.DofIndex(name));
       const bool prismatic = model.LeaderOf(dofs_.back()).is_prismatic();
@@ -102,7 +102,7 @@ Result<MotionTable> ParseNumberFrames(const RobotModel& model, const std::string
                                       const ImportOptions& options) {
   const Result<CsvTable> table = ParseNumberTable(text, source);
   if (!table) return table.failure();
-  FrameTable frames(model, options, "frames-csv");
+  FrameTable frames(model, options, MotionFormat::kFramesCsv);
   const int extra = table->num_columns() - frames.columns();
   if (extra != 0 && !(extra == 1 && Increases(*table))) {
     return Failure{
@@ -140,7 +140,7 @@ Result<MotionTable> ParseJsonFrames(const RobotModel& model, const std::string& 
     const std::vector<JsonPart> rows = root.At("Frames").List();
     if (rows.size() > static_cast<std::size_t>(kMostCsvRows))
       root.At("Frames").Refuse(fmt::format("has more than {} frames", kMostCsvRows));
-    FrameTable frames(model, options, "frames-json");
+    FrameTable frames(model, options, MotionFormat::kFramesJson);
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const std::vector<double> frame = rows[row].Numbers();
       if (frame.size() != static_cast<std::size_t>(frames.columns())) {

@@ -29,9 +29,9 @@ void MakePlan(const RobotModel& model, const Terrain& terrain, const ImportReque
 
 Provenance ProvenanceOf(ImportRequest request, const ImportedMotion& imported, const std::string& hash) {
   Provenance provenance{Version(), "ImportMotion", {}, 0};
-  provenance.options = {{"format", imported.format}, {"source_hash", hash}};
-  const OptionTexts options =
-      imported.format == "footsteps" ? TextsOf(request.motion.Fields()) : TextsOf(request.options.Fields());
+  provenance.options = {{"format", MotionFormatName(imported.format)}, {"source_hash", hash}};
+  const OptionTexts options = imported.format == MotionFormat::kFootsteps ? TextsOf(request.motion.Fields())
+                                                                          : TextsOf(request.options.Fields());
   provenance.options.insert(provenance.options.end(), options.begin(), options.end());
   return provenance;
 }

@@ -29,8 +29,8 @@ struct ImportRequest {
 struct ImportedMotion {
   MotionPlan plan;  ///< its warnings also list derived data
   AuditReport audit;
-  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "footsteps"
-  int rows = 0;        ///< number of rows, points or footsteps of the file
+  MotionFormat format = MotionFormat::kCsv;
+  int rows = 0;  ///< number of rows, points or footsteps of the file
   ImportNotes notes;
   std::vector<std::string> unused_columns;
 };

@@ -74,7 +74,7 @@ class Parser {
     const Part message = root.Has("trajectory") ? root.At("trajectory") : root;
     message.Object({"joint_names", "points"}, {"header"});
     TakeNames(message.At("joint_names"));
-    motion_.format = "joint-trajectory";
+    motion_.format = MotionFormat::kJointTrajectory;
     const std::vector<Part> points = message.At("points").List();
     if (points.size() > static_cast<std::size_t>(kMostCsvRows))
       message.At("points").Refuse(fmt::format("has more than {} points", kMostCsvRows));

@@ -41,7 +41,7 @@ class Mapper {
   MotionTable Run() {
     CheckNames();
     for (int c = 0; c < table_.num_columns(); ++c) Place(c);
-    motion_.format = "csv";
+    motion_.format = MotionFormat::kCsv;
     TakeTime();
     TakeBase();
     TakeJoints();

@@ -49,6 +49,48 @@ OptionFields ImportOptions::UnitFields() {
            {"detect", "s", "ms", "us", "ns"}}};
 }
 
+const char* MotionFormatName(MotionFormat format) {
+  switch (format) {
+    case MotionFormat::kCsv:
+      return "csv";
+    case MotionFormat::kOcs2Csv:
+      return "ocs2-csv";
+    case MotionFormat::kJointTrajectory:
+      return "joint-trajectory";
+    case MotionFormat::kFramesCsv:
+      return "frames-csv";
+    case MotionFormat::kFramesJson:
+      return "frames-json";
+    case MotionFormat::kFramesNpz:
+      return "frames-npz";
+    case MotionFormat::kFramesBvh:
+      return "frames-bvh";
+    case MotionFormat::kFramesDeepMimic:
+      return "frames-deepmimic";
+    case MotionFormat::kNpz:
+      return "npz";
+    case MotionFormat::kRosBag:
+      return "ros-bag";
+    case MotionFormat::kRosBagTrajectory:
+      return "ros-bag-trajectory";
+    case MotionFormat::kFootsteps:
+      return "footsteps";
+    case MotionFormat::kRepaired:
+      return "repaired";
+  }
+  return "";
+}
+
+bool HasFrames(MotionFormat format) {
+  return format == MotionFormat::kFramesCsv || format == MotionFormat::kFramesJson ||
+         format == MotionFormat::kFramesNpz || format == MotionFormat::kFramesBvh ||
+         format == MotionFormat::kFramesDeepMimic;
+}
+
+bool HasWaypoints(MotionFormat format) {
+  return format == MotionFormat::kJointTrajectory || format == MotionFormat::kRosBagTrajectory;
+}
+
 OptionFields ImportOptions::Fields() {
   OptionFields fields = {
       {"velocities",

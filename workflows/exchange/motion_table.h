@@ -22,11 +22,33 @@ struct DerivedPart {
   bool operator==(const DerivedPart&) const = default;
 };
 
+/// Format of a motion that was read.
+enum class MotionFormat {
+  kCsv,
+  kOcs2Csv,
+  kJointTrajectory,
+  kFramesCsv,
+  kFramesJson,
+  kFramesNpz,
+  kFramesBvh,
+  kFramesDeepMimic,
+  kNpz,
+  kRosBag,
+  kRosBagTrajectory,
+  kFootsteps,
+  kRepaired,
+};
+/// The name in JSON and Python, such as `frames-csv`.
+const char* MotionFormatName(MotionFormat format);
+/// Whether its rows are frames of positions, mostly few in a second.
+bool HasFrames(MotionFormat format);
+/// Whether its rows may be far apart, because a controller interpolates between them.
+bool HasWaypoints(MotionFormat format);
+
 /// A motion as in a file, in SI units and in this robot's order. An optional list is empty if the file lacks the data;
 /// otherwise it has one entry per row. Rows may be at any increasing times.
 struct MotionTable {
-  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory", "frames-csv", "frames-json", "frames-npz", "npz",
-                       ///< "ros-bag", "ros-bag-trajectory", "frames-bvh", "frames-deepmimic"
+  MotionFormat format = MotionFormat::kCsv;
   std::vector<double> time_s;
   std::vector<Vector3> base_m;                ///< p_WB, of the URDF's root link
   std::vector<Eigen::Vector4d> quaternion;    ///< quaternion of R_WB, x y z w

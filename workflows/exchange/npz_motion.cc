@@ -137,7 +137,7 @@ class NpzReader {
   }
 
   void ReadFrames(const std::string& joints) {
-    table_.format = "frames-npz";
+    table_.format = MotionFormat::kFramesNpz;
     const std::size_t n = model_.dof_names.size();
     const std::size_t rows = arrays_.At(joints).rows();
     if (rows > static_cast<std::size_t>(kMostCsvRows))
@@ -240,7 +240,7 @@ class NpzReader {
   }
 
   void ReadOwn() {
-    table_.format = "npz";
+    table_.format = MotionFormat::kNpz;
     const NpyArray& times = arrays_.At("time_s");
     const std::size_t rows = times.rows(), n = model_.dof_names.size();
     if (rows > static_cast<std::size_t>(kMostCsvRows))

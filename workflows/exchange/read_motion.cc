@@ -183,8 +183,7 @@ EvenMotion EvenMotionOf(const RobotModel& model, const Terrain& terrain, const I
                         ImportNotes& notes) {
   ImportOptions options = asked;
   notes.derived = table.derived;
-  if (options.smoothing_hz == 0.0 && table.format.starts_with("frames"))
-    options.smoothing_hz = CoarseSmoothingHz(table);
+  if (options.smoothing_hz == 0.0 && HasFrames(table.format)) options.smoothing_hz = CoarseSmoothingHz(table);
   CheckMotionTable(model, terrain, options, table);
   const bool placed = !table.base_m.empty(), turned = !table.quaternion.empty();
   if (!placed) table.base_m.assign(table.time_s.size(), Vector3::Zero());

@@ -120,7 +120,7 @@ class RecordingReader {
   }
 
   void TakeJointStates(const RecordedSeries<JointStateMessage>& series) {
-    table_.format = "ros-bag";
+    table_.format = MotionFormat::kRosBag;
     const std::vector<std::int64_t> times = TimesOf(series);
     int most = 0;
     std::vector<std::string> names;
@@ -136,7 +136,7 @@ class RecordingReader {
   }
 
   void TakeTrajectory(const RecordedSeries<JointTrajectoryMessage>& series) {
-    table_.format = "ros-bag-trajectory";
+    table_.format = MotionFormat::kRosBagTrajectory;
     if (series.messages.size() != 1) {
       throw InvalidArgument(
           fmt::format("topic '{}' has {} joint trajectories; a motion is one of them, or joint states",

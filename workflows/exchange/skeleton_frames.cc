@@ -9,9 +9,9 @@
 
 namespace gaitwright {
 
-SkeletonFrames::SkeletonFrames(const RobotModel& model, std::string format, const Matrix3& R_BS)
+SkeletonFrames::SkeletonFrames(const RobotModel& model, MotionFormat format, const Matrix3& R_BS)
     : model_(model), R_BS_(R_BS) {
-  table_.format = std::move(format);
+  table_.format = format;
   table_.turned_by_angles = true;
 }
 

@@ -16,7 +16,7 @@ namespace gaitwright {
 class SkeletonFrames {
  public:
   /// @param R_BS  axes of the base from those of the skeleton, both at rest.
-  SkeletonFrames(const RobotModel& model, std::string format, const Matrix3& R_BS);
+  SkeletonFrames(const RobotModel& model, MotionFormat format, const Matrix3& R_BS);
 
   /// Begins a frame: position [m] and rotation of the root, in the axes of the skeleton. Joints without a value stand.
   void Begin(double time_s, const Vector3& p_S, const Matrix3& R_S);

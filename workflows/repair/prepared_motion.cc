@@ -113,7 +113,7 @@ std::optional<Failure> ReadWeights(const RobotModel& model, const RepairRequest&
 
 EvenMotion SmoothRows(const RobotModel& model, const EvenMotion& rows, double cutoff_hz) {
   MotionTable table;
-  table.format = "repaired";
+  table.format = MotionFormat::kRepaired;
   for (int k = 0; k < rows.size(); ++k) {
     const VectorX& q = rows.q[static_cast<std::size_t>(k)];
     table.time_s.push_back(rows.TimeOf(k));

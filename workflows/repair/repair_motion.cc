@@ -53,7 +53,7 @@ void SetGoal(MotionPlan& plan) {
 
 Provenance ProvenanceOf(RepairRequest request, const PreparedMotion& prepared) {
   Provenance provenance{Version(), "RepairMotion", {}, 0};
-  provenance.options = {{"format", prepared.findings.format}, {"source_hash", prepared.source_hash}};
+  provenance.options = {{"format", MotionFormatName(prepared.findings.format)}, {"source_hash", prepared.source_hash}};
   if (!prepared.weights_hash.empty()) provenance.options.emplace_back("weights_hash", prepared.weights_hash);
   const OptionTexts options = TextsOf(request.Fields());
   provenance.options.insert(provenance.options.end(), options.begin(), options.end());

@@ -37,7 +37,7 @@ struct RepairRequest {
 
 /// What a repair found and did, without the optimisation of the whole body.
 struct MotionFindings {
-  std::string format;
+  MotionFormat format = MotionFormat::kCsv;
   int rows = 0;
   double duration_s = 0.0;
   std::vector<std::string> unused;  ///< columns or arrays of the file that are not used

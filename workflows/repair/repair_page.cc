@@ -73,7 +73,7 @@ std::string VerdictReason(const RepairResult& result, const RepairPageWords& wor
 std::string HeadOf(const RepairResult& result, const RepairPageWords& words) {
   const MotionFindings& f = result.findings;
   const std::string name = std::filesystem::path(words.source).filename().string();
-  std::string about = fmt::format("{} rows of {}, {:.2f} s", f.rows, f.format, f.duration_s);
+  std::string about = fmt::format("{} rows of {}, {:.2f} s", f.rows, MotionFormatName(f.format), f.duration_s);
   if (f.smoothing_hz > 0.0) about += fmt::format(", smoothed above {:.3g} Hz", f.smoothing_hz);
   if (result.repaired != nullptr) about += fmt::format("; the plan takes {:.2f} s", result.repaired->plan.duration_s());
   VerdictWords head;

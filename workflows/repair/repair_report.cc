@@ -185,8 +185,8 @@ bool RepairResult::pass() const {
 
 std::string RepairText(const RepairResult& result) {
   const MotionFindings& findings = result.findings;
-  std::string text = fmt::format("{}: {} rows of {}, {:.3f} s\n", result.model.name, findings.rows, findings.format,
-                                 findings.duration_s);
+  std::string text = fmt::format("{}: {} rows of {}, {:.3f} s\n", result.model.name, findings.rows,
+                                 MotionFormatName(findings.format), findings.duration_s);
   for (const DerivedPart& part : findings.notes.derived) text += fmt::format("derived: {}: {}\n", part.what, part.how);
   for (const std::string& column : findings.unused) text += fmt::format("not used: {}\n", column);
   for (const std::string& warning : findings.notes.warnings) text += fmt::format("warning: {}\n", warning);
@@ -218,7 +218,7 @@ std::string RepairJson(const RepairResult& result, const std::vector<std::pair<s
   for (const DerivedPart& part : findings.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
   Json json = {{"robot", result.model.name},
                {"verdict", result.pass() ? "pass" : "fail"},
-               {"format", findings.format},
+               {"format", MotionFormatName(findings.format)},
                {"rows", findings.rows},
                {"duration_s", findings.duration_s},
                {"smoothing_hz", findings.smoothing_hz},

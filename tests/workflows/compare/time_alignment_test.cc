@@ -14,7 +14,7 @@ namespace {
 ComparedMotion MoveAbout(double middle_s, double size = 1.0, double start_s = 0.0, double end_s = 3.0) {
   constexpr double kWidth = 0.15;  // [s]
   MotionTable table;
-  table.format = "csv";
+  table.format = MotionFormat::kCsv;
   for (double t = start_s; t <= end_s + 1e-9; t += 0.005) {
     const double u = (t - middle_s) / kWidth, bump = size * std::exp(-0.5 * u * u);
     VectorX q = VectorX::Zero(6), v = VectorX::Zero(6);

@@ -42,7 +42,7 @@ TEST(BvhMotion, UnitAndAxesFollowFromTheSkeleton) {
       writer.R_SB = unit_m == 1.0 ? Matrix3(Matrix3::Identity()) : YUpward();
       const auto table = ParseBvhMotion(model, writer.Text(motion, 1.0 / 30.0), "a.bvh", {});
       ASSERT_TRUE(table.ok()) << table.failure().message;
-      EXPECT_EQ(table->format, "frames-bvh");
+      EXPECT_EQ(table->format, MotionFormat::kFramesBvh);
       ExpectMotionOf(*table, motion, 1e-6);
       EXPECT_NEAR(table->time_s.back(), 19.0 / 30.0, 1e-6);
       EXPECT_EQ(HowDerived(*table, "rotations left out"), "");

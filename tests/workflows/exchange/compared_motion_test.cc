@@ -16,7 +16,7 @@ namespace {
 template <class Position>
 MotionTable JointTable(const std::vector<double>& time_s, Position position) {
   MotionTable table;
-  table.format = "csv";
+  table.format = MotionFormat::kCsv;
   table.time_s = time_s;
   for (const double t : time_s) {
     VectorX q(6);

@@ -57,7 +57,7 @@ TEST(DeepMimic, TheNumberOfColumnsDecides) {
       SCOPED_TRACE(fmt::format("{} {}", least, R_SB.isIdentity() ? "z" : "y"));
       const auto table = ParseDeepMimic(model, DeepMimicText(model, motion, least, R_SB), "a.json", {});
       ASSERT_TRUE(table.ok()) << table.failure().message;
-      EXPECT_EQ(table->format, "frames-deepmimic");
+      EXPECT_EQ(table->format, MotionFormat::kFramesDeepMimic);
       ASSERT_EQ(table->rows(), 15);
       for (std::size_t k = 0; k < motion.size(); ++k) {
         EXPECT_NEAR(table->time_s[k], 0.02 * static_cast<double>(k), 1e-12);

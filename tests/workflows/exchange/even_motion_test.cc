@@ -27,7 +27,7 @@ double CubicAcceleration(int i, double t) { return i - 1.8 * t; }
 
 MotionTable CubicTable(const std::vector<double>& time_s) {
   MotionTable table;
-  table.format = "csv";
+  table.format = MotionFormat::kCsv;
   table.time_s = time_s;
   for (const double t : time_s) {
     VectorX q(6);

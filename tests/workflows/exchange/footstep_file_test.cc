@@ -156,7 +156,7 @@ TEST(FootstepFile, IsPlannedOnIntoAMotionThatPassesAndPlays) {
   ASSERT_TRUE(WriteFileAtomically(request.file, kSteps).ok());
   const Result<ImportedMotion> imported = ImportMotion(FourFeet(), request);
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
-  EXPECT_EQ(imported->format, "footsteps");
+  EXPECT_EQ(imported->format, MotionFormat::kFootsteps);
   EXPECT_EQ(imported->rows, 4);
   EXPECT_TRUE(imported->audit.pass()) << AuditText(imported->audit);
   const Foothold& last = imported->plan.footsteps.footholds.back();

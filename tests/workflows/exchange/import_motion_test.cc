@@ -68,7 +68,7 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
 TEST(ImportOthers, TrotOfOtherSoftwareIsAuditedPlayedAndScored) {
   const Result<ImportedMotion> imported = Imported("trot.csv", CsvOf({}));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
-  EXPECT_EQ(imported->format, "csv");
+  EXPECT_EQ(imported->format, MotionFormat::kCsv);
   EXPECT_EQ(imported->plan.provenance.made_by, "ImportMotion");
   EXPECT_NEAR(imported->plan.duration_s(), 3.4, 1e-9);
   EXPECT_EQ(imported->plan.footsteps.footholds.size(), 4U + 16U);
@@ -139,7 +139,7 @@ TEST(ImportOthers, JointTrajectoryOfRosIsTheSameMotion) {
   const Result<ImportedMotion> csv = Imported("joints.csv", CsvOf(walk)),
                                ros = Imported("joints.yaml", TrajectoryOf(walk));
   ASSERT_TRUE(csv.ok() && ros.ok()) << ros.failure().message;
-  EXPECT_EQ(ros->format, "joint-trajectory");
+  EXPECT_EQ(ros->format, MotionFormat::kJointTrajectory);
   ASSERT_EQ(ros->plan.whole_body.size(), csv->plan.whole_body.size());
   for (std::size_t k = 0; k < ros->plan.whole_body.q.size(); k += 20)
     EXPECT_LT((ros->plan.whole_body.q[k] - csv->plan.whole_body.q[k]).norm(), 1e-6);

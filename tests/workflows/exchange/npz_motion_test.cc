@@ -77,7 +77,7 @@ TEST(NpzMotion, ReadsRootAndJointsInTheDescribedOrder) {
     const MotionRows rows = Moving(model);
     const auto read = ParseNpzMotion(model, Frames(rows, model, DescribedJointOrder(model)).Zip(), "a.npz", {});
     ASSERT_TRUE(read.ok()) << read.failure().message;
-    EXPECT_EQ(read->format, "frames-npz");
+    EXPECT_EQ(read->format, MotionFormat::kFramesNpz);
     ExpectMotion(*read, rows, 1e-12);
   }
 }
@@ -148,7 +148,7 @@ TEST(NpzMotion, ReadsWhatExportWrites) {
   rows.contact.assign(rows.q.size(), FootBit(1) | FootBit(2));
   const auto read = ParseNpzMotion(model, MotionNpz(model, rows), "a.npz", {});
   ASSERT_TRUE(read.ok()) << read.failure().message;
-  EXPECT_EQ(read->format, "npz");
+  EXPECT_EQ(read->format, MotionFormat::kNpz);
   ExpectMotion(*read, rows, 1e-15);
   EXPECT_EQ(read->tau, rows.tau);
   EXPECT_EQ(read->contact, rows.contact);

@@ -59,7 +59,7 @@ TEST(ReadMotion, ReadsFramesWhereNoColumnHasAName) {
   const std::string row = "0,0,1,0,0,0,1" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0") + "\n";
   const auto table = ReadMotionTable(NamedRobot("a1"), {row + row, MotionForm::kCsv}, request);
   ASSERT_TRUE(table.ok()) << table.failure().message;
-  EXPECT_EQ(table->format, "frames-csv");
+  EXPECT_EQ(table->format, MotionFormat::kFramesCsv);
   EXPECT_EQ(table->rows(), 2);
 }
 
@@ -98,7 +98,7 @@ TEST(ReadMotion, NamesOfColumnsMayBeInAFile) {
   for (const std::string& file : {names, numbers + "}\nignore: [9]\n"}) {
     const auto table = LoggedMotion(file);
     ASSERT_TRUE(table.ok()) << table.failure().message;
-    EXPECT_EQ(table->format, "csv");
+    EXPECT_EQ(table->format, MotionFormat::kCsv);
     EXPECT_NEAR(table->time_s[5], 0.05, 1e-12);
     EXPECT_LT((table->q[0] - model.standing_joints).norm(), 1e-9);
   }

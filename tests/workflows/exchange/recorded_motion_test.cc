@@ -42,7 +42,7 @@ TEST(RecordedMotion, JointsAreFoundByNameAndOthersAreListed) {
   }
   const auto table = MotionIn(model, recorder.Finish());
   ASSERT_TRUE(table.ok()) << table.failure().message;
-  EXPECT_EQ(table->format, "ros-bag");
+  EXPECT_EQ(table->format, MotionFormat::kRosBag);
   ASSERT_EQ(table->rows(), 20);
   for (std::size_t k = 0; k < 20; ++k) {
     EXPECT_NEAR(table->time_s[k], rows.time_s[k], 1e-12) << "from 0, since 1970 would cost digits";
@@ -119,7 +119,7 @@ TEST(RecordedMotion, ATrajectoryIsReadWhereThereAreNoStates) {
   options.topics = "/joint_trajectory";
   const auto table = MotionIn(model, MotionMcap(model, rows), options);
   ASSERT_TRUE(table.ok()) << table.failure().message;
-  EXPECT_EQ(table->format, "ros-bag-trajectory");
+  EXPECT_EQ(table->format, MotionFormat::kRosBagTrajectory);
   ASSERT_EQ(table->rows(), 10);
   for (std::size_t k = 0; k < 10; ++k) {
     EXPECT_LT((table->q[k] - rows.q[k].tail(model.num_dofs())).norm(), 1e-12);

@@ -29,7 +29,7 @@ TEST(ExchangeShapes, AComparisonOfMotionsHasItsShapeWhateverTheSidesHave) {
   synthetic::Played other = walker;
   for (LogSample& sample : other.log.samples) sample.q[8] += 0.2;
   MotionTable table;
-  table.format = "csv";
+  table.format = MotionFormat::kCsv;
   for (const LogSample& sample : walker.log.samples) {
     table.time_s.push_back(sample.time_s);
     table.q.emplace_back(sample.q.tail(6));

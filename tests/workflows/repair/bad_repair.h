@@ -11,7 +11,7 @@ namespace gaitwright::synthetic {
 /// Findings on a motion of 4 s that fails two checks.
 inline MotionFindings BadFindings() {
   MotionFindings findings;
-  findings.format = "frames-csv";
+  findings.format = MotionFormat::kFramesCsv;
   findings.rows = 400;
   findings.duration_s = 4.0;
   findings.rested.motion.step_s = 0.01;

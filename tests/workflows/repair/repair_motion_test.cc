@@ -147,7 +147,7 @@ TEST(RepairMotion, ReadsFramesOfMotionImitation) {
   const std::string text = "{\"LoopMode\": \"Wrap\", \"FrameDuration\": 0.01, \"Frames\": [" + frames + "]}";
   const auto repaired = RepairMotion(model, RequestOf(text, "motion.txt"));
   ASSERT_TRUE(repaired.ok()) << repaired.failure().message;
-  EXPECT_EQ(repaired->findings.format, "frames-json");
+  EXPECT_EQ(repaired->findings.format, MotionFormat::kFramesJson);
   EXPECT_TRUE(repaired->after.pass()) << AuditText(repaired->after);
 }
 

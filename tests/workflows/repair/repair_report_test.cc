@@ -11,7 +11,7 @@ namespace {
 
 MotionFindings SomeFindings() {
   MotionFindings findings;
-  findings.format = "frames-csv";
+  findings.format = MotionFormat::kFramesCsv;
   findings.rows = 201;
   findings.duration_s = 2.0;
   findings.smoothing_hz = 6.0;
