@@ -43,8 +43,9 @@ VectorJet JetOf(const TurningChart& chart, const VectorX& q, const VectorX& v, c
 }
 
 BodyProblem WindowOf(const BodyProblem& whole, const ChainSpline& spline, const MatrixX& points, int first, int last) {
-  BodyProblem part{whole.model,    whole.chart, {}, {}, whole.weights, whole.use, whole.still, BodyWindow{{}, 0.0, 0.0},
-                   whole.distances};
+  BodyProblem part{whole.model,     whole.chart,      {},          {},
+                   whole.weights,   whole.use,        whole.still, BodyWindow{{}, 0.0, 0.0},
+                   whole.distances, whole.limits_jerk};
   part.window->start_s = whole.start_s();
   part.window->end_s = whole.end_s();
   for (int k = first; k <= last; ++k) {

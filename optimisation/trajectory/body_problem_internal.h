@@ -121,8 +121,8 @@ struct BodyWindow {
 ///   x = [p_WB (3), angles of TurningChart (3), independent joints (n)],
 /// and at each knot the force at each contact point, in units of the weight; between knots forces are linear. At knots
 /// hold: Newton's and Euler's equations of the whole (six rows), feet on their goals, forces inside their cones,
-/// positions, speeds, accelerations and efforts within limits, torque-speed curves included; links that are listed keep
-/// their distance. Knots with a CycleTie repeat the state of their cycle.
+/// positions, speeds, accelerations and efforts within limits, between them jerks, torque-speed curves included; links
+/// that are listed keep their distance. Knots with a CycleTie repeat the state of their cycle.
 struct BodyProblem {
   const RobotModel* model = nullptr;
   TurningChart chart;
@@ -133,6 +133,7 @@ struct BodyProblem {
   std::vector<bool> still;  ///< by joint: it stays exactly where the first reference has it; empty: none does
   std::optional<BodyWindow> window;
   const LinkDistances* distances = nullptr;  ///< of the model; needed if a knot has an ApartPair
+  bool limits_jerk = true;                   ///< limits of jerk are constraints; not where the pace is chosen
 
   bool StaysStill(int dof) const { return !still.empty() && still[static_cast<std::size_t>(dof)]; }
   double start_s() const { return window ? window->start_s : time_s.front(); }

@@ -22,6 +22,14 @@ Vector3 SideOf(const PressingFoot& foot, int side) {
          Vector3(std::cos(angle), std::sin(angle), -foot.friction * std::cos(std::numbers::pi / kPyramidSides));
 }
 
+std::vector<int> JointsWithJerkLimit(const BodyProblem& problem) {
+  std::vector<int> dofs;
+  for (int d = 0; d < problem.model->num_dofs(); ++d) {
+    if (problem.limits_jerk && std::isfinite(problem.model->MotorOf(d).jerk_limit)) dofs.push_back(d);
+  }
+  return dofs;
+}
+
 }  // namespace
 
 BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
@@ -31,7 +39,8 @@ BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
       motors_(*problem.model, problem.use),
       knot_model_(*problem.model),
       n_(problem.model->nv()),
-      chain_(n_, spline_.points()) {
+      jerked_(JointsWithJerkLimit(problem)),
+      chain_(n_, spline_.points(), jerked_.empty() ? 2 : 3) {
   for (int d = 0; d < model_.num_dofs(); ++d) {
     if (std::isfinite(model_.dof_lower(d)) || std::isfinite(model_.dof_upper(d)) || problem_.StaysStill(d))
       ranged_.push_back(d);
@@ -135,6 +144,8 @@ Index BodyRows::CountOf(const Knot& knot, const BodyKnot& asked, Kind kind) cons
       return asked.pins_motion ? 2 * n_ : 0;
     case kTied:
       return asked.tie ? 3 * n_ : 0;
+    case kJerk:
+      return &knot == &knots_.front() || asked.is_given ? 0 : static_cast<Index>(jerked_.size());
     case kKinds:
       break;
   }
@@ -178,6 +189,7 @@ void BodyRows::Evaluate(const VectorX& z) {
     EvaluatePower(knot);
     EvaluatePosture(knot, Asked(k), nullptr);
     FillRows(k, knot.y, knot.dense, knot.posture, true, value_);
+    if (k > 0) FillJerks(k, knots_[k - 1].y.segment(2 * n_, n_), knot.y.segment(2 * n_, n_), value_);
   }
 }
 
@@ -298,6 +310,8 @@ VectorX BodyRows::Moved(const VectorX& by) const {
     dense_.noalias() = knot.D * flat_;
     posture_.noalias() = knot.J * flat_.head(n_);
     FillRows(k, flat_, dense_, posture_, false, moved);
+    if (k > 0) FillJerks(k, before_, flat_.segment(2 * n_, n_), moved);
+    before_ = flat_.segment(2 * n_, n_);
   }
   return moved;
 }

@@ -18,7 +18,8 @@ namespace gaitwright {
 ///   z     unknowns: control points one after the other, then forces knot by knot
 ///   y     of a knot, "flat": coordinates, their rates, their accelerations, and forces: size 3 n + f
 ///   dense rows of a knot: six of the dynamics, then efforts of the motors, then their powers if these are weighed
-///   posture rows of a knot: of feet, then distances of links, then of points near places; all else is linear in y
+///   posture rows of a knot: of feet, then distances of links, then of points near places; all else is linear in y,
+///   but for rows of jerk, which are linear in the accelerations of a knot and of the one before it
 class BodyRows : public ElasticRows {
  public:
   /// Keeps a reference to the problem. @param start  z, where the rows are evaluated and differentiated first.
@@ -90,6 +91,7 @@ class BodyRows : public ElasticRows {
     kPinnedPlace,
     kPinnedMotion,
     kTied,
+    kJerk,
     kKinds
   };
   struct Knot {
@@ -133,6 +135,11 @@ class BodyRows : public ElasticRows {
   void AddToChain(std::size_t k);
   const BodyKnot& Asked(std::size_t k) const { return problem_.knots[k]; }
   double MostAcceleration(int dof) const;
+  double JerkScale(std::size_t k, int dof) const;
+  void FillJerks(std::size_t k, const Eigen::Ref<const VectorX>& before, const Eigen::Ref<const VectorX>& now,
+                 VectorX& rows) const;
+  void AddJerkGradient(std::size_t k, const VectorX& by, VectorX& gradient) const;
+  void AddJerkSquares(std::size_t k, const VectorX& weights);
   const ApartPair& PairOf(const BodyKnot& asked, Eigen::Index apart_row) const;
   double StillnessOf(Eigen::Index coordinate) const;
   double NearWeight(std::size_t k, Eigen::Index coordinate) const;
@@ -150,6 +157,7 @@ class BodyRows : public ElasticRows {
   std::vector<double> share_, of_knot_;  // by knot: root of its share of time over 10 ms; of the problem's time
   std::vector<int> ranged_;              // joints with a range
   std::vector<int> accelerated_;         // joints with a limit of acceleration
+  std::vector<int> jerked_;              // joints with a limit of jerk
   std::vector<VectorX> cycles_;          // states
   VectorX tie_unit_;                     // of rows that tie a state
   VectorX value_;
@@ -159,7 +167,7 @@ class BodyRows : public ElasticRows {
   KnotForces forces_;
   KnotFoot foot_;
   std::vector<ConvexDistance> apart_points_;
-  mutable VectorX flat_, dense_, posture_;
+  mutable VectorX flat_, dense_, posture_, before_;
 };
 
 /// z of control points (columns) and forces by knot.

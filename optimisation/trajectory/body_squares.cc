@@ -116,6 +116,7 @@ void BodyRows::AddGradient(std::size_t k, const VectorX& by, VectorX& gradient) 
                                                             basis.acceleration[i] * flat_.segment(2 * n_, n_);
   }
   gradient.segment(knots_[k].force, knots_[k].forces) += flat_.tail(knots_[k].forces);
+  AddJerkGradient(k, by, gradient);
 }
 
 /// The weighted squares of a knot's rows of one value each.
@@ -241,6 +242,7 @@ bool BodyRows::Factor(const VectorX& weights, double damping) {
     AddSquares(k, weights);
     if (!EliminateForces(k, damping)) return false;
     AddToChain(k);
+    AddJerkSquares(k, weights);
   }
   return chain_.Factor();
 }

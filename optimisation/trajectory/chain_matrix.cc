@@ -6,8 +6,8 @@
 
 namespace gaitwright {
 
-ChainMatrix::ChainMatrix(Eigen::Index block_size, int blocks)
-    : size_(block_size), blocks_(blocks), columns_(3 * block_size, block_size * blocks) {}
+ChainMatrix::ChainMatrix(Eigen::Index block_size, int blocks, int reach)
+    : size_(block_size), blocks_(blocks), reach_(reach), columns_((1 + reach) * block_size, block_size * blocks) {}
 
 void ChainMatrix::SetDiagonal(double damping) {
   columns_.setZero();
@@ -26,7 +26,7 @@ bool ChainMatrix::Factor() {
     auto column = Column(k);
     Eigen::Ref<MatrixX> diagonal = column.topRows(size_);
     if (const Eigen::LLT<Eigen::Ref<MatrixX>> factors(diagonal); factors.info() != Eigen::Success) return false;
-    const int below = std::min(2, blocks_ - 1 - k);
+    const int below = std::min(reach_, blocks_ - 1 - k);
     auto rest = column.middleRows(size_, below * size_);
     diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rest);
     for (int j = 0; j < below; ++j) {
@@ -44,12 +44,12 @@ void ChainMatrix::SolveInPlace(Right& right) const {
     auto own = right.middleRows(k * size_, size_);
     const Eigen::Ref<const MatrixX> diagonal = Column(k).topRows(size_);
     diagonal.triangularView<Eigen::Lower>().solveInPlace(own);
-    const Eigen::Index below = std::min(2, blocks_ - 1 - k) * size_;
+    const Eigen::Index below = std::min(reach_, blocks_ - 1 - k) * size_;
     right.middleRows((k + 1) * size_, below).noalias() -= Column(k).middleRows(size_, below) * own;
   }
   for (int k = blocks_ - 1; k >= 0; --k) {
     auto own = right.middleRows(k * size_, size_);
-    const Eigen::Index below = std::min(2, blocks_ - 1 - k) * size_;
+    const Eigen::Index below = std::min(reach_, blocks_ - 1 - k) * size_;
     own.noalias() -= Column(k).middleRows(size_, below).transpose() * right.middleRows((k + 1) * size_, below);
     const Eigen::Ref<const MatrixX> diagonal = Column(k).topRows(size_);
     diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace(own);

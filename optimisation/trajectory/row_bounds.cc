@@ -33,6 +33,7 @@ RowBounds BodyRows::BoundsOf(Index row) const {
                                       [](Index r, const Knot& knot) { return r < knot.row[kDynamics]; });
   const Knot& knot = *(above - 1);
   if (row >= knot.row[kEffortLimit] && row < knot.row[kRange]) return {-1.0, 1.0};
+  if (row >= knot.row[kJerk] && row < knot.row[kKinds]) return {-1.0, 1.0};
   if (row >= knot.row[kRange] && row < knot.row[kCone]) {
     const int dof = ranged_[static_cast<std::size_t>(row - knot.row[kRange])];
     if (problem_.StaysStill(dof)) {
@@ -81,6 +82,7 @@ std::string BodyRows::NameOf(Index row) const {
     const int dof = accelerated_[at(kAcceleration)];
     what = fmt::format("acceleration of '{}'", model_.dof_names[static_cast<std::size_t>(dof)]);
   }
+  if (within(kJerk)) what = fmt::format("jerk of '{}'", model_.dof_names[static_cast<std::size_t>(jerked_[at(kJerk)])]);
   if (within(kTied)) what = "repetition of the cycle";
   if (within(kRange))
     what = fmt::format("position of '{}'", model_.dof_names[static_cast<std::size_t>(ranged_[at(kRange)])]);

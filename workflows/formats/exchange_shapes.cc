@@ -130,13 +130,14 @@ DataShape ImportResultShape() {
 
 DataShape RepairResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
-  const DataShape change = Object({{"what", Text({"smoothed", "contacts", "stood", "slowed", "lifted", "pinned"})},
-                                   {"where", Text(), "Foot; empty for the whole robot."},
-                                   {"start_s", Number()},
-                                   {"end_s", Number()},
-                                   {"by", Number(), "In `unit`."},
-                                   {"unit", Text()},
-                                   {"text", Text()}});
+  const DataShape change =
+      Object({{"what", Text({"smoothed", "contacts", "stood", "slowed", "lifted", "pinned", "held"})},
+              {"where", Text(), "Foot; empty for the whole robot."},
+              {"start_s", Number()},
+              {"end_s", Number()},
+              {"by", Number(), "In `unit`."},
+              {"unit", Text()},
+              {"text", Text()}});
   const DataShape group = Object({{"unit", Text({"rad", "m"}), "Of `rms` and `largest`."},
                                   {"rms", Number()},
                                   {"largest", Number()},

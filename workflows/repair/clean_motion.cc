@@ -11,17 +11,14 @@
 #include "workflows/exchange/median_internal.h"
 #include "workflows/repair/clean_motion_internal.h"
 #include "workflows/repair/nearest_posture_internal.h"
+#include "workflows/repair/part_feet_internal.h"
 
 namespace gaitwright {
 namespace {
 
-std::size_t At(int i) { return static_cast<std::size_t>(i); }
+constexpr double kFeetApart = 0.01;  // of the leg's length, at least between feet that stand
 
-/// A stance with the pose on which it is pinned, as if spheres did not roll.
-struct Stance {
-  RowRange rows;  ///< the last one is that of lift-off
-  Pose X_WF = Pose::Identity();
-};
+std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
 /// Mean of rotations that are near each other.
 Matrix3 MeanRotation(const std::vector<Pose>& X, const RowRange& rows) {
@@ -48,6 +45,11 @@ class Cleaner {
                                           model_.feet[At(f)].name, options_.least_stance_s));
       }
     }
+    PartFeet(model_, terrain_, kFeetApart * model_.leg_length_m(), stances_);
+    for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) {
+      const std::vector<RowRange> rows = StancesOf(clean_.motion.contact, f);
+      for (std::size_t i = 0; i < rows.size(); ++i) Describe(f, rows[i], stances_[At(f)][i]);
+    }
     ShiftBase();
     for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) LayCourse(f);
     FollowFeet();
@@ -63,7 +65,7 @@ class Cleaner {
   }
 
   void Pin(int f, const RowRange& rows) {
-    Stance stance{{rows.first, std::min(rows.last + 1, last_row())}};
+    PinnedPlace stance{{rows.first, std::min(rows.last + 1, last_row())}};
     const std::vector<Pose>& X = tracks_[At(f)].X_WF;
     Vector3 mean = Vector3::Zero();
     for (int k = rows.first; k <= rows.last; ++k) mean += X[At(k)].translation() / (rows.last - rows.first + 1);
@@ -80,12 +82,12 @@ class Cleaner {
     for (int k = rows.first; k <= rows.last; ++k) unrolled += Unrolled(f, k) / (rows.last - rows.first + 1);
     unrolled += (ground.height_m - mean.z()) * Vector3::UnitZ();
     stance.X_WF.translation() = unrolled;
-    Describe(f, rows, stance);
     stances_.back().push_back(stance);
   }
 
-  void Describe(int f, const RowRange& rows, const Stance& stance) {
+  void Describe(int f, const RowRange& rows, const PinnedPlace& stance) {
     PinnedStance pinned{f, motion_.TimeOf(stance.rows.first), motion_.TimeOf(stance.rows.last)};
+    pinned.parted_m = stance.parted_m;
     std::vector<double> heights;
     for (int k = rows.first; k <= rows.last; ++k) {
       pinned.slid_m = std::max(pinned.slid_m, (Unrolled(f, k) - stance.X_WF.translation()).head<2>().norm());
@@ -100,15 +102,15 @@ class Cleaner {
 
   /// By how much a foot has to move to where it is pinned, and between stances: a smooth step from one to the next.
   Vector3 OffsetOf(int f, int k) const {
-    const std::vector<Stance>& all = stances_[At(f)];
-    const auto offset = [&](const Stance& stance, int row) {
+    const std::vector<PinnedPlace>& all = stances_[At(f)];
+    const auto offset = [&](const PinnedPlace& stance, int row) {
       return Vector3(stance.X_WF.translation() - Unrolled(f, row));
     };
     std::size_t next = 0;
     while (next < all.size() && all[next].rows.first <= k) ++next;
     if (next > 0 && k <= all[next - 1].rows.last) return offset(all[next - 1], k);
     if (next == 0) return offset(all.front(), all.front().rows.first);
-    const Stance& before = all[next - 1];
+    const PinnedPlace& before = all[next - 1];
     if (next == all.size()) return offset(before, before.rows.last);
     const double u = static_cast<double>(k - before.rows.last) / (all[next].rows.first - before.rows.last);
     const double s = SmoothStep(u).value;
@@ -141,22 +143,35 @@ class Cleaner {
   /// Contact frames of a foot by row. In swings, the path keeps its offset from that of the file, and rotates as swings
   /// of plans do.
   void LayCourse(int f) {
-    const std::vector<Stance>& all = stances_[At(f)];
+    const std::vector<PinnedPlace>& all = stances_[At(f)];
     std::vector<Pose> course(motion_.q.size());
     std::size_t next = 0;
     for (int k = 0; k < motion_.size(); ++k) {
       while (next < all.size() && all[next].rows.first <= k) ++next;
-      const Stance& before = all[next == 0 ? 0 : next - 1];
+      const PinnedPlace& before = all[next == 0 ? 0 : next - 1];
       Pose& X_WF = course[At(k)];
       X_WF.linear() = before.X_WF.linear();
-      X_WF.translation() = Unrolled(f, k) + OffsetOf(f, k) + tracks_[At(f)].rolled_W[At(k)];
+      const Vector3& rolled_W = tracks_[At(f)].rolled_W[At(k)];
+      X_WF.translation() = Unrolled(f, k) + OffsetOf(f, k) + rolled_W;
       if (next == 0 || next == all.size() || k <= before.rows.last) continue;
       const double u = static_cast<double>(k - before.rows.last) / (all[next].rows.first - before.rows.last);
+      BeginAtRest(u, before.X_WF.translation() + rolled_W, all[next].X_WF.translation() + rolled_W, X_WF);
       const Matrix3 turn = all[next].X_WF.linear() * before.X_WF.linear().transpose();
       X_WF.linear() = RotationExp(SmoothStep(u).value * RotationLog(turn)) * before.X_WF.linear();
       KeepClear(f, SmoothBump(u).value * options_.clearance * model_.leg_length_m(), X_WF);
     }
     courses_.push_back(std::move(course));
+  }
+
+  /// Foot tracks move already where stances end, and still where they begin. A swing leaves the place of a stance from
+  /// rest, joins the file's path within a share of its time, and comes to rest likewise.
+  static void BeginAtRest(double u, const Vector3& from_W, const Vector3& to_W, Pose& X_WF) {
+    constexpr double kJoins = 0.25;
+    const bool first = u < 0.5;
+    const double near = (first ? u : 1.0 - u) / kJoins;
+    if (near >= 1.0) return;
+    const Vector3& rest_W = first ? from_W : to_W;
+    X_WF.translation() = rest_W + SmoothStep(near).value * (X_WF.translation() - rest_W);
   }
 
   void KeepClear(int f, double least_m, Pose& X_WF) const {
@@ -191,9 +206,9 @@ class Cleaner {
   const EvenMotion& motion_;
   const RepairOptions& options_;
   const std::vector<FootTrack> tracks_;
-  std::vector<std::vector<Stance>> stances_;  // by foot
-  std::vector<Vector3> shift_W_;              // of the base, by row
-  std::vector<std::vector<Pose>> courses_;    // by foot, by row
+  std::vector<std::vector<PinnedPlace>> stances_;  // by foot
+  std::vector<Vector3> shift_W_;                   // of the base, by row
+  std::vector<std::vector<Pose>> courses_;         // by foot, by row
   CleanMotion clean_;
 };
 

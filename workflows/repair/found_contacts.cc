@@ -52,6 +52,7 @@ class ContactFinder {
       found_.short_swings += TakeOutShort(stands_.back(), false, least(options_.least_swing_s));
       found_.short_stances += TakeOutShort(stands_.back(), true, least(options_.least_stance_s));
       TrimStances(f, least(options_.least_stance_s));
+      StandAtEnds(f);
     }
     FillFalseFlights();
     found_.stance.assign(motion_.q.size(), 0);
@@ -123,6 +124,43 @@ class ContactFinder {
       }
       begin = end;
     }
+  }
+
+  /// Before its first stance and after its last one, a foot that stays low and near the place of that stance stands
+  /// too: noise makes it look fast.
+  void StandAtEnds(int f) {
+    std::vector<bool>& stands = stands_[Row(f)];
+    const auto first = std::find(stands.begin(), stands.end(), true);
+    if (first == stands.end()) return;
+    const int begin = static_cast<int>(first - stands.begin()),
+              end = static_cast<int>(stands.rend() - std::find(stands.rbegin(), stands.rend(), true));
+    const auto next = static_cast<int>(std::find(first, stands.end(), false) - stands.begin());
+    int last = end - 1;
+    while (last > 0 && stands[Row(last - 1)]) --last;
+    if (begin > 0 && Stays(f, {0, begin - 1}, {begin, next - 1})) found_.short_swings += FillRows(stands, 0, begin);
+    if (end < motion_.size() && Stays(f, {end, motion_.size() - 1}, {last, end - 1}))
+      found_.short_swings += FillRows(stands, end, motion_.size());
+  }
+
+  /// Whether a foot stays low and near its mean place over a stance.
+  bool Stays(int f, const RowRange& rows, const RowRange& stance) const {
+    constexpr double kNear = 0.03;  // of the leg length
+    const FootTrack& foot = feet_[Row(f)];
+    Vector2 mean = Vector2::Zero();
+    for (int k = stance.first; k <= stance.last; ++k)
+      mean += foot.X_WF[Row(k)].translation().head<2>() / (stance.last - stance.first + 1);
+    for (int k = rows.first; k <= rows.last; ++k) {
+      if ((foot.X_WF[Row(k)].translation().head<2>() - mean).norm() > kNear * model_.leg_length_m() ||
+          foot.height_m[Row(k)] - found_.height_m > options_.stand_height * model_.leg_length_m())
+        return false;
+    }
+    return true;
+  }
+
+  /// @return 1, the number of swings that are stances now.
+  static int FillRows(std::vector<bool>& stands, int first, int behind) {
+    std::fill(stands.begin() + first, stands.begin() + behind, true);
+    return 1;
   }
 
   bool AnyStands(int row) const {

@@ -173,6 +173,7 @@ void Arrange(const RobotModel& model, const RepairOptions& options, PreparedMoti
   }
   EvenMotion rested = SmoothRows(model, findings.rested.motion, 0.0);
   findings.clean = CleanContacts(model, prepared.terrain, rested, findings.rested.stance, options);
+  findings.clean.held = HoldStuckJoints(model, findings.clean.motion);
   prepared.original =
       std::make_shared<const EvenMotion>(EvenMotion{rested.step_s, std::move(rested.q), {}, {}, {}, {}, {}});
   findings.rested.motion = {findings.rested.motion.step_s, {}, {}, {}, {}, {}, {}};  // a long one is large

@@ -73,6 +73,18 @@ void AddSlowedParts(const MotionFindings& findings, std::vector<RepairChange>& c
   }
 }
 
+void AddHeldJoints(const RobotModel& model, const MotionFindings& findings, std::vector<RepairChange>& changes) {
+  for (const HeldJoint& held : findings.clean.held) {
+    const std::string& joint = model.dof_names[static_cast<std::size_t>(held.dof)];
+    const bool slides = model.LeaderOf(held.dof).is_prismatic();
+    changes.push_back(
+        {RepairChangeKind::kHeld, joint, 0.0, findings.duration_s, held.moved, slides ? "m" : "rad",
+         fmt::format("held: joint '{}' stays where it is, because its dry friction of {:.3g} {} takes {} "
+                     "of what its motor has",
+                     joint, held.friction, slides ? "N" : "N m", held.friction < held.limit ? "most" : "all")});
+  }
+}
+
 Json AuditOf(const AuditReport& report) { return Json::parse(AuditJson(report)); }
 
 Json ChangeJson(const RepairChange& change) {
@@ -143,6 +155,8 @@ const char* RepairChangeName(RepairChangeKind kind) {
       return "stood";
     case RepairChangeKind::kPinned:
       return "pinned";
+    case RepairChangeKind::kHeld:
+      return "held";
     case RepairChangeKind::kContacts:
       return "contacts";
   }
@@ -168,13 +182,18 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
   for (const PinnedStance& stance : findings.clean.stances) {
     if (stance.slid_m < kMovedLittle && stance.tilt_rad < kTiltedLittle) continue;
     const std::string& foot = model.feet[static_cast<std::size_t>(stance.foot)].name;
-    changes.push_back({RepairChangeKind::kPinned, foot, stance.start_s, stance.end_s, stance.slid_m, "m",
-                       fmt::format("pinned: foot '{}' from {:.2f} to {:.2f} s, moved by up to {:.1f} mm{}", foot,
-                                   stance.start_s, stance.end_s, 1e3 * stance.slid_m,
-                                   stance.tilt_rad < kTiltedLittle
-                                       ? ""
-                                       : fmt::format(", turned flat by up to {:.2f} rad", stance.tilt_rad))});
+    changes.push_back(
+        {RepairChangeKind::kPinned, foot, stance.start_s, stance.end_s, stance.slid_m, "m",
+         fmt::format("pinned: foot '{}' from {:.2f} to {:.2f} s, moved by up to {:.1f} mm{}{}", foot, stance.start_s,
+                     stance.end_s, 1e3 * stance.slid_m,
+                     stance.parted_m < kMovedLittle
+                         ? ""
+                         : fmt::format(", of which {:.1f} mm because another foot stood there", 1e3 * stance.parted_m),
+                     stance.tilt_rad < kTiltedLittle
+                         ? ""
+                         : fmt::format(", turned flat by up to {:.2f} rad", stance.tilt_rad))});
   }
+  AddHeldJoints(model, findings, changes);
   return changes;
 }
 

@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-enum class RepairChangeKind { kSmoothed, kLifted, kSlowed, kStood, kPinned, kContacts };
+enum class RepairChangeKind { kSmoothed, kLifted, kSlowed, kStood, kPinned, kHeld, kContacts };
 /// The name in JSON and Python, such as `smoothed`.
 const char* RepairChangeName(RepairChangeKind kind);
 

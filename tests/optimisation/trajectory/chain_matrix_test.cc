@@ -35,6 +35,32 @@ TEST(ChainMatrix, SolvesAsADenseFactorisationDoes) {
   }
 }
 
+/// Of rows that meet four blocks.
+TEST(ChainMatrix, ReachesAsFarAsItIsTold) {
+  RandomState random(4);
+  constexpr int kBlocks = 7;
+  ChainMatrix chain(kSize, kBlocks, 3);
+  MatrixX dense = MatrixX::Identity(kSize * kBlocks, kSize * kBlocks);
+  chain.SetDiagonal(1.0);
+  for (int k = 0; k + 3 < kBlocks; ++k) {
+    const VectorX row = random.Vector(4);
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < 4; ++b) {
+        dense((k + a) * kSize + 1, (k + b) * kSize + 1) += row[a] * row[b];
+        if (b <= a) chain.AddTo(k + a, k + b, 1, row[a] * row[b]);
+      }
+    }
+    const MatrixX square = RandomSquare(random);
+    dense.block(k * kSize, k * kSize, 3 * kSize, 3 * kSize) += square;
+    chain.Add(k, square);
+  }
+  const VectorX right = random.Vector(kSize * kBlocks);
+  VectorX solved = right;
+  ASSERT_TRUE(chain.Factor());
+  chain.Solve(solved);
+  EXPECT_LT((solved - dense.llt().solve(right)).norm(), 1e-9 * solved.norm());
+}
+
 TEST(ChainMatrix, SolvesAllColumnsAsItSolvesEach) {
   RandomState random(5);
   ChainMatrix chain(kSize, 6);

@@ -24,7 +24,7 @@ TEST_P(BoundsOfRows, HaveNames) {
     kinds.insert(name.substr(0, name.find(' ')));
   }
   for (const char* kind :
-       {"balance", "foothold", "swing", "torque", "position", "friction", "start", "distance", "acceleration"})
+       {"balance", "foothold", "swing", "torque", "position", "friction", "start", "distance", "acceleration", "jerk"})
     EXPECT_TRUE(kinds.contains(kind)) << kind;
 }
 
@@ -59,6 +59,25 @@ TEST_P(BoundsOfRows, LimitAccelerations) {
     EXPECT_NEAR(rows.value()[row], state[2 * any_.model.nv() + 6 + 3] / (0.97 * 40.0), 1e-12);
   }
   EXPECT_EQ(found, 3) << "at all knots but those whose motion is given";
+}
+
+/// The change of acceleration between knots of 10 ms, by row and knot.
+TEST_P(BoundsOfRows, LimitJerks) {
+  const BodyRows rows(any_.problem, any_.z);
+  std::size_t k = 1;
+  for (Eigen::Index row = rows.residuals(); row < rows.count(); ++row) {
+    if (!rows.NameOf(row).starts_with("jerk of '" + any_.model.dof_names[4])) continue;
+    EXPECT_EQ(rows.BoundsOf(row).lower, -1.0);
+    EXPECT_EQ(rows.BoundsOf(row).upper, 1.0);
+    const Eigen::Index at = 2 * any_.model.nv() + 6 + 4;
+    const double change = rows.StateAt(k, any_.z)[at] - rows.StateAt(k - 1, any_.z)[at];
+    EXPECT_NEAR(rows.value()[row], change / (0.01 * 0.97 * 700.0), 1e-9 * (1.0 + std::abs(change)));
+    ++k;
+  }
+  EXPECT_EQ(k, any_.problem.knots.size());
+  BodyProblem without = any_.problem;
+  without.limits_jerk = false;
+  EXPECT_EQ(BodyRows(without, any_.z).count(), rows.count() - 2 * static_cast<Eigen::Index>(k - 1));
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, BoundsOfRows, testing::ValuesIn(kAnyRobots));

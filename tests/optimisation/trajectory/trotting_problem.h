@@ -63,6 +63,8 @@ struct AnyProblem {
     model.motors[1].corner_speed = 5.0;
     model.motors[1].no_load_speed = 12.0;
     model.motors[3].acceleration_limit = 40.0;
+    model.motors[2].jerk_limit = 900.0;
+    model.motors[4].jerk_limit = 700.0;
     problem = LiftingProblem(model, 5);
     Eigen::Index size = model.nv() * (5 + 2);
     for (BodyKnot& knot : problem.knots) {

@@ -52,6 +52,30 @@ TEST(CleanMotion, SwingsKeepClearOfTheGround) {
   EXPECT_LT(clean.unreached_m, 1e-5);
 }
 
+/// Feet of a clip move already when their stance ends.
+TEST(CleanMotion, SwingsBeginAndEndAtRest) {
+  const RobotModel& model = NamedRobot("a1");
+  EvenMotion motion = synthetic::Standing(model, kCleanedRows);
+  const int knee = model.joints[static_cast<std::size_t>(model.legs[1].knee_joint)].dof;
+  for (int k = 80; k <= 120; ++k)
+    motion.q[static_cast<std::size_t>(k)][7 + knee] -= 0.5 * std::sin(M_PI * (k - 80) / 40.0);
+  const CleanMotion clean = Cleaned(model, motion);
+  EvenMotion cleaned = clean.motion;
+  cleaned.v = motion.v;
+  const FootTrack foot = FeetOf(model, LoadTerrain("flat", ScaleOf(model)).value(), cleaned)[1];
+  const auto moved = [&](int k) {
+    return (foot.X_WF[static_cast<std::size_t>(k)].translation() -
+            foot.X_WF[static_cast<std::size_t>(k - 1)].translation())
+        .norm();
+  };
+  int first = 1, last = kCleanedRows - 1;
+  while (moved(first) < 1e-5) ++first;
+  while (moved(last) < 1e-5) --last;
+  ASSERT_GT(last - first, 20);
+  EXPECT_LT(moved(first), 0.002) << "in the clip it moves by 8 mm in its first row";
+  EXPECT_LT(moved(last), 0.002);
+}
+
 TEST(CleanMotion, RefusesAFootThatNeverStands) {
   const RobotModel& model = NamedRobot("a1");
   EvenMotion motion = synthetic::Standing(model, kCleanedRows);
