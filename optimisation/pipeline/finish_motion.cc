@@ -8,6 +8,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/apart_pairs_internal.h"
 #include "optimisation/pipeline/choose_contacts_internal.h"
+#include "optimisation/pipeline/cool_motors_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/press_soles_internal.h"
 #include "optimisation/pipeline/repeat_cycles_internal.h"
@@ -301,7 +302,8 @@ Result<MotionPlan> Finisher::Run() {
     TakeOver(solved);
     residual = ResidualOf(model_, finished_);
     const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
-    const bool tightens = TightenLimits(solved), last = report_.solves >= MostSolves();
+    const bool last = report_.solves >= MostSolves(),
+               tightens = TightenLimits(solved) || (!last && CoolMotors(model_, finished_, problem.weights));
     const bool in_place = !settings_.end_as_standing || last || LandsAsStanding();
     const bool settled = balanced && in_place && !tightens;
     const bool looks = settled || HasApart() || report_.solves >= options_.max_solves;

@@ -83,14 +83,15 @@ VectorX WithinOf(const BodyKnot& knot);
 
 /// Weights of the cost, each for a unit of what it weighs and for 10 ms.
 struct BodyWeights {
-  double base_position = 20.0;       ///< distance from the reference [1/m]
-  double base_rotation = 10.0;       ///< [1/rad]
-  double joint = 2.0;                ///< [1/rad]
-  double base_acceleration = 0.05;   ///< difference from the reference's [s^2/m], [s^2/rad]
-  double joint_acceleration = 1e-3;  ///< [s^2/rad]
-  double effort = 0.3;               ///< share of a motor's limit
-  double force = 0.1;                ///< force of a contact point over the weight
-  double power = 0.0;                ///< mechanical power of a motor over weight times root of g times leg length
+  double base_position = 20.0;         ///< distance from the reference [1/m]
+  double base_rotation = 10.0;         ///< [1/rad]
+  double joint = 2.0;                  ///< [1/rad]
+  double base_acceleration = 0.05;     ///< difference from the reference's [s^2/m], [s^2/rad]
+  double joint_acceleration = 1e-3;    ///< [s^2/rad]
+  double effort = 0.3;                 ///< share of a motor's limit
+  double force = 0.1;                  ///< force of a contact point over the weight
+  std::vector<double> effort_of = {};  ///< factors of `effort` by motor; empty: all 1
+  double power = 0.0;                  ///< mechanical power of a motor over weight times root of g times leg length
 };
 
 /// Shares of limits that a motion may use at knots. Controllers need room for corrections, and more is used between

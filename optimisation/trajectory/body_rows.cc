@@ -46,6 +46,9 @@ BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
       ranged_.push_back(d);
     if (std::isfinite(model_.MotorOf(d).acceleration_limit)) accelerated_.push_back(d);
   }
+  effort_factor_ = VectorX::Ones(motors_.count());
+  for (std::size_t m = 0; m < problem.weights.effort_of.size(); ++m)
+    effort_factor_[static_cast<Index>(m)] = problem.weights.effort_of[m];
   tie_unit_.resize(3 * n_);
   tie_unit_ << VectorX::Ones(n_), VectorX::Constant(n_, kTieTime), VectorX::Constant(n_, kTieTime * kTieTime);
   for (const BodyKnot& knot : problem.knots) {
@@ -236,7 +239,8 @@ void BodyRows::FillRows(std::size_t k, const VectorX& y, const VectorX& dense, c
         share_[k] * AccelerationWeight(i) * (acceleration[i] - constant * reference.acceleration[i]);
   }
   const Index m = motors_.count();
-  rows.segment(knot.row[kEffort], m) = share_[k] * problem_.weights.effort * dense.segment(6, m);
+  rows.segment(knot.row[kEffort], m) =
+      share_[k] * problem_.weights.effort * dense.segment(6, m).cwiseProduct(effort_factor_);
   rows.segment(knot.row[kPower], powers()) = share_[k] * problem_.weights.power * dense.tail(powers());
   rows.segment(knot.row[kForce], knot.forces) = share_[k] * problem_.weights.force * y.tail(knot.forces);
   if (asked.is_given) {

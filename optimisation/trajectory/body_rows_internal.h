@@ -160,6 +160,7 @@ class BodyRows : public ElasticRows {
   std::vector<int> jerked_;              // joints with a limit of jerk
   std::vector<VectorX> cycles_;          // states
   VectorX tie_unit_;                     // of rows that tie a state
+  VectorX effort_factor_;                // of the weights of efforts, by motor
   VectorX value_;
   ChainMatrix chain_;
   // Work space

@@ -53,7 +53,8 @@ void BodyRows::FlatGradient(std::size_t k, const VectorX& by, VectorX& g) const 
   const Index m = motors_.count();
   dense_.resize(6 + m + powers());
   dense_.head<6>().setZero();
-  dense_.segment(6, m) = share_[k] * problem_.weights.effort * by.segment(knot.row[kEffort], m);
+  dense_.segment(6, m) =
+      share_[k] * problem_.weights.effort * by.segment(knot.row[kEffort], m).cwiseProduct(effort_factor_);
   dense_.tail(powers()) = share_[k] * problem_.weights.power * by.segment(knot.row[kPower], powers());
   Index row = AddDense(k, by);
   const Index first_curve = row;
@@ -148,7 +149,7 @@ void BodyRows::AddSquares(std::size_t k, const VectorX& weights) {
   const double effort = share_[k] * problem_.weights.effort;
   dense_.resize(6 + m + powers());
   dense_.head<6>().setZero();
-  dense_.segment(6, m).setConstant(effort * effort);
+  dense_.segment(6, m) = effort * effort * effort_factor_.cwiseAbs2();
   dense_.tail(powers()).setConstant(std::pow(share_[k] * problem_.weights.power, 2));
   Index row = AddDense(k, weights);
   const Index first_curve = row;

@@ -77,6 +77,40 @@ TEST(FinishMotion, FeetThatRollLandWhereTheyStandAtTheEndIfAsked) {
   EXPECT_LT(beside_m(true), 3e-4);
 }
 
+/// The largest violation of a law in a plan, over its limit; 0 for none.
+double WorstOf(const RobotModel& model, const MotionPlan& plan, Law law) {
+  double worst = 0.0;
+  const AuditReport audit = Audit(model, plan, {}).value();
+  for (const Violation& v : audit.violations) {
+    if (v.law == law) worst = std::max(worst, v.value / v.limit);
+  }
+  return worst;
+}
+
+TEST(FinishMotion, KeepsLimitsOfJerk) {
+  RobotModel limited = NamedRobot("a1");
+  for (Motor& motor : limited.motors) motor.jerk_limit = 8000.0;  // [rad/s^3], half of what the plan takes
+  const MotionPlan plan = Planned(limited, "trot", 0.5, 0.3);
+  EXPECT_GT(WorstOf(limited, plan, Law::kJointJerk), 1.5);
+  const Result<MotionPlan> finished = FinishMotion(limited, plan, {});
+  ASSERT_TRUE(finished.ok()) << finished.failure().message;
+  ExpectSound(limited, *finished);
+}
+
+/// The root mean square is over the whole plan, and no knot alone can hold it.
+TEST(FinishMotion, CoolsMotorsThatPassTheirContinuousLimit) {
+  RobotModel limited = NamedRobot("a1");
+  Motor& knee = limited.motors[2];
+  knee.continuous_effort = 0.01;
+  const Result<MotionPlan> usual = FinishMotion(NamedRobot("a1"), Trot(), {});
+  ASSERT_TRUE(usual.ok()) << usual.failure().message;
+  knee.continuous_effort *= 0.95 * WorstOf(limited, *usual, Law::kContinuousTorque);
+  EXPECT_GT(WorstOf(limited, *usual, Law::kContinuousTorque), 1.04);
+  const Result<MotionPlan> cooled = FinishMotion(limited, Trot(), {});
+  ASSERT_TRUE(cooled.ok()) << cooled.failure().message;
+  ExpectSound(limited, *cooled);
+}
+
 /// As grippers do: the slightest motion would need all of the dry friction.
 TEST(FinishMotion, JointsThatStickDoNotMove) {
   RobotModel model = NamedRobot("nao");
