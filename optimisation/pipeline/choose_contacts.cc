@@ -252,6 +252,7 @@ MotionPlan ChooseContacts(const RobotModel& model, const MotionPlan& plan, const
   BodyProblem problem = ProblemOf(model, plan, courses, knots_s, settings);
   SetRolledGoals(model, plan.whole_body, rolls, courses, problem);
   KeepFromEdges({}, problem);
+  problem.limits_jerk = !times;
   BodyChoices choices;
   std::vector<FreeFoothold> free;
   if (places) free = FreeFootholds(model, plan, courses, knots_s, options.most_shift_m);

@@ -55,6 +55,8 @@ class BodyRows : public ElasticRows {
   void SetCycles(std::vector<VectorX> states);
   /// Likewise, by a change of the state of the knot's cycle. The knot is tied.
   void MovedByCycle(std::size_t k, const VectorX& by_state, VectorX& rows) const;
+  /// Whether limits of jerk are among the rows. They hold for the problem's own pace.
+  bool HasJerks() const { return !jerked_.empty(); }
   /// How many cycles the problem has.
   int cycles() const { return static_cast<int>(cycles_.size()); }
   /// Coordinates, rates and accelerations of a knot at z, at the problem's own pace.

@@ -56,6 +56,7 @@ ChosenRows::ChosenRows(const BodyProblem& problem, const BodyChoices& choices, c
       free_(chosen_ + inner_.cycles() * state_size_) {
   if (HasPace() && choices.pace_points <= kPieces)
     throw InvalidArgument("ChosenRows: the pace needs at least four control points");
+  if (HasPace() && inner_.HasJerks()) throw InvalidArgument("ChosenRows: limits of jerk need a pace that is given");
   const std::vector<double>& time_s = problem.time_s;
   for (std::size_t k = 0; k < time_s.size(); ++k) {
     const double before = k > 0 ? time_s[k] - time_s[k - 1] : 0.0;

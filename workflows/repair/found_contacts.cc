@@ -75,17 +75,28 @@ class ContactFinder {
     return lowest;
   }
 
-  /// Median height of the lowest foot where it is slow; over all rows where it is hardly ever slow.
+  /// Median height of the lowest foot among those that are slow and flat: a toe may be deep in the ground under a heel
+  /// that is raised. Where feet are hardly ever both, of the lowest foot where it is slow; else over all rows.
   double StandingHeight() const {
     constexpr std::size_t kFew = 10;  // one in so many rows
-    std::vector<double> slow, all;
+    constexpr double kFlat = 0.1;     // [rad]
+    std::vector<double> flat, slow, all;
     for (int k = 0; k < motion_.size(); ++k) {
-      const int f = LowestFoot(k);
-      all.push_back(feet_[Row(f)].height_m[Row(k)]);
-      if (MiddleSpeed(feet_[Row(f)], k, motion_.step_s) < options_.stand_speed * SpeedUnit())
-        slow.push_back(all.back());
+      const int lowest = LowestFoot(k);
+      const auto is_slow = [&](int f) {
+        return MiddleSpeed(feet_[Row(f)], k, motion_.step_s) < options_.stand_speed * SpeedUnit();
+      };
+      double least = INFINITY;
+      for (int f = 0; f < legs_; ++f) {
+        if (is_slow(f) && TiltOf(model_.feet[Row(f)], feet_[Row(f)], k) < kFlat)
+          least = std::min(least, feet_[Row(f)].height_m[Row(k)]);
+      }
+      all.push_back(feet_[Row(lowest)].height_m[Row(k)]);
+      if (is_slow(lowest)) slow.push_back(all.back());
+      if (std::isfinite(least)) flat.push_back(least);
     }
-    return MedianOf(slow.size() * kFew < all.size() ? all : slow);
+    const auto enough = [&](const std::vector<double>& some) { return some.size() * kFew >= all.size(); };
+    return MedianOf(enough(flat) ? flat : enough(slow) ? slow : all);
   }
 
   std::vector<bool> Hysteresis(int f) const {

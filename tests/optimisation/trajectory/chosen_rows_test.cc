@@ -13,6 +13,7 @@ namespace {
 struct ChosenProblem {
   explicit ChosenProblem(const std::string& robot) : any(robot) {
     any.problem.weights.power = 0.7;
+    any.problem.limits_jerk = false;
     any.problem.knots[1].tie.emplace();
     any.problem.knots[3].tie = CycleTie{0, 0.4, {0.3, -0.2, 0.1}};
     choices.pace_points = 5;
@@ -86,6 +87,14 @@ TEST_P(RowsOfChoices, BoundTheirChoices) {
 }
 
 /// Of a state that repeats with a turn of 0.4 rad about the vertical axis: coordinates, rates and accelerations.
+TEST(ChosenRows, RefuseLimitsOfJerkWithAPaceThatIsChosen) {
+  ChosenProblem of("a1");
+  of.any.problem.limits_jerk = true;
+  EXPECT_THROW(ChosenRows(of.any.problem, of.choices, of.any.z), InvalidArgument);
+  of.choices.pace_points = 0;
+  EXPECT_NO_THROW(ChosenRows(of.any.problem, of.choices, of.any.z));
+}
+
 TEST_P(RowsOfChoices, RepeatTheStateOfACycle) {
   const Eigen::Index n = of_.any.model.nv(), rows = 3 * n;
   const VectorX start = rows_.StartOf(of_.any.z), state = start.tail(rows);

@@ -36,6 +36,21 @@ TEST(FoundContacts, AFootInTheAirSwings) {
   EXPECT_EQ(StancesOf(found.stance, 0).size(), 1U);
 }
 
+/// Under a heel that is raised about the ankle the toe is deep in the ground, and the lowest.
+TEST(FoundContacts, FlatFeetShowWhereTheGroundIs) {
+  const RobotModel& model = NamedRobot("h1");
+  const Terrain flat = LoadTerrain("flat", ScaleOf(model)).value();
+  EvenMotion motion = synthetic::Standing(model, kRows);
+  const int ankle = model.joints[static_cast<std::size_t>(model.legs[0].joints.back())].dof;
+  for (VectorX& q : motion.q) q[7 + ankle] += 0.2;
+  const std::vector<FootTrack> feet = FeetOf(model, flat, motion);
+  EXPECT_LT(feet[0].height_m[0], -0.01);
+  const FoundContacts found = FindContacts(model, motion, feet, {});
+  EXPECT_NEAR(found.height_m, 0.0, 1e-3);
+  ASSERT_EQ(StancesOf(found.stance, 1).size(), 1U);
+  EXPECT_EQ(StancesOf(found.stance, 1).front().last, kRows - 1);
+}
+
 /// Noise at the ends of a file makes a foot look fast. There is no stance on the other side that shows that it is
 /// noise.
 TEST(FoundContacts, AFootThatOnlyTremblesAtAnEndStands) {
