@@ -11,7 +11,6 @@
 #include "workflows/exchange/frame_motion_internal.h"
 #include "workflows/exchange/knot_spline.h"
 #include "workflows/exchange/read_motion_internal.h"
-#include "workflows/repair/part_links_internal.h"
 #include "workflows/repair/prepared_motion_internal.h"
 
 namespace gaitwright {
@@ -175,8 +174,6 @@ void Arrange(const RobotModel& model, const RepairOptions& options, PreparedMoti
   EvenMotion rested = SmoothRows(model, findings.rested.motion, 0.0);
   findings.clean = CleanContacts(model, prepared.terrain, rested, findings.rested.stance, options);
   findings.clean.held = HoldStuckJoints(model, findings.clean.motion);
-  constexpr double kLinksApart = 0.005;  // [m]
-  PartLinks(model, kLinksApart, findings.clean.motion);
   prepared.original =
       std::make_shared<const EvenMotion>(EvenMotion{rested.step_s, std::move(rested.q), {}, {}, {}, {}, {}});
   findings.rested.motion = {findings.rested.motion.step_s, {}, {}, {}, {}, {}, {}};  // a long one is large

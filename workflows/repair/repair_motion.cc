@@ -12,13 +12,15 @@
 #include "planning/plan/carried_plan.h"
 #include "workflows/exchange/read_motion_internal.h"
 #include "workflows/repair/bad_times_internal.h"
+#include "workflows/repair/part_links_internal.h"
 #include "workflows/repair/prepared_motion_internal.h"
 #include "workflows/repair/repair_motion_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kCleanCutoff = 8.0;  // [Hz] of the smoothing after feet have been moved
+constexpr double kFartherApart = 1.25;  // times the distance that the whole body keeps
+constexpr double kCleanCutoff = 8.0;    // [Hz] of the smoothing after feet have been moved
 
 FollowOptions FollowOf(const RobotModel& model, const RepairRequest& request) {
   FollowOptions follow;
@@ -82,6 +84,8 @@ std::vector<double> FileTimesOf(const RestedMotion& rested, const std::vector<do
 Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& request, PreparedMotion& prepared,
                             FollowReport& report) {
   ImportNotes ignored;
+  const double apart_m = request.trajectory.self_distance_m;  // 0: links may touch
+  if (apart_m > 0.0) PartLinks(model, kFartherApart * apart_m, prepared.findings.clean.motion);
   const MotionPlan reference =
       PlanOfMotion(model, prepared.terrain, SmoothRows(model, prepared.findings.clean.motion, kCleanCutoff),
                    request.source.options, {}, ignored);

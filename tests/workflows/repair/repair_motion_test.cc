@@ -78,8 +78,6 @@ TEST(RepairMotion, TakesArmsOutOfTheTrunk) {
     EXPECT_EQ(worst.law, Law::kSelfCollision);
     EXPECT_GT(worst.value, 5e-3) << "the arm is deep in the trunk";
     EXPECT_TRUE(repaired->after.pass()) << AuditText(repaired->after);
-    ASSERT_FALSE(repaired->finished.apart.empty());
-    EXPECT_NE(repaired->finished.summary.find("kept apart: " + repaired->finished.apart.front()), std::string::npos);
     EXPECT_LT(repaired->distance.joint_rms_rad, 0.1);
 
     RepairRequest through = request;
