@@ -51,7 +51,7 @@ class FeetParter {
  public:
   FeetParter(const RobotModel& model, const Terrain& terrain, double least_m,
              std::vector<std::vector<PinnedPlace>>& stances)
-      : model_(model), terrain_(terrain), least_m_(least_m), stances_(stances) {
+      : terrain_(terrain), least_m_(least_m), stances_(stances) {
     const CollisionChecker checker(model);
     for (const Foot& foot : model.feet) shapes_.push_back(ShapesOf(model, foot));
     for (int f = 0; f < static_cast<int>(stances.size()); ++f) {
@@ -113,7 +113,6 @@ class FeetParter {
     return true;
   }
 
-  const RobotModel& model_;
   const Terrain& terrain_;
   const double least_m_;
   std::vector<std::vector<PinnedPlace>>& stances_;
