@@ -148,9 +148,11 @@ class ContactFinder {
     const auto next = static_cast<int>(std::find(first, stands.end(), false) - stands.begin());
     int last = end - 1;
     while (last > 0 && stands[Row(last - 1)]) --last;
-    if (begin > 0 && Stays(f, {0, begin - 1}, {begin, next - 1})) found_.short_swings += FillRows(stands, 0, begin);
-    if (end < motion_.size() && Stays(f, {end, motion_.size() - 1}, {last, end - 1}))
-      found_.short_swings += FillRows(stands, end, motion_.size());
+    const bool at_start = begin > 0 && Stays(f, {0, begin - 1}, {begin, next - 1}),
+               at_end = end < motion_.size() && Stays(f, {end, motion_.size() - 1}, {last, end - 1});
+    if (at_start) std::fill(stands.begin(), first, true);
+    if (at_end) std::fill(stands.begin() + end, stands.end(), true);
+    found_.short_swings += (at_start ? 1 : 0) + (at_end ? 1 : 0);
   }
 
   /// Whether a foot stays low and near its mean place over a stance.
@@ -166,12 +168,6 @@ class ContactFinder {
         return false;
     }
     return true;
-  }
-
-  /// @return 1, the number of swings that are stances now.
-  static int FillRows(std::vector<bool>& stands, int first, int behind) {
-    std::fill(stands.begin() + first, stands.begin() + behind, true);
-    return 1;
   }
 
   bool AnyStands(int row) const {
