@@ -125,6 +125,7 @@ OptionFields TrajectoryOptions::Fields() {
 FootstepOptions StandingOptions(const MotionOptions& options) {
   FootstepOptions footsteps = options.footsteps;
   footsteps.grid_s = options.pipeline.grid_step_s;
+  if (options.trajectory.finishes_all()) footsteps.search.heel_off_rad = options.trajectory.heel_off_rad;
   if (options.centre_of_mass.method == "preview") footsteps.settling_s = options.centre_of_mass.preview_s;
   return footsteps;
 }

@@ -51,7 +51,7 @@ std::optional<double> DoubleSupportBefore(const Foothold& foothold, const Contac
   return std::nullopt;
 }
 
-/// A step forward from a sole whose heel can rise before.
+/// A step forward, not up, from a sole whose heel can rise before. Swings that climb lead around the edge of a step.
 struct Step {
   SwingTrajectory* swing;
   Foothold* foothold;  // that it leaves
@@ -59,13 +59,14 @@ struct Step {
 };
 
 std::vector<Step> StepsWithHeelOff(const RobotModel& model, MotionPlan& plan) {
-  constexpr double kLeast = 0.01;  // [m]
+  constexpr double kLeast = 0.01, kUp = 0.01;  // [m]
   std::vector<Step> steps;
   for (SwingTrajectory& swing : plan.swings) {
     const Foot& foot = model.feet[static_cast<std::size_t>(swing.foot)];
     Foothold* foothold = LeftBy(swing, plan.footsteps);
     const double forward_m = ForwardOf(swing);
-    if (foot.type != FootType::kSole || foothold == nullptr || forward_m < kLeast) continue;
+    const bool climbs = swing.X_WF_end.translation().z() > swing.X_WF_start.translation().z() + kUp;
+    if (foot.type != FootType::kSole || foothold == nullptr || forward_m < kLeast || climbs) continue;
     const std::optional<double> double_support_s = DoubleSupportBefore(*foothold, plan.schedule);
     if (!double_support_s || !CarriesFrontEdge(foot, *foothold, plan.terrain)) continue;
     steps.push_back({&swing, foothold, forward_m, *double_support_s});

@@ -16,6 +16,7 @@ struct Evaluation {
   std::optional<Failure> refusal;  ///< nothing for a sound candidate
   bool at_every_pace = false;      ///< the refusal does not depend on the speed or the cycle
   bool by_ground = false;          ///< friction or support refuses it, not a limit of the robot
+  bool no_footholds = false;       ///< no footsteps were found
   double ease = 0.8;         ///< factor of the speed at which it may be sound, estimated from the limit violations
   Room room = Room::kAmple;  ///< of the plan, for corrections by a controller
   bool solved = true;        ///< the evaluation solved an optimisation problem

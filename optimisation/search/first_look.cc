@@ -18,7 +18,7 @@ constexpr double kFarEase = 0.5;  // factor of the speed if a violated constrain
 
 /// The request, changed to few and cheap passes.
 WalkRequest Cheap(const WalkRequest& request) {
-  constexpr int kPasses = 2;
+  constexpr int kPasses = 2;  // the second one shows whether the first one helped
   WalkRequest cheap = request;
   cheap.motion.rigid_body.method = "interior-point";  // fast if no motion exists
   cheap.motion.pipeline.max_body_passes = std::min(kPasses, request.motion.pipeline.max_body_passes);

@@ -18,6 +18,7 @@ struct TurnVariation {
   double travel = 1.0, swing = 1.0;
 };
 
+/// A flip fails by too little room between feet that land, or by feet that swing too fast: more of either, one by one.
 constexpr std::array<TurnVariation, 3> kTurnVariations = {{{}, {1.2, 1.0}, {1.0, 1.04}}};
 
 /// One cycle of a gait to its own travel.

@@ -147,7 +147,7 @@ Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, 
 
 Result<PlannedWalk> PlanInFewestStrides(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
                                         int strides, SearchTrace* trace) {
-  constexpr int kNumbers = 5;
+  constexpr int kNumbers = 5;  // of strides: each takes a search, and more strides rarely help after that
   const WalkCommand& command = request.command;
   const Result<Gait> gait = FindGait(model, request.gait, SpeedOfSteps(model, command), request.gait_options);
   if (!gait) return gait.failure();

@@ -104,7 +104,7 @@ class LargestStart {
 /// refused, some lower ones.
 Sound LargestOnLevelGround(const PaceRange& paces, double flight, Evaluator& evaluator) {
   constexpr int kNearTries = 2, kFarTries = 5;  // by a step of two digits each, and by a factor
-  constexpr double kFarShare = 0.75;
+  constexpr double kFarShare = 0.75;            // five times: down to a quarter of the speed
   const Candidate start = LargestStart(paces, flight, evaluator).Find();
   double pace = start.pace;
   for (int i = 0; i < kNearTries + kFarTries && pace > 0.0; ++i) {
@@ -120,7 +120,7 @@ Sound LargestOnLevelGround(const PaceRange& paces, double flight, Evaluator& eva
 /// speed. Each trial is slower by the factor that follows from the violated limits of the last one.
 double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   constexpr int kPaces = 10, kLooks = 3;  // largest number of each, because a look takes seconds
-  constexpr double kSpare = 0.75;
+  constexpr double kSpare = 0.75;         // of a speed whose look finds nothing; an audit finds more
   const Evaluation asked = evaluator.Evaluate({problem.paces.asked}, Effort::kFirstLook);
   double pace = problem.paces.asked, ease = asked.sound() ? Evaluation{}.ease : asked.ease;
   for (int i = 0, looks = 0; i < kPaces && looks < kLooks; ++i) {
@@ -142,8 +142,8 @@ bool KeepsRoom(const Evaluation& evaluation) { return evaluation.sound() && eval
 /// seconds: upward from a speed at which the passes suffice, because the requested one may be far out of reach; first
 /// with flat soles.
 double LargestFinished(const SearchProblem& problem, Evaluator& evaluator) {
-  constexpr int kTrials = 3, kTrialsOfHeels = 1;
-  constexpr double kGrowth = 1.6;
+  constexpr int kTrials = 3, kTrialsOfHeels = 1;  // each takes seconds
+  constexpr double kGrowth = 1.6;                 // a start that is too far from a known solution often finds none
   const auto suffice = [&](double pace) {
     return evaluator.Evaluate({pace, GaitCycles::kQuickest / 2}, Effort::kStart).sound();
   };
@@ -196,13 +196,29 @@ double LargestOnTheGround(const SearchProblem& problem, Evaluator& evaluator) {
   return 0.0;
 }
 
+/// Soles that stay flat find no footholds: the walk with heels that rise, where soles step forward over uneven ground.
+/// @param flat  the result with flat soles.
+SearchResult WithHeels(const SearchProblem& problem, Evaluator& evaluator, SearchResult flat) {
+  constexpr double kSlow = 0.35;  // of the robot's own speed, at which it is too fast for steps that need this
+  const SearchSituation& situation = problem.situation;
+  if (situation.kind != Kind::kUneven || !situation.may_raise_heels) return flat;
+  const double pace = situation.may_slow_down ? kSlow * problem.paces.asked : problem.paces.asked;
+  const Candidate candidate{pace, 0, 1.0, false, true, FinishedVariationsFor(situation).back().heel_off_rad};
+  Evaluation evaluation = evaluator.Evaluate(candidate, Effort::kWhole);
+  if (evaluation.sound()) return {candidate, std::move(evaluation), FailureCode::kNoFootholds};
+  flat.evaluation = std::move(evaluation);  // it names wider limits
+  return flat;
+}
+
 }  // namespace
 
 SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
   const Candidate as_asked{problem.paces.asked};
   JointWatch watch(evaluator);
   SearchResult result{as_asked, watch.Evaluate(as_asked, Effort::kWhole), {}};
-  if (problem.any_plan || result.evaluation.sound() || result.evaluation.at_every_pace) return result;
+  if (problem.any_plan || result.evaluation.sound()) return result;
+  if (result.evaluation.no_footholds) return WithHeels(problem, evaluator, std::move(result));
+  if (result.evaluation.at_every_pace) return result;
   result.why = result.evaluation.refusal->code;
   SearchSituation situation = problem.situation;
   situation.refused_by_ground = result.evaluation.by_ground;

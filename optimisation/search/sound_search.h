@@ -29,8 +29,9 @@ struct SearchResult {
 /// Evaluates the requested walk. If it is refused, returns the first sound candidate: on level ground, where limits of
 /// joints or motors refuse it, the same walk with the whole body optimised, if the plan leaves ample room for a
 /// controller; then those of VariationsFor; then those of FinishedVariationsFor. If its speed may be lowered on level
-/// ground, returns the largest speed with a sound plan. Other candidates are first evaluated on the start of the walk;
-/// a whole walk is planned only if its start is sound.
+/// ground, returns the largest speed with a sound plan. Where flat soles find no footholds on uneven ground, returns
+/// the walk with heels that rise. Other candidates are first evaluated on the start of the walk; a whole walk is
+/// planned only if its start is sound.
 SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator);
 
 /// The largest speed below the requested one that has, or may have, a sound plan; for failure messages. Gaits with

@@ -35,6 +35,7 @@ Evaluation Refused(const Failure& failure) {
   Evaluation evaluation;
   evaluation.refusal = failure;
   evaluation.at_every_pace = !IsTooMuch(failure);
+  evaluation.no_footholds = failure.code == FailureCode::kNoFootholds;
   evaluation.by_ground = failure.violation && failure.violation->law == Law::kZmpSupport;
   return evaluation;
 }
@@ -103,7 +104,8 @@ Evaluation WalkEvaluator::Evaluate(const Candidate& candidate, Effort effort) {
         {FailureKind::kInfeasible,
          FailureCode::kSearchBudget,
          "PlanWalk",
-         fmt::format("no sound plan was found among {} candidates", request_.search.max_plans),
+         fmt::format("none of the {} candidates that were tried gave a plan that passes its audit",
+                     request_.search.max_plans),
          {{"search.max_plans", 2.0 * request_.search.max_plans, Certainty::kEstimated, "a larger search.max_plans"}}});
   }
   Evaluation evaluation = Made(candidate, effort, *cycles, gait);

@@ -46,6 +46,9 @@ struct FootstepSearchOptions {
   int patience = 1000;
   int max_expansions = 20000;
   int improving_expansions = 200;
+  /// Largest pitch of a sole about its front edge with which its leg reaches it [rad], for a planner that raises heels;
+  /// 0: soles stay flat. PlanSequence uses it only where flat soles find no footholds.
+  double heel_off_rad = 0.0;
   /// Kept by searches with the same robot that follow each other in one thread; null: each search has its own.
   std::shared_ptr<LegWorkspaces> workspaces = nullptr;
 

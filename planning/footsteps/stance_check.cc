@@ -14,6 +14,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/plan_view.h"
 #include "planning/paths/standing_feet.h"
+#include "planning/plan/heel_off_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -161,9 +162,18 @@ bool StanceChecker::AllReach(const std::vector<Pose>& X_WF, const Pose& X_WB) {
     const auto f = static_cast<std::size_t>(model_->legs[i].foot);
     Pose X_BF = X_BW * X_WF[f];
     X_BF.translation() += model_->feet[f].radius * X_BF.linear().col(2);
-    if (!legs_[i]->Reaches(X_BF)) return false;
+    if (!legs_[i]->Reaches(X_BF) && !ReachesRaised(i, X_BW, X_WF[f])) return false;
   }
   return true;
+}
+
+bool StanceChecker::ReachesRaised(std::size_t leg, const Pose& X_BW, const Pose& X_WF) {
+  constexpr std::array<double, 3> kShares = {1.0 / 3.0, 2.0 / 3.0, 1.0};
+  const Foot& foot = model_->feet[static_cast<std::size_t>(model_->legs[leg].foot)];
+  return options_.heel_off_rad > 0.0 && foot.type == FootType::kSole &&
+         std::any_of(kShares.begin(), kShares.end(), [&](double share) {
+           return legs_[leg]->Reaches(X_BW * TurnedAboutEdge(foot, X_WF, share * options_.heel_off_rad));
+         });
 }
 
 bool StanceChecker::ReachFrom(const std::vector<Pose>& X_WF, const Pose& X_WB) {

@@ -47,6 +47,8 @@ class StanceChecker {
  private:
   bool FeetApart(const std::vector<Pose>& X_WF, const std::vector<const Polygon*>& outlines, double yaw_rad) const;
   bool AllReach(const std::vector<Pose>& X_WF, const Pose& X_WB);
+  /// Whether a leg reaches its sole with the heel raised.
+  bool ReachesRaised(std::size_t leg, const Pose& X_BW, const Pose& X_WF);
   bool ReachFrom(const std::vector<Pose>& X_WF, const Pose& X_WB);
   bool LegsClear(const std::vector<Pose>& X_WF, const Pose& X_WB);
   StanceFault BodyRoom(const BaseOverFeet& base, const Pose& X_WB) const;

@@ -164,8 +164,8 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
       return Failure{FailureKind::kBadInput,
                      FailureCode::kCommand,
                      "PlanFootsteps",
-                     fmt::format("the number of footfalls is {}; a robot with {} feet needs {} or more, because the "
-                                 "last ones bring its feet together",
+                     fmt::format("the number of footfalls is {}; a robot with {} feet needs {} or more, because each "
+                                 "foot ends with one that brings it to its standing place",
                                  command.steps, gait.num_feet(), gait.num_feet()),
                      {}};
     }
@@ -179,23 +179,43 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
 
 namespace {
 
-/// Searches with `easy_sway` first, so that ankles get more room, then with `sway`, and at last up to the limits of the
-/// joints, where ankles of soles run out of range on steps down.
-/// @param search  SearchFootsteps or SearchBesideGoal
+/// Options of one search.
+struct FootstepTry {
+  FootstepSearchOptions search;
+  FootholdOptions foothold;
+};
+
+/// In order: with `easy_sway`, so that ankles get more room; with `sway`; up to the limits of the joints, where ankles
+/// of soles run out of range on steps down; and with heels that rise, first away from risers, which swings go around.
+std::vector<FootstepTry> TriesOf(const RobotModel& model, const FootstepOptions& options) {
+  constexpr double kFromRisers = 0.03;  // of the leg length
+  FootstepSearchOptions asked = options.search;
+  if (asked.workspaces == nullptr) asked.workspaces = std::make_shared<LegWorkspaces>();
+  const double heel_off_rad = asked.heel_off_rad;
+  asked.heel_off_rad = 0.0;
+  FootstepSearchOptions easy = asked, full = asked, raised = asked;
+  easy.sway = std::max(asked.sway, asked.easy_sway);
+  full.reserve = 0.0;
+  std::vector<FootstepTry> tries = {{easy, options.foothold}, {asked, options.foothold}, {full, options.foothold}};
+  if (heel_off_rad == 0.0) return tries;
+  raised.heel_off_rad = heel_off_rad;
+  FootholdOptions away = options.foothold;
+  away.margin_m = std::max(away.margin_m, kFromRisers * model.leg_length_m());
+  tries.push_back({raised, away});
+  tries.push_back({raised, options.foothold});
+  return tries;
+}
+
+/// The first result of TriesOf. @param search  SearchFootsteps or SearchBesideGoal
 template <class Search>
 Result<FootstepSequence> SearchAtEase(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                       const FootstepOptions& options, Search search) {
-  FootstepSearchOptions asked = options.search;
-  if (asked.workspaces == nullptr) asked.workspaces = std::make_shared<LegWorkspaces>();
-  if (LoneSoles(model, query.gait).empty()) return search(model, terrain, query, options.foothold, asked);
-  FootstepSearchOptions easy = asked, full = asked;
-  easy.sway = std::max(asked.sway, asked.easy_sway);
-  full.reserve = 0.0;
-  for (const FootstepSearchOptions& tried : {easy, asked}) {
-    Result<FootstepSequence> sequence = search(model, terrain, query, options.foothold, tried);
-    if (sequence) return sequence;
-  }
-  return search(model, terrain, query, options.foothold, full);
+  if (LoneSoles(model, query.gait).empty()) return search(model, terrain, query, options.foothold, options.search);
+  const std::vector<FootstepTry> tries = TriesOf(model, options);
+  Result<FootstepSequence> sequence = search(model, terrain, query, tries[0].foothold, tries[0].search);
+  for (std::size_t i = 1; i < tries.size() && !sequence; ++i)
+    sequence = search(model, terrain, query, tries[i].foothold, tries[i].search);
+  return sequence;
 }
 
 bool IsStraight(const FootstepRoute& route) {

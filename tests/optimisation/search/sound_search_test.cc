@@ -204,6 +204,28 @@ TEST(FindSound, OverUnevenGroundFewWalksAreTriedAndNoStarts) {
   EXPECT_DOUBLE_EQ(FindSound(problem, slow).candidate.pace, 0.25);
 }
 
+TEST(FindSound, HeelsRiseWhereFlatSolesFindNoFootholds) {
+  SearchProblem problem = ProblemAt(Kind::kUneven, 0.5);
+  MadeUp raised([](const Candidate& c, Effort) { return c.heel_off_rad > 0.0 && c.pace < 0.2; });
+  raised.refused.no_footholds = raised.refused.at_every_pace = true;
+  EXPECT_FALSE(FindSound(problem, raised).evaluation.sound());
+  EXPECT_EQ(raised.asked.size(), 1U) << "its feet may not be raised";
+
+  problem.situation.may_raise_heels = true;
+  raised.refused.at_every_pace = false;
+  raised.asked.clear();
+  EXPECT_FALSE(FindSound(problem, raised).evaluation.sound()) << "the speed is requested";
+  EXPECT_EQ(raised.asked.size(), 2U);
+
+  problem.situation.may_slow_down = true;
+  const SearchResult found = FindSound(problem, raised);
+  ASSERT_TRUE(found.evaluation.sound());
+  EXPECT_TRUE(found.candidate.finishes);
+  EXPECT_GT(found.candidate.heel_off_rad, 0.0);
+  EXPECT_DOUBLE_EQ(found.candidate.pace, 0.35 * 0.5);
+  EXPECT_EQ(found.why, FailureCode::kNoFootholds);
+}
+
 TEST(FindSound, OtherLeapsThanTheRequestedAreLookedAtBeforeTheyArePlanned) {
   MadeUp evaluator([](const Candidate& c, Effort) { return c.flight > 1.0; });
   SearchProblem problem = ProblemAt(Kind::kFlying, 0.5);

@@ -24,11 +24,12 @@ FootstepQuery StanceQuery(const RobotModel& model) {
 
 /// The reason why a robot cannot stand in its standing stance after a change.
 StanceFault FaultWith(const RobotModel& model, const Terrain& terrain,
-                      const std::function<void(std::vector<Pose>&)>& change = {}, FootstepQuery query = {}) {
+                      const std::function<void(std::vector<Pose>&)>& change = {}, FootstepQuery query = {},
+                      const FootstepSearchOptions& options = {}) {
   if (query.gait.phase.empty()) query = StanceQuery(model);
   const GroundIndex ground(terrain, 0.5 * model.leg_length_m());
   const FootholdChecker footholds(model, ground, {});
-  StanceChecker checker(model, ground, query, {}, {});
+  StanceChecker checker(model, ground, query, {}, options);
   std::vector<Pose> X_WF = StandingFeet(model);
   if (change) change(X_WF);
   std::vector<Polygon> outlines;
@@ -110,6 +111,19 @@ TEST_P(StanceCheckTest, AnObstacleAtTheBodysPlaceIsHitUnlessItIsOverheadOrSteppe
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, StanceCheckTest, testing::Values("a1", "nao"));
+
+TEST(StanceCheck, ARaisedHeelReachesALowerStep) {
+  const RobotModel& model = NamedRobot("g1");
+  const auto down = [&](std::vector<Pose>& X_WF) {
+    X_WF[0].translation().x() += 0.155;
+    X_WF[1].translation().z() += 0.17;
+  };
+  FootstepSearchOptions options;
+  options.reserve = 0.0;
+  EXPECT_EQ(FaultWith(model, FlatTerrain(), down, {}, options), StanceFault::kReach);
+  options.heel_off_rad = 0.5;
+  EXPECT_EQ(FaultWith(model, FlatTerrain(), down, {}, options), StanceFault::kNone);
+}
 
 TEST(StanceCheck, FeetOnATooSteepPlaneTiltTheBody) {
   const RobotModel& a1 = NamedRobot("a1");

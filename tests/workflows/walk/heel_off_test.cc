@@ -34,5 +34,26 @@ TEST(HeelOff, AWalkPassesInBothEngines) {
   EXPECT_TRUE(played->pass()) << played->decisive().report.reason;
 }
 
+/// The ankle of the leg behind runs out of range where a flat sole stands 17 cm above the other one.
+TEST(HeelOff, RisesOnAStepDownThatFlatSolesCannotDo) {
+  const RobotModel& model = NamedRobot("g1");
+  WalkRequest request;
+  request.terrain = "stairs:rise_m=0.17,tread_m=0.28,count=1,start_m=-0.6,landing_m=0.9";
+  request.command.speed_m_s = 0.137;
+  request.command.distance_m = 0.7;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.violations.empty());
+  const MotionPlan& plan = planned->motion.plan;
+  EXPECT_LT(plan.whole_body.q.back().z(), plan.whole_body.q.front().z() - 0.15);
+  EXPECT_TRUE(
+      std::ranges::any_of(plan.footsteps.footholds, [](const Foothold& f) { return f.heel_off_s.has_value(); }));
+  PlayRequest play;
+  play.play.world.engine = ProvingEngine();
+  const Result<PlayedWalk> played = PlayWalk(model, plan, play);
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_TRUE(played->pass()) << played->decisive().report.reason;
+}
+
 }  // namespace
 }  // namespace gaitwright
