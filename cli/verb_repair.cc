@@ -257,6 +257,7 @@ void AddRepair(Verb program, int& status) {
       a->request.source, a->robot);
   verb.SetGroup("Repair");
   AddField(verb, "--stretch", a->request.Fields(), "repair.stretch");
+  AddField(verb, "--leave-out", a->request.Fields(), "repair.leave_out");
   AddText(verb, "--weights", "FILE", a->request.weights_file,
           "YAML file of weights by part of the body and by time, see docs/repair.md; default: repair.joint, "
           "repair.base_position and repair.base_rotation everywhere.");

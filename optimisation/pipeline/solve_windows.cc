@@ -130,7 +130,7 @@ std::optional<Failure> WindowSolver::SolveOne(const BodyProblem& problem, const 
     Failure failure = solved.failure();
     failure.stage = "FinishMotion";
     rows.Evaluate(last.x);
-    unmet_s_ = inner.TimesUnmet(kGoodEnough);
+    last_unmet_s_ = inner.TimesUnmet(kGoodEnough);
     failure.message = fmt::format("the whole body cannot follow this plan: {}", failure.message);
     return failure;
   }
@@ -148,6 +148,9 @@ std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<Kno
                                            const std::function<void(int done, int all)>& progress) {
   const ChainSpline spline = problem.spline();
   const int usual = windows.front().last - windows.front().first;
+  std::optional<Failure> first;
+  std::size_t after_failed = 0;  // the window before it has no solution
+  unmet_s_.clear();
   for (std::size_t i = 0; i < windows.size();) {
     std::optional<Failure> failure = SolveOne(problem, spline, windows[i], motion);
     if (failure && windows[i].spares_soles && !is_far()) {
@@ -159,12 +162,16 @@ std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<Kno
       failure = SolveOne(problem, spline, windows[i], motion);
     }
     if (!failure) {
-      unmet_s_.clear();
       ++i;
       if (progress) progress(static_cast<int>(i), static_cast<int>(windows.size()));
       continue;
     }
-    if (i == 0 || windows[i].last - windows[i - 1].first > kLongest * usual) return failure;
+    if (i == after_failed || windows[i].last - windows[i - 1].first > kLongest * usual) {
+      unmet_s_.insert(unmet_s_.end(), last_unmet_s_.begin(), last_unmet_s_.end());
+      if (!first) first = std::move(failure);
+      after_failed = ++i;
+      continue;
+    }
     // Joined with the window before it, which is solved once more, from its own seam on.
     windows[i - 1].last = windows[i].last;
     windows[i - 1].multipliers.resize(0);
@@ -172,7 +179,8 @@ std::optional<Failure> WindowSolver::Solve(BodyProblem& problem, std::vector<Kno
     --i;
     if (windows[i].keeps_room) UseAll(problem, windows[i]);
   }
-  return std::nullopt;
+  std::sort(unmet_s_.begin(), unmet_s_.end());  // windows overlap
+  return first;
 }
 
 }  // namespace gaitwright

@@ -91,9 +91,10 @@ class WindowSolver {
 
   /// Solves all windows from the motion on. A window that has no solution is solved again without sparing soles, then
   /// without the room that controllers would like to have, unless it is far from a solution; then it is joined with the
-  /// window before it. @param windows  are changed like this.
+  /// window before it. If that fails too, the motion stays as it was there, and the windows after it are solved all the
+  /// same, so that `unmet_s` has all times without a solution. @param windows  are changed like this.
   /// @param progress  called after each window, with its number from 1 on and how many there are.
-  /// @return nothing, or the failure of a window.
+  /// @return nothing, or the failure of the first window that has no solution.
   std::optional<Failure> Solve(BodyProblem& problem, std::vector<KnotWindow>& windows, BodyMotion& motion,
                                const std::function<void(int done, int all)>& progress);
 
@@ -120,7 +121,7 @@ class WindowSolver {
   SolveRecord* const record_;
   WindowWork work_;
   double violations_ = 0.0;  // sum, of the last solve
-  std::vector<double> unmet_s_;
+  std::vector<double> unmet_s_, last_unmet_s_;
 };
 
 }  // namespace gaitwright

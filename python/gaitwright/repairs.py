@@ -17,6 +17,7 @@ def repair(
     *,
     terrain: Union[Terrain, str, os.PathLike[str]] = "flat",
     stretch: float = 1.0,
+    leave_out: float = 0.5,
     weights: Union[None, str, os.PathLike[str], Mapping[str, Any]] = None,
     play: bool = True,
     options: Optional[Mapping[str, Any]] = None,
@@ -28,6 +29,8 @@ def repair(
             (x y z w), or ``joint_pos``, ``body_pos_w``, ``body_quat_w`` (w x y z; the first body is the base); with
             ``fps`` and ``joint_names``. Without names, joints are in the order of the robot's description.
         stretch: most that a part may be slowed by if it cannot be done at its speed.
+        leave_out: largest share of the motion, 0 to 1, that may be left out if the robot cannot do it; the robot stands
+            there. The changes of the result list each part.
         weights: what matters more, by part of the body and by time: a YAML file, or a dictionary with the same keys,
             such as ``{"always": {"arms": 3.0}}``.
         play: play the plan in both engines.
@@ -40,6 +43,8 @@ def repair(
     of_repair = dict(options or {})
     if stretch != 1.0:
         of_repair["repair.stretch"] = stretch
+    if leave_out != 0.5:
+        of_repair["repair.leave_out"] = leave_out
     if isinstance(motion, Mapping):
         motion = dict(motion)
     if isinstance(weights, Mapping):

@@ -67,13 +67,6 @@ MotionRows AllSamples(const PlaybackLog& log) {
   return rows;
 }
 
-/// q between two rows; the rotation by the shortest turn.
-void BlendPosture(const VectorX& q0, const VectorX& q1, double u, VectorX& q) {
-  q = (1.0 - u) * q0 + u * q1;
-  const Quaternion R0(q0[6], q0[3], q0[4], q0[5]), R1(q1[6], q1[3], q1[4], q1[5]);
-  q.segment<4>(3) = R0.slerp(u, R1).coeffs();
-}
-
 /// The row before a time and the fraction of the step to the next row.
 struct Place {
   std::size_t row = 0;
@@ -111,6 +104,12 @@ MotionRows RowsAt(const MotionPlan& plan, std::vector<double> times_s) {
 }
 
 }  // namespace
+
+void BlendPosture(const VectorX& q0, const VectorX& q1, double u, VectorX& q) {
+  q = (1.0 - u) * q0 + u * q1;
+  const Quaternion R0(q0[6], q0[3], q0[4], q0[5]), R1(q1[6], q1[3], q1[4], q1[5]);
+  q.segment<4>(3) = R0.slerp(u, R1).coeffs();
+}
 
 std::vector<double> TimesAtRate(double start_s, double end_s, double rate_hz, LastTime last) {
   CheckRate(rate_hz);

@@ -130,14 +130,14 @@ DataShape ImportResultShape() {
 
 DataShape RepairResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
-  const DataShape change =
-      Object({{"what", Text({"smoothed", "contacts", "stood", "slowed", "lifted", "pinned", "held"})},
-              {"where", Text(), "Foot; empty for the whole robot."},
-              {"start_s", Number()},
-              {"end_s", Number()},
-              {"by", Number(), "In `unit`."},
-              {"unit", Text()},
-              {"text", Text()}});
+  const DataShape change = Object(
+      {{"what", Text({"smoothed", "contacts", "stood", "slowed", "left_out", "lifted", "pinned", "parted", "held"})},
+       {"where", Text(), "Foot; empty for the whole robot."},
+       {"start_s", Number()},
+       {"end_s", Number()},
+       {"by", Number(), "In `unit`."},
+       {"unit", Text()},
+       {"text", Text()}});
   const DataShape group = Object({{"unit", Text({"rad", "m"}), "Of `rms` and `largest`."},
                                   {"rms", Number()},
                                   {"largest", Number()},
@@ -197,6 +197,7 @@ DataShape RepairedClipsShape() {
               {"joint_largest_rad", Number()},
               {"base_rms_m", Number()},
               {"slowed_s", Number(), "Time by which parts were slowed."},
+              {"left_out_s", Number(), "Duration of parts that were left out."},
               {"reason", Text(), "Why it fails or was refused."},
               {"plan", Text(), "File of the plan; empty without one."}});
   return Object({{"robot", Text()},

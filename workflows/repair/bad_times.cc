@@ -51,23 +51,24 @@ BadTimes BadTimesOf(const RepairOptions& options, const MotionFindings& findings
   FileTimes times(findings.rested, bad);
   if (!repaired) {
     for (const double at_s : report.unmet_s) times.Add(at_s);
-    bad.why = "no motion was found there at the file's speed";
+    bad.why = "no motion was found there";
     return bad;
   }
   for (const Violation& violation : repaired->after.violations) times.Add(violation.at_s);
   for (const BrokenTime& broken : repaired->broken) {
     for (const double start_s : broken.worst_s) times.Add(start_s + 0.5);
   }
-  bad.why = "the plan failed its audit there at the file's speed";
+  bad.why = "the plan failed its audit there";
   if (!bad.file_s.empty()) return bad;
   AddFar(options, findings, repaired->plan, times);
-  bad.why = "the robot could not keep to the motion there at the file's speed";
-  if (!bad.file_s.empty() || !proof) return bad;
+  bad.why = "the robot could not keep to the motion there";
+  bad.is_far = !bad.file_s.empty();
+  if (bad.is_far || !proof) return bad;
   bad.played = true;
   const PlayProof played = proof(repaired->plan);
   constexpr double kBefore = 1.0;  // [s] in which the cause of a fall is
   if (!played.stands && played.fell_s) times.Add(std::max(0.0, *played.fell_s - kBefore), *played.fell_s);
-  bad.why = "the robot fell there at the file's speed";
+  bad.why = "the robot fell there";
   return bad;
 }
 

@@ -11,7 +11,8 @@ namespace gaitwright {
 /// Times of the file's motion that cannot be met at their speed.
 struct BadTimes {
   std::vector<double> file_s;
-  std::string why;
+  std::string why;      ///< half a sentence
+  bool is_far = false;  ///< the plan is sound, but not near the motion
   bool played = false;  ///< the proof was asked for
 };
 

@@ -23,6 +23,7 @@ Json ClipJson(const ClipOutcome& c) {
           {"joint_largest_rad", c.joint_largest_rad},
           {"base_rms_m", c.base_rms_m},
           {"slowed_s", c.slowed_s},
+          {"left_out_s", c.left_out_s},
           {"reason", c.reason},
           {"plan", c.plan}};
 }
@@ -78,6 +79,7 @@ ClipOutcome ClipOfLine(const std::string& line) {
     json.at("joint_largest_rad").get_to(c.joint_largest_rad);
     json.at("base_rms_m").get_to(c.base_rms_m);
     json.at("slowed_s").get_to(c.slowed_s);
+    json.at("left_out_s").get_to(c.left_out_s);
     json.at("reason").get_to(c.reason);
     json.at("plan").get_to(c.plan);
     return c;
@@ -89,12 +91,14 @@ ClipOutcome ClipOfLine(const std::string& line) {
 std::string ClipsText(const std::vector<ClipOutcome>& clips) {
   std::size_t width = 4;
   for (const ClipOutcome& c : clips) width = std::max(width, c.clip.size());
-  std::string text = fmt::format("{:<{}}  {:<7}  {:>7}  {:>6}  {:>10}  {:>9}  {}\n", "clip", width, "verdict", "broken",
-                                 "slowed", "joints RMS", "base RMS", "file breaks longest; reason");
+  std::string text =
+      fmt::format("{:<{}}  {:<7}  {:>7}  {:>6}  {:>8}  {:>10}  {:>9}  {}\n", "clip", width, "verdict", "broken",
+                  "slowed", "left out", "joints RMS", "base RMS", "file breaks longest; reason");
   for (const ClipOutcome& c : clips) {
-    text += fmt::format("{:<{}}  {:<7}  {:>5.1f} %  {:>4.1f} s  {:>6.3f} rad  {:>6.1f} mm  {}{}{}\n", c.clip, width,
-                        ClipVerdictName(c.verdict), 100.0 * c.broken_share, c.slowed_s, c.joint_rms_rad,
-                        1e3 * c.base_rms_m, c.broken, c.broken.empty() || c.reason.empty() ? "" : "; ", c.reason);
+    text += fmt::format("{:<{}}  {:<7}  {:>5.1f} %  {:>4.1f} s  {:>6.1f} s  {:>6.3f} rad  {:>6.1f} mm  {}{}{}\n",
+                        c.clip, width, ClipVerdictName(c.verdict), 100.0 * c.broken_share, c.slowed_s, c.left_out_s,
+                        c.joint_rms_rad, 1e3 * c.base_rms_m, c.broken, c.broken.empty() || c.reason.empty() ? "" : "; ",
+                        c.reason);
   }
   return text + fmt::format("{} of {} pass, {} fail, {} refused\n", CountOf(clips, ClipVerdict::kPass), clips.size(),
                             CountOf(clips, ClipVerdict::kFail), CountOf(clips, ClipVerdict::kRefused));
@@ -103,12 +107,12 @@ std::string ClipsText(const std::vector<ClipOutcome>& clips) {
 std::string ClipsCsv(const std::vector<ClipOutcome>& clips) {
   std::string text =
       "clip,verdict,duration_s,broken_share,broken,violations,joint_rms_rad,joint_largest_rad,base_rms_m,slowed_s,"
-      "reason,plan\n";
+      "left_out_s,reason,plan\n";
   for (const ClipOutcome& c : clips) {
-    text +=
-        fmt::format("{},{},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", QuotedCell(c.clip),
-                    ClipVerdictName(c.verdict), c.duration_s, c.broken_share, c.broken, c.violations, c.joint_rms_rad,
-                    c.joint_largest_rad, c.base_rms_m, c.slowed_s, QuotedCell(c.reason), QuotedCell(c.plan));
+    text += fmt::format("{},{},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", QuotedCell(c.clip),
+                        ClipVerdictName(c.verdict), c.duration_s, c.broken_share, c.broken, c.violations,
+                        c.joint_rms_rad, c.joint_largest_rad, c.base_rms_m, c.slowed_s, c.left_out_s,
+                        QuotedCell(c.reason), QuotedCell(c.plan));
   }
   return text;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "kinematics/collision/link_distances_internal.h"
@@ -15,23 +17,36 @@ class LinkParter {
   LinkParter(const RobotModel& model, double least_m)
       : model_(model), least_m_(least_m), distances_(model), scratch_(model), of_leg_(DofsOfLegs(model)) {}
 
-  double Run(EvenMotion& motion) {
+  std::vector<PartedLinks> Run(EvenMotion& motion) {
     constexpr double kFades = 0.15;  // [s]
     const double fade = std::exp(-motion.step_s / kFades);
     VectorX moved = VectorX::Zero(model_.num_dofs());
-    for (VectorX& q : motion.q) {
+    for (int row = 0; row < motion.size(); ++row) {
+      VectorX& q = motion.q[static_cast<std::size_t>(row)];
       const VectorX given = q.tail(model_.num_dofs());
       ForwardKinematics(model_, q, scratch_);
-      for (const NearPair& near : distances_.Near(scratch_, 0.0)) deepest_m_ = std::max(deepest_m_, -near.distance_m);
+      for (const NearPair& near : distances_.Near(scratch_, 0.0)) Add(near, motion.TimeOf(row));
       moved *= fade;
       if (!moved.isZero(1e-9)) Set(given + moved, q);
       Part(q);
       moved = q.tail(model_.num_dofs()) - given;
     }
-    return deepest_m_;
+    std::vector<PartedLinks> parted;
+    for (auto& [pair, links] : parted_) parted.push_back(std::move(links));
+    std::stable_sort(parted.begin(), parted.end(), [](const auto& a, const auto& b) { return a.depth_m > b.depth_m; });
+    return parted;
   }
 
  private:
+  void Add(const NearPair& near, double at_s) {
+    if (near.distance_m >= 0.0) return;
+    const auto [found, is_new] = parted_.try_emplace(near.pair);
+    PartedLinks& links = found->second;
+    if (is_new) links = {distances_.NameOf(near.pair), 0.0, at_s, at_s};
+    links.depth_m = std::max(links.depth_m, -near.distance_m);
+    links.end_s = at_s;
+  }
+
   /// Sets the joints, within their ranges as far as they were.
   void Set(const VectorX& joints, VectorX& q) const {
     for (int dof = 0; dof < model_.num_dofs(); ++dof) {
@@ -73,12 +88,12 @@ class LinkParter {
   LinkDistances distances_;
   DynamicsScratch scratch_;
   const std::vector<bool> of_leg_;
-  double deepest_m_ = 0.0;
+  std::map<int, PartedLinks> parted_;  ///< by pair
 };
 
 }  // namespace
 
-double PartLinks(const RobotModel& model, double least_m, EvenMotion& motion) {
+std::vector<PartedLinks> PartLinks(const RobotModel& model, double least_m, EvenMotion& motion) {
   return LinkParter(model, least_m).Run(motion);
 }
 

@@ -160,7 +160,10 @@ Result<PreparedMotion> ReadAndFind(const RobotModel& model, RepairRequest reques
 
 void Arrange(const RobotModel& model, const RepairOptions& options, PreparedMotion& prepared) {
   MotionFindings& findings = prepared.findings;
-  const EvenMotion& of_file = prepared.of_file;
+  const bool changed = !findings.left_out.empty();
+  const EvenMotion without =
+      changed ? SmoothRows(model, WithoutParts(prepared.of_file, findings.left_out), 0.0) : EvenMotion{};
+  const EvenMotion& of_file = changed ? without : prepared.of_file;
   if (findings.slowed.empty()) {
     findings.rested = WithRestAtEnds(model, of_file, of_file.contact, options);
   } else {
@@ -174,6 +177,10 @@ void Arrange(const RobotModel& model, const RepairOptions& options, PreparedMoti
   EvenMotion rested = SmoothRows(model, findings.rested.motion, 0.0);
   findings.clean = CleanContacts(model, prepared.terrain, rested, findings.rested.stance, options);
   findings.clean.held = HoldStuckJoints(model, findings.clean.motion);
+  if (changed) {
+    for (std::size_t row = 0; row < rested.q.size(); ++row)
+      rested.q[row] = PostureOfFile(prepared.of_file, findings.left_out, findings.rested.file_s[row], rested.q[row]);
+  }
   prepared.original =
       std::make_shared<const EvenMotion>(EvenMotion{rested.step_s, std::move(rested.q), {}, {}, {}, {}, {}});
   findings.rested.motion = {findings.rested.motion.step_s, {}, {}, {}, {}, {}, {}};  // a long one is large

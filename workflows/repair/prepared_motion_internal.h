@@ -27,7 +27,7 @@ struct PreparedMotion {
 /// misinterpreted.
 Result<PreparedMotion> ReadAndFind(const RobotModel& model, RepairRequest request);
 
-/// Slows the parts of `findings.slowed`, brings the motion to rest at its ends, and makes its contacts clean.
+/// Leaves out and slows the parts of the findings, brings the motion to rest at its ends, and makes its contacts clean.
 /// @throws InvalidArgument as of CleanContacts.
 void Arrange(const RobotModel& model, const RepairOptions& options, PreparedMotion& prepared);
 

@@ -63,6 +63,7 @@ void SetAfter(const RobotModel& model, const PlayedRepair& done, ClipOutcome& ou
   if (!done.repaired.findings.kept) {
     for (const RepairChange& change : ChangesOf(model, done.repaired.findings)) {
       if (change.kind == RepairChangeKind::kSlowed) outcome.slowed_s += change.by;
+      if (change.kind == RepairChangeKind::kLeftOut) outcome.left_out_s += change.by;
     }
   }
   if (outcome.verdict == ClipVerdict::kFail) outcome.reason = ReasonOf(done);

@@ -34,9 +34,10 @@ struct ClipOutcome {
   std::string broken;         ///< that check, or ""
   int violations = 0;         ///< of the file's motion
   double joint_rms_rad = 0.0, joint_largest_rad = 0.0, base_rms_m = 0.0;
-  double slowed_s = 0.0;  ///< duration added by slowing
-  std::string reason;     ///< why it fails or was refused
-  std::string plan;       ///< path of the plan, or ""
+  double slowed_s = 0.0;    ///< duration added by slowing
+  double left_out_s = 0.0;  ///< duration of parts that were left out
+  std::string reason;       ///< why it fails or was refused
+  std::string plan;         ///< path of the plan, or ""
 
   bool operator==(const ClipOutcome&) const = default;
 };

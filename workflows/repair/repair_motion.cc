@@ -85,7 +85,9 @@ Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& reques
                             FollowReport& report) {
   ImportNotes ignored;
   const double apart_m = request.trajectory.self_distance_m;  // 0: links may touch
-  if (apart_m > 0.0) PartLinks(model, kFartherApart * apart_m, prepared.findings.clean.motion);
+  prepared.findings.parted.clear();
+  if (apart_m > 0.0)
+    prepared.findings.parted = PartLinks(model, kFartherApart * apart_m, prepared.findings.clean.motion);
   const MotionPlan reference =
       PlanOfMotion(model, prepared.terrain, SmoothRows(model, prepared.findings.clean.motion, kCleanCutoff),
                    request.source.options, {}, ignored);
@@ -101,6 +103,9 @@ Result<MotionPlan> Followed(const RobotModel& model, const RepairRequest& reques
   if (followed) return followed;
   Failure failure = followed.failure();
   failure.stage = "RepairMotion";
+  failure.suggestions.clear();  // those of the solver are for people who state problems
+  if (request.repair.stretch <= 1.0)
+    failure.suggestions.emplace_back("repair.stretch", 1.3, Certainty::kUntried, "--stretch 1.3");
   return failure;
 }
 
@@ -133,33 +138,78 @@ MotionFindings LightCopy(MotionFindings& findings) {
   return copy;
 }
 
-/// Repairs a motion; parts that cannot be met at their speed are slowed as long as that is allowed and helps.
+/// Drops what no further attempt needs, because it takes much memory.
+void DropUnneeded(const RepairOptions& options, PreparedMotion& prepared) {
+  if (options.stretch > 1.0) return;
+  EvenMotion& of_file = prepared.of_file;
+  of_file = options.leave_out > 0.0 ? EvenMotion{of_file.step_s, std::move(of_file.q), {}, {}, {}, of_file.contact, {}}
+                                    : EvenMotion{};
+}
+
+/// Slows a motion at times that cannot be done, or leaves them out if they are as slow as is allowed.
+/// @return false if nothing is left to try. @param lost  parts whose leaving out is not allowed.
+bool Ease(const RobotModel& model, const RepairOptions& options, const BadTimes& bad, PreparedMotion& prepared,
+          std::vector<LeftOutPart>& lost) {
+  MotionFindings& findings = prepared.findings;
+  if (options.stretch > 1.0 && SlowDown(bad.file_s, options.stretch, bad.why, findings.slowed)) return true;
+  if (bad.is_far || options.leave_out == 0.0) return false;
+  std::vector<LeftOutPart> parts = findings.left_out;
+  if (!LeaveOut(model, KindOfGround(prepared.terrain), prepared.of_file, bad.file_s, bad.why, parts)) return false;
+  if (DurationOf(parts) > options.leave_out * findings.duration_s) {
+    lost = std::move(parts);
+    return false;
+  }
+  findings.left_out = std::move(parts);
+  return true;
+}
+
+/// Adds to a failure which parts cannot be done.
+void TellLost(const std::vector<LeftOutPart>& lost, double duration_s, double allowed, Failure& failure) {
+  if (lost.empty()) return;
+  std::vector<std::string> times;
+  for (const LeftOutPart& part : lost) times.push_back(fmt::format("{:.2f} to {:.2f} s", part.start_s, part.end_s));
+  const double share = std::min(1.0, std::ceil(100.0 * DurationOf(lost) / duration_s) / 100.0);
+  failure.message += fmt::format(
+      "; without {} the rest could be tried, but that is {:.0f} % of the motion and repair.leave_out allows "
+      "{:.0f} %",
+      fmt::join(times, ", "), 100.0 * share, 100.0 * allowed);
+  failure.suggestions.emplace_back("repair.leave_out", share, Certainty::kUntried,
+                                   fmt::format("--leave-out {:.2f}", share));
+}
+
+/// Repairs a motion; parts that cannot be done are slowed or left out, as long as that is allowed.
 Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& request, PreparedMotion prepared,
                               const PlanProof& proof) {
-  constexpr int kMostAttempts = 8;
+  constexpr int kMostAttempts = 16;
   Arrange(model, request.repair, prepared);
   MotionFindings& findings = prepared.findings;
-  if (request.repair.stretch <= 1.0) prepared.of_file = {};
+  DropUnneeded(request.repair, prepared);
   ReleaseFreedMemory();
   findings.kept = IsSound(prepared, proof);
-  const bool may_slow = request.repair.stretch > 1.0 && !findings.kept;
   std::optional<Result<RepairedMotion>> best;
+  std::vector<LeftOutPart> lost;
   for (int attempt = 1;; ++attempt) {
     FollowReport report;
     Result<RepairedMotion> repaired = Attempt(model, request, prepared, report);
-    const BadTimes bad = may_slow ? BadTimesOf(request.repair, findings, repaired, report, proof) : BadTimes{};
-    if (repaired || !best) {
+    const BadTimes bad = findings.kept ? BadTimes{} : BadTimesOf(request.repair, findings, repaired, report, proof);
+    const bool is_sound = repaired && (bad.file_s.empty() || bad.is_far);
+    // Nothing is left out in vain.
+    if (!best || is_sound || (repaired && findings.left_out.empty())) {
       if (repaired) {
         repaired->findings = LightCopy(findings);
         repaired->proved = bad.played || (findings.kept && proof);
       }
       best = std::move(repaired);
+    } else if (*best) {
+      (*best)->proved = false;  // the proof was called for another plan since
     }
-    if (bad.file_s.empty() || attempt == kMostAttempts) break;
-    if (!SlowDown(bad.file_s, request.repair.stretch, bad.why, findings.slowed)) break;
+    if (bad.file_s.empty() || attempt == kMostAttempts || !Ease(model, request.repair, bad, prepared, lost)) break;
     Arrange(model, request.repair, prepared);
   }
-  return std::move(*best);
+  if (*best) return std::move(*best);
+  Failure failure = best->failure();
+  TellLost(lost, findings.duration_s, request.repair.leave_out, failure);
+  return failure;
 }
 
 void CheckRequest(const RepairRequest& request) {

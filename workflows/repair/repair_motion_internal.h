@@ -12,7 +12,9 @@
 #include "planning/audit/broken_time_internal.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/repair/clean_motion_internal.h"
+#include "workflows/repair/left_out_internal.h"
 #include "workflows/repair/motion_distance_internal.h"
+#include "workflows/repair/part_links_internal.h"
 #include "workflows/repair/repair_options_internal.h"
 #include "workflows/repair/rest_at_ends_internal.h"
 #include "workflows/repair/slowed_motion_internal.h"
@@ -52,6 +54,8 @@ struct MotionFindings {
   std::shared_ptr<const MotionPlan> plan = {};  ///< the file's motion, see RepairRequest; null if it is not a plan
   bool kept = false;                            ///< the file's motion is sound, and is the result
   std::vector<SlowedPart> slowed;               ///< by start
+  std::vector<LeftOutPart> left_out;            ///< by start
+  std::vector<PartedLinks> parted;              ///< the deepest overlap first
 };
 
 /// A motion that the robot can do, near the file's.
@@ -80,7 +84,8 @@ Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairReques
 /// contact forces of the whole body are optimised together near the clean motion. Failure kBadInput for files that are
 /// wrong or probably misinterpreted; kInfeasible if no such motion is found, with the constraint and the time.
 /// A motion that passes the audit as it is, and stands in the proof, is kept. With `repair.stretch`, parts that have no
-/// solution, fail their audit, are far from the file's motion or fall in the proof are slowed, step by step.
+/// solution, fail their audit, are far from the file's motion or fall in the proof are slowed, step by step. With
+/// `repair.leave_out`, parts that cannot be done at any speed that is allowed are left out (LeaveOut).
 /// @param proof  plays a plan that passes the audit in physics; if empty, the audit alone decides.
 Result<RepairedMotion> RepairMotion(const RobotModel& model, const RepairRequest& request, const PlanProof& proof = {});
 

@@ -5,7 +5,7 @@ namespace gaitwright {
 
 OptionFields RepairOptions::Fields() {
   return WithBasics(
-      {"smoothing_hz", "stand_height", "stand_speed", "joint", "base_position", "stretch"},
+      {"smoothing_hz", "stand_height", "stand_speed", "joint", "base_position", "stretch", "leave_out"},
       {{"smoothing_hz", &smoothing_hz, "Hz", 0.0, 1000.0,
         "Cut-off frequency of the smoothing of the file's positions; 0 chooses it: a fifth of the rate of frames that "
         "are more than 10 ms apart, 8 Hz for noisy positions, otherwise none."},
@@ -39,8 +39,10 @@ OptionFields RepairOptions::Fields() {
         "or end at rest."},
        {"stretch", &stretch, "1", 1.0, 10.0,
         "Most that a part of the motion may be slowed by, if it cannot be done at its speed: 1.3 lets it take 1.3 "
-        "times "
-        "as long."},
+        "times as long."},
+       {"leave_out", &leave_out, "1", 0.0, 1.0,
+        "Largest share of the motion that may be left out if the robot cannot do it; the robot stands there. 0: "
+        "nothing."},
        {"stretch_over_rad", &stretch_over_rad, "rad", 0.0, 10.0,
         "With stretch: root mean square of the joints' distance from the motion with clean contacts over which a part "
         "is slowed."},

@@ -23,6 +23,7 @@ struct RepairOptions {
   double rest_s = 0.6;
   double window_s = 12.0, overlap_s = 1.5;
   double stretch = 1.0, stretch_over_rad = 0.15;
+  double leave_out = 0.5;
 
   OptionFields Fields();
 };

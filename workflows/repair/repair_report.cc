@@ -57,19 +57,43 @@ void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& c
   }
 }
 
-/// Times of the plan are those at which the robot does the part of the file.
+/// Time of the plan at which the robot does what the file has at a time.
+double PlanTimeOf(const RestedMotion& rested, double file_s) {
+  const auto row = std::lower_bound(rested.file_s.begin(), rested.file_s.end(), file_s) - rested.file_s.begin();
+  return rested.motion.TimeOf(static_cast<int>(std::min<std::ptrdiff_t>(row, std::ssize(rested.file_s) - 1)));
+}
+
 void AddSlowedParts(const MotionFindings& findings, std::vector<RepairChange>& changes) {
-  const RestedMotion& rested = findings.rested;
-  const auto plan_s = [&](double file_s) {
-    const auto row = std::lower_bound(rested.file_s.begin(), rested.file_s.end(), file_s) - rested.file_s.begin();
-    return rested.motion.TimeOf(static_cast<int>(std::min<std::ptrdiff_t>(row, std::ssize(rested.file_s) - 1)));
-  };
+  const auto plan_s = [&](double file_s) { return PlanTimeOf(findings.rested, file_s); };
   for (const SlowedPart& part : findings.slowed) {
     const double start_s = std::max(0.0, part.start_s), end_s = std::min(findings.duration_s, part.end_s);
     const double from_s = plan_s(start_s), to_s = plan_s(end_s);
-    changes.push_back({RepairChangeKind::kSlowed, "", from_s, to_s, (to_s - from_s) - (end_s - start_s), "s",
-                       fmt::format("slowed: {:.2f} to {:.2f} s of the file take {:.2f} times as long, because {}",
-                                   start_s, end_s, part.factor, part.why)});
+    changes.push_back(
+        {RepairChangeKind::kSlowed, "", from_s, to_s, (to_s - from_s) - (end_s - start_s), "s",
+         fmt::format("slowed: {:.2f} to {:.2f} s of the file take {:.2f} times as long, because {} at the file's "
+                     "speed",
+                     start_s, end_s, part.factor, part.why)});
+  }
+}
+
+void AddLeftOutParts(const MotionFindings& findings, std::vector<RepairChange>& changes) {
+  for (const LeftOutPart& part : findings.left_out) {
+    const double moved_m = part.moved.translation().norm();
+    std::string text = fmt::format("left out: {:.2f} to {:.2f} s of the file, because {}; the robot stands instead",
+                                   part.start_s, part.end_s, part.why);
+    if (part.end_s < findings.duration_s && moved_m > kMovedLittle)
+      text += ", and what follows is moved, so that it begins where the robot stands";
+    changes.push_back({RepairChangeKind::kLeftOut, "", PlanTimeOf(findings.rested, part.start_s),
+                       PlanTimeOf(findings.rested, part.end_s), part.end_s - part.start_s, "s", text});
+  }
+}
+
+void AddPartedLinks(const MotionFindings& findings, std::vector<RepairChange>& changes) {
+  for (const PartedLinks& parted : findings.parted) {
+    if (parted.depth_m < kMovedLittle) continue;
+    changes.push_back({RepairChangeKind::kParted, parted.links, parted.start_s, parted.end_s, parted.depth_m, "m",
+                       fmt::format("parted: {} overlap by up to {:.1f} mm between {:.2f} and {:.2f} s in the file",
+                                   parted.links, 1e3 * parted.depth_m, parted.start_s, parted.end_s)});
   }
 }
 
@@ -151,10 +175,14 @@ const char* RepairChangeName(RepairChangeKind kind) {
       return "lifted";
     case RepairChangeKind::kSlowed:
       return "slowed";
+    case RepairChangeKind::kLeftOut:
+      return "left_out";
     case RepairChangeKind::kStood:
       return "stood";
     case RepairChangeKind::kPinned:
       return "pinned";
+    case RepairChangeKind::kParted:
+      return "parted";
     case RepairChangeKind::kHeld:
       return "held";
     case RepairChangeKind::kContacts:
@@ -172,6 +200,7 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
   AddContactChange(findings, changes);
   AddTimeChanges(findings, changes);
   AddSlowedParts(findings, changes);
+  AddLeftOutParts(findings, changes);
   const double lift_m = findings.clean.lift_m;
   if (std::abs(lift_m) > kMovedLittle) {
     changes.push_back(
@@ -193,6 +222,7 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
                          ? ""
                          : fmt::format(", turned flat by up to {:.2f} rad", stance.tilt_rad))});
   }
+  AddPartedLinks(findings, changes);
   AddHeldJoints(model, findings, changes);
   return changes;
 }

@@ -10,7 +10,7 @@
 
 namespace gaitwright {
 
-enum class RepairChangeKind { kSmoothed, kLifted, kSlowed, kStood, kPinned, kHeld, kContacts };
+enum class RepairChangeKind { kSmoothed, kLifted, kSlowed, kLeftOut, kStood, kPinned, kParted, kHeld, kContacts };
 /// The name in JSON and Python, such as `smoothed`.
 const char* RepairChangeName(RepairChangeKind kind);
 

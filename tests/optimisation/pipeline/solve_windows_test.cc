@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "optimisation/pipeline/finish_motion_internal.h"
@@ -111,8 +112,15 @@ TEST(SolveWindows, AFailureNamesTheConstraint) {
   for (Joint& joint : weak.joints) {
     if (joint.name.find("calf") != std::string::npos) joint.effort_limit = 0.1;
   }
-  const auto parts = FollowMotion(weak, Swaying(NamedRobot("a1")), {}, Windowed(1.0, 0.5));
+  const MotionPlan plan = Swaying(NamedRobot("a1"));
+  FollowReport report;
+  const auto parts = FollowMotion(weak, plan, {}, Windowed(1.0, 0.5), &report);
   ASSERT_FALSE(parts.ok());
+  // All windows are solved, although the first one has no solution.
+  ASSERT_FALSE(report.unmet_s.empty());
+  EXPECT_TRUE(std::is_sorted(report.unmet_s.begin(), report.unmet_s.end()));
+  EXPECT_LT(report.unmet_s.front(), plan.whole_body.start_s + 0.3 * plan.duration_s());
+  EXPECT_GT(report.unmet_s.back(), plan.whole_body.start_s + 0.7 * plan.duration_s());
   EXPECT_NE(parts.failure().message.find("torque of '"), std::string::npos) << parts.failure().message;
 }
 

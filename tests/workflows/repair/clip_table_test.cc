@@ -25,6 +25,7 @@ std::vector<ClipOutcome> Outcomes() {
   passes.clip = "squat.csv";
   passes.verdict = ClipVerdict::kPass;
   passes.slowed_s = 0.5;
+  passes.left_out_s = 1.25;
   return {fails, passes};
 }
 
@@ -43,7 +44,7 @@ TEST(ClipTable, IsForPeopleAndPrograms) {
   EXPECT_NE(text.find("joint_torque; it \"fell\""), std::string::npos) << text;
   EXPECT_NE(text.find("1 of 2 pass, 1 fail, 0 refused\n"), std::string::npos) << text;
   const std::string csv = ClipsCsv(Outcomes());
-  EXPECT_NE(csv.find("\"walk, fast.csv\",fail,3.5,0.25,joint_torque,7,0.03,0,0,0,\"it \"\"fell\"\"\","),
+  EXPECT_NE(csv.find("\"walk, fast.csv\",fail,3.5,0.25,joint_torque,7,0.03,0,0,0,0,\"it \"\"fell\"\"\","),
             std::string::npos)
       << csv;
   const auto json = nlohmann::json::parse(ClipsJson(NamedRobot("a1"), Outcomes(), "out/clips.csv"));

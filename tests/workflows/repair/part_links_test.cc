@@ -49,8 +49,13 @@ TEST(PartLinks, TakesAnArmOutOfTheBodySmoothly) {
   for (int k = 0; k < kPartedRows; ++k)
     motion.q[static_cast<std::size_t>(k)][7 + dof] += angle * std::pow(std::sin(M_PI * k / (kPartedRows - 1.0)), 2.0);
   const EvenMotion before = motion;
-  const double deepest_m = PartLinks(model, kLinksDistance, motion);
+  const std::vector<PartedLinks> parted = PartLinks(model, kLinksDistance, motion);
+  ASSERT_FALSE(parted.empty());
+  const double deepest_m = parted.front().depth_m;
   EXPECT_GT(deepest_m, 0.01);
+  EXPECT_FALSE(parted.front().links.empty());
+  EXPECT_GT(parted.front().start_s, 0.0);
+  EXPECT_NEAR(parted.front().start_s + parted.front().end_s, motion.TimeOf(kPartedRows - 1), 0.011) << "symmetric";
   EXPECT_NEAR(deepest_m, DeepestOf(model, before.q[kPartedRows / 2]), 0.2 * deepest_m);
   const std::vector<bool> of_leg = DofsOfLegs(model);
   for (std::size_t k = 0; k < motion.q.size(); ++k) {
@@ -70,7 +75,7 @@ TEST(PartLinks, LeavesAMotionWhoseLinksAreApart) {
   const RobotModel& model = NamedRobot("g1");
   EvenMotion motion = synthetic::Standing(model, 20);
   const EvenMotion before = motion;
-  EXPECT_EQ(PartLinks(model, kLinksDistance, motion), 0.0);
+  EXPECT_TRUE(PartLinks(model, kLinksDistance, motion).empty());
   EXPECT_TRUE(motion.q == before.q);
 }
 

@@ -22,6 +22,10 @@ MotionFindings SomeFindings() {
   findings.rested.slowed_end_s = 0.6;
   findings.clean.lift_m = 0.013;
   findings.clean.stances = {{0, 0.5, 1.5, 0.041, 0.0, 0.0}, {1, 0.0, 2.0, 1e-5, 0.0, 0.0}};
+  LeftOutPart leap{0.5, 1.25, Pose::Identity(), "no motion was found there"};
+  leap.moved.translation() = Vector3(0.2, 0.0, 0.0);
+  findings.left_out = {leap};
+  findings.parted = {{"'hand' and 'hip'", 0.037, 0.25, 0.75}};
   findings.not_audited = "it has no feet";
   return findings;
 }
@@ -30,7 +34,10 @@ TEST(RepairReport, SaysEachChangeInWords) {
   const RobotModel& model = NamedRobot("a1");
   const std::string text = RepairText({model, SomeFindings()});
   for (const char* part :
-       {"a1: 201 rows of frames-csv, 2.000 s", "before: cannot be audited: it has no feet",
+       {"left out: 0.50 to 1.25 s of the file, because no motion was found there; the robot stands instead, and what "
+        "follows is moved",
+        "parted: 'hand' and 'hip' overlap by up to 37.0 mm between 0.25 and 0.75 s in the file",
+        "a1: 201 rows of frames-csv, 2.000 s", "before: cannot be audited: it has no feet",
         "smoothed: positions were smoothed above 6 Hz", "0 short stances and 2 short swings were taken away",
         "stood: 1.20 s were added at the start", "slowed: the last 0.30 s take 0.60 s",
         "lifted: the base was moved up by 13.0 mm, because the feet sink into the ground"})
@@ -46,10 +53,13 @@ TEST(RepairReport, HasTheSameAsData) {
   EXPECT_EQ(json["verdict"], "fail");
   EXPECT_TRUE(json["before"].is_null());
   EXPECT_FALSE(json.contains("after"));
-  ASSERT_EQ(json["changes"].size(), 6U);
-  EXPECT_EQ(json["changes"][0]["what"], "smoothed");
-  EXPECT_EQ(json["changes"][5]["what"], "pinned");
-  EXPECT_NEAR(json["changes"][5]["by"].get<double>(), 0.041, 1e-12);
+  std::vector<std::string> kinds;
+  for (const auto& change : json["changes"]) kinds.push_back(change["what"]);
+  EXPECT_EQ(kinds, (std::vector<std::string>{"smoothed", "contacts", "stood", "slowed", "left_out", "lifted", "pinned",
+                                             "parted"}));
+  EXPECT_NEAR(json["changes"][4]["by"].get<double>(), 0.75, 1e-12);
+  EXPECT_NEAR(json["changes"][6]["by"].get<double>(), 0.041, 1e-12);
+  EXPECT_EQ(json["changes"][7]["where"], "'hand' and 'hip'");
 }
 
 }  // namespace

@@ -27,6 +27,9 @@ def line(program, folder, name, rate, flags):
     text = (f'{name:18s} {result["verdict"]:4s} violations {violations("before"):2d} -> {violations("after"):2d}, {engines}, '
             f'joints {distance["joint_rms_rad"]:.3f} rad RMS, {distance["joint_largest_rad"]:.2f} at most, '
             f'base {1e3 * distance["base_rms_m"]:.0f} mm, {result["duration_s"]:.1f} s in {cpu_s:.1f} s of CPU')
+    left_out_s = sum(change['by'] for change in result['changes'] if change['what'] == 'left_out')
+    if left_out_s > 0.0:
+        text += f', {left_out_s:.1f} s left out'
     return passes, text if passes else f'{text}; {result["reason"]}'
 
 
