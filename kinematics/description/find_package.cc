@@ -141,9 +141,9 @@ Result<std::string> FindPackage(const std::string& name, const std::string& fold
                   "has this name or a package.xml with this name",
                   Shortened(name), from.string(), VariableForMessage("ROS_PACKAGE_PATH"),
                   VariableForMessage("AMENT_PREFIX_PATH")),
-      {names.empty()
-           ? fmt::format("give its folder as {}=DIR", Shortened(name))
-           : fmt::format("give its folder as {}=DIR; folders are given for {}", Shortened(name), QuotedList(names))}};
+      {names.empty() ? fmt::format("give the folder of the package as {}=DIR", Shortened(name))
+                     : fmt::format("give the folder of the package as {}=DIR; folders are given for {}",
+                                   Shortened(name), QuotedList(names))}};
 }
 
 }  // namespace gaitwright

@@ -180,7 +180,8 @@ XacroValue XacroArithmetic(const std::string& operation, const XacroValue& left,
   if (!a || !b) {
     const XacroValue& text = a ? right : left;
     const bool mixed = (a || b) && text.text() != nullptr;
-    RefuseXacroType(fmt::format("'{}' cannot join a {} and a {}{}", operation, XacroKind(left), XacroKind(right),
+    RefuseXacroType(fmt::format("operator '{}' cannot combine a {} and a {}{}", operation, XacroKind(left),
+                                XacroKind(right),
                                 mixed ? fmt::format("; the text is '{}'", Shortened(*text.text())) : ""));
   }
   const auto whole = WholeOfXacro(left), other = WholeOfXacro(right);

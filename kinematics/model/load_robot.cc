@@ -249,7 +249,8 @@ Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::st
                                      const std::string& name, const std::vector<MeshHull>& meshes, bool strict) {
   const MeshSource source = [&](const std::string& file) -> Result<std::vector<Vector3>> {
     if (const MeshHull* mesh = HullNamed(meshes, file)) return mesh->vertices;
-    return BadInput(FailureCode::kNoFile, fmt::format("the mesh '{}' was not given with the robot's text", file));
+    return BadInput(FailureCode::kNoFile,
+                    fmt::format("the mesh '{}' is not among the meshes that were given with the robot's text", file));
   };
   return LoadGuarded({urdf_text, yaml_text, name, strict}, source);
 }

@@ -126,7 +126,8 @@ std::vector<int> Corners(const XMLElement& p, const CornerLayout& layout, std::s
   const std::vector<int> numbers = Wholes(p);
   const auto stride = static_cast<std::size_t>(layout.stride);
   if (numbers.size() % stride != 0)
-    Refuse(p, fmt::format("has {} numbers, which is not a multiple of the {} for each corner", numbers.size(), stride));
+    Refuse(p, fmt::format("has {} numbers; a multiple of {}, the numbers for each corner, is needed", numbers.size(),
+                          stride));
   std::vector<int> corners;
   for (std::size_t i = static_cast<std::size_t>(layout.position); i < numbers.size(); i += stride) {
     if (static_cast<std::size_t>(numbers[i]) >= points)
@@ -234,7 +235,7 @@ class SceneReader {
     const XMLElement* said = asset == nullptr ? nullptr : asset->FirstChildElement("unit");
     if (said != nullptr && said->Attribute("meter") != nullptr) {
       const double meter = MeshNumber(Text(*said, "meter"), fmt::format("line {}: the unit", said->GetLineNum()));
-      if (!(meter > 0.0)) Refuse(*said, fmt::format("has a meter of {}; it must be above 0", meter));
+      if (!(meter > 0.0)) Refuse(*said, fmt::format("has the attribute meter='{}'; it must be above 0", meter));
       unit.scale(meter);
     }
     unit = unit * UpAxis(asset == nullptr ? nullptr : asset->FirstChildElement("up_axis"));

@@ -58,7 +58,8 @@ BodyRows::BodyRows(const BodyProblem& problem, const VectorX& start)
     cycles_.resize(std::max(cycles_.size(), static_cast<std::size_t>(knot.tie->cycle) + 1), VectorX::Zero(3 * n_));
   }
   ListRows();
-  if (start.size() != size()) throw InvalidArgument("BodyRows: the start does not have the size of the unknowns");
+  if (start.size() != size())
+    throw InvalidArgument("BodyRows: the number of starting values differs from the number of unknowns");
   Evaluate(start);
   Differentiate();
 }

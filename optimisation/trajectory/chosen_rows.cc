@@ -54,8 +54,7 @@ ChosenRows::ChosenRows(const BodyProblem& problem, const BodyChoices& choices, c
       chosen_(choices.count()),
       state_size_(3 * problem.model->nv()),
       free_(chosen_ + inner_.cycles() * state_size_) {
-  if (HasPace() && choices.pace_points <= kPieces)
-    throw InvalidArgument("ChosenRows: the pace needs at least four control points");
+  if (HasPace() && choices.pace_points <= kPieces) throw InvalidArgument("ChosenRows: pace_points must be at least 4");
   if (HasPace() && inner_.HasJerks()) throw InvalidArgument("ChosenRows: limits of jerk need a pace that is given");
   const std::vector<double>& time_s = problem.time_s;
   for (std::size_t k = 0; k < time_s.size(); ++k) {

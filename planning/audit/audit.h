@@ -45,10 +45,11 @@ struct AuditOptions {
          {"start_tilt_rad", &start_tilt_rad, "rad", 0.0, 1.0,
           "Largest tilt of the measured base relative to the first command."},
          {"start_speed_rad_s", &start_speed_rad_s, "rad/s", 0.0, 10.0,
-          "Largest angular speed of a revolute joint or the base in the first command; the measured robot is at rest."},
+          "Largest angular speed of a revolute joint or the base in the first command, because the robot is at rest "
+          "then."},
          {"start_speed_m_s", &start_speed_m_s, "m/s", 0.0, 10.0,
-          "Largest linear speed of a prismatic joint or the base in the first command; the measured robot is at "
-          "rest."}});
+          "Largest linear speed of a prismatic joint or the base in the first command, because the robot is at "
+          "rest then."}});
   }
 };
 

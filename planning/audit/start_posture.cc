@@ -51,11 +51,11 @@ void CheckPosition(const RobotModel& model, int dof, const YamlMap::Entry& entry
   constexpr double kRounding = 1e-6;  // [rad] or [m]
   const std::string unit = PositionUnit(model, dof);
   if (q < model.dof_lower(dof) - kRounding || q > model.dof_upper(dof) + kRounding) {
-    RefuseYaml(entry.value,
-               fmt::format("joint '{}' is at {:.6g} {}, outside its limits of {:.6g} to {:.6g}; {}", entry.key, q, unit,
-                           model.dof_lower(dof), model.dof_upper(dof),
-                           degrees ? "all joints would be within their limits as degrees: write them in rad"
-                                   : "correct the measurement or the limits"));
+    RefuseYaml(entry.value, fmt::format("joint '{}' is at {:.6g} {}, outside its limits of {:.6g} to {:.6g}; {}",
+                                        entry.key, q, unit, model.dof_lower(dof), model.dof_upper(dof),
+                                        degrees ? "the values seem to be in degrees, because all joints would then be "
+                                                  "within their limits; write them in rad"
+                                                : "correct the measurement or the limits"));
   }
   if (std::abs(q) > kFarthestMeasured) {
     RefuseYaml(entry.value, fmt::format("joint '{}' is at {:.6g} {}; accepted for a joint without limits: -{} to {}",

@@ -319,7 +319,8 @@ OptionFields FootstepSearchOptions::Fields() {
         "Expansions without a solution after which the heuristic weight is doubled."},
        {"bound", &bound, "1", 1.0, 100.0,
         "Bound on the ratio of the cost to the optimal cost at which the search ends."},
-       {"max_expansions", &max_expansions, "1", 1.0, 1e8, "Maximum number of expansions in all."},
+       {"max_expansions", &max_expansions, "1", 1.0, 1e8,
+        "Maximum number of nodes that the whole footstep search expands."},
        {"improving_expansions", &improving_expansions, "1", 0.0, 1e8,
         "Maximum number of expansions spent improving the first solution."}});
 }

@@ -25,13 +25,14 @@ struct ApproachOptions {
   OptionFields Fields() {
     return WithBasics(
         {"speed_share", "least_s"},
-        {{"speed_share", &speed_share, "1", 0.001, 1.0, "Share of the joints' speed limits that the approach uses."},
+        {{"speed_share", &speed_share, "1", 0.001, 1.0,
+          "Largest share of the joints' speed limits in the motion to the first posture."},
          {"speed_rad_s", &speed_rad_s, "rad/s", 0.001, 100.0,
-          "Largest speed of a revolute joint, even if its limit is higher."},
+          "Largest speed of a revolute joint in the motion to the first posture."},
          {"speed_m_s", &speed_m_s, "m/s", 0.0001, 10.0,
-          "Largest speed of a prismatic joint, even if its limit is higher."},
+          "Largest speed of a prismatic joint in the motion to the first posture."},
          {"limit_share", &limit_share, "1", 0.01, 1.0,
-          "Share of the limits of torque, acceleration and jerk that the approach uses."},
+          "Largest share of the limits of torque, acceleration and jerk in the motion to the first posture."},
          {"least_s", &least_s, "s", 0.1, 60.0, "Shortest duration of each move."}});
   }
 };

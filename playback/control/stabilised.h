@@ -86,13 +86,13 @@ struct StabilisedOptions {
              "Share of the friction coefficient that the commanded contact forces may use."},
             {"ahead_error", &ahead_error, "1", 0.001, 100.0,
              "In plans with flight: position error [leg lengths] or velocity error [sqrt(g x leg length)] that costs "
-             "as much as changing contact forces by their full load."},
+             "as much as changing each contact force by its planned load."},
             {"ahead_turn_rad", &ahead_turn_rad, "rad", 0.001, 100.0,
-             "In plans with flight: attitude error, or rate error in units of sqrt(g / leg length), that costs as much "
-             "as changing contact forces by their full load."},
+             "In plans with flight: attitude error, or rate error [sqrt(g / leg length)], that costs as much as "
+             "changing each contact force by its planned load."},
             {"ahead_step", &ahead_step, "1", 0.001, 100.0,
-             "In plans with flight: foothold shift [leg lengths] that costs as much as changing contact forces by "
-             "their full load; larger values shift footholds more."},
+             "In plans with flight: foothold shift [leg lengths] that costs as much as changing each contact force by "
+             "its planned load; larger values shift footholds more."},
         });
   }
 };

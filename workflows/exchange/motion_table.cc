@@ -18,35 +18,36 @@ double ImportOptions::time_unit_s() const {
 }
 
 OptionFields ImportOptions::UnitFields() {
-  return {{"quaternion_order",
-           &quaternion_order,
-           "",
-           0.0,
-           0.0,
-           "Order of the base's quaternion columns; detect uses their names and checks them against the motion.",
-           {"detect", "xyzw", "wxyz"}},
-          {"angle_unit",
-           &angle_unit,
-           "",
-           0.0,
-           0.0,
-           "Unit of angle columns that name rad or no unit, and of their rates; detect assumes rad and checks it "
-           "against the motion.",
-           {"detect", "rad", "deg"}},
-          {"length_unit",
-           &length_unit,
-           "",
-           0.0,
-           0.0,
-           "Unit of lengths and their rates; detect assumes m and checks it against the motion.",
-           {"detect", "m", "mm"}},
-          {"time_unit",
-           &time_unit,
-           "",
-           0.0,
-           0.0,
-           "Unit of times; detect assumes s and checks it against the motion. Rates are always per second.",
-           {"detect", "s", "ms", "us", "ns"}}};
+  return {
+      {"quaternion_order",
+       &quaternion_order,
+       "",
+       0.0,
+       0.0,
+       "Order of the base's quaternion columns; detect uses their names and checks them against the motion.",
+       {"detect", "xyzw", "wxyz"}},
+      {"angle_unit",
+       &angle_unit,
+       "",
+       0.0,
+       0.0,
+       "Unit of angle columns that end in _rad or name no unit, and of their rates; detect assumes rad and checks it "
+       "against the motion.",
+       {"detect", "rad", "deg"}},
+      {"length_unit",
+       &length_unit,
+       "",
+       0.0,
+       0.0,
+       "Unit of lengths and their rates; detect assumes m and checks it against the motion.",
+       {"detect", "m", "mm"}},
+      {"time_unit",
+       &time_unit,
+       "",
+       0.0,
+       0.0,
+       "Unit of times; detect assumes s and checks it against the motion. Rates are always per second.",
+       {"detect", "s", "ms", "us", "ns"}}};
 }
 
 const char* MotionFormatName(MotionFormat format) {
@@ -108,14 +109,17 @@ OptionFields ImportOptions::Fields() {
        "Joints that the file lacks: an error (refuse), or held in the standing posture (standing).",
        {"refuse", "standing"}},
       {"topics", &topics, "", 0.0, 0.0,
-       "Topics of a recording to read, separated by commas; detect reads those that can only mean one motion."},
-      {"rate_hz", &rate_hz, "Hz", 1.0, 10000.0, "Frames per second of a file without names and times of its columns."},
+       "Topics of a recording to read, separated by commas; detect reads the only topic with joints of this robot and "
+       "the only one of odometry."},
+      {"rate_hz", &rate_hz, "Hz", 1.0, 10000.0,
+       "Frames per second of a file that states neither times nor a frame rate."},
       {"grid_step_s", &grid_step_s, "s", 0.0, kCoarsestGrid,
        "Time step of the plan's uniform grid, at least 0.0005; 0 uses the file's step if it is uniform and 1 to 10 ms, "
        "otherwise 5 ms."},
       {"smoothing_hz", &smoothing_hz, "Hz", 0.0, 1000.0,
-       "Cut-off frequency of the smoothing of positions before differentiation; 0 smooths only frames without names "
-       "that are more than 10 ms apart, at a fifth of their rate."},
+       "Cut-off frequency for smoothing positions before differentiation; 0: a fifth of the frame rate for data sets "
+       "and "
+       "skeletons with frames over 10 ms apart, otherwise none."},
       {"lift_m", &lift_m, "m", -10.0, 10.0, "Height added to the base."},
       {"contact_height", &contact_height, "1", 0.0, 0.5,
        "Largest height of a stance foot above the ground, as a share of the leg length; unused if the file has contact "

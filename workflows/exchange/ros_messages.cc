@@ -26,7 +26,7 @@ void WriteTime(std::int64_t time_ns, CdrWriter& cdr) {
   std::int64_t sec = time_ns / kSecondNs;
   if (time_ns < sec * kSecondNs) --sec;
   if (sec > INT32_MAX || sec < INT32_MIN)
-    throw InvalidArgument(fmt::format("a time of {} s is beyond the times of ROS", sec));
+    throw InvalidArgument(fmt::format("a time of {} s does not fit a time of ROS, whose seconds have 32 bits", sec));
   cdr.Int32(static_cast<std::int32_t>(sec));
   cdr.Uint32(static_cast<std::uint32_t>(time_ns - sec * kSecondNs));
 }

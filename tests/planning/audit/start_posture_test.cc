@@ -68,7 +68,7 @@ TEST_F(StartPostures, AreRefusedByNameAndLine) {
 
 TEST_F(StartPostures, InDegreesAreSaidToBe) {
   constexpr double kDegrees = 57.29577951308232;
-  const std::string hint = "all joints would be within their limits as degrees: write them in rad";
+  const std::string hint = "in degrees";
   ExpectSaid(FileOf(kDegrees * First()), {"line 2", "outside its limits", hint});
   VectorX one = First();
   one[2] = 1.5;
