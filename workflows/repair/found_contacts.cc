@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "kinematics/spatial/pose.h"
 #include "workflows/exchange/median_internal.h"
@@ -45,7 +46,9 @@ class ContactFinder {
       : model_(model), motion_(motion), feet_(feet), options_(options), legs_(static_cast<int>(model.legs.size())) {}
 
   FoundContacts Run() {
-    found_.height_m = StandingHeight();
+    const std::vector<double> flat_m = FlatHeights();
+    found_.height_m = StandingHeight(flat_m);
+    SetLocalHeights(flat_m);
     const auto least = [&](double time_s) { return static_cast<int>(std::ceil(time_s / motion_.step_s)); };
     for (int f = 0; f < legs_; ++f) {
       stands_.push_back(Hysteresis(f));
@@ -75,29 +78,66 @@ class ContactFinder {
     return lowest;
   }
 
-  /// Median height of the lowest foot among those that are slow and flat: a toe may be deep in the ground under a heel
-  /// that is raised. Where feet are hardly ever both, of the lowest foot where it is slow; else over all rows.
-  double StandingHeight() const {
+  bool IsSlow(int f, int row) const {
+    return MiddleSpeed(feet_[Row(f)], row, motion_.step_s) < options_.stand_speed * SpeedUnit();
+  }
+
+  /// By row, the height of the lowest foot among those that are slow and flat; infinite where none is. A toe may be
+  /// deep in the ground under a heel that is raised.
+  std::vector<double> FlatHeights() const {
+    constexpr double kFlat = 0.1;  // [rad]
+    std::vector<double> flat_m(motion_.q.size(), INFINITY);
+    for (int k = 0; k < motion_.size(); ++k) {
+      for (int f = 0; f < legs_; ++f) {
+        if (IsSlow(f, k) && TiltOf(model_.feet[Row(f)], feet_[Row(f)], k) < kFlat)
+          flat_m[Row(k)] = std::min(flat_m[Row(k)], feet_[Row(f)].height_m[Row(k)]);
+      }
+    }
+    return flat_m;
+  }
+
+  /// Median of FlatHeights. Where feet are hardly ever slow and flat, of the lowest foot where it is slow; else over
+  /// all rows.
+  double StandingHeight(const std::vector<double>& flat_m) const {
     constexpr std::size_t kFew = 10;  // one in so many rows
-    constexpr double kFlat = 0.1;     // [rad]
     std::vector<double> flat, slow, all;
     for (int k = 0; k < motion_.size(); ++k) {
       const int lowest = LowestFoot(k);
-      const auto is_slow = [&](int f) {
-        return MiddleSpeed(feet_[Row(f)], k, motion_.step_s) < options_.stand_speed * SpeedUnit();
-      };
-      double least = INFINITY;
-      for (int f = 0; f < legs_; ++f) {
-        if (is_slow(f) && TiltOf(model_.feet[Row(f)], feet_[Row(f)], k) < kFlat)
-          least = std::min(least, feet_[Row(f)].height_m[Row(k)]);
-      }
       all.push_back(feet_[Row(lowest)].height_m[Row(k)]);
-      if (is_slow(lowest)) slow.push_back(all.back());
-      if (std::isfinite(least)) flat.push_back(least);
+      if (IsSlow(lowest, k)) slow.push_back(all.back());
+      if (std::isfinite(flat_m[Row(k)])) flat.push_back(flat_m[Row(k)]);
     }
     const auto enough = [&](const std::vector<double>& some) { return some.size() * kFew >= all.size(); };
     return MedianOf(enough(flat) ? flat : enough(slow) ? slow : all);
   }
+
+  /// Heights drift and jump in long files: by row, the median of FlatHeights over some seconds, near that of the whole
+  /// file, which holds where feet are hardly ever slow and flat.
+  void SetLocalHeights(const std::vector<double>& flat_m) {
+    constexpr double kAround = 1.0, kEvery = 0.05;  // [s]
+    constexpr double kFar = 0.1;                    // of the leg length
+    constexpr std::size_t kFew = 10;                // one in so many rows
+    const int around = std::max(1, static_cast<int>(std::lround(kAround / motion_.step_s))),
+              every = std::max(1, static_cast<int>(std::lround(kEvery / motion_.step_s)));
+    const double far_m = kFar * model_.leg_length_m();
+    std::vector<double> near;
+    for (int k = 0; k < motion_.size(); ++k) {
+      if (k % every != 0) {
+        local_m_.push_back(local_m_.back());
+        continue;
+      }
+      const int from = std::max(0, k - around), to = std::min(motion_.size(), k + around + 1);
+      near.clear();
+      std::copy_if(flat_m.begin() + from, flat_m.begin() + to, std::back_inserter(near),
+                   [](double height_m) { return std::isfinite(height_m); });
+      const bool is_known = near.size() * kFew >= Row(to - from);
+      local_m_.push_back(is_known ? std::clamp(MedianOf(near), found_.height_m - far_m, found_.height_m + far_m)
+                                  : found_.height_m);
+    }
+  }
+
+  /// Height of a foot over feet that stand.
+  double HeightOf(int f, int row) const { return feet_[Row(f)].height_m[Row(row)] - local_m_[Row(row)]; }
 
   std::vector<bool> Hysteresis(int f) const {
     const FootTrack& foot = feet_[Row(f)];
@@ -105,8 +145,7 @@ class ContactFinder {
     std::vector<bool> stands;
     for (int k = 0; k < motion_.size(); ++k) {
       const double factor = !stands.empty() && stands.back() ? options_.leave : 1.0;
-      stands.push_back(foot.height_m[Row(k)] - found_.height_m < factor * height_m &&
-                       MiddleSpeed(foot, k, motion_.step_s) < factor * speed &&
+      stands.push_back(HeightOf(f, k) < factor * height_m && MiddleSpeed(foot, k, motion_.step_s) < factor * speed &&
                        TiltOf(model_.feet[Row(f)], foot, k) < factor * options_.stand_tilt_rad);
     }
     return stands;
@@ -123,10 +162,11 @@ class ContactFinder {
       int end = begin;
       while (end < motion_.size() && stands[Row(end)] == stands[Row(begin)]) ++end;
       if (stands[Row(begin)]) {
-        const double usual_m =
-            MedianOf(std::vector<double>(foot.height_m.begin() + begin, foot.height_m.begin() + end));
+        std::vector<double> heights_m;
+        for (int k = begin; k < end; ++k) heights_m.push_back(HeightOf(f, k));
+        const double usual_m = MedianOf(std::move(heights_m));
         const auto moves = [&](int k) {
-          return std::abs(foot.height_m[Row(k)] - usual_m) > height_m || MiddleSpeed(foot, k, motion_.step_s) > speed;
+          return std::abs(HeightOf(f, k) - usual_m) > height_m || MiddleSpeed(foot, k, motion_.step_s) > speed;
         };
         int first = begin, last = end - 1;
         while (first > 0 && last - first >= least && moves(first)) ++first;
@@ -164,7 +204,7 @@ class ContactFinder {
       mean += foot.X_WF[Row(k)].translation().head<2>() / (stance.last - stance.first + 1);
     for (int k = rows.first; k <= rows.last; ++k) {
       if ((foot.X_WF[Row(k)].translation().head<2>() - mean).norm() > kNear * model_.leg_length_m() ||
-          foot.height_m[Row(k)] - found_.height_m > options_.stand_height * model_.leg_length_m())
+          HeightOf(f, k) > options_.stand_height * model_.leg_length_m())
         return false;
     }
     return true;
@@ -176,11 +216,11 @@ class ContactFinder {
 
   /// Mean of the base while all feet are clearly over the ground; 0 if they never are.
   double VerticalAcceleration(int begin, int end) const {
-    const double height_m = options_.stand_height * model_.leg_length_m() + found_.height_m;
+    const double height_m = options_.stand_height * model_.leg_length_m();
     double sum = 0.0;
     int rows = 0;
     for (int k = begin; k < end; ++k) {
-      if (feet_[Row(LowestFoot(k))].height_m[Row(k)] < height_m) continue;
+      if (HeightOf(LowestFoot(k), k) < height_m) continue;
       sum += motion_.a[Row(k)][2];
       ++rows;
     }
@@ -221,6 +261,7 @@ class ContactFinder {
   const std::vector<FootTrack>& feet_;
   const RepairOptions& options_;
   const int legs_;
+  std::vector<double> local_m_;            // by row: see SetLocalHeights
   std::vector<std::vector<bool>> stands_;  // by foot, by row
   FoundContacts found_;
 };

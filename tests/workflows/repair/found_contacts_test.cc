@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "planning/terrain/load_terrain.h"
 #include "tests/workflows/repair/standing_motion.h"
 #include "workflows/repair/found_contacts_internal.h"
@@ -34,6 +36,25 @@ TEST(FoundContacts, AFootInTheAirSwings) {
   EXPECT_NEAR(stances[0].last, 78, 2);
   EXPECT_NEAR(stances[1].first, 121, 2);
   EXPECT_EQ(StancesOf(found.stance, 0).size(), 1U);
+}
+
+/// A file that was put together, or whose height drifts, floats in one part and not in another one.
+TEST(FoundContacts, TheHeightOfThePlaceCounts) {
+  const RobotModel& model = NamedRobot("a1");
+  EvenMotion motion = synthetic::Standing(model, 1000);
+  for (int k = 0; k < 450; ++k) motion.q[static_cast<std::size_t>(k)][2] += 0.02 * std::min(1.0, (450 - k) / 50.0);
+  synthetic::BendKnee(model, 1, 150, 190, motion);
+  synthetic::BendKnee(model, 2, 700, 740, motion);
+  const FoundContacts found = ContactsOf(motion);
+  EXPECT_NEAR(found.height_m, 0.0, 1e-3) << "of most of the file";
+  EXPECT_EQ(found.false_flights, 0);
+  EXPECT_EQ(StancesOf(found.stance, 0).size(), 1U);
+  for (const int foot : {1, 2}) {
+    const std::vector<RowRange> stances = StancesOf(found.stance, foot);
+    ASSERT_EQ(stances.size(), 2U) << foot;
+    EXPECT_NEAR(stances[0].last, foot == 1 ? 148 : 698, 2);
+    EXPECT_NEAR(stances[1].first, foot == 1 ? 191 : 741, 2);
+  }
 }
 
 /// Under a heel that is raised about the ankle the toe is deep in the ground, and the lowest.
