@@ -20,8 +20,8 @@ struct FoundContacts {
 };
 
 /// Finds the feet that stand. A foot begins to stand where it is slow, flat and as low as feet that stand around that
-/// time, and begins to swing where it is no longer so by the factor `leave`. Then short swings and short stances are taken away, and times without a foot on
-/// the ground in which the base does not fall freely.
+/// time, and begins to swing where it is no longer so by the factor `leave`. Then short swings and short stances are
+/// taken away, and times without a foot on the ground in which the base does not fall freely.
 FoundContacts FindContacts(const RobotModel& model, const EvenMotion& motion, const std::vector<FootTrack>& feet,
                            const RepairOptions& options);
 

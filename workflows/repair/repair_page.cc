@@ -66,8 +66,11 @@ std::string VerdictReason(const RepairResult& result, const RepairPageWords& wor
   if (result.played != nullptr && !result.pass()) return result.played->decisive().report.reason;
   const std::string passes = findings.kept ? "the motion is sound as it is and was kept; it passes its audit"
                                            : "the repaired motion passes its audit";
-  if (result.played == nullptr) return passes + ", and was not played in physics";
-  return passes + (result.played->second == nullptr ? " and the playback" : " and both engines");
+  const double left_out_s = DurationOf(findings.left_out);
+  const std::string without =
+      left_out_s > 0.0 ? fmt::format(", without {:.2f} s of the original that were left out", left_out_s) : "";
+  if (result.played == nullptr) return passes + without + ", and was not played in physics";
+  return passes + (result.played->second == nullptr ? " and the playback" : " and both engines") + without;
 }
 
 std::string HeadOf(const RepairResult& result, const RepairPageWords& words) {
@@ -273,6 +276,9 @@ void AddFall(const ScoredPlayback& played, std::vector<std::string>& parts) {
 std::vector<std::string> UnsavedParts(const RepairResult& result, const std::string& refused) {
   std::vector<std::string> parts;
   if (!refused.empty()) parts.push_back(refused);
+  for (const LeftOutPart& part : result.findings.left_out)
+    parts.push_back(fmt::format("{:.2f} to {:.2f} s of the original were left out, because {}", part.start_s,
+                                part.end_s, part.why));
   const CleanMotion& clean = result.findings.clean;
   if (clean.unreached_m > kMovedHardly) {
     parts.push_back(

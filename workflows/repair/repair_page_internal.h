@@ -23,8 +23,8 @@ struct RepairPageWords {
 /// MotionFindings::plan was kept. Self-contained; well-formed XML.
 std::string RepairPage(const RepairResult& result, const RepairPageWords& words);
 
-/// What could not be saved: checks that still fail, falls, feet out of reach, and the reason of a refusal; a sentence
-/// for each.
+/// What could not be saved: parts that were left out, checks that still fail, falls, feet out of reach, and the reason
+/// of a refusal; a sentence for each.
 std::vector<std::string> UnsavedParts(const RepairResult& result, const std::string& refused);
 
 /// Times at which checks fail, in the original and in the repaired motion, as bars in a row for each check. The SVG is

@@ -40,6 +40,13 @@ TEST(RepairPage, TablesHaveWhatFailsAndHowFarItIs) {
   const auto unsaved = UnsavedParts({model, findings, &repaired}, "");
   ASSERT_EQ(unsaved.size(), 1U);
   EXPECT_TRUE(Has(unsaved[0], "joint_torque") && Has(unsaved[0], "10.0 %") && Has(unsaved[0], "4.50 s")) << unsaved[0];
+  MotionFindings shorter = findings;
+  shorter.left_out = {{0.5, 1.75, Pose::Identity(), "it flies"}};
+  EXPECT_EQ(UnsavedParts({model, shorter, &repaired}, "").size(), 2U);
+  RepairedMotion sound = repaired;
+  sound.after.violations.clear();
+  sound.broken.clear();
+  EXPECT_TRUE(Has(RepairPage({model, shorter, &sound}, {"dance.csv"}), "without 1.25 s of the original"));
 }
 
 TEST(RepairPage, OfACheckOrARefusalIsTheFirstHalf) {
