@@ -130,14 +130,14 @@ DataShape ImportResultShape() {
 
 DataShape RepairResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
-  const DataShape change = Object(
-      {{"what", Text({"smoothed", "contacts", "stood", "slowed", "left_out", "lifted", "pinned", "parted", "held"})},
-       {"where", Text(), "Foot; empty for the whole robot."},
-       {"start_s", Number()},
-       {"end_s", Number()},
-       {"by", Number(), "In `unit`."},
-       {"unit", Text()},
-       {"text", Text()}});
+  const DataShape change = Object({{"what", Text({"smoothed", "contacts", "other_contact", "stood", "slowed",
+                                                  "left_out", "lifted", "pinned", "parted", "held"})},
+                                   {"where", Text(), "Foot; empty for the whole robot."},
+                                   {"start_s", Number()},
+                                   {"end_s", Number()},
+                                   {"by", Number(), "In `unit`."},
+                                   {"unit", Text()},
+                                   {"text", Text()}});
   const DataShape group = Object({{"unit", Text({"rad", "m"}), "Of `rms` and `largest`."},
                                   {"rms", Number()},
                                   {"largest", Number()},

@@ -152,6 +152,8 @@ Result<PreparedMotion> ReadAndFind(const RobotModel& model, RepairRequest reques
   const std::vector<FootTrack> feet = FeetOf(model, prepared.terrain, motion);
   findings.contacts = FindContacts(model, motion, feet, request.repair);
   if (!motion.contact.empty()) findings.contacts.stance = motion.contact;
+  findings.other_contacts =
+      FindOtherContacts(model, prepared.terrain, motion, findings.contacts.height_m, request.repair);
   prepared.of_file = std::move(motion);
   prepared.of_file.contact = findings.contacts.stance;
   AuditBefore(model, request, prepared);

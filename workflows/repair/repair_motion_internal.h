@@ -14,6 +14,7 @@
 #include "workflows/repair/clean_motion_internal.h"
 #include "workflows/repair/left_out_internal.h"
 #include "workflows/repair/motion_distance_internal.h"
+#include "workflows/repair/other_contacts_internal.h"
 #include "workflows/repair/part_links_internal.h"
 #include "workflows/repair/repair_options_internal.h"
 #include "workflows/repair/rest_at_ends_internal.h"
@@ -46,7 +47,8 @@ struct MotionFindings {
   ImportNotes notes;
   double smoothing_hz = 0.0;  ///< 0: not smoothed
   FoundContacts contacts;
-  CleanMotion clean;  ///< without its motion in results of RepairMotion
+  std::vector<OtherContact> other_contacts;  ///< by start
+  CleanMotion clean;                         ///< without its motion in results of RepairMotion
   RestedMotion rested;
   std::optional<AuditReport> before;            ///< of the file's motion with the contacts found
   std::vector<BrokenTime> broken;               ///< of `before`

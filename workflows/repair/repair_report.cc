@@ -26,6 +26,18 @@ void AddContactChange(const MotionFindings& findings, std::vector<RepairChange>&
                                  c.short_stances, c.short_swings, c.false_flights)});
 }
 
+/// Times are those of the file.
+void AddOtherContacts(const MotionFindings& findings, std::vector<RepairChange>& changes) {
+  for (const OtherContact& contact : findings.other_contacts) {
+    changes.push_back(
+        {RepairChangeKind::kOtherContact, contact.link, contact.start_s, contact.end_s, contact.end_s - contact.start_s,
+         "s",
+         fmt::format("other contact: link '{}' is on the ground from {:.2f} to {:.2f} s of the file; plans "
+                     "carry the robot on its feet alone, so it takes the nearest posture on them",
+                     contact.link, contact.start_s, contact.end_s)});
+  }
+}
+
 void AddTimeChanges(const MotionFindings& findings, std::vector<RepairChange>& changes) {
   const RestedMotion& r = findings.rested;
   const double end_s = r.motion.TimeOf(static_cast<int>(r.file_s.size()) - 1);
@@ -187,6 +199,8 @@ const char* RepairChangeName(RepairChangeKind kind) {
       return "held";
     case RepairChangeKind::kContacts:
       return "contacts";
+    case RepairChangeKind::kOtherContact:
+      return "other_contact";
   }
   return "";
 }
@@ -198,6 +212,7 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
                        fmt::format("smoothed: positions were smoothed above {:.3g} Hz", findings.smoothing_hz)});
   }
   AddContactChange(findings, changes);
+  AddOtherContacts(findings, changes);
   AddTimeChanges(findings, changes);
   AddSlowedParts(findings, changes);
   AddLeftOutParts(findings, changes);

@@ -10,7 +10,18 @@
 
 namespace gaitwright {
 
-enum class RepairChangeKind { kSmoothed, kLifted, kSlowed, kLeftOut, kStood, kPinned, kParted, kHeld, kContacts };
+enum class RepairChangeKind {
+  kSmoothed,
+  kLifted,
+  kSlowed,
+  kLeftOut,
+  kStood,
+  kPinned,
+  kParted,
+  kHeld,
+  kContacts,
+  kOtherContact
+};
 /// The name in JSON and Python, such as `smoothed`.
 const char* RepairChangeName(RepairChangeKind kind);
 

@@ -113,7 +113,8 @@ TEST_F(FindsPackages, SaysWhereItLookedAndWhatHelps) {
         std::string("AMENT_PREFIX_PATH"), std::string("package.xml")})
     EXPECT_NE(none.failure().message.find(part), std::string::npos) << none.failure().message;
   ASSERT_EQ(none.failure().suggestions.size(), 1U);
-  EXPECT_EQ(none.failure().suggestions[0].text, "give its folder as no_bot=DIR; folders are given for 'bot'");
+  for (const char* part : {"no_bot=DIR", "'bot'"})
+    EXPECT_NE(none.failure().suggestions[0].text.find(part), std::string::npos) << part;
   for (const char* odd : {"", ".", "..", "a/b"}) EXPECT_EQ(Found(odd, folder_), "no_package") << odd;
 }
 

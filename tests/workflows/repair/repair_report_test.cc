@@ -26,6 +26,7 @@ MotionFindings SomeFindings() {
   leap.moved.translation() = Vector3(0.2, 0.0, 0.0);
   findings.left_out = {leap};
   findings.parted = {{"'hand' and 'hip'", 0.037, 0.25, 0.75}};
+  findings.other_contacts = {{"knee", 1.0, 1.5}};
   findings.not_audited = "it has no feet";
   return findings;
 }
@@ -34,7 +35,8 @@ TEST(RepairReport, SaysEachChangeInWords) {
   const RobotModel& model = NamedRobot("a1");
   const std::string text = RepairText({model, SomeFindings()});
   for (const char* part :
-       {"left out: 0.50 to 1.25 s of the file, because no motion was found there; the robot stands instead, and what "
+       {"other contact: link 'knee' is on the ground from 1.00 to 1.50 s of the file",
+        "left out: 0.50 to 1.25 s of the file, because no motion was found there; the robot stands instead, and what "
         "follows is moved",
         "parted: 'hand' and 'hip' overlap by up to 37.0 mm between 0.25 and 0.75 s in the file",
         "a1: 201 rows of frames-csv, 2.000 s", "before: cannot be audited: it has no feet",
@@ -55,11 +57,11 @@ TEST(RepairReport, HasTheSameAsData) {
   EXPECT_FALSE(json.contains("after"));
   std::vector<std::string> kinds;
   for (const auto& change : json["changes"]) kinds.push_back(change["what"]);
-  EXPECT_EQ(kinds, (std::vector<std::string>{"smoothed", "contacts", "stood", "slowed", "left_out", "lifted", "pinned",
-                                             "parted"}));
-  EXPECT_NEAR(json["changes"][4]["by"].get<double>(), 0.75, 1e-12);
-  EXPECT_NEAR(json["changes"][6]["by"].get<double>(), 0.041, 1e-12);
-  EXPECT_EQ(json["changes"][7]["where"], "'hand' and 'hip'");
+  EXPECT_EQ(kinds, (std::vector<std::string>{"smoothed", "contacts", "other_contact", "stood", "slowed", "left_out",
+                                             "lifted", "pinned", "parted"}));
+  EXPECT_NEAR(json["changes"][5]["by"].get<double>(), 0.75, 1e-12);
+  EXPECT_NEAR(json["changes"][7]["by"].get<double>(), 0.041, 1e-12);
+  EXPECT_EQ(json["changes"][8]["where"], "'hand' and 'hip'");
 }
 
 }  // namespace
