@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -197,6 +199,15 @@ bool LeaveOut(const RobotModel& model, GroundKind ground, const EvenMotion& moti
     std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.start_s < b.start_s; });
   }
   return true;
+}
+
+std::string LostText(const std::vector<LeftOutPart>& parts, double duration_s) {
+  std::vector<std::string> times;
+  for (const LeftOutPart& part : parts) times.push_back(fmt::format("{:.2f} to {:.2f} s", part.start_s, part.end_s));
+  return fmt::format(
+      "without {} of the file the rest could be tried, but that is {:.0f} % of the motion, more than "
+      "repair.leave_out allows",
+      fmt::join(times, ", "), 100.0 * DurationOf(parts) / duration_s);
 }
 
 EvenMotion WithoutParts(const EvenMotion& motion, const std::vector<LeftOutPart>& parts) {

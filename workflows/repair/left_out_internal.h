@@ -28,6 +28,9 @@ bool LeaveOut(const RobotModel& model, GroundKind ground, const EvenMotion& moti
 /// Duration of parts [s].
 double DurationOf(const std::vector<LeftOutPart>& parts);
 
+/// Half a sentence about parts that would have to be left out, but are more than is allowed.
+std::string LostText(const std::vector<LeftOutPart>& parts, double duration_s);
+
 /// Positions and contacts of a motion without parts of it.
 EvenMotion WithoutParts(const EvenMotion& motion, const std::vector<LeftOutPart>& parts);
 

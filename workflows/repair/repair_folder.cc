@@ -66,7 +66,10 @@ void SetAfter(const RobotModel& model, const PlayedRepair& done, ClipOutcome& ou
       if (change.kind == RepairChangeKind::kLeftOut) outcome.left_out_s += change.by;
     }
   }
-  if (outcome.verdict == ClipVerdict::kFail) outcome.reason = ReasonOf(done);
+  if (outcome.verdict != ClipVerdict::kFail) return;
+  outcome.reason = ReasonOf(done);
+  const MotionFindings& findings = done.repaired.findings;
+  if (!findings.lost.empty()) outcome.reason += "; " + LostText(findings.lost, findings.duration_s);
 }
 
 /// @throws CannotKeep if the plan cannot be written.

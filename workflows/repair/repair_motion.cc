@@ -147,16 +147,15 @@ void DropUnneeded(const RepairOptions& options, PreparedMotion& prepared) {
 }
 
 /// Slows a motion at times that cannot be done, or leaves them out if they are as slow as is allowed.
-/// @return false if nothing is left to try. @param lost  parts whose leaving out is not allowed.
-bool Ease(const RobotModel& model, const RepairOptions& options, const BadTimes& bad, PreparedMotion& prepared,
-          std::vector<LeftOutPart>& lost) {
+/// @return false if nothing is left to try.
+bool Ease(const RobotModel& model, const RepairOptions& options, const BadTimes& bad, PreparedMotion& prepared) {
   MotionFindings& findings = prepared.findings;
   if (options.stretch > 1.0 && SlowDown(bad.file_s, options.stretch, bad.why, findings.slowed)) return true;
   if (bad.is_far || options.leave_out == 0.0) return false;
   std::vector<LeftOutPart> parts = findings.left_out;
   if (!LeaveOut(model, KindOfGround(prepared.terrain), prepared.of_file, bad.file_s, bad.why, parts)) return false;
   if (DurationOf(parts) > options.leave_out * findings.duration_s) {
-    lost = std::move(parts);
+    findings.lost = std::move(parts);
     return false;
   }
   findings.left_out = std::move(parts);
@@ -164,15 +163,10 @@ bool Ease(const RobotModel& model, const RepairOptions& options, const BadTimes&
 }
 
 /// Adds to a failure which parts cannot be done.
-void TellLost(const std::vector<LeftOutPart>& lost, double duration_s, double allowed, Failure& failure) {
-  if (lost.empty()) return;
-  std::vector<std::string> times;
-  for (const LeftOutPart& part : lost) times.push_back(fmt::format("{:.2f} to {:.2f} s", part.start_s, part.end_s));
-  const double share = std::min(1.0, std::ceil(100.0 * DurationOf(lost) / duration_s) / 100.0);
-  failure.message += fmt::format(
-      "; without {} the rest could be tried, but that is {:.0f} % of the motion and repair.leave_out allows "
-      "{:.0f} %",
-      fmt::join(times, ", "), 100.0 * share, 100.0 * allowed);
+void TellLost(const MotionFindings& findings, Failure& failure) {
+  if (findings.lost.empty()) return;
+  const double share = std::min(1.0, std::ceil(100.0 * DurationOf(findings.lost) / findings.duration_s) / 100.0);
+  failure.message += "; " + LostText(findings.lost, findings.duration_s);
   failure.suggestions.emplace_back("repair.leave_out", share, Certainty::kUntried,
                                    fmt::format("--leave-out {:.2f}", share));
 }
@@ -187,7 +181,6 @@ Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& requ
   ReleaseFreedMemory();
   findings.kept = IsSound(prepared, proof);
   std::optional<Result<RepairedMotion>> best;
-  std::vector<LeftOutPart> lost;
   for (int attempt = 1;; ++attempt) {
     FollowReport report;
     Result<RepairedMotion> repaired = Attempt(model, request, prepared, report);
@@ -203,12 +196,15 @@ Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& requ
     } else if (*best) {
       (*best)->proved = false;  // the proof was called for another plan since
     }
-    if (bad.file_s.empty() || attempt == kMostAttempts || !Ease(model, request.repair, bad, prepared, lost)) break;
+    if (bad.file_s.empty() || attempt == kMostAttempts || !Ease(model, request.repair, bad, prepared)) break;
     Arrange(model, request.repair, prepared);
   }
-  if (*best) return std::move(*best);
+  if (*best) {
+    (*best)->findings.lost = findings.lost;
+    return std::move(*best);
+  }
   Failure failure = best->failure();
-  TellLost(lost, findings.duration_s, request.repair.leave_out, failure);
+  TellLost(findings, failure);
   return failure;
 }
 

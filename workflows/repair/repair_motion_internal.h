@@ -57,6 +57,7 @@ struct MotionFindings {
   bool kept = false;                            ///< the file's motion is sound, and is the result
   std::vector<SlowedPart> slowed;               ///< by start
   std::vector<LeftOutPart> left_out;            ///< by start
+  std::vector<LeftOutPart> lost;                ///< would have to be left out too, but are more than is allowed
   std::vector<PartedLinks> parted;              ///< the deepest overlap first
 };
 

@@ -279,6 +279,7 @@ std::vector<std::string> UnsavedParts(const RepairResult& result, const std::str
   for (const LeftOutPart& part : result.findings.left_out)
     parts.push_back(fmt::format("{:.2f} to {:.2f} s of the original were left out, because {}", part.start_s,
                                 part.end_s, part.why));
+  if (!result.findings.lost.empty()) parts.push_back(LostText(result.findings.lost, result.findings.duration_s));
   const CleanMotion& clean = result.findings.clean;
   if (clean.unreached_m > kMovedHardly) {
     parts.push_back(

@@ -260,6 +260,7 @@ std::string RepairText(const RepairResult& result) {
     if (!kept || change.kind == RepairChangeKind::kSmoothed) text += change.text + "\n";
   }
   if (result.repaired == nullptr) return text;
+  if (!findings.lost.empty()) text += "not left out: " + LostText(findings.lost, findings.duration_s) + "\n";
   if (kept) text += "the motion is sound as it is, and was kept\n";
   text += DistanceText(result.repaired->distance);
   if (!kept) text += result.repaired->finished.summary + "\n";

@@ -108,6 +108,12 @@ TEST(LeftOut, JoinsPartsThatAreNear) {
   EXPECT_GT(parts[0].end_s, 3.4);
 }
 
+TEST(LeftOut, PartsThatAreTooMuchAreTold) {
+  const std::string text = LostText({{0.5, 1.5, Pose::Identity(), ""}, {2.0, 4.0, Pose::Identity(), ""}}, 5.0);
+  for (const char* part : {"0.50 to 1.50 s", "2.00 to 4.00 s", "60 %"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
 TEST(LeftOut, IsNothingWhereTheRobotNeverStands) {
   const RobotModel& model = NamedRobot("a1");
   EvenMotion flies = synthetic::Standing(model, 101);

@@ -43,6 +43,8 @@ TEST(RepairPage, TablesHaveWhatFailsAndHowFarItIs) {
   MotionFindings shorter = findings;
   shorter.left_out = {{0.5, 1.75, Pose::Identity(), "it flies"}};
   EXPECT_EQ(UnsavedParts({model, shorter, &repaired}, "").size(), 2U);
+  shorter.lost = {{0.0, 3.5, Pose::Identity(), "it flies"}};
+  EXPECT_EQ(UnsavedParts({model, shorter, &repaired}, "").size(), 3U);
   RepairedMotion sound = repaired;
   sound.after.violations.clear();
   sound.broken.clear();
