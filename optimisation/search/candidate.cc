@@ -16,8 +16,6 @@ constexpr Variation kFinished[] = {{1.0, 0, 1.0, false, true},       {1.0, 3, 1.
                                    {1.0, 6, 1.0, false, true},       {1.0, 0, 1.0, false, true, 0.4},
                                    {1.0, 0, 1.12, false, true, 0.4}, {1.0, -1, 1.12, false, true, 0.35}};
 constexpr std::size_t kFlatSoles = 3;  // rows of kFinished
-/// Over uneven ground: flat soles, then heels that rise, with which legs reach lower steps behind them.
-constexpr Variation kFinishedUneven[] = {{1.0, 0, 1.0, false, true}, {1.0, 0, 1.0, false, true, 0.5}};
 /// A robot's own walk is calm: its heels stay down.
 constexpr Variation kFinishedCalm[] = {{1.0, 0, 1.0, false, true}, {0.7, 0, 1.0, false, true}};
 /// Other flights, then other footholds.
@@ -47,7 +45,7 @@ std::span<const Variation> FinishedVariationsFor(const SearchSituation& s) {
       if (s.may_slow_down) return kFinishedCalm;
       return s.may_raise_heels ? std::span<const Variation>(kFinished) : std::span(kFinished).first(kFlatSoles);
     case SearchSituation::Kind::kUneven:
-      return s.may_raise_heels ? std::span<const Variation>(kFinishedUneven) : std::span(kFinishedUneven).first(1);
+      return std::span<const Variation>(kFinished).first(1);
     case SearchSituation::Kind::kFlying:
       break;
   }

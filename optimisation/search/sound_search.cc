@@ -199,11 +199,12 @@ double LargestOnTheGround(const SearchProblem& problem, Evaluator& evaluator) {
 /// Soles that stay flat find no footholds: the walk with heels that rise, where soles step forward over uneven ground.
 /// @param flat  the result with flat soles.
 SearchResult WithHeels(const SearchProblem& problem, Evaluator& evaluator, SearchResult flat) {
-  constexpr double kSlow = 0.35;  // of the robot's own speed, at which it is too fast for steps that need this
+  constexpr double kHeelOff = 0.5;  // [rad], with which an ankle reaches a step that is a quarter of the leg lower
+  constexpr double kSlow = 0.35;    // of the robot's own speed, at which it is too fast for steps that need this
   const SearchSituation& situation = problem.situation;
   if (situation.kind != Kind::kUneven || !situation.may_raise_heels) return flat;
   const double pace = situation.may_slow_down ? kSlow * problem.paces.asked : problem.paces.asked;
-  const Candidate candidate{pace, 0, 1.0, false, true, FinishedVariationsFor(situation).back().heel_off_rad};
+  const Candidate candidate{pace, 0, 1.0, false, true, kHeelOff};
   Evaluation evaluation = evaluator.Evaluate(candidate, Effort::kWhole);
   if (evaluation.sound()) return {candidate, std::move(evaluation), FailureCode::kNoFootholds};
   flat.evaluation = std::move(evaluation);  // it names wider limits
