@@ -19,7 +19,8 @@ double Held_mb() {
 }
 
 /// Ten minutes of simulated time with two pages, one of which reads nothing. Gait and speed change; the robot is
-/// pushed, posed, stood up and reset.
+/// pushed, posed, stood up and reset. The session's clock stands still and each picture is waited for, so that the
+/// outcome does not depend on the load of the machine.
 TEST(LiveMemory, IsFlatOverTenMinutes) {
   constexpr double kPicture_s = 1.0 / 60.0;
   const RobotModel model = ChooseRobot("a1", "").value();
@@ -29,7 +30,7 @@ TEST(LiveMemory, IsFlatOverTenMinutes) {
   const std::string host = "127.0.0.1:" + std::to_string(server->port());
   SocketClient reads(server->port()), idle(server->port());
   for (SocketClient* page : {&reads, &idle}) ASSERT_EQ(page->Open("/live", "http://" + host, host), 101);
-  LiveSession session(*live, *server, {});
+  LiveSession session(*live, *server, {}, [] { return 0.0; });
   const std::vector<std::pair<int, std::string>> says = {
       {60, R"({"do":"pace","gait":"trot","speed_m_s":0.3})"},
       {600, R"({"do":"pace","gait":"trot","speed_m_s":0.6})"},
@@ -48,12 +49,15 @@ TEST(LiveMemory, IsFlatOverTenMinutes) {
     }
     session.Turn(kPicture_s);
     if (live->wanted() && picture % 60 == 0) live->WaitForPlan();
-    while (picture % 4 == 0 && reads.Hear(std::chrono::milliseconds(2))) ++heard;
+    if (picture % 4 == 0 && reads.Hear()) {
+      do ++heard;
+      while (reads.Hear(std::chrono::milliseconds(2)));
+    }
     walked += live->mode() == LiveMode::kWalks ? 1 : 0;
     if (picture == 7199) after_two_minutes = Held_mb();
   }
   EXPECT_GT(walked, 18000);
-  EXPECT_GT(heard, 9000);
+  EXPECT_GE(heard, 9000);
   EXPECT_GT(after_two_minutes, 1.0);
   EXPECT_LT(Held_mb(), after_two_minutes + 1.0) << "MB, from " << after_two_minutes;
 }
