@@ -9,6 +9,7 @@
 #include "optimisation/pipeline/choose_contacts_internal.h"
 #include "optimisation/pipeline/press_soles_internal.h"
 #include "optimisation/pipeline/solve_windows_internal.h"
+#include "optimisation/whole_body/swing_room_internal.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/sole_support.h"
 
@@ -243,7 +244,10 @@ double PacedTimes::NewRow(double problem_s) const {
 MotionPlan ChooseContacts(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
                           const FinishSettings& settings, ChosenContacts& chosen) {
   const bool times = options.timing == "optimised", places = options.footholds == "free";
-  if (!times && !places) return plan;
+  const bool turns_over = std::ranges::any_of(plan.parts, [](const MotionPart& part) { return TurnsOver(part.gait); });
+  const bool paths = options.swings == "free" && !turns_over;
+  if (!times && !places && !paths) return plan;
+  const SwingFreedom freedom{options.most_shift_m, options.clearance_m, places ? options.most_shift_m : 0.0};
   std::vector<FootCourse> courses = CoursesOf(model, plan);
   const FootRolls rolls = RollsOf(model, plan.whole_body, courses);
   for (std::size_t i = 0; i < courses.size(); ++i)
@@ -251,6 +255,7 @@ MotionPlan ChooseContacts(const RobotModel& model, const MotionPlan& plan, const
   const std::vector<double> knots_s = KnotTimesOf(plan, options.knot_step_s);
   BodyProblem problem = ProblemOf(model, plan, courses, knots_s, settings);
   SetRolledGoals(model, plan.whole_body, rolls, courses, problem);
+  if (paths) FreeSwings(model, plan, courses, freedom, problem);
   KeepFromEdges({}, problem);
   problem.limits_jerk = !times;
   BodyChoices choices;
@@ -277,10 +282,11 @@ MotionPlan ChooseContacts(const RobotModel& model, const MotionPlan& plan, const
   MotionPlan made =
       ChosenPlan(plan, problem, map, times).Made(pace, rows.inner().PointsOf(rows.InnerOf(last.x)), shifts_W);
   if (!Measure(plan, made, shifts_W, chosen)) return plan;
+  if (paths) chosen.swings = FitSwings(model, freedom, made);
   chosen.summary = fmt::format(
       "contacts chosen in {} iterations: phases take {:.2f} to {:.2f} of their time, footholds "
-      "move by up to {:.0f} mm",
-      chosen.iterations, chosen.shortest, chosen.longest, 1e3 * chosen.largest_shift_m);
+      "move by up to {:.0f} mm, {} swings have new paths",
+      chosen.iterations, chosen.shortest, chosen.longest, 1e3 * chosen.largest_shift_m, chosen.swings);
   return made;
 }
 

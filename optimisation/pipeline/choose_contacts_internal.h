@@ -15,13 +15,15 @@ struct ChosenContacts {
   double solve_cpu_s = 0.0;
   double shortest = 1.0, longest = 1.0;  ///< new duration of a phase over the old one: least and largest
   double largest_shift_m = 0.0;          ///< of a foothold
+  int swings = 0;                        ///< with new paths
   std::string summary;                   ///< one line; empty if nothing is to be chosen
 };
 
-/// Chooses contact times (options.timing) and footholds (options.footholds) of a plan together with the motion of its
-/// whole body and the contact forces: one solve of a BodyProblem with the pace of its time and shifts of footholds as
-/// unknowns. Footholds of the start and the end, and those on height fields, stay. The total duration stays; times of
-/// contact are rounded to the plan's rows.
+/// Chooses contact times (options.timing), footholds (options.footholds) and paths of swings (options.swings) of a plan
+/// together with the motion of its whole body and the contact forces: one solve of a BodyProblem with the pace of its
+/// time and shifts of footholds as unknowns, in which swing feet may leave their paths. Footholds of the start and the
+/// end, and those on height fields, stay. The total duration stays; times of contact are rounded to the plan's rows.
+/// Swings of motions that turn over stay.
 /// @return a plan whose contacts are chosen and whose motion is near a solution, for FinishMotion; the plan itself if
 /// nothing is to be chosen or nothing was found.
 MotionPlan ChooseContacts(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,

@@ -352,8 +352,12 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FinishMotion: " + reason);
-  if (options.cycles == "periodic" && (options.timing != "fixed" || options.footholds != "fixed"))
-    throw InvalidArgument("trajectory.cycles=periodic needs trajectory.timing=fixed and trajectory.footholds=fixed");
+  const bool chooses = options.timing != "fixed" || options.footholds != "fixed" || options.swings != "planned";
+  if (options.cycles == "periodic" && chooses) {
+    throw InvalidArgument(
+        "trajectory.cycles=periodic needs trajectory.timing=fixed, trajectory.footholds=fixed and "
+        "trajectory.swings=planned");
+  }
   FinishSettings settings = SettingsOf(plan, options, friction_use);
   settings.end_as_standing = end_as_standing;
   ChosenContacts chosen;

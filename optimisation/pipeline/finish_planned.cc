@@ -12,8 +12,10 @@ void FinishPlanned(const RobotModel& model, const MotionOptions& options, Planne
   FinishReport report;
   MotionPlan raised = planned.plan;
   RaiseHeels(model, {options.trajectory.heel_off_rad, options.trajectory.heel_off_share}, raised);
+  TrajectoryOptions trajectory = options.trajectory;
+  if (trajectory.clearance_m == 0.0) trajectory.clearance_m = options.swing.clearance_m;
   Result<MotionPlan> finished =
-      FinishMotion(model, raised, options.trajectory, options.whole_body.friction_use, &report,
+      FinishMotion(model, raised, trajectory, options.whole_body.friction_use, &report,
                    options.pipeline.end_as_standing && KindOfGround(raised.terrain) == GroundKind::kFlat);
   if (!finished) {
     planned.unfinished = finished.failure();

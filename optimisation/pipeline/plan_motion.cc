@@ -104,7 +104,19 @@ OptionFields TrajectoryOptions::Fields() {
         "Footholds of an optimised whole body: 'free' moves those on planes together with the motion.",
         {"fixed", "free"}},
        {"most_shift_m", &most_shift_m, "m", 0.001, 1.0,
-        "Largest shift of a foothold along each axis of its contact frame for footholds=free."},
+        "Largest shift along each axis: of a foothold for footholds=free, in its contact frame; of a swing foot for "
+        "swings=free."},
+       {"swings",
+        &swings,
+        "",
+        0.0,
+        0.0,
+        "Paths of swing feet of an optimised whole body: 'free' plans them together with the motion; feet keep their "
+        "clearance.",
+        {"planned", "free"}},
+       {"clearance_m", &clearance_m, "m", 0.0, 0.5,
+        "Smallest height of feet in mid swing for swings=free; 0: swing.clearance_m, or half of the planned height if "
+        "that is 0."},
        {"heel_off_rad", &heel_off_rad, "rad", 0.0, 1.2,
         "Pitch of a sole about its front edge at the lift-off of the longest step; 0: soles stay flat. Only for "
         "optimised whole bodies without flight."},

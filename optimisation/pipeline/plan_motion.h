@@ -78,6 +78,8 @@ struct TrajectoryOptions {
   double most_change = 0.25;
   std::string footholds = "fixed";
   double most_shift_m = 0.05;
+  std::string swings = "planned";
+  double clearance_m = 0.0;
   double heel_off_rad = 0.0;
   double heel_off_share = 1.0;
   double self_distance_m = 0.004;
@@ -94,6 +96,7 @@ struct TrajectoryOptions {
 /// Tuning
 ///   motors near their limits, or hot, in a gait with flight         timing=optimised
 ///   a gait with flight has no plan over stones, slopes or steps     footholds=free
+///   motors of legs near their limits in swings                      trajectory.swings=free
 struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "kinematics/spatial/dense_solvers.h"
-#include "kinematics/trajectory/bspline.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/swing/fit_detour.h"
 #include "optimisation/swing/refine_swing.h"
 #include "optimisation/swing/swing_planes.h"
 #include "planning/plan/sample_plan.h"
@@ -37,26 +36,20 @@ std::vector<double> SharesLookedAt() {
 
 /// Control points of a swing that is a detour, or of the detour nearest to its bump.
 std::vector<Vector3> DetourOf(const SwingTrajectory& swing) {
-  constexpr int kPoints = 8, kFixed = 3, kSamples = 40;
+  constexpr int kPoints = 8, kSamples = 40;
   if (!swing.detour_W.empty() && swing.detour_W.size() % 2 == 0) return swing.detour_W;
   SwingCurve straight = CurveOf(swing);
   straight.lift_m = 0.0;
   straight.detour_W.clear();
-  MatrixX basis = MatrixX::Zero(kSamples, kPoints), off(kSamples, 3);
+  std::vector<double> shares;
+  std::vector<Vector3> off_W;
   for (int k = 0; k < kSamples; ++k) {
-    const double share = (k + 1) / (kSamples + 1.0);
-    const double time_s = swing.start_s + share * (swing.end_s - swing.start_s);
-    const QuinticBasis at = EvaluateQuinticBasis(kPoints + 2 * kFixed, share);
-    for (int i = 0; i < 6; ++i) {
-      const int point = at.first + i - kFixed;
-      if (point >= 0 && point < kPoints) basis(k, point) = at.value[static_cast<std::size_t>(i)];
-    }
-    off.row(k) = Evaluate(CurveOf(swing), time_s).X_WF.translation() - Evaluate(straight, time_s).X_WF.translation();
+    shares.push_back((k + 1) / (kSamples + 1.0));
+    const double time_s = swing.start_s + shares.back() * (swing.end_s - swing.start_s);
+    off_W.emplace_back(Evaluate(CurveOf(swing), time_s).X_WF.translation() -
+                       Evaluate(straight, time_s).X_WF.translation());
   }
-  const MatrixX found = SolveLeastSquares(basis, off);
-  std::vector<Vector3> points;
-  for (int i = 0; i < kPoints; ++i) points.emplace_back(found.row(i));
-  return points;
+  return FitDetour(shares, off_W, kPoints);
 }
 
 double RadiusOf(const RigidBodyProblem& problem, const RigidSwing& swing) {

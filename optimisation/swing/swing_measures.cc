@@ -9,7 +9,6 @@
 #include "planning/audit/swing_depth.h"
 
 namespace gaitwright {
-namespace {}  // namespace
 
 std::vector<Vector3> UndersideOf(const Foot& foot) {
   std::vector<Vector3> points = {Vector3::Zero()};

@@ -7,14 +7,14 @@ namespace gaitwright {
 
 int FootGoal::count() const { return static_cast<int>(std::count(rows.begin(), rows.end(), true)); }
 
-VectorX WithinOf(const BodyKnot& knot) {
-  std::vector<double> within;
+std::vector<RowBounds> FootBoundsOf(const BodyKnot& knot) {
+  std::vector<RowBounds> bounds;
   for (const FootGoal& goal : knot.feet) {
     for (std::size_t i = 0; i < goal.rows.size(); ++i) {
-      if (goal.rows[i]) within.push_back(goal.within[i]);
+      if (goal.rows[i]) bounds.push_back({-goal.below[i], goal.above[i]});
     }
   }
-  return Eigen::Map<const VectorX>(within.data(), static_cast<Eigen::Index>(within.size()));
+  return bounds;
 }
 
 void StateOf(const TurningChart& chart, const VectorJet& jet, ChartedState& state) {

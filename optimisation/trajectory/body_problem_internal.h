@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics/collision/link_distances_internal.h"
+#include "optimisation/numerics/elastic_rows_internal.h"
 #include "optimisation/trajectory/chain_spline_internal.h"
 #include "optimisation/trajectory/knot_model_internal.h"
 #include "optimisation/trajectory/turning_chart_internal.h"
@@ -32,7 +33,8 @@ struct FootGoal {
   Vector3 normal_W = Vector3::UnitZ();   ///< of a sphere
   Matrix3 axes_W = Matrix3::Identity();  ///< along which the position's rows are
   std::array<bool, 6> rows{};            ///< position by axis, rotation by axis of F
-  std::array<double, 6> within{};        ///< what each of these may be off by [m], [rad]
+  std::array<double, 6> below{};         ///< how far each of these may be below its goal [m], [rad]
+  std::array<double, 6> above{};         ///< how far each of these may be above it
   bool swings = false;                   ///< for messages
 
   int count() const;
@@ -78,8 +80,8 @@ struct BodyKnot {
   bool is_given = false;        ///< place and motion are those of the reference, and nothing else is asked or weighed
 };
 
-/// What the rows of a knot's feet may be off by, in their order [m], [rad].
-VectorX WithinOf(const BodyKnot& knot);
+/// Bounds on the rows of a knot's feet, in their order: how far each may be from its goal [m], [rad].
+std::vector<RowBounds> FootBoundsOf(const BodyKnot& knot);
 
 /// Weights of the cost, each for a unit of what it weighs and for 10 ms.
 struct BodyWeights {

@@ -101,7 +101,7 @@ void BodyRows::ListRows() {
     knot.posture = VectorX::Zero(CountOf(knot, Asked(k), kFeet) + CountOf(knot, Asked(k), kApart) +
                                  CountOf(knot, Asked(k), kPoint));
     knot.J = MatrixX::Zero(knot.posture.size(), n_);
-    if (CountOf(knot, Asked(k), kFeet) > 0) knot.feet_within = WithinOf(Asked(k));
+    if (CountOf(knot, Asked(k), kFeet) > 0) knot.of_feet = FootBoundsOf(Asked(k));
   }
   value_ = VectorX::Zero(rows);
 }

@@ -101,9 +101,9 @@ class BodyRows : public ElasticRows {
     Eigen::Index row[kKinds + 1] = {};   // first of each kind; residuals and constraints are apart
     Eigen::Index residual_end = 0;
     VectorX y;
-    VectorX dense, posture;        // values
-    VectorX feet_within;           // what rows of feet may be off by
-    std::vector<Vector3> shift_W;  // of goals of feet, or empty
+    VectorX dense, posture;          // values
+    std::vector<RowBounds> of_feet;  // bounds of rows of feet [m], [rad]
+    std::vector<Vector3> shift_W;    // of goals of feet, or empty
     KnotPace pace;
     MatrixX D;     // dense rows by y
     MatrixX J;     // posture rows by coordinates

@@ -52,8 +52,8 @@ RowBounds BodyRows::BoundsOf(Index row) const {
     return {low + (1.0 - ramp) * std::min(0.0, standing - low), high + (1.0 - ramp) * std::max(0.0, standing - high)};
   }
   if (row >= knot.row[kFeet] && row < knot.row[kEffortLimit]) {
-    const double within = kFootUnit * knot.feet_within[row - knot.row[kFeet]];
-    return {-within, within};
+    const RowBounds& bounds = knot.of_feet[static_cast<std::size_t>(row - knot.row[kFeet])];
+    return {kFootUnit * bounds.lower, kFootUnit * bounds.upper};
   }
   if (row >= knot.row[kCone] && row < knot.row[kApart]) return {-kNone, -problem_.use.cone_margin};
   if (row >= knot.row[kApart] && row < knot.row[kPinnedPlace]) {

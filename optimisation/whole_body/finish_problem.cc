@@ -208,7 +208,7 @@ BodyProblem ProblemOf(const RobotModel& model, const MotionPlan& plan, const std
       knot.feet.back().rows = tumbles ? std::array<bool, 6>{} : rows[i];
       if (model.feet[foot].type == FootType::kLine && !place.swings) {
         knot.feet.back().rows[3] = true;
-        knot.feet.back().within[3] = kStanceTilt;
+        knot.feet.back().below[3] = knot.feet.back().above[3] = kStanceTilt;
       }
       if (!place.presses) continue;
       knot.pressing.push_back(PressingOf(model, plan, place, supports_F[place.foothold], settings.friction_use));

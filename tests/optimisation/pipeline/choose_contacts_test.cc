@@ -153,6 +153,23 @@ TEST(ChooseContacts, SwingsFollowTheirFootholds) {
   EXPECT_EQ(plan.schedule.end_s(), plan.whole_body.end_s());
 }
 
+TEST(ChooseContacts, SparesWorkByThePathsOfSwings) {
+  FinishReport report;
+  const MotionPlan planned = Finished({.near = 0.2, .power = 3.0}, report);
+  const MotionPlan free = Finished({.near = 0.2, .power = 3.0, .swings = "free"}, report);
+  ExpectAudited(free);
+  EXPECT_LE(report.residual_force, 1e-3);
+  EXPECT_LT(PositiveWork(free), 0.97 * PositiveWork(planned));
+  EXPECT_EQ(free.schedule, planned.schedule);
+  int changed = 0;
+  for (std::size_t i = 0; i < free.swings.size(); ++i) {
+    const SwingTrajectory &now = free.swings[i], &before = BoundPlan().swings[i];
+    EXPECT_GE(now.clearance_m, 0.5 * before.clearance_m - 1e-4);
+    if (!now.detour_W.empty()) ++changed;
+  }
+  EXPECT_GT(changed, 0);
+}
+
 TEST(ChooseContacts, KeepsContactsForWhichItFindsNoMotion) {
   ChosenContacts chosen;
   const TrajectoryOptions none{.max_iterations = 1, .timing = "optimised"};

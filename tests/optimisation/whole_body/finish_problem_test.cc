@@ -88,16 +88,17 @@ TEST(ProblemOf, ASoleWithoutAnAnkleRollJointStaysFlatInStanceAndIsFreeToRollInSw
     for (const FootGoal& goal : knot.feet) {
       EXPECT_EQ(goal.rows[3], !goal.swings);
       if (goal.swings) continue;
-      EXPECT_GT(goal.within[3], 0.0);
-      EXPECT_LT(goal.within[3], 2e-3) << "[rad]";
-      for (const std::size_t i : {0u, 1u, 2u, 4u, 5u}) EXPECT_EQ(goal.within[i], 0.0);
+      EXPECT_GT(goal.above[3], 0.0);
+      EXPECT_LT(goal.above[3], 2e-3) << "[rad]";
+      EXPECT_EQ(goal.below, goal.above);
+      for (const std::size_t i : {0u, 1u, 2u, 4u, 5u}) EXPECT_EQ(goal.above[i], 0.0);
     }
   }
   const RobotModel nao = AnyRobot("nao");
   const MotionPlan steps = SteppingPlan(nao);
   const BodyProblem rolled = ProblemOf(nao, steps, CoursesOf(nao, steps), knots_s, {});
   for (const FootGoal& goal : rolled.knots.front().feet)
-    EXPECT_EQ(goal.within, (std::array<double, 6>{})) << "ankles roll these";
+    EXPECT_EQ(goal.above, (std::array<double, 6>{})) << "ankles roll these";
 }
 
 TEST(ProblemOf, PinsTheStartAndRestsAtTheEnd) {

@@ -36,8 +36,8 @@ TEST(RepairReport, SaysEachChangeInWords) {
   const std::string text = RepairText({model, SomeFindings()});
   for (const char* part :
        {"other contact: link 'knee' is on the ground from 1.00 to 1.50 s of the file",
-        "left out: 0.50 to 1.25 s of the file, because no motion was found there; the robot stands instead, and what "
-        "follows is moved",
+        "left out: 0.50 to 1.25 s of the file, because no motion was found there; the robot stands instead",
+        "and what follows is moved",
         "parted: 'hand' and 'hip' overlap by up to 37.0 mm between 0.25 and 0.75 s in the file",
         "a1: 201 rows of frames-csv, 2.000 s", "before: cannot be audited: it has no feet",
         "smoothed: positions were smoothed above 6 Hz", "0 short stances and 2 short swings were taken away",
