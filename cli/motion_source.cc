@@ -17,7 +17,7 @@ void AddMotionSource(Verb verb, std::string_view name, std::string_view help, Im
   const OptionFields fields = request.options.Fields();
   AddField(verb, "--rate-hz", fields, "rate_hz");
   AddText(verb, "--topic", "NAME", request.options.topics,
-          "Topics of a recording to read, separated by commas; default: those that can only mean one motion.");
+          "Topics of a recording to read, separated by commas; default: the only topic of each type.");
   AddField(verb, "--quaternion-order", fields, "quaternion_order");
   AddField(verb, "--angle-unit", fields, "angle_unit");
   AddField(verb, "--length-unit", fields, "length_unit");

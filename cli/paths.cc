@@ -50,7 +50,7 @@ void CheckOutput(const NamedPath& output, const Paths& paths) {
 
 /// Checks the folder of plots; each plot there has its own name, which ends in .svg.
 void CheckPlots(const Paths& paths) {
-  CheckWritable("--plot-dir", paths.plot_folder, WhyNoNewFiles(paths.plot_folder));
+  CheckWritable("--plot-dir", paths.plot_folder, ReasonNoNewFiles(paths.plot_folder));
   for (const NamedPath& input : paths.read) {
     const fs::path path(input.path), folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (path.extension() != ".svg" || !IsSameFile(folder.string(), paths.plot_folder)) continue;

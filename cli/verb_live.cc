@@ -19,6 +19,16 @@
 namespace gaitwright::cli {
 namespace {
 
+/// Without the choice of both engines: a page shows one world.
+OptionFields InOneEngine(OptionFields fields) {
+  for (OptionField& field : fields) {
+    if (field.key != "play.engine") continue;
+    std::erase(field.choices, "both");
+    field.meaning = "Physics engine of the world.";
+  }
+  return fields;
+}
+
 /// Options that can be set: those of plans, the world and the controller. Sensors, delays and timed pushes are for
 /// 'play'. Bumps are for 'play' too, since they cover a limited area and this walk has no end.
 OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
@@ -29,7 +39,7 @@ OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
   std::erase_if(all, [&](const OptionField& field) {
     return FirstIdle(play, {field.key}, {"play.ground_slope_deg"}).has_value();
   });
-  return all;
+  return InOneEngine(all);
 }
 
 struct LiveSettings {
@@ -107,7 +117,7 @@ void AddLive(Verb program, int& status) {
   AddText(verb, "--controller", "NAME", a->play.controller,
           "stabilised, joint-pd or recovering (as stabilised, but takes recovery steps if pushed while standing); "
           "default stabilised.");
-  const OptionFields fields = a->play.Fields();
+  const OptionFields fields = InOneEngine(a->play.Fields());
   AddField(verb, "--engine", fields, "play.engine");
   verb.SetGroup("Web page");
   AddText(verb, "--host", "ADDRESS", a->address.host,

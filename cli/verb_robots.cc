@@ -149,7 +149,7 @@ std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& 
 }
 
 /// Why there is no plan of a 1 m walk at the robot's default speed that passes the audit, or nothing.
-std::optional<std::string> WhyNoWalk(const RobotModel& model) {
+std::optional<std::string> ReasonNoWalk(const RobotModel& model) {
   WalkRequest request;
   request.own_pace = true;
   request.command.distance_m = 1.0;
@@ -163,7 +163,7 @@ std::optional<std::string> WhyNoWalk(const RobotModel& model) {
 }
 
 std::string VerdictOn(const RobotModel& model, std::size_t errors, std::size_t warnings) {
-  if (const auto reason = WhyNoWalk(model)) return "cannot walk: " + *reason;
+  if (const auto reason = ReasonNoWalk(model)) return "cannot walk: " + *reason;
   if (errors > 0) return fmt::format("walks with errors ({}) and warnings ({})", errors, warnings);
   return warnings == 0 ? "walks" : fmt::format("walks with warnings ({})", warnings);
 }
@@ -297,7 +297,8 @@ int CheckOneRobot(const RobotsSettings& a) {
 
 void AddRobots(Verb program, int& status) {
   auto a = std::make_shared<RobotsSettings>();
-  const Verb verb = program.AddVerb("robots", "List the robots; 'robots show X' prints what was derived from a URDF");
+  const Verb verb =
+      program.AddVerb("robots", "List the robots; 'robots show X' prints what was derived from a description");
   const Verb show = verb.AddVerb("show", "Show one robot: legs, feet, posture, limits");
   AddRobotTo(show, *a);
   show.SetGroup("Draw it standing");

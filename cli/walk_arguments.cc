@@ -46,9 +46,10 @@ void WalkArguments::AddTo(Verb verb) {
                               "Planner of the centre of mass: optimised, closed-form, preview or rigid-body; default "
                               "optimised, and rigid-body for gaits with flight.");
   keyed.push_back({method, "centre_of_mass.method"});
-  const Flag whole = AddText(verb, "--method", "NAME", request.motion.trajectory.method,
-                             "whole-body: optimise the motion of the whole body and its contact forces together; "
-                             "default as-needed: for gaits with flight, and where planning passes do not settle.");
+  const Flag whole =
+      AddText(verb, "--method", "NAME", request.motion.trajectory.method,
+              "whole-body: optimise the motion of the whole body and its contact forces together; "
+              "default as-needed: for gaits with flight, and where the plan of the passes is not feasible.");
   keyed.push_back({whole, "trajectory.method"});
   verb.SetGroup("Options");
 }

@@ -9,8 +9,8 @@ set(CPACK_PACKAGE_NAME gaitwright)
 set(CPACK_PACKAGE_VENDOR "The Gaitwright authors")
 set(CPACK_PACKAGE_CONTACT "The Gaitwright authors <maintainers@gaitwright.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "gait planning for legged robots, checked in physics")
-set(CPACK_PACKAGE_DESCRIPTION "Gaitwright makes motion plans for legged robots from a URDF, a terrain and a command, audits
-them against the limits of the robot, plays them in Bullet and scores the motion. This package holds the program, the
+set(CPACK_PACKAGE_DESCRIPTION "Gaitwright makes motion plans for legged robots from a URDF or MJCF, a terrain and a command, audits
+them against the limits of the robot, plays them in Bullet and MuJoCo and scores the motion. This package holds the program, the
 Python module, robots, gaits, the handbook, and the libraries and headers for programs in C++.")
 set(CPACK_PACKAGE_FILE_NAME gaitwright-${PROJECT_VERSION}-linux-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)

@@ -64,7 +64,7 @@ configure() {
   if ! (cd "$root" && cmake --preset "$preset" "$@") >"$log" 2>&1; then
     cat "$log" >&2
     rm -f "$log"
-    fail "the build in build/$preset could not be configured; the reason stands above."
+    fail "the build in build/$preset could not be configured; see the output above."
   fi
   rm -f "$log"
 }
@@ -76,5 +76,5 @@ build() {
   local targets=()
   [ $# = 0 ] || targets=(--target "$@")
   say "Building build/$preset (the first time takes minutes)"
-  cmake --build "$root/build/$preset" "${targets[@]}" >&2 || fail "the build failed; the reason stands above."
+  cmake --build "$root/build/$preset" "${targets[@]}" >&2 || fail "the build failed; see the output above."
 }

@@ -31,10 +31,10 @@ std::string ReasonNotWritable(const std::string& path) {
     if (!fs::is_regular_file(target, error)) return "it exists and is not a regular file";
     error = Denied(target, W_OK);
   }
-  return error ? error.message() : WhyNoNewFiles(target.parent_path().string());
+  return error ? error.message() : ReasonNoNewFiles(target.parent_path().string());
 }
 
-std::string WhyNoNewFiles(const std::string& folder) {
+std::string ReasonNoNewFiles(const std::string& folder) {
   std::error_code error;
   fs::path at(folder);
   while (!at.empty() && !fs::exists(at, error) && !error) at = at.parent_path();

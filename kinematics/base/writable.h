@@ -12,6 +12,6 @@ std::string ReasonNotWritable(const std::string& path);
 
 /// Reason why new files could not be written in a folder, as text; "" if they can. The folder may not exist yet. The
 /// argument "" is the current folder.
-std::string WhyNoNewFiles(const std::string& folder);
+std::string ReasonNoNewFiles(const std::string& folder);
 
 }  // namespace gaitwright

@@ -66,9 +66,9 @@ class Comparison {
   void Numbers(const RobotPart& part, const char* what, double of_a, double of_b, const char* unit) {
     if (!NumbersDiffer(of_a, of_b)) return;
     if (!std::isfinite(of_a))
-      Add(part, fmt::format("its {} does not exist here and is {:.4g}{} in the other robot", what, of_b, unit));
+      Add(part, fmt::format("its {} is unknown here and is {:.4g}{} in the other robot", what, of_b, unit));
     else if (!std::isfinite(of_b))
-      Add(part, fmt::format("its {} is {:.4g}{} here and does not exist in the other robot", what, of_a, unit));
+      Add(part, fmt::format("its {} is {:.4g}{} here and unknown in the other robot", what, of_a, unit));
     else
       Add(part, fmt::format("its {} is {:.4g}{} here and {:.4g}{} in the other robot", what, of_a, unit, of_b, unit));
   }

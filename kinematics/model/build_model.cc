@@ -78,7 +78,7 @@ class Builder {
     VisitLink(*urdf.getRoot(), 0, Pose::Identity());
     AssignCoordinates();
     for (const Body& body : model_.bodies) model_.total_mass_kg += body.mass;
-    TellMendedInertias();
+    ReportMendedInertias();
     model_.stiffness = model_.damping = model_.standing_joints = VectorX::Zero(model_.num_dofs());
   }
   RobotModel Take() { return std::move(model_); }
@@ -156,7 +156,7 @@ class Builder {
   }
 
   /// Adds a finding for each link whose inertia is repaired, except for changes that are negligible for the robot.
-  void TellMendedInertias() {
+  void ReportMendedInertias() {
     constexpr double kOfNoAccount = 1e-6;  // share of the robot's inertia
     if (mended_.empty()) return;
     const double whole = RobotMoment();

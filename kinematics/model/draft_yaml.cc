@@ -94,7 +94,7 @@ std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
     const double lowest_m = ends.front().lowest_m;
     const bool foot = (end.lowest_m < 0.0 && end.lowest_m <= kAsLow * lowest_m) ||
                       (limbs.empty() && end.lowest_m == lowest_m);  // the end may have no shape
-    text += fmt::format("{}- {{link: {}}}  # joints {}; comes down to {:.3f} m\n", foot ? "  " : "  # ",
+    text += fmt::format("{}- {{link: {}}}  # joints {}; lowest point at z = {:.3f} m\n", foot ? "  " : "  # ",
                         Quoted(end.link), end.joints, end.lowest_m);
   }
   if (limbs.empty())

@@ -104,9 +104,11 @@ void CheckRoots(const Tree& tree) {
 void RefuseXacro(const XMLElement& robot) {
   for (const XMLElement* child = robot.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     if (std::string_view(child->Name()).starts_with("xacro:"))
-      Refuse(FailureCode::kXacro,
-             fmt::format("line {} has <{}>: this is a xacro file; convert it with 'xacro FILE > robot.urdf'",
-                         child->GetLineNum(), child->Name()));
+      Refuse(
+          FailureCode::kXacro,
+          fmt::format(
+              "line {} has <{}>: a xacro element is left, but the file does not end in .xacro; rename it to FILE.xacro",
+              child->GetLineNum(), child->Name()));
   }
 }
 

@@ -97,8 +97,8 @@ class ShiftProgramme {
         if (direction != nullptr) costs[i] = direction->dot(shifts_.col(i));
         if (artificial_[static_cast<std::size_t>(i)]) costs[i] = direction == nullptr ? -1.0 : 0.0;
       }
-      const Vector4 prices = Matrix4(basis_.transpose()).partialPivLu().solve(costs);
-      Vector6 value = -(across_ * prices), ray;
+      const Vector4 multipliers = Matrix4(basis_.transpose()).partialPivLu().solve(costs);
+      Vector6 value = -(across_ * multipliers), ray;
       if (direction != nullptr) value += to_shift_.transpose() * *direction;
       if (BestRay(value, ray) < kPriced) return;
       const Vector4 column = across_.transpose() * ray, change = lu.solve(column);

@@ -144,7 +144,7 @@ class Limits {
 
 }  // namespace
 
-std::optional<Failure> WhyBeyondLegs(const RigidBodyProblem& problem, double friction_use) {
+std::optional<Failure> ReasonBeyondLegs(const RigidBodyProblem& problem, double friction_use) {
   CheckRigidBodyProblem(problem);
   Limits limits(problem);
   if (auto failure = limits.Flights()) return failure;

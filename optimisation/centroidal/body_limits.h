@@ -18,6 +18,6 @@ namespace gaitwright {
 /// @param friction_use  the share of the ground's friction that the stances use; messages name the ground's friction.
 /// @return kInfeasible `flight_too_long`, `too_little_friction` with the values and hints; nothing if the conditions
 /// hold.  @throws InvalidArgument as CheckRigidBodyProblem does.
-std::optional<Failure> WhyBeyondLegs(const RigidBodyProblem& problem, double friction_use = 1.0);
+std::optional<Failure> ReasonBeyondLegs(const RigidBodyProblem& problem, double friction_use = 1.0);
 
 }  // namespace gaitwright

@@ -35,7 +35,7 @@ struct ChosenFootholds {
 /// those above it. @return false if there is no room; then nothing changes.
 bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double edge_margin_m, RigidStance& stance);
 
-/// Chooses the patch of each free stance, and an initial position on it. A path of the body (body_way.h) and the
+/// Chooses the patch of each free stance, and an initial position on it. A path of the body (body_trajectory.h) and the
 /// footholds are fitted to each other, and each stance gets the patch of lowest cost; if feet stay out of reach, other
 /// patches are tried for them, one at a time. Failure kInfeasible:
 ///   `no_patches`         if there is no room to stand; only patches of the ground are used

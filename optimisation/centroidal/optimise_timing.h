@@ -33,8 +33,8 @@ struct TimedPlan {
 ///
 /// Failures: those of PlanRigidBody, if other times do not help; kInfeasible `no_timing` if the sum of the shortest
 /// durations exceeds the longest total, or the sum of the longest is below the shortest total; kBadInput `no_duration`
-/// if a shortest duration exceeds the longest, `tied_to_time` for leg angular momentum or motor limits, which belong to
-/// given times.
+/// if a shortest duration exceeds the longest, `tied_to_time` for leg angular momentum, motor limits or clearances,
+/// which belong to given times.
 /// @throws InvalidArgument as CheckRigidBodyProblem does, and for invalid options.
 /// @param first  if given: the motion at the given times, with the same options. It is planned again if some of these
 ///               times are out of bounds and are moved to the bounds.

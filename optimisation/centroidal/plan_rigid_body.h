@@ -13,8 +13,9 @@
 
 namespace gaitwright {
 
-/// The defaults are those of `walk` and of `bench centroidal`. `walk` changes two of them (MotionOptions): the method
-/// while footholds are free, and swing_lead_s, because the legs of robots have mass.
+/// The defaults are those of `bench centroidal`. `walk` changes four of them (MotionOptions): the method unless
+/// footholds are free; swing_lead_s, because the legs of robots have mass; tolerance and max_refinements, because its
+/// passes refine the motion.
 ///
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m

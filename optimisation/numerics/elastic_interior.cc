@@ -70,7 +70,7 @@ class ElasticSolver {
   void Start();
   void StartAtMultipliers();
   void StartSides(double room, double gap);
-  bool IsHopeless() const;
+  bool IsInfeasible() const;
   void Measure();
   void Finish();
   bool Settled();
@@ -179,7 +179,7 @@ void ElasticSolver::StartSides(double room, double gap) {
 }
 
 /// The early check for infeasibility. A solve that is far from it is ended halfway to the check.
-bool ElasticSolver::IsHopeless() const {
+bool ElasticSolver::IsInfeasible() const {
   constexpr double kFar = 100.0;
   const double most = options_.infeasible * (solution_.iterations < options_.screening ? kFar : 1.0);
   return 2 * solution_.iterations >= options_.screening && solution_.violations > most &&
@@ -355,7 +355,7 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
       last_total_ = std::numeric_limits<double>::infinity();
     }
     if (solution_.iterations == options_.max_iterations) break;
-    if (IsHopeless()) break;
+    if (IsInfeasible()) break;
     FindStep();
     TakeStep();
   }

@@ -31,8 +31,8 @@ std::string ReasonNotFinished(const RobotModel& model, const MotionPlan& plan);
 
 /// Makes a plan dynamically consistent: the motion of the whole body and the forces on its feet are optimised together
 /// over the plan's contacts, near the plan's motion. Footholds, swings and times stay unless the options choose them
-/// (ChooseContacts), but that feet that roll land by as much aside as they roll more or less. Forces rise from zero
-/// after touch-down and fall to zero before lift-off.
+/// (ChooseContacts). Only feet that roll land beside their footholds, by the change of their roll. Forces rise from
+/// zero after touch-down and fall to zero before lift-off.
 ///
 /// Failure kInfeasible names the constraint, the joint or foot and the time that forbid the motion.
 /// @throws InvalidArgument as ReasonNotFinished says: for a plan without motion or of another robot, and for one in

@@ -109,7 +109,8 @@ MotionFigures FiguresOf(const RobotModel& model, const PlannedMotion& planned) {
 
 /// Adds adjustments for the changed times. The reason is that the plan with the gaits' own times is refused, or costs
 /// more.
-void TellTimes(const std::vector<WalkPart>& from, const std::vector<WalkPart>& to, FailureCode why, MotionPlan& plan) {
+void ReportTimes(const std::vector<WalkPart>& from, const std::vector<WalkPart>& to, FailureCode why,
+                 MotionPlan& plan) {
   for (std::size_t k = 0; k < to.size(); ++k) {
     if (to[k].gait == from[k].gait) continue;
     const std::string part = to.size() > 1 ? fmt::format("{}: {}", k + 1, to[k].gait.name) : "";
@@ -160,7 +161,7 @@ Result<PlannedMotion> PlanAtBestTimes(const RobotModel& model, const Terrain& te
     Result<PlannedMotion> planned = PlanMotion(model, terrain, other, at_fixed);
     if (!planned || !IsBetterMotion(FiguresOf(model, *planned), former, options.trajectory.residual)) continue;
     best = std::move(planned);
-    TellTimes(parts, other, why, best->plan);
+    ReportTimes(parts, other, why, best->plan);
     break;
   }
   if (best) best->plan.provenance = ProvenanceOf(options);

@@ -75,7 +75,7 @@ OptionFields TrajectoryOptions::Fields() {
         0.0,
         0.0,
         "Planner of the whole body: 'whole-body' optimises its motion and contact forces together; 'as-needed' does so "
-        "for rigid-body gaits and where planning passes do not settle.",
+        "for rigid-body gaits and where the plan of the passes is not feasible.",
         {"as-needed", "whole-body"}},
        {"knot_step_s", &knot_step_s, "s", 0.001, 0.05, "Longest time between knots of the optimisation."},
        {"residual", &residual, "1", 1e-6, 0.02,
@@ -95,7 +95,8 @@ OptionFields TrajectoryOptions::Fields() {
         "Contact times of an optimised whole body: 'optimised' makes them variables; the total duration stays.",
         {"fixed", "optimised"}},
        {"most_change", &most_change, "1", 0.01, 1.0,
-        "Largest change of pace for timing=optimised: times pass up to this share faster or slower."},
+        "Largest change of the rate of time for timing=optimised: phases become shorter or longer by up to this "
+        "share."},
        {"footholds",
         &footholds,
         "",
@@ -118,8 +119,8 @@ OptionFields TrajectoryOptions::Fields() {
         "Smallest height of feet in mid swing for swings=free; 0: swing.clearance_m, or half of the planned height if "
         "that is 0."},
        {"heel_off_rad", &heel_off_rad, "rad", 0.0, 1.2,
-        "Pitch of a sole about its front edge at the lift-off of the longest step; 0: soles stay flat. Only for "
-        "optimised whole bodies without flight."},
+        "Pitch of a sole about its front edge at the lift-off of the longest step; 0: only as far as a plan needs it. "
+        "For optimised whole bodies without flight."},
        {"heel_off_share", &heel_off_share, "1", 0.1, 1.0,
         "Time in which a heel rises before lift-off, as a share of the shortest double support."},
        {"self_distance_m", &self_distance_m, "m", 0.0, 0.1,
@@ -304,7 +305,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   CheckOptions(checked.Fields());
   const std::vector<WalkPart> parts = OnGrid(given, asked);
   const bool stands = std::any_of(parts.begin(), parts.end(), [](const WalkPart& p) { return StandsStill(p.gait); });
-  if (std::optional<Failure> falls = WhyCannotStand(model); falls && stands) return *falls;
+  if (std::optional<Failure> falls = ReasonCannotStand(model); falls && stands) return *falls;
   const MotionOptions options = OptionsOf(model, asked);
   FootstepOptions footsteps = StandingOptions(options);
   if (TurnsOver(parts)) footsteps.settling_s = std::max(footsteps.settling_s, StandingForTurn(model));

@@ -53,10 +53,9 @@ class Refiner {
 
   /// @return false where there is nothing else to try.
   bool PlanAnew() {
-    // Nodes that are too far apart are mended first, since that costs least. Swings are then planned along, beyond
-    // planes between where they were and the ground; an attempt that does not keep its laws is gone on from as long as
-    // it comes nearer, with planes where its swings are. All swings are where one is, for what brings that one back
-    // takes others out.
+    // A closer grid of nodes is tried first, since it costs least. Then all swings become unknowns, kept clear of the
+    // ground by planes; all of them, because a change that brings one swing back into reach takes others out of it. An
+    // infeasible attempt is the start of the next one, with planes at its own swings, as long as the violation falls.
     if (!feasible_ && at_.choice.problem.swings.empty() && result_.changes == 0 && Halve()) return true;
     if (IsStuck()) return BeginElsewhere();
     if ((result_.halvings > 0 || rules_.most_halvings == 0) && (stray_m_ > 0.0 || !feasible_)) {

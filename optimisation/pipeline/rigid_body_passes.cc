@@ -91,7 +91,7 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   constexpr int kMending = 3;     // passes after swings have changed
   // Over uneven ground, swings need to know the motion of the legs over fixed footholds.
   const int at_least = uneven_ ? kFreePasses + 1 : 1;
-  if (const auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use))
+  if (const auto failure = ReasonBeyondLegs(problem_, task_.options.whole_body.friction_use))
     return WithNamesOfFeet(model_, *failure);
   MotionPass best;
   int most = task_.options.pipeline.max_body_passes, least = std::min(at_least, most);

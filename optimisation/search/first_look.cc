@@ -54,7 +54,7 @@ FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkReques
   const Result<AuditReport> audit = Audit(model, motion->plan, {});
   if (!audit || BrokenLimits(*audit).empty()) return look;
   look.ease = EaseOf(*audit);
-  look.refusal = WhyForbidden({std::move(*motion), *audit});
+  look.refusal = ReasonForbidden({std::move(*motion), *audit});
   return look;
 }
 

@@ -67,7 +67,7 @@ Failure RefusedWhole(const Result<PlannedWalk>& planned) {
     failure.suggestions.emplace_back("add standing still between the parts, or make it longer");
     return failure;
   }
-  Failure failure = WhyForbidden(*planned);
+  Failure failure = ReasonForbidden(*planned);
   const std::vector<MotionPart>& parts = planned->motion.plan.parts;
   const std::vector<Violation> forbidding = Forbidding(planned->audit);
   if (!forbidding.empty()) {

@@ -73,7 +73,7 @@ Result<PlannedWalk> PlanTurn(const RobotModel& model, const Terrain& terrain, co
     if (request.motion.pipeline.allow_limits && planned) return planned;
     if (!first || (!IsSound(*first) && sound)) first = std::move(planned);
   }
-  if (*first && !IsSound(*first)) return WhyForbidden(**first);
+  if (*first && !IsSound(*first)) return ReasonForbidden(**first);
   return std::move(*first);
 }
 

@@ -57,7 +57,7 @@ bool IsSound(const Result<PlannedWalk>& planned) {
   return planned && planned->motion.limit_excess < kSlightViolation && Forbidding(planned->audit).empty();
 }
 
-Failure WhyForbidden(const PlannedWalk& planned) {
+Failure ReasonForbidden(const PlannedWalk& planned) {
   const std::vector<Violation> forbidding = Forbidding(planned.audit);
   if (forbidding.empty()) {  // limits that are violated between the audit's samples
     std::string text;
@@ -75,7 +75,7 @@ Failure WhyForbidden(const PlannedWalk& planned) {
 }
 
 FailureCode ReasonRefused(const Result<PlannedWalk>& planned) {
-  return planned ? WhyForbidden(*planned).code : planned.failure().code;
+  return planned ? ReasonForbidden(*planned).code : planned.failure().code;
 }
 
 std::string LimitText(const Violation& v) {

@@ -24,7 +24,7 @@ bool IsTooMuch(const Failure& failure);
 bool IsSound(const Result<PlannedWalk>& planned);
 
 /// Failure for a plan that is not sound: the robot's worst limit, or otherwise the first of the other checks.
-Failure WhyForbidden(const PlannedWalk& planned);
+Failure ReasonForbidden(const PlannedWalk& planned);
 
 /// Code of that failure, or of the planner's own failure.
 FailureCode ReasonRefused(const Result<PlannedWalk>& planned);

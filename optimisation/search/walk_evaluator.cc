@@ -44,7 +44,7 @@ Evaluation EvaluationOf(Result<PlannedWalk> planned) {
   if (!planned) return Refused(planned.failure());
   Evaluation evaluation;
   if (!IsSound(planned)) {
-    evaluation.refusal = WhyForbidden(*planned);
+    evaluation.refusal = ReasonForbidden(*planned);
     evaluation.by_ground = BrokenLimits(planned->audit).empty();
   }
   evaluation.room = RoomOf(planned);

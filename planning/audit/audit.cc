@@ -213,7 +213,7 @@ void Auditor::NoteUnknown(AuditReport& report) const {
 namespace {
 
 /// Reason why the rows of a plan do not fit a robot, or nothing.
-std::optional<std::string> WhyRowsMisfit(const RobotModel& model, const WholeBodyTrajectory& w) {
+std::optional<std::string> ReasonRowsMisfit(const RobotModel& model, const WholeBodyTrajectory& w) {
   if (w.size() < 2) return "it has fewer than two samples";
   const auto columns = [&](const char* name, const std::vector<VectorX>& list, int size) -> std::optional<std::string> {
     if (list.size() != w.q.size())
@@ -237,9 +237,9 @@ std::optional<std::string> WhyRowsMisfit(const RobotModel& model, const WholeBod
   return std::nullopt;
 }
 
-std::optional<std::string> WhyMisfit(const RobotModel& model, const MotionPlan& plan) {
+std::optional<std::string> ReasonMisfit(const RobotModel& model, const MotionPlan& plan) {
   constexpr double kLongest = 3600.0;  // [s]
-  if (auto why = WhyRowsMisfit(model, plan.whole_body)) return why;
+  if (auto why = ReasonRowsMisfit(model, plan.whole_body)) return why;
   const double step = plan.whole_body.step_s;
   if (!(step > 0.0)) return fmt::format("its rows are {} s apart; more than 0 is needed", step);
   if (!(plan.duration_s() <= kLongest))
@@ -256,7 +256,7 @@ std::optional<std::string> WhyMisfit(const RobotModel& model, const MotionPlan& 
 
 Result<AuditReport> AuditOverTime(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options,
                                   std::vector<BrokenTime>& broken) {
-  if (const auto why = WhyMisfit(model, plan)) {
+  if (const auto why = ReasonMisfit(model, plan)) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kMisfit,
                    "Audit",

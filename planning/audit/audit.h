@@ -65,10 +65,10 @@ struct AuditOptions {
 ///   unilateral     no pulling force; centre of pressure inside the part of the sole that is on its surface
 ///   friction_cone  tangential force at most friction times normal force
 ///   zmp_support    multibody ZMP, on the plane of the contacts, inside the hull of the scheduled soles (only the parts
-///                  on their surfaces), or within 2 mm of the hull if it is a line. With a load under an eighth of the
-///                  weight, the tolerance is a moment of 1e-3 m g h. The plan's ZMP reference is checked to 5 mm,
-///                  except between rows with a change of stance.
-///                  For contacts that are not in one plane, the contact forces are checked instead
+///                  on their surfaces), or within 2 mm of the hull if it is a line. For a line, and at a change of
+///                  contacts, the tolerance is max(2 mm, 1e-3 h m g / F) under a load F. The plan's ZMP reference is
+///                  checked to 5 mm, except between rows with a change of stance. For contacts that are not in one
+///                  plane, the contact forces are checked instead
 ///   foot_clearance the whole foot against all solids of the terrain (SolidsOf): at most 0.1 mm deep in swing, 1 mm in
 ///                  stance, and a value between them near both ends of a swing (SwingDepth)
 ///   body_clearance all other shapes against the solids of the terrain

@@ -46,7 +46,7 @@ std::string FeetOf(const RobotModel& model) {
 std::optional<Failure> LacksSupport(const RobotModel& model) {
   if (CanStandStill(model)) return std::nullopt;
   const std::vector<std::string> bare = FeetWithoutShape(model);
-  if (bare.empty()) return model.legs.size() == 2 ? std::nullopt : WhyCannotStand(model);
+  if (bare.empty()) return model.legs.size() == 2 ? std::nullopt : ReasonCannotStand(model);
   std::string soles;
   for (const std::string& foot : bare)
     soles += fmt::format("{}{{link: '{}', sole_m: [[X, Y], ...]}}", soles.empty() ? "" : ", ", foot);
@@ -206,7 +206,7 @@ DynamicsScratch Standing(const RobotModel& model) {
 
 }  // namespace
 
-std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
+std::optional<Failure> ReasonCannotWalk(const RobotModel& model) {
   if (auto halves = HasHalvesOfLegs(model)) return halves;
   if (auto lacks = LacksMotor(model)) return lacks;
   const DynamicsScratch scratch = Standing(model);
@@ -214,7 +214,7 @@ std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
   return LacksSupport(model);
 }
 
-std::optional<Failure> WhyCannotStand(const RobotModel& model) {
+std::optional<Failure> ReasonCannotStand(const RobotModel& model) {
   if (CanStandStill(model)) return std::nullopt;
   return Cannot(FailureCode::kNoSupport,
                 fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a strip {:.1f} mm "
@@ -224,11 +224,11 @@ std::optional<Failure> WhyCannotStand(const RobotModel& model) {
                 {"give the robot soles (robot.yaml, feet: sole_m) or a third foot", "a gait without standing"});
 }
 
-std::optional<Failure> WhyCannotSidestep(const RobotModel& model) {
+std::optional<Failure> ReasonCannotSidestep(const RobotModel& model) {
   return LacksFreedom(model, Standing(model), Walk::kSideways);
 }
 
-std::optional<Failure> WhyCannotTurn(const RobotModel& model) {
+std::optional<Failure> ReasonCannotTurn(const RobotModel& model) {
   return LacksFreedom(model, Standing(model), Walk::kTurning);
 }
 

@@ -17,18 +17,18 @@ namespace gaitwright {
 ///                    the missing motion and the joints of the leg
 /// Lateral motion of a foot, and roll and yaw of a sole, are optional: without them the robot walks only forward and
 /// backward.
-std::optional<Failure> WhyCannotWalk(const RobotModel& model);
+std::optional<Failure> ReasonCannotWalk(const RobotModel& model);
 
 /// Reason why a robot cannot stand still, or nothing. Failure kInfeasible `no_support`: its feet touch the ground in
 /// points on a line.
-std::optional<Failure> WhyCannotStand(const RobotModel& model);
+std::optional<Failure> ReasonCannotStand(const RobotModel& model);
 
 /// Reason why a robot that can walk cannot step sideways, or nothing. Failure kInfeasible `freedoms` names a leg
 /// without a joint that moves its foot sideways, or without a joint that keeps its sole level in roll.
-std::optional<Failure> WhyCannotSidestep(const RobotModel& model);
+std::optional<Failure> ReasonCannotSidestep(const RobotModel& model);
 
 /// Reason why a robot that can walk cannot turn while it walks, or nothing. Failure kInfeasible `freedoms` names a leg
 /// without a joint that yaws its sole.
-std::optional<Failure> WhyCannotTurn(const RobotModel& model);
+std::optional<Failure> ReasonCannotTurn(const RobotModel& model);
 
 }  // namespace gaitwright

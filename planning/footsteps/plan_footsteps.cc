@@ -129,10 +129,10 @@ Result<FootstepSkeleton> WithPart(const RobotModel& model, Result<FootstepSkelet
                                   const WalkCommand& command) {
   if (!skeleton) return skeleton;
   if (Turns(skeleton->path)) {
-    if (auto failure = WhyCannotTurn(model)) return *failure;
+    if (auto failure = ReasonCannotTurn(model)) return *failure;
   }
   if (Sidesteps(skeleton->path)) {
-    if (auto failure = WhyCannotSidestep(model)) return *failure;
+    if (auto failure = ReasonCannotSidestep(model)) return *failure;
   }
   skeleton->parts = {{gait, command, skeleton->goal, skeleton->schedule.start_s(), skeleton->schedule.end_s()}};
   return skeleton;
@@ -171,10 +171,10 @@ std::optional<Failure> ReasonNotWalked(const RobotModel& model, const Gait& gait
                                model.feet.size()),
                    {}};
   }
-  return WhyCannotWalk(model);
+  return ReasonCannotWalk(model);
 }
 
-std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share) {
+std::optional<Failure> ReasonOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share) {
   const Reach worst = WorstReach(model, skeleton, share);
   if (!(worst.excess() > 0.0)) return std::nullopt;
   const Foothold& foothold = skeleton.footsteps.footholds[static_cast<std::size_t>(worst.foothold)];
@@ -216,7 +216,7 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
   }
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
-  if (auto failure = WhyOutOfReach(model, *skeleton, options.reach)) return *failure;
+  if (auto failure = ReasonOutOfReach(model, *skeleton, options.reach)) return *failure;
   PutOnGround(terrain, skeleton->footsteps);
   return WithPart(model, std::move(skeleton), gait, command);
 }

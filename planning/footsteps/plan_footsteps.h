@@ -79,7 +79,7 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
                                             const FootstepOptions& options);
 
 /// Failure if a foothold is out of reach of its leg: names the worst foot, the time and the distance.
-std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share);
+std::optional<Failure> ReasonOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share);
 
 /// Moves footholds planned on the level plane z = 0 onto the ground of `terrain`.
 void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps);

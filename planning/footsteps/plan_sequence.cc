@@ -38,7 +38,7 @@ struct PartCourse {
   double speed_m_s() const { return std::hypot(twist.x_m, twist.y_m) / full_s; }
 };
 
-std::optional<Failure> WhyNoStand(const WalkCommand& command) {
+std::optional<Failure> ReasonNoStand(const WalkCommand& command) {
   constexpr double kShortest = 0.1, kLongest = 600.0;  // [s]
   const double duration = command.duration_s;
   if (command.extent == Extent::kDuration && duration >= kShortest && duration <= kLongest) return std::nullopt;
@@ -51,7 +51,7 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
   course.part = part;
   course.stands = StandsStill(part.gait);
   if (course.stands) {
-    if (auto failure = WhyNoStand(part.command)) return *failure;
+    if (auto failure = ReasonNoStand(part.command)) return *failure;
     course.full_s = part.command.duration_s;
     return course;
   }
@@ -193,7 +193,7 @@ Result<FootstepSkeleton> AlongCourses(const RobotModel& model, const Terrain& te
   skeleton.schedule = joined->schedule;
   skeleton.path = PathOf(courses, *joined, first_s);
   skeleton.footsteps = PlaceAlongPath(model, skeleton.schedule, skeleton.path, AddParts(courses, *joined, skeleton));
-  if (auto failure = WhyOutOfReach(model, skeleton, options.reach)) return *failure;
+  if (auto failure = ReasonOutOfReach(model, skeleton, options.reach)) return *failure;
   PutOnGround(terrain, skeleton.footsteps);
   return skeleton;
 }

@@ -253,7 +253,7 @@ Json ParseJsonOnce(const std::string& text) {
   });
 }
 
-std::string WhyNoJson(const std::string& text) {
+std::string ReasonNoJson(const std::string& text) {
   if (text.empty()) return "it is empty";
   BreakFinder finder;
   if (Json::sax_parse(text, &finder)) return "it is not JSON";

@@ -81,6 +81,6 @@ inline constexpr double kLargestNumber = 1e12;
 JsonPart::Json ParseJsonOnce(const std::string& text);
 
 /// Reason why a text is not JSON: it is cut short, has a syntax error, or contains a number that is not finite.
-std::string WhyNoJson(const std::string& text);
+std::string ReasonNoJson(const std::string& text);
 
 }  // namespace gaitwright

@@ -295,7 +295,7 @@ Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& sour
   try {
     j = ParseJsonOnce(text);
   } catch (const Json::exception&) {
-    return Refused(source, WhyNoJson(text));
+    return Refused(source, ReasonNoJson(text));
   } catch (const InvalidArgument& error) {
     return Refused(source, error.what());
   }

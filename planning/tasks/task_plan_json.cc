@@ -68,7 +68,7 @@ Task ReadTask(const JsonPart& part) {
   if (part.Has("while")) {
     for (const JsonPart& gesture : part.At("while").List()) task.during.push_back(ReadTask(gesture));
   }
-  if (const auto failure = WhyNoTask(task)) part.Refuse(fmt::format("is not a task: {}", failure->message));
+  if (const auto failure = ReasonNoTask(task)) part.Refuse(fmt::format("is not a task: {}", failure->message));
   return task;
 }
 
@@ -134,7 +134,7 @@ Result<TaskPlan> TaskPlanFromJson(const std::string& text) {
   try {
     json = ParseJsonOnce(text);
   } catch (const Json::exception&) {
-    return bad(WhyNoJson(text));
+    return bad(ReasonNoJson(text));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }

@@ -19,7 +19,7 @@ std::string TaskPlanJson(const TaskPlan& plan);
 
 /// Reads the output of TaskPlanJson; `text`, `language` and `words` may be left out. Failure kBadInput `task_plan`
 /// names the path of the wrong entry: invalid JSON, an unknown schema, unknown keys (with the nearest known key),
-/// values of another kind or out of range (WhyNoTask). It is not checked whether the robot can do the tasks.
+/// values of another kind or out of range (ReasonNoTask). It is not checked whether the robot can do the tasks.
 Result<TaskPlan> TaskPlanFromJson(const std::string& text);
 
 /// The JSON schema (draft 2020-12) of task plans, made from the rules.

@@ -53,7 +53,7 @@ std::optional<Failure> OutOfRange(const Task& task, const ParameterRule& rule, d
                                               task.action, value, range.lowest, range.highest));
 }
 
-std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, const TaskValue& value) {
+std::optional<Failure> ReasonNoValue(const Task& task, const ParameterRule& rule, const TaskValue& value) {
   const auto kind = [&](const char* wanted) {
     return Bad(FailureCode::kParameter, fmt::format("'{}' of '{}' must be {}", rule.key, task.action, wanted));
   };
@@ -82,7 +82,7 @@ std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, c
 }
 
 /// Reason why parameters of a jump contradict each other.
-std::optional<Failure> WhyNoJump(const Task& task) {
+std::optional<Failure> ReasonNoJump(const Task& task) {
   std::vector<std::string> ends;
   for (const char* key : {"distance_m", "to", "level"}) {
     if (task.Has(key)) ends.emplace_back(key);
@@ -97,14 +97,14 @@ std::optional<Failure> WhyNoJump(const Task& task) {
   return std::nullopt;
 }
 
-std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule) {
+std::optional<Failure> ReasonNoParameters(const Task& task, const ActionRule& rule) {
   const std::vector<std::string> keys = KeysOf(rule);
   for (const auto& [key, value] : task.parameters) {
     if (!Contains(keys, key)) {
       return Bad(FailureCode::kParameter,
                  fmt::format("'{}' has no parameter '{}'{}", task.action, key, NearestOrAll(key, keys)));
     }
-    if (auto failure = WhyNoValue(task, *FindParameter(key), value)) return failure;
+    if (auto failure = ReasonNoValue(task, *FindParameter(key), value)) return failure;
   }
   for (const std::string& key : rule.required) {
     if (!task.Has(key))
@@ -118,7 +118,7 @@ std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule)
     return Bad(FailureCode::kParameter,
                fmt::format("{} each set the distance to walk; give only one of them", QuotedList(extents)));
   if (task.action == "jump") {
-    if (auto failure = WhyNoJump(task)) return failure;
+    if (auto failure = ReasonNoJump(task)) return failure;
   }
   if (task.Has("pace") && task.Has("speed_m_s"))
     return Bad(FailureCode::kParameter, "'pace' and 'speed_m_s' each set the speed; give only one of them");
@@ -127,7 +127,7 @@ std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule)
   return std::nullopt;
 }
 
-std::optional<Failure> WhyNoPlace(const PlaceName& place, const TaskScope& scope) {
+std::optional<Failure> ReasonNoPlace(const PlaceName& place, const TaskScope& scope) {
   std::vector<std::string> names;
   for (const PlaceName& known : scope.places) {
     names.push_back(known.name);
@@ -292,7 +292,7 @@ TaskScope ScopeOf(const RobotModel& model) {
   scope.two_soles = model.feet.size() == 2 && model.feet[0].has_sole() && model.feet[1].has_sole();
   scope.four_feet = model.legs.size() == 4;
   scope.many_feet = model.legs.size() >= 4;
-  scope.turning_feet = !WhyCannotTurn(model);
+  scope.turning_feet = !ReasonCannotTurn(model);
   const int feet = static_cast<int>(model.feet.size());
   scope.leaps = !LeapGait(feet).empty();
   for (const char* direction : {"forward", "backward", "left", "right"}) {
@@ -301,17 +301,17 @@ TaskScope ScopeOf(const RobotModel& model) {
   return scope;
 }
 
-std::optional<Failure> WhyNoTask(const Task& task) {
+std::optional<Failure> ReasonNoTask(const Task& task) {
   const ActionRule* rule = FindAction(task.action);
   if (rule == nullptr) {
     return Bad(FailureCode::kAction, fmt::format("there is no action '{}'{}", task.action,
                                                  NearestOrAll(task.action, NamesOf(ActionRules()))));
   }
-  if (auto failure = WhyNoParameters(task, *rule)) return failure;
+  if (auto failure = ReasonNoParameters(task, *rule)) return failure;
   if (rule->is_gesture && !task.during.empty())
     return Bad(FailureCode::kParameter, fmt::format("no task can run at the same time as '{}'", task.action));
   for (const Task& gesture : task.during) {
-    if (auto failure = WhyNoTask(gesture)) return failure;
+    if (auto failure = ReasonNoTask(gesture)) return failure;
     if (!FindAction(gesture.action)->is_gesture) {
       return Bad(
           FailureCode::kParameter,
@@ -343,7 +343,7 @@ std::optional<Failure> ReasonNotDone(const Task& task, const TaskScope& scope) {
                               QuotedList(scope.flips)));
   }
   if (const auto to = task.parameters.find("to"); to != task.parameters.end()) {
-    if (auto failure = WhyNoPlace(std::get<PlaceName>(to->second), scope)) return failure;
+    if (auto failure = ReasonNoPlace(std::get<PlaceName>(to->second), scope)) return failure;
   }
   for (const Task& gesture : task.during) {
     if (auto failure = ReasonNotDone(gesture, scope)) return failure;
@@ -360,7 +360,7 @@ std::optional<Failure> ReasonNotPlanned(const TaskPlan& plan, const TaskScope& s
                fmt::format("there are {} tasks; at most {} are accepted", plan.tasks.size(), kMostTasks));
   for (std::size_t k = 0; k < plan.tasks.size(); ++k) {
     const Task& task = plan.tasks[k];
-    std::optional<Failure> failure = WhyNoTask(task);
+    std::optional<Failure> failure = ReasonNoTask(task);
     if (!failure) failure = ReasonNotDone(task, scope);
     if (!failure) continue;
     const std::string words = task.words.empty() ? "" : fmt::format(", '{}'", task.words);

@@ -75,9 +75,9 @@ TaskScope ScopeOf(const RobotModel& model);
 /// Reason why a task is invalid for every robot: an unknown action or parameter (the message names the nearest one), a
 /// missing parameter, parameters that exclude each other, a value of the wrong kind or out of range; codes `action`,
 /// `parameter`, `range`.
-std::optional<Failure> WhyNoTask(const Task& task);
+std::optional<Failure> ReasonNoTask(const Task& task);
 
-/// Reason why this robot cannot do a valid task here: codes `cannot`, `place`. Call WhyNoTask first.
+/// Reason why this robot cannot do a valid task here: codes `cannot`, `place`. Call ReasonNoTask first.
 std::optional<Failure> ReasonNotDone(const Task& task, const TaskScope& scope);
 
 /// The first task of a plan that is invalid, or that the robot cannot do, with its number and words. Also fails for a

@@ -30,7 +30,7 @@ constexpr Headline kHeadlines[] = {
     {"dcm_capture_margin_min_m", "capture margin at touch-down"},
     {"zmp_error_mean_m", "ZMP error, mean"},
     {"slip_max_step_m", "largest slip of a step"},
-    {"torque_use_max", "largest torque, share of the current limit"},
+    {"torque_use_max", "largest torque, share of the limit at that time"},
     {"contact_timing_error_max_s", "largest contact timing error"},
 };
 

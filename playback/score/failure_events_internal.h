@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "playback/score/why_it_fell.h"
+#include "playback/score/reason_of_fall.h"
 
 namespace gaitwright {
 

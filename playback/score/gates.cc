@@ -121,7 +121,8 @@ std::vector<MetricRule> ContactRules() {
 
 std::vector<MetricRule> JointRules() {
   return {
-      Reported("torque_use_max", "1", kLower, 1.0, 0.6, false, "largest joint torque divided by its current limit"),
+      Reported("torque_use_max", "1", kLower, 1.0, 0.6, false,
+               "largest joint torque divided by its limit at that time"),
       Gated(Reported("torque_saturated_fraction", "1", kLower, 1.0, 0.01, false,
                      "share of time at the torque limit, for the worst joint"),
             Bound::kAtMost, 0.01),

@@ -68,7 +68,7 @@ struct JointExtremes {
   }
 };
 
-/// Measured torque relative to the current limit, planned torque relative to the robot's limit.
+/// Measured torque relative to the limit at that time, planned torque relative to the robot's limit.
 Measurement TorqueUse(const ScoreInputs& in) {
   Extreme measured(Extreme::Kind::kLargest), planned(Extreme::Kind::kLargest);
   for (std::size_t k = 0; k < in.series.measured.size(); ++k) {

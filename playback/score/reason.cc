@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "playback/score/log_options_internal.h"
+#include "playback/score/reason_of_fall.h"
 #include "playback/score/report_text.h"
-#include "playback/score/why_it_fell.h"
 
 namespace gaitwright {
 namespace {

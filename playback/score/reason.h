@@ -17,7 +17,7 @@ std::vector<std::string> DisturbancesOf(const MotionPlan& plan, const PlaybackLo
                                         double before_s = std::numeric_limits<double>::infinity());
 
 /// The reason for the verdict in one plain sentence. For a fall, its cause and up to three earlier events; for a
-/// failure without a fall, the broken gates; for a pass, the gate that is nearest to its limit.
+/// failure without a fall, the broken gates; for a pass, the gate with the largest share of its upper limit.
 std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
 
 /// A cause in words that many playbacks can share. For a fall, the first event in its last second ("a foot slid"), or

@@ -18,7 +18,7 @@ struct StabilityReport {
   std::string robot;
   bool pass = false;
   double score = 0.0;  ///< see ScoreOf
-  std::string reason;  ///< cause of the fall or failure, or the gate nearest to its limit; one plain sentence
+  std::string reason;  ///< cause of the fall or failure, or the tightest gate (ReasonOf); one plain sentence
   std::string cause;   ///< the reason in a few words without numbers, for counts; empty for a pass, see CauseOf
   std::vector<Metric> metrics;
   std::vector<std::string> notes;  ///< placeholder limits and similar facts

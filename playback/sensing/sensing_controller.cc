@@ -94,10 +94,10 @@ void SensingController::Sense(const ControlInput& input) {
     sensed_.wrenches[f] = {Vector3(0.0, 0.0, feet.load_n[f]), Vector3::Zero()};
   if (source_ != StateSource::kEstimated) return;
   on.odometry.Update(on.imu.Read(input.q, input.v), joints, feet);
-  TellBase();
+  SendBase();
 }
 
-void SensingController::TellBase() {
+void SensingController::SendBase() {
   Instruments& on = *instruments_;
   const Matrix3& R_WB = on.odometry.R_WB();
   on.rate_B += on.rate_share * (R_WB.transpose() * on.odometry.w_WB() - on.rate_B);

@@ -38,7 +38,7 @@ class SensingController : public Controller {
 
   void Sense(const ControlInput& input);
   void CloseLoop(JointCommand& command) const;
-  void TellBase();
+  void SendBase();
 
   const RobotModel& model_;
   const MotionPlan& plan_;

@@ -90,6 +90,8 @@ TEST_F(Live, RefusesWhatItCannotDoBeforeItPlans) {
   refused({"--host", "203.0.113.7"}, {"cannot listen on 203.0.113.7", "'ip address'"});
   refused({"--port", "70000"}, {"70000", "65535"});
   refused({"--controller", "pid"}, {"'pid'", "'stabilised'", "'joint-pd'", "'recovering'"});
+  refused({"--engine", "both"}, {"'both'", "'bullet'", "'mujoco'"});
+  refused({"--set", "play.engine=both"}, {"'both'", "'bullet'", "'mujoco'"});
   refused({"--set", "gains.stifness_scale=1"}, {"gains.stiffness_scale"});
 }
 

@@ -138,7 +138,8 @@ TEST_F(Repair, ALongMotionContinuesAfterAKill) {
   };
   ASSERT_EQ(RunUntil(with({"--out", "part.json"}), SIGKILL, some).status, 128 + SIGKILL);
   ExpectRefused(Run(with({"--out", "part.json"})), 1, {"part.json.so-far", "--resume"});
-  ExpectRefused(Run(with({"--out", "part.json", "--set", "repair.joint=3", "--resume"})), 1, {"belongs to other work"});
+  ExpectRefused(Run(with({"--out", "part.json", "--set", "repair.joint=3", "--resume"})), 1,
+                {"belongs to another run"});
   EXPECT_EQ(Run(with({"--out", "part.json", "--resume"})).status, 0);
   EXPECT_EQ(Read("part.json"), Read("whole.json"));
   EXPECT_FALSE(std::filesystem::exists(In("part.json.so-far")));

@@ -77,11 +77,11 @@ TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
   EXPECT_EQ(cut.status, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(In("sweep.csv")));
   Write("sweep.csv.so-far", killed + "3 {\"point\":3,\"sta");
-  ExpectRefused(Run(Grid({"--trials", "1"})), 1, {"sweep.csv.so-far", "contains unfinished work", "--resume"});
+  ExpectRefused(Run(Grid({"--trials", "1"})), 1, {"sweep.csv.so-far", "contains an unfinished run", "--resume"});
   EXPECT_TRUE(Run(with({"--resume"})).out == one.out);
   EXPECT_TRUE(Read("sweep.csv") == csv);
   Write("sweep.csv.so-far", killed);
-  ExpectRefused(Run(Grid({"--resume"})), 1, {"belongs to other work"});
+  ExpectRefused(Run(Grid({"--resume"})), 1, {"belongs to another run"});
 }
 
 TEST_F(Sweep, AMapThatCannotBeWrittenInTheEndIsNotLost) {
@@ -111,7 +111,7 @@ TEST_F(Sweep, AGroundThatWasChangedMeanwhileIsOtherWork) {
   });
   EXPECT_EQ(cut.status, 128 + SIGKILL);
   Write("yard.yaml", "patches:\n  - {name: lawn, height_m: 0, friction: 0.3}\n");
-  ExpectRefused(Run(resume), 1, {"sweep.csv.so-far", "belongs to other work"});
+  ExpectRefused(Run(resume), 1, {"sweep.csv.so-far", "belongs to another run"});
   Write("yard.yaml", lawn);
   EXPECT_EQ(Run(resume).status, 0);
 }

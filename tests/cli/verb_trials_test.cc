@@ -243,7 +243,7 @@ TEST_F(Trials, AKilledRunIsResumedToTheSameBytes) {
     EXPECT_EQ(killed.status, 128 + signal) << killed.err;
     EXPECT_EQ(killed.err.find("--resume") != std::string::npos, signal == SIGINT) << killed.err;
     EXPECT_FALSE(std::filesystem::exists(In("it.json")));
-    ExpectRefused(Run(start), 1, {"it.json.so-far", "unfinished work", "--resume"});
+    ExpectRefused(Run(start), 1, {"it.json.so-far", "an unfinished run", "--resume"});
     std::vector<std::string> resume = start;
     resume.push_back("--resume");
     ASSERT_EQ(Run(resume).status, 0);

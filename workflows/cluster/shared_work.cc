@@ -50,19 +50,19 @@ SharedWork::~SharedWork() {
 
 Result<std::vector<PieceRunner>> SharedWork::Runners(const RankReadiness& own) {
   begun_ = true;
-  std::string misgiving = own.problem;
+  std::string difference = own.problem;
   std::vector<PieceRunner> runners;
   for (int rank = 1; rank < ranks_.count(); ++rank) {
     const std::string theirs = ReasonUnready(rank, ranks_.Receive(rank), own);
-    if (misgiving.empty()) misgiving = theirs;
+    if (difference.empty()) difference = theirs;
     runners.emplace_back([ranks = ranks_, rank](int piece) { return RunThere(ranks, rank, piece); });
   }
-  if (misgiving.empty()) return runners;
+  if (difference.empty()) return runners;
   LetGo(kRefused);
   return Failure{FailureKind::kBadInput,
                  FailureCode::kRankNotReady,
                  "SharedWork",
-                 misgiving,
+                 difference,
                  {"make sure that every machine has the same program and the same files at the same paths"}};
 }
 

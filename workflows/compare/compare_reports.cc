@@ -78,7 +78,7 @@ Result<ReadReport> ReportFromJson(const std::string& text, const std::string& so
     report.name = source;
     return report;
   } catch (const Json::parse_error&) {
-    return refused(WhyNoJson(text));
+    return refused(ReasonNoJson(text));
   } catch (const InvalidArgument& error) {
     return refused(error.what());
   } catch (const Json::exception& error) {

@@ -72,7 +72,7 @@ class BvhReader {
       for (const auto& [joint, run] : runs_) Move(fit, joint, run, k, frames);
     }
     MotionTable table = frames.Take();
-    SayHow(fit, table);
+    ReportFit(fit, table);
     return table;
   }
 
@@ -216,7 +216,7 @@ class BvhReader {
     frames.Set(run.dofs.front(), run.axes.front().dot(fit.R_BS * (fit.unit.metres * moved)));
   }
 
-  void SayHow(const SkeletonFit& fit, MotionTable& table) {
+  void ReportFit(const SkeletonFit& fit, MotionTable& table) {
     const auto named = [&](Eigen::Index axis) {
       const Vector3 in_file = fit.R_BS.row(axis);
       Eigen::Index i = 0;
@@ -224,7 +224,7 @@ class BvhReader {
       return fmt::format("{}{}", in_file[i] < 0.0 ? "-" : "", "xyz"[i]);
     };
     table.derived.push_back(
-        {"skeleton", fmt::format("lengths in {}, {} ahead, {} to the left, {} upward, from its joints at rest",
+        {"skeleton", fmt::format("lengths in {}, {} forward, {} to the left, {} upward, from its joints at rest",
                                  fit.unit.name, named(0), named(1), named(2))});
     std::string balls;
     for (const auto& [joint, run] : runs_) {

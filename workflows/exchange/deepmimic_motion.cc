@@ -176,7 +176,7 @@ Result<MotionTable> ParseDeepMimic(const RobotModel& model, const std::string& t
   } catch (const InvalidArgument& error) {
     return RefusedMotion(source, error.what());
   } catch (const JsonPart::Json::exception&) {
-    return RefusedMotion(source, WhyNoJson(text));
+    return RefusedMotion(source, ReasonNoJson(text));
   }
 }
 

@@ -44,13 +44,13 @@ class Resampler {
       even_.v.push_back(VectorX::Zero(model_.nv()));
       even_.a.push_back(VectorX::Zero(model_.nv()));
     }
-    SayGrid();
-    SayTimes();
+    ReportGrid();
+    ReportTimesOfRows();
     MoveBase();
     TurnBase();
     for (int d = 0; d < model_.num_dofs(); ++d) MoveJoint(d);
     TakeRates();
-    SayRates();
+    ReportRates();
     TakeLoads();
     return std::move(even_);
   }
@@ -66,7 +66,7 @@ class Resampler {
                     time_s_.back(), even_.step_s, rows, kMostGridRows));
   }
 
-  void SayGrid() {
+  void ReportGrid() {
     if (table_.time_s.front() != 0.0)
       derived_.push_back({"time", fmt::format("time 0 is the file's {:.6g} s", table_.time_s.front())});
     if (!on_grid()) {
@@ -81,18 +81,18 @@ class Resampler {
   }
 
   /// Notes on times; points of a joint trajectory may be far apart, because a controller interpolates between them.
-  void SayTimes() {
+  void ReportTimesOfRows() {
     if (HasWaypoints(table_.format) || time_s_.size() < 3) return;
     std::vector<double> steps;
     for (std::size_t i = 1; i < time_s_.size(); ++i) steps.push_back(time_s_[i] - time_s_[i - 1]);
     const double usual = MedianOf(steps);
     if (const std::string missing = MissingRowsText(table_.time_s); !missing.empty())
       warnings_.push_back(missing + "; the motion in the gap is interpolated, not measured");
-    SayUneven(steps, usual);
+    ReportUneven(steps, usual);
   }
 
   /// Warns of rows that are far apart, or whose times are probably times of arrival of messages.
-  void SayUneven(const std::vector<double>& steps, double usual) {
+  void ReportUneven(const std::vector<double>& steps, double usual) {
     constexpr double kFew = 0.04, kUneven = 0.05;  // [s], of the usual step
     if (usual > kFew) {
       warnings_.push_back(
@@ -286,7 +286,7 @@ class Resampler {
     return true;
   }
 
-  void SayRates() {
+  void ReportRates() {
     if (!roughest_text_.empty()) warnings_.push_back(roughest_text_);
     if (!farthest_text_.empty()) warnings_.push_back(farthest_text_);
     const std::string smoothly =
@@ -301,8 +301,8 @@ class Resampler {
     if (!rates_of_base_)
       derived_.push_back({"velocities of the base", "cubic splines through its positions and quaternions" + smoothly});
     if (!accelerations_) {
-      derived_.push_back(
-          {"accelerations", given == 0 ? "the same splines" : "splines through positions and velocities"});
+      derived_.push_back({"accelerations", given == 0 ? "second derivatives of the splines of the positions"
+                                                      : "splines through positions and velocities"});
     }
     if (not_of_motion_.empty()) return;
     warnings_.push_back(

@@ -348,7 +348,7 @@ std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& 
   const Result<FootstepSkeleton> skeleton =
       ReadFootsteps(model, terrain, *steps, request.file, request.motion.pipeline.grid_step_s);
   if (!skeleton) return skeleton.failure();
-  if (auto failure = WhyOutOfReach(model, *skeleton, request.motion.footsteps.reach)) return failure;
+  if (auto failure = ReasonOutOfReach(model, *skeleton, request.motion.footsteps.reach)) return failure;
   Result<PlannedMotion> planned =
       PlanMotion(model, terrain, *skeleton, RoundOf(*skeleton, model.feet.size()), request.motion);
   if (!planned) return planned.failure();

@@ -154,7 +154,7 @@ Result<MotionTable> ParseJsonFrames(const RobotModel& model, const std::string& 
   } catch (const InvalidArgument& error) {
     return RefusedMotion(source, error.what());
   } catch (const JsonPart::Json::exception&) {
-    return RefusedMotion(source, WhyNoJson(text));
+    return RefusedMotion(source, ReasonNoJson(text));
   }
 }
 

@@ -15,7 +15,7 @@ namespace gaitwright {
 
 /// Request for ImportMotion.
 struct ImportRequest {
-  std::string file;                ///< a CSV (.csv, .tsv, .txt), or YAML or JSON (.yaml, .yml, .json)
+  std::string file;                ///< any of the formats that ReadMotionTable reads
   std::string columns_file;        ///< file of column names of a CSV (ReadColumnNames), or ""
   std::string terrain = "flat";    ///< LoadTerrain
   std::optional<PlanarPose> goal;  ///< relative to the base's start; empty: the end of the motion

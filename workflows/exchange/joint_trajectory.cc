@@ -229,7 +229,7 @@ Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std:
   } catch (const InvalidArgument& error) {
     return RefusedTrajectory(source, error.what());
   } catch (const JsonPart::Json::exception&) {
-    return RefusedTrajectory(source, WhyNoJson(text));
+    return RefusedTrajectory(source, ReasonNoJson(text));
   }
 }
 

@@ -47,7 +47,7 @@ std::string MissingRowsText(const std::vector<double>& time_s) {
   const auto shorter = [](const TimeGap& a, const TimeGap& b) { return a.end_s - a.start_s < b.end_s - b.start_s; };
   const TimeGap longest = *std::max_element(gaps.begin(), gaps.end(), shorter);
   return fmt::format(
-      "rows are missing{}: there are none for {:.3g} s from the file's {:.6g} s on; rows are usually {:.3g} ms apart",
+      "rows are missing{}: no row for {:.3g} s after {:.6g} s of the file; rows are usually {:.3g} ms apart",
       gaps.size() == 1 ? "" : fmt::format(" in {} places, and this is the longest gap", gaps.size()),
       longest.end_s - longest.start_s, longest.start_s, 1e3 * UsualStep(time_s));
 }

@@ -54,7 +54,7 @@ class RecordingReader {
       late_ += base_->late();
     }
     SetRows();
-    SayWhatWasRead();
+    ReportWhatWasRead();
     return std::move(table_);
   }
 
@@ -247,7 +247,7 @@ class RecordingReader {
     if (base_) base_->AddTo(model_, options_, rows_, table_);
   }
 
-  void SayWhatWasRead() {
+  void ReportWhatWasRead() {
     table_.derived.push_back({"joints", fmt::format("by their names in topic '{}'", JointTopic())});
     table_.derived.push_back(
         {"times", fmt::format("{}, counted from {} ns", stamped_ ? "stamps of the messages" : "times of recording",
@@ -256,7 +256,9 @@ class RecordingReader {
       table_.derived.push_back(
           {"order", fmt::format("{} values are left out, since their times are not later than others", late_)});
     }
-    if (!topics_.whole) table_.derived.push_back({"end", "the recording was not ended properly; its rest was read"});
+    if (!topics_.whole)
+      table_.derived.push_back(
+          {"end", "the recording was not ended properly; it was read up to its last complete record"});
     table_.unused_columns.assign(unused_.begin(), unused_.end());
     const auto add = [&](const auto& topics, const std::string& used) {
       for (const auto& [name, series] : topics) {

@@ -51,7 +51,8 @@ MotionTable SkeletonFrames::Take() {
                         left_[i].most_rad, left_[i].at_s);
   }
   if (left_.size() > kShown) text += fmt::format(", and {} more", left_.size() - kShown);
-  if (!text.empty()) table_.derived.push_back({"rotations left out", "beside the axes of the robot's joints: " + text});
+  if (!text.empty())
+    table_.derived.push_back({"rotations left out", "about axes that the robot's joints do not have: " + text});
   return std::move(table_);
 }
 

@@ -132,7 +132,7 @@ DataShape RepairResultShape() {
   const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
   const DataShape change = Object({{"what", Text({"smoothed", "contacts", "other_contact", "stood", "slowed",
                                                   "left_out", "lifted", "pinned", "parted", "held"})},
-                                   {"where", Text(), "Foot; empty for the whole robot."},
+                                   {"where", Text(), "Foot, joint or links; empty for the whole robot."},
                                    {"start_s", Number()},
                                    {"end_s", Number()},
                                    {"by", Number(), "In `unit`."},

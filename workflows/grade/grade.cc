@@ -64,7 +64,7 @@ std::optional<Failure> ReasonMissing(const GradeRequest& request) {
 }
 
 /// Failure if the code of a submission could read a file that it must not read.
-std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProgram& python) {
+std::optional<Failure> ReasonReadable(const GradeRequest& request, const PythonProgram& python) {
   std::vector<std::string> readable = python.readable;
   if (!python.package.empty()) readable.push_back((fs::path(python.package) / "gaitwright").string());
   readable.push_back(RobotsFolder());
@@ -83,7 +83,7 @@ std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProg
   return std::nullopt;
 }
 
-std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgram& python) {
+std::optional<Failure> ReasonNoCode(const GradeRequest& request, const PythonProgram& python) {
   if (!python.has_numpy)
     return CannotGrade(FailureCode::kPython, fmt::format("the Python '{}' has no NumPy", python.path));
   for (const RubricPart& part : request.rubric.parts) {
@@ -99,7 +99,7 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
                                      path),
                          {"start it as another user", "install Gaitwright where all users may read it"});
   }
-  return WhyReadable(request, python);
+  return ReasonReadable(request, python);
 }
 
 /// Runs test code as a submission, so that a problem that affects all submissions is reported first.
@@ -138,7 +138,7 @@ Result<MarkingSetup> SetUp(const GradeRequest& request) {
                        {"--unconfined runs them without confinement, with all rights of your user"});
   Result<PythonProgram> python = LookOver(request.python);
   if (!python) return python.failure();
-  if (auto failure = WhyNoCode(request, *python)) return *failure;
+  if (auto failure = ReasonNoCode(request, *python)) return *failure;
   setup.python = std::move(*python);
   if (auto failure = ReasonNotRunnable(request, setup)) return *failure;
   return setup;

@@ -206,7 +206,7 @@ LiveRequest ReadLiveRequest(const RobotModel& model, const std::string& message)
       throw InvalidArgument(fmt::format("'do' is '{}'; accepted: {}", what, QuotedList(NamesOfRequests())));
     return reader->second(part, model);
   } catch (const Json::exception&) {
-    throw InvalidArgument(fmt::format("the message is not JSON: {}", WhyNoJson(message)));
+    throw InvalidArgument(fmt::format("the message is not JSON: {}", ReasonNoJson(message)));
   }
 }
 

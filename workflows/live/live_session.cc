@@ -110,10 +110,10 @@ void LiveSession::StepOnce() {
     Note(fmt::format("the simulation restarts: {}", refused.what()));
     live_.Reset();
   }
-  TellPhase();
+  ReportPhase();
 }
 
-void LiveSession::TellPhase() {
+void LiveSession::ReportPhase() {
   const ContactSchedule& schedule = live_.plan().schedule;
   const FootSet planned = schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, live_.time_s()))].stance;
   const FootSet touching = TouchingOf(live_.world());

@@ -39,7 +39,7 @@ class LiveSession {
  private:
   void Hear(double until_s);
   void StepOnce();
-  void TellPhase();
+  void ReportPhase();
   void Note(const std::string& text);
 
   LiveWorld& live_;

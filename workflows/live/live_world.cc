@@ -25,6 +25,7 @@ constexpr double kSameHeight = 1e-3;    // [m]
 constexpr double kFallenTilt = 1.0;     // [rad]
 constexpr double kFallenContact = 0.2;  // a body on the ground for this long is a fall [s]
 constexpr double kFallenHeight = 0.4;   // share of the standing height
+constexpr char kIgnored[] = "the command was ignored: the robot does not stand; let it stand up first";
 
 /// Length of the past motion that a new controller receives: until each foot was in stance and in swing.
 double Shown(const MotionPlan& plan) {
@@ -154,7 +155,7 @@ std::optional<double> LiveWorld::wanted_heading_rad() const {
 }
 
 void LiveWorld::Ask(const WalkPace& pace) {
-  if (!may_walk()) return notes_.emplace_back("the robot will walk when it stands"), void();
+  if (!may_walk()) return notes_.emplace_back(kIgnored), void();
   if (!pace.stands()) {
     const bool keeps_heading = wanted_ && pace.yaw_rate_rad_s == 0.0;
     wanted_ = {pace, keeps_heading ? wanted_->heading_rad : std::nullopt};
@@ -257,7 +258,7 @@ bool LiveWorld::StandsToWalk() {
   const VectorX& q = world_->q();
   const VectorX& stands = stream_.plan().whole_body.q.front();
   if ((q - stands).tail(n).lpNorm<Eigen::Infinity>() > kUpright) {
-    notes_.emplace_back("the robot will walk when it stands");
+    notes_.emplace_back(kIgnored);
     return wanted_.reset(), false;
   }
   const Pose X = PoseOf(BaseInPlan(q)) * PoseOf(BaseInPlan(stands)).inverse();

@@ -42,7 +42,7 @@ std::string GroundText(const Terrain& terrain) {
   const std::string name = terrain.name.empty() ? "of the plan" : fmt::format("'{}'", terrain.name);
   if (low > high) return fmt::format("the ground is {}, with unknown friction", name);
   return fmt::format(
-      "the ground is {}, rigid and as in the plan; its friction is at least {}", name,
+      "the ground is {}, rigid and as in the plan; the assumed friction is {}", name,
       low == high ? fmt::format("{:.3g}", low) : fmt::format("{:.3g} to {:.3g}, depending on the foothold", low, high));
 }
 

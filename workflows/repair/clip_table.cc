@@ -93,7 +93,7 @@ std::string ClipsText(const std::vector<ClipOutcome>& clips) {
   for (const ClipOutcome& c : clips) width = std::max(width, c.clip.size());
   std::string text =
       fmt::format("{:<{}}  {:<7}  {:>7}  {:>6}  {:>8}  {:>10}  {:>9}  {}\n", "clip", width, "verdict", "broken",
-                  "slowed", "left out", "joints RMS", "base RMS", "file breaks longest; reason");
+                  "slowed", "left out", "joints RMS", "base RMS", "check that the file fails longest; reason");
   for (const ClipOutcome& c : clips) {
     text += fmt::format("{:<{}}  {:<7}  {:>5.1f} %  {:>4.1f} s  {:>6.1f} s  {:>6.3f} rad  {:>6.1f} mm  {}{}{}\n",
                         c.clip, width, ClipVerdictName(c.verdict), 100.0 * c.broken_share, c.slowed_s, c.left_out_s,

@@ -121,8 +121,9 @@ DataShape FollowWeightsShape() {
   std::vector<ShapeMember> timed = {{"start_s", Number(0.0, kLatest), "Start, in the file's time [s]."},
                                     {"end_s", Number(0.0, kLatest), "End, in the file's time [s]."}};
   for (ShapeMember& member : GroupMembers()) timed.push_back(std::move(member));
-  return Object({Optional("always", Object(GroupMembers()), "Weights that hold unless a range gives others."),
-                 Optional("during", List(Object(std::move(timed)), 1), "Weights over ranges of time; the last holds."),
+  return Object({Optional("always", Object(GroupMembers()), "Weights at all times outside the ranges."),
+                 Optional("during", List(Object(std::move(timed)), 1),
+                          "Weights over ranges of time; where ranges overlap, the last one is used."),
                  Optional("hands_in", Text({"world", "base"}),
                           "Where hands are compared: in the world (default), or relative to the base.")});
 }

@@ -205,8 +205,8 @@ std::string LostText(const std::vector<LeftOutPart>& parts, double duration_s) {
   std::vector<std::string> times;
   for (const LeftOutPart& part : parts) times.push_back(fmt::format("{:.2f} to {:.2f} s", part.start_s, part.end_s));
   return fmt::format(
-      "without {} of the file the rest could be tried, but that is {:.0f} % of the motion, more than "
-      "repair.leave_out allows",
+      "{} of the file would have to be left out; that is {:.0f} % of the motion, more than repair.leave_out "
+      "allows",
       fmt::join(times, ", "), 100.0 * DurationOf(parts) / duration_s);
 }
 

@@ -163,7 +163,7 @@ bool Ease(const RobotModel& model, const RepairOptions& options, const BadTimes&
 }
 
 /// Adds to a failure which parts cannot be done.
-void TellLost(const MotionFindings& findings, Failure& failure) {
+void ReportLost(const MotionFindings& findings, Failure& failure) {
   if (findings.lost.empty()) return;
   const double share = std::min(1.0, std::ceil(100.0 * DurationOf(findings.lost) / findings.duration_s) / 100.0);
   failure.message += "; " + LostText(findings.lost, findings.duration_s);
@@ -204,7 +204,7 @@ Result<RepairedMotion> Repair(const RobotModel& model, const RepairRequest& requ
     return std::move(*best);
   }
   Failure failure = best->failure();
-  TellLost(findings, failure);
+  ReportLost(findings, failure);
   return failure;
 }
 

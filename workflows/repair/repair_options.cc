@@ -38,11 +38,11 @@ OptionFields RepairOptions::Fields() {
         "Time over which the motion is brought from rest to its own speed, and back to rest, where it does not begin "
         "or end at rest."},
        {"stretch", &stretch, "1", 1.0, 10.0,
-        "Most that a part of the motion may be slowed by, if it cannot be done at its speed: 1.3 lets it take 1.3 "
-        "times as long."},
+        "Largest factor on the duration of a part that the robot cannot do at its speed: 1.3 lets it take 1.3 times "
+        "as long."},
        {"leave_out", &leave_out, "1", 0.0, 1.0,
-        "Largest share of the motion that may be left out if the robot cannot do it; the robot stands there. 0: "
-        "nothing."},
+        "Largest share of the motion that may be left out if the robot cannot do it; the robot then stands. 0: "
+        "nothing is left out."},
        {"stretch_over_rad", &stretch_over_rad, "rad", 0.0, 10.0,
         "With stretch: root mean square of the joints' distance from the motion with clean contacts over which a part "
         "is slowed."},

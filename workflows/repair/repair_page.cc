@@ -225,7 +225,8 @@ std::string ChangesPart(const RepairResult& result) {
   const std::string head =
       result.repaired == nullptr ? "<h2>What a repair would change</h2>\n" : "<h2>What was changed, and why</h2>\n";
   if (count == 0)
-    return head + (kept ? "<p>Nothing.</p>\n" : "<p>Nothing but the optimisation of the whole body.</p>\n");
+    return head + (kept ? "<p>Nothing.</p>\n"
+                        : "<p>Contacts and times are those of the file. The whole body was optimised.</p>\n");
   const std::string list = "<ul id=\"changes\">\n" + items + "</ul>\n";
   if (count <= kMostOpen) return head + list;
   return head + fmt::format("<details><summary>{} changes</summary>\n{}</details>\n", count, list);
@@ -307,8 +308,8 @@ std::string RepairPage(const RepairResult& result, const RepairPageWords& words)
   html += ChangesPart(result);
   if (!OnlyChecks(result, words)) {
     const std::vector<std::string> unsaved = UnsavedParts(result, words.refused);
-    html += unsaved.empty() ? "<h2>Parts that could not be saved</h2>\n<p>None.</p>\n"
-                            : ListPart("Parts that could not be saved", unsaved);
+    html += unsaved.empty() ? "<h2>Parts that stay infeasible</h2>\n<p>None.</p>\n"
+                            : ListPart("Parts that stay infeasible", unsaved);
   }
   if (result.played != nullptr) html += EnginesOf(*result.played);
   html += SourcePart(result);

@@ -21,8 +21,8 @@ void AddContactChange(const MotionFindings& findings, std::vector<RepairChange>&
   const int count = c.short_stances + c.short_swings + c.false_flights;
   if (count == 0) return;
   changes.push_back({RepairChangeKind::kContacts, "", 0.0, findings.duration_s, static_cast<double>(count), "1",
-                     fmt::format("contacts: {} short stances and {} short swings were taken away, and {} times without "
-                                 "a foot on the ground in which the robot does not fall",
+                     fmt::format("contacts: {} short stances and {} short swings were removed, and {} flights in which "
+                                 "the base does not fall",
                                  c.short_stances, c.short_swings, c.false_flights)});
 }
 
@@ -115,9 +115,9 @@ void AddHeldJoints(const RobotModel& model, const MotionFindings& findings, std:
     const bool slides = model.LeaderOf(held.dof).is_prismatic();
     changes.push_back(
         {RepairChangeKind::kHeld, joint, 0.0, findings.duration_s, held.moved, slides ? "m" : "rad",
-         fmt::format("held: joint '{}' stays where it is, because its dry friction of {:.3g} {} takes {} "
-                     "of what its motor has",
-                     joint, held.friction, slides ? "N" : "N m", held.friction < held.limit ? "most" : "all")});
+         fmt::format("held: joint '{}' stays where it is, because its dry friction of {:.3g} {} is {} the "
+                     "limit of its motor",
+                     joint, held.friction, slides ? "N" : "N m", held.friction < held.limit ? "near" : "at or over")});
   }
 }
 
@@ -221,7 +221,7 @@ std::vector<RepairChange> ChangesOf(const RobotModel& model, const MotionFinding
     changes.push_back(
         {RepairChangeKind::kLifted, "", 0.0, findings.duration_s, lift_m, "m",
          fmt::format("lifted: the base was moved {} by {:.1f} mm, because the feet {}", lift_m > 0.0 ? "up" : "down",
-                     1e3 * std::abs(lift_m), lift_m > 0.0 ? "sink into the ground" : "float above it")});
+                     1e3 * std::abs(lift_m), lift_m > 0.0 ? "sink into the ground" : "are above the ground")});
   }
   for (const PinnedStance& stance : findings.clean.stances) {
     if (stance.slid_m < kMovedLittle && stance.tilt_rad < kTiltedLittle) continue;
@@ -261,7 +261,7 @@ std::string RepairText(const RepairResult& result) {
   }
   if (result.repaired == nullptr) return text;
   if (!findings.lost.empty()) text += "not left out: " + LostText(findings.lost, findings.duration_s) + "\n";
-  if (kept) text += "the motion is sound as it is, and was kept\n";
+  if (kept) text += "the motion was already feasible, and was kept\n";
   text += DistanceText(result.repaired->distance);
   if (!kept) text += result.repaired->finished.summary + "\n";
   text += "after: " + AuditText(result.repaired->after) + BrokenText(result.repaired->broken);

@@ -91,8 +91,8 @@ class NoPipeSignal {
 }  // namespace
 
 std::string ReasonNotConfined() {
-  const std::string files = WhyNoLandlock();
-  return files.empty() ? WhyNoCallFilter() : files;
+  const std::string files = ReasonNoLandlock();
+  return files.empty() ? ReasonNoCallFilter() : files;
 }
 
 Result<ChildProcess> ChildProcess::Start(const ChildSetup& setup) {

@@ -57,12 +57,12 @@ Failure NoRules(const std::string& why) {
 
 }  // namespace
 
-std::string WhyNoLandlock() {
+std::string ReasonNoLandlock() {
   return Version() >= 1 ? "" : "the kernel cannot restrict file access (Landlock needs Linux 5.13 or newer)";
 }
 
 Result<LandlockRules> LandlockRules::Make(const FileRights& rights) {
-  if (const std::string why = WhyNoLandlock(); !why.empty()) return NoRules(why);
+  if (const std::string why = ReasonNoLandlock(); !why.empty()) return NoRules(why);
   const std::uint64_t handled = Handled(Version());
   const landlock_ruleset_attr attributes{handled};
   const long handle = syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes, 0);

@@ -15,7 +15,7 @@ struct FileRights {
 };
 
 /// Why this machine cannot confine a process to some files (Landlock, Linux 5.13 or newer); "" if it can.
-std::string WhyNoLandlock();
+std::string ReasonNoLandlock();
 
 /// Irrevocable restrictions of a process by the kernel's Landlock: files that are not granted cannot be opened, listed,
 /// run, written, created, removed, renamed or linked. The existence and size of a file can still be queried by its full

@@ -101,7 +101,7 @@ class CallRules {
 
 }  // namespace
 
-std::string WhyNoCallFilter() {
+std::string ReasonNoCallFilter() {
   constexpr unsigned kKillsProcesses = 3;  // level of seccomp_api_get(3): Linux 4.14
   return seccomp_api_get() >= kKillsProcesses ? "" : "the kernel does not filter system calls (seccomp)";
 }

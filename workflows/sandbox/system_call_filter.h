@@ -6,7 +6,7 @@
 namespace gaitwright {
 
 /// Why this machine cannot filter the system calls of a process (a kernel without seccomp); "" if it can.
-std::string WhyNoCallFilter();
+std::string ReasonNoCallFilter();
 
 /// Writes the filter of system calls for one process to an open file, for ApplyCallFilter.
 ///

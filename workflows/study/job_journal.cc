@@ -135,7 +135,7 @@ std::optional<Failure> JobJournal::Hold() {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return Refused(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
   if (::flock(file_, LOCK_EX | LOCK_NB) == 0 && IsAt(file_, path_)) return std::nullopt;
-  return Refused(path_, "is being written by another process", {"let it finish, or give another output"});
+  return Refused(path_, "is being written by another process", {"wait until it ends, or give another output"});
 }
 
 std::optional<Failure> JobJournal::Read(const std::string& head, bool resume) {
@@ -146,11 +146,11 @@ std::optional<Failure> JobJournal::Read(const std::string& head, bool resume) {
     return Refused(path_, "is not a journal of this program", {Anew(path_)});
   const bool same = begin == head;
   for (std::size_t number = 2; const std::optional<std::string_view> line = reader.Next(); ++number) {
-    if (!resume) return Refused(path_, "contains unfinished work", {"use --resume to continue it", Anew(path_)});
+    if (!resume) return Refused(path_, "contains an unfinished run", {"use --resume to continue it", Anew(path_)});
     if (!same) {
       return Refused(path_,
-                     "belongs to other work: another robot, command, option, file, seed or version of the program",
-                     {"use the command line of that work", Anew(path_)});
+                     "belongs to another run: another robot, command, option, file, seed or version of the program",
+                     {"use the command line of that run", Anew(path_)});
     }
     const std::optional<std::size_t> job = JobOf(*line);
     if (!job) return Refused(path_, fmt::format("is damaged in line {}", number), {Anew(path_)});

@@ -96,7 +96,7 @@ std::string WordsOf(PointStatus status) {
     case PointStatus::kRefused:
       break;
   }
-  return "refused: no plan";
+  return "refused: no plan, or a plan that cannot be played";
 }
 
 std::string MapPatterns() {

@@ -196,7 +196,7 @@ Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::st
     const JsonPart::Json json = ParseJsonOnce(text);
     return Read(JsonPart(json));
   } catch (const JsonPart::Json::exception&) {
-    return bad(WhyNoJson(text));
+    return bad(ReasonNoJson(text));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }

@@ -154,7 +154,8 @@ Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJourn
 std::string TunedOptions(const Study& study, const TuneResult& result) {
   std::string yaml = result.better() ? "# Tuned; better on held-out trials.\n"
                                      : "# Not better than these present values on held-out trials, so they are kept.\n";
-  if (result.proof && !result.proof->no_before.empty()) yaml = "# Tuned; the present values give no walk.\n";
+  if (result.proof && !result.proof->no_before.empty())
+    yaml = "# Tuned; the present values have no plan that passes its audit.\n";
   yaml += fmt::format("# Robot {} ({}), gait {}, terrain {}; gaitwright {}.\n", study.model.name, study.model.hash,
                       study.walk.gait.empty() ? "its best" : study.walk.gait, study.walk.terrain, Version());
   WalkRequest walk = study.walk;

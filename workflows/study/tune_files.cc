@@ -79,7 +79,8 @@ std::string VerdictOf(const TuneResult& result) {
   const PairedDifference& d = result.proof->value;
   if (!result.proof->no_before.empty()) {
     return fmt::format(
-        "better: the present values give no walk ({}); the best candidate has a value of {:.2f} on {} held-out trials",
+        "better: the present values have no plan that passes its audit ({}); the best candidate has a value of {:.2f} "
+        "on {} held-out trials",
         result.proof->no_before, d.after, result.proof->trials);
   }
   const std::string figures = fmt::format(

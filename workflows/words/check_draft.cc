@@ -34,7 +34,7 @@ void CheckParameter(const std::string& text, const TaskScope& scope, const Task&
   const std::string words = TextOf(text, SpanOf(draft, key));
   if (!Takes(rule.action, key)) throw Refused{{FailureCode::kUnknown, words, ReasonNotTaken(rule, key), ""}};
   const Task alone = Alone(task, key, rule);
-  const auto failure = WhyNoTask(alone);
+  const auto failure = ReasonNoTask(alone);
   if (failure && failure->code == FailureCode::kRange)
     throw Refused{{FailureCode::kRange, words, failure->message, "", "", true}};
   if (key != "to") return;

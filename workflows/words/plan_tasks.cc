@@ -26,14 +26,14 @@ Failure OfTask(std::size_t index, const Task& task, std::size_t feet, Failure fa
 }
 
 /// The failure of a plan that fails its audit: the violated check, and the task in which it occurs.
-Failure WhyUnsound(const TaskPlan& tasks, const PlannedTasks& planned) {
+Failure ReasonUnsound(const TaskPlan& tasks, const PlannedTasks& planned) {
   const double at_s = planned.audit.violations.front().at_s;
   const auto& ends_s = planned.task_ends_s;
   const auto within = std::find_if(ends_s.begin(), ends_s.end(), [&](double end_s) { return at_s <= end_s; });
   const std::size_t k =
       std::min<std::size_t>(static_cast<std::size_t>(within - ends_s.begin()), tasks.tasks.size() - 1);
   const Task& task = tasks.tasks[k];
-  Failure failure = tasks::WhyBroken(task.action, planned.audit);
+  Failure failure = tasks::ReasonBroken(task.action, planned.audit);
   if (!task.during.empty()) failure.suggestions = {"try the tasks in sequence: 'then' instead of 'while'"};
   return OfTask(k, task, planned.robot.legs.size(), failure);
 }
@@ -96,7 +96,7 @@ Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, 
   const Result<AuditReport> audit = Audit(*whole, planned.plan, {});
   if (!audit) return audit.failure();
   planned.audit = *audit;
-  if (!audit->pass() && !options.motion.pipeline.allow_limits) return WhyUnsound(tasks, planned);
+  if (!audit->pass() && !options.motion.pipeline.allow_limits) return ReasonUnsound(tasks, planned);
   return planned;
 }
 

@@ -36,7 +36,7 @@ struct Sizes {
 };
 
 /// The failure of a motion that fails its audit: the worst violation.
-Failure WhyBroken(const std::string& what, const AuditReport& audit);
+Failure ReasonBroken(const std::string& what, const AuditReport& audit);
 
 /// The largest feasible size below an infeasible one, to a thirtieth of it; 0 if there is none.
 double LargestBelow(const std::function<bool(double size)>& is_feasible, double size);

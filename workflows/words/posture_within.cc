@@ -30,7 +30,7 @@ Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, 
     const Result<AuditReport> audit = Audit(model, *plan, {});
     if (!audit) return audit.failure();
     if (audit->pass()) return slower;
-    failure = WhyBroken(motion.name, *audit);
+    failure = ReasonBroken(motion.name, *audit);
     if (IsOfPlace(failure.violation->law)) break;
   }
   return failure;
@@ -47,7 +47,7 @@ double LargestBelow(const std::function<bool(double size)>& is_feasible, double 
   return largest;
 }
 
-Failure WhyBroken(const std::string& what, const AuditReport& audit) {
+Failure ReasonBroken(const std::string& what, const AuditReport& audit) {
   const std::vector<Violation> forbidding = Forbidding(audit);
   const Violation& worst = forbidding.empty() ? audit.violations.front() : forbidding.front();
   return {FailureKind::kInfeasible,

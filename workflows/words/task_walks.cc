@@ -113,7 +113,7 @@ Result<MotionPlan> TaskPlanner::WithGestures(MotionPlan walk, PostureKey& key) c
   const Result<AuditReport> audit = Audit(model_, walk, {});
   if (!audit) return audit.failure();
   if (audit->pass()) return walk;
-  Failure failure = WhyBroken(task_->words, *audit);
+  Failure failure = ReasonBroken(task_->words, *audit);
   failure.suggestions = {"try the tasks in sequence: 'then' instead of 'while'"};
   return failure;
 }

@@ -22,7 +22,7 @@ DataShape Wheel() {
                  Optional("kind", Text({"wire", "disc"}))});
 }
 
-std::string WhyRefused(const std::string& yaml, const std::string& key) {
+std::string ReasonRefused(const std::string& yaml, const std::string& key) {
   const DataShape shape = Wheel();
   try {
     const YAML::Node node = YAML::Load(yaml);
@@ -37,14 +37,15 @@ std::string WhyRefused(const std::string& yaml, const std::string& key) {
 TEST(DataShape, GivesItsReaderKeysAndRanges) {
   EXPECT_EQ(Wheel().NeededKeys(), (std::vector<std::string>{"name", "spokes"}));
   EXPECT_EQ(Wheel().OtherKeys(), (std::vector<std::string>{"radius_m", "tilt_deg", "kind"}));
-  EXPECT_EQ(WhyRefused("{name: a, spokes: 8, radius_m: 0.3}", "radius_m"), "");
-  EXPECT_EQ(WhyRefused("{name: a, spoke: 8}", "spokes"),
+  EXPECT_EQ(ReasonRefused("{name: a, spokes: 8, radius_m: 0.3}", "radius_m"), "");
+  EXPECT_EQ(ReasonRefused("{name: a, spoke: 8}", "spokes"),
             "line 1: a wheel has the unknown key 'spoke'; the nearest is 'spokes'");
-  EXPECT_EQ(WhyRefused("{name: a}", "spokes"), "line 1: a wheel lacks the key 'spokes'");
-  EXPECT_EQ(WhyRefused("{name: a, spokes: 2}", "spokes"), "line 1: 'spokes' is 2; accepted: 3 to 40");
-  EXPECT_EQ(WhyRefused("{name: a, spokes: 4.5}", "spokes"), "line 1: 'spokes' is 4.5; a whole number is needed");
-  EXPECT_EQ(WhyRefused("{name: a, spokes: 8, radius_m: 0}", "radius_m"), "line 1: 'radius_m' is 0; it must be above 0");
-  EXPECT_EQ(WhyRefused("{name: a, spokes: 8, radius_m: 3}", "radius_m"),
+  EXPECT_EQ(ReasonRefused("{name: a}", "spokes"), "line 1: a wheel lacks the key 'spokes'");
+  EXPECT_EQ(ReasonRefused("{name: a, spokes: 2}", "spokes"), "line 1: 'spokes' is 2; accepted: 3 to 40");
+  EXPECT_EQ(ReasonRefused("{name: a, spokes: 4.5}", "spokes"), "line 1: 'spokes' is 4.5; a whole number is needed");
+  EXPECT_EQ(ReasonRefused("{name: a, spokes: 8, radius_m: 0}", "radius_m"),
+            "line 1: 'radius_m' is 0; it must be above 0");
+  EXPECT_EQ(ReasonRefused("{name: a, spokes: 8, radius_m: 3}", "radius_m"),
             "line 1: 'radius_m' is 3; at most 2 is accepted");
   EXPECT_THROW(Wheel().At("spoke"), InvalidArgument) << "the reader asks for what the shape does not have";
 }

@@ -62,8 +62,8 @@ TEST_F(Writable, NothingSpeaksAgainstNewFilesInFoldersThatMayHaveToBeMade) {
   for (const char* file : {"file", "new", "a/b/new", "open/free", "open/new"})
     EXPECT_EQ(ReasonNotWritable(InScratch(file)), "");
   EXPECT_EQ(ReasonNotWritable("new"), "") << "in the present folder";
-  EXPECT_EQ(WhyNoNewFiles(InScratch("a/b")), "");
-  EXPECT_EQ(WhyNoNewFiles(""), "");
+  EXPECT_EQ(ReasonNoNewFiles(InScratch("a/b")), "");
+  EXPECT_EQ(ReasonNoNewFiles(""), "");
   EXPECT_EQ(Count(), before) << "nothing is made";
 }
 
@@ -74,7 +74,7 @@ TEST_F(Writable, WhatIsNoFileOrLiesInNoFolderIsToldApart) {
   EXPECT_EQ(ReasonNotWritable("/dev/null"), "it exists and is not a regular file");
   const std::string no_folder = "'" + InScratch("file") + "' is a file, not a folder; give a folder";
   for (const char* file : {"file/new", "file/a/new"}) EXPECT_EQ(ReasonNotWritable(InScratch(file)), no_folder);
-  EXPECT_EQ(WhyNoNewFiles(InScratch("file")), no_folder);
+  EXPECT_EQ(ReasonNoNewFiles(InScratch("file")), no_folder);
   EXPECT_NE(ReasonNotWritable(InScratch(std::string(300, 'x'))), "") << "no file has so long a name";
 }
 
@@ -85,7 +85,7 @@ TEST_F(Writable, PermissionsAreThoseOfTheUser) {
   EXPECT_EQ(ReasonNotWritable(InScratch("open/locked")), "Permission denied");
   const std::string shut = "Permission denied, in the folder '" + InScratch("shut") + "'";
   for (const char* file : {"shut/new", "shut/a/b/new"}) EXPECT_EQ(ReasonNotWritable(InScratch(file)), shut);
-  EXPECT_EQ(WhyNoNewFiles(InScratch("shut/plots")), shut);
+  EXPECT_EQ(ReasonNoNewFiles(InScratch("shut/plots")), shut);
   EXPECT_EQ(ReasonNotWritable(InScratch("shut/file")), ::getuid() == 0 ? "Permission denied" : shut)
       << "a file of its own in a folder that takes no temporary beside it";
 }

@@ -55,7 +55,7 @@ TEST(CompareRobots, ALimitThatOneRobotLacksIsCalledSo) {
   EXPECT_EQ(CompareRobots(with, without)[0].message,
             "its effort limit is 30 N m here and does not exist in the other robot");
   EXPECT_EQ(CompareRobots(without, with)[0].message,
-            "its effort limit does not exist here and is 30 N m in the other robot");
+            "its effort limit is unknown here and is 30 N m in the other robot");
 }
 
 TEST(CompareRobots, WhereTheRootLinkHasItsOriginIsNoDifference) {

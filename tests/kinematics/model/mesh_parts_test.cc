@@ -11,7 +11,7 @@ namespace {
 
 using Parser = Mesh (*)(const std::string&);
 
-std::string WhyNoMesh(Parser parse, const std::string& text) {
+std::string ReasonNoMesh(Parser parse, const std::string& text) {
   try {
     parse(text);
   } catch (const InvalidArgument& error) {
@@ -39,16 +39,16 @@ TEST(MeshFaces, DentedOnesAreCutIntoTheirOwnArea) {
   }
   std::string many = "v 0 0 0\nf";
   for (int i = 0; i < 600; ++i) many += " 1";
-  ExpectSays(WhyNoMesh(ParseObj, many), {"501 corners", "three to 500"});
+  ExpectSays(ReasonNoMesh(ParseObj, many), {"501 corners", "three to 500"});
 }
 
 TEST(MeshObj, IndicesAreOfVerticesThatAreThere) {
-  ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 1 1 2\n"),
+  ExpectSays(ReasonNoMesh(ParseObj, "v 0 0 0\nf 1 1 2\n"),
              {"line 2", "'2' refers to a vertex that does not exist", "define 1"});
-  ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf -2 1 1\n"), {"line 2", "'-2'"});
-  ExpectSays(WhyNoMesh(ParseObj, "v 0 0 0\nf 0 1 1\n"), {"line 2", "'0'"});
-  ExpectSays(WhyNoMesh(ParseObj, "v 0 nan 0\n"), {"line 1", "'nan'", "finite"});
-  ExpectSays(WhyNoMesh(ParseObj, "v 0 1e300 0\n"), {"1e+300", "1000000000000"});
+  ExpectSays(ReasonNoMesh(ParseObj, "v 0 0 0\nf -2 1 1\n"), {"line 2", "'-2'"});
+  ExpectSays(ReasonNoMesh(ParseObj, "v 0 0 0\nf 0 1 1\n"), {"line 2", "'0'"});
+  ExpectSays(ReasonNoMesh(ParseObj, "v 0 nan 0\n"), {"line 1", "'nan'", "finite"});
+  ExpectSays(ReasonNoMesh(ParseObj, "v 0 1e300 0\n"), {"1e+300", "1000000000000"});
   EXPECT_EQ(ParseObj("v 0 0 0\nv 1 0 0\nv 0 1 0 \\\n\nf 1/1 2//3 \\\n3/1/2\n").triangles.size(), 1U);
 }
 
@@ -56,29 +56,29 @@ TEST(MeshStl, HeadsThatLieAreRefused) {
   std::string bytes = BinaryStl(Vector3(1.0, 1.0, 1.0));
   EXPECT_EQ(ParseStl(bytes).triangles.size(), 12U);
   bytes[83] = '\x7f';  // the highest byte of the count
-  ExpectSays(WhyNoMesh(ParseStl, bytes), {"its header announces 2130706444 triangles", "the file has 684"});
-  ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacet\nvertex 0 0 0\nendfacet\n"), {"line 4", "a facet has 1 vertices"});
-  ExpectSays(WhyNoMesh(ParseStl, "solid a\nvertex 0 0 0\n"), {"ends within a facet"});
-  ExpectSays(WhyNoMesh(ParseStl, "solid a\nfacette\n"), {"line 2", "'facette' is not an STL keyword"});
+  ExpectSays(ReasonNoMesh(ParseStl, bytes), {"its header announces 2130706444 triangles", "the file has 684"});
+  ExpectSays(ReasonNoMesh(ParseStl, "solid a\nfacet\nvertex 0 0 0\nendfacet\n"), {"line 4", "a facet has 1 vertices"});
+  ExpectSays(ReasonNoMesh(ParseStl, "solid a\nvertex 0 0 0\n"), {"ends within a facet"});
+  ExpectSays(ReasonNoMesh(ParseStl, "solid a\nfacette\n"), {"line 2", "'facette' is not an STL keyword"});
 }
 
 /// Both kinds of files caused stack overflows or out-of-bounds accesses in other readers.
 TEST(MeshCollada, WhatGoesRoundOrBeyondIsRefused) {
   const std::string good = Collada(Vector3(1.0, 1.0, 1.0), 1.0);
   EXPECT_EQ(ParseCollada(good).triangles.size(), 12U);
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<node", "<node id='m'><instance_node url='#m'/></node><node")),
+  ExpectSays(ReasonNoMesh(ParseCollada, Replaced(good, "<node", "<node id='m'><instance_node url='#m'/></node><node")),
              {"<node>", "'m' contains itself"});
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "count=\"8\"", "count=\"9\"")),
+  ExpectSays(ReasonNoMesh(ParseCollada, Replaced(good, "count=\"8\"", "count=\"9\"")),
              {"<accessor>", "needs 27 numbers; the array has 24"});
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<p>", "<p>8 8 8 ")),
+  ExpectSays(ReasonNoMesh(ParseCollada, Replaced(good, "<p>", "<p>8 8 8 ")),
              {"<p>", "refers to point 8", "the mesh has 8 points"});
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "stride=\"3\"", "stride=\"0\"")), {"<accessor>", "stride 0"});
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "url=\"#g\"", "url=\"#h\"")),
+  ExpectSays(ReasonNoMesh(ParseCollada, Replaced(good, "stride=\"3\"", "stride=\"0\"")), {"<accessor>", "stride 0"});
+  ExpectSays(ReasonNoMesh(ParseCollada, Replaced(good, "url=\"#g\"", "url=\"#h\"")),
              {"refers to '#h', which does not exist"});
-  ExpectSays(WhyNoMesh(ParseCollada, "<COLLADA/>"), {"<COLLADA>", "lacks <scene>"});
+  ExpectSays(ReasonNoMesh(ParseCollada, "<COLLADA/>"), {"<COLLADA>", "lacks <scene>"});
   std::string deep = "<COLLADA>";
   for (int i = 0; i < 600; ++i) deep += "<node>";
-  ExpectSays(WhyNoMesh(ParseCollada, deep), {"not XML", "DEPTH"});
+  ExpectSays(ReasonNoMesh(ParseCollada, deep), {"not XML", "DEPTH"});
 }
 
 }  // namespace

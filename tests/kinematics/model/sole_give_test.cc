@@ -24,7 +24,7 @@ Result<RobotModel> Bevelled(const std::string& more_yaml) {
                            nao.yaml_text + "\n" + more_yaml + "\n", "nao", {hull});
 }
 
-std::string WhyNoSole(const std::string& more_yaml) {
+std::string ReasonNoSole(const std::string& more_yaml) {
   const Result<RobotModel> model = Bevelled(more_yaml);
   return model.ok() ? "" : model.failure().message;
 }
@@ -103,9 +103,9 @@ TEST(SoleGive, IsThatOfAPlansRobotToo) {
 }
 
 TEST(SoleGive, IsRefusedOutOfItsRangeAndWhereItCannotBe) {
-  ExpectSays(WhyNoSole("sole_give_m: 0.051"), {"'sole_give_m'", "0.051", "0.05"});
-  ExpectSays(WhyNoSole("sole_give_m: -0.001"), {"'sole_give_m'", "-0.001"});
-  ExpectSays(WhyNoSole("feet: [{link: l_ankle, type: point, sole_give_m: 0.001}, {link: r_ankle}]"),
+  ExpectSays(ReasonNoSole("sole_give_m: 0.051"), {"'sole_give_m'", "0.051", "0.05"});
+  ExpectSays(ReasonNoSole("sole_give_m: -0.001"), {"'sole_give_m'", "-0.001"});
+  ExpectSays(ReasonNoSole("feet: [{link: l_ankle, type: point, sole_give_m: 0.001}, {link: r_ankle}]"),
              {"'l_ankle'", "'sole_give_m'", "'type'"});
   ExpectSays(MessageOf(FourLegs(), "feet: [{link: A_foot, sole_give_m: 0.001}, {link: B_foot}]"),
              {"line 1", "'A_foot'", "'sole_give_m'", "no sole"});

@@ -26,7 +26,7 @@ double HopperReach() { return Vector3(0.25, 0.15, 0.78).norm(); }
 TEST(BodyLimits, ProblemsWithMotionsAreNotRefused) {
   for (const RigidBodyProblem& problem :
        {rigid_bodies::Hopper(), rigid_bodies::Walker(), rigid_bodies::Trotter(), Hopping(0.25, 1e3)})
-    EXPECT_FALSE(WhyBeyondLegs(problem).has_value());
+    EXPECT_FALSE(ReasonBeyondLegs(problem).has_value());
 }
 
 TEST(BodyLimits, AFlightMayBeAsLongAsTheStrokeAndTheForceAllow) {
@@ -36,8 +36,8 @@ TEST(BodyLimits, AFlightMayBeAsLongAsTheStrokeAndTheForceAllow) {
   const double gives = std::sqrt(2.0 * gains * reach);
   ASSERT_LT(gives, 0.5 * gains);
   const double longest = (gives + std::sqrt(gives * gives + 2.0 * kGravity * reach)) / kGravity;
-  EXPECT_FALSE(WhyBeyondLegs(Hopping(longest - 1e-3, kMost)).has_value());
-  const std::optional<Failure> failure = WhyBeyondLegs(Hopping(longest + 1e-3, kMost));
+  EXPECT_FALSE(ReasonBeyondLegs(Hopping(longest - 1e-3, kMost)).has_value());
+  const std::optional<Failure> failure = ReasonBeyondLegs(Hopping(longest + 1e-3, kMost));
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
   EXPECT_EQ(failure->code, FailureCode::kFlightTooLong);
@@ -49,17 +49,17 @@ TEST(BodyLimits, AShortSupportGivesNoMoreThanItsTime) {
   // 1 N more than the weight, for 0.5 s.
   const double most = 20.0 * kGravity + 1.0, gives = 0.5 / 20.0;
   const double longest = (gives + std::sqrt(gives * gives + 2.0 * kGravity * HopperReach())) / kGravity;
-  EXPECT_FALSE(WhyBeyondLegs(Hopping(longest - 1e-3, most)).has_value());
-  EXPECT_TRUE(WhyBeyondLegs(Hopping(longest + 1e-3, most)).has_value());
-  EXPECT_TRUE(WhyBeyondLegs(Hopping(0.6, 0.5 * 20.0 * kGravity)).has_value()) << "half of the weight";
+  EXPECT_FALSE(ReasonBeyondLegs(Hopping(longest - 1e-3, most)).has_value());
+  EXPECT_TRUE(ReasonBeyondLegs(Hopping(longest + 1e-3, most)).has_value());
+  EXPECT_TRUE(ReasonBeyondLegs(Hopping(0.6, 0.5 * 20.0 * kGravity)).has_value()) << "half of the weight";
 }
 
 TEST(BodyLimits, ALandingHighUpTakesMoreSpeed) {
   RigidBodyProblem problem = Hopping(0.5, 1e3);
-  EXPECT_FALSE(WhyBeyondLegs(problem).has_value());
+  EXPECT_FALSE(ReasonBeyondLegs(problem).has_value());
   problem.stances[1].X_WF.translation().z() += 5.0;
   problem.goal.p_WC.z() += 5.0;
-  const std::optional<Failure> failure = WhyBeyondLegs(problem);
+  const std::optional<Failure> failure = ReasonBeyondLegs(problem);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kFlightTooLong);
 }
@@ -69,9 +69,9 @@ TEST(BodyLimits, WithoutFrictionThereIsNoWayAhead) {
   const double t = problem.duration_s, up = std::sqrt(2.0 * kGravity * Vector3(0.25, 0.35, 0.8).norm());
   const double least = 0.6 / (t * (0.25 * kGravity * t + up));
   for (RigidStance& stance : problem.stances) stance.friction = 1.01 * least;
-  EXPECT_FALSE(WhyBeyondLegs(problem).has_value());
+  EXPECT_FALSE(ReasonBeyondLegs(problem).has_value());
   for (RigidStance& stance : problem.stances) stance.friction = 0.99 * least;
-  const std::optional<Failure> failure = WhyBeyondLegs(problem);
+  const std::optional<Failure> failure = ReasonBeyondLegs(problem);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kTooLittleFriction);
   EXPECT_NE(failure->message.find("0.60 m from rest to rest in 1.90 s"), std::string::npos) << failure->message;

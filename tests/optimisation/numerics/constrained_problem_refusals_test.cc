@@ -31,7 +31,7 @@ TEST(ConstrainedProblem, RefusesVariablesNamedTwiceOrNotThere) {
   EXPECT_EQ(message({0, 1}), "");
 }
 
-std::string WhyRefused(const ConstrainedProblem& problem) {
+std::string ReasonRefused(const ConstrainedProblem& problem) {
   try {
     (void)Solve(problem);
   } catch (const InvalidArgument& error) {
@@ -46,13 +46,13 @@ TEST(ConstrainedProblem, RefusesWhatIsNotFiniteAtTheStart) {
   problem.residuals = {{Of([](const VectorX& x) { return Values{x[0]}; })}};
   problem.constraints = {
       {"a logarithm", Of([](const VectorX& x) { return Values{std::log(x[0] - 2.0)}; }), Vec({0.0}), Vec({0.0})}};
-  EXPECT_EQ(WhyRefused(problem), "Solve: constraint 'a logarithm' is not finite at the start");
+  EXPECT_EQ(ReasonRefused(problem), "Solve: constraint 'a logarithm' is not finite at the start");
   problem.start = Vec({2.5});
   const Result<ConstrainedSolution> solution = Solve(problem);
   ASSERT_TRUE(solution.ok()) << solution.failure().message;
   EXPECT_NEAR(solution->x[0], 3.0, 1e-7);
   problem.residuals = {{Of([](const VectorX& x) { return Values{std::sqrt(x[0] - 3.0)}; })}};
-  EXPECT_EQ(WhyRefused(problem), "Solve: a residual is not finite at the start");
+  EXPECT_EQ(ReasonRefused(problem), "Solve: a residual is not finite at the start");
 }
 
 TEST(ConstrainedProblem, RefusesIntervalsThatAreNone) {
@@ -61,12 +61,12 @@ TEST(ConstrainedProblem, RefusesIntervalsThatAreNone) {
   problem.residuals = {{Of([](const VectorX& x) { return Values{x[0]}; })}};
   problem.lower = Vec({2.0});
   problem.upper = Vec({1.0});
-  EXPECT_NE(WhyRefused(problem).find("the bounds: bounds 0 are 2 (lower) and 1 (upper)"), std::string::npos);
+  EXPECT_NE(ReasonRefused(problem).find("the bounds: bounds 0 are 2 (lower) and 1 (upper)"), std::string::npos);
   problem.upper = Vec({3.0, 3.0});
-  EXPECT_NE(WhyRefused(problem).find("the bounds: 1 lower and 2 upper"), std::string::npos);
+  EXPECT_NE(ReasonRefused(problem).find("the bounds: 1 lower and 2 upper"), std::string::npos);
   problem.lower = problem.upper = VectorX();
   problem.constraints = {{"c", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({0.0}), VectorX()}};
-  EXPECT_NE(WhyRefused(problem).find("constraint 'c': 1 lower and 0 upper"), std::string::npos);
+  EXPECT_NE(ReasonRefused(problem).find("constraint 'c': 1 lower and 0 upper"), std::string::npos);
 }
 
 TEST(ConstrainedProblem, ACostThatHasNotSettledIsNoSolution) {

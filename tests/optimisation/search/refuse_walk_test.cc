@@ -85,34 +85,34 @@ TEST(IsSound, NeedsAPlanWithinLimitsThatPassesItsAudit) {
   EXPECT_FALSE(IsSound(far)) << "past limits between the audit's samples";
 }
 
-TEST(WhyForbidden, NamesTheWorstLimitAndHowManyThereAre) {
-  const Failure one = WhyForbidden(WalkWith({Broken(Law::kJointTorque, "knee", 44.0, 40.0, "N m")}));
+TEST(ReasonForbidden, NamesTheWorstLimitAndHowManyThereAre) {
+  const Failure one = ReasonForbidden(WalkWith({Broken(Law::kJointTorque, "knee", 44.0, 40.0, "N m")}));
   EXPECT_EQ(one.kind, FailureKind::kInfeasible);
   EXPECT_EQ(one.code, FailureCode::kLimits);
   ASSERT_TRUE(one.violation);
   EXPECT_EQ(one.violation->where, "knee");
   EXPECT_EQ(one.message.find("worst of"), std::string::npos);
-  const Failure two = WhyForbidden(
+  const Failure two = ReasonForbidden(
       WalkWith({Broken(Law::kJointPosition, "hip", 1.05, 1.0), Broken(Law::kJointTorque, "knee", 44.0, 40.0, "N m"),
                 Broken(Law::kDynamics, "base", 9.0, 1.0)}));
   EXPECT_EQ(two.violation->where, "knee");
   EXPECT_NE(two.message.find("worst of 2 violated limits"), std::string::npos) << two.message;
 }
 
-TEST(WhyForbidden, WithoutABrokenLimitHasTheCodeOfTheFirstLaw) {
+TEST(ReasonForbidden, WithoutABrokenLimitHasTheCodeOfTheFirstLaw) {
   const PlannedWalk walk =
       WalkWith({Broken(Law::kZmpSupport, "ZMP", 0.004, 0.002, "m"), Broken(Law::kDynamics, "base", 9.0, 1.0)});
-  EXPECT_EQ(WhyForbidden(walk).code, FailureCode::kZmpSupport);
+  EXPECT_EQ(ReasonForbidden(walk).code, FailureCode::kZmpSupport);
   EXPECT_EQ(ReasonRefused(walk), FailureCode::kZmpSupport);
   EXPECT_EQ(ReasonRefused(Failure{FailureKind::kInfeasible, FailureCode::kNoFootholds, "", "", {}}),
             FailureCode::kNoFootholds);
 }
 
-TEST(WhyForbidden, OfLimitsPassedBetweenSamplesHasThePlansWarnings) {
+TEST(ReasonForbidden, OfLimitsPassedBetweenSamplesHasThePlansWarnings) {
   PlannedWalk walk;
   walk.motion.limit_excess = 1.0;
   walk.motion.plan.warnings = {"first", "second"};
-  const Failure failure = WhyForbidden(walk);
+  const Failure failure = ReasonForbidden(walk);
   EXPECT_EQ(failure.code, FailureCode::kLimits);
   EXPECT_EQ(failure.message, "first; second");
   EXPECT_FALSE(failure.violation);

@@ -13,7 +13,7 @@ namespace {
 void ExpectRefused(const std::string& urdf, FailureCode code, const std::vector<std::string>& parts) {
   const Result<RobotModel> model = LoadRobotFromText(urdf, "");
   ASSERT_TRUE(model.ok()) << model.failure().message;
-  const auto failure = WhyCannotWalk(*model);
+  const auto failure = ReasonCannotWalk(*model);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
   EXPECT_EQ(failure->code, code);
@@ -23,13 +23,13 @@ void ExpectRefused(const std::string& urdf, FailureCode code, const std::vector<
 
 TEST(CanWalk, ABipedOnTwoPointsCannotStandStillButFallsFromFootToFoot) {
   const RobotModel model = LoadRobotFromText(unusual::PointBiped(), "").value();
-  EXPECT_FALSE(WhyCannotWalk(model).has_value());
-  const auto failure = WhyCannotStand(model);
+  EXPECT_FALSE(ReasonCannotWalk(model).has_value());
+  const auto failure = ReasonCannotStand(model);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kNoSupport);
   for (const char* part : {"cannot stand still", "'a_foot'", "'b_foot'", "two points"})
     EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
-  EXPECT_FALSE(WhyCannotStand(LoadNamedRobot("nao").value()).has_value());
+  EXPECT_FALSE(ReasonCannotStand(LoadNamedRobot("nao").value()).has_value());
 }
 
 TEST(CanWalk, FeetWithoutAnyShapeAreSaidToHaveNone) {
@@ -53,33 +53,33 @@ TEST(CanWalk, LegsOnOneAxisAreTheHalvesOfOneLeg) {
 TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
   ExpectRefused(unusual::Pantograph(), FailureCode::kFreedoms, {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
   const RobotModel planar = LoadRobotFromText(unusual::Planar(), "").value();
-  EXPECT_FALSE(WhyCannotWalk(planar).has_value()) << "straight ahead it can";
-  const auto failure = WhyCannotSidestep(planar);
+  EXPECT_FALSE(ReasonCannotWalk(planar).has_value()) << "straight ahead it can";
+  const auto failure = ReasonCannotSidestep(planar);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kFreedoms);
   for (const char* part :
        {"leg 'a_foot'", "2 of 3", "lacks a joint to move its foot sideways;", "'a2_joint', 'a3_joint'"})
     EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
-  EXPECT_TRUE(WhyCannotTurn(planar).has_value());
+  EXPECT_TRUE(ReasonCannotTurn(planar).has_value());
 }
 
 TEST(CanWalk, OthersCan) {
   for (const std::string& urdf :
        {unusual::Plain(), unusual::Telescopic(), unusual::Insect(), unusual::Tripod(), unusual::Wheeled(),
         unusual::SoledBiped(true, false), LoadNamedRobot("a1")->urdf_text, LoadNamedRobot("nao")->urdf_text}) {
-    const auto failure = WhyCannotWalk(*LoadRobotFromText(urdf, ""));
+    const auto failure = ReasonCannotWalk(*LoadRobotFromText(urdf, ""));
     EXPECT_FALSE(failure.has_value()) << failure->message;
   }
 }
 
 TEST(CanWalk, TurningTakesAJointForEachSole) {
   for (const char* name : {"a1", "nao", "h1"}) {
-    const auto failure = WhyCannotTurn(*LoadNamedRobot(name));
+    const auto failure = ReasonCannotTurn(*LoadNamedRobot(name));
     EXPECT_FALSE(failure.has_value()) << failure->message;
   }
   const RobotModel stork = LoadRobot(SourceFolder() + "/examples/robots/stork.urdf", "none").value();
-  EXPECT_FALSE(WhyCannotWalk(stork).has_value());
-  const auto failure = WhyCannotTurn(stork);
+  EXPECT_FALSE(ReasonCannotWalk(stork).has_value());
+  const auto failure = ReasonCannotTurn(stork);
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->code, FailureCode::kFreedoms);
   for (const char* part : {"leg 'sx_piede' cannot turn", "5 of 6", "lacks a joint to yaw its sole;"})

@@ -99,8 +99,8 @@ TEST_P(PlanFootstepsTest, OnASlopeTheFootFrameStandsOnItAndKeepsItsHeading) {
 TEST_P(PlanFootstepsTest, TheFarthestFootholdIsNamedOnceALegReachesLess) {
   const RobotModel& model = NamedRobot(GetParam());
   const FootstepSkeleton skeleton = SkeletonOf(GetParam(), AheadFor(0.4, 0.1));
-  EXPECT_FALSE(WhyOutOfReach(model, skeleton, 1.0));
-  const auto failure = WhyOutOfReach(model, skeleton, 0.3);
+  EXPECT_FALSE(ReasonOutOfReach(model, skeleton, 1.0));
+  const auto failure = ReasonOutOfReach(model, skeleton, 0.3);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
   EXPECT_EQ(failure->code, FailureCode::kFootholdOutOfReach);

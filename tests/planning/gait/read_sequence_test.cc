@@ -36,7 +36,7 @@ std::string Why(const std::string& text) {
   return parts.failure().message;
 }
 
-std::string WhyFile(const std::string& text) {
+std::string ReasonFile(const std::string& text) {
   const std::string path = ScratchFile("sequence_test.yaml");
   std::ofstream(path) << text;
   std::string why = Why(path);
@@ -96,7 +96,7 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
       {"- {gait: trot, speed: 1, speed: 2}", "'speed' twice"},
       {"- {gait: trot", "not valid YAML"}};
   for (const auto& [text, part] : wrong_files)
-    EXPECT_NE(WhyFile(text).find(part), std::string::npos) << text << ": " << WhyFile(text);
+    EXPECT_NE(ReasonFile(text).find(part), std::string::npos) << text << ": " << ReasonFile(text);
   EXPECT_NE(Why("no_such_file.yaml"), "");
 }
 

@@ -21,7 +21,7 @@ Terrain Made(const std::string& spec, const TerrainScale& scale = {}) {
   return made.ok() ? *made : Terrain{};
 }
 
-std::string WhyBuiltInTerrainRefused(const std::string& spec) {
+std::string ReasonBuiltInTerrainRefused(const std::string& spec) {
   const Result<Terrain> made = MakeTerrain(spec, {});
   EXPECT_FALSE(made.ok()) << spec;
   return made.ok() ? "" : made.failure().message;
@@ -168,9 +168,9 @@ TEST(BuiltInTerrain, StonesStayInTheirPlacesAndApart) {
   const Terrain again = Made(spec + ",seed=4"), other = Made(spec + ",seed=5");
   EXPECT_EQ(again.patches[5].X_WT.translation(), stones.patches[5].X_WT.translation());
   EXPECT_NE(other.patches[5].X_WT.translation(), stones.patches[5].X_WT.translation());
-  EXPECT_NE(
-      WhyBuiltInTerrainRefused("stepping-stones:size_m=0.12,spacing_m=0.2,jitter_m=0.05").find("jitter_m may be 0.04"),
-      std::string::npos);
+  EXPECT_NE(ReasonBuiltInTerrainRefused("stepping-stones:size_m=0.12,spacing_m=0.2,jitter_m=0.05")
+                .find("jitter_m may be 0.04"),
+            std::string::npos);
 }
 
 TEST(BuiltInTerrain, RoughGroundRisesFromTheLevelAroundIt) {
@@ -192,7 +192,7 @@ TEST(BuiltInTerrain, RoughGroundRisesFromTheLevelAroundIt) {
     EXPECT_GT(steepest, 0.0001);
   }
   EXPECT_NE(Made("rough:seed=1").height_fields[0].height_m, Made("rough:seed=2").height_fields[0].height_m);
-  EXPECT_NE(WhyBuiltInTerrainRefused("rough:length_m=100,width_m=100,resolution_m=0.001").find("points"),
+  EXPECT_NE(ReasonBuiltInTerrainRefused("rough:length_m=100,width_m=100,resolution_m=0.001").find("points"),
             std::string::npos);
 }
 
@@ -222,7 +222,7 @@ TEST(BuiltInTerrain, ADoorwayIsOpenAsWideAndHighAsSaid) {
   const Obstacle& lintel = door.obstacles[2];
   EXPECT_TRUE(Within(lintel, {1.05, 0.5}, 0.0));
   EXPECT_NEAR(lintel.X_WO.translation().z() - 0.5 * lintel.size_m.z(), 0.7, 1e-12);
-  EXPECT_NE(WhyBuiltInTerrainRefused("doorway:length_m=1,offset_m=2").find("not within"), std::string::npos);
+  EXPECT_NE(ReasonBuiltInTerrainRefused("doorway:length_m=1,offset_m=2").find("not within"), std::string::npos);
 }
 
 /// Whether a point gets from the start to the goal of a maze over the cells of a grid, with distance `beside` to every
@@ -264,18 +264,18 @@ TEST(BuiltInTerrain, EveryMazeHasAWayThrough) {
 }
 
 TEST(BuiltInTerrain, WrongTextsAreRefusedWithWhatWouldBeAccepted) {
-  EXPECT_NE(WhyBuiltInTerrainRefused("stair").find("nearest is 'stairs'"), std::string::npos);
+  EXPECT_NE(ReasonBuiltInTerrainRefused("stair").find("nearest is 'stairs'"), std::string::npos);
   for (const BuiltInTerrain& entry : BuiltInTerrains())
-    EXPECT_NE(WhyBuiltInTerrainRefused("steps").find("'" + entry.name + "'"), std::string::npos);
-  EXPECT_EQ(WhyBuiltInTerrainRefused("stairs:rise=0.07"),
+    EXPECT_NE(ReasonBuiltInTerrainRefused("steps").find("'" + entry.name + "'"), std::string::npos);
+  EXPECT_EQ(ReasonBuiltInTerrainRefused("stairs:rise=0.07"),
             "terrain 'stairs': unknown option 'rise'; the nearest is 'rise_m'");
-  EXPECT_NE(WhyBuiltInTerrainRefused("stairs:rise_m=300").find("is 300 m; accepted: 0.001 to 1"), std::string::npos);
-  EXPECT_NE(WhyBuiltInTerrainRefused("stairs:rise_m=nan").find("rise_m"), std::string::npos);
-  EXPECT_NE(WhyBuiltInTerrainRefused("stairs:count=2.5").find("whole number"), std::string::npos);
-  EXPECT_NE(WhyBuiltInTerrainRefused("stairs:rise_m=0.1,rise_m=0.2").find("twice"), std::string::npos);
+  EXPECT_NE(ReasonBuiltInTerrainRefused("stairs:rise_m=300").find("is 300 m; accepted: 0.001 to 1"), std::string::npos);
+  EXPECT_NE(ReasonBuiltInTerrainRefused("stairs:rise_m=nan").find("rise_m"), std::string::npos);
+  EXPECT_NE(ReasonBuiltInTerrainRefused("stairs:count=2.5").find("whole number"), std::string::npos);
+  EXPECT_NE(ReasonBuiltInTerrainRefused("stairs:rise_m=0.1,rise_m=0.2").find("twice"), std::string::npos);
   for (const char* spec : {"stairs:", "stairs:rise_m", "stairs:=3", "stairs:rise_m=0.1,"})
-    EXPECT_NE(WhyBuiltInTerrainRefused(spec).find("key=value"), std::string::npos) << spec;
-  EXPECT_NE(WhyBuiltInTerrainRefused("").find("'flat'"), std::string::npos);
+    EXPECT_NE(ReasonBuiltInTerrainRefused(spec).find("key=value"), std::string::npos) << spec;
+  EXPECT_NE(ReasonBuiltInTerrainRefused("").find("'flat'"), std::string::npos);
 }
 
 TEST(ScaleOf, MeasuresTheStandingRobot) {

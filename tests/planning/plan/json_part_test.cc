@@ -132,15 +132,15 @@ TEST(ParseJsonOnce, ReadsAsDeepAsTheBoundAndNoDeeper) {
   EXPECT_THROW((void)ParseJsonOnce(nested(kDeepestJson + 1)), InvalidArgument);
 }
 
-TEST(WhyNoJson, TellsWhereTheTextBreaks) {
-  EXPECT_EQ(WhyNoJson(""), "it is empty");
-  const std::string cut = WhyNoJson(R"({"mass": 1, "len)");
+TEST(ReasonNoJson, TellsWhereTheTextBreaks) {
+  EXPECT_EQ(ReasonNoJson(""), "it is empty");
+  const std::string cut = ReasonNoJson(R"({"mass": 1, "len)");
   EXPECT_NE(cut.find("cut short at byte 16"), std::string::npos) << cut;
   EXPECT_NE(cut.find("'mass'"), std::string::npos) << cut;
-  const std::string broken = WhyNoJson(R"({"mass": 1; "length": 2})");
+  const std::string broken = ReasonNoJson(R"({"mass": 1; "length": 2})");
   EXPECT_NE(broken.find("syntax error at byte 11"), std::string::npos) << broken;
   for (const std::string word : {"NaN", "-Infinity", "1e999"}) {
-    const std::string why = WhyNoJson(R"({"mass": )" + word + "}");
+    const std::string why = ReasonNoJson(R"({"mass": )" + word + "}");
     EXPECT_NE(why.find("'mass' contains " + word), std::string::npos) << why;
   }
 }

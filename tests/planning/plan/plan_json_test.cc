@@ -21,7 +21,7 @@ const std::string& GoodText() {
 }
 
 /// The reason why a text is refused; empty if it is accepted.
-std::string WhyPlanJsonRefused(const std::string& text) {
+std::string ReasonPlanJsonRefused(const std::string& text) {
   const Result<MotionPlan> plan = PlanFromJson(text, "x.json");
   if (plan.ok()) return "";
   EXPECT_EQ(plan.failure().kind, FailureKind::kBadInput);
@@ -31,11 +31,11 @@ std::string WhyPlanJsonRefused(const std::string& text) {
   return plan.failure().message.substr(start.size());
 }
 
-std::string WhyPlanJsonRefused(const std::function<void(Json&)>& change) {
+std::string ReasonPlanJsonRefused(const std::function<void(Json&)>& change) {
   static const Json good = Json::parse(GoodText());
   Json changed = good;
   change(changed);
-  return WhyPlanJsonRefused(changed.dump());
+  return ReasonPlanJsonRefused(changed.dump());
 }
 
 /// The good text with the first number after a key replaced by a word that JSON does not know.
@@ -47,7 +47,7 @@ std::string WithWord(const std::string& key, const std::string& word) {
 }
 
 TEST(PlanJson, AGoodPlanComesBack) {
-  EXPECT_EQ(WhyPlanJsonRefused(GoodText()), "");
+  EXPECT_EQ(ReasonPlanJsonRefused(GoodText()), "");
   const MotionPlan& good = GoodPlanOf("a1").plan;
   const MotionPlan back = PlanFromJson(GoodText(), "x.json").value();
   EXPECT_EQ(back.whole_body.q, good.whole_body.q);
@@ -99,12 +99,12 @@ TEST(PlanJson, HeelOffComesBackWhereItIs) {
 TEST(PlanJson, NumbersThatAreNoneAreSaid) {
   for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "1e999"}) {
     for (const char* key : {"speed_m_s", "centroidal", "q", "contact_wrenches"}) {
-      const std::string why = WhyPlanJsonRefused(WithWord(key, word));
+      const std::string why = ReasonPlanJsonRefused(WithWord(key, word));
       EXPECT_EQ(why.rfind(std::string("'") + key + "' contains " + word + " (byte ", 0), 0U) << why;
       EXPECT_NE(why.find("must be finite"), std::string::npos) << why;
     }
   }
-  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["goal"]["x_m"] = std::numeric_limits<double>::quiet_NaN(); }),
+  EXPECT_EQ(ReasonPlanJsonRefused([](Json& j) { j["goal"]["x_m"] = std::numeric_limits<double>::quiet_NaN(); }),
             "'goal.x_m' is null; a number is needed");
 }
 
@@ -120,25 +120,27 @@ TEST(PlanJson, ASwingOverNoGroundComesBack) {
 }
 
 TEST(PlanJson, TextsThatBreakSayWhere) {
-  EXPECT_EQ(WhyPlanJsonRefused(std::string()), "it is empty");
+  EXPECT_EQ(ReasonPlanJsonRefused(std::string()), "it is empty");
   const std::string& good = GoodText();
-  EXPECT_EQ(WhyPlanJsonRefused(good.substr(0, 100)), "its JSON is cut short at byte 100, after the key 'robot_hash'");
-  EXPECT_EQ(WhyPlanJsonRefused(good.substr(0, good.find("\"tau_nm\"") + 20)).find("its JSON is cut short at byte"), 0U);
+  EXPECT_EQ(ReasonPlanJsonRefused(good.substr(0, 100)),
+            "its JSON is cut short at byte 100, after the key 'robot_hash'");
+  EXPECT_EQ(ReasonPlanJsonRefused(good.substr(0, good.find("\"tau_nm\"") + 20)).find("its JSON is cut short at byte"),
+            0U);
   EXPECT_EQ(
-      WhyPlanJsonRefused(good + "}}").find("its JSON has a syntax error at byte " + std::to_string(good.size() + 1)),
+      ReasonPlanJsonRefused(good + "}}").find("its JSON has a syntax error at byte " + std::to_string(good.size() + 1)),
       0U);
-  EXPECT_EQ(WhyPlanJsonRefused(std::string("\x01\x02")), "its JSON has a syntax error at byte 1");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')),
+  EXPECT_EQ(ReasonPlanJsonRefused(std::string("\x01\x02")), "its JSON has a syntax error at byte 1");
+  EXPECT_EQ(ReasonPlanJsonRefused(std::string(100000, '[')),
             "its lists and objects are nested more than 64 levels deep, the maximum");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string("[1, 2]")), "it is not a motion plan");
-  EXPECT_EQ(WhyPlanJsonRefused(std::string("{\"format\": \"x\"}")), "it is not a motion plan");
+  EXPECT_EQ(ReasonPlanJsonRefused(std::string("[1, 2]")), "it is not a motion plan");
+  EXPECT_EQ(ReasonPlanJsonRefused(std::string("{\"format\": \"x\"}")), "it is not a motion plan");
 }
 
 TEST(PlanJson, AKeyThatStandsTwiceIsRefused) {
   std::string text = GoodText();
   const std::string key = "\"step_s\":";
   text.insert(text.find(key), "\"step_s\":0.005,");
-  EXPECT_EQ(WhyPlanJsonRefused(text), "the key 'step_s' appears twice in one object");
+  EXPECT_EQ(ReasonPlanJsonRefused(text), "the key 'step_s' appears twice in one object");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ const ReadJson& GoodReadJson() {
 }
 
 /// The reason why the good plan with a change is refused; empty if it is accepted.
-std::string WhyPlanRefused(const std::function<void(ReadJson&)>& change) {
+std::string ReasonPlanRefused(const std::function<void(ReadJson&)>& change) {
   ReadJson changed = GoodReadJson();
   change(changed);
   const Result<MotionPlan> plan = PlanFromJson(changed.dump(), "x.json");
@@ -33,93 +33,94 @@ std::string WhyPlanRefused(const std::function<void(ReadJson&)>& change) {
 }
 
 TEST(PlanReading, PartsThatCannotBeAreRefused) {
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["parts"] = ReadJson::array(); }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["parts"] = ReadJson::array(); }),
             "'parts' is empty; a plan has one part or more");
-  EXPECT_NE(WhyPlanRefused([](ReadJson& j) { j["parts"][0]["end_s"] = -1.0; }).find("it must end after its start"),
+  EXPECT_NE(ReasonPlanRefused([](ReadJson& j) { j["parts"][0]["end_s"] = -1.0; }).find("it must end after its start"),
             std::string::npos);
-  EXPECT_NE(WhyPlanRefused([](ReadJson& j) { j["parts"][0]["speed"] = 1.0; }).find("'speed'"), std::string::npos);
+  EXPECT_NE(ReasonPlanRefused([](ReadJson& j) { j["parts"][0]["speed"] = 1.0; }).find("'speed'"), std::string::npos);
 }
 
 TEST(PlanReading, KeysThatAreUnknownOrMissingAreNamed) {
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["footholdz"] = 1; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["footholdz"] = 1; }),
             "it has an unknown key 'footholdz'; the nearest is 'footholds'");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][2]["lift"] = 1; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["swings"][2]["lift"] = 1; }),
             "'swings[2]' has an unknown key 'lift'; the nearest is 'lift_m'");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j.erase("tau_nm"); }), "it lacks 'tau_nm'");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["provenance"] = ReadJson::object(); }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j.erase("tau_nm"); }), "it lacks 'tau_nm'");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["provenance"] = ReadJson::object(); }),
             "'provenance' lacks 'program_version'");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["footholds"][1].erase("patch"); }), "'footholds[1]' lacks 'patch'");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["terrain"]["patches"][0].erase("friction"); }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["footholds"][1].erase("patch"); }), "'footholds[1]' lacks 'patch'");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["terrain"]["patches"][0].erase("friction"); }),
             "'terrain.patches[0]' lacks 'friction'");
 }
 
 TEST(PlanReading, KindsThatAreWrongAreNamed) {
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["schema"] = "2"; }), "'schema' is '2'; a whole number is needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["robot"] = 5; }), "'robot' is 5; a text is needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["schema"] = "2"; }), "'schema' is '2'; a whole number is needed");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["robot"] = 5; }), "'robot' is 5; a text is needed");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               j["goal"] = ReadJson::array({1, 2});
             }),
             "'goal' is a list of 2; an object is needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["footholds"][0]["foot"] = 0.5; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["footholds"][0]["foot"] = 0.5; }),
             "'footholds[0].foot' is 0.5; a whole number is needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["q"][5][2] = "high"; }), "'q[5][2]' is 'high'; a number is needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["q"] = true; }), "'q' is true; a list is needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["schedule"][0][2] = -1; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["q"][5][2] = "high"; }), "'q[5][2]' is 'high'; a number is needed");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["q"] = true; }), "'q' is true; a list is needed");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["schedule"][0][2] = -1; }),
             "'schedule[0][2]' is -1; a whole number, 0 or more, is needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["schedule"][0].erase(2); }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["schedule"][0].erase(2); }),
             "'schedule[0]' has 2 values; three are needed: start, end and stance");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["provenance"]["options"]["a"] = 1; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["provenance"]["options"]["a"] = 1; }),
             "'provenance.options.a' is 1; a text is needed");
 }
 
 TEST(PlanReading, IndicesAndChoicesThatAreNotThereAreRefused) {
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["footholds"][0]["foot"] = 9; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["footholds"][0]["foot"] = 9; }),
             "'footholds[0].foot' is 9; accepted: 0 to 3");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][0]["foot"] = -1; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["swings"][0]["foot"] = -1; }),
             "'swings[0].foot' is -1; accepted: 0 to 3");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["footholds"][3]["patch"] = 77; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["footholds"][3]["patch"] = 77; }),
             "'footholds[3].patch' is 77; accepted: 0 to 0");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][0]["foot"] = std::uint64_t{1} << 63U; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["swings"][0]["foot"] = std::uint64_t{1} << 63U; }),
             "'swings[0].foot' is 9223372036854775808; accepted: 0 to 3");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               j["schedule"][0][2] = std::uint64_t{1} << 40U;
             }).find("contact phase 0 names a foot "),
             0U);
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["parts"][0]["command"]["extent"] = "foo"; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["parts"][0]["command"]["extent"] = "foo"; }),
             "'parts[0].command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps', 'duration'");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["parts"][0]["gait"]["phase"] = ReadJson::array({0}); }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["parts"][0]["gait"]["phase"] = ReadJson::array({0}); }),
             "'parts[0].gait.phase' has 1 numbers; 4 are needed");
 }
 
 TEST(PlanReading, ValuesThatCannotBeAreRefused) {
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["footholds"][0]["pose"][6] = 0.0; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["footholds"][0]["pose"][6] = 0.0; }),
             "'footholds[0].pose' has a quaternion of length 0; it must be 1");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][1]["end_pose"][6] = 1.5; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["swings"][1]["end_pose"][6] = 1.5; }),
             "'swings[1].end_pose' has a quaternion of length 1.5; it must be 1");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["q"][7][6] = 0.5; }).find("'q[7]' has a quaternion of length 0.5"), 0U);
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["terrain"]["patches"][0]["friction"] = -1.0; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["q"][7][6] = 0.5; }).find("'q[7]' has a quaternion of length 0.5"),
+            0U);
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["terrain"]["patches"][0]["friction"] = -1.0; }),
             "'terrain.patches[0].friction' is -1; accepted: 0 to 100");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["terrain"]["patches"] = ReadJson::array(); }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["terrain"]["patches"] = ReadJson::array(); }),
             "'terrain' has neither patches nor height fields; a plan needs ground to stand on");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {1, 0}};
             }),
             "'terrain.patches[0].outline_m' has 2 corners; accepted: none (an infinite plane), or three or more (an "
             "outline)");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {0, 9}, {9, 9}, {9, 0}};
             }),
             "'terrain.patches[0].outline_m' runs clockwise; it must run counter-clockwise");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{-9, -9}, {9, -9}, {0, 0}, {9, 9}, {-9, 9}};
             }).find("'terrain.patches[0].outline_m' covers 0.75 of its convex hull"),
             0U);
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["parts"][0]["gait"]["cycle_s"] = 0.0; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["parts"][0]["gait"]["cycle_s"] = 0.0; }),
             "'parts[0].gait.cycle_s' is 0; it must be above 0");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),
             "'terrain.patches[0]' faces down: the z of its normal is -1; it must be above 0");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["step_s"] = 0; }), "'step_s' is 0; it must be positive");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["step_s"] = 0; }), "'step_s' is 0; it must be positive");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               j["swings"][0]["end_s"] = j["swings"][0]["start_s"];
             }).find("'swings[0]' lasts from "),
             0U);
@@ -141,19 +142,20 @@ TEST(PlanReading, FootholdsComeBackInOrder) {
 
 TEST(PlanReading, RowsThatDoNotBelongTogetherAreRefused) {
   const std::size_t rows = GoodPlanOf("a1").plan.whole_body.q.size();
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["q"][5].erase(0); }), "'q[5]' has 18 numbers, but the first row has 19");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["v"].erase(0); }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["q"][5].erase(0); }),
+            "'q[5]' has 18 numbers, but the first row has 19");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["v"].erase(0); }),
             "'v' has " + std::to_string(rows - 1) + " rows; " + std::to_string(rows) + " are needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["q"] = ReadJson::array(); }), "'q' has 0 rows; 1 are needed");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["q"] = ReadJson::array(); }), "'q' has 0 rows; 1 are needed");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               for (ReadJson& row : j["tau_nm"]) row.erase(0);
             }).find("it has rows of 19, 18, 18 and 11 numbers in 'q', 'v', 'a' and 'tau_nm'"),
             0U);
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               for (ReadJson& row : j["contact_wrenches"]) row.erase(0);
             }),
             "'contact_wrenches' has rows of 23 numbers; each foot has six");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               for (ReadJson& row : j["centroidal"]) row.erase(0);
             }),
             "'centroidal' has rows of 10 numbers; 11 are needed");
@@ -166,7 +168,7 @@ ReadJson BoxOfReading() {
 
 TEST(PlanReading, ObstaclesNeedTheKeyOfTheirTypeAndSizesAboveZero) {
   const auto why = [](const std::function<void(ReadJson&)>& change) {
-    return WhyPlanRefused([&](ReadJson& j) {
+    return ReasonPlanRefused([&](ReadJson& j) {
       ReadJson box = BoxOfReading();
       change(box);
       j["terrain"]["obstacles"] = ReadJson::array({box});
@@ -192,7 +194,7 @@ TEST(PlanReading, AHeightFieldHasAHeightForEachNode) {
                          {"columns", 3},    {"rows", 2},          {"heights_m", {0, 1, 2, 3, 4, 5}},
                          {"friction", 0.7}};
   const auto why = [&](const char* key, const ReadJson& value) {
-    return WhyPlanRefused([&](ReadJson& j) {
+    return ReasonPlanRefused([&](ReadJson& j) {
       ReadJson field = good;
       field[key] = value;
       j["terrain"]["height_fields"] = ReadJson::array({field});
@@ -206,17 +208,17 @@ TEST(PlanReading, AHeightFieldHasAHeightForEachNode) {
 
 TEST(PlanReading, AFootThatNeverStandsNeedsAllFeetToDoSo) {
   const auto shares = [](const ReadJson& duty) {
-    return WhyPlanRefused([&](ReadJson& j) { j["parts"][0]["gait"]["duty_factor"] = duty; });
+    return ReasonPlanRefused([&](ReadJson& j) { j["parts"][0]["gait"]["duty_factor"] = duty; });
   };
   EXPECT_EQ(shares({0, 0, 0, 0}), "");
   EXPECT_EQ(shares({0.5, 0.5, 0, 0.5}),
             "'parts[0].gait.duty_factor[2]' is 0; a foot that never stands is accepted only if no foot ever stands");
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["parts"][0]["gait"]["phase"][1] = 1.0; }),
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["parts"][0]["gait"]["phase"][1] = 1.0; }),
             "'parts[0].gait.phase[1]' is 1; a phase must be less than 1");
 }
 
 TEST(PlanReading, AFootholdMayNotEndBeforeItBegins) {
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) {
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) {
               j["footholds"][0]["touchdown_s"] = 2.0;
               j["footholds"][0]["liftoff_s"] = 1.5;
             }),
@@ -225,7 +227,7 @@ TEST(PlanReading, AFootholdMayNotEndBeforeItBegins) {
 
 TEST(PlanReading, AHeelRisesWithinItsStance) {
   const auto with = [](double heel_off_s) {
-    return WhyPlanRefused([&](ReadJson& j) {
+    return ReasonPlanRefused([&](ReadJson& j) {
       j["footholds"][0]["touchdown_s"] = 0.5;
       j["footholds"][0]["liftoff_s"] = 1.5;
       j["footholds"][0]["heel_off_s"] = heel_off_s;
@@ -237,17 +239,18 @@ TEST(PlanReading, AHeelRisesWithinItsStance) {
 }
 
 TEST(PlanReading, ASwingCruisesForLessThanItsTime) {
-  EXPECT_EQ(WhyPlanRefused([](ReadJson& j) { j["swings"][0]["cruise"] = 0.99; }), "");
+  EXPECT_EQ(ReasonPlanRefused([](ReadJson& j) { j["swings"][0]["cruise"] = 0.99; }), "");
   for (const double cruise : {-0.5, 1.0}) {
-    EXPECT_EQ(WhyPlanRefused([&](ReadJson& j) { j["swings"][0]["cruise"] = cruise; }).find("'swings[0]' has 'cruise' "),
-              0U)
+    EXPECT_EQ(
+        ReasonPlanRefused([&](ReadJson& j) { j["swings"][0]["cruise"] = cruise; }).find("'swings[0]' has 'cruise' "),
+        0U)
         << cruise;
   }
 }
 
 TEST(PlanReading, GatesNameFeetThatAPlanHas) {
   const auto gated = [](int contact) {
-    return WhyPlanRefused([&](ReadJson& j) {
+    return ReasonPlanRefused([&](ReadJson& j) {
       j["gates"] = ReadJson::array(
           {{{"at_s", 0.1}, {"phase", "stand"}, {"joints_within", 0.1}, {"contact", contact}, {"longest_s", 1.0}}});
     });
@@ -258,7 +261,7 @@ TEST(PlanReading, GatesNameFeetThatAPlanHas) {
 
 TEST(PlanReading, AnAdjustmentHasACodeOfAFailure) {
   const auto adjusted = [](const char* why) {
-    return WhyPlanRefused([&](ReadJson& j) {
+    return ReasonPlanRefused([&](ReadJson& j) {
       j["adjustments"] = ReadJson::array(
           {{{"what", "speed_m_s"}, {"asked", 1.0}, {"given", 0.5}, {"unit", "m/s"}, {"why", why}, {"part", ""}}});
     });

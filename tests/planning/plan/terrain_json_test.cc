@@ -48,7 +48,7 @@ Terrain Everything() {
   return terrain;
 }
 
-std::string WhyTerrainRefused(const std::function<void(Json&)>& change) {
+std::string ReasonTerrainRefused(const std::function<void(Json&)>& change) {
   static const std::string good = PlanToJson(SmallPlan(Everything()));
   Json j = Json::parse(good);
   change(j["terrain"]);
@@ -83,34 +83,34 @@ TEST(TerrainJson, EveryKindOfGroundComesBack) {
 }
 
 TEST(TerrainJson, HeightFieldsThatCannotBeAreRefused) {
-  EXPECT_EQ(WhyTerrainRefused([](Json&) {}), "");
-  EXPECT_NE(WhyTerrainRefused([](Json& j) { j["height_fields"][0]["heights_m"].erase(0); }).find("numbers; "),
+  EXPECT_EQ(ReasonTerrainRefused([](Json&) {}), "");
+  EXPECT_NE(ReasonTerrainRefused([](Json& j) { j["height_fields"][0]["heights_m"].erase(0); }).find("numbers; "),
             std::string::npos);
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0]["heights_m"][5] = nullptr; }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["height_fields"][0]["heights_m"][5] = nullptr; }),
             "'terrain.height_fields[0].heights_m[5]' is null; a number is needed");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0]["resolution_m"] = 0.0; }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["height_fields"][0]["resolution_m"] = 0.0; }),
             "'terrain.height_fields[0].resolution_m' is 0; it must be above 0");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0]["rows"] = 1; }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["height_fields"][0]["rows"] = 1; }),
             "'terrain.height_fields[0].rows' is 1; accepted: 2 to 100000");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["height_fields"][0].erase("friction"); }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["height_fields"][0].erase("friction"); }),
             "'terrain.height_fields[0]' lacks 'friction'");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j.erase("obstacles"); }), "'terrain' lacks 'obstacles'");
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j.erase("obstacles"); }), "'terrain' lacks 'obstacles'");
 }
 
 TEST(TerrainJson, ObstaclesThatCannotBeAreRefused) {
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["obstacles"][0]["type"] = "ball"; }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["obstacles"][0]["type"] = "ball"; }),
             "'terrain.obstacles[0].type' is 'ball'; accepted: 'box', 'cylinder', 'mesh'");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["obstacles"][0]["size_m"][1] = 0.0; }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["obstacles"][0]["size_m"][1] = 0.0; }),
             "'terrain.obstacles[0].size_m' has a size of 0; it must be above 0");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) {
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) {
               j["obstacles"][1]["size_m"] = {1, 2, 3};
             }),
             "'terrain.obstacles[1].size_m' has 3 numbers; 2 are needed");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["obstacles"][2]["vertices_m"].erase(0); }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["obstacles"][2]["vertices_m"].erase(0); }),
             "'terrain.obstacles[2].vertices_m' has 3 points; four or more are needed");
-  EXPECT_EQ(WhyTerrainRefused([](Json& j) { j["obstacles"][2].erase("vertices_m"); }),
+  EXPECT_EQ(ReasonTerrainRefused([](Json& j) { j["obstacles"][2].erase("vertices_m"); }),
             "'terrain.obstacles[2]' lacks 'vertices_m'");
-  EXPECT_NE(WhyTerrainRefused([](Json& j) {
+  EXPECT_NE(ReasonTerrainRefused([](Json& j) {
               j["obstacles"][0]["vertices_m"] = Json::array();
             }).find("unknown key 'vertices_m'"),
             std::string::npos);

@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<Vector3> kTilted = {{1.0, 0.0, 0.1}, {2.0, 0.0, 0.3}, {2.0, 1.0, 0.2}, {1.0, 1.0, 0.0}};
 
-std::string WhyTerrainRefused(const std::vector<Vector3>& corners) {
+std::string ReasonTerrainRefused(const std::vector<Vector3>& corners) {
   try {
     PatchThrough("top", corners, 0.5);
   } catch (const InvalidArgument& error) {
@@ -40,13 +40,13 @@ TEST(PatchThrough, PassesThroughItsCorners) {
 TEST(PatchThrough, RefusesWhatIsNoConvexPiecePlane) {
   std::vector<Vector3> corners = kTilted;
   corners[2].z() += 0.01;
-  EXPECT_NE(WhyTerrainRefused(corners).find("not flat"), std::string::npos);
+  EXPECT_NE(ReasonTerrainRefused(corners).find("not flat"), std::string::npos);
   corners = {kTilted.rbegin(), kTilted.rend()};
-  EXPECT_NE(WhyTerrainRefused(corners).find("counter-clockwise"), std::string::npos);
+  EXPECT_NE(ReasonTerrainRefused(corners).find("counter-clockwise"), std::string::npos);
   corners = kTilted;
   corners[2] = {1.2, 0.2, 0.12};
-  EXPECT_NE(WhyTerrainRefused(corners).find("convex"), std::string::npos);
-  EXPECT_NE(WhyTerrainRefused({{0, 0, 0}, {1, 0, 0}}).find("2 corners"), std::string::npos);
+  EXPECT_NE(ReasonTerrainRefused(corners).find("convex"), std::string::npos);
+  EXPECT_NE(ReasonTerrainRefused({{0, 0, 0}, {1, 0, 0}}).find("2 corners"), std::string::npos);
 }
 
 /// A height field with the heights of a plane.

@@ -11,8 +11,8 @@ namespace {
 
 Task Walk() { return {"walk", {{"direction", std::string("forward")}, {"distance_m", 1.0}}, "", {}}; }
 
-std::string WhyNone(const Task& task) {
-  const auto failure = WhyNoTask(task);
+std::string ReasonNone(const Task& task) {
+  const auto failure = ReasonNoTask(task);
   return failure ? FailureCodeName(failure->code) + ": " + failure->message : "";
 }
 
@@ -28,11 +28,11 @@ TEST(TaskRules, EachActionHasItsParameters) {
 }
 
 TEST(TaskRules, WhatIsNoTaskIsRefusedWithItsReason) {
-  EXPECT_EQ(WhyNone(Walk()), "");
+  EXPECT_EQ(ReasonNone(Walk()), "");
   const auto refused = [](auto change, const std::string& words) {
     Task task = Walk();
     change(task);
-    EXPECT_NE(WhyNone(task).find(words), std::string::npos) << WhyNone(task);
+    EXPECT_NE(ReasonNone(task).find(words), std::string::npos) << ReasonNone(task);
   };
   refused([](Task& t) { t.action = "wlak"; }, "there is no action 'wlak'; the nearest is 'walk'");
   refused([](Task& t) { t.parameters.erase("direction"); }, "lacks its parameter 'direction'");
@@ -46,7 +46,7 @@ TEST(TaskRules, WhatIsNoTaskIsRefusedWithItsReason) {
   refused([](Task& t) { t.parameters["step_length_m"] = 0.1; }, "is for use with 'steps'");
   refused([](Task& t) { t.during = {Walk()}; }, "'walk' cannot run at the same time as 'walk'");
   Task bow{"bow", {{"angle_deg", 90.0}}, "", {}};
-  EXPECT_NE(WhyNone(bow).find("1 to 60"), std::string::npos) << WhyNone(bow);
+  EXPECT_NE(ReasonNone(bow).find("1 to 60"), std::string::npos) << ReasonNone(bow);
 }
 
 TEST(TaskRules, ARobotIsToldWhatItCannotDo) {
@@ -65,7 +65,7 @@ TEST(TaskRules, ARobotIsToldWhatItCannotDo) {
 
 TEST(TaskRules, AJumpGoesToOnePlaceAtMost) {
   const auto why = [](std::map<std::string, TaskValue> parameters) {
-    return WhyNone({"jump", std::move(parameters), "", {}});
+    return ReasonNone({"jump", std::move(parameters), "", {}});
   };
   const TaskValue left = std::string("left"), down = std::string("down"), block = PlaceName{"block", 0};
   EXPECT_EQ(why({}), "");

@@ -11,8 +11,8 @@ namespace {
 
 using made_png::Png;
 using terrain_files::Loaded;
+using terrain_files::ReasonRefused;
 using terrain_files::Says;
-using terrain_files::WhyRefused;
 using terrain_files::Written;
 
 TEST(HeightMap, ACsvLiesAsSeenFromAbove) {
@@ -49,7 +49,7 @@ TEST(HeightMap, GreysOfBothDepthsAreTheSameGround) {
 
 TEST(HeightMap, WrongTablesAreRefusedAtTheirCell) {
   const auto why = [](const std::string& text, const std::string& more = "") {
-    return WhyRefused(Written("wrong.csv", text) + ":resolution_m=0.1" + more);
+    return ReasonRefused(Written("wrong.csv", text) + ":resolution_m=0.1" + more);
   };
   EXPECT_TRUE(Says(why("1,2\n3,x\n"), "line 2, cell 2: 'x' is not a finite number"));
   EXPECT_TRUE(Says(why("1,2\n3,nan\n"), "line 2, cell 2: 'nan'"));
@@ -63,24 +63,24 @@ TEST(HeightMap, WrongTablesAreRefusedAtTheirCell) {
   EXPECT_EQ(why("0,0\n0,300\n", ",scale_m=0.001"), "") << "millimetres are fine when said";
   EXPECT_TRUE(Says(why("1,2\n3,4\n", ",resolutio_m=1"), "the nearest is 'resolution_m'"));
   EXPECT_TRUE(Says(why("1,2\n3,4\n", ",friction=-1"), "'friction' is -1"));
-  EXPECT_TRUE(Says(WhyRefused(Written("bare.csv", "1,2\n3,4\n")), "needs resolution_m"));
-  EXPECT_TRUE(Says(WhyRefused(terrain_files::Folder() + "none.csv:resolution_m=0.1"), "none.csv"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("bare.csv", "1,2\n3,4\n")), "needs resolution_m"));
+  EXPECT_TRUE(Says(ReasonRefused(terrain_files::Folder() + "none.csv:resolution_m=0.1"), "none.csv"));
 }
 
 TEST(HeightMap, WrongPicturesAreRefused) {
   const std::string more = ":resolution_m=0.1,scale_m=0.3";
   const std::string good = Png(2, 2, 8, 0, std::string("\x01\x02\x03\x04", 4));
-  EXPECT_EQ(WhyRefused(Written("p.png", good) + more), "");
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", good) + ":resolution_m=0.1"), "needs scale_m, the height of white"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 8, 2, std::string(12, 'a'))) + more), "is in colour"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(2, 2, 1, 0, std::string(2, 'a'))) + more), "1 bits per point"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "hello") + more), "not a readable PNG"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", "") + more), "not a readable PNG"));
+  EXPECT_EQ(ReasonRefused(Written("p.png", good) + more), "");
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", good) + ":resolution_m=0.1"), "needs scale_m, the height of white"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", Png(2, 2, 8, 2, std::string(12, 'a'))) + more), "is in colour"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", Png(2, 2, 1, 0, std::string(2, 'a'))) + more), "1 bits per point"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", "hello") + more), "not a readable PNG"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", "") + more), "not a readable PNG"));
   std::string broken = good;
   broken[45] = static_cast<char>(broken[45] ^ 1);  // in the data, so that the checksum fails
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", broken) + more), "broken"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", good.substr(0, good.size() - 20)) + more), "broken"));
-  EXPECT_TRUE(Says(WhyRefused(Written("p.png", Png(100000, 100000, 8, 0, "a")) + more), "at most 4000000"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", broken) + more), "broken"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", good.substr(0, good.size() - 20)) + more), "broken"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("p.png", Png(100000, 100000, 8, 0, "a")) + more), "at most 4000000"));
 }
 
 }  // namespace

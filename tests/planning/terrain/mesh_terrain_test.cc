@@ -13,8 +13,8 @@ namespace gaitwright {
 namespace {
 
 using terrain_files::Loaded;
+using terrain_files::ReasonRefused;
 using terrain_files::Says;
-using terrain_files::WhyRefused;
 using terrain_files::Written;
 
 /// Adds a level or tilted rectangle of 2 * n * n triangles that face up.
@@ -123,7 +123,7 @@ TEST(MeshTerrain, OptionsPlaceAndScaleIt) {
   Mesh mesh = StairsMesh();
   for (Vector3& v : mesh.vertices) v *= 1000.0;
   const std::string path = Written("mm.stl", Stl(mesh));
-  EXPECT_TRUE(Says(WhyRefused(path), "scale=0.001")) << "millimetres are noticed";
+  EXPECT_TRUE(Says(ReasonRefused(path), "scale=0.001")) << "millimetres are noticed";
   const Terrain terrain = Loaded(path + ":scale=0.001,x_m=1,z_m=0.5,friction=0.4");
   EXPECT_NEAR(GroundAt(terrain, {2.15, 0.3}).height_m, 0.6, 1e-5);
   EXPECT_EQ(GroundAt(terrain, {2.15, 0.3}).friction, 0.4);
@@ -132,10 +132,10 @@ TEST(MeshTerrain, OptionsPlaceAndScaleIt) {
 TEST(MeshTerrain, WrongFilesAreRefused) {
   Mesh upside;
   AddRectangle(upside, {0, 0, 0}, {0, 1, 0}, {1, 0, 0});
-  EXPECT_TRUE(Says(WhyRefused(Written("up.stl", Stl(upside))), "no face that points up"));
-  EXPECT_TRUE(Says(WhyRefused(Written("no.obj", "v 0 0 0\n")), "no.obj"));
-  EXPECT_TRUE(Says(WhyRefused(terrain_files::Folder() + "none.obj"), "does not exist"));
-  EXPECT_TRUE(Says(WhyRefused(Written("ok.stl", Stl(StairsMesh())) + ":scale=0"), "'scale' is 0"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("up.stl", Stl(upside))), "no face that points up"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("no.obj", "v 0 0 0\n")), "no.obj"));
+  EXPECT_TRUE(Says(ReasonRefused(terrain_files::Folder() + "none.obj"), "does not exist"));
+  EXPECT_TRUE(Says(ReasonRefused(Written("ok.stl", Stl(StairsMesh())) + ":scale=0"), "'scale' is 0"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Result<GreyImage> ReadBytesAsPng(const std::string& bytes) {
   return ReadGreyPng(terrain_files::Written("read_png_test.png", bytes));
 }
 
-std::string WhyNoGrey(const std::string& bytes) {
+std::string ReasonNoGrey(const std::string& bytes) {
   const Result<GreyImage> image = ReadBytesAsPng(bytes);
   if (image.ok()) return "";
   EXPECT_EQ(image.failure().kind, FailureKind::kBadInput);
@@ -47,18 +47,18 @@ TEST(ReadGreyPng, APointAloneIsAPicture) {
 }
 
 TEST(ReadGreyPng, OtherKindsOfPicturesAreRefusedForWhatTheyAre) {
-  EXPECT_NE(WhyNoGrey(made_png::Png(1, 1, 8, 2, "abc")).find("in colour"), std::string::npos);
-  EXPECT_NE(WhyNoGrey(made_png::Png(1, 1, 8, 4, "ab")).find("has transparency"), std::string::npos);
-  EXPECT_NE(WhyNoGrey(made_png::Png(8, 1, 1, 0, "a")).find("has 1 bits per point; accepted: 8 or 16"),
+  EXPECT_NE(ReasonNoGrey(made_png::Png(1, 1, 8, 2, "abc")).find("in colour"), std::string::npos);
+  EXPECT_NE(ReasonNoGrey(made_png::Png(1, 1, 8, 4, "ab")).find("has transparency"), std::string::npos);
+  EXPECT_NE(ReasonNoGrey(made_png::Png(8, 1, 1, 0, "a")).find("has 1 bits per point; accepted: 8 or 16"),
             std::string::npos);
-  EXPECT_NE(WhyNoGrey(made_png::Png(2, 1, 4, 0, "a")).find("has 4 bits"), std::string::npos);
+  EXPECT_NE(ReasonNoGrey(made_png::Png(2, 1, 4, 0, "a")).find("has 4 bits"), std::string::npos);
 }
 
 TEST(ReadGreyPng, WhatIsCutShortAnywhereIsRefused) {
   const std::string whole = made_png::Png(4, 4, 8, 0, std::string(16, 'x'));
-  ASSERT_EQ(WhyNoGrey(whole), "");
+  ASSERT_EQ(ReasonNoGrey(whole), "");
   for (std::size_t length = 0; length + 12 < whole.size(); length += 5)
-    EXPECT_NE(WhyNoGrey(whole.substr(0, length)), "") << length << " of " << whole.size() << " bytes";
+    EXPECT_NE(ReasonNoGrey(whole.substr(0, length)), "") << length << " of " << whole.size() << " bytes";
 }
 
 TEST(ReadGreyPng, AByteThatIsNotAsItWasIsFoundByItsChecksum) {
@@ -66,7 +66,7 @@ TEST(ReadGreyPng, AByteThatIsNotAsItWasIsFoundByItsChecksum) {
   for (const std::size_t at : {std::size_t{1}, std::size_t{20}, whole.find('x')}) {
     std::string changed = whole;
     changed[at] = static_cast<char>(changed[at] ^ 1);
-    EXPECT_NE(WhyNoGrey(changed), "") << at;
+    EXPECT_NE(ReasonNoGrey(changed), "") << at;
   }
 }
 
@@ -74,8 +74,8 @@ TEST(ReadGreyPng, AFileThatDoesNotExistOrIsNoPngIsNamed) {
   const Result<GreyImage> none = ReadGreyPng(terrain_files::Folder() + "nowhere.png");
   ASSERT_FALSE(none.ok());
   EXPECT_NE(none.failure().message.find("nowhere.png"), std::string::npos);
-  EXPECT_NE(WhyNoGrey("just text").find("is not a readable PNG"), std::string::npos);
-  EXPECT_NE(WhyNoGrey(""), "");
+  EXPECT_NE(ReasonNoGrey("just text").find("is not a readable PNG"), std::string::npos);
+  EXPECT_NE(ReasonNoGrey(""), "");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ inline Terrain Loaded(const std::string& text) {
 }
 
 /// The reason why a text is refused; "" if it is accepted.
-inline std::string WhyRefused(const std::string& text) {
+inline std::string ReasonRefused(const std::string& text) {
   const Result<Terrain> terrain = LoadTerrain(text, {});
   if (terrain.ok()) return "";
   EXPECT_EQ(terrain.failure().kind, FailureKind::kBadInput);

@@ -12,7 +12,9 @@ using terrain_files::Loaded;
 using terrain_files::Says;
 using terrain_files::Written;
 
-std::string WhyYamlRefused(const std::string& text) { return terrain_files::WhyRefused(Written("wrong.yaml", text)); }
+std::string ReasonYamlRefused(const std::string& text) {
+  return terrain_files::ReasonRefused(Written("wrong.yaml", text));
+}
 
 constexpr char kGood[] = R"(# a yard
 patches:
@@ -59,39 +61,40 @@ TEST(TerrainYaml, MayBeginWithABuiltInGround) {
 }
 
 TEST(TerrainYaml, WhatIsWrongIsNamedWithItsLine) {
-  EXPECT_TRUE(Says(WhyYamlRefused("patchez: []\n"),
+  EXPECT_TRUE(Says(ReasonYamlRefused("patchez: []\n"),
                    "line 1: the file has the unknown key 'patchez'; the nearest is 'patches'"));
   EXPECT_TRUE(
-      Says(WhyYamlRefused("patches:\n  - {name: a, height: 0}\n"), "line 2: a patch has the unknown key 'height'"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {height_m: 0}\n"), "line 2: a patch lacks the key 'name'"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a}\n"), "needs either 'corners_m' or"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a, height_m: .nan}\n"), "line 2: height_m is"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a, height_m: 300}\n"), "height_m is 300; accepted: -50 to 50"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a, height_m: 0, height_m: 1}\n"), "twice"));
+      Says(ReasonYamlRefused("patches:\n  - {name: a, height: 0}\n"), "line 2: a patch has the unknown key 'height'"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("patches:\n  - {height_m: 0}\n"), "line 2: a patch lacks the key 'name'"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("patches:\n  - {name: a}\n"), "needs either 'corners_m' or"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("patches:\n  - {name: a, height_m: .nan}\n"), "line 2: height_m is"));
   EXPECT_TRUE(
-      Says(WhyYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]]}\n"),
+      Says(ReasonYamlRefused("patches:\n  - {name: a, height_m: 300}\n"), "height_m is 300; accepted: -50 to 50"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("patches:\n  - {name: a, height_m: 0, height_m: 1}\n"), "twice"));
+  EXPECT_TRUE(
+      Says(ReasonYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]]}\n"),
            "line 2: patch 'a' is not flat"));
-  EXPECT_TRUE(
-      Says(WhyYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0], [1, 0], [1, 1]]}\n"), "has 2 numbers; 3 are"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches: [}\n"), "not valid YAML from here on"));
-  EXPECT_TRUE(Says(WhyYamlRefused("patches: []\n"), "there is no ground"));
-  EXPECT_TRUE(Says(WhyYamlRefused("- a\n"), "a map of keys is needed"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: terrain file"));
-  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is a YAML file"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0], [1, 0], [1, 1]]}\n"),
+                   "has 2 numbers; 3 are"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("patches: [}\n"), "not valid YAML from here on"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("patches: []\n"), "there is no ground"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("- a\n"), "a map of keys is needed"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: terrain file"));
+  EXPECT_TRUE(Says(ReasonYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is a YAML file"));
 }
 
 TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {
   const auto field = [](const std::string& rows) {
-    return WhyYamlRefused("height_fields:\n  - {name: a, origin_m: [0, 0], resolution_m: 0.1, heights_m: " + rows +
-                          "}\n");
+    return ReasonYamlRefused("height_fields:\n  - {name: a, origin_m: [0, 0], resolution_m: 0.1, heights_m: " + rows +
+                             "}\n");
   };
   EXPECT_EQ(field("[[0, 0], [0, 0]]"), "");
   EXPECT_TRUE(Says(field("[[0, 0], [0]]"), "line 2: rows of heights_m have"));
   EXPECT_TRUE(Says(field("[[0, 0]]"), "at least two by two are needed"));
   EXPECT_TRUE(Says(field("[[0, .inf], [0, 0]]"), "heights_m is inf"));
   const auto obstacle = [](const std::string& keys) {
-    return WhyYamlRefused("builtin: flat\nobstacles:\n  - {name: a, " + keys + "}\n");
+    return ReasonYamlRefused("builtin: flat\nobstacles:\n  - {name: a, " + keys + "}\n");
   };
   EXPECT_EQ(obstacle("type: box, size_m: [1, 1, 1]"), "");
   EXPECT_TRUE(Says(obstacle("type: ball, size_m: [1]"), "type is 'ball'; accepted: 'box', 'cylinder', 'mesh'"));
@@ -106,9 +109,10 @@ TEST(LoadTerrain, TellsFilesFromBuiltInGrounds) {
   EXPECT_EQ(TerrainFileOf("b.PNG:resolution_m=0.1"), "b.PNG");
   EXPECT_EQ(TerrainFileOf("b.txt"), "b.txt");
   EXPECT_EQ(TerrainFileOf("stairs:rise_m=0.05"), "");
-  EXPECT_TRUE(Says(terrain_files::WhyRefused("b.txt"), "in an unsupported format; accepted: '.yaml'"));
-  EXPECT_TRUE(Says(terrain_files::WhyRefused("stairz"), "the nearest is 'stairs'"));
-  EXPECT_TRUE(Says(terrain_files::WhyRefused(Written("p.yaml", "builtin: flat\n") + ":a=1"), "accepts no parameters"));
+  EXPECT_TRUE(Says(terrain_files::ReasonRefused("b.txt"), "in an unsupported format; accepted: '.yaml'"));
+  EXPECT_TRUE(Says(terrain_files::ReasonRefused("stairz"), "the nearest is 'stairs'"));
+  EXPECT_TRUE(
+      Says(terrain_files::ReasonRefused(Written("p.yaml", "builtin: flat\n") + ":a=1"), "accepts no parameters"));
   EXPECT_EQ(Loaded("flat").name, "flat");
 }
 

@@ -25,7 +25,7 @@ WrittenGround WrittenPng(const Terrain& terrain) {
   return written.ok() ? *written : WrittenGround{};
 }
 
-std::string WhyNoHeights(const Terrain& terrain) {
+std::string ReasonNoHeights(const Terrain& terrain) {
   const Result<WrittenGround> written = WriteHeights(terrain);
   EXPECT_FALSE(written.ok());
   return written.ok() ? "" : written.failure().message;
@@ -133,14 +133,14 @@ TEST(WriteHeights, LargeGroundHasACoarserGrid) {
 }
 
 TEST(WriteHeights, RefusesWhatCannotBeReadBack) {
-  EXPECT_TRUE(Says(WhyNoHeights({}), "no surfaces"));
+  EXPECT_TRUE(Says(ReasonNoHeights({}), "no surfaces"));
   Terrain terrain;
   terrain.patches = {Rectangle("low", {0, 0}, {1, 1}, -40.0), Rectangle("high", {1, 0}, {2, 1}, 40.0)};
-  EXPECT_TRUE(Says(WhyNoHeights(terrain), "rises by 80 m"));
+  EXPECT_TRUE(Says(ReasonNoHeights(terrain), "rises by 80 m"));
   terrain.patches = {Rectangle("low", {0, 0}, {1, 1}, 0.0), Rectangle("high", {1, 0}, {2, 1}, 30.0)};
-  EXPECT_TRUE(Says(WhyNoHeights(terrain), "a step of 30 m"));
+  EXPECT_TRUE(Says(ReasonNoHeights(terrain), "a step of 30 m"));
   terrain.patches = {Rectangle("plain", {0, 0}, {3000, 3000}, 0.0)};
-  EXPECT_TRUE(Says(WhyNoHeights(terrain), "3000 by 3000 m large"));
+  EXPECT_TRUE(Says(ReasonNoHeights(terrain), "3000 by 3000 m large"));
 }
 
 }  // namespace

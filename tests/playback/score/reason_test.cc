@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "playback/score/why_it_fell.h"
+#include "playback/score/reason_of_fall.h"
 #include "tests/playback/played.h"
 
 namespace gaitwright {

@@ -55,7 +55,7 @@ TEST(CompareGaps, DoNotMoveTheClockAndAreNoDifference) {
         EXPECT_NEAR(c.offset_s, turned ? -ahead_s : ahead_s, 1e-3);
         EXPECT_GT(c.best_offset->agreement, 0.99);
         EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
-        EXPECT_TRUE(NotesOfGaps(c, "'robot.csv', rows are missing: there are none for "));
+        EXPECT_TRUE(NotesOfGaps(c, "'robot.csv', rows are missing: no row for "));
       }
     }
   }

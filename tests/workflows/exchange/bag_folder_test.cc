@@ -28,7 +28,7 @@ std::string Description(const std::string& more) {
   return "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: mcap\n" + more;
 }
 
-std::string WhyNoBag(const std::string& description, const std::map<std::string, std::string>& files = {}) {
+std::string ReasonNoBag(const std::string& description, const std::map<std::string, std::string>& files = {}) {
   const auto read = ReadBagFolder(BagOf(description, files));
   return read.ok() ? "" : read.failure().message;
 }
@@ -57,7 +57,7 @@ TEST(BagFolder, UnpacksFilesThatArePackedAsAWhole) {
   const auto files = ReadBagFolder(BagOf(Description(more), {{"a.mcap.zstd", PackedZstd(McapHead())}}));
   ASSERT_TRUE(files.ok()) << files.failure().message;
   EXPECT_EQ(files->front(), McapHead());
-  EXPECT_NE(WhyNoBag(Description(more), {{"a.mcap.zstd", McapHead()}}).find("are damaged"), std::string::npos);
+  EXPECT_NE(ReasonNoBag(Description(more), {{"a.mcap.zstd", McapHead()}}).find("are damaged"), std::string::npos);
 }
 
 TEST(BagFolder, LeavesMessagesPacked) {
@@ -70,19 +70,20 @@ TEST(BagFolder, LeavesMessagesPacked) {
 TEST(BagFolder, RefusesOthersWithTheLine) {
   EXPECT_FALSE(IsBagFolder(BagOf("other: 1\n", {})));
   EXPECT_FALSE(IsBagFolder(ScratchFile("none")));
-  EXPECT_NE(WhyNoBag("rosbag2_bagfile_information: 3\n").find("it has no map"), std::string::npos);
+  EXPECT_NE(ReasonNoBag("rosbag2_bagfile_information: 3\n").find("it has no map"), std::string::npos);
   EXPECT_NE(
-      WhyNoBag("rosbag2_bagfile_information: {storage_identifier: bag_v2}\n").find("line 1: the storage 'bag_v2'"),
+      ReasonNoBag("rosbag2_bagfile_information: {storage_identifier: bag_v2}\n").find("line 1: the storage 'bag_v2'"),
       std::string::npos);
-  EXPECT_NE(WhyNoBag(Description("")).find("lacks 'relative_file_paths'"), std::string::npos);
-  EXPECT_NE(WhyNoBag(Description("  relative_file_paths: []\n")).find("line 4: relative_file_paths is empty"),
+  EXPECT_NE(ReasonNoBag(Description("")).find("lacks 'relative_file_paths'"), std::string::npos);
+  EXPECT_NE(ReasonNoBag(Description("  relative_file_paths: []\n")).find("line 4: relative_file_paths is empty"),
             std::string::npos);
   const std::string other = "  compression_format: lz4\n  compression_mode: FILE\n  relative_file_paths: [a]\n";
-  EXPECT_NE(WhyNoBag(Description(other)).find("'ros2 bag convert'"), std::string::npos);
-  EXPECT_NE(WhyNoBag(Description("  relative_file_paths: [a]\n")).find("bag/a"), std::string::npos) << "no such file";
-  EXPECT_NE(WhyNoBag(Description("  relative_file_paths: [a]\n"), {{"a", "text"}}).find("neither an MCAP file"),
+  EXPECT_NE(ReasonNoBag(Description(other)).find("'ros2 bag convert'"), std::string::npos);
+  EXPECT_NE(ReasonNoBag(Description("  relative_file_paths: [a]\n")).find("bag/a"), std::string::npos)
+      << "no such file";
+  EXPECT_NE(ReasonNoBag(Description("  relative_file_paths: [a]\n"), {{"a", "text"}}).find("neither an MCAP file"),
             std::string::npos);
-  EXPECT_NE(WhyNoBag(Description("  a: [\n")).find("line "), std::string::npos);
+  EXPECT_NE(ReasonNoBag(Description("  a: [\n")).find("line "), std::string::npos);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Frame Time: 0.04
 4 5 6 10 20 30 -45
 )";
 
-std::string WhyNoBvh(const std::string& from, const std::string& to) {
+std::string ReasonNoBvh(const std::string& from, const std::string& to) {
   std::string text = kSmallBvh;
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -68,22 +68,22 @@ TEST(BvhFile, ReadsSkeletonAndFrames) {
 }
 
 TEST(BvhFile, RefusesOthersWithTheLine) {
-  EXPECT_EQ(WhyNoBvh("HIERARCHY", "#"), "line 1: 'HIERARCHY' is expected, found '#'");
-  EXPECT_EQ(WhyNoBvh("3.5", "3,5"), "line 8: a finite number is expected, found '3,5'");
-  EXPECT_EQ(WhyNoBvh("3.5", "nan"), "line 8: a finite number is expected, found 'nan'");
-  EXPECT_EQ(WhyNoBvh("1 Xrotation", "1 Wrotation"),
+  EXPECT_EQ(ReasonNoBvh("HIERARCHY", "#"), "line 1: 'HIERARCHY' is expected, found '#'");
+  EXPECT_EQ(ReasonNoBvh("3.5", "3,5"), "line 8: a finite number is expected, found '3,5'");
+  EXPECT_EQ(ReasonNoBvh("3.5", "nan"), "line 8: a finite number is expected, found 'nan'");
+  EXPECT_EQ(ReasonNoBvh("1 Xrotation", "1 Wrotation"),
             "line 9: a channel such as 'Xrotation' is expected, found 'wrotation'");
-  EXPECT_NE(WhyNoBvh("1 Xrotation", "2 Xrotation Xrotation").find("line 9: the channel 'Xrotation'"),
+  EXPECT_NE(ReasonNoBvh("1 Xrotation", "2 Xrotation Xrotation").find("line 9: the channel 'Xrotation'"),
             std::string::npos);
-  EXPECT_EQ(WhyNoBvh("head", "left knee"), "line 15: the joint 'left knee' is given twice");
-  EXPECT_NE(WhyNoBvh("1 Xrotation", "7 Xrotation").find("line 9: 7 is given; a whole number from 0 to 6"),
+  EXPECT_EQ(ReasonNoBvh("head", "left knee"), "line 15: the joint 'left knee' is given twice");
+  EXPECT_NE(ReasonNoBvh("1 Xrotation", "7 Xrotation").find("line 9: 7 is given; a whole number from 0 to 6"),
             std::string::npos);
-  EXPECT_NE(WhyNoBvh("Frames: 2", "Frames: 0").find("line 21: 0 is given"), std::string::npos);
-  EXPECT_NE(WhyNoBvh("0.04", "4").find("line 22: the frame time is 4 s"), std::string::npos);
-  EXPECT_EQ(WhyNoBvh("0 0 30\n", "0 0\n"), "line 24: frame 1 of 2 has 6 values; its skeleton has 7 channels");
-  EXPECT_EQ(WhyNoBvh("-45", "-45 1"), "line 24: the end after 2 frames is expected, found '1'");
-  EXPECT_EQ(WhyNoBvh("-45\n", ""), "line 24: a finite number is expected, but the file ends");
-  EXPECT_NE(WhyNoBvh("    End Site", "    Begin").find("'CHANNELS', 'JOINT', 'End Site' or '}'"), std::string::npos);
+  EXPECT_NE(ReasonNoBvh("Frames: 2", "Frames: 0").find("line 21: 0 is given"), std::string::npos);
+  EXPECT_NE(ReasonNoBvh("0.04", "4").find("line 22: the frame time is 4 s"), std::string::npos);
+  EXPECT_EQ(ReasonNoBvh("0 0 30\n", "0 0\n"), "line 24: frame 1 of 2 has 6 values; its skeleton has 7 channels");
+  EXPECT_EQ(ReasonNoBvh("-45", "-45 1"), "line 24: the end after 2 frames is expected, found '1'");
+  EXPECT_EQ(ReasonNoBvh("-45\n", ""), "line 24: a finite number is expected, but the file ends");
+  EXPECT_NE(ReasonNoBvh("    End Site", "    Begin").find("'CHANNELS', 'JOINT', 'End Site' or '}'"), std::string::npos);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ void ExpectMotionOf(const MotionTable& table, const std::vector<VectorX>& motion
   }
 }
 
-std::string WhyNoMotionIn(const RobotModel& model, const std::string& text, const ImportOptions& options = {}) {
+std::string ReasonNoMotionIn(const RobotModel& model, const std::string& text, const ImportOptions& options = {}) {
   const auto read = ParseBvhMotion(model, text, "a.bvh", options);
   return read.ok() ? "" : read.failure().message;
 }
@@ -93,7 +93,7 @@ TEST(BvhMotion, RefusesJointsWithoutPartner) {
   writer.names[2] = "LeftShin";
   const std::string robots = model.dof_names[static_cast<std::size_t>(writer.runs[2].front())];
   const std::string text = writer.Text(motion, 0.01);
-  EXPECT_EQ(WhyNoMotionIn(model, text),
+  EXPECT_EQ(ReasonNoMotionIn(model, text),
             "'a.bvh': 1 of its joints move no joint of robot 'a1': 'LeftShin'; 1 of 12 joints of robot 'a1' have no "
             "partner in it: '" +
                 robots +
@@ -117,20 +117,21 @@ TEST(BvhMotion, RefusesAnotherSkeletonOrPosture) {
   const std::vector<VectorX> motion = MovingRows(model, 5).q;
   BvhWriter writer = SkeletonOf(model, false);
   writer.unit_m = 0.15;
-  EXPECT_NE(WhyNoMotionIn(model, writer.Text(motion, 0.01)).find("neither m, cm nor mm; use --length-unit"),
+  EXPECT_NE(ReasonNoMotionIn(model, writer.Text(motion, 0.01)).find("neither m, cm nor mm; use --length-unit"),
             std::string::npos);
   ImportOptions metres;
   metres.length_unit = "m";
-  EXPECT_NE(WhyNoMotionIn(model, writer.Text(motion, 0.01), metres).find("m away from the robot's at zero positions"),
-            std::string::npos);
+  EXPECT_NE(
+      ReasonNoMotionIn(model, writer.Text(motion, 0.01), metres).find("m away from the robot's at zero positions"),
+      std::string::npos);
   writer.unit_m = 1.0;
   writer.R_SB = Eigen::AngleAxisd(0.6, Vector3(1.0, 2.0, 0.5).normalized()).toRotationMatrix();
-  EXPECT_NE(WhyNoMotionIn(model, writer.Text(motion, 0.01)).find("is turned by 0.60 rad"), std::string::npos);
+  EXPECT_NE(ReasonNoMotionIn(model, writer.Text(motion, 0.01)).find("is turned by 0.60 rad"), std::string::npos);
   std::string flat = SkeletonOf(model, false).Text(motion, 0.01);
   for (std::size_t at = flat.find("OFFSET"); at != std::string::npos; at = flat.find("OFFSET", at + 1))
     flat.replace(at, flat.find('\n', at) - at, "OFFSET 0 0 1");
-  EXPECT_NE(WhyNoMotionIn(model, flat).find("on one line"), std::string::npos);
-  EXPECT_EQ(WhyNoMotionIn(model, "HIERARCHY\nJOINT a\n"), "'a.bvh': line 2: 'ROOT' is expected, found 'JOINT'");
+  EXPECT_NE(ReasonNoMotionIn(model, flat).find("on one line"), std::string::npos);
+  EXPECT_EQ(ReasonNoMotionIn(model, "HIERARCHY\nJOINT a\n"), "'a.bvh': line 2: 'ROOT' is expected, found 'JOINT'");
 }
 
 }  // namespace

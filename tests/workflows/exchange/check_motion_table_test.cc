@@ -39,7 +39,7 @@ MotionTable TableOf(const std::string& text, const ImportOptions& options = {}) 
   return *MotionOfCsv(NamedRobot("a1"), *ParseCsvTable(text, "motion.csv"), reading);
 }
 
-std::string WhyChecked(const MotionTable& table, const ImportOptions& options = {}) {
+std::string ReasonChecked(const MotionTable& table, const ImportOptions& options = {}) {
   try {
     CheckMotionTable(NamedRobot("a1"), FlatTerrain(), options, table);
   } catch (const InvalidArgument& error) {
@@ -110,10 +110,10 @@ TEST(CheckMotionTable, AWrongHeightIsNotLaidToTheOrderOfTheQuaternion) {
 TEST(CheckMotionTable, TheOrderIsStillAskedWhereHeightsAreWrong) {
   OtherStance low;
   low.turn = "1,0,0,0";
-  const std::string why = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
+  const std::string why = ReasonChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
   EXPECT_NE(why.find("the base's quaternion probably has w first"), std::string::npos) << why;
   low.turn = "0,0.7071,0,0.7071";  // on its side in both orders
-  const std::string neither = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
+  const std::string neither = ReasonChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
   EXPECT_NE(neither.find("the robot is not upright with either order of the base's quaternion"), std::string::npos)
       << neither;
 }
@@ -122,7 +122,7 @@ TEST(CheckMotionTable, AStandingRobotIsTakenAsItIsNamed) {
   OtherStance stance = StanceOf(NamedRobot("a1"));
   for (const char* turn : {"0,0,0,1", "0,0,1,0"}) {
     stance.turn = turn;
-    EXPECT_EQ(WhyChecked(TableOf(CsvOf(NamedRobot("a1"), stance))), "") << turn;
+    EXPECT_EQ(ReasonChecked(TableOf(CsvOf(NamedRobot("a1"), stance))), "") << turn;
   }
 }
 
@@ -130,12 +130,12 @@ TEST(CheckMotionTable, AnglesOfTheBaseHaveNoOrder) {
   OtherStance stance = StanceOf(NamedRobot("a1"));
   stance.turn_columns = "base_roll_rad,base_pitch_rad,base_yaw_rad";
   stance.turn = "1.3,0,0";
-  EXPECT_EQ(WhyChecked(TableOf(CsvOf(NamedRobot("a1"), stance))), "") << "a robot may lean";
+  EXPECT_EQ(ReasonChecked(TableOf(CsvOf(NamedRobot("a1"), stance))), "") << "a robot may lean";
   ImportOptions options;
   options.quaternion_order = "wxyz";
   stance.turn = "0,0,0";
   const MotionTable table = TableOf(CsvOf(NamedRobot("a1"), stance), options);
-  EXPECT_EQ(WhyChecked(table, options), "");
+  EXPECT_EQ(ReasonChecked(table, options), "");
   EXPECT_EQ(table.quaternion.front(), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
 }
 
@@ -144,12 +144,12 @@ TEST(CheckMotionTable, ClocksAreBounded) {
   table.time_s.back() = 3601.0;
   ImportOptions seconds;
   seconds.time_unit = "s";
-  EXPECT_NE(WhyChecked(table, seconds).find("lasts 3601 s; at most 3600 s are accepted"), std::string::npos);
+  EXPECT_NE(ReasonChecked(table, seconds).find("lasts 3601 s; at most 3600 s are accepted"), std::string::npos);
   for (std::size_t k = 0; k < table.time_s.size(); ++k) table.time_s[k] = 1e11 + static_cast<double>(k);
-  EXPECT_NE(WhyChecked(table, seconds).find("begins at 1e+11 s"), std::string::npos);
+  EXPECT_NE(ReasonChecked(table, seconds).find("begins at 1e+11 s"), std::string::npos);
 }
 
-std::string WhyNoGrid(double grid_step_s, double duration_s) {
+std::string ReasonNoGrid(double grid_step_s, double duration_s) {
   ImportOptions options;
   options.grid_step_s = grid_step_s;
   MotionTable table = TableOf(CsvOf(NamedRobot("a1"), StanceOf(NamedRobot("a1"))));
@@ -165,11 +165,11 @@ std::string WhyNoGrid(double grid_step_s, double duration_s) {
 }
 
 TEST(GridStep, IsNoneOrOneThatAPlanCanHave) {
-  EXPECT_EQ(WhyNoGrid(0.0, 1.0), "");
-  EXPECT_EQ(WhyNoGrid(0.0005, 1.0), "");
-  EXPECT_EQ(WhyNoGrid(1e-9, 1.0), "option 'grid_step_s' is 1e-09 s; accepted: 0, and 0.0005 to 0.01");
-  EXPECT_EQ(WhyNoGrid(0.02, 1.0), "option 'grid_step_s' is 0.02 s; accepted: 0 to 0.01");
-  EXPECT_EQ(WhyNoGrid(0.0005, 3600.0),
+  EXPECT_EQ(ReasonNoGrid(0.0, 1.0), "");
+  EXPECT_EQ(ReasonNoGrid(0.0005, 1.0), "");
+  EXPECT_EQ(ReasonNoGrid(1e-9, 1.0), "option 'grid_step_s' is 1e-09 s; accepted: 0, and 0.0005 to 0.01");
+  EXPECT_EQ(ReasonNoGrid(0.02, 1.0), "option 'grid_step_s' is 0.02 s; accepted: 0 to 0.01");
+  EXPECT_EQ(ReasonNoGrid(0.0005, 3600.0),
             "its 3600 s at steps of 0.0005 s would need 7200001 rows; at most 1000000 are accepted; raise grid_step_s");
   ImportOptions options;
   options.grid_step_s = 1e-9;

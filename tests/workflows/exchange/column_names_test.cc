@@ -14,7 +14,7 @@ Result<ColumnNames> NamesIn(const std::string& yaml, ImportOptions& options) {
   return ReadColumnNames(ScratchFile("columns.yaml"), options);
 }
 
-std::string WhyNoNames(const std::string& yaml) {
+std::string ReasonNoNames(const std::string& yaml) {
   ImportOptions options;
   const auto names = NamesIn(yaml, options);
   return names.ok() ? "" : names.failure().message;
@@ -43,10 +43,10 @@ TEST(ColumnNames, UnitsGoIntoTheOptions) {
 }
 
 TEST(ColumnNames, RefusesWithTheLine) {
-  EXPECT_NE(WhyNoNames("columns: {}\nnames: t\n").find("line 2: "), std::string::npos);
-  EXPECT_NE(WhyNoNames("columns: {t: ''}\n").find("column 't' is not mapped"), std::string::npos);
-  EXPECT_NE(WhyNoNames("scale: {t: 0}\n").find("scale of 't' is 0"), std::string::npos);
-  EXPECT_NE(WhyNoNames("nam: [t]\n").find("'names'"), std::string::npos) << "the nearest key";
+  EXPECT_NE(ReasonNoNames("columns: {}\nnames: t\n").find("line 2: "), std::string::npos);
+  EXPECT_NE(ReasonNoNames("columns: {t: ''}\n").find("column 't' is not mapped"), std::string::npos);
+  EXPECT_NE(ReasonNoNames("scale: {t: 0}\n").find("scale of 't' is 0"), std::string::npos);
+  EXPECT_NE(ReasonNoNames("nam: [t]\n").find("'names'"), std::string::npos) << "the nearest key";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ std::string Changed(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string WhyNoContacts(const std::string& text, const char* robot = "h1") {
+std::string ReasonNoContacts(const std::string& text, const char* robot = "h1") {
   std::vector<std::string> unused;
   return synthetic::WhatOf<InvalidArgument>([&] { FootstepsOfContactPlan(NamedRobot(robot), text, unused); });
 }
@@ -73,22 +73,23 @@ TEST(ContactPlan, IsFoundAmongPlansByRobot) {
   EXPECT_TRUE(HoldsContactPlan(one) && HoldsContactPlan(kTwoSteps));
   EXPECT_FALSE(HoldsContactPlan("footsteps: []\n"));
   EXPECT_NE(FootstepsOfContactPlan(NamedRobot("h1"), one, unused).find("swing_s: 0.8"), std::string::npos);
-  EXPECT_EQ(WhyNoContacts(one + "    back:\n" + inner),
+  EXPECT_EQ(ReasonNoContacts(one + "    back:\n" + inner),
             "line 3: it has 2 plans: 'hrp.walk', 'hrp.back'; a file with one of them is read");
-  EXPECT_NE(WhyNoContacts("plans: {}\n").find("it has 0 plans"), std::string::npos);
+  EXPECT_NE(ReasonNoContacts("plans: {}\n").find("it has 0 plans"), std::string::npos);
 }
 
 TEST(ContactPlan, RefusesWithTheLineOfTheContact) {
-  EXPECT_NE(WhyNoContacts(kTwoSteps, "a1").find("is for two feet; robot 'a1' has 4"), std::string::npos);
-  EXPECT_NE(WhyNoContacts(Changed("LeftFootCenter", "Hand")).find("line 7: the surface 'Hand' names neither"),
+  EXPECT_NE(ReasonNoContacts(kTwoSteps, "a1").find("is for two feet; robot 'a1' has 4"), std::string::npos);
+  EXPECT_NE(ReasonNoContacts(Changed("LeftFootCenter", "Hand")).find("line 7: the surface 'Hand' names neither"),
             std::string::npos);
-  EXPECT_NE(WhyNoContacts(Changed("[0.0, 0.1, 0.0]", "[0.0, 0.1]")).find("line 7: translation has 2 numbers"),
+  EXPECT_NE(ReasonNoContacts(Changed("[0.0, 0.1, 0.0]", "[0.0, 0.1]")).find("line 7: translation has 2 numbers"),
             std::string::npos);
-  EXPECT_NE(WhyNoContacts(Changed("0, 0, 0, 1]", "0, 1]")).find("line 11: rotation has 7 numbers"), std::string::npos);
-  EXPECT_NE(WhyNoContacts(Changed("swing_height", "swing_hight")).find("'swing_height'"), std::string::npos);
-  EXPECT_NE(WhyNoContacts(Changed("single_support_duration", "final_dsp_duration")).find("single_support_duration"),
+  EXPECT_NE(ReasonNoContacts(Changed("0, 0, 0, 1]", "0, 1]")).find("line 11: rotation has 7 numbers"),
             std::string::npos);
-  EXPECT_NE(WhyNoContacts("single_support_duration: 1\ncontacts: []\n").find("has 0 contacts"), std::string::npos);
+  EXPECT_NE(ReasonNoContacts(Changed("swing_height", "swing_hight")).find("'swing_height'"), std::string::npos);
+  EXPECT_NE(ReasonNoContacts(Changed("single_support_duration", "final_dsp_duration")).find("single_support_duration"),
+            std::string::npos);
+  EXPECT_NE(ReasonNoContacts("single_support_duration: 1\ncontacts: []\n").find("has 0 contacts"), std::string::npos);
   std::vector<std::string> unused;
   const std::string high =
       FootstepsOfContactPlan(NamedRobot("h1"), Changed("[0.1, 0.1, 0.0]", "[0.1, 0.1, 0.5]"), unused);

@@ -20,7 +20,7 @@ CsvTable Parsed(const std::string& text) {
   return table.ok() ? *table : CsvTable{};
 }
 
-std::string WhyCsvTableRefused(const std::string& text) {
+std::string ReasonCsvTableRefused(const std::string& text) {
   const Result<CsvTable> table = ParseCsvTable(text, "motion.csv");
   EXPECT_FALSE(table.ok()) << text;
   if (table.ok()) return "";
@@ -94,47 +94,47 @@ TEST(CsvTable, ByteOrderMarkIsNoPartOfAName) {
 }
 
 TEST(CsvTable, SaysWhereItIsWrong) {
-  EXPECT_EQ(WhyCsvTableRefused(""), "'motion.csv': is empty; its first line must name the columns");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n"), "'motion.csv': has no row of numbers below the column names");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2\n3\n"), "'motion.csv': line 3 has 1 cells, but line 1 names 2 columns");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2,3\n"), "'motion.csv': line 2 has 3 cells, but line 1 names 2 columns");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,nan\n"),
+  EXPECT_EQ(ReasonCsvTableRefused(""), "'motion.csv': is empty; its first line must name the columns");
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n"), "'motion.csv': has no row of numbers below the column names");
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n1,2\n3\n"), "'motion.csv': line 3 has 1 cells, but line 1 names 2 columns");
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n1,2,3\n"), "'motion.csv': line 2 has 3 cells, but line 1 names 2 columns");
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n1,nan\n"),
             "'motion.csv': line 2, column 2 'b' contains 'nan', which is not a finite number");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,-inf\n"),
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n1,-inf\n"),
             "'motion.csv': line 2, column 2 'b' contains '-inf', which is not a finite number");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,1e999\n"),
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n1,1e999\n"),
             "'motion.csv': line 2, column 2 'b' contains '1e999', which is not a finite number");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,\n"),
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n1,\n"),
             "'motion.csv': line 2, column 2 'b' is empty; each cell must hold a number");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n,1\n"),
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n,1\n"),
             "'motion.csv': line 2, column 1 'a' is empty; each cell must hold a number");
   EXPECT_EQ(
-      WhyCsvTableRefused("a;b\n1;2,5\n"),
+      ReasonCsvTableRefused("a;b\n1;2,5\n"),
       "'motion.csv': line 2, column 2 'b' contains '2,5', which is not a finite number; write decimals with a point");
-  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,0x10\n"),
+  EXPECT_EQ(ReasonCsvTableRefused("a,b\n1,0x10\n"),
             "'motion.csv': line 2, column 2 'b' contains '0x10', which is not a finite number");
 }
 
 TEST(CsvTable, SaysWhatIsWrongWithItsNames) {
-  EXPECT_EQ(WhyCsvTableRefused("a,b,a\n1,2,3\n"), "'motion.csv': line 1: columns 1 and 3 are both named 'a'");
-  EXPECT_EQ(WhyCsvTableRefused("a,,b\n1,2,3\n"), "'motion.csv': line 1: column 2 has no name");
-  EXPECT_EQ(WhyCsvTableRefused("1,2,3\n4,5,6\n"),
+  EXPECT_EQ(ReasonCsvTableRefused("a,b,a\n1,2,3\n"), "'motion.csv': line 1: columns 1 and 3 are both named 'a'");
+  EXPECT_EQ(ReasonCsvTableRefused("a,,b\n1,2,3\n"), "'motion.csv': line 1: column 2 has no name");
+  EXPECT_EQ(ReasonCsvTableRefused("1,2,3\n4,5,6\n"),
             "'motion.csv': line 1 contains only numbers; the first line must name the columns");
-  EXPECT_EQ(WhyCsvTableRefused("\"a,b\n1,2\n"),
+  EXPECT_EQ(ReasonCsvTableRefused("\"a,b\n1,2\n"),
             "'motion.csv': line 1: a quote (\") is not closed; a cell must end on its line");
-  EXPECT_EQ(WhyCsvTableRefused("\"a\"x,b\n1,2\n"), "'motion.csv': line 1, cell 1: text after a closing quote");
+  EXPECT_EQ(ReasonCsvTableRefused("\"a\"x,b\n1,2\n"), "'motion.csv': line 1, cell 1: text after a closing quote");
 }
 
 TEST(CsvTable, HasALimitOfColumns) {
   std::string names = "c0", row = "0";
   for (int i = 1; i <= kMostCsvColumns; ++i) names += ",c" + std::to_string(i), row += ",0";
-  EXPECT_EQ(WhyCsvTableRefused(names + "\n" + row + "\n"), "'motion.csv': line 1: more than 1000 columns");
+  EXPECT_EQ(ReasonCsvTableRefused(names + "\n" + row + "\n"), "'motion.csv': line 1: more than 1000 columns");
 }
 
 TEST(CsvTable, HasALimitOfRows) {
   std::string text = "a\n";
   for (int i = 0; i <= kMostCsvRows; ++i) text += "0\n";
-  EXPECT_EQ(WhyCsvTableRefused(text), "'motion.csv': line 1000002: more than 1000000 rows");
+  EXPECT_EQ(ReasonCsvTableRefused(text), "'motion.csv': line 1000002: more than 1000000 rows");
 }
 
 TEST(CsvTable, FileThatIsNotThereIsNamed) {
@@ -148,7 +148,7 @@ TEST(CsvTable, ALongCellIsShownUpToACharactersEnd) {
   std::string cell = "ab", shown = "ab";
   for (int i = 0; i < 20; ++i) cell += "\u932f";
   for (int i = 0; i < 12; ++i) shown += "\u932f";
-  const std::string why = WhyCsvTableRefused("time_s,x\n0," + cell + "\n");
+  const std::string why = ReasonCsvTableRefused("time_s,x\n0," + cell + "\n");
   EXPECT_NE(why.find("'" + shown + "...'"), std::string::npos) << why;
 }
 

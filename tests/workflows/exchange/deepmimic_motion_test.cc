@@ -38,7 +38,7 @@ std::string DeepMimicText(const RobotModel& model, const std::vector<VectorX>& m
   return text + "]}\n";
 }
 
-std::string WhyNoFrames(const RobotModel& model, const std::string& text) {
+std::string ReasonNoFrames(const RobotModel& model, const std::string& text) {
   const auto read = ParseDeepMimic(model, text, "a.json", {});
   return read.ok() ? "" : read.failure().message;
 }
@@ -79,24 +79,25 @@ TEST(DeepMimic, RefusesWithThePath) {
   const RobotModel& model = NamedRobot("h1");
   const std::vector<VectorX> motion = MovingRows(model, 3).q;
   const std::string good = DeepMimicText(model, motion, 3, Matrix3::Identity());
-  EXPECT_NE(WhyNoFrames(model, "{\"Frames\": [[0.1, 1, 2]]}").find("'Frames[0]' has 3 numbers; robot 'h1' needs"),
+  EXPECT_NE(ReasonNoFrames(model, "{\"Frames\": [[0.1, 1, 2]]}").find("'Frames[0]' has 3 numbers; robot 'h1' needs"),
             std::string::npos)
-      << WhyNoFrames(model, "{\"Frames\": [[0.1, 1, 2]]}");
-  EXPECT_NE(WhyNoFrames(model, "{\"Frames\": []}").find("'Frames' is empty"), std::string::npos);
+      << ReasonNoFrames(model, "{\"Frames\": [[0.1, 1, 2]]}");
+  EXPECT_NE(ReasonNoFrames(model, "{\"Frames\": []}").find("'Frames' is empty"), std::string::npos);
   std::string text = good;
   text.replace(text.find("[0.02"), 5, "[0.00");
-  EXPECT_NE(WhyNoFrames(model, text).find("'Frames[0]' has a duration of 0 s"), std::string::npos);
+  EXPECT_NE(ReasonNoFrames(model, text).find("'Frames[0]' has a duration of 0 s"), std::string::npos);
   text = good;
   text.replace(text.rfind("[0.02"), 5, "[0, 0");
-  EXPECT_NE(WhyNoFrames(model, text).find("'Frames[2]' has 32 numbers; the frames before have 31"), std::string::npos)
+  EXPECT_NE(ReasonNoFrames(model, text).find("'Frames[2]' has 32 numbers; the frames before have 31"),
+            std::string::npos)
       << "a number more";
   text = good;
   const std::size_t quaternion = text.find(", 1,");
   ASSERT_NE(quaternion, std::string::npos);
   text.replace(quaternion, 4, ", 2,");
-  EXPECT_NE(WhyNoFrames(model, text).find("has a quaternion of length 2 in columns 5 to 8"), std::string::npos)
-      << WhyNoFrames(model, text);
-  EXPECT_NE(WhyNoFrames(model, good.substr(0, 100)), "");
+  EXPECT_NE(ReasonNoFrames(model, text).find("has a quaternion of length 2 in columns 5 to 8"), std::string::npos)
+      << ReasonNoFrames(model, text);
+  EXPECT_NE(ReasonNoFrames(model, good.substr(0, 100)), "");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Result<ImportedMotion> Imported(const std::string& name, const std::string& text
   return ImportMotion(NamedRobot("a1"), request);
 }
 
-std::string WhyImportMotionRefused(const std::string& text, const ImportOptions& options = {}) {
+std::string ReasonImportMotionRefused(const std::string& text, const ImportOptions& options = {}) {
   const Result<ImportedMotion> imported = Imported("refused.csv", text, options);
   EXPECT_FALSE(imported.ok());
   if (imported.ok()) return "";
@@ -182,7 +182,7 @@ TEST(ImportOthers, RowsALittleOverTheCoarsestStepApartAreBroughtOntoTheGridToo) 
 TEST(ImportRefusals, QuaternionWithWFirstIsFoundByTheMotion) {
   OtherWalk walk;
   walk.w_first = true;
-  ExpectSays(WhyImportMotionRefused(CsvOf(walk)),
+  ExpectSays(ReasonImportMotionRefused(CsvOf(walk)),
              {"the base's quaternion probably has w first", "leaning by 3.14 rad", "Use --quaternion-order wxyz"});
   ImportOptions options;
   options.quaternion_order = "wxyz";
@@ -194,11 +194,11 @@ TEST(ImportRefusals, UnitsAreFoundByTheMotion) {
   degrees.joint_scale = 180.0 / std::numbers::pi;
   millimetres.length_scale = 1000.0;
   milliseconds.time_scale = 1000.0;
-  ExpectSays(WhyImportMotionRefused(CsvOf(degrees)),
+  ExpectSays(ReasonImportMotionRefused(CsvOf(degrees)),
              {"_joint' is at -", "within their limits: use --angle-unit deg for degrees"});
-  ExpectSays(WhyImportMotionRefused(CsvOf(millimetres)),
+  ExpectSays(ReasonImportMotionRefused(CsvOf(millimetres)),
              {"the base is 300 m high, but robot 'a1' stands", "--length-unit mm"});
-  ExpectSays(WhyImportMotionRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "use --time-unit ms"});
+  ExpectSays(ReasonImportMotionRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "use --time-unit ms"});
   ImportOptions options;
   options.angle_unit = "deg";
   EXPECT_TRUE(Imported("deg.csv", CsvOf(degrees), options).ok());
@@ -212,12 +212,12 @@ TEST(ImportRefusals, UnitsAreFoundByTheMotion) {
 
 TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
   const std::string good = CsvOf({});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "q_FR_hip_joint_rad", "q_FR_hop_joint_rad")),
+  ExpectSays(ReasonImportMotionRefused(Replaced(good, "q_FR_hip_joint_rad", "q_FR_hop_joint_rad")),
              {"column 9 'q_FR_hop_joint_rad' is unknown for robot 'a1'; the nearest is 'q_FR_hip_joint_rad'"});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "q_FR_hip_joint_rad", "shoulder")),
+  ExpectSays(ReasonImportMotionRefused(Replaced(good, "q_FR_hip_joint_rad", "shoulder")),
              {"lacks 1 of 12 joint positions of robot 'a1': 'q_FR_hip_joint_rad'", "not used: 'shoulder'"});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "time_s", "moment")), {"has no time column: 'time_s' is needed"});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "base_z_m", "height")),
+  ExpectSays(ReasonImportMotionRefused(Replaced(good, "time_s", "moment")), {"has no time column: 'time_s' is needed"});
+  ExpectSays(ReasonImportMotionRefused(Replaced(good, "base_z_m", "height")),
              {"has 'base_x_m' but lacks 'base_z_m'; all of them are needed, or none"});
   ImportOptions options;
   options.missing_joints = "standing";
@@ -230,36 +230,37 @@ TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
 
 TEST(ImportRefusals, TimesMustRise) {
   const std::string good = CsvOf({});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.005,")),
+  ExpectSays(ReasonImportMotionRefused(Replaced(good, "\n0.01,", "\n0.005,")),
              {"line 4, column 1 'time_s': 0.005 does not come after 0.005 in the previous row; times must increase"});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.001,")), {"0.001 does not come after 0.005"});
-  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\nnan,")), {"line 4, column 1 'time_s' contains 'nan'"});
+  ExpectSays(ReasonImportMotionRefused(Replaced(good, "\n0.01,", "\n0.001,")), {"0.001 does not come after 0.005"});
+  ExpectSays(ReasonImportMotionRefused(Replaced(good, "\n0.01,", "\nnan,")),
+             {"line 4, column 1 'time_s' contains 'nan'"});
   std::size_t end = 0;
   for (int line = 0; line < 4; ++line) end = good.find('\n', end) + 1;
-  ExpectSays(WhyImportMotionRefused(good.substr(0, end)), {"has 3 rows; a motion needs 5 or more"});
+  ExpectSays(ReasonImportMotionRefused(good.substr(0, end)), {"has 3 rows; a motion needs 5 or more"});
 }
 
 TEST(ImportRefusals, ValuesAreSuchAsMotionsHave) {
-  ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
+  ExpectSays(ReasonImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
              {"the base's position of row 2 (0.005 s)", "is -1e+90; at most +-1e+08"});
-  ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
+  ExpectSays(ReasonImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
              {"s from its start", "a position jumps there"});
 }
 
 TEST(ImportRefusals, QuaternionsMustBeRotations) {
-  ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), ",0,0,0,1,", ",0,0,0,0.5,")),
+  ExpectSays(ReasonImportMotionRefused(Replaced(CsvOf({}), ",0,0,0,1,", ",0,0,0,0.5,")),
              {"the quaternion of row 1 (0 s) has length 0.5; it must be 1"});
 }
 
 TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
   ImportOptions options;
   options.lift_m = 0.1;
-  ExpectSays(WhyImportMotionRefused(CsvOf({}), options),
+  ExpectSays(ReasonImportMotionRefused(CsvOf({}), options),
              {"lowest foot is 0.100 m over the ground in most rows", "lift_m="});
   options = {};
   options.contact_speed = 0.0;
   options.contact_height = 0.0;
-  ExpectSays(WhyImportMotionRefused(CsvOf({}), options), {"is never in stance"});
+  ExpectSays(ReasonImportMotionRefused(CsvOf({}), options), {"is never in stance"});
   EXPECT_FALSE(Imported("motion.bag", "x").ok());
   ExpectSays(Imported("motion.bag", "x").failure().message,
              {"accepted: .csv, .tsv, .txt, .npz, .mcap, .db3, .bvh, .yaml, .yml, .json"});
@@ -268,7 +269,7 @@ TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
 TEST(ImportRefusals, JointsTurnedTheOtherWayAreNamedFirst) {
   OtherWalk walk;
   walk.joint_scale = -1.0;
-  ExpectSays(WhyImportMotionRefused(CsvOf(walk)),
+  ExpectSays(ReasonImportMotionRefused(CsvOf(walk)),
              {"_calf_joint' and 3 more are past their limits in most rows: check signs"});
 }
 

@@ -83,7 +83,7 @@ TEST(ImportRows, ALastStepThatIsLongerIsAHoleLikeAnyOther) {
   const Result<ImportedMotion> imported = ImportedRows("late.csv", WithLastRowAgainAt(CsvOf({}), "3.6"));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   EXPECT_NE(HowOf(*imported, "rows"), "");
-  EXPECT_NE(WarningOf(*imported, "rows are missing: there are none for 0.2 s from the file's 3.4 s on"), "");
+  EXPECT_NE(WarningOf(*imported, "rows are missing: no row for 0.2 s after 3.4 s of the file"), "");
 }
 
 TEST(ImportRows, HolesAreWarnedOf) {
@@ -96,10 +96,9 @@ TEST(ImportRows, HolesAreWarnedOf) {
   EXPECT_EQ(WarningOf(*of_few, "rows are missing"), "") << "20 ms";
   const std::string said = WarningOf(*of_one, "rows are missing");
   EXPECT_EQ(said,
-            "rows are missing: there are none for 0.305 s from the file's 0.095 s on; rows are usually 5 ms apart; the "
+            "rows are missing: no row for 0.305 s after 0.095 s of the file; rows are usually 5 ms apart; the "
             "motion in the gap is interpolated, not measured");
-  EXPECT_NE(WarningOf(*of_two, "rows are missing in 2 places, and this is the longest gap: there are none for 0.305 s"),
-            "");
+  EXPECT_NE(WarningOf(*of_two, "rows are missing in 2 places, and this is the longest gap: no row for 0.305 s"), "");
   const std::vector<std::string>& warnings = of_one->plan.warnings;
   EXPECT_NE(std::find(warnings.begin(), warnings.end(), said), warnings.end()) << "the plan keeps it";
 }

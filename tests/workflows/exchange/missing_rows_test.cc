@@ -27,10 +27,10 @@ TEST(MissingRows, RowsAtTheEndsOfAGapAreInNone) {
 TEST(MissingRows, AreToldByTheLongestGap) {
   EXPECT_EQ(MissingRowsText({0.0, 0.01, 0.02, 0.03}), "");
   EXPECT_EQ(MissingRowsText({0.0, 0.01, 0.02, 0.03, 1.03, 1.04}),
-            "rows are missing: there are none for 1 s from the file's 0.03 s on; rows are usually 10 ms apart");
+            "rows are missing: no row for 1 s after 0.03 s of the file; rows are usually 10 ms apart");
   EXPECT_EQ(MissingRowsText({0.0, 0.01, 0.02, 0.03, 0.33, 0.34, 0.35, 0.85, 0.86}),
-            "rows are missing in 2 places, and this is the longest gap: there are none for 0.5 s from the file's 0.35 "
-            "s on; rows are usually 10 ms apart");
+            "rows are missing in 2 places, and this is the longest gap: no row for 0.5 s after 0.35 "
+            "s of the file; rows are usually 10 ms apart");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::string OfNumPy() {
   return bytes;
 }
 
-std::string WhyNoArray(const std::string& bytes) {
+std::string ReasonNoArray(const std::string& bytes) {
   try {
     ParseNpy(bytes);
   } catch (const InvalidArgument& error) {
@@ -81,18 +81,18 @@ TEST(NpyArray, SaysWhyItRefuses) {
   const auto of = [](const std::string& kind, const std::string& shape) {
     return "{'descr': " + kind + ", 'fortran_order': False, 'shape': " + shape + ", }\n";
   };
-  EXPECT_EQ(WhyNoArray("PK"), "it is not an array of NumPy");
-  EXPECT_NE(WhyNoArray(Npy(of("'|O'", "(1,)"), "x")).find("Python objects"), std::string::npos);
-  EXPECT_NE(WhyNoArray(Npy(of("[('x', '<f8')]", "(1,)"), "x")).find("records"), std::string::npos);
-  EXPECT_EQ(WhyNoArray(Npy(of("'<c16'", "(1,)"), std::string(16, 'x'))), "elements of type '<c16' are not read");
-  EXPECT_EQ(WhyNoArray(Npy(of("'<f8'", "(2,)"), std::string(8, 'x'))),
+  EXPECT_EQ(ReasonNoArray("PK"), "it is not an array of NumPy");
+  EXPECT_NE(ReasonNoArray(Npy(of("'|O'", "(1,)"), "x")).find("Python objects"), std::string::npos);
+  EXPECT_NE(ReasonNoArray(Npy(of("[('x', '<f8')]", "(1,)"), "x")).find("records"), std::string::npos);
+  EXPECT_EQ(ReasonNoArray(Npy(of("'<c16'", "(1,)"), std::string(16, 'x'))), "elements of type '<c16' are not read");
+  EXPECT_EQ(ReasonNoArray(Npy(of("'<f8'", "(2,)"), std::string(8, 'x'))),
             "it has 8 bytes of data, but its shape needs 16");
-  EXPECT_EQ(WhyNoArray(Npy(of("'<f8'", "(4294967296, 4294967296)"), "")), "it is too large");
-  EXPECT_EQ(WhyNoArray(Npy(of("'<U1'", "(1,)"), "\xff\xff\xff\xff")), "a text in it is not valid Unicode");
-  EXPECT_EQ(WhyNoArray(Npy("{'descr': '<f8'}", "")), "its head is not one that NumPy writes");
+  EXPECT_EQ(ReasonNoArray(Npy(of("'<f8'", "(4294967296, 4294967296)"), "")), "it is too large");
+  EXPECT_EQ(ReasonNoArray(Npy(of("'<U1'", "(1,)"), "\xff\xff\xff\xff")), "a text in it is not valid Unicode");
+  EXPECT_EQ(ReasonNoArray(Npy("{'descr': '<f8'}", "")), "its head is not one that NumPy writes");
   std::string cut = NpyOfNumbers({1.0}, {1});
   cut.resize(9);
-  EXPECT_EQ(WhyNoArray(cut), "it is not an array of NumPy");
+  EXPECT_EQ(ReasonNoArray(cut), "it is not an array of NumPy");
 }
 
 TEST(ReadZip, SaysWhyItRefuses) {

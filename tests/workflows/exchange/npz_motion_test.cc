@@ -66,7 +66,7 @@ Packed Frames(const MotionRows& rows, const RobotModel& model, const std::vector
   return packed;
 }
 
-std::string WhyNoMotion(const RobotModel& model, const Packed& packed) {
+std::string ReasonNoMotion(const RobotModel& model, const Packed& packed) {
   const auto read = ParseNpzMotion(model, packed.Zip(), "a.npz", {});
   return read.ok() ? "" : read.failure().message;
 }
@@ -94,10 +94,10 @@ TEST(NpzMotion, NamesInTheFileDecideTheOrder) {
   ExpectMotion(*read, rows, 1e-12);
   order[1] = order[0];
   packed.arrays["joint_names"] = NpyOfTexts(order);
-  EXPECT_NE(WhyNoMotion(model, packed).find("' twice"), std::string::npos);
+  EXPECT_NE(ReasonNoMotion(model, packed).find("' twice"), std::string::npos);
   order[1] = "left_kneee_joint";
   packed.arrays["joint_names"] = NpyOfTexts(order);
-  EXPECT_NE(WhyNoMotion(model, packed).find("left_kneee_joint"), std::string::npos);
+  EXPECT_NE(ReasonNoMotion(model, packed).find("left_kneee_joint"), std::string::npos);
 }
 
 TEST(NpzMotion, BodiesTellTheOrderOfTheJoints) {
@@ -159,23 +159,23 @@ TEST(NpzMotion, ReadsWhatExportWrites) {
 TEST(NpzMotion, SaysWhatIsMissingOrWrong) {
   const RobotModel& model = NamedRobot("a1");
   const Packed good = Frames(Moving(model), model, DescribedJointOrder(model));
-  EXPECT_EQ(WhyNoMotion(model, good), "");
+  EXPECT_EQ(ReasonNoMotion(model, good), "");
   Packed bad = good;
   bad.arrays.erase("root_rot");
-  EXPECT_NE(WhyNoMotion(model, bad).find("array 'root_rot' is missing"), std::string::npos);
+  EXPECT_NE(ReasonNoMotion(model, bad).find("array 'root_rot' is missing"), std::string::npos);
   bad = good;
   bad.arrays.erase("dof_pos");
-  EXPECT_NE(WhyNoMotion(model, bad).find("its arrays are 'fps', 'root_pos', 'root_rot'"), std::string::npos)
-      << WhyNoMotion(model, bad);
+  EXPECT_NE(ReasonNoMotion(model, bad).find("its arrays are 'fps', 'root_pos', 'root_rot'"), std::string::npos)
+      << ReasonNoMotion(model, bad);
   bad = good;
   bad.arrays["fps"] = NpyOfNumbers({0.0}, {1});
-  EXPECT_NE(WhyNoMotion(model, bad).find("'fps' must be one number above zero"), std::string::npos);
+  EXPECT_NE(ReasonNoMotion(model, bad).find("'fps' must be one number above zero"), std::string::npos);
   bad = good;
   bad.arrays["root_pos"] = NpyOfNumbers({0.0, 1.0, 2.0}, {1, 3});
-  EXPECT_NE(WhyNoMotion(model, bad).find("array 'root_pos' has shape (1, 3); needed: 30 rows of 3 numbers"),
+  EXPECT_NE(ReasonNoMotion(model, bad).find("array 'root_pos' has shape (1, 3); needed: 30 rows of 3 numbers"),
             std::string::npos)
-      << WhyNoMotion(model, bad);
-  EXPECT_NE(WhyNoMotion(NamedRobot("h1"), good).find("needed: 30 rows of 19 numbers"), std::string::npos);
+      << ReasonNoMotion(model, bad);
+  EXPECT_NE(ReasonNoMotion(NamedRobot("h1"), good).find("needed: 30 rows of 19 numbers"), std::string::npos);
   const auto read = ParseNpzMotion(model, "no archive", "a.npz", {});
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.failure().message, "'a.npz': it is not a ZIP archive, or is cut off");

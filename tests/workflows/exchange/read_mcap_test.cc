@@ -20,7 +20,7 @@ std::string TwoTopics() {
 const std::vector<SeenMessage> kTwoMessages = {{{"/a", "a_msgs/msg/A", "cdr"}, 10, "first"},
                                                {{"/b", "", "json"}, 5, "{}"}};
 
-std::string WhyNoMcap(const std::string& bytes) {
+std::string ReasonNoMcap(const std::string& bytes) {
   return WhatOf<InvalidArgument>([&] { MessagesIn(bytes); });
 }
 
@@ -69,39 +69,39 @@ TEST(ReadMcap, ReadsAFileThatWasNotEnded) {
 }
 
 TEST(ReadMcap, RefusesOtherAndDamagedFiles) {
-  EXPECT_NE(WhyNoMcap("#ROSBAG V2.0\n").find("is not an MCAP file"), std::string::npos);
-  EXPECT_NE(WhyNoMcap(kMagicOfMcap + TwoTopics()).find("at byte 8: the first record is not a header"),
+  EXPECT_NE(ReasonNoMcap("#ROSBAG V2.0\n").find("is not an MCAP file"), std::string::npos);
+  EXPECT_NE(ReasonNoMcap(kMagicOfMcap + TwoTopics()).find("at byte 8: the first record is not a header"),
             std::string::npos);
-  EXPECT_NE(WhyNoMcap(kMagicOfMcap).find("is not a header"), std::string::npos);
+  EXPECT_NE(ReasonNoMcap(kMagicOfMcap).find("is not a header"), std::string::npos);
   const std::string head = McapHead();
-  EXPECT_EQ(WhyNoMcap(head + MessageRecord(9, 1, "")),
+  EXPECT_EQ(ReasonNoMcap(head + MessageRecord(9, 1, "")),
             "the message at byte " + std::to_string(head.size()) + " is of channel 9, which no record describes");
-  EXPECT_NE(WhyNoMcap(head + McapRecord(3, LittleEndian(1, 2) + LittleEndian(99, 4) + "abc")).find("does not fit"),
+  EXPECT_NE(ReasonNoMcap(head + McapRecord(3, LittleEndian(1, 2) + LittleEndian(99, 4) + "abc")).find("does not fit"),
             std::string::npos);
-  EXPECT_NE(WhyNoMcap(head + TwoTopics() + MessageRecord(2, ~std::uint64_t{0}, "")).find("too large"),
+  EXPECT_NE(ReasonNoMcap(head + TwoTopics() + MessageRecord(2, ~std::uint64_t{0}, "")).find("too large"),
             std::string::npos);
   std::string tail = McapTail();
   tail.back() = 'x';
-  EXPECT_NE(WhyNoMcap(head + tail).find("does not end with its magic bytes"), std::string::npos);
+  EXPECT_NE(ReasonNoMcap(head + tail).find("does not end with its magic bytes"), std::string::npos);
 }
 
 TEST(ReadMcap, ChecksCrcs) {
   const std::string records = TwoTopics(), data = McapHead() + records;
   const std::string at = std::to_string(McapHead().size());
-  EXPECT_EQ(WhyNoMcap(McapHead() + ChunkRecord(records, records.size(), "", 1)),
+  EXPECT_EQ(ReasonNoMcap(McapHead() + ChunkRecord(records, records.size(), "", 1)),
             "the chunk at byte " + at + " is damaged: its CRC is another");
   const auto ended = [&](std::uint32_t crc, std::uint32_t summary_crc) {
     return data + McapRecord(15, LittleEndian(crc, 4)) +
            McapRecord(2, LittleEndian(0, 8) + LittleEndian(0, 8) + LittleEndian(summary_crc, 4)) + kMagicOfMcap;
   };
   EXPECT_EQ(MessagesIn(ended(Crc32(data), 0)), kTwoMessages);
-  EXPECT_NE(WhyNoMcap(ended(Crc32(data) + 1, 0)).find("the data section"), std::string::npos);
-  EXPECT_NE(WhyNoMcap(ended(0, 12345)).find("the summary"), std::string::npos);
+  EXPECT_NE(ReasonNoMcap(ended(Crc32(data) + 1, 0)).find("the data section"), std::string::npos);
+  EXPECT_NE(ReasonNoMcap(ended(0, 12345)).find("the summary"), std::string::npos);
 }
 
 TEST(ReadMcap, RefusesBadChunks) {
   const std::string records = TwoTopics();
-  const auto why = [](const std::string& chunk) { return WhyNoMcap(McapHead() + chunk); };
+  const auto why = [](const std::string& chunk) { return ReasonNoMcap(McapHead() + chunk); };
   EXPECT_NE(why(ChunkRecord(records, records.size() + 1, "")).find("but says that it has"), std::string::npos);
   EXPECT_NE(why(ChunkRecord(records, records.size(), "lzma")).find("'lzma'; accepted: none, 'lz4', 'zstd'"),
             std::string::npos);

@@ -17,7 +17,7 @@ Result<MotionTable> MotionIn(const RobotModel& model, const std::string& file, c
   return ParseRecordedMotion(model, file, {}, "walk.mcap", options);
 }
 
-std::string WhyNotIn(const RobotModel& model, const std::string& file, const ImportOptions& options = {}) {
+std::string ReasonNotIn(const RobotModel& model, const std::string& file, const ImportOptions& options = {}) {
   const auto read = MotionIn(model, file, options);
   return read.ok() ? "" : read.failure().message;
 }
@@ -140,7 +140,7 @@ TEST(RecordedMotion, MissingJointsAreRefusedOrStand) {
   for (std::size_t k = 0; k < 5; ++k)
     recorder.Add("/s", kJointStateType, 10'000'000 * static_cast<int>(k), StateOf(model, rows.q[k], names));
   const std::string file = recorder.Finish();
-  EXPECT_EQ(WhyNotIn(model, file),
+  EXPECT_EQ(ReasonNotIn(model, file),
             "'walk.mcap': topic '/s' lacks 1 of 12 joints of robot 'a1': '" + model.dof_names.back() + "'");
   ImportOptions options;
   options.missing_joints = "standing";
@@ -178,15 +178,15 @@ TEST(RecordedMotion, RefusesWhatIsNoMotion) {
     OdometryMessage pose;
     pose.turn = {0.0, 0.0, 0.0, 1.0};
     if (odometry_ns > 0) recorder.Add("/odom", kOdometryType, odometry_ns, pose);
-    return WhyNotIn(model, recorder.Finish());
+    return ReasonNotIn(model, recorder.Finish());
   };
   EXPECT_NE(with([](auto& state) { state.positions[3] = NAN; }).find("is nan at 1000 ns"), std::string::npos);
   EXPECT_NE(with([](auto& state) { state.positions.clear(); }).find("has no positions of joints"), std::string::npos);
   EXPECT_NE(with([](auto&) {}, 500).find("topics '/s' and '/odom' have no time in common"), std::string::npos);
   Recorder twice;
   for (int k = 0; k < 2; ++k) twice.Add("/t", kJointTrajectoryType, k, JointTrajectoryMessage{0, model.dof_names, {}});
-  EXPECT_NE(WhyNotIn(model, twice.Finish()).find("topic '/t' has 2 joint trajectories"), std::string::npos);
-  EXPECT_NE(WhyNotIn(model, "abc").find("'walk.mcap': it is not an MCAP file"), std::string::npos);
+  EXPECT_NE(ReasonNotIn(model, twice.Finish()).find("topic '/t' has 2 joint trajectories"), std::string::npos);
+  EXPECT_NE(ReasonNotIn(model, "abc").find("'walk.mcap': it is not an MCAP file"), std::string::npos);
 }
 
 }  // namespace

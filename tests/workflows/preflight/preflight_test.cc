@@ -75,7 +75,7 @@ TEST(PreflightOfAGoodPlan, IsAGoThatSaysWhatNobodyChecked) {
   for (const char* law : {"torque_speed", "continuous_torque", "joint_acceleration", "joint_jerk", "start_posture",
                           "survival under disturbances", "self_collision"})
     EXPECT_TRUE(Says(preflight.not_checked, law)) << law;
-  EXPECT_TRUE(Says(preflight.assumptions, "friction is at least 0.8"));
+  EXPECT_TRUE(Says(preflight.assumptions, "the assumed friction is 0.8"));
   EXPECT_TRUE(Says(preflight.assumptions, "without margin"));
   EXPECT_FALSE(preflight.audit.margins.empty());
 }

@@ -57,7 +57,7 @@ TEST(RepairPage, OfACheckOrARefusalIsTheFirstHalf) {
   const std::string check = RepairPage({model, findings}, {"dance.csv"});
   EXPECT_EQ(RowsOf(check, "laws").size(), 2U);
   EXPECT_FALSE(Has(check, "<table id=\"groups\""));
-  EXPECT_FALSE(Has(check, "could not be saved"));
+  EXPECT_FALSE(Has(check, "that stay infeasible"));
   const std::string refused = RepairPage({model, findings}, {"dance.csv", "no motion <near> it at 2.5 s"});
   EXPECT_TRUE(Has(refused, ">REFUSED</span>"));
   EXPECT_EQ(RowsOf(refused, "laws").size(), 2U);

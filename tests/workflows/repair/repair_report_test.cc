@@ -40,7 +40,7 @@ TEST(RepairReport, SaysEachChangeInWords) {
         "and what follows is moved",
         "parted: 'hand' and 'hip' overlap by up to 37.0 mm between 0.25 and 0.75 s in the file",
         "a1: 201 rows of frames-csv, 2.000 s", "before: cannot be audited: it has no feet",
-        "smoothed: positions were smoothed above 6 Hz", "0 short stances and 2 short swings were taken away",
+        "smoothed: positions were smoothed above 6 Hz", "0 short stances and 2 short swings were removed",
         "stood: 1.20 s were added at the start", "slowed: the last 0.30 s take 0.60 s",
         "lifted: the base was moved up by 13.0 mm, because the feet sink into the ground"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;

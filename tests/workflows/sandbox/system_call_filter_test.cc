@@ -50,7 +50,7 @@ int ErrorOf(const std::function<long()>& attempt) {
 class SystemCallFilter : public testing::Test {
  protected:
   void SetUp() override {
-    if (!WhyNoCallFilter().empty()) GTEST_SKIP() << WhyNoCallFilter();
+    if (!ReasonNoCallFilter().empty()) GTEST_SKIP() << ReasonNoCallFilter();
   }
 };
 

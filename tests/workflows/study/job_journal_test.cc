@@ -92,8 +92,8 @@ TEST_F(Journals, OneWithoutAResultIsAsNone) {
 
 TEST_F(Journals, RefusalsSayWhy) {
   Write("gaitwright journal of other\n1 one\n");
-  ExpectRefused(false, "contains unfinished work");
-  ExpectRefused(true, "belongs to other work");
+  ExpectRefused(false, "contains an unfinished run");
+  ExpectRefused(true, "belongs to another run");
   for (const char* strange : {"something else\n", "something else"}) {
     Write(strange);
     ExpectRefused(true, "is not a journal of this program");

@@ -97,7 +97,7 @@ TEST_F(RunTrialsTest, AJournalOfAnotherRunIsRefused) {
     EXPECT_EQ(report.failure().code, FailureCode::kSoFar);
     EXPECT_NE(report.failure().message.find(part), std::string::npos) << report.failure().message;
   };
-  refused(Some(4), false, "unfinished work");
+  refused(Some(4), false, "an unfinished run");
   TrialOptions seeded = Some(4);
   seeded.seed = 5;
   refused(seeded, true, "other work");

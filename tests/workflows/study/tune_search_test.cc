@@ -252,7 +252,8 @@ TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
   EXPECT_NEAR(result.proof->value.after, Hill(result.candidates[result.favourite].values) + 50.0, 5.0);
   Study study;
   study.axes = {Range("a", 0.0, 1.0), Range("b", 0.0, 1.0)};
-  EXPECT_NE(VerdictOf(result).find("the present values give no walk (no such ground)"), std::string::npos)
+  EXPECT_NE(VerdictOf(result).find("the present values have no plan that passes its audit (no such ground)"),
+            std::string::npos)
       << VerdictOf(result);
   const auto json = nlohmann::json::parse(TuneJson(study, report, {}, {}));
   for (const char* figure : {"value", "score", "survival"}) {
@@ -265,7 +266,7 @@ TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
     EXPECT_EQ(text.find(" 0.00 "), std::string::npos) << text;
   study.model.name = "heron";
   study.walk.command.speed_m_s = 0.25;
-  for (const char* told : {"the present values give no walk", "heron", "speed=0.25"})
+  for (const char* told : {"the present values have no plan that passes its audit", "heron", "speed=0.25"})
     EXPECT_NE(TunedOptions(study, result).find(told), std::string::npos) << told;
 }
 

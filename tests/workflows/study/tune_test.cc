@@ -64,7 +64,7 @@ TEST(TunedOptionFiles, HoldTheChosenValuesAndSayWhetherTheyAreBetter) {
   };
   EXPECT_TRUE(begins(better, "# Tuned; better"));
   EXPECT_TRUE(begins(same, "# Not better"));
-  EXPECT_TRUE(begins(first, "# Tuned; the present values give no walk"));
+  EXPECT_TRUE(begins(first, "# Tuned; the present values have no plan that passes its audit"));
 }
 
 }  // namespace

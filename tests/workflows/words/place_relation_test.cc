@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-std::variant<TaskPlan, words::Refusal> ToldOfPlaces(const std::string& text) {
+std::variant<TaskPlan, words::Refusal> ReportedPlaces(const std::string& text) {
   TaskScope scope = ScopeOf(LoadNamedRobot("a1").value());
   scope.places = PlacesOf(told_tasks::WithMarkers());
   return words::Understand(text, scope);
@@ -17,7 +17,7 @@ std::variant<TaskPlan, words::Refusal> ToldOfPlaces(const std::string& text) {
 
 TEST(PlaceRelation, ToAPlaceIsUnderstood) {
   for (const char* text : {"walk to the door", "jump to the red marker", "走到门", "走到门那里"}) {
-    const auto told = ToldOfPlaces(text);
+    const auto told = ReportedPlaces(text);
     ASSERT_TRUE(std::holds_alternative<TaskPlan>(told)) << text;
     EXPECT_TRUE(std::get<TaskPlan>(told).tasks.front().Has("to")) << text;
   }
@@ -27,7 +27,7 @@ TEST(PlaceRelation, OtherRelationsAreRefusedWithTheirWords) {
   for (const auto& [text, part] :
        {std::pair("walk from the door", "from the door"), std::pair("walk through the door", "through the door"),
         std::pair("走到门后面", "门后面"), std::pair("jump off the red marker", "off the red marker")}) {
-    const auto told = ToldOfPlaces(text);
+    const auto told = ReportedPlaces(text);
     ASSERT_TRUE(std::holds_alternative<words::Refusal>(told)) << text;
     const words::Refusal& refusal = std::get<words::Refusal>(told);
     EXPECT_EQ(refusal.code, FailureCode::kUnknown) << text;

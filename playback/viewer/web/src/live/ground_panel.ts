@@ -35,7 +35,7 @@ export class GroundPanel {
     const row = make("label", "gw-note", "Engine ");
     row.append(this.engine);
     if (engines.length > 1) this.root.append(row);
-    this.root.append(make("p", "gw-note", "A walking robot does not know the slope: its plan is for the ground without it."));
+    this.root.append(make("p", "gw-note", "Plans do not use the slope: they are made for level ground."));
   }
 
   show(frame: Frame): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "playback/score/why_it_fell.h"
+#include "playback/score/reason_of_fall.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "playback/score/why_it_fell.h"
+#include "playback/score/reason_of_fall.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ void TipToTheLeft(PlaybackLog& log) {
   }
 }
 
-TEST(WhyItFell, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
+TEST(ReasonOfFall, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   PlaybackLog log = PerfectLog(model, plan);
@@ -37,7 +37,7 @@ TEST(WhyItFell, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
   EXPECT_TRUE(Says(report.reason, "mm to the left")) << report.reason;
 }
 
-/// Tips to the left. From 0.3 s on, one motor has a torque that is a share of its current limit.
+/// Tips to the left. From 0.3 s on, one motor has a torque that is a share of its limit.
 PlaybackLog TippingLog(const RobotModel& model, const MotionPlan& plan, double torque, double share = 1.0) {
   PlaybackLog log = PerfectLog(model, plan);
   TipToTheLeft(log);
@@ -49,7 +49,7 @@ PlaybackLog TippingLog(const RobotModel& model, const MotionPlan& plan, double t
   return log;
 }
 
-TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
+TEST(ReasonOfFall, ATorqueLimitThatCameFirstIsToldFirst) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   const PlaybackLog log = TippingLog(model, plan, 200.0);
@@ -57,7 +57,7 @@ TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
   EXPECT_TRUE(Says(reason, "first, the torque of 'right_y' was at its limit 200.00 N from 0.30 s; then at")) << reason;
 }
 
-TEST(WhyItFell, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
+TEST(ReasonOfFall, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   PlaybackLog log = TippingLog(model, plan, 60.0, 0.3);
@@ -71,7 +71,7 @@ TEST(WhyItFell, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
   EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
 }
 
-TEST(WhyItFell, WhatSpeedAndWarmthTookOfATorqueIsTold) {
+TEST(ReasonOfFall, WhatSpeedAndWarmthTookOfATorqueIsTold) {
   RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   model.motors.resize(model.dof_names.size());
@@ -97,7 +97,7 @@ TEST(WhyItFell, WhatSpeedAndWarmthTookOfATorqueIsTold) {
   EXPECT_TRUE(Says(Score(model, plan, log).reason, "'right_y' was at its limit 60.00 N from")) << "no other is known";
 }
 
-TEST(WhyItFell, AFootThatLiftsIsALostContact) {
+TEST(ReasonOfFall, AFootThatLiftsIsALostContact) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   PlaybackLog log = PerfectLog(model, plan);
@@ -111,7 +111,7 @@ TEST(WhyItFell, AFootThatLiftsIsALostContact) {
   EXPECT_TRUE(Says(reason, "'trunk'")) << reason;
 }
 
-TEST(WhyItFell, SlipScuffAndMissedFootholdAreTold) {
+TEST(ReasonOfFall, SlipScuffAndMissedFootholdAreTold) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   const PlaybackLog good = PerfectLog(model, plan);
@@ -139,7 +139,7 @@ TEST(WhyItFell, SlipScuffAndMissedFootholdAreTold) {
   EXPECT_TRUE(Says(reason, "'left' came down 60 mm off its foothold, to the right")) << reason;
 }
 
-TEST(WhyItFell, APlanThatCannotStandIsBlamedItself) {
+TEST(ReasonOfFall, APlanThatCannotStandIsBlamedItself) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0, {0.1, 0.0});  // 20 mm in front of the toes
   PlaybackLog log = PerfectLog(model, plan);
@@ -149,7 +149,7 @@ TEST(WhyItFell, APlanThatCannotStandIsBlamedItself) {
   EXPECT_TRUE(Says(reason, "by up to 20 mm")) << reason;
 }
 
-TEST(WhyItFell, APassNamesTheTightestGate) {
+TEST(ReasonOfFall, APassNamesTheTightestGate) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);
@@ -159,7 +159,7 @@ TEST(WhyItFell, APassNamesTheTightestGate) {
   EXPECT_EQ(report.reason, "every gate passes; closest to its limit is penetration_max_m with 1.9 mm of 2.0 mm");
 }
 
-TEST(WhyItFell, APlanPastItsOwnLimitsIsBlamedItself) {
+TEST(ReasonOfFall, APlanPastItsOwnLimitsIsBlamedItself) {
   RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   const PlaybackLog log = PerfectLog(model, plan);
@@ -175,7 +175,7 @@ TEST(WhyItFell, APlanPastItsOwnLimitsIsBlamedItself) {
   EXPECT_TRUE(Says(reason, "whose limit is 200.00 N")) << reason;
 }
 
-TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
+TEST(ReasonOfFall, WhatThePlanDidNotKnowIsNamed) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);
@@ -205,7 +205,7 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
   EXPECT_EQ(DisturbancesOf(plan, log).size(), 1U) << "the plan's own friction, and less than half a step";
 }
 
-TEST(WhyItFell, APushThatCameAfterTheFallIsNotItsCause) {
+TEST(ReasonOfFall, APushThatCameAfterTheFallIsNotItsCause) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);
