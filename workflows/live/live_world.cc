@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "kinematics/spatial/rotation.h"
