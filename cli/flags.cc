@@ -69,7 +69,13 @@ void PrintOptions(const OptionFields& fields, bool as_json) {
   if (as_json) PrintJson(nlohmann::ordered_json{{"options", list}});
 }
 
-void AddOptionList(Verb verb, const OptionFields& fields, const bool& json) {
+void AddOptionFlags(Verb verb, const OptionFields& fields, std::vector<std::string>& sets, const bool& json) {
+  constexpr std::string_view group = "Options by key";
+  verb.AddValue("--set", sets,
+                "Set an option by its key (see --list-options); may be repeated, each key once. Overrides flags.")
+      .SetType("KEY=VALUE")
+      .Repeat()
+      .SetGroup(group);
   const auto ask = [fields, &json](const std::string& which) {
     if (which != "true" && which != "all")
       throw InvalidArgument(fmt::format("'{}' is not accepted; accepted: all", which));
@@ -78,7 +84,7 @@ void AddOptionList(Verb verb, const OptionFields& fields, const bool& json) {
   verb.AddSwitchReader("--list-options", ask,
                        "Print the basic keys of --set with their units, ranges and defaults; --list-options=all "
                        "prints the advanced keys too.")
-      .SetGroup("Flags of every verb");
+      .SetGroup(group);
 }
 
 Flag AddText(Verb verb, std::string_view flag, std::string_view type, std::string& target, std::string_view help) {
@@ -120,7 +126,6 @@ void ApplySets(const std::string& flag, const std::vector<std::string>& sets, Op
     if (equals == std::string::npos) {
       throw InvalidArgument(fmt::format("{}: '{}' has no '='; key=value is needed", flag, set));
     }
-    if (fields.empty()) throw InvalidArgument(fmt::format("{} {}: this verb has no options to set", flag, set));
     const std::string key = set.substr(0, equals);
     if (!seen.insert(key).second)
       throw InvalidArgument(fmt::format("{}: '{}' is given twice; leave one of them out", flag, key));

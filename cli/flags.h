@@ -33,8 +33,9 @@ struct KeyedFlag {
 /// InvalidArgument if no field has that key.
 Flag AddField(Verb verb, std::string_view flag, const OptionFields& fields, std::string_view key);
 
-/// Adds the flag --list-options[=all], which prints the basic (or all) options of --set, as JSON if `json`, and exits.
-void AddOptionList(Verb verb, const OptionFields& fields, const bool& json);
+/// Adds the flags of a verb with options: --set, which collects its values in `sets`, and --list-options[=all], which
+/// prints the basic (or all) options of --set, as JSON if `json`, and exits.
+void AddOptionFlags(Verb verb, const OptionFields& fields, std::vector<std::string>& sets, const bool& json);
 
 /// Applies every `flag` key=value to the fields. @throws InvalidArgument for an unknown key (the message names the
 /// nearest one) and for a key that is given twice.

@@ -40,10 +40,6 @@ void AddCommon(Verb verb, Common& common, std::initializer_list<std::string_view
   verb.AddSwitch("--quiet", common.quiet, "Print only the verdict (pass or fail); for lists, only the names.");
   AddWholeNumber(verb, "--seed", 0, common.seed,
                  "Seed of all random numbers, such as those of --ground-bumps; 0 or more; default 0.");
-  verb.AddValue("--set", common.sets,
-                "Set an option by its key (see --list-options); may be repeated, each key once. Overrides flags.")
-      .SetType("KEY=VALUE")
-      .Repeat();
   verb.SetGroup("Options");
   std::string footer = examples.size() > 1 ? "Examples:\n" : "Example:\n";
   for (const std::string_view example : examples) footer += fmt::format("  gaitwright {}\n", example);

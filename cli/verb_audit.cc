@@ -210,7 +210,7 @@ void AddAudit(Verb program, int& status) {
   AddCommon(verb, a->common,
             {"audit plan.json", "audit plan.json --derate torque=0.8,speed=0.9", "audit plan.json --margins",
              "audit plan.json --preflight --report preflight.html"});
-  AddOptionList(verb, a->Fields(), a->common.json);
+  AddOptionFlags(verb, a->Fields(), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunAudit(*a); });
 }
 

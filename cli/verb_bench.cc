@@ -224,7 +224,7 @@ void AddBench(Verb program, int& status) {
   AddCommon(centroidal, a->common,
             {"bench centroidal --only hyq-1-gap", "bench centroidal --only biped-0-flat --duration 3.6 --json",
              "bench centroidal --only hyq-1 --as-asked --timing fixed"});
-  AddOptionList(centroidal, a->Fields(), a->common.json);
+  AddOptionFlags(centroidal, a->Fields(), a->common.sets, a->common.json);
   auto b = std::make_shared<WholeBodySettings>();
   const Verb whole_body = verb.AddVerb("whole-body", "Plan walks by whole-body trajectory optimisation");
   AddText(whole_body, "--only", "TEXT", b->filter,
@@ -235,7 +235,7 @@ void AddBench(Verb program, int& status) {
       "none: the built-in cases.");
   AddCommon(whole_body, b->common,
             {"bench whole-body --only a1-pronk", "bench whole-body --only nao --json", "bench whole-body --robot go1"});
-  AddOptionList(whole_body, b->motion.Fields(), b->common.json);
+  AddOptionFlags(whole_body, b->motion.Fields(), b->common.sets, b->common.json);
   AddCommon(verb, a->common, {"bench centroidal --only hyq-1-gap"});
   verb.RequireVerbs(1, 1);
   SetWork(centroidal, a->common, status, [a] { return RunBench(*a); });

@@ -124,7 +124,7 @@ void AddCompare(Verb program, int& status) {
   AddCommon(verb, a->common,
             {"compare plan.json out/plan.json", "compare out/plan.json out/log.json --report compare.html",
              "compare plan.json motion.csv --align best"});
-  AddOptionList(verb, fields, a->common.json);
+  AddOptionFlags(verb, fields, a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunCompare(*a); });
 }
 

@@ -182,7 +182,7 @@ void AddDo(Verb program, int& status) {
   AddCommon(verb, a->common,
             {"do \"walk forward two steps, then raise the right arm\" --robot nao --yes",
              "do \"起来，小跑两米，然后坐下\" --robot a1 --out-dir trot", "do \"bow twice\" --robot nao --tasks-only"});
-  AddOptionList(verb, Joined({a->tasks.motion.Fields(), a->play.Fields()}), a->common.json);
+  AddOptionFlags(verb, Joined({a->tasks.motion.Fields(), a->play.Fields()}), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunDo(*a); });
 }
 

@@ -104,7 +104,6 @@ Result<ExportedMotion> ExportInput(const ExportSettings& a, const MotionInput& i
 }
 
 int RunExport(ExportSettings& a) {
-  ApplySets("--set", a.common.sets, {});
   const ExportFormat format = ExportFormatOf(a.format);
   if (a.out.empty()) a.out = UsualOut(format);
   CheckExportPaths(a, format);

@@ -25,7 +25,6 @@ std::string PhasesText(const std::vector<double>& phases) {
 }
 
 int RunGaits(const GaitsSettings& a) {
-  ApplySets("--set", a.common.sets, {});
   const Result<std::vector<GaitEntry>> gaits = a.file.empty() ? BuiltInGaits() : LoadGaits(a.file);
   if (!gaits) return Report(gaits.failure(), a.common);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();

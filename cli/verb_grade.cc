@@ -114,8 +114,6 @@ int RunGrade(const GradeSettings& a) {
   } else if (!a.folder.empty()) {
     throw InvalidArgument(fmt::format("--write-inputs marks nothing; leave out DIR '{}'", a.folder));
   }
-  if (!a.common.sets.empty())
-    throw InvalidArgument("--set: 'grade' has no options; the rubric sets how motions are played");
   CheckPaths(paths);
   Result<Rubric> rubric = LoadRubric(a.rubric);
   if (!rubric) return Report(rubric.failure(), a.common);

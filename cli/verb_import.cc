@@ -105,7 +105,7 @@ void AddImport(Verb program, int& status) {
           "Plan file to write; its folder is created if missing; default imported.json.");
   AddCommon(verb, a->common,
             {"import motion.csv --robot a1 --out theirs.json", "import motion.csv --set velocities=derived --json"});
-  AddOptionList(verb, a->request.Fields(), a->common.json);
+  AddOptionFlags(verb, a->request.Fields(), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunImport(*a); });
 }
 

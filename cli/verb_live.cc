@@ -133,7 +133,7 @@ void AddLive(Verb program, int& status) {
       {"live --robot a1", "live --urdf my_robot.urdf --port 0 --debug", "live --robot nao --set play.friction=0.6"});
   a->listed = a->play;
   a->listed.controller = "recovering";
-  AddOptionList(verb, FieldsOf(a->walk, a->listed), a->common.json);
+  AddOptionFlags(verb, FieldsOf(a->walk, a->listed), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunLive(*a); });
 }
 

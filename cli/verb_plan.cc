@@ -107,7 +107,7 @@ void AddPlan(Verb program, int& status) {
   AddCommon(verb, a->common,
             {"plan --robot a1 --gait trot --speed 0.3 --distance 1 --out plan.json", "plan --goal 1,0.5,0.7 --json",
              "plan --sequence 'walk: speed=0.1, distance=0.3; trot: speed=0.4' --out parts.json"});
-  AddOptionList(verb, a->walk.Fields(), a->common.json);
+  AddOptionFlags(verb, a->walk.Fields(), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunPlan(*a); });
 }
 

@@ -99,7 +99,7 @@ void AddPlay(Verb program, int& status) {
   AddCommon(
       verb, a->common,
       {"play plan.json --report report.html", "play plan.json --push 0,20,0 --push-at 1.5 --friction 0.6 --json"});
-  AddOptionList(verb, a->play.Fields(), a->common.json);
+  AddOptionFlags(verb, a->play.Fields(), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunPlay(*a); });
 }
 

@@ -65,7 +65,6 @@ int WriteReference(Verb program, const ReferenceSettings& a) {
 }
 
 int RunReference(Verb program, const ReferenceSettings& a) {
-  ApplySets("--set", a.common.sets, {});
   if (!a.schema.empty()) return PrintSchema(a.schema);
   if (!a.folder.empty()) return WriteReference(program, a);
   PrintSchemaList(a.common);

@@ -121,7 +121,6 @@ void PrintRendered(const RenderSettings& a, std::optional<double> cycles) {
 }
 
 int RunRender(RenderSettings& a) {
-  ApplySets("--set", a.common.sets, {});
   CheckRenderPaths(a);
   Result<MotionToShow> motion = ReadMotionToShow(a.motion, a.plan);
   if (!motion) return Report(motion.failure(), a.common);

@@ -279,7 +279,7 @@ void AddRepair(Verb program, int& status) {
       verb, a->common,
       {"repair dance.csv --urdf g1.urdf --out dance.json --report dance.html",
        "repair pace.txt --robot laikago --check --json", "repair clips --urdf g1.urdf --out repaired --threads 4"});
-  AddOptionList(verb, a->request.Fields(), a->common.json);
+  AddOptionFlags(verb, a->request.Fields(), a->common.sets, a->common.json);
   SetWorkInRanks(verb, a->common, status, [a] { return RunRepair(*a); });
 }
 

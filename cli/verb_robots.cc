@@ -323,7 +323,6 @@ void AddRobots(Verb program, int& status) {
   AddCommon(check, a->common, {"robots check a1", "robots check nao --json", "robots check go1 --repaired go1.urdf"});
   verb.RequireVerbs(0, 1);
   SetWork(verb, a->common, status, [a, verb, show, check] {
-    ApplySets("--set", a->common.sets, {});
     if (verb.chosen() == check) return CheckOneRobot(*a);
     return verb.chosen() == show ? ShowRobot(*a) : ListRobots(a->common);
   });

@@ -213,7 +213,7 @@ void AddSweep(Verb program, int& status) {
             {"sweep --distance 0.3 --over speed=0.2:0.4:2 --quiet",
              "sweep --distance 0.3 --over stabilised.dcm_gain=1,1.5 --trials 1 --report a.html --best a.json",
              "sweep --distance 0.3 --over speed=0.1:0.4 --over gait.cycle_s=0.4:0.6 --samples 2 --json"});
-  AddOptionList(verb, a->study.Fields(), a->common.json);
+  AddOptionFlags(verb, a->study.Fields(), a->common.sets, a->common.json);
   SetWorkInRanks(verb, a->common, status, [a] { return RunSweep(*a); });
 }
 

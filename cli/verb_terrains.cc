@@ -266,10 +266,7 @@ void AddTerrains(Verb program, int& status) {
             {"terrains show stairs --robot nao", "terrains show rough:amplitude_m=0.03,seed=2 --picture rough.svg",
              "terrains show stairs --out stairs.xml"});
   verb.RequireVerbs(0, 1);
-  SetWork(verb, a->common, status, [a] {
-    ApplySets("--set", a->common.sets, {});
-    return a->terrain.empty() ? ListTerrains(a->common) : ShowTerrain(*a);
-  });
+  SetWork(verb, a->common, status, [a] { return a->terrain.empty() ? ListTerrains(a->common) : ShowTerrain(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -236,7 +236,7 @@ void AddTrials(Verb program, int& status) {
   AddCommon(verb, a->common,
             {"trials plan.json -n 2 --quiet", "trials plan.json -n 2 --out two.json --report two.html --threads 1",
              "trials plan.json --show-disturbances"});
-  AddOptionList(verb, a->Fields(), a->common.json);
+  AddOptionFlags(verb, a->Fields(), a->common.sets, a->common.json);
   SetWorkInRanks(verb, a->common, status, [a] { return RunTrials(*a); });
 }
 

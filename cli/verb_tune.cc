@@ -126,7 +126,7 @@ void AddTune(Verb program, int& status) {
   AddTuneFlags(verb, *a);
   AddCommon(verb, a->common,
             {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 2 --trials 1 --held-out 6"});
-  AddOptionList(verb, a->study.Fields(), a->common.json);
+  AddOptionFlags(verb, a->study.Fields(), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunTune(*a); });
 }
 

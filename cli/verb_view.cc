@@ -41,7 +41,6 @@ void CheckGhost(const std::vector<MotionToShow>& motions, const ViewSettings& a)
 }
 
 int RunView(const ViewSettings& a) {
-  ApplySets("--set", a.common.sets, {});
   Paths paths;
   paths.Read("the motion", a.motion);
   paths.Read("the second motion", a.beside);

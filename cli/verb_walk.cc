@@ -87,7 +87,7 @@ void AddWalk(Verb program, int& status) {
             {"walk --robot a1 --speed 0.3 --distance 1", "walk --robot nao --steps 4 --step-length 0.04 --out-dir nao",
              "walk --sequence 'trot: speed=0.5; stand: duration=1; walk: speed=0.1' --out-dir parts",
              "walk --robot a1 --distance 1 --push 0,30,0 --push-at 2 --quiet"});
-  AddOptionList(verb, Joined({a->walk.Fields(), a->play.Fields()}), a->common.json);
+  AddOptionFlags(verb, Joined({a->walk.Fields(), a->play.Fields()}), a->common.sets, a->common.json);
   SetWork(verb, a->common, status, [a] { return RunWalk(*a); });
 }
 

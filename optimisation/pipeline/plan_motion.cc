@@ -75,7 +75,7 @@ OptionFields TrajectoryOptions::Fields() {
         0.0,
         0.0,
         "Planner of the whole body: 'whole-body' optimises its motion and contact forces together; 'as-needed' does so "
-        "for rigid-body gaits and where the plan of the passes is not feasible.",
+        "for rigid-body gaits and infeasible plans of passes.",
         {"as-needed", "whole-body"}},
        {"knot_step_s", &knot_step_s, "s", 0.001, 0.05, "Longest time between knots of the optimisation."},
        {"residual", &residual, "1", 1e-6, 0.02,
@@ -119,8 +119,8 @@ OptionFields TrajectoryOptions::Fields() {
         "Smallest height of feet in mid swing for swings=free; 0: swing.clearance_m, or half of the planned height if "
         "that is 0."},
        {"heel_off_rad", &heel_off_rad, "rad", 0.0, 1.2,
-        "Pitch of a sole about its front edge at the lift-off of the longest step; 0: only as far as a plan needs it. "
-        "For optimised whole bodies without flight."},
+        "Pitch of a sole about its front edge at the lift-off of the longest step; 0: as far as a plan needs it. "
+        "Without flight only."},
        {"heel_off_share", &heel_off_share, "1", 0.1, 1.0,
         "Time in which a heel rises before lift-off, as a share of the shortest double support."},
        {"self_distance_m", &self_distance_m, "m", 0.0, 0.1,

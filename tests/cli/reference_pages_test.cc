@@ -19,9 +19,9 @@ class ReferredProgram {
     AddText(walk, "--terrain", "NAME", text_, "Ground *of* the <walk>; default flat.");
     walk.SetGroup("Options");
     AddCommon(walk, common_, {"walk --terrain stairs"});
-    AddOptionList(walk, fields_, common_.json);
+    AddOptionFlags(walk, fields_, common_.sets, common_.json);
     AddCommon(show, common_, {"robots show a1"});
-    AddOptionList(show, fields_, common_.json);
+    AddOptionFlags(show, fields_, common_.sets, common_.json);
   }
 
   CommandLine line{"a program", "its end"};

@@ -20,7 +20,7 @@ TEST(UrdfCheck, TheSmallRobotItselfIsGood) {
 
 TEST(UrdfCheck, AXacroFileIsToldFromAUrdf) {
   ExpectSays(MessageOf("<robot name='r'>\n<xacro:macro name='leg'><link name='a'/></xacro:macro></robot>"),
-             {"line 2 has <xacro:macro>", "xacro FILE > robot.urdf"});
+             {"line 2 has <xacro:macro>", "expand it first"});
 }
 
 TEST(UrdfCheck, RefusesMimicsThatCannotBeAndNamesTheJoint) {

@@ -47,9 +47,10 @@ TEST(BvhMotion, UnitAndAxesFollowFromTheSkeleton) {
       EXPECT_NEAR(table->time_s.back(), 19.0 / 30.0, 1e-6);
       EXPECT_EQ(HowDerived(*table, "rotations left out"), "");
       EXPECT_EQ(HowDerived(*table, "skeleton"),
-                unit_m == 1.0 ? "lengths in m, x ahead, y to the left, z upward, from its joints at rest"
-                              : fmt::format("lengths in {}, z ahead, x to the left, y upward, from its joints at rest",
-                                            unit_m == 0.01 ? "cm" : "mm"));
+                unit_m == 1.0
+                    ? "lengths in m, x forward, y to the left, z upward, from its joints at rest"
+                    : fmt::format("lengths in {}, z forward, x to the left, y upward, from its joints at rest",
+                                  unit_m == 0.01 ? "cm" : "mm"));
     }
   }
 }

@@ -100,12 +100,12 @@ TEST_F(RunTrialsTest, AJournalOfAnotherRunIsRefused) {
   refused(Some(4), false, "an unfinished run");
   TrialOptions seeded = Some(4);
   seeded.seed = 5;
-  refused(seeded, true, "other work");
+  refused(seeded, true, "another run");
   request_.play.hold_s = 0.1;
-  refused(Some(4), true, "other work");
+  refused(Some(4), true, "another run");
   request_.play.hold_s = PlayOptions().hold_s;
   disturbances_.figures[0].distribution = Distribution::Fixed(1.0);
-  refused(Some(4), true, "other work");
+  refused(Some(4), true, "another run");
 }
 
 TEST_F(RunTrialsTest, ABrokenOutcomeInTheJournalIsRefused) {
