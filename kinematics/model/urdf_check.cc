@@ -104,11 +104,9 @@ void CheckRoots(const Tree& tree) {
 void RefuseXacro(const XMLElement& robot) {
   for (const XMLElement* child = robot.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     if (std::string_view(child->Name()).starts_with("xacro:"))
-      Refuse(
-          FailureCode::kXacro,
-          fmt::format(
-              "line {} has <{}>: a xacro element is left, but the file does not end in .xacro; rename it to FILE.xacro",
-              child->GetLineNum(), child->Name()));
+      Refuse(FailureCode::kXacro,
+             fmt::format("line {} has <{}>: this is xacro; expand it first (ExpandXacro, or the program xacro)",
+                         child->GetLineNum(), child->Name()));
   }
 }
 

@@ -17,6 +17,7 @@ class StudyProgram {
     study.AddTo(verb_, "What varies.");
     study.AddWorkTo(verb_);
     AddCommon(verb_, common, {"study"});
+    AddOptionFlags(verb_, study.Fields(), common.sets, common.json);
   }
   /// The message of the refusal for an axis with these ends; "" if the words are accepted.
   std::string Refusal(const std::string& key, std::vector<std::string> words) {

@@ -52,8 +52,7 @@ TEST(CompareRobots, ALimitThatOneRobotLacksIsCalledSo) {
   const RobotModel without =
       LoadRobotFromText(FirstReplaced(four, "name='A_knee'", "effort='30'", "effort='1e6'"), "").value();
   ASSERT_EQ(CompareRobots(with, without).size(), 1U);
-  EXPECT_EQ(CompareRobots(with, without)[0].message,
-            "its effort limit is 30 N m here and unknown in the other robot");
+  EXPECT_EQ(CompareRobots(with, without)[0].message, "its effort limit is 30 N m here and unknown in the other robot");
   EXPECT_EQ(CompareRobots(without, with)[0].message,
             "its effort limit is unknown here and is 30 N m in the other robot");
 }
