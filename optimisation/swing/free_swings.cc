@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "kinematics/trajectory/fit_detour.h"
 #include "kinematics/trajectory/swing_curve.h"
-#include "optimisation/swing/fit_detour.h"
 #include "optimisation/swing/refine_swing.h"
 #include "optimisation/swing/swing_planes.h"
 #include "planning/plan/sample_plan.h"

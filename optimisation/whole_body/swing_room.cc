@@ -4,7 +4,7 @@
 
 #include "kinematics/base/non_finite.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "optimisation/swing/fit_detour.h"
+#include "kinematics/trajectory/fit_detour.h"
 #include "optimisation/swing/former_motion.h"
 #include "optimisation/swing/refine_swing.h"
 #include "optimisation/swing/swing_ground.h"

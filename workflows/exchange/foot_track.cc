@@ -9,9 +9,8 @@
 #include "kinematics/base/non_finite.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
-#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/spatial/rotation.h"
-#include "kinematics/trajectory/bspline.h"
+#include "kinematics/trajectory/fit_detour.h"
 #include "planning/plan/sample_plan.h"
 #include "workflows/exchange/median_internal.h"
 
@@ -71,17 +70,66 @@ Vector3 MedianPlace(const FootTrack& foot, int first, int last) {
   return place;
 }
 
-/// Leaves out rows at both ends of a stance in which the foot is not at its median height, because it moves up or down.
-void TrimStance(const FootTrack& foot, double most_m, int last_row, int& first, int& last) {
-  std::vector<double> heights(foot.height_m.begin() + first, foot.height_m.begin() + last + 1);
-  const double usual_m = MedianOf(std::move(heights));
-  const auto away = [&](int k) { return std::abs(foot.height_m[At(k)] - usual_m) > most_m; };
-  int begin = first, end = last;
-  while (begin > 0 && begin < end && away(begin)) ++begin;
-  while (end < last_row && end > begin && away(end)) --end;
-  if (end - begin < 2) return;
-  first = begin;
-  last = end;
+/// First and last row of a stance.
+struct StanceRows {
+  int first = 0, last = 0;
+};
+
+/// Leaves out rows at both ends of a stance in which the foot is not at its median height, because it moves up or down,
+/// faster than a speed.
+StanceRows TrimmedStance(const FootTrack& foot, double most_m, double slow_m_s, int last_row,
+                         const StanceRows& stance) {
+  const std::vector<double> heights(foot.height_m.begin() + stance.first, foot.height_m.begin() + stance.last + 1);
+  const double usual_m = MedianOf(heights);
+  const auto away = [&](int k) {
+    return std::abs(foot.height_m[At(k)] - usual_m) > most_m && foot.speed_m_s[At(k)] >= slow_m_s;
+  };
+  StanceRows trimmed = stance;
+  while (trimmed.first > 0 && trimmed.first < trimmed.last && away(trimmed.first)) ++trimmed.first;
+  while (trimmed.last < last_row && trimmed.last > trimmed.first && away(trimmed.last)) --trimmed.last;
+  return trimmed.last - trimmed.first < 2 ? stance : trimmed;
+}
+
+/// Median deviation of the heights of a stance from their median [m].
+double UnrestOf(const FootTrack& foot, const StanceRows& stance) {
+  std::vector<double> heights(foot.height_m.begin() + stance.first, foot.height_m.begin() + stance.last + 1);
+  const double usual_m = MedianOf(heights);
+  for (double& height_m : heights) height_m = std::abs(height_m - usual_m);
+  return MedianOf(std::move(heights));
+}
+
+/// Trims stances as closely as their heights are constant, so that swings begin and end at rest. A stance keeps the
+/// rows of an end in which no other foot would stand: its foot carries the robot then.
+/// @param speed_m_s  root of g times the leg length.
+std::vector<std::vector<StanceRows>> CloselyTrimmed(const std::vector<FootTrack>& feet,
+                                                    const std::vector<std::vector<StanceRows>>& stances, double most_m,
+                                                    double speed_m_s, int last_row) {
+  constexpr double kLeastOfMost = 0.02, kDeviations = 4.0, kSlow = 0.01;
+  std::vector<std::vector<StanceRows>> close = stances;
+  for (std::size_t f = 0; f < feet.size(); ++f) {
+    for (StanceRows& stance : close[f]) {
+      const double deviation_m = std::clamp(kDeviations * UnrestOf(feet[f], stance), kLeastOfMost * most_m, most_m);
+      stance = TrimmedStance(feet[f], deviation_m, kSlow * speed_m_s, last_row, stance);
+    }
+  }
+  const auto others_stand = [&](std::size_t foot, int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      bool stands = false;
+      for (std::size_t f = 0; f < feet.size(); ++f) {
+        for (const StanceRows& stance : close[f]) stands |= f != foot && stance.first <= k && k <= stance.last;
+      }
+      if (!stands) return false;
+    }
+    return true;
+  };
+  std::vector<std::vector<StanceRows>> kept = close;
+  for (std::size_t f = 0; f < feet.size(); ++f) {
+    for (std::size_t i = 0; i < stances[f].size(); ++i) {
+      if (!others_stand(f, stances[f][i].first, close[f][i].first)) kept[f][i].first = stances[f][i].first;
+      if (!others_stand(f, close[f][i].last + 1, stances[f][i].last + 1)) kept[f][i].last = stances[f][i].last;
+    }
+  }
+  return kept;
 }
 
 int RowOf(const EvenMotion& motion, double time_s) {
@@ -127,16 +175,15 @@ ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, co
   const double speed_m_s = options.contact_speed * std::sqrt(kGravity * model.leg_length_m());
   const int least_rows = static_cast<int>(std::ceil(options.contact_least_s / motion.step_s));
   std::vector<std::vector<ContactInterval>> by_foot;
+  std::vector<std::vector<StanceRows>> rows(feet.size());
   for (std::size_t f = 0; f < feet.size(); ++f) {
     std::vector<bool> stands;
     for (const FootSet set : motion.contact) stands.push_back(Contains(set, static_cast<int>(f)));
     if (motion.contact.empty()) stands = LowAndSlow(feet[f], height_m, speed_m_s, least_rows);
     by_foot.push_back(IntervalsOfRows(stands, motion));
-    for (ContactInterval& interval : by_foot.back()) {
-      if (!motion.contact.empty()) break;
-      int first = RowOf(motion, interval.start_s), last = RowOf(motion, interval.end_s);
-      TrimStance(feet[f], kStill * model.leg_length_m(), motion.size() - 1, first, last);
-      interval = {motion.TimeOf(first), motion.TimeOf(last)};
+    for (const ContactInterval& interval : by_foot.back()) {
+      const StanceRows stance{RowOf(motion, interval.start_s), RowOf(motion, interval.end_s)};
+      rows[f].push_back(TrimmedStance(feet[f], kStill * model.leg_length_m(), 0.0, motion.size() - 1, stance));
     }
     if (!by_foot.back().empty()) continue;
     const double lowest = *std::min_element(feet[f].height_m.begin(), feet[f].height_m.end());
@@ -147,6 +194,12 @@ ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, co
         model.feet[f].name, motion.contact.empty() ? "" : "by its column; ", lowest, slowest, height_m, speed_m_s));
   }
   if (motion.contact.empty()) {
+    rows = CloselyTrimmed(feet, rows, kStill * model.leg_length_m(), std::sqrt(kGravity * model.leg_length_m()),
+                          motion.size() - 1);
+    for (std::size_t f = 0; f < feet.size(); ++f) {
+      for (std::size_t i = 0; i < rows[f].size(); ++i)
+        by_foot[f][i] = {motion.TimeOf(rows[f][i].first), motion.TimeOf(rows[f][i].last)};
+    }
     derived.push_back({"contacts", fmt::format("feet up to {:.1f} mm above the ground and up to {:.3f} m/s fast count "
                                                "as stance, while their height stays within {:.1f} mm",
                                                1e3 * height_m, speed_m_s, 1e3 * kStill * model.leg_length_m())});
@@ -189,7 +242,7 @@ FootstepPlan FootholdsOf(const RobotModel& model, const Terrain& terrain, const 
 
 SwingTrajectory SwingOf(const Foothold& from, const Foothold& to, const EvenMotion& motion, const FootTrack& foot,
                         double& farthest_m) {
-  constexpr int kMostPoints = 20, kFixed = 3;
+  constexpr int kMostPoints = 20;
   SwingTrajectory swing;
   swing.foot = from.foot;
   swing.start_s = from.liftoff_s;
@@ -200,23 +253,22 @@ SwingTrajectory SwingOf(const Foothold& from, const Foothold& to, const EvenMoti
   const int first = RowOf(motion, swing.start_s), last = RowOf(motion, swing.end_s), rows = last - first + 1;
   const int points = std::clamp(rows / 2, 1, kMostPoints);
   // The path without the rolling of the foot, minus the straight motion.
-  SwingCurve straight = CurveOf(swing);
+  SwingCurve straight = CurveOf(swing);  // gets the detour below
   straight.X_WF_end.translation() -= foot.rolled_W[At(last)] - foot.rolled_W[At(first)];
-  MatrixX shape = MatrixX::Zero(rows, points), offset(rows, 3);
-  for (int i = 0; i < rows; ++i) {
-    const double time_s = motion.TimeOf(first + i), u = (time_s - swing.start_s) / (swing.end_s - swing.start_s);
-    const Vector3 rolled = foot.rolled_W[At(first + i)] - foot.rolled_W[At(first)];
-    const Vector3 path = foot.X_WF[At(first + i)].translation() - rolled;
-    offset.row(i) = (path - Evaluate(straight, time_s).X_WF.translation()).transpose();
-    const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixed, u);
-    for (int b = 0; b < 6; ++b) {
-      const int point = basis.first + b - kFixed;
-      if (point >= 0 && point < points) shape(i, point) = basis.value[At(b)];
-    }
+  std::vector<double> shares;
+  std::vector<Vector3> path_W, off_W;
+  for (int k = first; k <= last; ++k) {
+    const double time_s = motion.TimeOf(k);
+    shares.push_back((time_s - swing.start_s) / (swing.end_s - swing.start_s));
+    path_W.emplace_back(foot.X_WF[At(k)].translation() - foot.rolled_W[At(k)] + foot.rolled_W[At(first)]);
+    off_W.emplace_back(path_W.back() - Evaluate(straight, time_s).X_WF.translation());
   }
-  const MatrixX detour = SolveLeastNorm(shape, offset);
-  farthest_m = std::sqrt((offset - shape * detour).rowwise().squaredNorm().maxCoeff());
-  for (int i = 0; i < points; ++i) swing.detour_W.emplace_back(detour.row(i).transpose());
+  straight.detour_W = swing.detour_W = FitDetour(shares, off_W, points);
+  farthest_m = 0.0;
+  for (int k = first; k <= last; ++k) {
+    const Vector3 at_W = Evaluate(straight, motion.TimeOf(k)).X_WF.translation();
+    farthest_m = std::max(farthest_m, (path_W[At(k - first)] - at_W).norm());
+  }
   swing.lift_m = LiftAtHalfTime(CurveOf(swing));
   swing.clearance_m = kInfinity;
   for (int i = rows / 3; i <= 2 * rows / 3 && i < rows; ++i)

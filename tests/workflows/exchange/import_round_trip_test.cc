@@ -10,6 +10,7 @@
 #include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "workflows/exchange/export_csv.h"
+#include "workflows/exchange/export_frames_internal.h"
 #include "workflows/exchange/export_trajectory.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/exchange/motion_rows.h"
@@ -97,6 +98,28 @@ TEST(ImportRoundTrip, PlansOfOursPassTheirAuditAndPlayAsWell) {
   amble.gait = "amble";
   amble.command.speed_m_s = 0.5;
   ExpectRoundTrip("a1", amble);
+}
+
+/// Contacts are found from the feet: swings begin and end where the feet are at rest.
+TEST(ImportRoundTrip, FramesWithoutContactsComeBackWithTheirSwings) {
+  const RobotModel model = *ChooseRobot("nao", "");
+  WalkRequest request;
+  request.command.distance_m = 0.2;
+  const Result<PlannedWalk> walk = PlanWalk(model, request);
+  ASSERT_TRUE(walk.ok()) << walk.failure().message;
+  const MotionPlan& plan = walk->motion.plan;
+  constexpr double kRate_hz = 200.0, kRows = 2.5;  // rows by which contact times may differ
+  const Result<ImportedMotion> back =
+      Imported(model, FramesJson(model, RowsOfPlan(model, plan, kRate_hz), kRate_hz), "frames.json");
+  ASSERT_TRUE(back.ok()) << back.failure().message;
+  for (const Violation& violation : back->audit.violations) EXPECT_NE(violation.law, Law::kConsistency);
+  ASSERT_EQ(back->plan.swings.size(), plan.swings.size());
+  for (std::size_t i = 0; i < plan.swings.size(); ++i) {
+    const SwingTrajectory &ours = plan.swings[i], &theirs = back->plan.swings[i];
+    EXPECT_EQ(theirs.foot, ours.foot);
+    EXPECT_NEAR(theirs.start_s, ours.start_s, kRows / kRate_hz);
+    EXPECT_NEAR(theirs.end_s, ours.end_s, kRows / kRate_hz);
+  }
 }
 
 /// The base and the contacts are derived from the joints, with equal results at every rate.

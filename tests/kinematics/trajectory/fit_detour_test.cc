@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/swing/fit_detour.h"
+#include "kinematics/trajectory/fit_detour.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimisation/swing/fit_detour.h"
+#include "kinematics/trajectory/fit_detour.h"
 
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/dense_solvers.h"
@@ -22,7 +22,7 @@ std::vector<Vector3> FitDetour(const std::vector<double>& shares, const std::vec
     }
     off.row(k) = off_W[sample];
   }
-  const MatrixX found = SolveLeastSquares(basis, off);
+  const MatrixX found = SolveLeastNorm(basis, off);
   std::vector<Vector3> detour_W;
   for (int i = 0; i < points; ++i) detour_W.emplace_back(found.row(i));
   return detour_W;
