@@ -7,9 +7,11 @@
 
 #include "optimisation/pipeline/choose_contacts_internal.h"
 #include "optimisation/pipeline/finish_motion_internal.h"
+#include "optimisation/whole_body/swing_room_internal.h"
 #include "planning/audit/audit.h"
 #include "planning/gait/find_gait.h"
 #include "planning/plan/built_in_terrain.h"
+#include "planning/plan/sample_plan.h"
 #include "tests/named_robot.h"
 
 namespace gaitwright {
@@ -168,6 +170,22 @@ TEST(ChooseContacts, SparesWorkByThePathsOfSwings) {
     if (!now.detour_W.empty()) ++changed;
   }
   EXPECT_GT(changed, 0);
+}
+
+TEST(FitSwings, FindsThePathsOfAPlanInItsMotion) {
+  MotionPlan plan = BoundPlan();
+  EXPECT_EQ(FitSwings(NamedRobot("a1"), {}, plan), static_cast<int>(plan.swings.size()));
+  for (std::size_t i = 0; i < plan.swings.size(); ++i) {
+    const SwingTrajectory &now = plan.swings[i], &before = BoundPlan().swings[i];
+    EXPECT_FALSE(now.detour_W.empty());
+    EXPECT_NEAR(now.clearance_m, before.clearance_m, 2e-3);
+    for (double share = 0.0; share <= 1.0; share += 0.1) {
+      const double time_s = now.start_s + share * (now.end_s - now.start_s);
+      const Vector3 off_W =
+          Evaluate(CurveOf(now), time_s).X_WF.translation() - Evaluate(CurveOf(before), time_s).X_WF.translation();
+      EXPECT_LT(off_W.norm(), 2e-3) << "swing " << i << " at " << share;
+    }
+  }
 }
 
 TEST(ChooseContacts, KeepsContactsForWhichItFindsNoMotion) {
