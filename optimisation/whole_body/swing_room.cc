@@ -137,7 +137,7 @@ void FreeSwings(const RobotModel& model, const MotionPlan& plan, const std::vect
 
 int FitSwings(const RobotModel& model, const SwingFreedom& freedom, MotionPlan& plan) {
   constexpr int kMostPoints = 12, kRowsPerPoint = 2;
-  constexpr double kChecked = 0.8;  // of the clearance, since feet may be lower between knots
+  constexpr double kChecked = 0.6;  // of the clearance: feet may be lower between knots, and rise slowly at first
   std::vector<FootCourse> courses = CoursesOf(model, plan);
   const FootRolls rolls = RollsOf(model, plan.whole_body, courses);
   for (std::size_t i = 0; i < courses.size(); ++i)

@@ -28,7 +28,7 @@ void FreeSwings(const RobotModel& model, const MotionPlan& plan, const std::vect
                 const SwingFreedom& freedom, BodyProblem& problem);
 
 /// Replaces the detours of a plan's swings by those nearest to the motion of its whole body. A swing that would then
-/// come closer to a solid than four fifths of its clearance stays as it is.
+/// come closer to a solid than three fifths of its clearance stays as it is.
 /// @return how many swings were replaced.
 int FitSwings(const RobotModel& model, const SwingFreedom& freedom, MotionPlan& plan);
 
