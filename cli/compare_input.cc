@@ -92,7 +92,7 @@ Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* mod
 }
 
 /// Sets how the columns of each side are read, if it has columns.
-void ReadColumnsOf(const CompareFiles& files, SideFile& a, SideFile& b) {
+void SetColumnReading(const CompareFiles& files, SideFile& a, SideFile& b) {
   CompareFiles usual, given = files;
   const bool units = TextsOf(given.units.UnitFields()) != TextsOf(usual.units.UnitFields());
   if (!files.columns_b.empty() && !b.table)
@@ -139,7 +139,7 @@ Result<CompareInput> ReadCompareInput(const CompareFiles& files) {
   Result<SideFile> a = ReadSide(files.a), b = ReadSide(files.b);
   if (!a) return a.failure();
   if (!b) return b.failure();
-  ReadColumnsOf(files, *a, *b);
+  SetColumnReading(files, *a, *b);
   if (a->kind == MotionFileKind::kReport || b->kind == MotionFileKind::kReport) return ReadReports(*a, *b);
   Result<MotionInput> named = NamedInput(files.robot);
   if (!named) return named.failure();

@@ -118,7 +118,12 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
   if (common.json) {
     auto json = nlohmann::ordered_json::object();
     for (const auto& [key, text] : more) json[key] = ParsedJson(text);
-    json.update(ParsedJson(ReportJson(judged.played.report)));
+    auto report = ParsedJson(ReportJson(judged.played.report));
+    if (json.contains("notes")) {
+      for (auto& note : report["notes"]) json["notes"].push_back(std::move(note));
+      report.erase("notes");
+    }
+    json.update(report);
     json["audit"] = ParsedJson(AuditJson(judged.audit));
     json["warnings"] = judged.plan.warnings;
     json["adjustments"] = ParsedJson(AdjustmentsJson(judged.plan.adjustments));

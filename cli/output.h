@@ -30,7 +30,7 @@ using Files = std::vector<std::pair<std::string, std::string>>;
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs);
 
 /// Prints the JSON object of `walk` and `play` with --json, otherwise the report as text.
-/// @param more  keys and JSON texts that come before all others.
+/// @param more  keys and JSON texts that come before all others; its "notes" are joined with those of the report.
 void PrintJudged(const Judged& judged, const Files& files, const Common& common,
                  const std::vector<std::pair<std::string, std::string>>& more = {});
 

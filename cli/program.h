@@ -18,7 +18,7 @@ enum Exit { kPass = 0, kWrongInput = 1, kNoPlan = 2, kVerdictFail = 3 };
 /// The exit statuses in words, for the help.
 inline constexpr char kExitStatuses[] =
     "Exit status:\n  0  done, and the verdict is a pass\n  1  the input or the usage is wrong\n  2  no plan was found "
-    "within the limits\n  3  the plan was made or played, and the verdict is a fail";
+    "within the limits\n  3  the plan was made or played, and the verdict is a fail\n  130  interrupted";
 
 /// Flags that every verb takes.
 struct Common {

@@ -59,8 +59,8 @@ void CheckAuditFlags(const AuditSettings& a) {
   CheckPaths(paths);
 }
 
-/// Says why no approach is written although --approach is given.
-std::string NoWayText(const std::string& path) {
+/// The reason why no approach is written although --approach is given.
+std::string NoApproachText(const std::string& path) {
   return fmt::format(
       "every joint is within its tolerance of the first command: no approach is needed, and '{}' is not written", path);
 }
@@ -92,7 +92,7 @@ struct AuditSubject {
 int RunPreflight(AuditSettings& a, const AuditSubject& about) {
   PreflightInput input{a.options, a.of_preflight, {}, ""};
   if (!a.approach.empty())
-    input.approach = about.approach ? ApproachText(about.model, *about.approach) : NoWayText(a.approach);
+    input.approach = about.approach ? ApproachText(about.model, *about.approach) : NoApproachText(a.approach);
   if (!a.trials.empty()) {
     const Result<TrialsResult> trials = LoadTrialsResult(a.trials);
     if (!trials) return Report(trials.failure(), a.common);
@@ -149,7 +149,7 @@ int AuditOnly(AuditSettings& a, const AuditSubject& about) {
   } else {
     PrintAudit(*report, broken, about.plan);
     if (about.approach) fmt::print("{}: {}\n", ApproachText(about.model, *about.approach), a.approach);
-    if (!a.approach.empty() && !about.approach) fmt::print("{}\n", NoWayText(a.approach));
+    if (!a.approach.empty() && !about.approach) fmt::print("{}\n", NoApproachText(a.approach));
   }
   return report->pass() ? kPass : kVerdictFail;
 }

@@ -268,7 +268,7 @@ void AddRepair(Verb program, int& status) {
       "the plans and of the table clips.csv; default repaired.");
   AddText(verb, "--report", "FILE", a->report,
           "Write a page about a single motion to this HTML file: failing checks before and after, distance, changes, "
-          "and the motion in 3D with the original as a ghost; also if it fails or is refused; default: none.");
+          "and the motion in 3D with the original as a ghost; also if the motion fails or is refused; default: none.");
   verb.AddSwitch("--check", a->check, "Only report what is wrong with the motion, without a repair; default: no.");
   verb.AddSwitch("--no-play", a->no_play, "Do not play the plan in physics; default: no.");
   verb.AddSwitch("--resume", a->resume, "Continue an interrupted run over a folder or a long motion; default: no.");

@@ -26,7 +26,7 @@ Vector3 StandingStrategy::Upright() const {
 }
 
 PointWrench StandingStrategy::Wanted(const Vector3& p_WC, const Vector3& v_WC, const Polygon& soles) const {
-  constexpr double kTurned = 0.5, kQuick = 20.0;  // [rad], [rad/s^2]: limits of the body's rotation
+  constexpr double kTurned = 0.5, kLargestRate = 20.0;  // [rad], [rad/s^2]: limits of the body's rotation
   const double omega = plan_.centroidal.omega_rad_s, weight = model_.weight_n();
   const Vector2 c = (p_WC - home_W_).head<2>(), rate = v_WC.head<2>() / omega;
   const Vector2 wanted =
@@ -37,7 +37,7 @@ PointWrench StandingStrategy::Wanted(const Vector3& p_WC, const Vector3& v_WC, c
     const Vector3 axis = Vector3(-beyond.y(), beyond.x(), 0.0).normalized();
     const double turned = scratch_.R_WB[0].col(2).cross(Vector3::UnitZ()).dot(-axis);
     const double inertia = axis.cwiseAbs().dot(inertia_B_);
-    if (turned < kTurned) moment = std::min(weight * beyond.norm(), kQuick * inertia) * axis;
+    if (turned < kTurned) moment = std::min(weight * beyond.norm(), kLargestRate * inertia) * axis;
   }
   const double height = p_WC.z();
   const double lift =

@@ -95,6 +95,12 @@ FrameMotion Evaluate(const SwingCurve& curve, double time_s) {
   return motion;
 }
 
+SwingCurve StraightMoveOf(SwingCurve curve) {
+  curve.lift_m = 0.0;
+  curve.detour_W.clear();
+  return curve;
+}
+
 double LiftAtHalfTime(const SwingCurve& curve) { return OffsetAt(curve, 0.5).value.z(); }
 
 }  // namespace gaitwright

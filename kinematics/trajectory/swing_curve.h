@@ -47,6 +47,9 @@ struct SwingCurve {
 /// The motion of the frame at a time; outside [start_s, end_s], at rest at the nearer end.
 FrameMotion Evaluate(const SwingCurve& curve, double time_s);
 
+/// The curve without its bump or detour: the minimum-jerk move between the same ends over the same time.
+SwingCurve StraightMoveOf(SwingCurve curve);
+
 /// Height of the frame's origin above the straight line between its ends, at half time [m].
 double LiftAtHalfTime(const SwingCurve& curve);
 

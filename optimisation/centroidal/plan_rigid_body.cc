@@ -305,7 +305,7 @@ OptionFields RigidBodyOptions::Fields() {
            "Cost weight of the squared deviation of the base's orientation from level and its wanted heading."},
           {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e6,
            "Cost weight of the squared distance of stance feet from their nominal positions."},
-          {"way", &weights.way, "1/(m^2 s)", 0.0, 1e3,
+          {"path", &weights.path, "1/(m^2 s)", 0.0, 1e3,
            "Cost weight of the squared lateral deviation of the centre of mass from its path."},
           {"swing_jerk", &weights.swing_jerk, "1/m^2", 0.0, 1e3,
            "Cost weight of the squared jerk of swings whose path is free."},

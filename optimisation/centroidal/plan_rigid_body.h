@@ -40,7 +40,7 @@ struct RigidBodyOptions {
   int screening = 40;
   double infeasible = 0.1;
   int max_iterations = 100;
-  RigidBodyWeights weights = {.stance = 20.0, .way = 1.0};
+  RigidBodyWeights weights = {.stance = 20.0, .path = 1.0};
   bool turns_by_forces = true;  ///< false: rotation is free, a relaxation that tests the forces
 
   OptionFields Fields();

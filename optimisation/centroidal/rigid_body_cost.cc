@@ -86,7 +86,7 @@ std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const Rigid
       const Matrix3 heading = YawRotation(WantedAngles(problem, t[k]).z());
       if (!problem.way.time_s.empty()) {
         const MatrixX across = heading.col(1).transpose();
-        AddRowsAlong(across, unknowns.CentreOfMass(t[k]), 0.5 * h * weights.way, problem.way.PlaceAt(t[k]), cost);
+        AddRowsAlong(across, unknowns.CentreOfMass(t[k]), 0.5 * h * weights.path, problem.way.PlaceAt(t[k]), cost);
       }
       for (const ContactForce& force : unknowns.Forces(i)) {
         if (force.point != 0) continue;

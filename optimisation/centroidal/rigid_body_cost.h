@@ -26,7 +26,7 @@ struct RigidBodyWeights {
   double momentum = 1e-2;    ///< [s]
   double tilt = 1.0;         ///< [1/(rad^2 s)]
   double stance = 1.0;       ///< [1/(m^2 s)]
-  double way = 0.0;          ///< [1/(m^2 s)]; for a path that is more than an initial guess
+  double path = 0.0;         ///< [1/(m^2 s)]; for a path that is more than an initial guess
   double swing_jerk = 1e-5;  ///< [1/m^2]
 };
 

@@ -376,7 +376,7 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
 Result<MotionPlan> FollowMotion(const RobotModel& model, const MotionPlan& plan, const TrajectoryOptions& options,
                                 const FollowOptions& follow, FollowReport* report) {
   TrajectoryOptions checked = options;
-  CheckOptions(checked.Fields());
+  CheckOptions(checked.FollowFields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FollowMotion: " + reason);
   FinishSettings settings;

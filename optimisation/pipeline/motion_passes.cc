@@ -49,14 +49,14 @@ std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double
   return feet;
 }
 
-/// Violation of a body whose height changes so quickly that it hops: legs that straighten and bend again within one
+/// Violation of a body whose vertical acceleration is so large that it hops: legs that straighten and bend again within one
 /// step keep their limits, but controllers do not follow them. It stays below the bound that ends a search, so that
 /// such a motion is used if no other body strategy is better.
 double HopViolation(const CentroidalTrajectory& motion) {
-  constexpr double kQuick = 0.1 * kGravity, kMost = 0.04;
-  double quickest = 0.0;
-  for (const Vector3& a_WC : motion.a_WC) quickest = std::max(quickest, std::abs(a_WC.z()));
-  return std::clamp(kMost * (quickest / kQuick - 1.0), 0.0, kMost);
+  constexpr double kLargestAcceleration = 0.1 * kGravity, kMost = 0.04;
+  double largest = 0.0;
+  for (const Vector3& a_WC : motion.a_WC) largest = std::max(largest, std::abs(a_WC.z()));
+  return std::clamp(kMost * (largest / kLargestAcceleration - 1.0), 0.0, kMost);
 }
 
 }  // namespace

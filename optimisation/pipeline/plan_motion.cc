@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
@@ -133,6 +134,15 @@ OptionFields TrajectoryOptions::Fields() {
         0.0,
         "Steady cycles of a walk: 'periodic' optimises the whole body so that each repeats the one before exactly.",
         {"free", "periodic"}}});
+}
+
+OptionFields TrajectoryOptions::FollowFields() {
+  OptionFields fields = Fields();
+  std::erase_if(fields, [](const OptionField& field) {
+    constexpr std::string_view kUsed[] = {"knot_step_s", "residual", "max_solves", "max_iterations", "self_distance_m"};
+    return std::ranges::find(kUsed, field.key) == std::end(kUsed);
+  });
+  return fields;
 }
 
 FootstepOptions StandingOptions(const MotionOptions& options) {

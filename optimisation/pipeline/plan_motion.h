@@ -89,6 +89,8 @@ struct TrajectoryOptions {
   bool finishes_all() const { return method == "whole-body" || cycles == "periodic"; }
 
   OptionFields Fields();
+  /// The fields that FollowMotion uses: knots, residual, bounds of solves and distance of links.
+  OptionFields FollowFields();
 };
 
 /// All options that shape a motion. The same keys are used in YAML, in `--set` and in the plan's provenance.

@@ -8,7 +8,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/spatial/rotation.h"
-#include "kinematics/trajectory/bspline.h"
+#include "kinematics/trajectory/fit_detour.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/pipeline/turning_leap_internal.h"
 #include "planning/plan/sample_plan.h"
@@ -328,21 +328,21 @@ double FitSwing(const RobotModel& model, const WholeBodyTrajectory& motion, Swin
   }
   swing.lift_m = swing.cruise = 0.0;
   swing.detour_W.clear();
-  SwingCurve straight = CurveOf(swing);
-  straight.X_WF_end.translation() -= rolled_W;
-  MatrixX basis = MatrixX::Zero(pieces + 1, kPoints), wanted(pieces + 1, 3);
-  for (int k = 0; k <= pieces; ++k) {
-    wanted.row(k) = path_W[static_cast<std::size_t>(k)] - Evaluate(straight, time(k)).X_WF.translation();
-    if (k == 0 || k == pieces) continue;
-    const QuinticBasis at = EvaluateQuinticBasis(kPoints + 2 * kFixedSwingPoints, static_cast<double>(k) / pieces);
-    for (int i = 0; i < 6; ++i) {
-      const int point = at.first + i - kFixedSwingPoints;
-      if (point >= 0 && point < kPoints) basis(k, point) = at.value[static_cast<std::size_t>(i)];
-    }
+  SwingCurve fitted = CurveOf(swing);
+  fitted.X_WF_end.translation() -= rolled_W;
+  std::vector<double> shares;
+  std::vector<Vector3> off_W;
+  for (int k = 1; k < pieces; ++k) {
+    shares.push_back(static_cast<double>(k) / pieces);
+    off_W.emplace_back(path_W[static_cast<std::size_t>(k)] - Evaluate(fitted, time(k)).X_WF.translation());
   }
-  const MatrixX points = basis.colPivHouseholderQr().solve(wanted);
-  for (int i = 0; i < kPoints; ++i) swing.detour_W.emplace_back(points.row(i).transpose());
-  return (basis * points - wanted).rowwise().norm().maxCoeff();
+  swing.detour_W = fitted.detour_W = FitDetour(shares, off_W, std::min(kPoints, pieces - 1));
+  double largest_m = 0.0;
+  for (int k = 0; k <= pieces; ++k) {
+    const Vector3 path_of_curve_W = Evaluate(fitted, time(k)).X_WF.translation();
+    largest_m = std::max(largest_m, (path_of_curve_W - path_W[static_cast<std::size_t>(k)]).norm());
+  }
+  return largest_m;
 }
 
 }  // namespace

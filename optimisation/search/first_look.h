@@ -20,7 +20,7 @@ struct FirstLook {
 /// there were also violated in all full plans that were compared, which take about ten times as long. On level ground,
 /// the start of a long walk is evaluated (StartOfWalk): clearly violated limits do not depend on the length of the
 /// walk. If another constraint is violated, more time to accelerate may help, so with `whole` the complete walk is
-/// evaluated. Without `whole` (to find a speed for a message), no limit may be violated. The work is limited to three
+/// evaluated. Without `whole` (to find a speed for a message), no limit may be violated. The work is limited to two
 /// passes for each, so the result is deterministic.
 FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait,
                  const WalkCommand& command, bool whole);

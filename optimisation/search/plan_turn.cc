@@ -31,8 +31,8 @@ WalkCommand TurnCommand(const Gait& gait, const std::array<double, 2>& travel_m)
   return command;
 }
 
-/// Whether a request leaves the way to the gait.
-bool LeavesTheWay(const WalkCommand& command) {
+/// Whether a request gives no distance, goal or number of steps of its own, so that the gait determines them.
+bool LeavesExtentToGait(const WalkCommand& command) {
   WalkCommand without;
   without.distance_m = command.distance_m == 1.0 ? 1.0 : without.distance_m;  // the default of a request
   return command == without;
@@ -46,7 +46,7 @@ Result<PlannedWalk> PlanTurn(const RobotModel& model, const Terrain& terrain, co
   if (!gait) return gait.failure();
   const Result<std::optional<std::array<double, 2>>> travel_m = OwnTravel(model, request.gait);
   if (!travel_m) return travel_m.failure();
-  if (!LeavesTheWay(request.command)) {
+  if (!LeavesExtentToGait(request.command)) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kCommand,
                    "PlanWalk",

@@ -38,9 +38,7 @@ std::vector<double> SharesLookedAt() {
 std::vector<Vector3> DetourOf(const SwingTrajectory& swing) {
   constexpr int kPoints = 8, kSamples = 40;
   if (!swing.detour_W.empty() && swing.detour_W.size() % 2 == 0) return swing.detour_W;
-  SwingCurve straight = CurveOf(swing);
-  straight.lift_m = 0.0;
-  straight.detour_W.clear();
+  const SwingCurve straight = StraightMoveOf(CurveOf(swing));
   std::vector<double> shares;
   std::vector<Vector3> off_W;
   for (int k = 0; k < kSamples; ++k) {

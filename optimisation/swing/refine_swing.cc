@@ -166,9 +166,7 @@ class Detour {
 
   /// within_ x <= room_m_: half-spaces at fractions of the swing.
   void AddReach(const SwingCurve& swing, const RefineChoice& choice) {
-    SwingCurve straight = swing;
-    straight.lift_m = 0.0;
-    straight.detour_W.clear();
+    const SwingCurve straight = StraightMoveOf(swing);
     std::vector<double> fractions;
     for (const ReachAt& at : choice.reach) fractions.insert(fractions.end(), at.sides.size(), at.u);
     const MatrixX basis = BasisAt(fractions, free_, false);

@@ -101,9 +101,7 @@ SwingOffsets OffsetsOf(const RobotModel& model, const MotionPlan& plan, const Sw
     const Vector3 path_W = FramePose(scratch, foot.body, foot.X_BF).translation() -
                            foot.radius * place.X_WF.linear().col(2) - roll_W[static_cast<std::size_t>(row)];
     // The course is the planned curve between the same ends, so that only its offset is left to be taken away.
-    SwingCurve straight = CurveOf(swing), planned = straight;
-    straight.lift_m = 0.0;
-    straight.detour_W.clear();
+    const SwingCurve planned = CurveOf(swing), straight = StraightMoveOf(planned);
     const Vector3 planned_off_W =
         Evaluate(planned, time_s).X_WF.translation() - Evaluate(straight, time_s).X_WF.translation();
     offsets.shares.push_back((time_s - swing.start_s) / (swing.end_s - swing.start_s));

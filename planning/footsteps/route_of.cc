@@ -52,7 +52,7 @@ Failure Refused(const std::vector<PlanarPose>& way, const FirstBlocked& blocked)
             {"start at another place"}};
   const std::vector<PlanarPose> free(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(blocked.before));
   return {FailureKind::kInfeasible,
-          FailureCode::kWayBlocked,
+          FailureCode::kPathBlocked,
           "RouteOf",
           fmt::format("the path is blocked after {:.2f} of {:.2f} m: {}", LengthOf(free), LengthOf(way),
                       blocked.hindrance.text),

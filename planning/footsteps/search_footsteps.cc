@@ -289,8 +289,8 @@ OptionFields FootstepSearchOptions::Fields() {
        {"leap_height", &leap_height, "1", 0.01, 2.0,
         "Highest step up or down in a gait with flight, as a share of the leg length."},
        {"reserve", &reserve, "1", 0.0, 0.2,
-        "Margin to joint limits and full leg length, as shares of the joint range and the leg length; a last search of "
-        "robots with soles has none."},
+        "Margin to joint limits and full leg length, as shares of the joint range and the leg length; 0 in the last "
+        "search for robots with soles."},
        {"offset", &offset, "1", 0.02, 1.0,
         "Largest distance of a foothold from its nominal position, as a share of the leg length."},
        {"body_clearance", &body_clearance, "1", 0.0, 0.5,

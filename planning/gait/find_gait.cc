@@ -10,9 +10,9 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLongest = 2.0;  // as a multiple of the default cycle, if that scales with the leg
-// A gait that needs a cycle shorter than kQuick times its default gets a cycle of kRunning times the default and a
-// smaller duty factor.
-constexpr double kQuick = 0.57, kRunning = 0.6;
+// A gait that needs a cycle shorter than kShortCycle times its default gets a cycle of kRunning times the default
+// and a smaller duty factor.
+constexpr double kShortCycle = 0.57, kRunning = 0.6;
 constexpr double kLeastDuty = 0.3, kRunningDuty = 0.62;
 constexpr int kRunningFeet = 4;  // with fewer feet this would be another gait
 constexpr double kLeastFlight_s = 0.005;
@@ -139,7 +139,7 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
     const double wanted = travel / std::max(speed_m_s * duty, 1e-9);
     gait.cycle_s = std::clamp(wanted, entry.shortest_cycle * own, own);
     const bool may_run = options.duty_factor == 0.0 && gait.num_feet() >= kRunningFeet && duty <= kRunningDuty;
-    if (may_run && wanted < kQuick * own) {
+    if (may_run && wanted < kShortCycle * own) {
       gait.cycle_s = kRunning * own;
       for (double& share : gait.duty_factor)
         share = std::max(share * wanted / gait.cycle_s, std::min(share, kLeastDuty));

@@ -11,14 +11,14 @@ namespace gaitwright {
 /// Space that a walking robot needs, and ground that it may use; lengths in leg lengths, for robots of any size.
 ///
 /// Tuning
-///   no route through a wide enough doorway       less margin, less step_ahead and step_aside
+///   no route through a wide enough doorway       less margin, less step_forward and step_lateral
 ///   swings or arms graze walls along the route   more margin
 ///   the route is too steep for the footsteps     less step_height
 struct BodySpaceOptions {
-  double step_ahead = 0.2;
-  double step_aside = 0.06;
-  double foothold_ahead = 0.35;
-  double foothold_aside = 0.2;
+  double step_forward = 0.2;
+  double step_lateral = 0.06;
+  double foothold_forward = 0.35;
+  double foothold_lateral = 0.2;
   double step_height = 0.3;
   double margin = 0.06;
   double sway = 0.8;
@@ -28,12 +28,12 @@ struct BodySpaceOptions {
   OptionFields Fields() {
     return WithBasics(
         {"margin"},
-        {{"step_ahead", &step_ahead, "leg lengths", 0.0, 1.0,
+        {{"step_forward", &step_forward, "leg lengths", 0.0, 1.0,
           "Room that the legs need in front and behind: half of a usual step."},
-         {"step_aside", &step_aside, "leg lengths", 0.0, 1.0, "Room that the legs need on each side."},
-         {"foothold_ahead", &foothold_ahead, "leg lengths", 0.0, 1.0,
+         {"step_lateral", &step_lateral, "leg lengths", 0.0, 1.0, "Room that the legs need on each side."},
+         {"foothold_forward", &foothold_forward, "leg lengths", 0.0, 1.0,
           "Largest forward or backward distance of a foothold from the foot's standing position."},
-         {"foothold_aside", &foothold_aside, "leg lengths", 0.0, 1.0,
+         {"foothold_lateral", &foothold_lateral, "leg lengths", 0.0, 1.0,
           "Largest lateral distance of a foothold from the foot's standing position."},
          {"step_height", &step_height, "leg lengths", 0.0, 1.0,
           "Highest step that the route may climb; it goes around anything higher."},

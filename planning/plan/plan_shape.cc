@@ -124,7 +124,7 @@ DataShape SwingShape() {
                  {"clearance_m", OrNull(Number()),
                   "Smallest height of the whole sole in mid swing; null without ground under it."},
                  Optional("detour_m", List(Numbers(3)), "Control points that replace the default curve."),
-                 Optional("cruise", Number(0.0, 1.0), "Share of the swing's time at constant speed.")});
+                 Optional("cruise", Number(0.0, 1.0), "Share of the swing's time at constant speed; below 1.")});
 }
 
 DataShape AdjustmentsShape() {

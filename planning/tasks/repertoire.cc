@@ -241,12 +241,12 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
 }
 
 PostureMotion Brace(const RobotModel& model, const PostureKey& from, double depth_m, double hold_s) {
-  constexpr double kQuick = 0.5;  // share of the natural-looking time
+  constexpr double kOfNaturalTime = 0.5;  // share of the natural duration
   PostureMotion motion = StartOf("brace", from, {{"depth_m", Text(depth_m)}, {"hold_s", Text(hold_s)}});
   PostureKey low = from;
   low.shift.z() -= depth_m;
   Go(model, motion, low, hold_s);
-  motion.keys[1].after_s *= kQuick;
+  motion.keys[1].after_s *= kOfNaturalTime;
   return motion;
 }
 

@@ -27,10 +27,12 @@ struct RecoveringOptions {
   OptionFields Fields() {
     return WithBasics(
         {"step_margin", "brace_margin"},
-        {{"step_margin", &step_margin, "1, leg lengths", 0.0, 1.0,
-          "The robot takes a recovery step if the DCM is closer than this to the edge of the feet's convex hull."},
-         {"brace_margin", &brace_margin, "1, leg lengths", 0.0, 10.0,
-          "Distance of the DCM outside the feet's convex hull beyond which a fall is considered certain."},
+        {{"step_margin", &step_margin, "1", 0.0, 1.0,
+          "The robot takes a recovery step if the DCM is closer than this share of the leg length to the edge of the feet's "
+          "convex hull."},
+         {"brace_margin", &brace_margin, "1", 0.0, 10.0,
+          "Distance of the DCM outside the feet's convex hull, as a share of the leg length, beyond which a fall is "
+          "considered certain."},
          {"brace_tilt_rad", &brace_tilt_rad, "rad", 0.1, 3.0, "Base tilt beyond which a fall is considered certain."},
          {"brace_gain", &brace_gain, "1", 0.0, 10.0,
           "Factor on the stiffness and damping of joints while the robot braces for a fall."}});

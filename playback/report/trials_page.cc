@@ -19,7 +19,7 @@ std::string Interval(const ShareInterval& share) {
 std::string Cards(const RobustnessReport& r) {
   std::string html = "<div class=\"cards\">\n";
   html += CardPart("survival to the plan's end", Percent(r.survival.share), Interval(r.survival));
-  html += CardPart("keep every gate", Percent(r.pass_share.share), Interval(r.pass_share));
+  html += CardPart("trials that pass all gates", Percent(r.pass_share.share), Interval(r.pass_share));
   const GaitSensitivity& gait = r.gait_sensitivity;
   if (gait.norm) {
     html += CardPart("gait sensitivity norm", fmt::format("{:.3g}", *gait.norm),
@@ -39,11 +39,11 @@ std::string Table(const std::string& title, const std::string& heads, const std:
       heads, rows);
 }
 
-std::string TallyTable(const std::string& title, const std::vector<Tally>& tallies) {
+std::string TallyTable(const std::string& title, const std::string& counted, const std::vector<Tally>& tallies) {
   std::string rows;
   for (const Tally& tally : tallies)
     rows += fmt::format("<tr>{}<td class=\"n\">{}</td></tr>\n", Cell(tally.what), tally.count);
-  return Table(title, "<th>what</th><th class=\"n\">trials</th>", rows);
+  return Table(title, "<th>" + counted + "</th><th class=\"n\">trials</th>", rows);
 }
 
 std::string SensitivityTable(const RobustnessReport& report) {
@@ -64,8 +64,8 @@ std::string SensitivityTable(const RobustnessReport& report) {
                rows) +
          (rows.empty()
               ? ""
-              : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 where every fall has more (or "
-                "less) of it than every survival; p is that of Mann and Whitney's test; log odds are the change "
+              : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 if the quantity is larger (or "
+                "smaller) in every fall than in every survival; p is that of Mann and Whitney's test; log odds are the change "
                 "per standard deviation, from a regression on all quantities together.</p>\n");
 }
 
@@ -76,7 +76,7 @@ std::string WorstTable(const RobustnessReport& report) {
     rows += fmt::format("<tr><td class=\"n\">{}</td><td class=\"n\">{:.2f} s</td>{}{}</tr>\n", o.seed, o.ended_s,
                         Cell(o.survived ? "failed: " + o.cause : "fell: " + o.cause), Cell(o.reason));
   }
-  return Table("The worst trials", "<th class=\"n\">seed</th><th class=\"n\">until</th><th>cause</th><th>why</th>",
+  return Table("The worst trials", "<th class=\"n\">seed</th><th class=\"n\">end</th><th>cause</th><th>reason</th>",
                rows) +
          (rows.empty() ? ""
                        : "<p class=\"soft\"><span class=\"key\">" + EscapedXml(report.subject.repeat) +
@@ -123,8 +123,8 @@ std::string TrialsPage(const RobustnessReport& report) {
   if (const std::string repeats = RepeatsText(report); !repeats.empty())
     html += "<p class=\"reason fail\">" + EscapedXml(repeats) + ".</p>\n";
   for (const Plot& plot : TrialPlots(report)) html += FigurePart(plot);
-  html += TallyTable("Causes of falls", report.causes) +
-          TallyTable("Gates failed without a fall", report.broken_gates) + SensitivityTable(report) +
+  html += TallyTable("Causes of falls", "cause", report.causes) +
+          TallyTable("Gates failed without a fall", "gate", report.broken_gates) + SensitivityTable(report) +
           WorstTable(report) + MetricTable(report) + Conditions(report.subject);
   return WholePage(title, html);
 }

@@ -24,6 +24,15 @@ TEST_F(Do, DoesWhatIsSaid) {
   EXPECT_EQ(again.out, "pass\n");
 }
 
+TEST_F(Do, JsonContainsTheNotesOfThePlanner) {
+  const Ran ran = Run({"do", "lie down, then walk 0.3 m", "--robot", "a1", "--yes", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Ran shown = Run({"do", "lie down, then walk 0.3 m", "--robot", "a1", "--yes"});
+  const Json notes = ran.json().at("notes");
+  ASSERT_FALSE(notes.empty());
+  EXPECT_NE(shown.out.find("note: " + notes[0].get<std::string>()), std::string::npos) << shown.out;
+}
+
 TEST_F(Do, WhatIsNotUnderstoodIsNamedAndNothingWritten) {
   ExpectRefused(Run({"do", "walk two steps and juggle", "--robot", "nao"}), 1, {"'juggle'"});
   ExpectRefused(Run({"do", "wave", "--robot", "a1"}), 1, {"'wave'", "has no arms"});

@@ -29,6 +29,11 @@ TEST_F(Repair, KeepsASoundMotionAndPlaysIt) {
   EXPECT_EQ(Run({"audit", "new/repaired.json", "--quiet"}).out, "pass\n");
 }
 
+TEST_F(Repair, RefusesTrajectoryOptionsWithoutEffect) {
+  for (const char* option : {"trajectory.timing=optimised", "trajectory.swings=free", "trajectory.near=2"})
+    ExpectRefused(Run({"repair", "motion.csv", "--set", option}), 1, {"'trajectory."});
+}
+
 TEST_F(Repair, LiftsAMotionThatFloatsAndOnlyChecksIfAsked) {
   const Ran checked = Run({"repair", "motion.csv", "--set", "lift_m=0.02", "--check"});
   EXPECT_EQ(checked.status, 3) << checked.err;

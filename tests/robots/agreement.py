@@ -25,7 +25,7 @@ def handbook_walks():
     """Arguments of each walk in a fenced block of the handbook, without what the call sets itself; each once."""
     walks = {}
     for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
-        for line in page.read_text().splitlines():
+        for line in page.read_text().replace("\\\n", " ").splitlines():
             if shown := SHOWN.match(line.strip()):
                 words = shlex.split(re.split(r"\s(?:#|>|\||&&)\s?", " " + shown[1])[0])
                 kept = [word for at, word in enumerate(words)

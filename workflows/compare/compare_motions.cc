@@ -195,6 +195,16 @@ void NoteDerivedSpeeds(const ComparedMotion& a, const ComparedMotion& b, MotionC
   comparison.notes.push_back(std::move(note));
 }
 
+/// Adds a note on the feet that only one of the sides has.
+void NoteFeetOfOneSide(const ComparedMotion& a, const ComparedMotion& b, std::vector<std::string>& notes) {
+  const std::vector<std::string> feet_a = FootNames(a.model), feet_b = FootNames(b.model);
+  for (const auto& [only, side] : {std::pair(OnlyIn(feet_a, feet_b), 'A'), std::pair(OnlyIn(feet_b, feet_a), 'B')}) {
+    if (!only.empty())
+      notes.push_back(fmt::format("contacts of feet that are only in {} are not compared: {}", side,
+                                  fmt::join(only, ", ")));
+  }
+}
+
 /// Adds the notes of one side, each once, since both sides may be the same file.
 void AddNotes(const ComparedMotion& motion, std::vector<std::string>& notes) {
   for (const std::string& note : motion.notes) {
@@ -210,8 +220,8 @@ OptionFields CompareOptions::Fields() {
            "",
            0.0,
            0.0,
-           "Alignment of the clocks: none, by start time, or by best match of the joint motions; auto uses best for "
-           "tables, otherwise none.",
+           "Alignment of the clocks: none, by start time, or by best match of the joint motions; auto is best "
+           "if a side is neither a plan nor a log, otherwise none.",
            {"auto", "none", "start", "best"}},
           {"tolerance", &tolerance, "1", 0.0, 10.0,
            "Largest difference that counts as equal, as a share of each quantity's scale."}};
@@ -254,6 +264,7 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   if (comparison.joints.empty()) comparison.notes.emplace_back("no joint is compared: no joint name is on both sides");
   if (comparison.base.empty()) comparison.notes.emplace_back("the base is not compared: one side has no data of it");
   if (comparison.feet.empty()) comparison.notes.emplace_back("contacts are not compared: one side has no data of them");
+  if (!comparison.feet.empty()) NoteFeetOfOneSide(a, b, comparison.notes);
   return comparison;
 }
 

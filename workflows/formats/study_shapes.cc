@@ -225,7 +225,7 @@ DataShape TuneResultShape() {
                  {"held_out", OrNull(proof), "Held-out trials; null if the present values are the best."},
                  {"metrics", MapOf(metric), "Metrics of the undisturbed walk."},
                  {"engines", MapOf(engine), "Undisturbed walk in each engine; empty if only one has played."},
-                 {"surface_foretold", NumberOrNull()},
+                 {"surface_predicted", NumberOrNull()},
                  {"finalists", List(Whole())},
                  {"candidates", List(CandidateShape())},
                  {"files", FilesShape({"options", "result", "report"})}});

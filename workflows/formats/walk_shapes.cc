@@ -129,13 +129,13 @@ DataShape AgreementShape() {
                                      {"largest", Number(), "Magnitude of the largest difference."},
                                      {"at_s", Number(), "Time of the largest difference."},
                                      {"tolerance", Number()},
-                                     {"parts_s", OrNull(Number()), "First time beyond the tolerance."},
+                                     {"parts_s", OrNull(Number()), "First time at which the difference exceeds the tolerance."},
                                      {"values", List(Number()), "Values of both engines at parts_s."}});
   return Object({{"engines", List(Text(), 2)},
                  {"start_s", Number()},
                  {"end_s", Number()},
                  {"agree", Truth()},
-                 {"first", OrNull(quantity), "Quantity that parts first; null if the engines agree."},
+                 {"first", OrNull(quantity), "Quantity whose difference exceeds its tolerance first; null if the engines agree."},
                  {"quantities", List(quantity)}});
 }
 

@@ -217,8 +217,8 @@ void CheckRequest(const RepairRequest& request) {
 }  // namespace
 
 OptionFields RepairRequest::Fields() {
-  return Joined(
-      {source.options.Fields(), Prefixed("repair", repair.Fields()), Prefixed("trajectory", trajectory.Fields())});
+  return Joined({source.options.Fields(), Prefixed("repair", repair.Fields()),
+                 Prefixed("trajectory", trajectory.FollowFields())});
 }
 
 Result<MotionFindings> ExamineMotion(const RobotModel& model, const RepairRequest& request) {

@@ -47,7 +47,8 @@ OptionFields RepairOptions::Fields() {
         "With stretch: root mean square of the joints' distance from the motion with clean contacts over which a part "
         "is slowed."},
        {"window_s", &window_s, "s", 1.0, 3600.0,
-        "Length of the windows in which a motion is optimised that is longer than one and a half windows."},
+        "Length of the windows in which a long motion is optimised; a motion of up to one and a half windows is "
+        "optimised in one."},
        {"overlap_s", &overlap_s, "s", 0.2, 60.0,
         "Time by which a window is optimised beyond the place where the next one begins."}});
 }

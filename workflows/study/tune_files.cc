@@ -112,7 +112,7 @@ std::string TuneJson(const Study& study, const TuneReport& report, const TuneOpt
                      {"held_out", proof},
                      {"metrics", MetricsJson(report)},
                      {"engines", UndisturbedJson(report)},
-                     {"surface_foretold", result.surface ? Json(result.surface->predicted) : Json()},
+                     {"surface_predicted", result.surface ? Json(result.surface->predicted) : Json()},
                      {"finalists", result.finalists},
                      {"candidates", candidates},
                      {"files", written}};

@@ -46,6 +46,9 @@ double LargestBelow(const std::function<bool(double size)>& is_feasible, double 
 Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
                                     const MotionOptions& options);
 
+/// Smallest number of steps of a walk: the last one brings the feet together.
+inline constexpr int kFewestSteps = 2;
+
 /// The walk that a task requests, without its place.
 Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options);
 

@@ -138,6 +138,10 @@ std::optional<Failure> TaskPlanner::Walk(const Task& task, bool gestures) {
   Result<WalkRequest> request = WalkRequestOf(model_, task, options_);
   if (!request) return request.failure();
   auto failure = AddWalk(*request, gestures);
+  if (!failure && task.Has("steps") && task.Count("steps", kFewestSteps) < kFewestSteps) {
+    notes_.push_back(fmt::format("'{}' takes {} steps, because the last step brings the feet together",
+                                 task.words.empty() ? TaskText(task) : task.words, kFewestSteps));
+  }
   if (!failure || task.Word("pace") != "fast" || failure->kind != FailureKind::kInfeasible) return failure;
   Task slower = task;
   slower.parameters.erase("pace");

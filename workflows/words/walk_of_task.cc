@@ -45,7 +45,7 @@ void SetDistance(const std::string& direction, double distance_m, double speed_m
 void SetSteps(const RobotModel& model, const Task& task, double speed_m_s, WalkCommand& c) {
   const int feet = static_cast<int>(model.feet.size()), steps = task.Count("steps", 1);
   c.extent = Extent::kSteps;
-  c.steps = feet == 2 ? std::max(2, steps) : feet * std::max(2, steps);
+  c.steps = (feet == 2 ? 1 : feet) * std::max(kFewestSteps, steps);
   const std::string direction = task.Word("direction");
   const double share = feet == 2 ? 1.0 : 1.0 / feet;
   if (direction == "forward" && !task.Has("step_length_m")) c.speed_m_s = speed_m_s;

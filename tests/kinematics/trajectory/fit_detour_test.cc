@@ -13,9 +13,7 @@ namespace {
 
 /// Offsets of a curve from its straight move at even fractions.
 std::vector<Vector3> OffsetsOf(const SwingCurve& curve, const std::vector<double>& shares) {
-  SwingCurve straight = curve;
-  straight.lift_m = 0.0;
-  straight.detour_W.clear();
+  const SwingCurve straight = StraightMoveOf(curve);
   std::vector<Vector3> off_W;
   for (const double u : shares)
     off_W.emplace_back(Evaluate(curve, u).X_WF.translation() - Evaluate(straight, u).X_WF.translation());

@@ -80,6 +80,19 @@ TEST(SwingCurve, HalfwayItIsLiftedAboveTheMiddleAndTurnedByHalf) {
   }
 }
 
+TEST(SwingCurve, TheStraightMoveHasTheSameEndsAndNoLift) {
+  SwingCurve curve{1.0, 1.5, Pose::Identity(), Pose::Identity(), 0.05};
+  curve.X_WF_end.translation() = Vector3(0.3, 0.1, 0.04);
+  curve.cruise = 0.4;
+  curve.detour_W = {Vector3(0.01, 0.02, 0.1)};
+  const SwingCurve straight = StraightMoveOf(curve);
+  EXPECT_EQ(LiftAtHalfTime(straight), 0.0);
+  EXPECT_GT(LiftAtHalfTime(curve), 0.02);
+  EXPECT_EQ(straight.cruise, curve.cruise);
+  for (const double time_s : {1.0, 1.5})
+    EXPECT_LT(PoseDistance(Evaluate(straight, time_s).X_WF, Evaluate(curve, time_s).X_WF), 1e-15) << time_s;
+}
+
 TEST(SwingCurve, StandsOnItsEndsBeforeAndAfter) {
   const SwingCurve curve = StepForward();
   for (const auto& [time, X] : {std::pair{-1.0, curve.X_WF_start}, std::pair{9.0, curve.X_WF_end}}) {

@@ -24,8 +24,8 @@ TEST_P(BodySpaceTest, LengthsAreSharesOfTheLeg) {
   const RobotModel& model = NamedRobot(GetParam());
   BodySpaceOptions options;
   options.step_height = 0.25;
-  options.foothold_ahead = 0.4;
-  options.foothold_aside = 0.15;
+  options.foothold_forward = 0.4;
+  options.foothold_lateral = 0.15;
   options.margin = 0.1;
   options.max_slope_deg = 20.0;
   const BodySpace space = BodySpaceOf(model, options);
@@ -56,9 +56,9 @@ TEST_P(BodySpaceTest, AMarginGrowsEachBoxByItToAllSidesButTheGround) {
 TEST_P(BodySpaceTest, StepsGrowTheBoxOfTheLegsAlone) {
   const RobotModel& model = NamedRobot(GetParam());
   BodySpaceOptions still, stepping;
-  still.step_ahead = still.step_aside = 0.0;
-  stepping.step_ahead = 0.3;
-  stepping.step_aside = 0.1;
+  still.step_forward = still.step_lateral = 0.0;
+  stepping.step_forward = 0.3;
+  stepping.step_lateral = 0.1;
   const BodySpace a = BodySpaceOf(model, still), b = BodySpaceOf(model, stepping);
   ASSERT_EQ(a.boxes.size(), 2U);
   const double leg = model.leg_length_m();

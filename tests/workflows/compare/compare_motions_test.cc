@@ -183,6 +183,19 @@ TEST(CompareMotions, ALogMayGoOnBehindItsPlanButNotEndBeforeIt) {
   EXPECT_EQ(c.in_order[0].quantity, "end of the motion");
 }
 
+TEST(CompareMotions, NamesFeetThatOnlyOneSideHas) {
+  const synthetic::Played walker = SixStepWalker();
+  synthetic::Played renamed = walker;
+  const std::string lost = walker.model.feet[1].name;
+  renamed.model.feet[1].name = "paw";
+  const MotionComparison c = CompareMotions(PlanSide(walker), PlanSide(renamed));
+  ASSERT_EQ(c.feet.size(), 1U);
+  ASSERT_EQ(c.notes.size(), 2U);
+  EXPECT_TRUE(c.notes[0].ends_with(": " + lost)) << c.notes[0];
+  EXPECT_TRUE(c.notes[1].ends_with(": paw")) << c.notes[1];
+  EXPECT_TRUE(CompareMotions(PlanSide(walker), PlanSide(walker)).notes.empty());
+}
+
 TEST(CompareMotions, NamesRobotsJointsAndOptionsThatAreNotTheSame) {
   const synthetic::Played biped = SixStepWalker(), quadruped = synthetic::Walked(4, {.count = 2});
   const MotionComparison c = CompareMotions(PlanSide(biped), PlanSide(quadruped));
