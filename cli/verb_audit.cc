@@ -169,7 +169,7 @@ int RunAudit(AuditSettings& a) {
     a.options.start = *start;
   }
   std::optional<Approach> approach;
-  if (!a.approach.empty() && HasWayToGo(*model, *plan, *a.options.start, a.options)) {
+  if (!a.approach.empty() && NeedsApproach(*model, *plan, *a.options.start, a.options)) {
     Result<Approach> planned = PlanApproach(*model, *plan, *a.options.start, a.of_approach, a.options);
     if (!planned) return Report(planned.failure(), a.common);
     approach = std::move(planned.value());

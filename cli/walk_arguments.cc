@@ -61,12 +61,12 @@ void WalkArguments::AddCommandTo(Verb verb) {
       AddText(verb, "--gait", "NAME", request.gait,
               "Gait by name, see 'gaitwright gaits', or from a file: FILE.yaml for its first gait, FILE.yaml:NAME for "
               "another; 'walk' is the slow gait for the robot's number of legs; default: the robot's best.");
-  const Flag ahead =
+  const Flag forward =
       AddNumber(verb, "--speed", "m/s", c.speed_m_s,
                 "Forward speed; negative is backward; default 0: if no other speed is given, the robot's "
                 "default speed, see 'gaitwright robots show'.");
-  const Flag aside = AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
-                               "Lateral speed; positive is to the left; default 0.");
+  const Flag lateral = AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
+                                 "Lateral speed; positive is to the left; default 0.");
   const Flag turning = AddNumber(verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s,
                                  "Yaw rate; positive is to the left; default 0. Given alone, the robot turns on the "
                                  "spot; with --distance, it walks a curve at its default speed.");
@@ -87,14 +87,14 @@ void WalkArguments::AddCommandTo(Verb verb) {
                                 "Forward advance in each footfall, with --steps and instead of --speed; 0 steps on the "
                                 "spot, negative steps backward; default: speed times the time of a footfall.")
                           .Need(count)
-                          .Exclude(ahead);
-  keyed = {{ahead, "speed"}, {aside, "lateral_speed"}, {turning, "yaw_rate"}, {length, "step_length"}};
+                          .Exclude(forward);
+  keyed = {{forward, "speed"}, {lateral, "lateral_speed"}, {turning, "yaw_rate"}, {length, "step_length"}};
   verb.SetGroup("Several gaits in sequence, instead of the flags above");
   const Flag parts = AddText(verb, "--sequence", "PARTS", request.sequence,
                              "Parts of one plan in sequence, such as 'trot: speed=0.5, distance=1; stand: duration=1; "
                              "walk', or a YAML file, see docs/gaits.md. Keys are speed, lateral-speed, yaw-rate; "
                              "distance, duration or steps; step-length; default: none.");
-  for (const Flag& other : {gait, ahead, aside, turning, distance, duration, pose, count}) parts.Exclude(other);
+  for (const Flag& other : {gait, forward, lateral, turning, distance, duration, pose, count}) parts.Exclude(other);
 }
 
 OptionFields WalkArguments::Fields() { return request.Fields(); }

@@ -28,7 +28,7 @@ void MeasureFlight(const PlaybackLog& log, const std::vector<MotionSample>& moti
 
 }  // namespace
 
-Leap LeapAhead(const std::string& robot, double length_m) {
+Leap LeapForward(const std::string& robot, double length_m) {
   const Result<RobotModel> model = LoadNamedRobot(robot);
   if (!model) throw InvalidArgument(model.failure().message);
   WalkRequest request;

@@ -21,6 +21,6 @@ struct Leap {
 /// mass moves on a parabola, whatever the legs do:
 ///   air = sqrt(2 rise / g) + sqrt(2 drop / g).
 /// @throws InvalidArgument if the robot does not have the gait `jump`, or if it cannot make this leap.
-Leap LeapAhead(const std::string& robot, double length_m);
+Leap LeapForward(const std::string& robot, double length_m);
 
 }  // namespace gaitwright::examples

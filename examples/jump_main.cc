@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   app.add_option("--length", length_m, "Forward distance [m]")->capture_default_str();
   try {
     app.parse(argc, argv);
-    const examples::Leap leap = examples::LeapAhead(robot, length_m);
+    const examples::Leap leap = examples::LeapForward(robot, length_m);
     fmt::print("in the air  {:.3f} s, planned {:.3f} s\n", leap.air_s, leap.planned_air_s);
     fmt::print("height      {:.3f} m gained, then {:.3f} m down\n", leap.rise_m, leap.drop_m);
     fmt::print("scored      {}, {:.1f} of 100: {}\n", leap.report.pass ? "pass" : "fail", leap.report.score,

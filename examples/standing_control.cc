@@ -15,10 +15,10 @@
 
 namespace gaitwright::examples {
 
-const std::vector<std::string>& WaysToStand() {
-  static const std::vector<std::string> ways = {"soft joints", "stiff joints", "ankle", "ankle and DCM",
-                                                "hip",         "whole body",   "steps"};
-  return ways;
+const std::vector<std::string>& StandingStrategies() {
+  static const std::vector<std::string> strategies = {"soft joints", "stiff joints", "ankle", "ankle and DCM",
+                                                      "hip",         "whole body",   "steps"};
+  return strategies;
 }
 
 Stander MakeStander(const std::string& robot) {
@@ -31,18 +31,18 @@ Stander MakeStander(const std::string& robot) {
   return {*model, planned->motion.plan};
 }
 
-std::unique_ptr<Controller> MakeWayToStand(const Stander& stander, const std::string& way) {
+std::unique_ptr<Controller> MakeStandingStrategy(const Stander& stander, const std::string& strategy) {
   const auto& [model, plan] = stander;
   const GainOptions soft{.stiffness_scale = 0.15, .damping_scale = 0.15};
-  if (way == "soft joints") return std::make_unique<JointPd>(model, plan, soft);
-  if (way == "stiff joints") return std::make_unique<JointPd>(model, plan);
-  if (way == "ankle") return std::make_unique<StandingStrategy>(model, plan, Strategy::kAnkle);
-  if (way == "ankle and DCM") return std::make_unique<StandingStrategy>(model, plan, Strategy::kAnkleDcm);
-  if (way == "hip") return std::make_unique<StandingStrategy>(model, plan, Strategy::kHip);
-  if (way == "whole body") return MakeStabilised(model, plan, {});
-  if (way != "steps")
+  if (strategy == "soft joints") return std::make_unique<JointPd>(model, plan, soft);
+  if (strategy == "stiff joints") return std::make_unique<JointPd>(model, plan);
+  if (strategy == "ankle") return std::make_unique<StandingStrategy>(model, plan, Strategy::kAnkle);
+  if (strategy == "ankle and DCM") return std::make_unique<StandingStrategy>(model, plan, Strategy::kAnkleDcm);
+  if (strategy == "hip") return std::make_unique<StandingStrategy>(model, plan, Strategy::kHip);
+  if (strategy == "whole body") return MakeStabilised(model, plan, {});
+  if (strategy != "steps")
     throw InvalidArgument(
-        fmt::format("unknown standing strategy '{}'; accepted: {}", way, fmt::join(WaysToStand(), ", ")));
+        fmt::format("unknown standing strategy '{}'; accepted: {}", strategy, fmt::join(StandingStrategies(), ", ")));
   const Result<RecoveryPlans> recovery = PlanRecovery(model);
   if (!recovery) throw InvalidArgument(recovery.failure().message);
   return MakeRecovering(model, plan, *recovery);
@@ -59,8 +59,8 @@ bool StandsPush(const Stander& stander, Controller& controller, double force_n, 
   return Score(stander.model, stander.plan, *log).At("fell").value == 0.0;
 }
 
-double LargestPush(const Stander& stander, const std::string& way, double direction_deg, double most_n) {
-  const std::unique_ptr<Controller> controller = MakeWayToStand(stander, way);
+double LargestPush(const Stander& stander, const std::string& strategy, double direction_deg, double most_n) {
+  const std::unique_ptr<Controller> controller = MakeStandingStrategy(stander, strategy);
   double stands_n = 0.0, falls_n = most_n;
   while (falls_n - stands_n > 0.01 * most_n) {
     const double force_n = 0.5 * (stands_n + falls_n);

@@ -17,7 +17,7 @@ namespace gaitwright::examples {
 ///   ankle, ankle and DCM, hip   see Strategy
 ///   whole body     the controller 'stabilised': a wrench at the centre of mass, distributed over both soles
 ///   steps          the controller 'recovering': 'stabilised' with recovery steps
-const std::vector<std::string>& WaysToStand();
+const std::vector<std::string>& StandingStrategies();
 
 /// A built-in robot, and a plan in which it stands for 3 s.
 struct Stander {
@@ -27,19 +27,19 @@ struct Stander {
 /// @throws InvalidArgument if the robot does not exist or cannot stand.
 Stander MakeStander(const std::string& robot);
 
-/// The stander must outlive the controller. @throws InvalidArgument if `way` is not one of WaysToStand.
-std::unique_ptr<Controller> MakeWayToStand(const Stander& stander, const std::string& way);
+/// The stander must outlive the controller. @throws InvalidArgument if `strategy` is not one of StandingStrategies.
+std::unique_ptr<Controller> MakeStandingStrategy(const Stander& stander, const std::string& strategy);
 
 /// Whether the robot still stands after a push on its base for 0.1 s.
 /// @param direction_deg  0 is forward, 90 is left.
 bool StandsPush(const Stander& stander, Controller& controller, double force_n, double direction_deg);
 
 /// Largest push after which the robot still stands, by bisection up to `most_n`, to a hundredth of `most_n` [N].
-double LargestPush(const Stander& stander, const std::string& way, double direction_deg, double most_n);
+double LargestPush(const Stander& stander, const std::string& strategy, double direction_deg, double most_n);
 
 /// Largest push of one strategy in each direction.
 struct PushesTaken {
-  std::string way;
+  std::string strategy;
   std::vector<double> directions_deg, largest_n;
 };
 /// SVG picture of the largest pushes by direction, seen from above, with the robot's heading up.

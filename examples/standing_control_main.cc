@@ -12,10 +12,10 @@ int main(int argc, char** argv) {
   std::string robot = "humanoid", plot;
   double most_n = 500.0;
   std::vector<double> directions_deg = {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0};
-  std::vector<std::string> ways = examples::WaysToStand();
+  std::vector<std::string> strategies = examples::StandingStrategies();
   app.add_option("--robot", robot, "Name of a built-in robot; the ankle and hip strategies are for bipeds")
       ->capture_default_str();
-  app.add_option("--ways", ways, "Standing strategies to try")->capture_default_str();
+  app.add_option("--ways", strategies, "Standing strategies to try")->capture_default_str();
   app.add_option("--directions", directions_deg, "Directions of the pushes: 0 is forward, 90 is left [degree]")
       ->capture_default_str();
   app.add_option("--most", most_n, "Largest push to try [N]")->capture_default_str();
@@ -27,11 +27,11 @@ int main(int argc, char** argv) {
     for (const double direction_deg : directions_deg) fmt::print("{:6.0f}", direction_deg);
     fmt::print("\n");
     std::vector<examples::PushesTaken> taken;
-    for (const std::string& way : ways) {
-      fmt::print("{:>14}", way);
-      taken.push_back({way, directions_deg, {}});
+    for (const std::string& strategy : strategies) {
+      fmt::print("{:>14}", strategy);
+      taken.push_back({strategy, directions_deg, {}});
       for (const double direction_deg : directions_deg) {
-        taken.back().largest_n.push_back(examples::LargestPush(stander, way, direction_deg, most_n));
+        taken.back().largest_n.push_back(examples::LargestPush(stander, strategy, direction_deg, most_n));
         fmt::print("{:6.0f}", taken.back().largest_n.back());
       }
       fmt::print("\n");

@@ -28,10 +28,10 @@ struct ShownShift {
 /// and feed-forward alone. If all mass is in C, the ground's force acts at
 ///   Z = C - (z / g) C'',
 /// where z is the height of C. In a slow shift C'' is small, and Z stays below C. In a fast shift Z first moves behind
-/// C and then ahead of C; its distance from C is four times as large if the shift takes half the time. When Z reaches
-/// the edge of the soles, the robot tips about that edge. The mass of the legs is not in C, and the legs rotate. Their
-/// angular momentum causes the remaining difference from the formula, for nao a fifth of the distance from C to Z.
-/// Kajita et al., ICRA 2003, doi:10.1109/ROBOT.2003.1241826 (cart-table model).
+/// C and then in front of C; its distance from C is four times as large if the shift takes half the time. When Z
+/// reaches the edge of the soles, the robot tips about that edge. The mass of the legs is not in C, and the legs
+/// rotate. Their angular momentum causes the remaining difference from the formula, for nao a fifth of the distance
+/// from C to Z. Kajita et al., ICRA 2003, doi:10.1109/ROBOT.2003.1241826 (cart-table model).
 /// @param shift_m  shift of C, forward and to the left.   @param duration_s  duration of the shift, more than 0.
 /// @throws InvalidArgument if the legs cannot reach the shift.
 ShownShift ShiftBody(const RobotModel& model, const Vector2& shift_m, double duration_s);

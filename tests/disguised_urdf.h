@@ -15,7 +15,7 @@
 namespace gaitwright {
 
 /// The same robot as somebody else would have written it: other names, a frame in each link that is turned at random,
-/// joints that count the other way round, and frames without mass before joints.
+/// joints that count in the opposite direction, and frames without mass before joints.
 class DisguisedUrdf {
  public:
   DisguisedUrdf(const std::string& urdf_text, unsigned seed) : random_(seed) {

@@ -103,14 +103,14 @@ inline std::string OpenFiveBars() {
   urdf.Link("body", 8.0, 0.4, urdf.Block(0.4, 0.2, 0.1));
   char name = 'a';
   for (const Hip& hip : Four()) {
-    for (const double aside : {0.0, 0.03}) {
+    for (const double lateral : {0.0, 0.03}) {
       const std::string n(1, name++);
       urdf.Link(n + "1", 0.3, 0.1);
       urdf.Link(n + "2", 0.1, 0.2);
       urdf.Link(n + "_foot", 0.05, 0.05, urdf.Ball(0.02));
-      urdf.Joint("body", n + "1", {hip.x, hip.y + (hip.y > 0.0 ? aside : -aside), 0.0}, {});
+      urdf.Joint("body", n + "1", {hip.x, hip.y + (hip.y > 0.0 ? lateral : -lateral), 0.0}, {});
       urdf.Joint(n + "1", n + "2", {0.0, 0.0, -0.1},
-                 aside > 0.0 ? Knee() : UrdfText::Motion{.lower = 0.4, .upper = 2.7});
+                 lateral > 0.0 ? Knee() : UrdfText::Motion{.lower = 0.4, .upper = 2.7});
       urdf.Joint(n + "2", n + "_foot", {0.0, 0.0, -0.2}, {.type = "fixed"});
     }
   }
@@ -176,7 +176,7 @@ inline std::string PointBiped() {
   return urdf.Done("point_biped");
 }
 
-/// Three legs, one ahead.
+/// Three legs, one in front.
 inline std::string Tripod() {
   UrdfText urdf;
   urdf.Link("body", 8.0, 0.4, urdf.Block(0.4, 0.2, 0.1));

@@ -123,27 +123,27 @@ void CheckSides(const RobotModel& model, std::vector<Finding>& findings) {
   }
 }
 
-/// Feet are longer in front of the ankle than behind it. If this is not so for all legs, the robot may face backward.
+/// Feet are longer in front of the ankle than backward it. If this is not so for all legs, the robot may face backward.
 void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
-  constexpr double kShorter = 0.7;  // share of the part behind the ankle
+  constexpr double kShorter = 0.7;  // share of the part backward the ankle
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
-  double ahead = 0.0, behind = 0.0;
+  double forward = 0.0, backward = 0.0;
   for (std::size_t i = 0; i < model.legs.size(); ++i) {
     const std::vector<Vector3> corners_W = ContactPoints(model, scratch, static_cast<int>(i));
     if (corners_W.size() < 3) return;
     const double ankle = scratch.p_WB[static_cast<std::size_t>(model.legs[i].joints.back()) + 1].x();
     const auto by_x = [](const Vector3& a, const Vector3& b) { return a.x() < b.x(); };
     const auto [back, front] = std::minmax_element(corners_W.begin(), corners_W.end(), by_x);
-    ahead = front->x() - ankle;
-    behind = ankle - back->x();
-    if (ahead > kShorter * behind) return;
+    forward = front->x() - ankle;
+    backward = ankle - back->x();
+    if (forward > kShorter * backward) return;
   }
   if (model.legs.empty()) return;
   findings.push_back({FindingLevel::kWarning, FailureCode::kFacesBack, RobotPart(), 0,
                       fmt::format("its feet reach {:.0f} mm in front of the ankles and {:.0f} mm behind them, as if it "
                                   "faced backward; if so, set 'ahead' and 'up' in robot.yaml",
-                                  1e3 * ahead, 1e3 * behind)});
+                                  1e3 * forward, 1e3 * backward)});
 }
 
 /// Compares the mass of the robot with the cube of its leg length: an A1 has 200 kg/m^3, the lightest walking robots
@@ -161,11 +161,11 @@ void CheckSize(const RobotModel& model, std::vector<Finding>& findings) {
 void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const Shape& shape : model.collision_shapes) {
     if (IsShapeOfAFoot(model, shape)) continue;
     const double z = LowestPoint(scratch, shape).z();
-    if (z >= -kSunk || !told.insert(shape.link).second) continue;
+    if (z >= -kSunk || !reported.insert(shape.link).second) continue;
     findings.push_back({FindingLevel::kWarning, FailureCode::kInTheGround, RobotPart{PartKind::kLink, shape.link}, 0,
                         fmt::format("it is {:.1f} mm below the ground in the standing posture", -1e3 * z)});
   }

@@ -181,9 +181,9 @@ bool Polytope::Start(const Simplex& simplex, Vector3& flat_n) {
     const Vector3 along = edge(1).normalized();
     Eigen::Index least = 0;
     along.cwiseAbs().minCoeff(&least);
-    const Vector3 aside = along.cross(Vector3::Unit(least)).normalized();
-    flat_n = aside;
-    if (!AddAlong(aside) && !AddAlong(along.cross(aside))) return false;
+    const Vector3 perpendicular = along.cross(Vector3::Unit(least)).normalized();
+    flat_n = perpendicular;
+    if (!AddAlong(perpendicular) && !AddAlong(along.cross(perpendicular))) return false;
   }
   if (corners_.size() == 3) {
     flat_n = edge(1).cross(edge(2)).normalized();

@@ -40,11 +40,11 @@ double GridPrisms::LowerBound(const fcl::AABBd& box, int column, int row) const 
   const double top = std::max(std::max(Height(column, row), Height(column + 1, row)),
                               std::max(Height(column, row + 1), Height(column + 1, row + 1)));
   const Vector2 low = grid_.origin_W + grid_.resolution_m * Vector2(column, row);
-  const auto aside = [&](int axis) {
+  const auto gap = [&](int axis) {
     const double high = low[axis] + grid_.resolution_m;
     return std::max(std::max(low[axis] - box.max_[axis], box.min_[axis] - high), 0.0);
   };
-  const double away = std::hypot(aside(0), aside(1)), above = box.min_.z() - top;
+  const double away = std::hypot(gap(0), gap(1)), above = box.min_.z() - top;
   return above > 0.0 ? std::hypot(away, above) : away > 0.0 ? away : above;
 }
 

@@ -28,11 +28,11 @@ std::size_t FindMjcfZeroReference(const std::string& text) {
 }
 
 /// The end of a comment, a CDATA section or a declaration that begins at a '<'.
-std::size_t EndOfMjcfAside(const std::string& text, std::size_t at) {
+std::size_t EndOfMjcfComment(const std::string& text, std::size_t at) {
   if (text.compare(at, 4, "<!--") == 0) return text.find("-->", at);
   if (text.compare(at, 9, "<![CDATA[") == 0) return text.find("]]>", at);
-  const bool is_aside = at + 1 < text.size() && (text[at + 1] == '!' || text[at + 1] == '?');
-  return is_aside ? text.find('>', at) : at;
+  const bool is_comment = at + 1 < text.size() && (text[at + 1] == '!' || text[at + 1] == '?');
+  return is_comment ? text.find('>', at) : at;
 }
 
 /// Whether an element has more than kMostMjcfAttributes attributes.
@@ -45,7 +45,7 @@ bool HasManyMjcfAttributes(const std::string& text) {
     if (quote != '\0') {
       if (c == quote) quote = '\0';
     } else if (c == '<' && !in_tag) {
-      const std::size_t end = EndOfMjcfAside(text, at);
+      const std::size_t end = EndOfMjcfComment(text, at);
       in_tag = end == at;
       at = std::min(end, text.size());
       count = 0;

@@ -113,8 +113,8 @@ class MjcfCoupler {
   /// joint, the second follows the first.
   void Follow(const MjcfAttributes& attributes, std::pair<int, int> joints, double multiplier, double offset) {
     auto [follower, leader] = joints;
-    const bool other_way = !CouplingOf(follower).moves_alone() || (IsDriven(follower) && !IsDriven(leader));
-    if (other_way && CouplingOf(leader).moves_alone()) {
+    const bool reversed = !CouplingOf(follower).moves_alone() || (IsDriven(follower) && !IsDriven(leader));
+    if (reversed && CouplingOf(leader).moves_alone()) {
       std::swap(follower, leader);
       offset = -offset / multiplier;
       multiplier = 1.0 / multiplier;

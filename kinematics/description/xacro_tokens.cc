@@ -28,7 +28,7 @@ class XacroTokenizer {
   }
 
  private:
-  char Peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  char Peek(std::size_t lookahead = 0) const { return at_ + lookahead < text_.size() ? text_[at_ + lookahead] : '\0'; }
 
   void SkipBlanks() {
     while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos) ++at_;

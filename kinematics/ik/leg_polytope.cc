@@ -45,13 +45,13 @@ class Rays {
  private:
   /// Whether the leg reaches a pose of its foot without other parts coming close to the ground.
   bool Stands(const Pose& X_BF) {
-    constexpr double kSpare = 0.1;  // share of farthest_m: smallest height of parts that stand twice as high or more
+    constexpr double kMargin = 0.1;  // share of farthest_m: smallest height of parts that stand twice as high or more
     if (!workspace_.Reaches(X_BF)) return false;
     if (standing_m_.empty()) return true;
     workspace_.BallsAt(X_BF, balls_);
     HeightsOverFoot(X_BF, heights_m_);
     for (std::size_t i = 0; i < heights_m_.size(); ++i) {
-      if (standing_m_[i] > 2.0 * kSpare * farthest_m_ && heights_m_[i] < kSpare * farthest_m_) return false;
+      if (standing_m_[i] > 2.0 * kMargin * farthest_m_ && heights_m_[i] < kMargin * farthest_m_) return false;
     }
     return true;
   }

@@ -15,8 +15,8 @@ namespace {
 
 /// The limit moved towards the standing position by `by`, at most half of the distance.
 double Narrowed(double limit, double standing, double by) {
-  const double way = standing - limit;
-  return limit + std::copysign(std::min(by, 0.5 * std::abs(way)), way);
+  const double distance = standing - limit;
+  return limit + std::copysign(std::min(by, 0.5 * std::abs(distance)), distance);
 }
 
 /// The data of a model for the inverse kinematics of one leg, with limits reduced by the margin.

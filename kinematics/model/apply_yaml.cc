@@ -114,12 +114,12 @@ void ApplyMotor(const RobotYaml::JointMotor& given, RobotModel& model) {
 }  // namespace
 
 void ApplyAxes(const RobotYaml& yaml, RobotModel& model) {
-  const BaseAxes axes = yaml.up ? BaseAxes{*yaml.ahead, *yaml.up} : DeriveBaseAxes(model);
+  const BaseAxes axes = yaml.up ? BaseAxes{*yaml.forward, *yaml.up} : DeriveBaseAxes(model);
   if (axes.are_usual()) return;
   TurnBase(axes, model);
   model.notes.push_back(
       fmt::format("base: axis {1} of link '{0}' points forward and {2} up ({3}); in states, x points forward and z up",
-                  model.frames.front().name, NameOfAxis(axes.ahead), NameOfAxis(axes.up),
+                  model.frames.front().name, NameOfAxis(axes.forward), NameOfAxis(axes.up),
                   yaml.up ? "robot.yaml" : "derived from its mirrored, hanging limbs"));
 }
 

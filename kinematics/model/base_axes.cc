@@ -55,15 +55,15 @@ double SizeOf(const std::vector<Limb>& limbs) {
 /// two limbs or more end away from the mirror plane.
 bool Mirrors(const std::vector<Limb>& limbs, int axis, double size) {
   constexpr double kSame = 0.05, kShare = 0.8;
-  std::size_t alike = 0, aside = 0;
+  std::size_t alike = 0, off_plane = 0;
   for (const Limb& limb : limbs) {
     Vector3 other = limb.to;
     other[axis] = -other[axis];
     if (std::any_of(limbs.begin(), limbs.end(), [&](const Limb& l) { return (l.to - other).norm() < kSame * size; }))
       ++alike;
-    if (std::abs(limb.to[axis]) > kSame * size) ++aside;
+    if (std::abs(limb.to[axis]) > kSame * size) ++off_plane;
   }
-  return aside >= 2 && static_cast<double>(alike) >= kShare * static_cast<double>(limbs.size());
+  return off_plane >= 2 && static_cast<double>(alike) >= kShare * static_cast<double>(limbs.size());
 }
 
 Vector3 Signed(int axis, double value) { return (value < 0.0 ? -1.0 : 1.0) * Vector3::Unit(axis); }
@@ -133,15 +133,15 @@ BaseAxes DeriveBaseAxes(const RobotModel& model) {
   // Four legs mirror each other along both level axes. The forward axis is the one with the larger distance of feet.
   int across = mirrors[0] || sideways ? 0 : 2;
   if (mirrors[0] && mirrors[2]) across = Spread(limbs, 0) < Spread(limbs, 2) ? 0 : 2;
-  const int ahead = 3 - up - across;
+  const int forward = 3 - up - across;
   // Legs that bend about y step along x, though their sides are not quite alike.
-  if (const std::array<int, 3> turning = Turning(limbs); up == 2 && ahead == 1 && turning[1] > turning[0]) return {};
-  return {Signed(ahead, middle[ahead]), Signed(up, -hang[up])};
+  if (const std::array<int, 3> turning = Turning(limbs); up == 2 && forward == 1 && turning[1] > turning[0]) return {};
+  return {Signed(forward, middle[forward]), Signed(up, -hang[up])};
 }
 
 void TurnBase(const BaseAxes& axes, RobotModel& model) {
   Matrix3 R;
-  R << axes.ahead, axes.up.cross(axes.ahead), axes.up;
+  R << axes.forward, axes.up.cross(axes.forward), axes.up;
   R.transposeInPlace();
   const Pose X(R);
   Body& base = model.bodies.front();

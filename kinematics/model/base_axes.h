@@ -10,9 +10,9 @@ namespace gaitwright {
 
 /// Axes of a URDF's root link that point forward and up.
 struct BaseAxes {
-  Vector3 ahead = Vector3::UnitX(), up = Vector3::UnitZ();
+  Vector3 forward = Vector3::UnitX(), up = Vector3::UnitZ();
 
-  bool are_usual() const { return ahead == Vector3::UnitX() && up == Vector3::UnitZ(); }
+  bool are_usual() const { return forward == Vector3::UnitX() && up == Vector3::UnitZ(); }
 };
 
 /// "x", "-x", "y" and so on, in the order of AxisNamed's indices.

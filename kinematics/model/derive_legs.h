@@ -55,7 +55,7 @@ struct LegChoices {
 ///             is as far out from the leg's upright axis as it is below its hip. A foot with a sole is at 0.92 of the
 ///             straight length, and its sole is level. The knee bends to the side where its limits allow more. Other
 ///             joints are as near to zero as their limits allow. Finally all feet move by the same distance until the
-///             centre of mass is above the middle of the feet. On soles, it may be up to half way between the middle
+///             centre of mass is above the middle of the feet. On soles, it may be up to halfway between the middle
 ///             and their edges.
 /// @param given    overrides; if it names feet, only their links are feet.
 /// @param standing given joint positions by coordinate; NaN for those to derive.

@@ -57,9 +57,9 @@ Pose LevelledPose(const RobotModel& model, int body, const VectorX& given, const
   const auto b = static_cast<std::size_t>(body);
   const VectorX posture = given.unaryExpr([](double q) { return std::isfinite(q) ? q : 0.0; });
   Pose X_OE = BodyPoses(model, posture)[b];
-  const Vector3 ahead =
+  const Vector3 forward =
       X_OE.linear() * BodyPoses(model, VectorX::Zero(model.num_dofs()))[b].linear().transpose().col(0);
-  X_OE = Eigen::AngleAxisd(-std::atan2(ahead.y(), ahead.x()), Vector3::UnitZ()) * X_OE;
+  X_OE = Eigen::AngleAxisd(-std::atan2(forward.y(), forward.x()), Vector3::UnitZ()) * X_OE;
   return BottomTilt(X_OE, shapes).inverse() * X_OE;
 }
 

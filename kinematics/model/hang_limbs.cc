@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kAside = 0.4;       // [rad]
+constexpr double kOutward = 0.4;     // [rad]
 constexpr double kHeavy = 1e-3;      // share of mass times leg length; a joint with a smaller load is left at zero
 constexpr double kUpsideDown = 2.0;  // [rad] a part whose lowest angle is farther than this is upright
 constexpr double kStraight = 0.5;    // smallest part of an axis along x for a joint that moves a limb sideways
@@ -57,13 +57,13 @@ bool Hang(const RobotModel& model, int joint, VectorX& joints) {
 }
 
 /// Rotates a limb outward with the first of its joints that can do it. @return this joint, or -1.
-int TurnAside(const RobotModel& model, int limb, const VectorX& given, VectorX& joints) {
+int TurnOutward(const RobotModel& model, int limb, const VectorX& given, VectorX& joints) {
   const double side = CarriedMoment(model, limb, joints).y() > 0.0 ? 1.0 : -1.0;
   for (int j = limb; j < static_cast<int>(model.joints.size()); ++j) {
     if (!CanHang(model, j, given) || !Carries(model, limb + 1, j + 1)) continue;
     const Joint& joint = model.joints[static_cast<std::size_t>(j)];
     const double along = (BodyPoses(model, joints)[static_cast<std::size_t>(j) + 1].linear() * joint.axis_J).x();
-    const double angle = joints[joint.dof] + side * (along > 0.0 ? kAside : -kAside);
+    const double angle = joints[joint.dof] + side * (along > 0.0 ? kOutward : -kOutward);
     if (std::abs(along) < kStraight || angle < model.dof_lower(joint.dof) || angle > model.dof_upper(joint.dof))
       continue;
     joints[joint.dof] = angle;
@@ -85,11 +85,11 @@ std::vector<std::string> HangLimbs(const RobotModel& model, const VectorX& given
     if (!beyond) limbs.push_back(j);
   }
   for (const int limb : limbs) {
-    const int aside = TurnAside(model, limb, given, joints);
+    const int outward = TurnOutward(model, limb, given, joints);
     done.push_back(fmt::format("the limb beyond joint '{}' hangs{}", model.joints[static_cast<std::size_t>(limb)].name,
-                               aside < 0 ? ""
-                                         : fmt::format(", rotated {} rad away from the body at joint '{}'", kAside,
-                                                       model.joints[static_cast<std::size_t>(aside)].name)));
+                               outward < 0 ? ""
+                                           : fmt::format(", rotated {} rad away from the body at joint '{}'", kOutward,
+                                                         model.joints[static_cast<std::size_t>(outward)].name)));
   }
   return done;
 }

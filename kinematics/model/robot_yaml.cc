@@ -206,12 +206,12 @@ std::optional<Vector3> ParseAxis(const YamlMap& map, const std::string& key) {
 }
 
 void ParseAxes(const YamlMap& map, RobotYaml& yaml) {
-  yaml.ahead = ParseAxis(map, "ahead");
+  yaml.forward = ParseAxis(map, "ahead");
   yaml.up = ParseAxis(map, "up");
-  if (!yaml.ahead && !yaml.up) return;
-  const YAML::Node& node = *map.Find(yaml.ahead ? "ahead" : "up");
-  if (!yaml.ahead || !yaml.up) RefuseYaml(node, "'ahead' and 'up' must be given together");
-  if (yaml.ahead->dot(*yaml.up) != 0.0) RefuseYaml(node, "'ahead' and 'up' must be two perpendicular axes");
+  if (!yaml.forward && !yaml.up) return;
+  const YAML::Node& node = *map.Find(yaml.forward ? "ahead" : "up");
+  if (!yaml.forward || !yaml.up) RefuseYaml(node, "'ahead' and 'up' must be given together");
+  if (yaml.forward->dot(*yaml.up) != 0.0) RefuseYaml(node, "'ahead' and 'up' must be two perpendicular axes");
 }
 
 RobotYaml Parse(const YAML::Node& root) {

@@ -59,8 +59,8 @@ struct RobotYaml : LegChoices {
   };
 
   std::string name, description;
-  double scale = 1.0;                ///< factor on the lengths of the URDF
-  std::optional<Vector3> ahead, up;  ///< perpendicular axes of the root link; both are given or neither
+  double scale = 1.0;                  ///< factor on the lengths of the URDF
+  std::optional<Vector3> forward, up;  ///< perpendicular axes of the root link; both are given or neither
   /// A link that the robot may lie on.
   struct Rest {
     std::string link;

@@ -75,15 +75,15 @@ QuinticBasis EvaluateQuinticBasis(int control_points, double u) {
   return Basis<5, decltype(knot)>(knot, kDegree + std::min(static_cast<int>(u * intervals), intervals - 1)).At(u);
 }
 
-CubicBasis EvaluateCubicBasis(const std::vector<double>& breaks, double t) {
+CubicBasis EvaluateCubicBasis(const std::vector<double>& knots, double t) {
   constexpr int kDegree = 3;
-  if (breaks.size() < 2 || std::adjacent_find(breaks.begin(), breaks.end(), std::greater_equal<>()) != breaks.end())
+  if (knots.size() < 2 || std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) != knots.end())
     throw InvalidArgument("a cubic B-spline needs two or more knots in rising order");
-  t = std::clamp(t, breaks.front(), breaks.back());
-  const int intervals = static_cast<int>(breaks.size()) - 1;
-  const auto after = std::upper_bound(breaks.begin(), breaks.end() - 1, t);
-  const auto knot = [&](int i) { return breaks[static_cast<std::size_t>(std::clamp(i - kDegree, 0, intervals))]; };
-  return Basis<3, decltype(knot)>(knot, kDegree + static_cast<int>(after - breaks.begin()) - 1).At(t);
+  t = std::clamp(t, knots.front(), knots.back());
+  const int intervals = static_cast<int>(knots.size()) - 1;
+  const auto after = std::upper_bound(knots.begin(), knots.end() - 1, t);
+  const auto knot = [&](int i) { return knots[static_cast<std::size_t>(std::clamp(i - kDegree, 0, intervals))]; };
+  return Basis<3, decltype(knot)>(knot, kDegree + static_cast<int>(after - knots.begin()) - 1).At(t);
 }
 
 }  // namespace gaitwright

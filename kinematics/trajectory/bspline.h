@@ -27,7 +27,7 @@ QuinticBasis EvaluateQuinticBasis(int control_points, double u);
 /// derivatives by t. There are two more control points than knots. The first two alone determine value and rate at the
 /// first knot, and the last two at the last knot. At a knot, the last of the four functions and its derivatives are
 /// zero; at the last knot, the first function and its derivatives are zero.
-/// @param breaks  the knots. @throws InvalidArgument for fewer than two knots, or knots that do not increase.
-CubicBasis EvaluateCubicBasis(const std::vector<double>& breaks, double t);
+/// @param knots  the knots. @throws InvalidArgument for fewer than two knots, or knots that do not increase.
+CubicBasis EvaluateCubicBasis(const std::vector<double>& knots, double t);
 
 }  // namespace gaitwright

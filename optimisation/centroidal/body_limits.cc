@@ -88,19 +88,19 @@ class Limits {
       friction = std::max(friction, stance.friction);
     }
     for (const double of_foot : reach_m_) reach = std::max(reach, of_foot);
-    const double way = (problem_.goal.p_WC - problem_.start.p_WC).head<2>().norm(), t = problem_.duration_s;
+    const double distance = (problem_.goal.p_WC - problem_.start.p_WC).head<2>().norm(), t = problem_.duration_s;
     // Also without flight, a body that its legs throw up stops rising within their reach.
     const double up = std::max(fastest_, std::sqrt(2.0 * kGravity * reach));
     const double most = friction * t * (0.25 * kGravity * t + up);
-    if (way <= most) return std::nullopt;
+    if (distance <= most) return std::nullopt;
     return Failure{
         FailureKind::kInfeasible,
         FailureCode::kTooLittleFriction,
         "PlanRigidBody",
         fmt::format("moving {:.2f} m from rest to rest in {:.2f} s needs more friction than {:.3g}, which allows at "
                     "most {:.2f} m",
-                    way, t, friction / use, most),
-        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "give more time",
+                    distance, t, friction / use, most),
+        {fmt::format("a friction of {:.3g} or more", friction / use * distance / most), "give more time",
          "choose a shorter distance"}};
   }
 

@@ -23,14 +23,15 @@ Matrix3 HeadingAt(const RigidBodyProblem& problem, double time_s) {
 }
 
 /// Indices of the times within a stance; the nearest time if there is none.
-std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyTrajectory& way) {
+std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyTrajectory& trajectory) {
   std::vector<std::size_t> times;
-  for (std::size_t k = 0; k < way.time_s.size(); ++k) {
-    if (way.time_s[k] >= stance.start_s - 1e-9 && way.time_s[k] <= stance.end_s + 1e-9) times.push_back(k);
+  for (std::size_t k = 0; k < trajectory.time_s.size(); ++k) {
+    if (trajectory.time_s[k] >= stance.start_s - 1e-9 && trajectory.time_s[k] <= stance.end_s + 1e-9)
+      times.push_back(k);
   }
   if (!times.empty()) return times;
-  const auto nearest = std::lower_bound(way.time_s.begin(), way.time_s.end(), stance.start_s);
-  return {static_cast<std::size_t>(nearest - way.time_s.begin())};
+  const auto nearest = std::lower_bound(trajectory.time_s.begin(), trajectory.time_s.end(), stance.start_s);
+  return {static_cast<std::size_t>(nearest - trajectory.time_s.begin())};
 }
 
 /// Distance of a point beyond a side of a workspace, in coordinates from the centre of mass; 0 inside.
@@ -39,20 +40,22 @@ double Beyond(const WorkspaceSide& side, const Vector3& p_B) {
 }
 
 /// A stance's foothold relative to the centre of mass, in the body's frame.
-Vector3 FromBody(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance, std::size_t k) {
-  return RotationOf(way.angles_rad[k]).transpose() * (problem.stances[stance].X_WF.translation() - way.p_WC[k]);
+Vector3 FromBody(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance, std::size_t k) {
+  return RotationOf(trajectory.angles_rad[k]).transpose() *
+         (problem.stances[stance].X_WF.translation() - trajectory.p_WC[k]);
 }
 
 /// Distance of a stance's foot out of reach at one time.
-BodyTrajectoryMisfit At(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance, std::size_t k) {
+BodyTrajectoryMisfit At(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance,
+                        std::size_t k) {
   BodyTrajectoryMisfit misfit;
-  const Vector3 p_B = FromBody(problem, way, stance, k);
+  const Vector3 p_B = FromBody(problem, trajectory, stance, k);
   for (const WorkspaceSide& side : FootOf(problem, stance).workspace_B) {
     const double out = Beyond(side, p_B);
     misfit.sum += out * out;
     misfit.largest_m = std::max(misfit.largest_m, out);
   }
-  misfit.at_s = way.time_s[k];
+  misfit.at_s = trajectory.time_s[k];
   misfit.stance = misfit.largest_m > 0.0 ? static_cast<int>(stance) : -1;
   return misfit;
 }
@@ -116,13 +119,17 @@ struct RegionRows {
 /// The least-squares problem of FitBodyTrajectory.
 class Fit {
  public:
-  Fit(RigidBodyProblem& problem, BodyTrajectory& way)
-      : problem_(problem), way_(way), p_(way.time_s.size()), angles_(p_.size()), foothold_(problem.stances.size(), -1) {
+  Fit(RigidBodyProblem& problem, BodyTrajectory& trajectory)
+      : problem_(problem),
+        trajectory_(trajectory),
+        p_(trajectory.time_s.size()),
+        angles_(p_.size()),
+        foothold_(problem.stances.size(), -1) {
     int size = 0;
-    p_.front().constant = way.p_WC.front();
-    p_.back().constant = way.p_WC.back();
-    angles_.front().constant = way.angles_rad.front();
-    angles_.back().constant = way.angles_rad.back();
+    p_.front().constant = trajectory.p_WC.front();
+    p_.back().constant = trajectory.p_WC.back();
+    angles_.front().constant = trajectory.angles_rad.front();
+    angles_.back().constant = trajectory.angles_rad.back();
     for (std::size_t k = 1; k + 1 < p_.size(); ++k, size += 6) {
       p_[k] = AffineVector::Unknown(size);
       angles_[k] = AffineVector::Unknown(size + 3);
@@ -134,8 +141,8 @@ class Fit {
     }
     rows_.start = VectorX::Zero(size);
     for (std::size_t k = 1; k + 1 < p_.size(); ++k) {
-      rows_.start.segment<3>(p_[k].parts[0].start) = way.p_WC[k];
-      rows_.start.segment<3>(angles_[k].parts[0].start) = way.angles_rad[k];
+      rows_.start.segment<3>(p_[k].parts[0].start) = trajectory.p_WC[k];
+      rows_.start.segment<3>(angles_[k].parts[0].start) = trajectory.angles_rad[k];
     }
     AddBends(p_, kAcceleration);
     AddBends(angles_, kTurning);
@@ -152,8 +159,8 @@ class Fit {
     ConstrainedSolution at;
     (void)Solve(rows_, options, &at);  // the result is usable without convergence
     for (std::size_t k = 1; k + 1 < p_.size(); ++k) {
-      way_.p_WC[k] = p_[k].At(at.x);
-      way_.angles_rad[k] = angles_[k].At(at.x);
+      trajectory_.p_WC[k] = p_[k].At(at.x);
+      trajectory_.angles_rad[k] = angles_[k].At(at.x);
     }
     for (std::size_t s = 0; s < foothold_.size(); ++s) {
       if (foothold_[s] >= 0) Move(problem_.stances[s], at.x.segment<2>(foothold_[s]));
@@ -169,7 +176,7 @@ class Fit {
 
   /// Accelerations divided by `bad`. Both ends are at rest, so the path is extended by its mirror image there.
   void AddBends(const std::vector<AffineVector>& path, double bad) {
-    const double h = way_.time_s[1] - way_.time_s[0];
+    const double h = trajectory_.time_s[1] - trajectory_.time_s[0];
     for (std::size_t k = 0; k < path.size(); ++k) {
       AffineVector bend = path[k == 0 ? 1 : k - 1];
       bend.Add(1.0, path[k + 1 == path.size() ? k - 1 : k + 1]).Add(-2.0, path[k]);
@@ -179,12 +186,12 @@ class Fit {
 
   void AddTilts() {
     for (std::size_t k = 1; k + 1 < angles_.size(); ++k)
-      AddRows(angles_[k], kTilt, WantedAngles(problem_, way_.time_s[k]));
+      AddRows(angles_[k], kTilt, WantedAngles(problem_, trajectory_.time_s[k]));
   }
 
   void AddStance(std::size_t s) {
     const RigidStance& stance = problem_.stances[s];
-    for (const std::size_t k : TimesOf(stance, way_)) {
+    for (const std::size_t k : TimesOf(stance, trajectory_)) {
       SeenUnknowns seen;
       StandingRows rows{FootOf(problem_, s),
                         stance.X_WF.translation(),
@@ -206,7 +213,7 @@ class Fit {
   }
 
   RigidBodyProblem& problem_;
-  BodyTrajectory& way_;
+  BodyTrajectory& trajectory_;
   std::vector<AffineVector> p_, angles_;  // by time
   std::vector<int> foothold_;             // first unknown by stance; -1 if it is fixed
   ConstrainedProblem rows_;
@@ -238,7 +245,7 @@ BodyTrajectory StraightPath(const Terrain& terrain, const RigidBodyProblem& prob
     last_touchdown = problem.duration_s;
   }
   const int parts = std::max(4, static_cast<int>(std::lround(problem.duration_s / spacing_s)));
-  BodyTrajectory way;
+  BodyTrajectory trajectory;
   for (int k = 0; k <= parts; ++k) {
     const double t = problem.duration_s * k / parts;
     const double u = std::clamp((t - first_liftoff) / (last_touchdown - first_liftoff), 0.0, 1.0);
@@ -253,27 +260,27 @@ BodyTrajectory StraightPath(const Terrain& terrain, const RigidBodyProblem& prob
       ++grounded;
     }
     if (grounded > 0 && k > 0 && k < parts) p.z() = height / grounded;
-    way.time_s.push_back(t);
-    way.p_WC.push_back(p);
-    way.angles_rad.push_back(WantedAngles(problem, t));
+    trajectory.time_s.push_back(t);
+    trajectory.p_WC.push_back(p);
+    trajectory.angles_rad.push_back(WantedAngles(problem, t));
   }
-  return way;
+  return trajectory;
 }
 
-void FitBodyTrajectory(RigidBodyProblem& problem, BodyTrajectory& way) { Fit(problem, way).Run(); }
+void FitBodyTrajectory(RigidBodyProblem& problem, BodyTrajectory& trajectory) { Fit(problem, trajectory).Run(); }
 
-Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
+Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance) {
   Vector3 sum = Vector3::Zero();
-  const std::vector<std::size_t> times = TimesOf(problem.stances[stance], way);
+  const std::vector<std::size_t> times = TimesOf(problem.stances[stance], trajectory);
   for (const std::size_t k : times)
-    sum += way.p_WC[k] + RotationOf(way.angles_rad[k]) * FootOf(problem, stance).p_CF_nominal_B;
+    sum += trajectory.p_WC[k] + RotationOf(trajectory.angles_rad[k]) * FootOf(problem, stance).p_CF_nominal_B;
   return sum / static_cast<double>(times.size());
 }
 
-double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
+double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance) {
   double sum = 0.0;
-  for (const std::size_t k : TimesOf(problem.stances[stance], way)) {
-    const Vector3 p_B = FromBody(problem, way, stance, k);
+  for (const std::size_t k : TimesOf(problem.stances[stance], trajectory)) {
+    const Vector3 p_B = FromBody(problem, trajectory, stance, k);
     sum += (p_B - FootOf(problem, stance).p_CF_nominal_B).squaredNorm();
     for (const WorkspaceSide& side : FootOf(problem, stance).workspace_B)
       sum += std::pow(kReach * Beyond(side, p_B), 2);
@@ -281,15 +288,16 @@ double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& way, 
   return sum;
 }
 
-BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance) {
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance) {
   BodyTrajectoryMisfit worst;
-  for (const std::size_t k : TimesOf(problem.stances[stance], way)) worst = Worse(worst, At(problem, way, stance, k));
+  for (const std::size_t k : TimesOf(problem.stances[stance], trajectory))
+    worst = Worse(worst, At(problem, trajectory, stance, k));
   return worst;
 }
 
-BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way) {
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& trajectory) {
   BodyTrajectoryMisfit worst;
-  for (std::size_t s = 0; s < problem.stances.size(); ++s) worst = Worse(worst, OutOfReach(problem, way, s));
+  for (std::size_t s = 0; s < problem.stances.size(); ++s) worst = Worse(worst, OutOfReach(problem, trajectory, s));
   return worst;
 }
 

@@ -18,13 +18,13 @@ BodyTrajectory StraightPath(const Terrain& terrain, const RigidBodyProblem& prob
 ///   + sum of squares of the distances of feet to their nominal positions, and of 30 times their distances out of
 ///     reach.
 /// Footholds stay on their patches' planes, and in their regions.
-void FitBodyTrajectory(RigidBodyProblem& problem, BodyTrajectory& way);
+void FitBodyTrajectory(RigidBodyProblem& problem, BodyTrajectory& trajectory);
 
 /// Nominal position of a stance's foot, averaged over its time [m].
-Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance);
+Vector3 WantedFoothold(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance);
 
 /// Cost of a foothold on a path: the sum that FitBodyTrajectory minimises, over this stance.
-double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance);
+double StanceMisfit(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance);
 
 /// Smallest distance out of its workspace that a stance's foot can have in its region, for the given body pose, at the
 /// worst time [m].
@@ -41,7 +41,7 @@ struct BodyTrajectoryMisfit {
 };
 
 /// Misfit of one stance's foot; below, of all feet.
-BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way, std::size_t stance);
-BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& way);
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& trajectory, std::size_t stance);
+BodyTrajectoryMisfit OutOfReach(const RigidBodyProblem& problem, const BodyTrajectory& trajectory);
 
 }  // namespace gaitwright

@@ -68,7 +68,7 @@ class Chooser {
 
   Result<ChosenFootholds> Run() {
     if (const std::optional<Failure> failure = GoalNotHeld()) return *failure;
-    way_ = StraightPath(terrain_, result_.problem, options_.spacing_s);
+    trajectory_ = StraightPath(terrain_, result_.problem, options_.spacing_s);
     // Paths and patches are fitted to each other in turn until the patches no longer change.
     constexpr int kRounds = 5;
     for (int round = 0; round < kRounds; ++round) {
@@ -80,10 +80,10 @@ class Chooser {
     }
     HoldAtGoal();
     TryOthers();
-    const BodyTrajectoryMisfit misfit = OutOfReach(result_.problem, way_);
+    const BodyTrajectoryMisfit misfit = OutOfReach(result_.problem, trajectory_);
     if (misfit.largest_m > options_.infeasible_m) return Infeasible(misfit);
     result_.misfit_m = misfit.largest_m;
-    result_.problem.way = way_;
+    result_.problem.path = trajectory_;
     result_.patches = patches_;
     return result_;
   }
@@ -93,10 +93,10 @@ class Chooser {
 
   Failure Infeasible(const BodyTrajectoryMisfit& misfit) const {
     const RigidStance& stance = result_.problem.stances[static_cast<std::size_t>(misfit.stance)];
-    Vector3 first = way_.p_WC.back(), last = way_.p_WC.back();
-    for (std::size_t k = way_.time_s.size(); k-- > 0;) {
-      if (way_.time_s[k] >= stance.start_s) first = way_.p_WC[k];
-      if (way_.time_s[k] >= stance.end_s) last = way_.p_WC[k];
+    Vector3 first = trajectory_.p_WC.back(), last = trajectory_.p_WC.back();
+    for (std::size_t k = trajectory_.time_s.size(); k-- > 0;) {
+      if (trajectory_.time_s[k] >= stance.start_s) first = trajectory_.p_WC[k];
+      if (trajectory_.time_s[k] >= stance.end_s) last = trajectory_.p_WC[k];
     }
     return {
         FailureKind::kInfeasible,
@@ -162,8 +162,8 @@ class Chooser {
       const RigidStance before = stances()[s];
       const int patch_before = patches_[s];
       for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
-        if (!Put(s, patch, WantedFoothold(result_.problem, way_, s)) || !IsHeld()) continue;
-        const double misfit = StanceMisfit(result_.problem, way_, s);
+        if (!Put(s, patch, WantedFoothold(result_.problem, trajectory_, s)) || !IsHeld()) continue;
+        const double misfit = StanceMisfit(result_.problem, trajectory_, s);
         if (misfit >= least) continue;
         least = misfit;
         best = {s, patch};
@@ -172,12 +172,12 @@ class Chooser {
       patches_[s] = patch_before;
     }
     if (best.second < 0) return;
-    Put(best.first, best.second, WantedFoothold(result_.problem, way_, best.first));
+    Put(best.first, best.second, WantedFoothold(result_.problem, trajectory_, best.first));
     Fit();
   }
 
   void Fit() {
-    FitBodyTrajectory(result_.problem, way_);
+    FitBodyTrajectory(result_.problem, trajectory_);
     ++result_.trials;
   }
 
@@ -194,8 +194,8 @@ class Chooser {
     const int patch_before = patches_[s];
     std::vector<std::pair<double, int>> ranked;
     for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
-      if (Put(s, patch, WantedFoothold(result_.problem, way_, s)))
-        ranked.emplace_back(StanceMisfit(result_.problem, way_, s), patch);
+      if (Put(s, patch, WantedFoothold(result_.problem, trajectory_, s)))
+        ranked.emplace_back(StanceMisfit(result_.problem, trajectory_, s), patch);
     }
     stances()[s] = before;
     patches_[s] = patch_before;
@@ -212,7 +212,7 @@ class Chooser {
       if (stances()[s].held) continue;
       const std::vector<int> ranked = Ranked(s);
       if (ranked.empty() || ranked.front() == patches_[s]) continue;
-      Put(s, ranked.front(), WantedFoothold(result_.problem, way_, s));
+      Put(s, ranked.front(), WantedFoothold(result_.problem, trajectory_, s));
       changed = true;
     }
     return changed;
@@ -221,7 +221,8 @@ class Chooser {
   /// The free stances that are out of reach, the farthest first.
   std::vector<std::size_t> Troubled() {
     std::vector<double> trouble(stances().size(), 0.0);
-    for (std::size_t s = 0; s < stances().size(); ++s) trouble[s] = OutOfReach(result_.problem, way_, s).largest_m;
+    for (std::size_t s = 0; s < stances().size(); ++s)
+      trouble[s] = OutOfReach(result_.problem, trajectory_, s).largest_m;
     std::vector<std::size_t> order;
     for (std::size_t s = 0; s < stances().size(); ++s) {
       if (!stances()[s].held) order.push_back(s);
@@ -234,7 +235,7 @@ class Chooser {
   void TryOthers() {
     bool better = true;
     while (better && result_.trials < options_.max_trials &&
-           OutOfReach(result_.problem, way_).largest_m > options_.misfit_m) {
+           OutOfReach(result_.problem, trajectory_).largest_m > options_.misfit_m) {
       better = false;
       for (const std::size_t s : Troubled()) {
         const std::vector<int> ranked = Ranked(s);
@@ -247,14 +248,14 @@ class Chooser {
   }
 
   bool Improves(std::size_t s, int patch) {
-    const double before = OutOfReach(result_.problem, way_).sum;
-    const BodyTrajectory way = way_;
+    const double before = OutOfReach(result_.problem, trajectory_).sum;
+    const BodyTrajectory kept_trajectory = trajectory_;
     const std::vector<RigidStance> kept = stances();
     const std::vector<int> patches = patches_;
-    Put(s, patch, WantedFoothold(result_.problem, way_, s));
+    Put(s, patch, WantedFoothold(result_.problem, trajectory_, s));
     Fit();
-    if (OutOfReach(result_.problem, way_).sum < 0.95 * before) return true;
-    way_ = way;
+    if (OutOfReach(result_.problem, trajectory_).sum < 0.95 * before) return true;
+    trajectory_ = kept_trajectory;
     stances() = kept;
     patches_ = patches;
     return false;
@@ -264,7 +265,7 @@ class Chooser {
   const ChooseFootholdsOptions& options_;
   ChosenFootholds result_;
   std::vector<int> patches_;  // by stance
-  BodyTrajectory way_;
+  BodyTrajectory trajectory_;
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ Eigen::Index CountOf(const ConstrainedProblem& rows) {
 /// Nothing for numbers that do not fit the problem.
 std::optional<double> Lagrangian(const RigidBodyProblem& problem, const RigidBodyOptions& options,
                                  const RigidBodyNumbers& numbers) {
-  const RigidBodyUnknowns unknowns(problem, numbers.breaks_s);
+  const RigidBodyUnknowns unknowns(problem, numbers.nodes_s);
   const ConstrainedProblem rows = RigidBodyRows(problem, unknowns, options, numbers.missed);
   if (numbers.x.size() != unknowns.size() || numbers.multipliers.size() != CountOf(rows)) return std::nullopt;
   double sum = Held(rows, numbers);
@@ -52,7 +52,7 @@ std::optional<double> Lagrangian(const RigidBodyProblem& problem, const RigidBod
 }  // namespace
 
 RigidBodyNumbers Retimed(RigidBodyNumbers numbers, const TimeMap& map) {
-  for (double& t : numbers.breaks_s) t = map.At(t);
+  for (double& t : numbers.nodes_s) t = map.At(t);
   for (MissedReach& missed : numbers.missed) missed.time_s = map.At(missed.time_s);
   return numbers;
 }

@@ -48,7 +48,7 @@ RigidBodyProblem Retimed(RigidBodyProblem problem, const TimeMap& map) {
     rest.start_s = map.SwitchAt(rest.start_s);
     rest.end_s = map.SwitchAt(rest.end_s);
   }
-  for (double& t : problem.way.time_s) t = map.At(t);
+  for (double& t : problem.path.time_s) t = map.At(t);
   problem.duration_s = map.SwitchAt(problem.duration_s);
   return problem;
 }

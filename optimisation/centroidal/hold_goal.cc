@@ -20,9 +20,9 @@ bool OneSided(const std::vector<Vector3>& normals_W, double friction) {
   const double half = std::atan(friction);
   for (int i = 0; i < kHeadings; ++i) {
     const double heading = 2.0 * std::numbers::pi * i / kHeadings;
-    const Vector3 ahead(std::cos(heading), std::sin(heading), 0.0);
+    const Vector3 forward(std::cos(heading), std::sin(heading), 0.0);
     if (std::all_of(normals_W.begin(), normals_W.end(), [&](const Vector3& normal) {
-          return std::acos(std::clamp(normal.dot(ahead), -1.0, 1.0)) - half > 0.5 * std::numbers::pi;
+          return std::acos(std::clamp(normal.dot(forward), -1.0, 1.0)) - half > 0.5 * std::numbers::pi;
         }))
       return true;
   }

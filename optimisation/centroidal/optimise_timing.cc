@@ -80,7 +80,7 @@ class TimingSearch {
     best_.plan = *first;
     best_.first_cost = first->summary.cost;
     Search();
-    PlaceBreaksAnew();
+    PlaceNodesAgain();
     return best_;
   }
 
@@ -151,7 +151,7 @@ class TimingSearch {
   Result<RigidBodyPlan> Mended(Failure failure) {
     // The derivatives are accurate only if the solve has converged.
     RigidBodyOptions patient = planning_;
-    patient.screening = patient.max_iterations = std::max(kPatience, planning_.max_iterations);
+    patient.early_check = patient.max_iterations = std::max(kPatience, planning_.max_iterations);
     RigidBodyPlan at;
     Result<RigidBodyPlan> plan = PlanRigidBody(best_.problem, patient, &at);
     change_ = options_.first_change;
@@ -244,9 +244,9 @@ class TimingSearch {
     curvature_ += change * change.transpose() / step.dot(change) - moved * moved.transpose() / bend;
   }
 
-  void PlaceBreaksAnew() {
+  void PlaceNodesAgain() {
     const RigidBodyUnknowns asked(best_.problem, planning_.spacing_s, planning_.least_intervals, planning_.grid_s);
-    if (asked.breaks_s().size() <= best_.plan.numbers.breaks_s.size()) return;
+    if (asked.nodes_s().size() <= best_.plan.numbers.nodes_s.size()) return;
     ++best_.solves;
     const Result<RigidBodyPlan> plan = PlanRigidBody(best_.problem, planning_);
     if (plan && plan->summary.cost <= best_.plan.summary.cost) best_.plan = *plan;

@@ -66,7 +66,7 @@ std::optional<ChosenFootholds> Changed(const PlanOverPatches& plan, const PatchC
       return std::nullopt;
     choice.patches[s] = change.patch;
   }
-  if (rules.fits_way) FitBodyTrajectory(choice.problem, choice.problem.way);
+  if (rules.fits_path) FitBodyTrajectory(choice.problem, choice.problem.path);
   return choice;
 }
 
@@ -105,7 +105,7 @@ OptionFields PatchSearchOptions::Fields() {
   return {{"near_m", &near_m, "m", 0.0, 10.0, "Largest distance from a foot at which another patch is tried for it."},
           {"better", &better, "1", 0.0, 1.0,
            "Share of the former sum of violations that a change of patches must stay below to be accepted."},
-          {"screening_steps", &screening_steps, "1", 1, 10000,
+          {"screening_steps", &early_check_steps, "1", 1, 10000,
            "Iterations after which an infeasible solve that compares patches is stopped."},
           {"most_steps", &most_steps, "1", 1, 100000,
            "Total number of iterations after which no other patches are tried."}};

@@ -25,7 +25,7 @@ struct PlanOverPatches {
 struct PatchSearchOptions {
   double near_m = 0.6;
   double better = 0.95;
-  int screening_steps = 30;
+  int early_check_steps = 30;  ///< option `screening_steps`
   int most_steps = 150;
 
   OptionFields Fields();
@@ -35,7 +35,7 @@ struct PatchSearchOptions {
 struct PatchRules {
   /// Puts a stance on a patch, as near as possible to a position in W. @return false if it cannot stand there.
   std::function<bool(int patch, const Vector3& p_W, RigidStance& stance)> put;
-  bool fits_way = true;  ///< the problem's path is fitted to the footholds; else it stays as it is
+  bool fits_path = true;  ///< the problem's path is fitted to the footholds; else it stays as it is
 };
 
 /// Massless legs: stances anywhere on patches, `edge_margin_m` from their edges (PutOnPatch).

@@ -37,19 +37,19 @@ VectorX BestDurations(const VectorX& at, const VectorX& slope, const MatrixX& cu
   const double steep = slope.norm() / (100.0 * most.maxCoeff());
   const double step = 1.0 / std::max({curvature.norm(), steep, 1e-12});
   const auto model = [&](const VectorX& d) { return slope.dot(d - at) + 0.5 * (d - at).dot(curvature * (d - at)); };
-  VectorX best = at, ahead = at;
+  VectorX best = at, extrapolated = at;
   double least = 0.0, momentum = 1.0;
   for (int i = 0; i < kSteps; ++i) {
-    const VectorX next = NearestDurations(ahead - step * (slope + curvature * (ahead - at)), near);
+    const VectorX next = NearestDurations(extrapolated - step * (slope + curvature * (extrapolated - at)), near);
     const double value = model(next);
     if (value > least) {
       if (momentum == 1.0) break;
-      ahead = best;
+      extrapolated = best;
       momentum = 1.0;
       continue;
     }
     const double after = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * momentum * momentum));
-    ahead = next + (momentum - 1.0) / after * (next - best);
+    extrapolated = next + (momentum - 1.0) / after * (next - best);
     momentum = after;
     best = next;
     least = value;

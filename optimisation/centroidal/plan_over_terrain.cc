@@ -18,7 +18,7 @@ class PatchSearch {
   Result<PlanOverPatches> Run(ChosenFootholds choice) {
     best_.choice = std::move(choice);
     Result<RigidBodyPlan> plan = Try(best_);
-    planning_.screening = search_.screening_steps;
+    planning_.early_check = search_.early_check_steps;
     if (!plan) choices_.Offer(best_);
     while (!plan && steps_ < search_.most_steps) {
       std::optional<ChosenFootholds> changed = choices_.Next();

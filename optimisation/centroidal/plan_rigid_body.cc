@@ -92,9 +92,9 @@ std::optional<ConstrainedSolution> Infeasible(const RigidBodyProblem& problem, c
   solving.tolerance = solving.cost_tolerance = kNearly;
   solving.penalty = options.penalty;
   solving.max_penalty = options.max_penalty;
-  solving.screening = options.screening;
+  solving.early_check = options.early_check;
   solving.infeasible = options.infeasible;
-  solving.max_iterations = options.screening;
+  solving.max_iterations = options.early_check;
   ConstrainedSolution at;
   if (SolveElastic(rows, solving, &at).ok() || at.violations <= options.infeasible) return std::nullopt;
   return at;
@@ -107,17 +107,17 @@ class RigidBodyPlanner {
       : problem_(problem), options_(options) {}
 
   Result<RigidBodyPlan> Run() {
-    SetBreaks();
+    SetNodes();
     return Refined();
   }
 
   /// Starts from given variables, with fixed nodes.
   Result<RigidBodyPlan> RunFrom(const RigidBodyNumbers& from) {
-    unknowns_.emplace(problem_, from.breaks_s);
+    unknowns_.emplace(problem_, from.nodes_s);
     missed_ = from.missed;
     start_ = from.x;
     first_gap_ = kNextGap;
-    breaks_stay_ = true;
+    nodes_are_fixed_ = true;
     if (from.x.size() != unknowns_->size())
       throw InvalidArgument(
           fmt::format("PlanRigidBodyFrom: {} numbers for {} unknowns", from.x.size(), unknowns_->size()));
@@ -138,15 +138,15 @@ class RigidBodyPlanner {
       if (summary.refinements == options_.max_refinements) return FaultsBetween(summary);
       ++summary.refinements;
       if (!LookCloser()) {
-        if (breaks_stay_) return FaultsBetween(summary);
+        if (nodes_are_fixed_) return FaultsBetween(summary);
         options_.spacing_s *= 0.5;
         options_.least_intervals *= 2;
-        SetBreaks();
+        SetNodes();
       }
     }
   }
 
-  void SetBreaks() {
+  void SetNodes() {
     unknowns_.emplace(problem_, options_.spacing_s, options_.least_intervals, options_.grid_s);
     missed_.clear();
     start_ = GuessRigidBody(problem_, *unknowns_);
@@ -171,7 +171,7 @@ class RigidBodyPlanner {
     solving.penalty = options_.penalty;
     solving.max_penalty = options_.max_penalty;
     solving.first_gap = first_gap_;
-    solving.screening = options_.screening;
+    solving.early_check = options_.early_check;
     solving.infeasible = options_.infeasible;
     solving.max_iterations = options_.max_iterations;
     return SolveElastic(rows, solving, &at).ok();
@@ -202,12 +202,12 @@ class RigidBodyPlanner {
       summary.iterations += at.iterations;
       if (by_ceres) rows.start = at.x;
       summary.settled = SolveByInteriorPoint(rows, at);
-      if (by_ceres && at.violation > options_.tolerance && !breaks_stay_)
+      if (by_ceres && at.violation > options_.tolerance && !nodes_are_fixed_)
         not_carried_ = ReasonNotCarried(problem_, options_);
     }
     start_ = at.x;
     plan_.motion = MotionOf(problem_, *unknowns_, at.x);
-    plan_.numbers = {unknowns_->breaks_s(), missed_, at.x, at.multipliers};
+    plan_.numbers = {unknowns_->nodes_s(), missed_, at.x, at.multipliers};
     summary.variables = unknowns_->size();
     summary.constraints = 0;
     for (const Constraint& c : rows.constraints) summary.constraints += static_cast<int>(c.lower.size());
@@ -230,7 +230,7 @@ class RigidBodyPlanner {
   std::vector<MissedReach> missed_;
   VectorX start_;
   double first_gap_ = kFirstGap;
-  bool breaks_stay_ = false;
+  bool nodes_are_fixed_ = false;
   RigidBodyRowKind worst_ = RigidBodyRowKind::kOther;  // of the last solve
   std::optional<Failure> not_carried_;                 // a more general reason than unmet constraints
 };
@@ -291,7 +291,7 @@ OptionFields RigidBodyOptions::Fields() {
            "Initial penalty weight on constraint violation, in units of half the cost."},
           {"max_penalty", &max_penalty, "1", 1e-3, 1e6,
            "Maximum penalty weight on constraint violation, in units of half the cost."},
-          {"screening", &screening, "1", 1, 10000,
+          {"screening", &early_check, "1", 1, 10000,
            "Iterations of the early infeasibility check: after these the solve stops if violations exceed "
            "`infeasible`."},
           {"infeasible", &infeasible, "1", 0.0, 1e6,

@@ -37,7 +37,7 @@ struct RigidBodyOptions {
   double cost_tolerance = 1e-3;
   double penalty = 10.0;
   double max_penalty = 100.0;
-  int screening = 40;
+  int early_check = 40;  ///< option `screening`
   double infeasible = 0.1;
   int max_iterations = 100;
   RigidBodyWeights weights = {.stance = 20.0, .path = 1.0};
@@ -68,7 +68,7 @@ struct MissedReach {
 
 /// The solver variables of a motion, as a warm start for similar problems.
 struct RigidBodyNumbers {
-  std::vector<double> breaks_s;
+  std::vector<double> nodes_s;
   std::vector<MissedReach> missed;
   VectorX x;            ///< RigidBodyUnknowns over these nodes
   VectorX multipliers;  ///< of the rows over them (ConstrainedSolution)

@@ -65,14 +65,14 @@ void AddSwing(const RigidBodyUnknowns& unknowns, std::size_t swing, double weigh
 }  // namespace
 
 Vector3 WantedAngles(const RigidBodyProblem& problem, double time_s) {
-  if (problem.follows_yaw && !problem.way.time_s.empty()) return {0.0, 0.0, problem.way.AnglesAt(time_s).z()};
+  if (problem.follows_yaw && !problem.path.time_s.empty()) return {0.0, 0.0, problem.path.AnglesAt(time_s).z()};
   const double u = time_s / problem.duration_s;
   return {0.0, 0.0, (1.0 - u) * problem.start.angles_rad.z() + u * problem.goal.angles_rad.z()};
 }
 
 std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
                                     const RigidBodyWeights& weights) {
-  const std::vector<double>& t = unknowns.breaks_s();
+  const std::vector<double>& t = unknowns.nodes_s();
   std::vector<Residual> cost;
   for (std::size_t i = 0; i < unknowns.intervals(); ++i) {
     const double h = t[i + 1] - t[i];
@@ -84,9 +84,9 @@ std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const Rigid
       AddRows(unknowns.Momentum(k), 0.5 * h * weights.momentum, Vector3::Zero(), cost);
       AddRows(unknowns.Angles(k), 0.5 * h * weights.tilt, WantedAngles(problem, t[k]), cost);
       const Matrix3 heading = YawRotation(WantedAngles(problem, t[k]).z());
-      if (!problem.way.time_s.empty()) {
+      if (!problem.path.time_s.empty()) {
         const MatrixX across = heading.col(1).transpose();
-        AddRowsAlong(across, unknowns.CentreOfMass(t[k]), 0.5 * h * weights.path, problem.way.PlaceAt(t[k]), cost);
+        AddRowsAlong(across, unknowns.CentreOfMass(t[k]), 0.5 * h * weights.path, problem.path.PlaceAt(t[k]), cost);
       }
       for (const ContactForce& force : unknowns.Forces(i)) {
         if (force.point != 0) continue;

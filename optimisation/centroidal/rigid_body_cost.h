@@ -10,7 +10,7 @@ namespace gaitwright {
 
 /// Cost of a motion of a rigid body: the integral over time of
 ///   force_rate |f_i'|^2 + momentum |l|^2 + tilt |angles - wanted|^2 + stance |foot - nominal place|^2
-///     + way |across . (p_WC - point of the path)|^2,
+///     + path |across . (p_WC - point of the path)|^2,
 /// Forces are in m g; l is the angular momentum over the mean inertia; positions of stance feet are relative to the
 /// centre of mass in the wanted heading; `across` is horizontal and normal to the path. In addition, swing_jerk times
 /// the integral of |p'''|^2 of each free swing over its fraction.
@@ -19,7 +19,7 @@ namespace gaitwright {
 ///   forces change fast, feet land hard          raise force_rate
 ///   the base rolls and pitches                  raise momentum, tilt
 ///   feet stand far from nominal positions       raise stance
-///   the body drifts sideways                    raise way
+///   the body drifts sideways                    raise path
 ///   free swings waver                           raise swing_jerk
 struct RigidBodyWeights {
   double force_rate = 1e-3;  ///< [s]

@@ -82,11 +82,11 @@ Vector3 Turned(const MomentumOver& momentum, const Matrix3& inverse_B, double fr
 }
 
 std::array<Vector3, 4> PowersOf(const RigidBodyUnknowns& unknowns, const VectorX& x, std::size_t i) {
-  const double h = unknowns.breaks_s()[i + 1] - unknowns.breaks_s()[i];
+  const double h = unknowns.nodes_s()[i + 1] - unknowns.nodes_s()[i];
   const Vector3 a_from = kGravity * (unknowns.WholeForce(i).At(x) - Vector3::UnitZ());
   const Vector3 a_to = kGravity * (unknowns.WholeForce(i + 1).At(x) - Vector3::UnitZ());
-  const Vector3 from = unknowns.CentreOfMass(unknowns.breaks_s()[i]).At(x);
-  const Vector3 to = unknowns.CentreOfMass(unknowns.breaks_s()[i + 1]).At(x);
+  const Vector3 from = unknowns.CentreOfMass(unknowns.nodes_s()[i]).At(x);
+  const Vector3 to = unknowns.CentreOfMass(unknowns.nodes_s()[i + 1]).At(x);
   return {from, (to - from) / h - h * (2.0 * a_from + a_to) / 6.0, 0.5 * a_from, (a_to - a_from) / (6.0 * h)};
 }
 
@@ -187,7 +187,7 @@ RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknown
   Vector3 momentum = RotationOf(angles) * problem.inertia_B * problem.start.w_WB_B;
   for (std::size_t i = 0; i < unknowns.intervals(); ++i) {
     RigidBodyInterval in{
-        unknowns.breaks_s()[i], unknowns.breaks_s()[i + 1], PowersOf(unknowns, x, i), angles, momentum, {}};
+        unknowns.nodes_s()[i], unknowns.nodes_s()[i + 1], PowersOf(unknowns, x, i), angles, momentum, {}};
     for (const ContactForce& f : unknowns.Forces(i)) {
       const RigidStance& stance = problem.stances[f.stance];
       const Vector3 moved = stance.MovedAt(in.start_s);

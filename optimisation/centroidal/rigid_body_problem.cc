@@ -94,11 +94,11 @@ void CheckRegion(const RigidStance& stance, std::size_t number) {
   }
 }
 
-void CheckWay(const BodyTrajectory& way) {
-  const auto n = way.time_s.size();
+void CheckPath(const BodyTrajectory& path) {
+  const auto n = path.time_s.size();
   if (n == 0) return;
-  if (n < 2 || way.p_WC.size() != n || way.angles_rad.size() != n ||
-      std::adjacent_find(way.time_s.begin(), way.time_s.end(), std::greater_equal<>()) != way.time_s.end())
+  if (n < 2 || path.p_WC.size() != n || path.angles_rad.size() != n ||
+      std::adjacent_find(path.time_s.begin(), path.time_s.end(), std::greater_equal<>()) != path.time_s.end())
     throw InvalidArgument(
         "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
 }
@@ -274,7 +274,7 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
   CheckSwings(problem);
   CheckClearances(problem);
   CheckLegMotion(problem);
-  CheckWay(problem.way);
+  CheckPath(problem.path);
 }
 
 }  // namespace gaitwright

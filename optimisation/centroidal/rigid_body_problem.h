@@ -121,7 +121,7 @@ struct RigidBodyProblem {
   /// Leg angular momentum: of all parts that move relative to the body, about the centre of mass, with its rate, at two
   /// or more uniform times from 0 to the end; empty for none [N m s], [N m].
   std::vector<Vector3> leg_momentum_W = {}, leg_torque_W = {};
-  BodyTrajectory way;        ///< initial guess; empty for one above the footholds
+  BodyTrajectory path;       ///< initial guess; empty for one above the footholds
   bool follows_yaw = false;  ///< the wanted yaw is that of the path; else it changes evenly from start to goal
 };
 

@@ -19,16 +19,16 @@ namespace {
 class BodyAt {
  public:
   BodyAt(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, double time_s, SeenUnknowns& seen) {
-    constexpr double kAtBreak = 1e-9;
-    const std::vector<double>& breaks = unknowns.breaks_s();
-    const auto after = std::upper_bound(breaks.begin(), breaks.end(), time_s + kAtBreak);
-    const auto k = static_cast<std::size_t>(after - breaks.begin()) - 1;
+    constexpr double kAtNode = 1e-9;
+    const std::vector<double>& nodes = unknowns.nodes_s();
+    const auto after = std::upper_bound(nodes.begin(), nodes.end(), time_s + kAtNode);
+    const auto k = static_cast<std::size_t>(after - nodes.begin()) - 1;
     com_ = seen.See(unknowns.CentreOfMass(time_s));
     angles_from_ = seen.See(unknowns.Angles(k));
-    if (time_s <= breaks[k] + kAtBreak) return;
+    if (time_s <= nodes[k] + kAtNode) return;
     inverse_B_ = unknowns.mean_inertia() * problem.inertia_B.inverse();
-    h_ = breaks[k + 1] - breaks[k];
-    share_ = (time_s - breaks[k]) / h_;
+    h_ = nodes[k + 1] - nodes[k];
+    share_ = (time_s - nodes[k]) / h_;
     momentum_from_ = seen.See(unknowns.Momentum(k));
     angles_to_ = seen.See(unknowns.Angles(k + 1));
     momentum_to_ = seen.See(unknowns.Momentum(k + 1));

@@ -9,25 +9,24 @@
 namespace gaitwright {
 namespace {
 
-/// Times at which a stance's foot must be within reach: at nodes, half-way between them, and shortly before touch-down
+/// Times at which a stance's foot must be within reach: at nodes, halfway between them, and shortly before touch-down
 /// and after lift-off. If swings are given, their own reach checks replace the latter.
-std::vector<double> ReachTimes(const RigidBodyProblem& problem, std::size_t number, const std::vector<double>& breaks,
+std::vector<double> ReachTimes(const RigidBodyProblem& problem, std::size_t number, const std::vector<double>& nodes,
                                double lead_s) {
   const RigidStance& stance = problem.stances[number];
   constexpr double kSame = 1e-4;
   std::vector<double> times;
-  for (std::size_t k = 0; k < breaks.size(); ++k) {
-    if (breaks[k] < stance.start_s - kSame || breaks[k] > stance.end_s + kSame) continue;
-    times.push_back(breaks[k]);
-    if (k + 1 < breaks.size() && breaks[k + 1] < stance.end_s + kSame)
-      times.push_back(0.5 * (breaks[k] + breaks[k + 1]));
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (nodes[k] < stance.start_s - kSame || nodes[k] > stance.end_s + kSame) continue;
+    times.push_back(nodes[k]);
+    if (k + 1 < nodes.size() && nodes[k + 1] < stance.end_s + kSame) times.push_back(0.5 * (nodes[k] + nodes[k + 1]));
   }
   const auto swings = [&](auto end) {
     return std::any_of(problem.swings.begin(), problem.swings.end(),
                        [&](const RigidSwing& swing) { return swing.*end == number; });
   };
   if (stance.start_s - lead_s > 0.0 && !swings(&RigidSwing::to)) times.push_back(stance.start_s - lead_s);
-  if (stance.end_s + lead_s < breaks.back() && !swings(&RigidSwing::from)) times.push_back(stance.end_s + lead_s);
+  if (stance.end_s + lead_s < nodes.back() && !swings(&RigidSwing::from)) times.push_back(stance.end_s + lead_s);
   return times;
 }
 
@@ -57,11 +56,11 @@ Vector3 GuessCentreOfMass(const RigidBodyProblem& problem, double time_s) {
 }
 
 Vector3 GuessPlace(const RigidBodyProblem& problem, double t) {
-  return problem.way.time_s.empty() ? GuessCentreOfMass(problem, t) : problem.way.PlaceAt(t);
+  return problem.path.time_s.empty() ? GuessCentreOfMass(problem, t) : problem.path.PlaceAt(t);
 }
 
 Vector3 GuessAngles(const RigidBodyProblem& problem, double t) {
-  return problem.way.time_s.empty() ? WantedAngles(problem, t) : problem.way.AnglesAt(t);
+  return problem.path.time_s.empty() ? WantedAngles(problem, t) : problem.path.AnglesAt(t);
 }
 
 }  // namespace
@@ -108,18 +107,18 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
     if (!constraint.variables.empty()) rows.constraints.push_back(std::move(constraint));
   };
   for (std::size_t i = 0; i < unknowns.intervals() && options.turns_by_forces; ++i) add(terms.Turning(i));
-  for (const std::size_t k : unknowns.FreeBreaks()) add(terms.Free(k));
+  for (const std::size_t k : unknowns.FreeNodes()) add(terms.Free(k));
   const std::vector<BoundForce>& forces = unknowns.BoundForces();
   for (const BoundForce& force : forces) add(terms.Friction(force, options.friction_sides, options.force_margin));
   for (auto from = forces.begin(); from != forces.end();) {
     const auto to = std::find_if(from, forces.end(), [&](const BoundForce& f) {
-      return f.stance != from->stance || f.at_break != from->at_break;
+      return f.stance != from->stance || f.at_node != from->at_node;
     });
     if (problem.stances[from->stance].MotorsAt(0.0) != nullptr) add(terms.Motors({from, to}));
     from = to;
   }
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
-    for (const double t : ReachTimes(problem, s, unknowns.breaks_s(), options.swing_lead_s))
+    for (const double t : ReachTimes(problem, s, unknowns.nodes_s(), options.swing_lead_s))
       add(terms.Reach(s, t, options.reach_margin_m));
   }
   for (std::size_t i = 0; i < problem.swings.size(); ++i) {
@@ -128,7 +127,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
   }
   for (std::size_t i = 0; i < unknowns.intervals() && problem.rise_max_m_s > 0.0; ++i) {
     if (unknowns.Forces(i).empty()) continue;
-    const double from = unknowns.breaks_s()[i], to = unknowns.breaks_s()[i + 1];
+    const double from = unknowns.nodes_s()[i], to = unknowns.nodes_s()[i + 1];
     for (const double time_s : {from, 0.5 * (from + to)}) add(terms.Rise(time_s));
   }
   for (const RigidClearance& clearance : problem.clearances) add(terms.Clearance(clearance));
@@ -142,7 +141,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
 
 VectorX GuessRigidBody(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
   VectorX x = VectorX::Zero(unknowns.size());
-  const std::vector<double>& t = unknowns.breaks_s();
+  const std::vector<double>& t = unknowns.nodes_s();
   // A control point belongs to the mean of its three knots (Greville abscissa).
   const auto knot = [&](std::size_t j) { return t[std::clamp<std::size_t>(j, 3, t.size() + 2) - 3]; };
   for (std::size_t i = 2; i < t.size(); ++i) {
@@ -154,11 +153,11 @@ VectorX GuessRigidBody(const RigidBodyProblem& problem, const RigidBodyUnknowns&
     if (!angles.empty()) x.segment<3>(angles.front().start) = GuessAngles(problem, t[k]);
   }
   std::vector<int> sharing(t.size(), 0);
-  for (const BoundForce& force : unknowns.BoundForces()) ++sharing[force.at_break];
+  for (const BoundForce& force : unknowns.BoundForces()) ++sharing[force.at_node];
   for (const BoundForce& force : unknowns.BoundForces()) {
     const std::vector<AffineVector::Part>& parts = force.force.parts;
     if (parts.size() == 1 && parts.front().coefficient == 1.0)
-      x[parts.front().start + 2] = 1.0 / sharing[force.at_break];
+      x[parts.front().start + 2] = 1.0 / sharing[force.at_node];
   }
   for (std::size_t i = 0; i < problem.swings.size(); ++i) {
     const RigidSwing& swing = problem.swings[i];

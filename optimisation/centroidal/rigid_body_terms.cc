@@ -132,11 +132,11 @@ std::array<Vector3, 3> UnseenOf(const LegMomentum& inner, double start_s, double
 }  // namespace
 
 Constraint RigidBodyTerms::Turning(std::size_t interval) const {
-  const std::vector<double>& breaks = unknowns_.breaks_s();
+  const std::vector<double>& nodes = unknowns_.nodes_s();
   SeenUnknowns seen;
   TurningTerm term;
   term.inverse_B = unknowns_.mean_inertia() * problem_.inertia_B.inverse();
-  term.h = breaks[interval + 1] - breaks[interval];
+  term.h = nodes[interval + 1] - nodes[interval];
   term.per_force = problem_.mass_kg * kGravity / unknowns_.mean_inertia();
   term.angles_from = seen.See(unknowns_.Angles(interval));
   term.angles_to = seen.See(unknowns_.Angles(interval + 1));
@@ -145,7 +145,7 @@ Constraint RigidBodyTerms::Turning(std::size_t interval) const {
   if (!unknowns_.Forces(interval).empty()) {
     for (std::size_t q = 0; q < kPlaces; ++q) {
       const double u = static_cast<double>(q) / (kPlaces - 1);
-      term.com[q] = seen.See(unknowns_.CentreOfMass(breaks[interval] + u * term.h));
+      term.com[q] = seen.See(unknowns_.CentreOfMass(nodes[interval] + u * term.h));
     }
     term.whole_from = seen.See(unknowns_.WholeForce(interval));
     term.whole_to = seen.See(unknowns_.WholeForce(interval + 1));
@@ -153,24 +153,24 @@ Constraint RigidBodyTerms::Turning(std::size_t interval) const {
   for (const ContactForce& force : unknowns_.Forces(interval)) {
     const RigidStance& stance = problem_.stances[force.stance];
     FootPlace place = unknowns_.ContactPoint(force.stance, force.point);
-    const Vector3 moved = stance.MovedAt(breaks[interval]);
+    const Vector3 moved = stance.MovedAt(nodes[interval]);
     place.constant += moved;
     term.carried.push_back(
-        {place.SeenBy(seen), seen.See(force.from), seen.See(force.to), stance.MovedAt(breaks[interval + 1]) - moved});
+        {place.SeenBy(seen), seen.See(force.from), seen.See(force.to), stance.MovedAt(nodes[interval + 1]) - moved});
   }
-  const Vector3 at_start = inner_.At(breaks[interval]);
-  term.lost_by_half = (inner_.At(breaks[interval] + 0.5 * term.h) - at_start) / unknowns_.mean_inertia();
-  term.lost = (inner_.At(breaks[interval + 1]) - at_start) / unknowns_.mean_inertia();
-  term.unseen = UnseenOf(inner_, breaks[interval], term.h);
+  const Vector3 at_start = inner_.At(nodes[interval]);
+  term.lost_by_half = (inner_.At(nodes[interval] + 0.5 * term.h) - at_start) / unknowns_.mean_inertia();
+  term.lost = (inner_.At(nodes[interval + 1]) - at_start) / unknowns_.mean_inertia();
+  term.unseen = UnseenOf(inner_, nodes[interval], term.h);
   for (Vector3& l : term.unseen) l /= unknowns_.mean_inertia();
-  return OfKind(RigidBodyRowKind::kTurning, {fmt::format("turning from {:.3f} s on", breaks[interval]), term,
+  return OfKind(RigidBodyRowKind::kTurning, {fmt::format("turning from {:.3f} s on", nodes[interval]), term,
                                              VectorX::Zero(6), VectorX::Zero(6), seen.variables()});
 }
 
-Constraint RigidBodyTerms::Free(std::size_t at_break) const {
+Constraint RigidBodyTerms::Free(std::size_t at_node) const {
   SeenUnknowns seen;
-  VectorFunction rows = AffineRows(unknowns_.WholeForce(at_break), Matrix3::Identity(), Vector3::Zero(), seen);
-  return OfKind(RigidBodyRowKind::kFreeFlight, {fmt::format("free flight at {:.3f} s", unknowns_.breaks_s()[at_break]),
+  VectorFunction rows = AffineRows(unknowns_.WholeForce(at_node), Matrix3::Identity(), Vector3::Zero(), seen);
+  return OfKind(RigidBodyRowKind::kFreeFlight, {fmt::format("free flight at {:.3f} s", unknowns_.nodes_s()[at_node]),
                                                 rows, Vector3::Zero(), Vector3::Zero(), seen.variables(), true});
 }
 
@@ -191,14 +191,14 @@ Constraint RigidBodyTerms::Friction(const BoundForce& force, int sides, double m
   VectorFunction rows =
       AffineRows(force.force, directions * stance.X_WF.linear().transpose(), VectorX::Zero(sides + 1), seen);
   return OfKind(RigidBodyRowKind::kFriction,
-                {fmt::format("friction of foot {} at {:.3f} s", stance.foot, unknowns_.breaks_s()[force.at_break]),
-                 rows, VectorX::Constant(sides + 1, -kInfinity), upper, seen.variables(), true});
+                {fmt::format("friction of foot {} at {:.3f} s", stance.foot, unknowns_.nodes_s()[force.at_node]), rows,
+                 VectorX::Constant(sides + 1, -kInfinity), upper, seen.variables(), true});
 }
 
 Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
   const BoundForce& first = forces.front();
   const RigidStance& stance = problem_.stances[first.stance];
-  const double time_s = unknowns_.breaks_s()[first.at_break], weight = problem_.mass_kg * kGravity;
+  const double time_s = unknowns_.nodes_s()[first.at_node], weight = problem_.mass_kg * kGravity;
   const MotorLimits& limits = *stance.MotorsAt(time_s);
   SeenUnknowns seen;
   std::vector<AffineVector> own;

@@ -29,7 +29,7 @@ class RigidBodyTerms {
   Constraint Turning(std::size_t interval) const;
 
   /// Without contact, the total force is zero.
-  Constraint Free(std::size_t at_break) const;
+  Constraint Free(std::size_t at_node) const;
 
   /// A force within the regular pyramid of `sides` sides inside its friction cone, with one edge along x of the
   /// foothold, and within its limit along the normal, with a `margin` [m g].

@@ -61,17 +61,17 @@ FootPlace FootPlace::SeenBy(SeenUnknowns& seen) const {
 RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals,
                                      double grid_s)
     : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0) {
-  PlaceBreaks(spacing_s, least_intervals, grid_s);
+  PlaceNodes(spacing_s, least_intervals, grid_s);
   AddAll();
 }
 
-RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, std::vector<double> breaks_s)
-    : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0), breaks_s_(std::move(breaks_s)) {
-  if (breaks_s_.size() < 2 ||
-      std::adjacent_find(breaks_s_.begin(), breaks_s_.end(), std::greater_equal<>()) != breaks_s_.end())
+RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, std::vector<double> nodes_s)
+    : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0), nodes_s_(std::move(nodes_s)) {
+  if (nodes_s_.size() < 2 ||
+      std::adjacent_find(nodes_s_.begin(), nodes_s_.end(), std::greater_equal<>()) != nodes_s_.end())
     throw InvalidArgument("rigid body: two or more nodes at increasing times are needed");
   for (const double t : SwitchTimes(problem)) {
-    const double nearest = breaks_s_[Nearest(breaks_s_, t)];
+    const double nearest = nodes_s_[Nearest(nodes_s_, t)];
     if (std::abs(nearest - t) > kSameSwitch_s)
       throw InvalidArgument(fmt::format("rigid body: contacts change at {} s, but there is no node at this time", t));
   }
@@ -86,7 +86,7 @@ void RigidBodyUnknowns::AddAll() {
   AddDetours();
 }
 
-void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals, double grid_s) {
+void RigidBodyUnknowns::PlaceNodes(double spacing_s, int least_intervals, double grid_s) {
   const std::vector<double> switches = SwitchTimes(problem_);
   std::vector<int> parts(switches.size() - 1, 1);
   for (const RigidStance& stance : problem_.stances) {
@@ -97,15 +97,15 @@ void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals, doubl
       parts[i] = std::max(parts[i], static_cast<int>(std::ceil(length / spacing - 1e-6)));
     }
   }
-  breaks_s_ = {0.0};
+  nodes_s_ = {0.0};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double from = switches[i], to = switches[i + 1];
     for (int part = 1; part < parts[i]; ++part) {
       const double even = from + (to - from) * part / parts[i];
       const double at = grid_s > 0.0 ? grid_s * std::round(even / grid_s) : even;
-      if (at > breaks_s_.back() + kSameSwitch_s && at < to - kSameSwitch_s) breaks_s_.push_back(at);
+      if (at > nodes_s_.back() + kSameSwitch_s && at < to - kSameSwitch_s) nodes_s_.push_back(at);
     }
-    breaks_s_.push_back(to);
+    nodes_s_.push_back(to);
   }
 }
 
@@ -116,15 +116,15 @@ AffineVector RigidBodyUnknowns::Next() {
 
 const RigidRest* RigidBodyUnknowns::RestTouching(std::size_t first, std::size_t last) const {
   for (const RigidRest& rest : problem_.rests) {
-    if (Nearest(breaks_s_, rest.start_s) <= last && Nearest(breaks_s_, rest.end_s) >= first) return &rest;
+    if (Nearest(nodes_s_, rest.start_s) <= last && Nearest(nodes_s_, rest.end_s) >= first) return &rest;
   }
   return nullptr;
 }
 
 void RigidBodyUnknowns::AddCentreOfMass() {
-  const std::size_t n = breaks_s_.size() + 2;
+  const std::size_t n = nodes_s_.size() + 2;
   control_.resize(n);
-  const double first = (breaks_s_[1] - breaks_s_[0]) / 3.0, last = (breaks_s_[n - 3] - breaks_s_[n - 4]) / 3.0;
+  const double first = (nodes_s_[1] - nodes_s_[0]) / 3.0, last = (nodes_s_[n - 3] - nodes_s_[n - 4]) / 3.0;
   control_[0].constant = problem_.start.p_WC;
   control_[1].constant = problem_.start.p_WC + first * problem_.start.v_WC;
   for (std::size_t i = 2; i + 2 < n; ++i) {
@@ -140,7 +140,7 @@ void RigidBodyUnknowns::AddTurning() {
   const auto momentum = [&](const RigidBodyState& state) -> Vector3 {
     return RotationOf(state.angles_rad) * problem_.inertia_B * state.w_WB_B / mean_inertia_;
   };
-  const std::size_t n = breaks_s_.size();
+  const std::size_t n = nodes_s_.size();
   angles_.resize(n);
   momentum_.resize(n);
   angles_[0].constant = problem_.start.angles_rad;
@@ -206,36 +206,36 @@ FootPlace RigidBodyUnknowns::ContactPoint(std::size_t stance, std::size_t point)
 }
 
 AffineVector RigidBodyUnknowns::CentreOfMass(double time_s) const {
-  const CubicBasis basis = EvaluateCubicBasis(breaks_s_, time_s);
+  const CubicBasis basis = EvaluateCubicBasis(nodes_s_, time_s);
   AffineVector p;
   for (std::size_t i = 0; i < 4; ++i) p.Add(basis.value[i], control_[static_cast<std::size_t>(basis.first) + i]);
   return p;
 }
 
 AffineVector RigidBodyUnknowns::Velocity(double time_s) const {
-  const CubicBasis basis = EvaluateCubicBasis(breaks_s_, time_s);
+  const CubicBasis basis = EvaluateCubicBasis(nodes_s_, time_s);
   AffineVector v;
   for (std::size_t i = 0; i < 4; ++i) v.Add(basis.rate[i], control_[static_cast<std::size_t>(basis.first) + i]);
   return v;
 }
 
-AffineVector RigidBodyUnknowns::WholeForce(std::size_t at_break) const {
-  const CubicBasis basis = EvaluateCubicBasis(breaks_s_, breaks_s_[at_break]);
+AffineVector RigidBodyUnknowns::WholeForce(std::size_t at_node) const {
+  const CubicBasis basis = EvaluateCubicBasis(nodes_s_, nodes_s_[at_node]);
   AffineVector force{Vector3::UnitZ()};
-  const bool last = at_break + 1 == breaks_s_.size();
+  const bool last = at_node + 1 == nodes_s_.size();
   for (std::size_t i = last ? 1 : 0; i < (last ? 4 : 3); ++i)
     force.Add(basis.acceleration[i] / kGravity, control_[static_cast<std::size_t>(basis.first) + i]);
   return force;
 }
 
-std::vector<BoundForce> RigidBodyUnknowns::Carry(const std::vector<std::size_t>& stances, std::size_t at_break) {
+std::vector<BoundForce> RigidBodyUnknowns::Carry(const std::vector<std::size_t>& stances, std::size_t at_node) {
   std::vector<BoundForce> carried;
-  AffineVector rest = WholeForce(at_break);
+  AffineVector rest = WholeForce(at_node);
   for (const std::size_t s : stances) {
     const auto foot = static_cast<std::size_t>(problem_.stances[s].foot);
     for (std::size_t point = 0; point < problem_.feet[foot].contacts_F.size(); ++point) {
       const bool last = s == stances.back() && point + 1 == problem_.feet[foot].contacts_F.size();
-      carried.push_back({s, point, at_break, last ? rest : Next()});
+      carried.push_back({s, point, at_node, last ? rest : Next()});
       rest.Add(-1.0, carried.back().force);
     }
   }
@@ -243,11 +243,11 @@ std::vector<BoundForce> RigidBodyUnknowns::Carry(const std::vector<std::size_t>&
 }
 
 void RigidBodyUnknowns::AddForces() {
-  const std::size_t n = breaks_s_.size();
+  const std::size_t n = nodes_s_.size();
   std::vector<std::size_t> from, to;
   for (const RigidStance& stance : problem_.stances) {
-    from.push_back(Nearest(breaks_s_, stance.start_s));
-    to.push_back(Nearest(breaks_s_, stance.end_s));
+    from.push_back(Nearest(nodes_s_, stance.start_s));
+    to.push_back(Nearest(nodes_s_, stance.end_s));
   }
   std::map<std::array<std::size_t, 3>, AffineVector> at;  // by stance, point and node
   for (std::size_t k = 0; k < n; ++k) {
@@ -257,7 +257,7 @@ void RigidBodyUnknowns::AddForces() {
       if (from[s] <= k && to[s] >= k) (before && after ? through : before ? ending : starting).push_back(s);
     }
     if (through.empty() && (ending.empty() || starting.empty())) {
-      free_breaks_.push_back(k);
+      free_nodes_.push_back(k);
       continue;
     }
     std::vector<BoundForce> carried = Carry(through.empty() ? ending : through, k);

@@ -41,7 +41,7 @@ struct ContactForce {
 
 /// A force at a node, bounded by friction and its limit.
 struct BoundForce {
-  std::size_t stance = 0, point = 0, at_break = 0;
+  std::size_t stance = 0, point = 0, at_node = 0;
   AffineVector force;  ///< [m g]
 };
 
@@ -59,11 +59,11 @@ class RigidBodyUnknowns {
   RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals, double grid_s = 0.0);
 
   /// Over given nodes. @throws InvalidArgument unless they rise from 0 to the end and include all contact switches.
-  RigidBodyUnknowns(const RigidBodyProblem& problem, std::vector<double> breaks_s);
+  RigidBodyUnknowns(const RigidBodyProblem& problem, std::vector<double> nodes_s);
 
   int size() const { return size_; }
-  const std::vector<double>& breaks_s() const { return breaks_s_; }
-  std::size_t intervals() const { return breaks_s_.size() - 1; }
+  const std::vector<double>& nodes_s() const { return nodes_s_; }
+  std::size_t intervals() const { return nodes_s_.size() - 1; }
   double mean_inertia() const { return mean_inertia_; }
 
   /// Its position at a time.
@@ -71,9 +71,9 @@ class RigidBodyUnknowns {
   /// Its velocity at a time.
   AffineVector Velocity(double time_s) const;
   /// The total force that this centre of mass needs, p'' - g [m g].
-  AffineVector WholeForce(std::size_t at_break) const;
-  const AffineVector& Angles(std::size_t at_break) const { return angles_[at_break]; }
-  const AffineVector& Momentum(std::size_t at_break) const { return momentum_[at_break]; }
+  AffineVector WholeForce(std::size_t at_node) const;
+  const AffineVector& Angles(std::size_t at_node) const { return angles_[at_node]; }
+  const AffineVector& Momentum(std::size_t at_node) const { return momentum_[at_node]; }
   const FootPlace& Foothold(std::size_t stance) const { return footholds_[stance]; }
   /// A point of contact of a stance.
   FootPlace ContactPoint(std::size_t stance, std::size_t point) const;
@@ -88,12 +88,12 @@ class RigidBodyUnknowns {
   /// All forces at nodes that are not zero.
   const std::vector<BoundForce>& BoundForces() const { return bound_forces_; }
   /// The nodes without contact.
-  const std::vector<std::size_t>& FreeBreaks() const { return free_breaks_; }
+  const std::vector<std::size_t>& FreeNodes() const { return free_nodes_; }
   /// Unknowns of a control point, -1 if it is given.
   int ControlPoint(std::size_t i) const { return control_[i].parts.empty() ? -1 : control_[i].parts.front().start; }
 
  private:
-  void PlaceBreaks(double spacing_s, int least_intervals, double grid_s);
+  void PlaceNodes(double spacing_s, int least_intervals, double grid_s);
   void AddAll();
   void AddCentreOfMass();
   void AddTurning();
@@ -101,7 +101,7 @@ class RigidBodyUnknowns {
   void AddDetours();
   void AddForces();
   /// The forces of some points at a node, which add up to the total force.
-  std::vector<BoundForce> Carry(const std::vector<std::size_t>& stances, std::size_t at_break);
+  std::vector<BoundForce> Carry(const std::vector<std::size_t>& stances, std::size_t at_node);
   AffineVector Next();
   /// The rest that contains a node; null for none.
   const RigidRest* RestTouching(std::size_t first, std::size_t last) const;
@@ -109,13 +109,13 @@ class RigidBodyUnknowns {
   const RigidBodyProblem& problem_;
   int size_ = 0;
   double mean_inertia_ = 1.0;
-  std::vector<double> breaks_s_;
+  std::vector<double> nodes_s_;
   std::vector<AffineVector> control_, angles_, momentum_;
   std::vector<FootPlace> footholds_;
   std::vector<int> detours_;  // by swing, the first unknown
   std::vector<std::vector<ContactForce>> forces_;
   std::vector<BoundForce> bound_forces_;
-  std::vector<std::size_t> free_breaks_;
+  std::vector<std::size_t> free_nodes_;
 };
 
 }  // namespace gaitwright

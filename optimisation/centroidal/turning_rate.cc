@@ -15,9 +15,9 @@ Eigen::Matrix<T, 3, 1> RatesOf(const Matrix3& inverse_B, const Eigen::Matrix<T, 
   const T sr = sin(angles.x()), cr = cos(angles.x()), sp = sin(angles.y()), cp = cos(angles.y());
   const T sy = sin(angles.z()), cy = cos(angles.z());
   // R^T l, one rotation after the other.
-  const T ahead = cy * momentum.x() + sy * momentum.y(), left = cy * momentum.y() - sy * momentum.x();
-  const T down = sp * ahead + cp * momentum.z();
-  const Eigen::Matrix<T, 3, 1> in_body(cp * ahead - sp * momentum.z(), cr * left + sr * down, cr * down - sr * left);
+  const T forward = cy * momentum.x() + sy * momentum.y(), left = cy * momentum.y() - sy * momentum.x();
+  const T down = sp * forward + cp * momentum.z();
+  const Eigen::Matrix<T, 3, 1> in_body(cp * forward - sp * momentum.z(), cr * left + sr * down, cr * down - sr * left);
   const Eigen::Matrix<T, 3, 1> w = inverse_B.cast<T>() * in_body;
   const T yaw_rate = (sr * w.y() + cr * w.z()) / cp;
   return {w.x() + sp * yaw_rate, cr * w.y() - sr * w.z(), yaw_rate};

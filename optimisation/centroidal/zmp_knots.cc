@@ -56,8 +56,8 @@ class Placer {
       const double step_s = (phases[i].end_s - phases[i].start_s) / intervals;
       // Between two knots at corners of a region that deforms, a straight piece can leave the region by half of the
       // deformation.
-      const double spare_m = 0.5 * Deformation(phases[i], phases[i].start_s, phases[i].start_s + step_s);
-      for (int k = 1; k < intervals; ++k) own.push_back(Add(i, phases[i].start_s + k * step_s, spare_m));
+      const double extra_margin_m = 0.5 * Deformation(phases[i], phases[i].start_s, phases[i].start_s + step_s);
+      for (int k = 1; k < intervals; ++k) own.push_back(Add(i, phases[i].start_s + k * step_s, extra_margin_m));
       own.push_back(AddLast(i));
       Blend(i, own);
     }
@@ -90,7 +90,7 @@ class Placer {
     return out_.knots.size() - 1;
   }
 
-  std::size_t Add(std::size_t phase, double time_s, double spare_m) {
+  std::size_t Add(std::size_t phase, double time_s, double extra_margin_m) {
     const Polygon region = RegionAt(problem_.phases[phase], time_s);
     if (region.size() == 1) return AddGiven(phase, time_s, region[0]);
     ZmpKnot knot{time_s, phase, out_.num_variables, 2, Mean(region), Eigen::Matrix2d::Identity(), {}, 0.0};
@@ -100,7 +100,7 @@ class Placer {
       knot.basis.col(0) = region[1] - region[0];
       knot.region_W = Shortened(region, margin_m_);
     } else {
-      knot.region_W = Shrunk(region, margin_m_ + spare_m);
+      knot.region_W = Shrunk(region, margin_m_ + extra_margin_m);
       knot.margin_m = margin_m_;
       if (knot.region_W.size() < 3 && margin_m_ > 0.0) NoteNarrow(phase, time_s);
       if (knot.region_W.size() < 3) return AddGiven(phase, time_s, Centroid(region));

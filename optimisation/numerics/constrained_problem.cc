@@ -26,7 +26,7 @@ struct Term {
   VectorX lambda = {};
   double rho = 1.0;
   bool affine = false;
-  VectorX x = {}, value = {}, excess = {};
+  VectorX x = {}, value = {}, violation = {};
   MatrixX J = {};
   bool has_jacobian = false;  ///< J is that of an affine function
 
@@ -45,8 +45,8 @@ struct Term {
 
   /// y - clamp(y): the part outside of the interval.
   void FindViolations() {
-    excess = value + lambda / rho;
-    excess -= excess.cwiseMax(constraint->lower).cwiseMin(constraint->upper);
+    violation = value + lambda / rho;
+    violation -= violation.cwiseMax(constraint->lower).cwiseMin(constraint->upper);
   }
 
   double Violation() const {
@@ -78,7 +78,7 @@ class Cost final : public ceres::CostFunction {
       term_.Evaluate(false);
       if (!term_.value.allFinite()) return false;
       term_.FindViolations();
-      if (term_.excess.isZero(0.0)) {
+      if (term_.violation.isZero(0.0)) {
         WriteZeros(residuals, jacobians);
         return true;
       }
@@ -90,7 +90,7 @@ class Cost final : public ceres::CostFunction {
     if (term_.constraint != nullptr) {
       term_.FindViolations();
       root = std::sqrt(term_.rho);
-      out = &term_.excess;
+      out = &term_.violation;
     }
     Eigen::Map<VectorX>(residuals, out->size()) = root * *out;
     if (jacobians != nullptr) WriteJacobians(root, jacobians);
@@ -111,7 +111,7 @@ class Cost final : public ceres::CostFunction {
       if (block == nullptr) continue;
       const int width = parameter_block_sizes()[places_[i].block];
       for (Eigen::Index row = 0; row < term_.J.rows(); ++row) {
-        const bool active = term_.constraint == nullptr || term_.excess[row] != 0.0;
+        const bool active = term_.constraint == nullptr || term_.violation[row] != 0.0;
         block[row * width + places_[i].offset] = active ? root * term_.J(row, static_cast<Eigen::Index>(i)) : 0.0;
       }
     }
@@ -203,7 +203,7 @@ class Solver {
     term.x.setZero(static_cast<Eigen::Index>(term.variables.size()));
     if (term.constraint != nullptr) {
       term.lambda.setZero(term.constraint->lower.size());
-      term.value = term.excess = term.lambda;
+      term.value = term.violation = term.lambda;
       has_constraints_ = true;
     }
     term.EvaluateAt(x_, false);
@@ -306,7 +306,7 @@ class Solver {
     for (Term& term : terms_) {
       if (term.constraint == nullptr) continue;
       term.FindViolations();
-      term.lambda = term.rho * term.excess;
+      term.lambda = term.rho * term.violation;
     }
   }
 

@@ -181,8 +181,8 @@ void ElasticSolver::StartSides(double room, double gap) {
 /// The early check for infeasibility. A solve that is far from it is ended halfway to the check.
 bool ElasticSolver::IsInfeasible() const {
   constexpr double kFar = 100.0;
-  const double most = options_.infeasible * (solution_.iterations < options_.screening ? kFar : 1.0);
-  return 2 * solution_.iterations >= options_.screening && solution_.violations > most &&
+  const double most = options_.infeasible * (solution_.iterations < options_.early_check ? kFar : 1.0);
+  return 2 * solution_.iterations >= options_.early_check && solution_.violations > most &&
          solution_.violation > options_.infeasible_largest;
 }
 

@@ -16,7 +16,7 @@ struct ElasticOptions {
   double max_penalty = 1e3;
   double first_gap = 1e-2;
   double give = 1e-8;
-  int screening = 60;
+  int early_check = 60;  ///< option `screening`
   double infeasible = 1e12;
   double infeasible_largest = 0.0;
   int max_iterations = 100;

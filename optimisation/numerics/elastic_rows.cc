@@ -56,7 +56,7 @@ OptionFields ElasticOptions::Fields() {
        "Initial barrier parameter: product of the distance to a bound and its multiplier."},
       {"give", &give, "1", 1e-14, 1.0,
        "Regularisation of equalities in a step: change of an equality for a unit change of its multiplier."},
-      {"screening", &screening, "1", 1, 10000,
+      {"screening", &early_check, "1", 1, 10000,
        "Iterations of the early infeasibility check: after these the solve stops if violations exceed `infeasible`, "
        "after half of them if they exceed 100 times as much."},
       {"infeasible", &infeasible, "1", 0.0, 1e12,

@@ -53,7 +53,7 @@ double BodyClearance::Look(const WholeBodyTrajectory& rows, const std::vector<Ri
       auto& [most, place] = worst[{hit.part, static_cast<int>(sample.time_s / kWindow_s)}];
       if (lacks <= most) continue;
       most = lacks;
-      const WayOut out = watch_.WayOutOf(hit);
+      const ExitPlane out = watch_.ExitPlaneOf(hit);
       const Vector3 p_CQ_B = RotationOf(sample.angles_rad).transpose() * (out.p_W - sample.p_WC);
       const double offset_m = out.normal_W.dot(out.p_W) - hit.distance_m;
       place = {{sample.time_s, p_CQ_B, out.normal_W, offset_m, *hit.link}, kept};

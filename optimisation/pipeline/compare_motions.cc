@@ -30,7 +30,7 @@ bool IsBetterMotion(const MotionFigures& motion, const std::optional<MotionFigur
   constexpr double kSlight = 1e-3;    // violation that the audit accepts
   constexpr double kBalanced = 10.0;  // multiple of the target residual; the audit accepts far more
   if (!former) return true;
-  const double violation = std::max(motion.limit_excess, kSlight), was = std::max(former->limit_excess, kSlight);
+  const double violation = std::max(motion.limit_violation, kSlight), was = std::max(former->limit_violation, kSlight);
   if (violation > kSlight || was > kSlight) return violation < kLess * was;
   const bool balanced = motion.residual < kBalanced * residual, was_balanced = former->residual < kBalanced * residual;
   if (balanced != was_balanced) return balanced;

@@ -18,8 +18,8 @@ TorqueUse TorqueUseOf(const RobotModel& model, const WholeBodyTrajectory& motion
 
 /// Figures for the comparison of two motions of a rigid body.
 struct MotionFigures {
-  double limit_excess = 0.0;  ///< violation of joint and motor limits, summed in shares of the limits
-  double residual = 0.0;      ///< unbalanced force / (m g) [1] or moment / (m g) [m]
+  double limit_violation = 0.0;  ///< violation of joint and motor limits, summed in shares of the limits
+  double residual = 0.0;         ///< unbalanced force / (m g) [1] or moment / (m g) [m]
   TorqueUse torque;
 };
 

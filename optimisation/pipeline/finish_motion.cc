@@ -21,14 +21,14 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kScreening = 20;            // iterations after which a solve ends if the violations
+constexpr int kEarlyCheck = 20;           // iterations after which a solve ends if the violations
 constexpr double kFar = 0.3;              // sum to more than this,
 constexpr double kFarLargest = 5e-3;      // and one of them is larger than this
-constexpr int kScreeningOfHeels = 40;     // of plans with heel-off, which need more iterations
+constexpr int kEarlyCheckOfHeels = 40;    // of plans with heel-off, which need more iterations
 constexpr double kLeastFactor = 0.95;     // of limits that leave room: motors use more than these between knots
 constexpr double kFinestRows = 1e-3;      // [s] of a row's step
 constexpr double kFollowedShare = 0.5;    // see SoleMargin
-constexpr double kRolledAside = 1e-4;     // [m] that feet may be off where they roll to
+constexpr double kRollOffset = 1e-4;      // [m] that feet may be off where they roll to
 constexpr double kBesideStanding = 2e-4;  // [m] from places of the standing posture at the end
 
 /// Whether the robot lands on legs that are free to give.
@@ -94,7 +94,7 @@ class Finisher {
   std::optional<Failure> SolveApart(BodyProblem& problem, WindowSolver& solver);
   std::optional<Failure> SolveOnce(BodyProblem& problem, WindowSolver& solver);
   void TakeOver(const SolvedTrajectory& solved);
-  double RolledAside(const BodyProblem& problem) const;
+  double RollOffset(const BodyProblem& problem) const;
   bool LandsAsStanding();
   bool TightenLimits(const SolvedTrajectory& solved);
   double LeastFactor() const;
@@ -134,12 +134,12 @@ bool Finisher::LandsAsStanding() {
   standing.resize(courses_.size());
   for (const FootCourse& course : courses_)
     landed_W.push_back(plan_.footsteps.footholds[course.footholds().back()].X_WF);
-  const WaysToStanding ways =
-      FindWaysToStanding(model_, finished_.whole_body.q.back(), MeanHeading(standing, landed_W));
-  if (ways.largest_m() <= kBesideStanding) return true;
+  const OffsetsToStanding offsets =
+      FindOffsetsToStanding(model_, finished_.whole_body.q.back(), MeanHeading(standing, landed_W));
+  if (offsets.largest_m() <= kBesideStanding) return true;
   for (std::size_t i = 0; i < courses_.size(); ++i) {
     const auto foot = static_cast<std::size_t>(courses_[i].foot());
-    if (model_.feet[foot].radius > 0.0 && courses_[i].footholds().size() > 1) landing_W_[i] += ways.way_W[foot];
+    if (model_.feet[foot].radius > 0.0 && courses_[i].footholds().size() > 1) landing_W_[i] += offsets.offset_W[foot];
   }
   SetCourses();
   return false;
@@ -148,7 +148,7 @@ bool Finisher::LandsAsStanding() {
 ElasticOptions Finisher::Elastic() const {
   ElasticOptions elastic = ElasticOfKnots(options_.max_iterations);
   if (follow_ != nullptr) return elastic;
-  elastic.screening = raises_heels_ ? kScreeningOfHeels : kScreening;
+  elastic.early_check = raises_heels_ ? kEarlyCheckOfHeels : kEarlyCheck;
   elastic.infeasible = kFar;
   elastic.infeasible_largest = kFarLargest;
   return elastic;
@@ -197,20 +197,20 @@ void Finisher::TakeOver(const SolvedTrajectory& solved) {
 }
 
 /// How far feet that roll are from where they roll to.
-double Finisher::RolledAside(const BodyProblem& problem) const {
+double Finisher::RollOffset(const BodyProblem& problem) const {
   BodyProblem rolled = problem;
   SetRolledGoals(model_, finished_.whole_body, rolls_, courses_, rolled);
-  double aside = 0.0;
+  double offset = 0.0;
   for (std::size_t k = 0; k < problem.knots.size(); ++k) {
     for (std::size_t i = 0; i < courses_.size(); ++i) {
       const FootGoal &before = problem.knots[k].feet[i], &now = rolled.knots[k].feet[i];
       const double radius = model_.feet[static_cast<std::size_t>(now.foot)].radius;
       if (radius == 0.0) continue;
       const Vector3 turned = RotationLog(now.R_roll * before.R_roll.transpose());
-      aside = std::max(aside, (before.p_W + radius * turned.cross(before.normal_W) - now.p_W).norm());
+      offset = std::max(offset, (before.p_W + radius * turned.cross(before.normal_W) - now.p_W).norm());
     }
   }
-  return aside;
+  return offset;
 }
 
 /// Lowers the limits of motors for knots by as much as the motors exceed them between knots, by window.
@@ -286,9 +286,9 @@ Result<MotionPlan> Finisher::Run() {
   windows_ = {{0, static_cast<int>(knots_s_.size()) - 1, problem.use}};
   if (follow_ != nullptr) windows_ = WindowsOf(problem, follow_->windows);
   PressingByKnot inside = PressingOf(problem);
-  if (follow_ == nullptr && MaySpareSoles(model_, plan_, settings_.friction_use)) {
+  if (follow_ == nullptr && MayLowerSoleFriction(model_, plan_, settings_.friction_use)) {
     windows_.front().spares_soles = true;
-    SpareSoles(problem);
+    LowerSoleFriction(problem);
   }
   constexpr double kCoarse = 4e-3;  // [s]
   if (apart_) apart_->Watch(plan_.whole_body, problem, kCoarse);
@@ -301,7 +301,7 @@ Result<MotionPlan> Finisher::Run() {
     const SolvedTrajectory solved(problem, motion_.points, motion_.forces);
     TakeOver(solved);
     residual = ResidualOf(model_, finished_);
-    const bool balanced = residual.largest() <= options_.residual && RolledAside(problem) <= kRolledAside;
+    const bool balanced = residual.largest() <= options_.residual && RollOffset(problem) <= kRollOffset;
     const bool last = report_.solves >= MostSolves(),
                tightens = TightenLimits(solved) || (!last && CoolMotors(model_, finished_, problem.weights));
     const bool in_place = !settings_.end_as_standing || last || LandsAsStanding();

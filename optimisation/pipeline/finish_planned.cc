@@ -34,7 +34,7 @@ void FinishPlanned(const RobotModel& model, const MotionOptions& options, Planne
   planned.plan = std::move(*finished);
   planned.finished = report;
   planned.residual = std::max(report.residual_force, report.residual_moment * model.leg_length_m());
-  planned.limit_excess = TotalViolation(model, planned.plan.whole_body, 0.0);
+  planned.limit_violation = TotalViolation(model, planned.plan.whole_body, 0.0);
   planned.summary += "; " + report.summary;
 }
 

@@ -104,7 +104,7 @@ std::vector<WalkPart> Between(const std::vector<WalkPart>& from, const std::vect
 }
 
 MotionFigures FiguresOf(const RobotModel& model, const PlannedMotion& planned) {
-  return {planned.limit_excess, planned.residual, TorqueUseOf(model, planned.plan.whole_body)};
+  return {planned.limit_violation, planned.residual, TorqueUseOf(model, planned.plan.whole_body)};
 }
 
 /// Adds adjustments for the changed times. The reason is that the plan with the gaits' own times is refused, or costs
@@ -149,9 +149,9 @@ Result<PlannedMotion> PlanAtBestTimes(const RobotModel& model, const Terrain& te
   MotionOptions at_fixed = options;
   at_fixed.timing = "fixed";
   Result<PlannedMotion> best = PlanMotion(model, terrain, parts, at_fixed);
-  const FailureCode why = !best                      ? best.failure().code
-                          : best->limit_excess > 0.0 ? FailureCode::kLimits
-                                                     : FailureCode::kTorque;
+  const FailureCode why = !best                         ? best.failure().code
+                          : best->limit_violation > 0.0 ? FailureCode::kLimits
+                                                        : FailureCode::kTorque;
   std::optional<MotionFigures> former;
   if (best) former = FiguresOf(model, *best);
   const Result<TimedGaits> timed = OptimiseGaits(model, terrain, parts, options);

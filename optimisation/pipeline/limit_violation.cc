@@ -19,9 +19,9 @@ struct LimitViolation {
 };
 
 LimitViolation ViolationOf(const RobotModel& model, const WholeBodyTrajectory& motion, const Actuator& motor, int dof,
-                           double spare) {
+                           double margin) {
   const double first = model.dof_lower(dof), last = model.dof_upper(dof), standing = model.standing_joints[dof];
-  const double kept = std::isfinite(last - first) ? spare * (last - first) : 0.0;
+  const double kept = std::isfinite(last - first) ? margin * (last - first) : 0.0;
   const double lower = std::min(first + kept, std::max(first, standing));
   const double upper = std::max(last - kept, std::min(last, standing));
   double low = upper, high = lower, speed = 0.0, torque = 0.0;
@@ -37,11 +37,11 @@ LimitViolation ViolationOf(const RobotModel& model, const WholeBodyTrajectory& m
 
 }  // namespace
 
-double TotalViolation(const RobotModel& model, const WholeBodyTrajectory& motion, double spare) {
+double TotalViolation(const RobotModel& model, const WholeBodyTrajectory& motion, double margin) {
   double total = 0.0;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const Actuator motor = ActuatorOf(model, d);
-    const LimitViolation over = ViolationOf(model, motion, motor, d, spare);
+    const LimitViolation over = ViolationOf(model, motion, motor, d, margin);
     if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
     if (over.speed > 0.0) total += over.speed / std::max(motor.velocity_limit, 1e-6);
     if (over.torque > 0.0) total += over.torque / std::max(motor.effort_limit, 1e-6);

@@ -16,9 +16,9 @@ inline constexpr double kRangeMargin = 0.01;
 inline constexpr double kSlightViolation = 1e-5;
 
 /// Limit violations of joints and motors (Actuator), summed in shares of the limits; 0 if all limits are kept.
-/// @param spare  margin to both ends of a joint's range, as a share of the range. It is part of the limit, except for
+/// @param margin  margin to both ends of a joint's range, as a share of the range. It is part of the limit, except for
 ///               postures like the standing posture.
-double TotalViolation(const RobotModel& model, const WholeBodyTrajectory& motion, double spare);
+double TotalViolation(const RobotModel& model, const WholeBodyTrajectory& motion, double margin);
 
 /// Limits of joints and motors that the trajectory violates, the worst of each joint or motor and kind.
 std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion);

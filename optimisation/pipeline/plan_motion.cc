@@ -195,7 +195,7 @@ PlannedMotion PlannedBy(const MotionTask& task, MotionPass pass, bool dynamic, i
   plan.whole_body = std::move(pass.solution.trajectory);
   plan.warnings = task.skeleton.warnings;
   if (!dynamic) WarnOfIdleOptions(task.options, plan.warnings);
-  planned.limit_excess = TotalViolation(task.model, plan.whole_body, 0.0);
+  planned.limit_violation = TotalViolation(task.model, plan.whole_body, 0.0);
   const auto limits = LimitWarnings(task.model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
   const std::string left = dynamic ? fmt::format("contact forces leave at most {:.1e} m g unbalanced", pass.error_m)
@@ -274,7 +274,7 @@ class PendulumPlan {
     tried_ = PlannedBy(task_, pass, false, passes_);
     tried_violation_ = pass.violation;
     FinishPlanned(task_.model, task_.options, *tried_);
-    return tried_->finished && tried_->limit_excess < kSlightViolation;
+    return tried_->finished && tried_->limit_violation < kSlightViolation;
   }
 
   const MotionTask& task_;

@@ -162,7 +162,7 @@ struct PlannedMotion {
   int passes = 0;                ///< of the ZMP correction or of the rigid body
   double zmp_error_max_m = 0.0;  ///< pendulum: largest distance of the multibody ZMP from its reference
   double residual = 0.0;         ///< rigid body, whole body: unbalanced force / (m g) [1] or moment / (m g) [m]
-  double limit_excess = 0.0;     ///< violation of joint limits, summed in shares of the limits
+  double limit_violation = 0.0;  ///< violation of joint limits, summed in shares of the limits
   std::string summary;           ///< one line
   std::optional<FinishReport> finished = {};  ///< whole body
   std::optional<Failure> unfinished = {};     ///< why the motion of the passes, then the plan, could not be finished

@@ -7,7 +7,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSparedFriction = 0.25;  // share of soles' friction that is used if possible
+constexpr double kSoleFrictionShare = 0.25;  // share of soles' friction that is used if possible
 
 }  // namespace
 
@@ -34,13 +34,13 @@ void KeepFromEdges(const SoleMargin& margin, BodyProblem& problem) {
   }
 }
 
-bool MaySpareSoles(const RobotModel& model, const MotionPlan& plan, double friction_use) {
+bool MayLowerSoleFriction(const RobotModel& model, const MotionPlan& plan, double friction_use) {
   constexpr double kLoaded = 0.3;  // of the weight: with a smaller load no direction matters
   constexpr double kLess = 0.5;    // of the horizontal force
   if (!std::ranges::any_of(model.feet, [](const Foot& foot) { return foot.has_sole(); })) return false;
   double friction = std::numeric_limits<double>::infinity();
   for (const Foothold& foothold : plan.footsteps.footholds)
-    friction = std::min(friction, kSparedFriction * friction_use * FrictionOf(plan.terrain, foothold.patch));
+    friction = std::min(friction, kSoleFrictionShare * friction_use * FrictionOf(plan.terrain, foothold.patch));
   return std::ranges::all_of(plan.whole_body.wrenches, [&](const std::vector<ContactWrench>& wrenches) {
     Vector3 sum_W = Vector3::Zero();
     for (const ContactWrench& wrench : wrenches) sum_W += wrench.force_W;
@@ -48,11 +48,11 @@ bool MaySpareSoles(const RobotModel& model, const MotionPlan& plan, double frict
   });
 }
 
-void SpareSoles(BodyProblem& problem) {
+void LowerSoleFriction(BodyProblem& problem) {
   constexpr std::size_t kSole = 3;  // points
   for (BodyKnot& knot : problem.knots) {
     for (PressingFoot& foot : knot.pressing) {
-      if (foot.contact.points_F.size() >= kSole) foot.friction *= kSparedFriction;
+      if (foot.contact.points_F.size() >= kSole) foot.friction *= kSoleFrictionShare;
     }
   }
 }

@@ -22,10 +22,10 @@ PressingByKnot PressingOf(const BodyProblem& problem);
 void KeepFromEdges(const SoleMargin& margin, BodyProblem& problem);
 
 /// Whether a motion with little friction may exist near a plan: optimisation halves the horizontal forces at most.
-bool MaySpareSoles(const RobotModel& model, const MotionPlan& plan, double friction_use);
+bool MayLowerSoleFriction(const RobotModel& model, const MotionPlan& plan, double friction_use);
 
 /// Lowers the friction of soles to a quarter. What limits it is the moment about their normals: on bumps a sole touches
 /// at few points close to each other, and turns long before it slides.
-void SpareSoles(BodyProblem& problem);
+void LowerSoleFriction(BodyProblem& problem);
 
 }  // namespace gaitwright

@@ -18,8 +18,8 @@ std::optional<CycleTie> DisplacementOf(const std::vector<FootCourse>& courses, d
   constexpr double kAround = 0.01;  // [s]
   std::optional<CycleTie> tie;
   for (const FootCourse& course : courses) {
-    for (const double aside_s : {-kAround, 0.0, kAround}) {
-      const Pose from = course.At(from_s + aside_s).X_WF, to = course.At(to_s + aside_s).X_WF;
+    for (const double shift_s : {-kAround, 0.0, kAround}) {
+      const Pose from = course.At(from_s + shift_s).X_WF, to = course.At(to_s + shift_s).X_WF;
       const double yaw_rad = YawOf(to.linear() * from.linear().transpose());
       const Vector3 move_W = to.translation() - YawRotation(yaw_rad) * from.translation();
       if (!tie) tie = CycleTie{0, yaw_rad, move_W};

@@ -141,7 +141,7 @@ StandingBody BodyOf(const RobotModel& model, double reserve) {
 
 RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, const Terrain& terrain,
                            const FootstepSkeleton& skeleton, const BodyPath& path) {
-  constexpr double kWayStep = 0.05;  // [s]
+  constexpr double kPathStep = 0.05;  // [s]
   RigidBodyProblem problem;
   problem.mass_kg = model.total_mass_kg;
   problem.inertia_B = body.inertia_H;
@@ -155,14 +155,14 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
   problem.start = at(0.0);
   const double over_m = model.standing_base_height_m + path.GroundAt(skeleton.schedule.end_s()).value;
   problem.goal = Standing(body, EndOf(model, skeleton), over_m);
-  const int steps = std::max(1, static_cast<int>(std::ceil(problem.duration_s / kWayStep)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(problem.duration_s / kPathStep)));
   for (int k = 0; k <= steps; ++k) {
     const double time_s = problem.duration_s * k / steps;
-    problem.way.time_s.push_back(time_s);
-    problem.way.p_WC.push_back(at(time_s).p_WC);
-    problem.way.angles_rad.push_back(at(time_s).angles_rad);
+    problem.path.time_s.push_back(time_s);
+    problem.path.p_WC.push_back(at(time_s).p_WC);
+    problem.path.angles_rad.push_back(at(time_s).angles_rad);
   }
-  problem.way.p_WC.back() = problem.goal.p_WC;
+  problem.path.p_WC.back() = problem.goal.p_WC;
   problem.follows_yaw = true;
   for (const MotionPart& part : skeleton.parts) {
     if (const auto rest = RestOf(skeleton, part)) {

@@ -51,8 +51,8 @@ std::vector<KnotWindow> WindowsOf(const BodyProblem& problem, const WindowOption
   const int count = static_cast<int>(std::ceil(length_s / options.length_s));
   std::vector<KnotWindow> windows{{0, last, problem.use}};
   for (int i = 1; i < count; ++i) {
-    const double near_s = start_s + length_s * i / count, aside_s = kSearched * options.length_s;
-    const int seam = QuietestKnot(problem, near_s - aside_s, near_s + aside_s);
+    const double near_s = start_s + length_s * i / count, range_s = kSearched * options.length_s;
+    const int seam = QuietestKnot(problem, near_s - range_s, near_s + range_s);
     windows.back().last = std::min(last, KnotAfter(problem.time_s, problem.time_s[Of(seam)] + options.overlap_s));
     windows.push_back({seam, last, problem.use});
   }

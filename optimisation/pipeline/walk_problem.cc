@@ -64,7 +64,7 @@ PatchRules WalkPatchRules(const MotionTask& task) {
   const FootholdOptions& foothold = task.options.footsteps.foothold;
   const double least_up = std::cos(foothold.slope_deg * std::numbers::pi / 180.0);
   PatchRules rules;
-  rules.fits_way = false;
+  rules.fits_path = false;
   rules.put = [=, &task](int patch, const Vector3& p_W, RigidStance& stance) {
     if (task.terrain.patches[static_cast<std::size_t>(patch)].X_WT.linear()(2, 2) < least_up) return false;
     const Foot& foot = task.model.feet[static_cast<std::size_t>(stance.foot)];

@@ -29,7 +29,7 @@ bool IsUnsettled(const RobotModel& model, const PlannedWalk& planned) {
            (v.law == Law::kSelfCollision && !DoFeetOverlap(model, planned.motion.plan.whole_body, v.at_s));
   };
   const std::vector<Violation>& all = planned.audit.violations;
-  return planned.motion.limit_excess < kSlightViolation && std::any_of(all.begin(), all.end(), disagrees) &&
+  return planned.motion.limit_violation < kSlightViolation && std::any_of(all.begin(), all.end(), disagrees) &&
          std::all_of(all.begin(), all.end(),
                      [&](const Violation& v) { return disagrees(v) || v.law == Law::kZmpSupport; });
 }
@@ -50,7 +50,7 @@ Result<PlannedWalk> Audited(const RobotModel& model, Result<PlannedMotion> motio
   if (!motion) return motion.failure();
   PlannedWalk planned;
   planned.motion = std::move(*motion);
-  if (planned.motion.limit_excess >= kSlightViolation && only_sound) return planned;
+  if (planned.motion.limit_violation >= kSlightViolation && only_sound) return planned;
   const Result<AuditReport> audit = Audit(model, planned.motion.plan, audit_options);
   if (!audit) return audit.failure();
   planned.audit = *audit;

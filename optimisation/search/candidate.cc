@@ -4,9 +4,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr Variation kQuickerFirst[] = {{1.0, 1}, {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},
+constexpr Variation kShorterFirst[] = {{1.0, 1}, {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},
                                        {1.0, 6}, {1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
-constexpr Variation kSlowerFirst[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}, {1.0, 1},
+constexpr Variation kLongerFirst[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}, {1.0, 1},
                                       {1.0, 2},  {1.0, 3},  {1.0, 4},  {1.0, 5},  {1.0, 6}};
 constexpr Variation kSlowerSteps[] = {{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}};
 /// Over uneven ground: fewer and longer steps at less speed, then slow steps.
@@ -26,7 +26,7 @@ constexpr Variation kOtherLeaps[] = {{1.0, 0, 0.8}, {1.0, 0, 1.15}, {1.0, 0, 1.0
 std::span<const Variation> VariationsFor(const SearchSituation& s) {
   switch (s.kind) {
     case SearchSituation::Kind::kLevel:
-      return s.refused_by_ground ? kSlowerFirst : kQuickerFirst;
+      return s.refused_by_ground ? kLongerFirst : kShorterFirst;
     case SearchSituation::Kind::kUneven:
       return s.may_slow_down ? std::span<const Variation>(kSlowerWalks) : kSlowerSteps;
     case SearchSituation::Kind::kFlying: {
@@ -52,7 +52,7 @@ std::span<const Variation> FinishedVariationsFor(const SearchSituation& s) {
   return {};
 }
 
-Effort ScreeningOf(SearchSituation::Kind kind) {
+Effort EarlyCheckOf(SearchSituation::Kind kind) {
   switch (kind) {
     case SearchSituation::Kind::kLevel:
       return Effort::kStart;

@@ -64,6 +64,6 @@ std::span<const Variation> VariationsFor(const SearchSituation& situation);
 std::span<const Variation> FinishedVariationsFor(const SearchSituation& situation);
 
 /// Evaluation of a variation before the whole walk is planned; kWhole for none.
-Effort ScreeningOf(SearchSituation::Kind kind);
+Effort EarlyCheckOf(SearchSituation::Kind kind);
 
 }  // namespace gaitwright

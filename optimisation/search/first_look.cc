@@ -50,7 +50,7 @@ FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkReques
     return look;
   }
   look.solved = look.planned = true;
-  if (motion->limit_excess < far) return look;
+  if (motion->limit_violation < far) return look;
   const Result<AuditReport> audit = Audit(model, motion->plan, {});
   if (!audit || BrokenLimits(*audit).empty()) return look;
   look.ease = EaseOf(*audit);
@@ -71,7 +71,7 @@ FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequ
 }
 
 double EaseOf(const AuditReport& audit) {
-  constexpr double kSpare = 0.95;              // limits that are just kept at the knots are violated between them
+  constexpr double kShareOfLimits = 0.95;      // limits that are just kept at the knots are violated between them
   constexpr double kLeast = 0.4, kMost = 0.8;  // so that each look makes progress and none skips most speeds
   constexpr double kOtherwise = 0.7;           // for checks that are not a power of the speed
   double ease = 1.0;
@@ -85,7 +85,7 @@ double EaseOf(const AuditReport& audit) {
     if (v.law == Law::kJointJerk) share = std::cbrt(share);
     ease = std::min(ease, share);
   }
-  return std::clamp(kSpare * ease, kLeast, kMost);
+  return std::clamp(kShareOfLimits * ease, kLeast, kMost);
 }
 
 }  // namespace gaitwright

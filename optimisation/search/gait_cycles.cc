@@ -12,7 +12,7 @@ namespace gaitwright {
 Gait GaitCycles::At(int number) const {
   Gait gait = fitted;
   const double last = number > 0 ? std::min(shortest_s, gait.cycle_s) : std::max(longest_s, gait.cycle_s);
-  gait.cycle_s *= std::pow(last / gait.cycle_s, static_cast<double>(number) / (number > 0 ? kQuickest : kSlowest));
+  gait.cycle_s *= std::pow(last / gait.cycle_s, static_cast<double>(number) / (number > 0 ? kShortest : kLongest));
   if (step_s > 0.0) gait.cycle_s = step_s * std::max(1.0, std::round(gait.cycle_s / step_s));
   return gait;
 }

@@ -5,16 +5,16 @@
 
 namespace gaitwright {
 
-/// A gait fitted to a command and its other possible cycles by index: 0 as fitted, up to kQuickest ever shorter, down
-/// to kSlowest ever longer, in equal ratios.
+/// A gait fitted to a command and its other possible cycles by index: 0 as fitted, up to kShortest ever shorter, down
+/// to kLongest ever longer, in equal ratios.
 struct GaitCycles {
   /// Neighbouring cycles differ by about 10 %; plans for cycles in between hardly differ.
-  static constexpr int kQuickest = 6, kSlowest = -4;
+  static constexpr int kShortest = 6, kLongest = -4;
   Gait fitted;
   double shortest_s = 0.0, longest_s = 0.0;
   double step_s = 0.0;  ///< each cycle is a multiple of this time; 0 for any cycle
 
-  /// The gait with the cycle of an index from kSlowest to kQuickest.
+  /// The gait with the cycle of an index from kLongest to kShortest.
   Gait At(int number) const;
 };
 

@@ -74,10 +74,10 @@ std::string PaceFlags(const WalkCommand& c) {
 Pace PaceOf(const WalkCommand& c) {
   if (c.extent == Extent::kSteps && c.speed_m_s == 0.0 && c.step_length_m != 0.0) return Pace::kStepLength;
   if (c.speed_m_s != 0.0) return Pace::kSpeed;
-  const bool aside = c.extent != Extent::kGoal || c.goal_x_m == 0.0;
-  if (c.lateral_speed_m_s != 0.0 && aside) return Pace::kLateralSpeed;
-  const bool on_the_spot =
-      c.extent == Extent::kGoal ? aside && c.goal_y_m == 0.0 : c.extent != Extent::kDistance || c.distance_m == 0.0;
+  const bool no_forward_goal = c.extent != Extent::kGoal || c.goal_x_m == 0.0;
+  if (c.lateral_speed_m_s != 0.0 && no_forward_goal) return Pace::kLateralSpeed;
+  const bool on_the_spot = c.extent == Extent::kGoal ? no_forward_goal && c.goal_y_m == 0.0
+                                                     : c.extent != Extent::kDistance || c.distance_m == 0.0;
   return c.yaw_rate_rad_s != 0.0 && on_the_spot ? Pace::kYawRate : Pace::kSpeed;
 }
 

@@ -26,7 +26,7 @@ bool IsTooMuch(const Failure& failure) {
   static const std::set<FailureCode> kWhateverThePace = {
       FailureCode::kGait,        FailureCode::kPassiveJoint, FailureCode::kFreedoms,     FailureCode::kHeight,
       FailureCode::kNoSupport,   FailureCode::kNoFootholds,  FailureCode::kSearchBudget, FailureCode::kStartBlocked,
-      FailureCode::kGoalBlocked, FailureCode::kPathBlocked,   FailureCode::kPathNotFound};
+      FailureCode::kGoalBlocked, FailureCode::kPathBlocked,  FailureCode::kPathNotFound};
   return failure.kind == FailureKind::kInfeasible && !kWhateverThePace.contains(failure.code);
 }
 
@@ -54,7 +54,7 @@ std::vector<Violation> Forbidding(const AuditReport& audit) {
 }
 
 bool IsSound(const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightViolation && Forbidding(planned->audit).empty();
+  return planned && planned->motion.limit_violation < kSlightViolation && Forbidding(planned->audit).empty();
 }
 
 Failure ReasonForbidden(const PlannedWalk& planned) {

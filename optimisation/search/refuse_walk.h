@@ -29,8 +29,8 @@ Failure ReasonForbidden(const PlannedWalk& planned);
 /// Code of that failure, or of the planner's own failure.
 FailureCode ReasonRefused(const Result<PlannedWalk>& planned);
 
-/// One sentence, without a full stop, for a violation of a limit: joint, link or foot, value, limit and the excess. For
-/// other checks: what is missing.
+/// One sentence, without a full stop, for a violation of a limit: joint, link or foot, value, limit and their
+/// difference. For other checks: what is missing.
 std::string LimitText(const Violation& violation);
 
 /// Suggestion to accept a plan that fails its audit.

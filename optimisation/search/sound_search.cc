@@ -43,12 +43,12 @@ class JointWatch : public Evaluator {
 };
 
 /// The only loop over a table: returns the first row whose whole walk is sound and leaves `least` room.
-Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort screening, Evaluator& evaluator,
+Sound FirstSound(std::span<const Variation> variations, const Candidate& base, Effort early_check, Evaluator& evaluator,
                  Room least = Room::kNone) {
   for (const Variation& v : variations) {
     const Candidate candidate{v.pace_share * base.pace, base.cycle + v.cycle, v.flight * base.flight,
                               v.other_footholds,        v.finishes,           v.heel_off_rad};
-    if (screening != Effort::kWhole && !evaluator.Evaluate(candidate, screening).sound()) continue;
+    if (early_check != Effort::kWhole && !evaluator.Evaluate(candidate, early_check).sound()) continue;
     Evaluation whole = evaluator.Evaluate(candidate, Effort::kWhole);
     if (whole.sound() && whole.room >= least) return std::pair(candidate, std::move(whole));
     if (whole.at_every_pace) return {};
@@ -65,11 +65,11 @@ class LargestStart {
   /// Climbs from the middle one of the shorter cycles and from the fitted one to neighbouring cycles while the speed
   /// increases. Speed 0 if no cycle has a possible one.
   Candidate Find() {
-    constexpr int kMiddle = GaitCycles::kQuickest / 2;
-    Climb(kMiddle, GaitCycles::kQuickest, 1);
+    constexpr int kMiddle = GaitCycles::kShortest / 2;
+    Climb(kMiddle, GaitCycles::kShortest, 1);
     if (best_.cycle == kMiddle) Climb(kMiddle - 1, 1, -1);
     Climb(0, kMiddle - 1, 1);
-    Climb(-1, GaitCycles::kSlowest, -1);
+    Climb(-1, GaitCycles::kLongest, -1);
     if (best_.pace > 0.0) Raise(best_.cycle, 1);
     return best_;
   }
@@ -120,14 +120,14 @@ Sound LargestOnLevelGround(const PaceRange& paces, double flight, Evaluator& eva
 /// speed. Each trial is slower by the factor that follows from the violated limits of the last one.
 double LargestLeaping(const SearchProblem& problem, Evaluator& evaluator) {
   constexpr int kPaces = 10, kLooks = 3;  // largest number of each, because a look takes seconds
-  constexpr double kSpare = 0.75;         // of a speed whose look finds nothing; an audit finds more
+  constexpr double kLowerShare = 0.75;    // of a speed whose look finds nothing; an audit finds more
   const Evaluation asked = evaluator.Evaluate({problem.paces.asked}, Effort::kFirstLook);
   double pace = problem.paces.asked, ease = asked.sound() ? Evaluation{}.ease : asked.ease;
   for (int i = 0, looks = 0; i < kPaces && looks < kLooks; ++i) {
     pace = NextLower(ease * pace);
     const bool flies = evaluator.Flies({pace});
     const Evaluation slower = evaluator.Evaluate({pace}, flies ? Effort::kStartLook : Effort::kStart);
-    if (slower.sound()) return flies ? NextLower(kSpare * pace) : pace;
+    if (slower.sound()) return flies ? NextLower(kLowerShare * pace) : pace;
     if (slower.at_every_pace) return 0.0;
     ease = flies ? slower.ease : Evaluation{}.ease;
     looks += flies && slower.solved ? 1 : 0;
@@ -145,7 +145,7 @@ double LargestFinished(const SearchProblem& problem, Evaluator& evaluator) {
   constexpr int kTrials = 3, kTrialsOfHeels = 1;  // each takes seconds
   constexpr double kGrowth = 1.6;                 // a start that is too far from a known solution often finds none
   const auto suffice = [&](double pace) {
-    return evaluator.Evaluate({pace, GaitCycles::kQuickest / 2}, Effort::kStart).sound();
+    return evaluator.Evaluate({pace, GaitCycles::kShortest / 2}, Effort::kStart).sound();
   };
   double low = SomePace(problem.paces, suffice);
   double best = 0.0;
@@ -178,7 +178,7 @@ Sound SlowerWithoutFlight(const SearchProblem& problem, Kind kind, double flight
   SearchSituation slower;
   slower.kind = kind;
   slower.may_slow_down = true;
-  return FirstSound(VariationsFor(slower), {problem.paces.asked, 0, flight}, ScreeningOf(kind), evaluator);
+  return FirstSound(VariationsFor(slower), {problem.paces.asked, 0, flight}, EarlyCheckOf(kind), evaluator);
 }
 
 /// The largest speed at which the gait has no flight, for a gait whose flight depends on the speed; 0 if there is none.
@@ -233,9 +233,9 @@ SearchResult FindSound(const SearchProblem& problem, Evaluator& evaluator) {
     sound =
         FirstSound(finished.first(rows), as_asked, Effort::kWhole, evaluator, slows ? Room::kAsSolved : Room::kAmple);
   }
-  if (!sound) sound = FirstSound(VariationsFor(situation), as_asked, ScreeningOf(situation.kind), watch);
+  if (!sound) sound = FirstSound(VariationsFor(situation), as_asked, EarlyCheckOf(situation.kind), watch);
   if (!sound && !situation.may_slow_down && watch.refused())
-    sound = FirstSound(finished, as_asked, ScreeningOf(situation.kind), evaluator);
+    sound = FirstSound(finished, as_asked, EarlyCheckOf(situation.kind), evaluator);
   if (!sound && situation.may_slow_down && is_level)
     sound = LargestOnLevelGround(problem.paces, as_asked.flight, evaluator);
   if (sound) std::tie(result.candidate, result.evaluation) = std::move(*sound);

@@ -34,7 +34,7 @@ WalkCommand StartOfWalk(const RobotModel& model, const WalkCommand& command, con
   if (c.extent != Extent::kGoal) return c;
   const Result<Course> course = MakeCourse(model, gait, command, {});
   if (course && course->duration_s > kCycles * cycle_s) {
-    const double most = IsCounted(command) ? StepsAhead(gait, c.steps) : kCycles * cycle_s / course->duration_s;
+    const double most = IsCounted(command) ? StepsOfBase(gait, c.steps) : kCycles * cycle_s / course->duration_s;
     const PlanarPose near = PoseAlong(course->twist, most);
     c.goal_x_m = near.x_m;
     c.goal_y_m = near.y_m;

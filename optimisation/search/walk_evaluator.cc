@@ -148,7 +148,7 @@ Evaluation WalkEvaluator::Made(const Candidate& candidate, Effort effort, const 
     WalkRequest at_height = request;
     at_height.motion.pipeline.com_height_m = height->second;
     Result<PlannedWalk> planned = Whole(at_height, gait, command, true);
-    if (planned && planned->motion.limit_excess < kSlightViolation) return EvaluationOf(std::move(planned));
+    if (planned && planned->motion.limit_violation < kSlightViolation) return EvaluationOf(std::move(planned));
   }
   return EvaluationOf(Whole(request, gait, command, candidate != Candidate{asked_}));
 }

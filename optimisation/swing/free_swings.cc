@@ -62,14 +62,14 @@ std::vector<SwingPlane> PlanesBeside(const Terrain& ground, const SwingCurve& cu
   constexpr double kNear = 0.3, kClearance = 5e-3;  // [m]
   std::vector<SwingPlane> planes;
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-    std::vector<Vector3> way_W;
+    std::vector<Vector3> path_W;
     for (int k = 0; k <= kPieces; ++k) {
       const double share = shares[i] + k * (shares[i + 1] - shares[i]) / kPieces;
-      way_W.emplace_back(Evaluate(curve, curve.start_s + share * (curve.end_s - curve.start_s)).X_WF.translation());
+      path_W.emplace_back(Evaluate(curve, curve.start_s + share * (curve.end_s - curve.start_s)).X_WF.translation());
     }
     for (const TerrainPatch& patch : ground.patches) {
-      const PartingPlane plane = PlaneBefore(patch, way_W);
-      if (std::min(plane.Beyond(way_W.front()), plane.Beyond(way_W.back())) > kNear) continue;
+      const PartingPlane plane = PlaneBefore(patch, path_W);
+      if (std::min(plane.Beyond(path_W.front()), plane.Beyond(path_W.back())) > kNear) continue;
       for (const double share : {shares[i], shares[i + 1]}) {
         if (share > 0.0 && share < 1.0)
           planes.push_back(

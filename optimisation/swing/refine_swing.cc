@@ -74,17 +74,17 @@ class Detour {
     AddReach(swing, choice);
   }
 
-  /// @param lead  share of the path by which the initial guess is ahead in mid swing; negative: behind.
+  /// @param lead  share of the path by which the initial guess leads in mid swing; negative: lags.
   /// @param wait  share of the swing before the foot starts forward; negative: it arrives that much before the end.
   ConstrainedProblem Problem(double lead, double wait) const {
     ConstrainedProblem problem;
     problem.start = VectorX::Zero(variables_);
     problem.start.head(free_) = Waiting(wait).array() + lead * profile_.length_m();
-    const VectorX ahead_m = basis_ * problem.start.head(free_);
+    const VectorX forward_m = basis_ * problem.start.head(free_);
     double lift = 0.0;
     for (std::size_t k = 0; k < fractions_.size(); ++k) {
       lift =
-          std::max(lift, profile_.Highest(straight_s_[k] + ahead_m[static_cast<Eigen::Index>(k)], reach_m_[k]).first +
+          std::max(lift, profile_.Highest(straight_s_[k] + forward_m[static_cast<Eigen::Index>(k)], reach_m_[k]).first +
                              wanted_m_[k] - straight_z_[k]);
     }
     problem.start.segment(free_, free_).setConstant(lift);
@@ -123,13 +123,13 @@ class Detour {
 
   /// Forward control points of a foot that waits.
   VectorX Waiting(double wait) const {
-    VectorX ahead_m(basis_.rows());
-    for (Eigen::Index k = 0; k < ahead_m.size(); ++k) {
+    VectorX forward_m(basis_.rows());
+    for (Eigen::Index k = 0; k < forward_m.size(); ++k) {
       const double u = fractions_[static_cast<std::size_t>(k)];
       const double gone = Gone((u - std::max(wait, 0.0)) / (1.0 - std::abs(wait)));
-      ahead_m[k] = (gone - Gone(u)) * profile_.length_m();
+      forward_m[k] = (gone - Gone(u)) * profile_.length_m();
     }
-    return SolveLeastSquares(basis_, ahead_m);
+    return SolveLeastSquares(basis_, forward_m);
   }
 
   /// Adds the jerk, forward and upward: its mean between neighbouring samples; the acceleration at both ends is zero.
@@ -274,9 +274,9 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
     if ((!solution && !choice.may_stray) || cost >= least_cost) continue;
     RefinedSwing refined{swing, 0.0, last.brief};
     refined.curve.detour_W = detour.ControlPoints(last.x);
-    refined.spare_m = ClearanceMargin(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
-    least_missed_m = std::min(least_missed_m, -refined.spare_m);
-    if (refined.spare_m < -rounding_m) continue;
+    refined.margin_m = ClearanceMargin(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
+    least_missed_m = std::min(least_missed_m, -refined.margin_m);
+    if (refined.margin_m < -rounding_m) continue;
     least_cost = cost;
     best = std::move(refined);
     if (!choice.reach.empty() && solution.ok()) break;

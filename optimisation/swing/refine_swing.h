@@ -62,7 +62,7 @@ struct RefineChoice {
 /// A swing with a detour, with solver data.
 struct RefinedSwing {
   SwingCurve curve;
-  double spare_m = 0.0;  ///< ClearanceMargin
+  double margin_m = 0.0;  ///< ClearanceMargin
   std::string brief;
 };
 

@@ -99,14 +99,14 @@ std::optional<VectorX> AnySolution(const LegIk& ik, const Pose& X_BF, const Vect
   return other ? std::optional(std::move(other->joints)) : std::nullopt;
 }
 
-/// Whether motors can move the leg's joints by `way` in the given time. Other joints of a transmission do not move.
-bool MotorsFollow(const std::vector<Actuator>& motors, const std::vector<int>& dofs, const VectorX& way,
+/// Whether motors can move the leg's joints by `change` in the given time. Other joints of a transmission do not move.
+bool MotorsFollow(const std::vector<Actuator>& motors, const std::vector<int>& dofs, const VectorX& change,
                   double step_s) {
   for (const Actuator& motor : motors) {
     double turned = 0.0;
     for (const Actuator::Term& term : motor.terms) {
       const auto at = std::find(dofs.begin(), dofs.end(), term.dof);
-      if (at != dofs.end()) turned += term.by_speed * way[at - dofs.begin()];
+      if (at != dofs.end()) turned += term.by_speed * change[at - dofs.begin()];
     }
     if (std::abs(turned) > motor.velocity_limit * step_s) return false;
   }

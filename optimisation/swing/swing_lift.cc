@@ -79,7 +79,8 @@ class LiftedLeg {
 }  // namespace
 
 double SwingLift(const RobotModel& model, const SwingOptions& options) {
-  constexpr double kRoom = 1.3;   // factor of the lift: a foot ahead of or behind its nominal place bends the leg more
+  constexpr double kRoom =
+      1.3;  // factor of the lift: a foot in front of or behind its nominal place bends the leg more
   constexpr double kLess = 0.85;  // factor from trial to trial
   constexpr int kTries = 10;
   if (options.height_m > 0.0) return options.height_m;

@@ -55,10 +55,10 @@ PartingPlane PlaneBefore(const TerrainPatch& patch, const Vector3& p_W) {
   return best;
 }
 
-PartingPlane PlaneBefore(const TerrainPatch& patch, const std::vector<Vector3>& way_W) {
+PartingPlane PlaneBefore(const TerrainPatch& patch, const std::vector<Vector3>& path_W) {
   PartingPlane nearest;
   double least_m = std::numeric_limits<double>::infinity();
-  for (const Vector3& p_W : way_W) {
+  for (const Vector3& p_W : path_W) {
     const PartingPlane plane = PlaneBefore(patch, p_W);
     if (plane.Beyond(p_W) >= least_m) continue;
     least_m = plane.Beyond(p_W);

@@ -25,6 +25,6 @@ PartingPlane PlaneBefore(const TerrainPatch& patch, const Vector3& p_W);
 
 /// The separating plane of a short, nearly straight path, given by points in order. It is the plane of the point with
 /// the smallest distance beyond its own plane, so the whole path is beyond it unless it touches the solid.
-PartingPlane PlaneBefore(const TerrainPatch& patch, const std::vector<Vector3>& way_W);
+PartingPlane PlaneBefore(const TerrainPatch& patch, const std::vector<Vector3>& path_W);
 
 }  // namespace gaitwright

@@ -64,9 +64,9 @@ void SwingProfile::Look(const SwingCurve& swing, const std::vector<Vector3>& und
     const double s = i * kStep - kBeyond;
     const double share = length_m_ > kShortest ? std::clamp(s / length_m_, 0.0, 1.0) : 0.5;
     const Matrix3 R_WF = RotationExp(share * turn) * swing.X_WF_start.linear();
-    const double aside =
+    const double lateral =
         choice.sideways_m == 0.0 ? 0.0 : SidewaysShare(choice.control_points, FractionAt(share, swing.cruise));
-    const Vector2 off_W = aside * sideways_W + left_W().dot(RollAt(choice, share, swing.cruise)) * left_W();
+    const Vector2 off_W = lateral * sideways_W + left_W().dot(RollAt(choice, share, swing.cruise)) * left_W();
     const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_ + off_W;
     double height = floor_m;
     for (const Vector3& q_F : underside_F) {

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kToMargin = 0.3;    // [s] in which joints that stand at the end of their range come to its margin
-constexpr double kOfLanding = 0.18;  // of the way from the standing posture: largest margin for landings
+constexpr double kOfLanding = 0.18;  // of the distance from the standing posture: largest margin for landings
 
 }  // namespace
 

@@ -40,7 +40,7 @@ std::optional<std::vector<VectorX>> ReachHeight::Joints(const Pose& X_WB, const 
   return found;
 }
 
-std::optional<Bounds> ReachHeight::Changes(const Pose& X_WB, const std::vector<Pose>& X_WF, double spare) const {
+std::optional<Bounds> ReachHeight::Changes(const Pose& X_WB, const std::vector<Pose>& X_WF, double margin) const {
   constexpr double kStep = 0.02;  // of the leg's length
   constexpr int kMost = 12, kHalvings = 4;
   const double step_m = kStep * leg_m_;
@@ -73,7 +73,7 @@ std::optional<Bounds> ReachHeight::Changes(const Pose& X_WB, const std::vector<P
     return in;
   };
   const Bounds all{farthest(-1.0), farthest(1.0)};
-  const double kept = std::min(spare * leg_m_, 0.5 * (all.high - all.low));
+  const double kept = std::min(margin * leg_m_, 0.5 * (all.high - all.low));
   return Bounds{all.low + kept, all.high - kept};
 }
 

@@ -18,8 +18,8 @@ class ReachHeight {
   /// The range of changes of the base's height [m], around the smallest possible change, for which every leg reaches
   /// its foot with joints within their limits; at most a quarter of the leg's length. Nothing if no change is possible.
   /// @param X_WF   controlled frames (middle of a sole, centre of a sphere) by foot.
-  /// @param spare  margin to both ends, as a share of the leg's length, if the range is large enough.
-  std::optional<Bounds> Changes(const Pose& X_WB, const std::vector<Pose>& X_WF, double spare) const;
+  /// @param margin  margin to both ends, as a share of the leg's length, if the range is large enough.
+  std::optional<Bounds> Changes(const Pose& X_WB, const std::vector<Pose>& X_WF, double margin) const;
 
  private:
   bool AllReach(Pose X_WB, double change_m, const std::vector<Pose>& X_WF, std::vector<VectorX>& near) const;

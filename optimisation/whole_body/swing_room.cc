@@ -50,9 +50,9 @@ class SwingRoom {
     const double asked_m = ramp * ClearanceToKeep(swing, freedom_);
     constexpr double kLeast = 1e-3;  // [m] of room to the sides
     for (double beside_m = ramp * freedom_.most_m; beside_m > kLeast; beside_m *= 0.5) {
-      const double spare_m = HeightOver(swing, X_WF, beside_m) - asked_m;
-      if (spare_m < 0.0) continue;
-      goal.below = {beside_m, beside_m, std::min(spare_m, ramp * freedom_.most_m), 0.0, 0.0, 0.0};
+      const double margin_m = HeightOver(swing, X_WF, beside_m) - asked_m;
+      if (margin_m < 0.0) continue;
+      goal.below = {beside_m, beside_m, std::min(margin_m, ramp * freedom_.most_m), 0.0, 0.0, 0.0};
       goal.above = {beside_m, beside_m, ramp * freedom_.most_m, 0.0, 0.0, 0.0};
       return;
     }

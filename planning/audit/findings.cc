@@ -33,9 +33,9 @@ void Findings::Break(int place, double at_s, double value, double limit) {
 void Findings::Note(Law law, const std::string& where, double at_s, double value, double limit, const char* unit) {
   Count(law, at_s);
   // A value that is not finite is a violation, too.
-  const double excess = std::isfinite(value) ? std::abs(value - limit) : 1e300;
+  const double violation = std::isfinite(value) ? std::abs(value - limit) : 1e300;
   const auto [entry, is_first] = worst_.try_emplace({law, where});
-  if (is_first || excess > entry->second.first) entry->second = {excess, {law, at_s, where, value, limit, unit}};
+  if (is_first || violation > entry->second.first) entry->second = {violation, {law, at_s, where, value, limit, unit}};
 }
 
 void Findings::Count(Law law, double at_s) {

@@ -115,10 +115,10 @@ const std::vector<GroundHit>& GroundWatch::Look(const DynamicsScratch& scratch, 
   return hits_;
 }
 
-WayOut GroundWatch::WayOutOf(const GroundHit& hit) const {
+ExitPlane GroundWatch::ExitPlaneOf(const GroundHit& hit) const {
   constexpr double kStep = 1e-3;  // [m]
   const Part& part = parts_[static_cast<std::size_t>(hit.part)];
-  WayOut out;
+  ExitPlane out;
   Vector3 slope = Vector3::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     Pose X_WS = part.X_WS;

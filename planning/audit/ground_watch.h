@@ -15,12 +15,12 @@ struct GroundHit {
   const std::string* link = nullptr;
   int foot = -1;  ///< foot to which the shape belongs, or -1
   double distance_m = 0.0;
-  int part = -1;  ///< index of the part, for WayOutOf
+  int part = -1;  ///< index of the part, for ExitPlaneOf
   int body = -1;  ///< index of the body in the model
 };
 
 /// Direction of escape of a part near a solid: the solid is beyond the plane at p_W perpendicular to normal_W.
-struct WayOut {
+struct ExitPlane {
   Vector3 p_W = Vector3::Zero();        ///< nearest or deepest point of the part
   Vector3 normal_W = Vector3::UnitZ();  ///< direction in which the distance grows fastest
 };
@@ -32,9 +32,9 @@ struct GroundLimits {
 };
 
 /// Computes distances between a robot's shapes and all solids of a terrain along a motion. A spherical foot is its
-/// sphere. Other shapes of a foot may extend beyond the foot's own surface, as a sole's box may by rounding; this
-/// excess is allowed. Intended for motions: a part is checked again only after it may have moved by its distance, so
-/// small changes of the pose are cheap. The result does not depend on this. Conservative advancement: Mirtich,
+/// sphere. Other shapes of a foot may protrude beyond the foot's own surface, as a sole's box may by rounding. This is
+/// allowed. Intended for motions: a part is checked again only after it may have moved by its distance, so small
+/// changes of the pose are cheap. The result does not depend on this. Conservative advancement: Mirtich,
 /// Impulse-based Dynamic Simulation, 1996, section 2.3.
 class GroundWatch {
  public:
@@ -46,10 +46,10 @@ class GroundWatch {
   const std::vector<GroundHit>& Look(const DynamicsScratch& scratch, const GroundLimits& limits);
 
   /// For a hit of the last Look: direction in which the distance grows fastest, from differences over 2 mm.
-  WayOut WayOutOf(const GroundHit& hit) const;
+  ExitPlane ExitPlaneOf(const GroundHit& hit) const;
 
   /// Smallest distance of a foot's parts to a solid, with the foot's frame F (sphere: its centre) at X_WF. The allowed
-  /// excess beyond the foot's surface is added. At most within_m.
+  /// protrusion beyond the foot's surface is added. At most within_m.
   NearestSolid NearestToFoot(int foot, const Pose& X_WF, double within_m) const;
 
   const ShapeScene& solids() const { return solids_; }
@@ -62,7 +62,7 @@ class GroundWatch {
   struct Part {
     PreparedShape shape;
     int foot = -1;
-    double reaches_m = 0.0;  // excess beyond its foot's surface
+    double reaches_m = 0.0;  // protrusion beyond its foot's surface
     Pose X_FS = Pose::Identity();
     Pose X_WS = Pose::Identity();  // pose of the last query, and the lower bound of the distance there
     double known_m = -1e300;

@@ -103,7 +103,7 @@ struct Demand {
   std::vector<std::string> names;
 };
 
-enum class Walk { kAhead, kSideways, kTurning };
+enum class Walk { kForward, kSideways, kTurning };
 
 const char* What(Walk walk) {
   return walk == Walk::kTurning ? "turn while it walks" : walk == Walk::kSideways ? "walk sideways" : "walk";
@@ -118,7 +118,7 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
   Demand demand;
   demand.names = {"a joint to move its foot forward", "a joint to move its foot up"};
   std::vector<int> rows = {0, 2};
-  if (walk != Walk::kAhead) {
+  if (walk != Walk::kForward) {
     rows.push_back(1);
     demand.names.emplace_back("a joint to move its foot sideways");
   }
@@ -126,7 +126,7 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
     rows.push_back(4);
     demand.names.emplace_back("a joint to keep its sole level in pitch");
   }
-  if (foot.type == FootType::kSole && walk != Walk::kAhead) {
+  if (foot.type == FootType::kSole && walk != Walk::kForward) {
     rows.push_back(3);
     demand.names.emplace_back("a joint to keep its sole level in roll");
   }
@@ -210,7 +210,7 @@ std::optional<Failure> ReasonCannotWalk(const RobotModel& model) {
   if (auto halves = HasHalvesOfLegs(model)) return halves;
   if (auto lacks = LacksMotor(model)) return lacks;
   const DynamicsScratch scratch = Standing(model);
-  if (auto lacks = LacksFreedom(model, scratch, Walk::kAhead)) return lacks;
+  if (auto lacks = LacksFreedom(model, scratch, Walk::kForward)) return lacks;
   return LacksSupport(model);
 }
 

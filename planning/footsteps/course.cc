@@ -74,7 +74,7 @@ Course OfSteps(const RobotModel& model, const Gait& gait, const WalkCommand& c) 
   const double footfall_s = gait.cycle_s / gait.num_feet();
   if (c.extent == Extent::kGoal) {
     const PlanarTwist twist = TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
-    return {Scaled(twist, 1.0 / std::max(1, StepsAhead(gait, c.steps))), c.steps * footfall_s, 0.0};
+    return {Scaled(twist, 1.0 / std::max(1, StepsOfBase(gait, c.steps))), c.steps * footfall_s, 0.0};
   }
   PlanarTwist step = Scaled(CommandedVelocity(model, c), footfall_s);
   if (c.speed_m_s == 0.0) step.x_m = c.step_length_m;
@@ -121,8 +121,8 @@ double CommandedSpeed(const RobotModel& model, const WalkCommand& command) {
 }
 
 double SpeedOfSteps(const RobotModel& model, const WalkCommand& command) {
-  const double aside = command.extent == Extent::kGoal ? 0.0 : std::abs(command.lateral_speed_m_s);
-  return std::max(CommandedSpeed(model, command), model.legs.size() == 2 ? 2.0 * aside : aside);
+  const double lateral = command.extent == Extent::kGoal ? 0.0 : std::abs(command.lateral_speed_m_s);
+  return std::max(CommandedSpeed(model, command), model.legs.size() == 2 ? 2.0 * lateral : lateral);
 }
 
 PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkCommand& c) {

@@ -36,8 +36,8 @@ class Lane {
   Lane(const SearchScene& scene, const FootstepGraph& graph, int foot, double from_m)
       : scene_(scene), table_(graph.table()), foot_(foot), step_m_(0.01 * scene.model.leg_length_m()) {
     // Starts in front of the sole or the sphere; the ground under it is known to be good.
-    constexpr double kAhead = 2.0;  // leg lengths
-    end_m_ = std::min(from_m + kAhead * scene.model.leg_length_m(), scene.query.route.length_m());
+    constexpr double kLookahead = 2.0;  // leg lengths
+    end_m_ = std::min(from_m + kLookahead * scene.model.leg_length_m(), scene.query.route.length_m());
     start_m_ = from_m;
   }
 
@@ -53,23 +53,23 @@ class Lane {
       if (ground.patch < 0 || ground.height_m < height_m - lift) {
         const double beyond = EndOfGap(u, height_m, lift);
         if (beyond == kInfinity && ground.patch >= 0) {
-          hurdles.push_back({Hurdle::Kind::kStep, Told(u), u, ground.height_m - height_m});
+          hurdles.push_back({Hurdle::Kind::kStep, BesidePath(u), u, ground.height_m - height_m});
           break;
         }
         const double width = beyond < kInfinity ? (PlaceAt(beyond) - p).norm() : kInfinity;
         if (beyond == kInfinity || !SurfacesBeside(u, beyond))
-          hurdles.push_back({Hurdle::Kind::kGap, Told(u), u, width});
+          hurdles.push_back({Hurdle::Kind::kGap, BesidePath(u), u, width});
         if (beyond == kInfinity) break;
         u = beyond;
         height_m = scene_.ground.At(PlaceAt(u)).height_m;
         continue;
       }
       const double slope = ground.normal_W.head<2>().norm() / ground.normal_W.z();
-      if (slope > steep && !on_slope) hurdles.push_back({Hurdle::Kind::kSlope, Told(u), u, std::atan(slope)});
+      if (slope > steep && !on_slope) hurdles.push_back({Hurdle::Kind::kSlope, BesidePath(u), u, std::atan(slope)});
       on_slope = slope > steep;
       constexpr double kSheer = 2.0;  // smallest slope (rise / run) of a step
       const double rise = ground.height_m - height_m;
-      if (std::abs(rise) > kSheer * step_m_) hurdles.push_back({Hurdle::Kind::kStep, Told(u), u, rise});
+      if (std::abs(rise) > kSheer * step_m_) hurdles.push_back({Hurdle::Kind::kStep, BesidePath(u), u, rise});
       height_m = ground.height_m;
     }
     return hurdles;
@@ -82,10 +82,10 @@ class Lane {
   }
 
   /// The place on the centre line of the path, beside the foot's own path.
-  Vector2 Told(double u) const {
+  Vector2 BesidePath(double u) const {
     const PlanarPose base = RouteAt(scene_.query.route, u);
-    const Vector2 ahead(std::cos(base.yaw_rad), std::sin(base.yaw_rad)), middle(base.x_m, base.y_m);
-    return middle + ahead.dot(PlaceAt(u) - middle) * ahead;
+    const Vector2 forward(std::cos(base.yaw_rad), std::sin(base.yaw_rad)), middle(base.x_m, base.y_m);
+    return middle + forward.dot(PlaceAt(u) - middle) * forward;
   }
 
   /// Whether there are surfaces beside the gap on which the foot could step instead.
@@ -130,23 +130,23 @@ class Explanation {
         leg_m_(scene.model.leg_length_m()) {}
 
   Failure Make() {
-    for (const Hurdle& hurdle : HurdlesAhead()) {
-      if (const auto reason = ReasonOf(hurdle)) return Told(*reason);
+    for (const Hurdle& hurdle : HurdlesOnRoute()) {
+      if (const auto reason = ReasonOf(hurdle)) return Explained(*reason);
     }
     if (out_of_budget_)
       suggestions_.emplace_back("footsteps.search.max_expansions", std::monostate(), Certainty::kUntried,
                                 "more footsteps.search.max_expansions");
-    if (const auto reason = ObstacleReason()) return Told(*reason);
-    return Told(CommonReason());
+    if (const auto reason = ObstacleReason()) return Explained(*reason);
+    return Explained(CommonReason());
   }
 
  private:
-  Failure Told(const std::string& reason) const {
+  Failure Explained(const std::string& reason) const {
     return {FailureKind::kInfeasible, FailureCode::kNoFootholds, "SearchFootsteps", reason, suggestions_};
   }
 
   /// Obstructions of all feet, in the order in which they are met along the route.
-  std::vector<Hurdle> HurdlesAhead() const {
+  std::vector<Hurdle> HurdlesOnRoute() const {
     std::vector<Hurdle> all;
     for (int foot = 0; foot < static_cast<int>(scene_.model.feet.size()); ++foot) {
       const FootholdChoice& at = graph_.table()[graph_.FootholdsOf(farthest_)[static_cast<std::size_t>(foot)]];
@@ -160,9 +160,9 @@ class Explanation {
   }
 
   StepLimits Limits(double station_m) const {
-    const double ahead = 0.1 * leg_m_;
-    const PlanarPose a = RouteAt(scene_.query.route, station_m - ahead);
-    const PlanarPose b = RouteAt(scene_.query.route, station_m + ahead);
+    const double half_span = 0.1 * leg_m_;
+    const PlanarPose a = RouteAt(scene_.query.route, station_m - half_span);
+    const PlanarPose b = RouteAt(scene_.query.route, station_m + half_span);
     const double heading = std::atan2(b.y_m - a.y_m, b.x_m - a.x_m) - a.yaw_rad;
     return {scene_.model, scene_.query, scene_.checker.options(), scene_.options, heading};
   }

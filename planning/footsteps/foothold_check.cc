@@ -43,9 +43,10 @@ double On(const Vector3& plane, const Vector2& p_W) { return plane.dot(Vector3(p
 Vector3 NormalOf(const Vector3& plane) { return Vector3(-plane.x(), -plane.y(), 1.0).normalized(); }
 
 Pose Standing(const PlanarPose& at, double height_m, const Vector3& normal_W) {
-  const Vector2 ahead(std::cos(at.yaw_rad), std::sin(at.yaw_rad));
+  const Vector2 forward(std::cos(at.yaw_rad), std::sin(at.yaw_rad));
   Pose X_WF = Pose::Identity();
-  X_WF.linear().col(0) = Vector3(ahead.x(), ahead.y(), -normal_W.head<2>().dot(ahead) / normal_W.z()).normalized();
+  X_WF.linear().col(0) =
+      Vector3(forward.x(), forward.y(), -normal_W.head<2>().dot(forward) / normal_W.z()).normalized();
   X_WF.linear().col(1) = normal_W.cross(X_WF.linear().col(0));
   X_WF.linear().col(2) = normal_W;
   X_WF.translation() = Vector3(at.x_m, at.y_m, height_m);

@@ -19,9 +19,9 @@ PlanarPose InPlan(const Pose& X_WF) { return {X_WF.translation().x(), X_WF.trans
 
 double Distance(const PlanarPose& a, const PlanarPose& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
 
-PlanarPose Shifted(const PlanarPose& at, double ahead, double left) {
+PlanarPose Shifted(const PlanarPose& at, double forward, double left) {
   const double c = std::cos(at.yaw_rad), s = std::sin(at.yaw_rad);
-  return {at.x_m + c * ahead - s * left, at.y_m + s * ahead + c * left, at.yaw_rad};
+  return {at.x_m + c * forward - s * left, at.y_m + s * forward + c * left, at.yaw_rad};
 }
 
 std::uint64_t KeyOf(const PlacedFoot& placed) {
@@ -93,8 +93,8 @@ FootholdTable::Offer FootholdTable::OfferAround(int foot, const Placing& own) co
 
 void FootholdTable::ListPlaces(int foot, const PlanarPose& at, int parts, std::vector<PlanarPose>& places) const {
   const double unit = kLattice * leg_m_;
-  const auto offer = [&](double ahead, double left) {
-    if (std::hypot(ahead, left) <= offset_m_) places.push_back(Shifted(at, ahead, left));
+  const auto offer = [&](double forward, double left) {
+    if (std::hypot(forward, left) <= offset_m_) places.push_back(Shifted(at, forward, left));
   };
   if (parts == 0) {
     for (const double left : {unit, -unit, 2.0 * unit, -2.0 * unit}) offer(0.0, left);

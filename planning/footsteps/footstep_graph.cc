@@ -228,28 +228,28 @@ bool FootstepGraph::SwingHolds(const FootholdChoice& from, const FootholdChoice&
   const double lift = options_.step_height * leg_m_;
   if ((InPlan(to) - InPlan(from)).norm() > options_.step_length * leg_m_) return ++refusals.too_long, false;
   if (std::abs(HeightOf(to) - HeightOf(from)) > lift) return ++refusals.too_high, false;
-  if (RiseOnWay(from, to) > lift) return ++refusals.riser, false;
-  if (!WayIsFree(from, to)) return ++refusals.obstacle, false;
+  if (RiseBetween(from, to) > lift) return ++refusals.riser, false;
+  if (!IsFreeBetween(from, to)) return ++refusals.obstacle, false;
   return true;
 }
 
-double FootstepGraph::RiseOnWay(const FootholdChoice& from, const FootholdChoice& to) const {
+double FootstepGraph::RiseBetween(const FootholdChoice& from, const FootholdChoice& to) const {
   constexpr double kStep = 0.05;  // share of the leg length
-  const Vector2 a = InPlan(from), way = InPlan(to) - a;
+  const Vector2 a = InPlan(from), line = InPlan(to) - a;
   const double low = std::min(HeightOf(from), HeightOf(to));
   const Vector2 least = a.cwiseMin(InPlan(to)), most = a.cwiseMax(InPlan(to));
   const double bound = ground_->HighestIn(least, most) - low;
   if (bound <= options_.step_height * leg_m_) return bound;
-  const int samples = 1 + static_cast<int>(std::ceil(way.norm() / (kStep * leg_m_)));
+  const int samples = 1 + static_cast<int>(std::ceil(line.norm() / (kStep * leg_m_)));
   double rise = 0.0;
   for (int i = 0; i <= samples; ++i) {
-    const GroundPoint ground = ground_->At(a + static_cast<double>(i) / samples * way);
+    const GroundPoint ground = ground_->At(a + static_cast<double>(i) / samples * line);
     if (ground.patch >= 0) rise = std::max(rise, ground.height_m - low);
   }
   return rise;
 }
 
-bool FootstepGraph::WayIsFree(const FootholdChoice& from, const FootholdChoice& to) const {
+bool FootstepGraph::IsFreeBetween(const FootholdChoice& from, const FootholdChoice& to) const {
   constexpr double kLeg = 0.5;  // height above the foot, as a share of the leg length
   if (ground_->obstacles().empty()) return true;
   Vector2 least = from.outline_W.front(), most = least;

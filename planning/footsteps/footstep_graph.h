@@ -54,7 +54,7 @@ class FootstepGraph {
   int checked() const { return checked_; }
 
   /// Height of the highest ground on the straight line between two footholds, above the lower one [m].
-  double RiseOnWay(const FootholdChoice& from, const FootholdChoice& to) const;
+  double RiseBetween(const FootholdChoice& from, const FootholdChoice& to) const;
 
  private:
   void StepsTo(int stance, int step, std::vector<Edge>& edges, Refusals& refusals);
@@ -63,7 +63,7 @@ class FootstepGraph {
   double CostOf(int stance);  // cost of the step from it to chosen_
   double LandingTilt();       // tilt of the base above chosen_ if all feet leap together [rad]; otherwise 0
   bool SwingHolds(const FootholdChoice& from, const FootholdChoice& to, Refusals& refusals) const;
-  bool WayIsFree(const FootholdChoice& from, const FootholdChoice& to) const;
+  bool IsFreeBetween(const FootholdChoice& from, const FootholdChoice& to) const;
   std::size_t Hash(std::span<const int> footholds, int group) const;
   void Grow();
 

@@ -36,7 +36,7 @@ FootstepRoute RouteAlong(const PlanarTwist& twist, double turn_radius_m) {
 
 FootstepRoute RouteThrough(const std::vector<PlanarPose>& poses, const RouteSpeeds& speeds) {
   if (poses.empty()) throw InvalidArgument("RouteThrough: there is no pose; one or more are needed");
-  for (const double speed : {speeds.ahead_m_s, speeds.lateral_m_s, speeds.turn_rad_s}) {
+  for (const double speed : {speeds.forward_m_s, speeds.lateral_m_s, speeds.turn_rad_s}) {
     if (!(speed > 0.0)) throw InvalidArgument(fmt::format("RouteThrough: a speed is {}; it must be positive", speed));
   }
   FootstepRoute route{{poses.front()}, {0.0}};
@@ -46,10 +46,10 @@ FootstepRoute RouteThrough(const std::vector<PlanarPose>& poses, const RouteSpee
     const double turn = WrapAngle(next.yaw_rad - last.yaw_rad), heading = last.yaw_rad + 0.5 * turn;
     const double dx = next.x_m - last.x_m, dy = next.y_m - last.y_m;
     const double c = std::cos(heading), s = std::sin(heading);
-    const double time = std::max({std::abs(c * dx + s * dy) / speeds.ahead_m_s,
+    const double time = std::max({std::abs(c * dx + s * dy) / speeds.forward_m_s,
                                   std::abs(c * dy - s * dx) / speeds.lateral_m_s, std::abs(turn) / speeds.turn_rad_s});
     if (time <= 0.0) continue;
-    route.station_m.push_back(route.station_m.back() + speeds.ahead_m_s * time);
+    route.station_m.push_back(route.station_m.back() + speeds.forward_m_s * time);
     route.pose.push_back({next.x_m, next.y_m, last.yaw_rad + turn});
   }
   return route;

@@ -26,7 +26,7 @@ FootstepRoute RouteAlong(const PlanarTwist& twist, double turn_radius_m);
 
 /// Full speeds along a route: forward, lateral and turning; all positive.
 struct RouteSpeeds {
-  double ahead_m_s = 1.0, lateral_m_s = 1.0, turn_rad_s = 1.0;
+  double forward_m_s = 1.0, lateral_m_s = 1.0, turn_rad_s = 1.0;
 };
 
 /// The route through poses. Stations grow by the forward speed times the longest of the times for the forward, lateral

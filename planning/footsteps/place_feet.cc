@@ -43,10 +43,10 @@ void SortByTouchdown(FootstepPlan& plan) {
 /// A touchdown of a schedule and the stance that follows it.
 struct Footfall {
   int foot = 0;
-  ContactInterval stance;   // stance that begins with it
-  double liftoff_s = 0.0;   // start of the swing before
-  int count = 0;            // number from 1; feet that land together have the last number of them
-  PlanarTwist steps_ahead;  // number of steps of the twist, by component
+  ContactInterval stance;  // stance that begins with it
+  double liftoff_s = 0.0;  // start of the swing before
+  int count = 0;           // number from 1; feet that land together have the last number of them
+  PlanarTwist base_steps;  // number of steps of the twist, by component
 };
 
 std::vector<Footfall> FootfallsOf(const ContactSchedule& schedule, int num_feet) {
@@ -71,8 +71,8 @@ int StepsToGoal(const std::vector<Footfall>& footfalls, int num_feet) {
   for (int foot = 0; foot < num_feet; ++foot) {
     double last = 0.0;
     for (const Footfall& footfall : footfalls) {
-      const PlanarTwist& ahead = footfall.steps_ahead;
-      if (footfall.foot == foot) last = std::min({ahead.x_m, ahead.y_m, ahead.yaw_rad});
+      const PlanarTwist& counts = footfall.base_steps;
+      if (footfall.foot == foot) last = std::min({counts.x_m, counts.y_m, counts.yaw_rad});
     }
     goal = std::min(goal, last);
   }
@@ -136,7 +136,7 @@ CountedFootsteps PlaceCounted(const RobotModel& model, const ContactSchedule& sc
     // The foot on the side opposite to the motion lags.
     const Sides lags = LedBy(standing, static_cast<std::size_t>(footfall.foot), {0.0, -step.y_m, -step.yaw_rad});
     const double count = footfall.count;
-    footfall.steps_ahead = {count, count - (lags.lateral ? 1.0 : 0.0), count - (lags.turn ? 1.0 : 0.0)};
+    footfall.base_steps = {count, count - (lags.lateral ? 1.0 : 0.0), count - (lags.turn ? 1.0 : 0.0)};
   }
   CountedFootsteps counted;
   counted.steps_to_goal = StepsToGoal(footfalls, num_feet);
@@ -146,10 +146,10 @@ CountedFootsteps PlaceCounted(const RobotModel& model, const ContactSchedule& sc
     footfalls.push_back({foot, first, first.start_s, 0, {}});
   }
   for (const Footfall& footfall : footfalls) {
-    const PlanarTwist& ahead = footfall.steps_ahead;
+    const PlanarTwist& counts = footfall.base_steps;
     const auto at = [&](double steps) { return PoseAlong(step, std::min(steps, goal)); };
-    PlanarPose base = WithParts(at(ahead.x_m), at(ahead.y_m), {true, false});
-    base.yaw_rad = at(ahead.yaw_rad).yaw_rad;
+    PlanarPose base = WithParts(at(counts.x_m), at(counts.y_m), {true, false});
+    base.yaw_rad = at(counts.yaw_rad).yaw_rad;
     const Pose X_WF = Carried(base, standing[static_cast<std::size_t>(footfall.foot)]);
     counted.footsteps.footholds.push_back(
         {footfall.foot, X_WF, Vector3::Zero(), 0, footfall.stance.start_s, footfall.stance.end_s});

@@ -36,10 +36,10 @@ struct CountedFootsteps {
 };
 
 /// Footholds of a schedule of counted footfalls, for any number of feet. Footfall k, in the order of lift-off, lands k
-/// steps of the twist ahead of the foot's start. Feet that land together all land as far as the last of them. The goal
-/// is as far as the shortest of the feet's last footfalls, and no footfall goes beyond it, so that the last ones close
-/// the stance. If some feet do not swing, the goal is the start. With two feet, the foot on the side opposite to a
-/// side-step or turn lags by one step of it, so that the feet stay apart.
+/// steps of the twist forward from the foot's start. Feet that land together all land as far as the last of them. The
+/// goal is as far as the shortest of the feet's last footfalls, and no footfall goes beyond it, so that the last ones
+/// close the stance. If some feet do not swing, the goal is the start. With two feet, the foot on the side opposite to
+/// a side-step or turn lags by one step of it, so that the feet stay apart.
 CountedFootsteps PlaceCounted(const RobotModel& model, const ContactSchedule& schedule, const PlanarTwist& step);
 
 /// The foot of a biped that should swing first for counted side-steps or turns, so that no step is lost or narrows the

@@ -24,7 +24,7 @@ namespace {
 struct Reach {
   int foothold = -1;
   double distance_m = 0.0, limit_m = 0.0, at_s = 0.0;
-  double excess() const { return distance_m - limit_m; }
+  double violation() const { return distance_m - limit_m; }
 };
 
 Reach WorstReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share) {
@@ -43,7 +43,7 @@ Reach WorstReach(const RobotModel& model, const FootstepSkeleton& skeleton, doub
       const Vector3 hip = Carried(PoseAt(skeleton.path, t), X_BH).translation();
       const double distance = (foothold.X_WF.translation() - hip).norm();
       const double limit = share * (foot.sole_F.empty() ? leg.length_m : leg.length_m + 0.25 * leg.length_m);
-      if (distance - limit > worst.excess()) worst = {static_cast<int>(i), distance, limit, t};
+      if (distance - limit > worst.violation()) worst = {static_cast<int>(i), distance, limit, t};
     }
   }
   return worst;
@@ -103,11 +103,11 @@ bool Turns(const BasePath& path) {
 
 /// Whether the path leaves the straight line along its first heading.
 bool Sidesteps(const BasePath& path) {
-  constexpr double kAside = 1e-3;  // [m]
+  constexpr double kLateral = 1e-3;  // [m]
   const PlanarPose& first = path.pose.front();
   const Vector2 left(-std::sin(first.yaw_rad), std::cos(first.yaw_rad));
   return std::any_of(path.pose.begin(), path.pose.end(), [&](const PlanarPose& pose) {
-    return std::abs(left.dot(Vector2(pose.x_m - first.x_m, pose.y_m - first.y_m))) > kAside;
+    return std::abs(left.dot(Vector2(pose.x_m - first.x_m, pose.y_m - first.y_m))) > kLateral;
   });
 }
 
@@ -176,7 +176,7 @@ std::optional<Failure> ReasonNotWalked(const RobotModel& model, const Gait& gait
 
 std::optional<Failure> ReasonOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share) {
   const Reach worst = WorstReach(model, skeleton, share);
-  if (!(worst.excess() > 0.0)) return std::nullopt;
+  if (!(worst.violation() > 0.0)) return std::nullopt;
   const Foothold& foothold = skeleton.footsteps.footholds[static_cast<std::size_t>(worst.foothold)];
   return Failure{
       FailureKind::kInfeasible,
@@ -198,11 +198,11 @@ void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps) {
 }
 
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
-                                            const WalkCommand& command, const std::vector<PlanarPose>& way,
+                                            const WalkCommand& command, const std::vector<PlanarPose>& poses,
                                             const FootstepOptions& options) {
   if (auto failure = ReasonNotWalked(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
-  const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
+  const FootstepQuery query{gait, RouteThrough(poses, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
   const Result<FootstepSkeleton> found = SearchSkeleton(model, terrain, query, options);
   return WithPart(model, found, gait, found ? AsReached(command, *found) : command);
 }

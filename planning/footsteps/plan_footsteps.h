@@ -73,9 +73,9 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
                                        const WalkCommand& command, const FootstepOptions& options);
 
 /// PlanFootsteps along a given path of the base, for example around obstacles. The command only gives the speeds.
-/// @param way  poses in plan view from (0, 0, 0) on, dense enough for straight lines between them.
+/// @param poses  in plan view from (0, 0, 0) on, dense enough for straight lines between them.
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
-                                            const WalkCommand& command, const std::vector<PlanarPose>& way,
+                                            const WalkCommand& command, const std::vector<PlanarPose>& poses,
                                             const FootstepOptions& options);
 
 /// Failure if a foothold is out of reach of its leg: names the worst foot, the time and the distance.

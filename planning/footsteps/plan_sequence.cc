@@ -64,13 +64,13 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
   course.full_s = own->duration_s - own->ramp_s;
   course.start_ramp_s = course.stop_ramp_s = own->ramp_s;
   if (!course.counted()) return course;
-  const int ahead = StepsAhead(part.gait, part.command.steps);
-  if (ahead < 1) {
+  const int steps = StepsOfBase(part.gait, part.command.steps);
+  if (steps < 1) {
     return BadPart(fmt::format("{} footfalls only close the stance of {} feet; {} or more move the robot",
                                part.command.steps, part.gait.num_feet(), part.gait.num_feet()));
   }
-  course.twist = {ahead * course.twist.x_m, ahead * course.twist.y_m, ahead * course.twist.yaw_rad};
-  course.full_s = ahead * part.gait.cycle_s / part.gait.num_feet();
+  course.twist = {steps * course.twist.x_m, steps * course.twist.y_m, steps * course.twist.yaw_rad};
+  course.full_s = steps * part.gait.cycle_s / part.gait.num_feet();
   course.start_ramp_s = course.stop_ramp_s = std::min(options.ramp.cycles * part.gait.cycle_s, course.full_s);
   return course;
 }
@@ -147,19 +147,19 @@ BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& jo
   for (std::size_t k = 0; k < courses.size(); ++k) {
     const PartCourse& course = courses[k];
     if (course.stands) continue;
-    PathPiece way{course.twist, StartOf(courses, joined, first_s, k), course.duration_s(), course.start_ramp_s,
-                  course.stop_ramp_s};
+    PathPiece piece{course.twist, StartOf(courses, joined, first_s, k), course.duration_s(), course.start_ramp_s,
+                    course.stop_ramp_s};
     if (course.goes_on) {
-      way.duration_s = joined.start_s[k + 1] + course.outlasts_s - way.start_s;
+      piece.duration_s = joined.start_s[k + 1] + course.outlasts_s - piece.start_s;
     } else if (course.counted()) {
       const double down_s = k + 1 < courses.size() ? joined.start_s[k + 1] : schedule.phases.back().start_s;
-      way.duration_s = down_s - way.start_s;
+      piece.duration_s = down_s - piece.start_s;
       const double ramps =
-          2.0 * std::max(0.0, way.duration_s - course.full_s);  // total ramp time at the requested speed
-      if (!course.follows) way.start_ramp_s = 0.5 * ramps;
-      way.stop_ramp_s = std::max(0.0, ramps - way.start_ramp_s);
+          2.0 * std::max(0.0, piece.duration_s - course.full_s);  // total ramp time at the requested speed
+      if (!course.follows) piece.start_ramp_s = 0.5 * ramps;
+      piece.stop_ramp_s = std::max(0.0, ramps - piece.start_ramp_s);
     }
-    path.push_back(way);
+    path.push_back(piece);
   }
   return MakeBasePath(path, schedule.end_s());
 }

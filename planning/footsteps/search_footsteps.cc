@@ -59,11 +59,11 @@ class AnytimeSearch {
   const FootstepSearchStats& stats() const { return stats_; }
 
   /// Stances from the start to the goal.
-  std::vector<int> Way() const {
-    std::vector<int> way;
-    for (int stance = goal_; stance >= 0; stance = nodes_[Index(stance)].parent) way.push_back(stance);
-    std::reverse(way.begin(), way.end());
-    return way;
+  std::vector<int> StancesToGoal() const {
+    std::vector<int> stances;
+    for (int stance = goal_; stance >= 0; stance = nodes_[Index(stance)].parent) stances.push_back(stance);
+    std::reverse(stances.begin(), stances.end());
+    return stances;
   }
 
  private:
@@ -176,12 +176,12 @@ class AnytimeSearch {
   int round_ = 0, expanded_before_ = 0, goal_ = -1, farthest_ = -1;
 };
 
-std::vector<Footfalls> StepsOf(const FootstepGraph& graph, const std::vector<int>& way) {
+std::vector<Footfalls> StepsOf(const FootstepGraph& graph, const std::vector<int>& stances) {
   std::vector<Footfalls> steps;
-  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < stances.size(); ++k) {
     Footfalls footfalls;
-    for (const int foot : graph.groups()[static_cast<std::size_t>(graph.GroupOf(way[k]))])
-      footfalls.push_back(graph.table()[graph.FootholdsOf(way[k + 1])[static_cast<std::size_t>(foot)]].placed);
+    for (const int foot : graph.groups()[static_cast<std::size_t>(graph.GroupOf(stances[k]))])
+      footfalls.push_back(graph.table()[graph.FootholdsOf(stances[k + 1])[static_cast<std::size_t>(foot)]].placed);
     steps.push_back(std::move(footfalls));
   }
   return steps;
@@ -254,7 +254,7 @@ struct Problem {
   FootstepSequence Found() const {
     FootstepSequence sequence;
     for (const int foothold : start) sequence.start.push_back(table[foothold].placed);
-    sequence.steps = StepsOf(graph, search.Way());
+    sequence.steps = StepsOf(graph, search.StancesToGoal());
     sequence.stats = search.stats();
     sequence.stats.stances = graph.checked();
     return sequence;

@@ -97,9 +97,9 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 ///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2
 ///                         + height |dz| / leg + risk r,     plus phase (e + e^2), e = |lead - wanted| / L,
 /// and, if all feet leap together, landing times the tilt of the base above them [rad]. Here a is the gain in stations,
-/// L the stride, d the distance of the foot from its nominal position, and lead the distance of the group ahead of all
-/// other feet. The heuristic is the sum over groups of the mean over feet of max((end - station) / L, 1 if not at the
-/// goal). It never exceeds the remaining cost and is consistent, so `stats.bound` holds for every sequence of these
+/// L the stride, d the distance of the foot from its nominal position, and lead the distance of the group in front of
+/// all other feet. The heuristic is the sum over groups of the mean over feet of max((end - station) / L, 1 if not at
+/// the goal). It never exceeds the remaining cost and is consistent, so `stats.bound` holds for every sequence of these
 /// footholds.
 /// The robot can stand in a stance if all feet are within the workspace of their legs under the base fitted to the feet
 /// (at the standing height or up to 15 % lower; with single soles also with the base moved above each of them by

@@ -116,8 +116,8 @@ void StanceChecker::MeasureBody(const RobotModel& model) {
   }
   if (lone_.empty()) return;
   for (const Pose& X_BF : standing_) {  // sway of the body above each of them
-    const double aside = options_.easy_sway * X_BF.translation().y();
-    (aside < 0.0 ? whole_low_ : whole_high_).y() += aside;
+    const double sway = options_.easy_sway * X_BF.translation().y();
+    (sway < 0.0 ? whole_low_ : whole_high_).y() += sway;
   }
 }
 
@@ -190,9 +190,9 @@ bool StanceChecker::LegsClear(const std::vector<Pose>& X_WF, const Pose& X_WB) {
   for (std::size_t i = 0; i < legs_.size(); ++i) {
     const auto f = static_cast<std::size_t>(model_->legs[i].foot);
     if (!leg_room_.MayMeet(X_WF[f])) continue;
-    for (const double ahead : {-kDrift, kDrift}) {
+    for (const double forward : {-kDrift, kDrift}) {
       Pose moved = X_WB;
-      moved.translation() += leg_m_ * (ahead * X_WB.linear().col(0) - kDrift * Vector3::UnitZ());
+      moved.translation() += leg_m_ * (forward * X_WB.linear().col(0) - kDrift * Vector3::UnitZ());
       if (!leg_room_.IsClear(*legs_[i], model_->feet[f], X_WF[f], moved)) return false;
     }
   }

@@ -105,21 +105,21 @@ BasePath PathOver(const RobotModel& model, const FootstepSequence& sequence, con
     const bool last = k + 1 == sequence.steps.size();
     knot(last ? times.touchdown_s[k] : 0.5 * (times.touchdown_s[k] + times.liftoff_s[k + 1]));
   }
-  const SmoothRoute way_x(time, x), way_y(time, y), way_yaw(time, yaw);
+  const SmoothRoute x_at(time, x), y_at(time, y), yaw_at(time, yaw);
   constexpr double kStep = 0.01;
   const int samples = 1 + static_cast<int>(std::ceil(end_s / kStep - 1e-9));
   BasePath path;
   for (int k = 0; k < samples; ++k) {
     const double t = std::min(k * kStep, end_s);
     path.time_s.push_back(t);
-    path.pose.push_back({way_x.At(t), way_y.At(t), way_yaw.At(t)});
+    path.pose.push_back({x_at.At(t), y_at.At(t), yaw_at.At(t)});
   }
   return path;
 }
 
 }  // namespace
 
-int StepsAhead(const Gait& gait, int footfalls) {
+int StepsOfBase(const Gait& gait, int footfalls) {
   const std::vector<std::vector<int>> groups = FootGroups(gait);
   int counted = 0, last = 0;
   for (std::size_t k = 0; counted < footfalls; ++k) {
@@ -144,11 +144,11 @@ int LeastStrides(double stride_m, const WalkCommand& command) {
 WalkCommand CountedInStrides(const Gait& gait, int strides, const WalkCommand& command) {
   WalkCommand counted = command;
   counted.steps = gait.num_feet() * strides;
-  const int ahead = StepsAhead(gait, counted.steps);
-  if (ahead < 1) return command;
+  const int steps = StepsOfBase(gait, counted.steps);
+  if (steps < 1) return command;
   if (command.extent == WalkCommand::Extent::kGoal) return counted;
   counted.extent = WalkCommand::Extent::kSteps;
-  counted.step_length_m = command.distance_m / ahead;
+  counted.step_length_m = command.distance_m / steps;
   return counted;
 }
 
@@ -159,8 +159,8 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
   PlanarTwist twist = course->twist;
   double cycles = (course->duration_s - course->ramp_s) / gait.cycle_s;
   if (IsCounted(command)) {
-    const int ahead = StepsAhead(gait, command.steps);
-    if (ahead < 1) {
+    const int steps = StepsOfBase(gait, command.steps);
+    if (steps < 1) {
       return Failure{FailureKind::kBadInput,
                      FailureCode::kCommand,
                      "PlanFootsteps",
@@ -169,8 +169,8 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
                                  command.steps, gait.num_feet(), gait.num_feet()),
                      {}};
     }
-    twist = {ahead * twist.x_m, ahead * twist.y_m, ahead * twist.yaw_rad};
-    cycles = static_cast<double>(ahead) / gait.num_feet();
+    twist = {steps * twist.x_m, steps * twist.y_m, steps * twist.yaw_rad};
+    cycles = static_cast<double>(steps) / gait.num_feet();
   }
   FootstepQuery query{gait, RouteAlong(twist, TurnRadius(model)), 0.0};
   query.stride_m = query.route.length_m() / cycles;

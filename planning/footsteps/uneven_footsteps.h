@@ -7,7 +7,7 @@ namespace gaitwright {
 
 /// Number of steps of the base for counted footfalls on level ground, where the last ones close the stance; 0 or less
 /// if all of them only close it.
-int StepsAhead(const Gait& gait, int footfalls);
+int StepsOfBase(const Gait& gait, int footfalls);
 
 /// Smallest number of equal strides of at most stride_m that cover the distance of a command, or reach its goal; 0 for
 /// a command with speeds or with another extent, and if stride_m <= 0.
@@ -21,7 +21,7 @@ WalkCommand CountedInStrides(const Gait& gait, int strides, const WalkCommand& c
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                   const FootstepOptions& options);
 
-/// Schedule, footholds and base path for the footfalls that a search finds. Half-way between a touch-down and the next
+/// Schedule, footholds and base path for the footfalls that a search finds. Halfway between a touch-down and the next
 /// lift-off, the base is above its feet (FitBase, at their mean heading); it moves smoothly in between. Failures as for
 /// SearchFootsteps and ScheduleContacts.
 Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,

@@ -9,13 +9,13 @@
 
 namespace gaitwright {
 
-double WaysToStanding::largest_m() const {
+double OffsetsToStanding::largest_m() const {
   double largest = 0.0;
-  for (const Vector3& way : way_W) largest = std::max(largest, way.norm());
+  for (const Vector3& offset : offset_W) largest = std::max(largest, offset.norm());
   return largest;
 }
 
-WaysToStanding FindWaysToStanding(const RobotModel& model, const VectorX& q, std::optional<double> yaw_rad) {
+OffsetsToStanding FindOffsetsToStanding(const RobotModel& model, const VectorX& q, std::optional<double> yaw_rad) {
   const std::size_t legs = model.legs.size();
   std::vector<Pose> standing = StandingFeet(model);
   standing.resize(legs);
@@ -32,13 +32,13 @@ WaysToStanding FindWaysToStanding(const RobotModel& model, const VectorX& q, std
     X_WF[f].translation() +=
         foot.radius * RotationLog(R_WF_then * R_WF.transpose()).cross(Vector3::UnitZ());  // rolls there
   }
-  WaysToStanding ways{yaw_rad ? FitBase(standing, X_WF, heading) : FitBase(standing, X_WF), {}};
+  OffsetsToStanding offsets{yaw_rad ? FitBase(standing, X_WF, heading) : FitBase(standing, X_WF), {}};
   for (std::size_t f = 0; f < legs; ++f) {
-    Vector3 way_W = Carried(ways.base.plan, standing[f]).translation() - X_WF[f].translation();
-    way_W.z() = 0.0;
-    ways.way_W.push_back(way_W);
+    Vector3 offset_W = Carried(offsets.base.plan, standing[f]).translation() - X_WF[f].translation();
+    offset_W.z() = 0.0;
+    offsets.offset_W.push_back(offset_W);
   }
-  return ways;
+  return offsets;
 }
 
 }  // namespace gaitwright

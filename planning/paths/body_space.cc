@@ -101,8 +101,8 @@ BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) 
   BodySpace space;
   space.leg_length_m = leg;
   space.foot_radius_m = FootRadius(model);
-  space.reach_ahead_m = options.foothold_forward * leg;
-  space.reach_aside_m = options.foothold_lateral * leg;
+  space.reach_forward_m = options.foothold_forward * leg;
+  space.reach_lateral_m = options.foothold_lateral * leg;
   space.step_height_m = options.step_height * leg;
   space.margin_m = options.margin * leg;
   space.max_slope_rad = options.max_slope_deg * kRadians;
@@ -126,7 +126,8 @@ BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) 
     MakeSymmetric(model, space.feet_G);
   }
   const Vector3 margin = Vector3::Constant(space.margin_m);
-  AddBox(legs, margin + Vector3(options.step_forward * leg, options.step_lateral * leg, 0.0), space.step_height_m, space);
+  AddBox(legs, margin + Vector3(options.step_forward * leg, options.step_lateral * leg, 0.0), space.step_height_m,
+         space);
   AddBox(rest, margin + options.sway * HalfStance(space.feet_G) * Vector3::UnitY(), space.step_height_m, space);
   return space;
 }

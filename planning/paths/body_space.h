@@ -51,11 +51,11 @@ struct BodySpaceOptions {
 /// = Notation =
 ///   G  the base's frame moved down to the plane through the feet: x forward, z along the plane's normal
 struct BodySpace {
-  std::vector<Shape> boxes;     ///< X_BS is X_GS: one around the legs and their steps, one around the rest
-  std::vector<Vector2> feet_G;  ///< contact points of the standing posture
-  double foot_radius_m = 0.0;   ///< radius of the ground that a foot needs
-  double reach_ahead_m = 0.0;   ///< largest forward or backward distance of a foothold from the foot's standing place
-  double reach_aside_m = 0.0;   ///< largest lateral distance
+  std::vector<Shape> boxes;      ///< X_BS is X_GS: one around the legs and their steps, one around the rest
+  std::vector<Vector2> feet_G;   ///< contact points of the standing posture
+  double foot_radius_m = 0.0;    ///< radius of the ground that a foot needs
+  double reach_forward_m = 0.0;  ///< largest forward or backward distance of a foothold from the foot's standing place
+  double reach_lateral_m = 0.0;  ///< largest lateral distance
   double step_height_m = 0.0;
   double margin_m = 0.0;
   double max_slope_rad = 0.0, max_tilt_rad = 0.0;

@@ -98,7 +98,7 @@ class Grid {
   }
   Move Turned(int state, int side);
   Move Moved(int state, int direction);
-  std::vector<PlanarPose> WayTo(int state, const std::vector<Visit>& visits) const;
+  std::vector<PlanarPose> PathTo(int state, const std::vector<Visit>& visits) const;
 
   PoseCheck& check_;
   const CoarseProblem& problem_;
@@ -131,12 +131,12 @@ Grid::Move Grid::Moved(int state, int direction) {
   return {next, weight * length, Holds(next)};
 }
 
-std::vector<PlanarPose> Grid::WayTo(int state, const std::vector<Visit>& visits) const {
-  std::vector<PlanarPose> way;
-  for (int at = state; at >= 0; at = visits[static_cast<std::size_t>(at)].parent) way.push_back(PoseOf(at));
-  std::reverse(way.begin(), way.end());
-  for (std::size_t i = 1; i < way.size(); ++i) way[i].yaw_rad = UnwrappedNear(way[i].yaw_rad, way[i - 1].yaw_rad);
-  return way;
+std::vector<PlanarPose> Grid::PathTo(int state, const std::vector<Visit>& visits) const {
+  std::vector<PlanarPose> path;
+  for (int at = state; at >= 0; at = visits[static_cast<std::size_t>(at)].parent) path.push_back(PoseOf(at));
+  std::reverse(path.begin(), path.end());
+  for (std::size_t i = 1; i < path.size(); ++i) path[i].yaw_rad = UnwrappedNear(path[i].yaw_rad, path[i - 1].yaw_rad);
+  return path;
 }
 
 std::vector<PlanarPose> Grid::Search(const Limits& limits) {
@@ -162,7 +162,7 @@ std::vector<PlanarPose> Grid::Search(const Limits& limits) {
     if (visit.done) continue;
     visit.done = true;
     ++visited;
-    if (ToGoal(state) <= 0.75 * step_m_) return WayTo(state, visits);
+    if (ToGoal(state) <= 0.75 * step_m_) return PathTo(state, visits);
     for (const Move& move :
          {Moved(state, 0), Moved(state, 2), Moved(state, 4), Moved(state, 6), Turned(state, 1), Turned(state, -1)}) {
       if (move.state < 0 || (!move.free && !limits.through)) continue;
@@ -179,9 +179,9 @@ std::optional<Hindrance> ReasonNotReached(PoseCheck& check, const PlanarPose& fr
 }
 
 /// The first obstacle along a path whose end is free.
-std::optional<Hindrance> FirstHindrance(PoseCheck& check, const std::vector<PlanarPose>& way) {
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    if (auto why = ReasonNotReached(check, way[i - 1], way[i])) return why;
+std::optional<Hindrance> FirstHindrance(PoseCheck& check, const std::vector<PlanarPose>& path) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (auto why = ReasonNotReached(check, path[i - 1], path[i])) return why;
   }
   return std::nullopt;
 }
@@ -191,20 +191,20 @@ std::optional<Hindrance> FirstHindrance(PoseCheck& check, const std::vector<Plan
 CoarseRoute FindCoarseRoute(PoseCheck& check, const CoarseProblem& problem) {
   constexpr double kMuchLonger = 1.3, kNotablyShorter = 0.85;
   Grid grid(check, problem, kStepOfLeg);
-  CoarseRoute way;
-  way.poses = grid.Search({});
+  CoarseRoute route;
+  route.poses = grid.Search({});
   const double straight = std::hypot(problem.goal.x_m - problem.start.x_m, problem.goal.y_m - problem.start.y_m);
-  const double cost = way.poses.empty() ? kInfinity : TravelCost(way.poses, problem.weights);
+  const double cost = route.poses.empty() ? kInfinity : TravelCost(route.poses, problem.weights);
   if (cost > kMuchLonger * straight) {
     const Limits limits{false, kNotablyShorter * cost, kMostFineStates};
     std::vector<PlanarPose> shorter = Grid(check, problem, kFineStepOfLeg).Search(limits);
-    if (!shorter.empty()) way.poses = std::move(shorter);
+    if (!shorter.empty()) route.poses = std::move(shorter);
   }
-  way.complete = !way.poses.empty();
-  if (!way.complete) way.poses = grid.Search({true});
-  if (!way.complete) way.hindrance = FirstHindrance(check, way.poses);
-  way.poses.push_back(problem.goal);
-  return way;
+  route.complete = !route.poses.empty();
+  if (!route.complete) route.poses = grid.Search({true});
+  if (!route.complete) route.hindrance = FirstHindrance(check, route.poses);
+  route.poses.push_back(problem.goal);
+  return route;
 }
 
 }  // namespace gaitwright

@@ -25,12 +25,12 @@ PlanarPose SeenFrom(const PlanarPose& a, const PlanarPose& b) {
 std::vector<PlanarPose> Arc(const PlanarPose& a, const PlanarPose& b, const Spacing& spacing) {
   const PlanarTwist twist = TwistTo(SeenFrom(a, b));
   const double parts =
-      std::max(std::hypot(twist.x_m, twist.y_m) / spacing.way_m, std::abs(twist.yaw_rad) / spacing.turn_rad);
+      std::max(std::hypot(twist.x_m, twist.y_m) / spacing.distance_m, std::abs(twist.yaw_rad) / spacing.turn_rad);
   const int n = std::max(1, static_cast<int>(std::ceil(parts - 1e-9)));
-  std::vector<PlanarPose> way = {a};
-  for (int k = 1; k < n; ++k) way.push_back(After(a, PoseAlong(twist, static_cast<double>(k) / n)));
-  way.push_back(b);
-  return way;
+  std::vector<PlanarPose> poses = {a};
+  for (int k = 1; k < n; ++k) poses.push_back(After(a, PoseAlong(twist, static_cast<double>(k) / n)));
+  poses.push_back(b);
+  return poses;
 }
 
 /// Corners of a direct path that consists of straight lines.
@@ -47,13 +47,13 @@ std::vector<PlanarPose> CornersOf(DirectRoute kind, const PlanarPose& a, const P
 
 }  // namespace
 
-std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& way, const Spacing& spacing) {
+std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& path, const Spacing& spacing) {
   std::vector<PlanarPose> dense;
-  if (!way.empty()) dense.push_back(way.front());
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const PlanarPose &a = way[i - 1], &b = way[i];
+  if (!path.empty()) dense.push_back(path.front());
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const PlanarPose &a = path[i - 1], &b = path[i];
     const double length = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m), turn = std::abs(b.yaw_rad - a.yaw_rad);
-    const int n = static_cast<int>(std::ceil(std::max(length / spacing.way_m, turn / spacing.turn_rad) - 1e-9));
+    const int n = static_cast<int>(std::ceil(std::max(length / spacing.distance_m, turn / spacing.turn_rad) - 1e-9));
     for (int k = 1; k < n; ++k) dense.push_back(Between(a, b, static_cast<double>(k) / n));
     if (n > 0) dense.push_back(b);
   }
@@ -78,10 +78,10 @@ double CostOf(DirectRoute kind, const PlanarPose& a, const PlanarPose& b, const 
 
 std::vector<std::pair<double, DirectRoute>> ByCost(const PlanarPose& a, const PlanarPose& b,
                                                    const TravelWeights& weights) {
-  std::vector<std::pair<double, DirectRoute>> ways;
-  for (const DirectRoute kind : kDirectRoutes) ways.emplace_back(CostOf(kind, a, b, weights), kind);
-  std::sort(ways.begin(), ways.end());
-  return ways;
+  std::vector<std::pair<double, DirectRoute>> routes;
+  for (const DirectRoute kind : kDirectRoutes) routes.emplace_back(CostOf(kind, a, b, weights), kind);
+  std::sort(routes.begin(), routes.end());
+  return routes;
 }
 
 }  // namespace gaitwright

@@ -12,16 +12,16 @@ namespace gaitwright {
 enum class DirectRoute {
   kTwist,     ///< constant planar twist: an arc
   kStraight,  ///< straight line with a constant yaw rate
-  kAhead,     ///< turns towards the goal, walks forward, turns
+  kForward,   ///< turns towards the goal, walks forward, turns
   kBackward   ///< turns away from the goal, walks backward, turns
 };
 
-inline constexpr DirectRoute kDirectRoutes[] = {DirectRoute::kTwist, DirectRoute::kStraight, DirectRoute::kAhead,
+inline constexpr DirectRoute kDirectRoutes[] = {DirectRoute::kTwist, DirectRoute::kStraight, DirectRoute::kForward,
                                                 DirectRoute::kBackward};
 
 /// Largest distances between waypoints.
 struct Spacing {
-  double way_m = 0.05;
+  double distance_m = 0.05;
   double turn_rad = 0.1;
 };
 
@@ -32,7 +32,7 @@ std::vector<PlanarPose> WaypointsOf(DirectRoute kind, const PlanarPose& a, const
 double CostOf(DirectRoute kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
 /// A path with additional waypoints between its own, without duplicates.
-std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& way, const Spacing& spacing);
+std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& path, const Spacing& spacing);
 
 /// The direct paths with their costs, the cheapest first.
 std::vector<std::pair<double, DirectRoute>> ByCost(const PlanarPose& a, const PlanarPose& b,

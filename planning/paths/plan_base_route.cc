@@ -78,24 +78,24 @@ class Best {
 
   /// Smoothing takes long, so only the first path is smoothed, and those that are clearly cheaper than the last
   /// smoothed one.
-  void Take(const std::vector<PlanarPose>& way, double cost) {
+  void Take(const std::vector<PlanarPose>& path, double cost) {
     constexpr double kNotably = 0.95;
     last_ = cost;
     if (first_ == 0.0) first_ = cost;
     if (smoothed_ > 0.0 && cost > kNotably * smoothed_) return;
     smoothed_ = cost;
-    std::vector<PlanarPose> smooth = SmoothRoute(check_, way, weights_);
+    std::vector<PlanarPose> smooth = SmoothRoute(check_, path, weights_);
     const double smooth_cost = TravelCost(smooth, weights_);
     if (first_smooth_ == 0.0) first_smooth_ = smooth_cost;
     if (smooth_cost >= cost_) return;
     cost_ = smooth_cost;
-    way_ = std::move(smooth);
+    route_ = std::move(smooth);
     focus_.cost = cost_;
-    focus_.route = Densified(way_, {0.5 * check_.space().leg_length_m, 0.5});
+    focus_.route = Densified(route_, {0.5 * check_.space().leg_length_m, 0.5});
   }
 
-  bool found() const { return !way_.empty(); }
-  const std::vector<PlanarPose>& way() const { return way_; }
+  bool found() const { return !route_.empty(); }
+  const std::vector<PlanarPose>& route() const { return route_; }
   void Report(RouteStatistics& statistics) const {
     statistics.first_cost_m = first_;
     statistics.first_smooth_cost_m = first_smooth_;
@@ -106,7 +106,7 @@ class Best {
   PoseCheck& check_;
   TravelWeights weights_;
   SampleFocus& focus_;
-  std::vector<PlanarPose> way_;
+  std::vector<PlanarPose> route_;
   double cost_ = std::numeric_limits<double>::infinity();
   double first_ = 0.0, first_smooth_ = 0.0, last_ = 0.0, smoothed_ = 0.0;
 };
@@ -115,11 +115,11 @@ class Best {
 std::vector<PlanarPose> FreeDirectRoute(PoseCheck& check, const PlanarPose& start, const PlanarPose& goal,
                                         const BaseRouteOptions& options) {
   constexpr double kHardlyMore = 1.15;
-  const auto ways = ByCost(start, goal, WeightsOf(options, check.space()));
-  for (const auto& [cost, kind] : ways) {
-    if (cost > kHardlyMore * ways.front().first) break;
-    std::vector<PlanarPose> way = WaypointsOf(kind, start, goal, {options.spacing_m});
-    if (check.IsFreeAlong(way)) return way;
+  const auto routes = ByCost(start, goal, WeightsOf(options, check.space()));
+  for (const auto& [cost, kind] : routes) {
+    if (cost > kHardlyMore * routes.front().first) break;
+    std::vector<PlanarPose> path = WaypointsOf(kind, start, goal, {options.spacing_m});
+    if (check.IsFreeAlong(path)) return path;
   }
   return {};
 }
@@ -131,10 +131,10 @@ std::string Summary(const BaseRoute& route) {
                      route.length_m, route.cost_m, s.first_smooth_cost_m, s.iterations, s.states, s.poses_checked);
 }
 
-BaseRoute RouteAlong(std::vector<PlanarPose> way, const BaseRouteOptions& options, const TravelWeights& weights) {
+BaseRoute RouteAlong(std::vector<PlanarPose> path, const BaseRouteOptions& options, const TravelWeights& weights) {
   BaseRoute route;
-  route.waypoints = Densified(way, {options.spacing_m});
-  if (route.waypoints.empty()) route.waypoints = std::move(way);
+  route.waypoints = Densified(path, {options.spacing_m});
+  if (route.waypoints.empty()) route.waypoints = std::move(path);
   route.length_m = LengthOf(route.waypoints);
   route.cost_m = TravelCost(route.waypoints, weights);
   return route;
@@ -189,9 +189,9 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
     return Blocked(FailureCode::kGoalBlocked, "the robot cannot stand at the goal: " + why->text, {"move the goal"});
   BaseRoute route;
   RouteStatistics statistics;
-  std::vector<PlanarPose> way = FreeDirectRoute(check, start, goal, options);
-  statistics.direct = !way.empty();
-  if (way.empty()) {
+  std::vector<PlanarPose> path = FreeDirectRoute(check, start, goal, options);
+  statistics.direct = !path.empty();
+  if (path.empty()) {
     const PlaneExtent extent = ExtentFor(terrain, check.space(), start, goal);
     const CoarseRoute guide = FindCoarseRoute(check, {start, goal, extent, weights});
     SampleFocus focus;
@@ -202,12 +202,12 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
     const RrtStarReport report =
         SearchRrtStar(check, problem, focus, [&](const auto& found, double cost) { best.Take(found, cost); });
     if (!best.found()) return NoRoute(guide, options, report);
-    way = best.way();
+    path = best.route();
     best.Report(statistics);
     statistics.iterations = report.iterations;
     statistics.states = report.states;
   }
-  route = RouteAlong(std::move(way), options, weights);
+  route = RouteAlong(std::move(path), options, weights);
   statistics.poses_checked = check.num_checks();
   route.statistics = statistics;
   route.summary = Summary(route);

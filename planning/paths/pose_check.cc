@@ -26,15 +26,15 @@ std::string SurfaceName(const Terrain& terrain, int surface) {
 /// Text on the width of the gap through a point, along a heading.
 std::string GapAlong(const Terrain& terrain, const Vector2& p_W, double yaw) {
   constexpr double kStep = 0.005, kFar = 5.0;  // [m]
-  const Vector2 ahead(std::cos(yaw), std::sin(yaw));
+  const Vector2 forward(std::cos(yaw), std::sin(yaw));
   const auto until_ground = [&](double sign) {
     double gone = 0.0;
-    while (gone < kFar && GroundAt(terrain, p_W + sign * gone * ahead).patch < 0) gone += kStep;
+    while (gone < kFar && GroundAt(terrain, p_W + sign * gone * forward).patch < 0) gone += kStep;
     return gone;
   };
   const double before = until_ground(-1.0), after = until_ground(1.0);
   if (before >= kFar || after >= kFar) return "the ground ends there";
-  const Vector2 edge = p_W - before * ahead;
+  const Vector2 edge = p_W - before * forward;
   return fmt::format("the gap from ({:.2f}, {:.2f}) on is {:.2f} m wide", edge.x(), edge.y(), before + after);
 }
 
@@ -43,13 +43,13 @@ Terrain WithoutFields(const Terrain& terrain) { return {terrain.name, terrain.pa
 Terrain ObstaclesOf(const Terrain& terrain) { return {terrain.name, {}, {}, terrain.obstacles}; }
 
 /// A lattice of offsets within an ellipse, sorted by distance.
-std::vector<Vector2> OffsetsWithin(double ahead, double aside, double spacing) {
+std::vector<Vector2> OffsetsWithin(double forward, double lateral, double spacing) {
   std::vector<Vector2> offsets;
-  const int columns = static_cast<int>(ahead / spacing), rows = static_cast<int>(aside / spacing);
+  const int columns = static_cast<int>(forward / spacing), rows = static_cast<int>(lateral / spacing);
   for (int i = -columns; i <= columns; ++i) {
     for (int j = -rows; j <= rows; ++j) {
       const Vector2 offset(i * spacing, j * spacing);
-      if (std::hypot(offset.x() / std::max(ahead, spacing), offset.y() / std::max(aside, spacing)) <= 1.0)
+      if (std::hypot(offset.x() / std::max(forward, spacing), offset.y() / std::max(lateral, spacing)) <= 1.0)
         offsets.push_back(offset);
     }
   }
@@ -78,7 +78,7 @@ PoseCheck::PoseCheck(const RobotModel& model, const Terrain& terrain, const Body
       scene_(SolidsOf(WithoutFields(terrain))),
       obstacles_(SolidsOf(ObstaclesOf(terrain))),
       map_(terrain, obstacles_, space_),
-      offsets_(OffsetsWithin(space_.reach_ahead_m, space_.reach_aside_m, map_.resolution_m())) {
+      offsets_(OffsetsWithin(space_.reach_forward_m, space_.reach_lateral_m, map_.resolution_m())) {
   for (const Vector2& foot : space_.feet_G) middle_G_ += foot / static_cast<double>(space_.feet_G.size());
   slope_of_heights_ = SlopeOfHeights(space_.feet_G, middle_G_);
   height_m_.resize(space_.feet_G.size());
@@ -224,17 +224,17 @@ bool PoseCheck::IsFreeBetween(const PlanarPose& a, const PlanarPose& b) {
   return true;
 }
 
-bool PoseCheck::IsFreeAlong(const std::vector<PlanarPose>& way) {
+bool PoseCheck::IsFreeAlong(const std::vector<PlanarPose>& path) {
   std::size_t stride = 1;
-  while (2 * stride < way.size()) stride *= 2;
+  while (2 * stride < path.size()) stride *= 2;
   // The middle first: obstacles in between are found sooner.
   for (std::size_t s = stride; s > 1; s /= 2) {
-    for (std::size_t i = s; i < way.size(); i += 2 * s) {
-      if (!IsFree(way[i])) return false;
+    for (std::size_t i = s; i < path.size(); i += 2 * s) {
+      if (!IsFree(path[i])) return false;
     }
   }
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    if (!IsFreeBetween(way[i - 1], way[i])) return false;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!IsFreeBetween(path[i - 1], path[i])) return false;
   }
   return true;
 }
@@ -251,7 +251,7 @@ Hindrance PoseCheck::NoFoothold(const PlanarPose& at, const Footing& footing) {
                                  place, hindrance.what, space_.step_height_m);
   } else if (ground.patch < 0) {
     hindrance.text = fmt::format("there is no ground for {}, which reaches {:.2f} m from its nominal position; {}",
-                                 place, space_.reach_ahead_m, GapAlong(terrain_, p_W, at.yaw_rad));
+                                 place, space_.reach_forward_m, GapAlong(terrain_, p_W, at.yaw_rad));
   } else if (map_.At(p_W).kind == FootholdMap::Kind::kTooSteep) {
     hindrance.text = fmt::format(
         "'{}' is too steep for {}: {:.1f} deg; the slope limit is {:.1f} deg and the friction limit {:.1f} deg",

@@ -39,7 +39,7 @@ class PoseCheck {
   /// robot's space moves farther than its margin between two of them.
   bool IsFreeBetween(const PlanarPose& a, const PlanarPose& b);
   /// Whether a path along waypoints is free; the first one is known to be free.
-  bool IsFreeAlong(const std::vector<PlanarPose>& way);
+  bool IsFreeAlong(const std::vector<PlanarPose>& path);
 
   /// Reason why a pose is not free; nothing if it is free.
   std::optional<Hindrance> ReasonRefused(const PlanarPose& at);

@@ -205,18 +205,18 @@ std::shared_ptr<ob::SE2StateSpace> SpaceOf(const RrtStarProblem& problem) {
 }
 
 /// The path from OMPL's states, which run from the goal to the start, without both ends.
-std::vector<PlanarPose> WayOf(const std::vector<const ob::State*>& states, const RrtStarProblem& problem) {
-  std::vector<PlanarPose> way = {problem.start};
-  const std::vector<const ob::State*> ahead(states.rbegin(), states.rend());
-  for (const ob::State* state : ahead) way.push_back(Following(way.back(), PoseOf(state)));
-  way.push_back(Following(way.back(), problem.goal));
-  return way;
+std::vector<PlanarPose> RouteFrom(const std::vector<const ob::State*>& states, const RrtStarProblem& problem) {
+  std::vector<PlanarPose> route = {problem.start};
+  const std::vector<const ob::State*> in_order(states.rbegin(), states.rend());
+  for (const ob::State* state : in_order) route.push_back(Following(route.back(), PoseOf(state)));
+  route.push_back(Following(route.back(), problem.goal));
+  return route;
 }
 
 }  // namespace
 
 RrtStarReport SearchRrtStar(PoseCheck& check, const RrtStarProblem& problem, SampleFocus& focus,
-                            const WayFound& on_way) {
+                            const RouteFound& on_route) {
   const Silence silence;
   const double leg = check.space().leg_length_m;
   const auto space = SpaceOf(problem);
@@ -236,7 +236,7 @@ RrtStarReport SearchRrtStar(PoseCheck& check, const RrtStarProblem& problem, Sam
   definition->setOptimizationObjective(std::make_shared<Objective>(si, problem.weights));
   definition->setIntermediateSolutionCallback(
       [&](const ob::Planner*, const std::vector<const ob::State*>& states, const ob::Cost cost) {
-        on_way(WayOf(states, problem), cost.value());
+        on_route(RouteFrom(states, problem), cost.value());
       });
   RepeatableRrtStar planner(si, problem, kRangeOfLeg * leg);
   planner.setProblemDefinition(definition);

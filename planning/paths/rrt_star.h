@@ -33,12 +33,12 @@ struct RrtStarReport {
 };
 
 /// Called with each better path (yaws unwrapped) and its cost; it may change the focus.
-using WayFound = std::function<void(const std::vector<PlanarPose>& way, double cost)>;
+using RouteFound = std::function<void(const std::vector<PlanarPose>& route, double cost)>;
 
 /// RRT* of OMPL over SE(2) (Karaman and Frazzoli, IJRR 30(7), 2011) with TravelCost as its objective. Deterministic:
 /// samples come from a separate generator and neighbours from cells of the plane. OMPL's output is suppressed
 /// meanwhile.
 RrtStarReport SearchRrtStar(PoseCheck& check, const RrtStarProblem& problem, SampleFocus& focus,
-                            const WayFound& on_way);
+                            const RouteFound& on_route);
 
 }  // namespace gaitwright

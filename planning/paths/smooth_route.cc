@@ -29,14 +29,14 @@ struct Edge {
 };
 
 /// Nodes for each place of a path: with the original heading, and with the heading along the path.
-std::vector<Node> NodesOf(const std::vector<PlanarPose>& way) {
+std::vector<Node> NodesOf(const std::vector<PlanarPose>& path) {
   std::vector<Node> nodes;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    nodes.push_back({way[i], i});
-    if (i == 0 || i + 1 == way.size()) continue;
-    const double dx = way[i + 1].x_m - way[i - 1].x_m, dy = way[i + 1].y_m - way[i - 1].y_m;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    nodes.push_back({path[i], i});
+    if (i == 0 || i + 1 == path.size()) continue;
+    const double dx = path[i + 1].x_m - path[i - 1].x_m, dy = path[i + 1].y_m - path[i - 1].y_m;
     if (std::hypot(dx, dy) == 0.0) continue;
-    nodes.push_back({{way[i].x_m, way[i].y_m, UnwrappedNear(std::atan2(dy, dx), way[i].yaw_rad)}, i});
+    nodes.push_back({{path[i].x_m, path[i].y_m, UnwrappedNear(std::atan2(dy, dx), path[i].yaw_rad)}, i});
   }
   return nodes;
 }
@@ -44,8 +44,8 @@ std::vector<Node> NodesOf(const std::vector<PlanarPose>& way) {
 /// Shortest path over nodes. Edges are checked in the order of their cost, only until one is free.
 class Shortcuts {
  public:
-  Shortcuts(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights)
-      : check_(check), weights_(weights), spacing_{0.5 * check.space().leg_length_m, 0.5}, nodes_(NodesOf(way)) {}
+  Shortcuts(PoseCheck& check, const std::vector<PlanarPose>& path, const TravelWeights& weights)
+      : check_(check), weights_(weights), spacing_{0.5 * check.space().leg_length_m, 0.5}, nodes_(NodesOf(path)) {}
 
   std::vector<PlanarPose> Cheapest() {
     nodes_.front().cost = 0.0;
@@ -59,7 +59,7 @@ class Shortcuts {
         break;
       }
     }
-    return WayBack();
+    return TracedPath();
   }
 
  private:
@@ -71,7 +71,7 @@ class Shortcuts {
       const Node& node = nodes_[from];
       if (node.place + kMostPlaces < nodes_[to].place) break;
       if (node.place == nodes_[to].place || !std::isfinite(node.cost)) continue;
-      const bool as_it_was = node.place + 1 == nodes_[to].place && IsOfWay(from) && IsOfWay(to);
+      const bool as_it_was = node.place + 1 == nodes_[to].place && IsOnPath(from) && IsOnPath(to);
       for (const DirectRoute kind : kDirectRoutes) {
         const double cost = CostOf(kind, node.pose, nodes_[to].pose, weights_);
         edges.push_back({node.cost + cost, from, kind, as_it_was && kind == DirectRoute::kStraight});
@@ -80,22 +80,22 @@ class Shortcuts {
     std::sort(edges.begin(), edges.end());
     return edges;
   }
-  bool IsOfWay(std::size_t i) const { return i == 0 || nodes_[i - 1].place != nodes_[i].place; }
+  bool IsOnPath(std::size_t i) const { return i == 0 || nodes_[i - 1].place != nodes_[i].place; }
 
   bool IsFree(const PlanarPose& from, std::size_t to, DirectRoute kind) const {
     return check_.IsFreeAlong(WaypointsOf(kind, from, nodes_[to].pose, spacing_));
   }
 
-  std::vector<PlanarPose> WayBack() const {
+  std::vector<PlanarPose> TracedPath() const {
     std::vector<std::size_t> order;
     for (std::size_t i = nodes_.size() - 1; i > 0; i = nodes_[i].from) order.push_back(i);
     std::reverse(order.begin(), order.end());
-    std::vector<PlanarPose> way = {nodes_.front().pose};
+    std::vector<PlanarPose> path = {nodes_.front().pose};
     for (const std::size_t i : order) {
-      const std::vector<PlanarPose> part = WaypointsOf(nodes_[i].kind, way.back(), nodes_[i].pose, spacing_);
-      way.insert(way.end(), part.begin() + 1, part.end());
+      const std::vector<PlanarPose> part = WaypointsOf(nodes_[i].kind, path.back(), nodes_[i].pose, spacing_);
+      path.insert(path.end(), part.begin() + 1, part.end());
     }
-    return way;
+    return path;
   }
 
   PoseCheck& check_;
@@ -110,26 +110,26 @@ class Relaxation {
   Relaxation(PoseCheck& check, const TravelWeights& weights, double step_m)
       : check_(check), weights_(weights), step_m_(step_m), turn_rad_(step_m / check.space().leg_length_m) {}
 
-  void Run(std::vector<PlanarPose>& way) {
+  void Run(std::vector<PlanarPose>& path) {
     constexpr int kMostSweeps = 24;
     constexpr double kSmallest = 0.05;  // share of the first step
     double share = 1.0;
     for (int sweep = 0; sweep < kMostSweeps && share > kSmallest; ++sweep) {
       bool moved = false;
-      for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-        const std::size_t at = sweep % 2 == 0 ? i : way.size() - 1 - i;
-        moved = Move(way, at, share) || moved;
+      for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+        const std::size_t at = sweep % 2 == 0 ? i : path.size() - 1 - i;
+        moved = Move(path, at, share) || moved;
       }
       if (!moved) share *= 0.5;
     }
   }
 
  private:
-  bool Move(std::vector<PlanarPose>& way, std::size_t i, double share) {
-    const PlanarPose &before = way[i - 1], &after = way[i + 1];
+  bool Move(std::vector<PlanarPose>& path, std::size_t i, double share) {
+    const PlanarPose &before = path[i - 1], &after = path[i + 1];
     Vector2 along(after.x_m - before.x_m, after.y_m - before.y_m);
-    along =
-        along.norm() > 1e-9 ? Vector2(along.normalized()) : Vector2(std::cos(way[i].yaw_rad), std::sin(way[i].yaw_rad));
+    along = along.norm() > 1e-9 ? Vector2(along.normalized())
+                                : Vector2(std::cos(path[i].yaw_rad), std::sin(path[i].yaw_rad));
     const Vector2 step = share * step_m_ * along;
     const double turn = share * turn_rad_;
     const std::array<PlanarPose, 6> moves = {{{-step.y(), step.x(), 0.0},
@@ -140,10 +140,10 @@ class Relaxation {
                                               {-step.x(), -step.y(), 0.0}}};
     bool moved = false;
     for (const PlanarPose& move : moves) {
-      const PlanarPose to{way[i].x_m + move.x_m, way[i].y_m + move.y_m, way[i].yaw_rad + move.yaw_rad};
-      const double now = Through(before, way[i], after), then = Through(before, to, after);
+      const PlanarPose to{path[i].x_m + move.x_m, path[i].y_m + move.y_m, path[i].yaw_rad + move.yaw_rad};
+      const double now = Through(before, path[i], after), then = Through(before, to, after);
       if (then >= now * (1.0 - 1e-6) || !check_.IsFreeBetween(before, to) || !check_.IsFreeBetween(to, after)) continue;
-      way[i] = to;
+      path[i] = to;
       moved = true;
     }
     return moved;
@@ -158,19 +158,19 @@ class Relaxation {
 };
 
 /// At most a given number of waypoints, if possible with no more than a given spacing.
-std::vector<PlanarPose> Sampled(const std::vector<PlanarPose>& way, double leg) {
+std::vector<PlanarPose> Sampled(const std::vector<PlanarPose>& path, double leg) {
   constexpr double kMost = 60.0;
   double turned = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) turned += std::abs(way[i].yaw_rad - way[i - 1].yaw_rad);
-  return Densified(way, {std::max(leg, LengthOf(way) / kMost), std::max(0.8, turned / kMost)});
+  for (std::size_t i = 1; i < path.size(); ++i) turned += std::abs(path[i].yaw_rad - path[i - 1].yaw_rad);
+  return Densified(path, {std::max(leg, LengthOf(path) / kMost), std::max(0.8, turned / kMost)});
 }
 
 }  // namespace
 
-std::vector<PlanarPose> SmoothRoute(PoseCheck& check, const std::vector<PlanarPose>& way,
+std::vector<PlanarPose> SmoothRoute(PoseCheck& check, const std::vector<PlanarPose>& path,
                                     const TravelWeights& weights) {
   const double leg = check.space().leg_length_m;
-  std::vector<PlanarPose> best = way;
+  std::vector<PlanarPose> best = path;
   for (const double spacing : {2.0, 1.0, 0.5}) {
     if (spacing >= 1.0) {
       std::vector<PlanarPose> shorter = Shortcuts(check, Sampled(best, leg), weights).Cheapest();

@@ -11,7 +11,8 @@ namespace gaitwright {
 /// Makes a path among free poses cheaper. First, parts are replaced by direct paths where these are free and cheaper
 /// (the best choice over the waypoints). Then waypoints are moved and rotated while this reduces the cost, with large
 /// steps first. Never increases the cost. Deterministic.
-/// @param way  free, yaws unwrapped; first and last pose are kept.
-std::vector<PlanarPose> SmoothRoute(PoseCheck& check, const std::vector<PlanarPose>& way, const TravelWeights& weights);
+/// @param path  free, yaws unwrapped; first and last pose are kept.
+std::vector<PlanarPose> SmoothRoute(PoseCheck& check, const std::vector<PlanarPose>& path,
+                                    const TravelWeights& weights);
 
 }  // namespace gaitwright

@@ -28,12 +28,12 @@ Part PartOf(const PlanarPose& a, const PlanarPose& b, const RouteTiming& timing)
   const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
   // The heading turns within a part, so each component is its maximum over the part.
   const double half = 0.5 * std::abs(b.yaw_rad - a.yaw_rad), distance = std::hypot(dx, dy);
-  const double ahead = c * dx + s * dy, aside = c * dy - s * dx, most = distance * std::sin(std::min(half, 1.5));
+  const double forward = c * dx + s * dy, lateral = c * dy - s * dx, most = distance * std::sin(std::min(half, 1.5));
   Part part;
-  part.time_s = std::max({std::min(std::abs(ahead) + most, distance) / timing.speed_m_s,
-                          std::min(std::abs(aside) + most, distance) / timing.lateral_speed_m_s,
+  part.time_s = std::max({std::min(std::abs(forward) + most, distance) / timing.speed_m_s,
+                          std::min(std::abs(lateral) + most, distance) / timing.lateral_speed_m_s,
                           std::abs(b.yaw_rad - a.yaw_rad) / timing.yaw_rate_rad_s});
-  part.motion = Vector3(ahead / timing.speed_m_s, aside / timing.lateral_speed_m_s,
+  part.motion = Vector3(forward / timing.speed_m_s, lateral / timing.lateral_speed_m_s,
                         (b.yaw_rad - a.yaw_rad) / timing.yaw_rate_rad_s) /
                 std::max(part.time_s, 1e-12);
   return part;

@@ -11,9 +11,9 @@ namespace {
 /// Cost per unit of progress at a heading, for a step (dx, dy, turn) in W.
 double Rate(const Vector2& step, double turn, double yaw, const TravelWeights& weights) {
   const double c = std::cos(yaw), s = std::sin(yaw);
-  const double ahead = c * step.x() + s * step.y(), aside = weights.lateral * (c * step.y() - s * step.x());
-  const double along = ahead < 0.0 ? weights.backward * ahead : ahead, turned = weights.turn_m_rad * turn;
-  return std::sqrt(along * along + aside * aside + turned * turned);
+  const double forward = c * step.x() + s * step.y(), lateral = weights.lateral * (c * step.y() - s * step.x());
+  const double along = forward < 0.0 ? weights.backward * forward : forward, turned = weights.turn_m_rad * turn;
+  return std::sqrt(along * along + lateral * lateral + turned * turned);
 }
 
 }  // namespace
@@ -31,16 +31,16 @@ double TravelCost(const PlanarPose& a, const PlanarPose& b, const TravelWeights&
   return sum / (6.0 * intervals);
 }
 
-double TravelCost(const std::vector<PlanarPose>& way, const TravelWeights& weights) {
+double TravelCost(const std::vector<PlanarPose>& path, const TravelWeights& weights) {
   double cost = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) cost += TravelCost(way[i - 1], way[i], weights);
+  for (std::size_t i = 1; i < path.size(); ++i) cost += TravelCost(path[i - 1], path[i], weights);
   return cost;
 }
 
-double LengthOf(const std::vector<PlanarPose>& way) {
+double LengthOf(const std::vector<PlanarPose>& path) {
   double length = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i)
-    length += std::hypot(way[i].x_m - way[i - 1].x_m, way[i].y_m - way[i - 1].y_m);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    length += std::hypot(path[i].x_m - path[i - 1].x_m, path[i].y_m - path[i - 1].y_m);
   return length;
 }
 

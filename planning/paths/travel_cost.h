@@ -21,10 +21,10 @@ struct TravelWeights {
 double TravelCost(const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
 
 /// Cost of a path, summed along waypoints.
-double TravelCost(const std::vector<PlanarPose>& way, const TravelWeights& weights);
+double TravelCost(const std::vector<PlanarPose>& path, const TravelWeights& weights);
 
 /// Length of a path in plan view [m].
-double LengthOf(const std::vector<PlanarPose>& way);
+double LengthOf(const std::vector<PlanarPose>& path);
 
 /// The pose at a share u of the straight path from a to b with constant yaw rate; yaws are not wrapped.
 inline PlanarPose Between(const PlanarPose& a, const PlanarPose& b, double u) {

@@ -126,7 +126,7 @@ bool IsNoFiniteNumber(std::string word) {
 }  // namespace
 
 void JsonPart::Refuse(const std::string& what) const {
-  throw InvalidArgument(way_.empty() ? "it " + what : fmt::format("'{}' {}", way_, what));
+  throw InvalidArgument(path_.empty() ? "it " + what : fmt::format("'{}' {}", path_, what));
 }
 
 void JsonPart::NeedsA(const char* kind) const { Refuse(fmt::format("is {}; {} is needed", Described(*json_), kind)); }
@@ -149,14 +149,14 @@ const JsonPart& JsonPart::Object(const std::vector<std::string>& required,
 JsonPart JsonPart::At(const std::string& key) const {
   if (!json_->is_object()) NeedsA("an object");
   if (!json_->contains(key)) Refuse(fmt::format("lacks '{}'", key));
-  return {json_->at(key), way_.empty() ? key : way_ + "." + key};
+  return {json_->at(key), path_.empty() ? key : path_ + "." + key};
 }
 
 std::vector<JsonPart> JsonPart::List() const {
   if (!json_->is_array()) NeedsA("a list");
   std::vector<JsonPart> parts;
   for (std::size_t i = 0; i < json_->size(); ++i)
-    parts.push_back(JsonPart((*json_)[i], fmt::format("{}[{}]", way_, i)));
+    parts.push_back(JsonPart((*json_)[i], fmt::format("{}[{}]", path_, i)));
   return parts;
 }
 
@@ -220,7 +220,7 @@ std::vector<double> JsonPart::Numbers() const {
     const Json& member = (*json_)[i];
     const double number = member.is_number() ? member.get<double>() : kLargestNumber * 2.0;
     numbers.push_back(std::abs(number) <= kLargestNumber ? number
-                                                         : JsonPart(member, fmt::format("{}[{}]", way_, i)).Number());
+                                                         : JsonPart(member, fmt::format("{}[{}]", path_, i)).Number());
   }
   return numbers;
 }

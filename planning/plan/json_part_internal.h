@@ -61,11 +61,11 @@ class JsonPart {
   [[noreturn]] void Refuse(const std::string& what) const;
 
  private:
-  JsonPart(const Json& json, std::string way) : json_(&json), way_(std::move(way)) {}
+  JsonPart(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
   [[noreturn]] void NeedsA(const char* kind) const;
 
   const Json* json_;
-  std::string way_;
+  std::string path_;
 };
 
 /// Limits of JSON input: size of the text [byte], number of values, keys of one object, nesting depth of lists and

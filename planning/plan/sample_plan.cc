@@ -142,7 +142,7 @@ CentroidalSample SampleCentroidal(const CentroidalTrajectory& t, double time_s) 
   return sample;
 }
 
-Vector3 CentreWay(const CentroidalTrajectory& trajectory, double from_s, double to_s) {
+Vector3 CentreDisplacement(const CentroidalTrajectory& trajectory, double from_s, double to_s) {
   return SampleCentroidal(trajectory, to_s).p_WC - SampleCentroidal(trajectory, from_s).p_WC;
 }
 

@@ -30,7 +30,7 @@ struct CentroidalSample {
 CentroidalSample SampleCentroidal(const CentroidalTrajectory& trajectory, double time_s);
 
 /// Displacement of the centre of mass between two times [m].
-Vector3 CentreWay(const CentroidalTrajectory& trajectory, double from_s, double to_s);
+Vector3 CentreDisplacement(const CentroidalTrajectory& trajectory, double from_s, double to_s);
 
 /// The curve of a swing, for evaluation.
 SwingCurve CurveOf(const SwingTrajectory& swing);

@@ -16,19 +16,19 @@ namespace {
 class Maze {
  public:
   Maze(int columns, int rows, std::uint64_t seed) : columns_(columns), rows_(rows), seed_(seed) {
-    ahead_.assign(static_cast<std::size_t>((columns + 1) * rows), 1);
+    forward_.assign(static_cast<std::size_t>((columns + 1) * rows), 1);
     beside_.assign(static_cast<std::size_t>(columns * (rows + 1)), 1);
     Carve();
-    ahead_[Ahead(0, rows / 2)] = ahead_[Ahead(columns, rows / 2)] = 0;  // entrance and exit
+    forward_[Forward(0, rows / 2)] = forward_[Forward(columns, rows / 2)] = 0;  // entrance and exit
   }
 
   /// Whether there is a wall at the low-x side of a cell; column `columns` is the far end.
-  bool WallAhead(int column, int row) const { return ahead_[Ahead(column, row)] != 0; }
+  bool WallForward(int column, int row) const { return forward_[Forward(column, row)] != 0; }
   /// Whether there is a wall at the low-y side of a cell; row `rows` is the left end.
   bool WallBeside(int column, int row) const { return beside_[Beside(column, row)] != 0; }
 
  private:
-  std::size_t Ahead(int column, int row) const { return static_cast<std::size_t>(column * rows_ + row); }
+  std::size_t Forward(int column, int row) const { return static_cast<std::size_t>(column * rows_ + row); }
   std::size_t Beside(int column, int row) const { return static_cast<std::size_t>(row * columns_ + column); }
 
   void Carve() {
@@ -39,10 +39,10 @@ class Maze {
     const auto seen = [&](const Cell& c) -> char& {
       return visited[static_cast<std::size_t>(c.column * rows_ + c.row)];
     };
-    std::vector<Cell> way = {{0, rows_ / 2}};
-    seen(way.back()) = 1;
-    for (std::int64_t turn = 0; !way.empty(); ++turn) {
-      const Cell here = way.back();
+    std::vector<Cell> path = {{0, rows_ / 2}};
+    seen(path.back()) = 1;
+    for (std::int64_t turn = 0; !path.empty(); ++turn) {
+      const Cell here = path.back();
       std::vector<Cell> open;
       for (const Cell& by : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
         const Cell next{here.column + by.column, here.row + by.row};
@@ -50,24 +50,24 @@ class Maze {
         open.push_back(next);
       }
       if (open.empty()) {
-        way.pop_back();
+        path.pop_back();
         continue;
       }
       const double u = 0.5 * (1.0 + UniformAt(turn, 0, seed_));
       const Cell next = open[std::min(static_cast<std::size_t>(u * static_cast<double>(open.size())), open.size() - 1)];
       if (next.row == here.row) {
-        ahead_[Ahead(std::max(next.column, here.column), here.row)] = 0;
+        forward_[Forward(std::max(next.column, here.column), here.row)] = 0;
       } else {
         beside_[Beside(here.column, std::max(next.row, here.row))] = 0;
       }
       seen(next) = 1;
-      way.push_back(next);
+      path.push_back(next);
     }
   }
 
   int columns_, rows_;
   std::uint64_t seed_;
-  std::vector<char> ahead_, beside_;
+  std::vector<char> forward_, beside_;
 };
 
 /// Calls add(first, last + 1) for each run of consecutive numbers below `count` for which `wall` is true.
@@ -106,7 +106,7 @@ Terrain MazeGround::Build() const {
   };
   for (int c = 0; c <= columns; ++c) {
     ForRuns(
-        rows, [&](int r) { return maze.WallAhead(c, r); },
+        rows, [&](int r) { return maze.WallForward(c, r); },
         [&](int first, int end) { add(x(c), x(c), y(first), y(end)); });
   }
   for (int r = 0; r <= rows; ++r) {

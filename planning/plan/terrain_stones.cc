@@ -123,8 +123,8 @@ Terrain CinderGround::Build() const {
       const Vector2 middle(start_m + (i + 0.5) * block_m, (j - 0.5 * (rows - 1)) * block_m);
       const double height = (1 + choice(block, 1, 2)) * height_m + 0.5 * slope * block_m;
       std::vector<Vector3> corners;
-      for (const Vector2& way : {Vector2(-1, -1), Vector2(1, -1), Vector2(1, 1), Vector2(-1, 1)}) {
-        const Vector2 at = 0.5 * block_m * way;
+      for (const Vector2& corner : {Vector2(-1, -1), Vector2(1, -1), Vector2(1, 1), Vector2(-1, 1)}) {
+        const Vector2 at = 0.5 * block_m * corner;
         corners.emplace_back(middle.x() + at.x(), middle.y() + at.y(), height + tilt.dot(at));
       }
       terrain.patches.push_back(PatchThrough(fmt::format("cinder block {}", block + 1), corners, friction));

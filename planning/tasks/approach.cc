@@ -54,8 +54,8 @@ std::string PairText(const Overlap& pair) {
 }
 
 /// Postures of a collision-free motion, including both ends; a failure if none is found.
-Result<std::vector<VectorX>> FreeWay(const RobotModel& model, PathCheck& check, const VectorX& from,
-                                     const VectorX& to) {
+Result<std::vector<VectorX>> FreePath(const RobotModel& model, PathCheck& check, const VectorX& from,
+                                      const VectorX& to) {
   const auto blocked = [&](const char* posture, const Overlap& pair) {
     return Failure{FailureKind::kBadInput,
                    FailureCode::kSelfCollision,
@@ -95,14 +95,14 @@ double TimeOf(const RobotModel& model, const ApproachOptions& options, const Sha
   constexpr double kSpeed = 1.875, kAcceleration = 5.7735026918962582, kJerk = 60.0;
   double time_s = options.least_s;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const double way = std::abs(to[d] - from[d]);
+    const double distance = std::abs(to[d] - from[d]);
     const Motor& motor = model.MotorOf(d);
     const Actuator actuator = ActuatorOf(model, d);
     const double most = Slides(model, d) ? options.speed_m_s : options.speed_rad_s;
-    time_s = std::max({time_s, kSpeed * way / most,
+    time_s = std::max({time_s, kSpeed * distance / most,
                        kSpeed * std::abs(actuator.Speed(to - from)) / (shares.speed * actuator.velocity_limit),
-                       std::sqrt(kAcceleration * way / (shares.acceleration * motor.acceleration_limit)),
-                       std::cbrt(kJerk * way / (shares.jerk * motor.jerk_limit))});
+                       std::sqrt(kAcceleration * distance / (shares.acceleration * motor.acceleration_limit)),
+                       std::cbrt(kJerk * distance / (shares.jerk * motor.jerk_limit))});
   }
   return time_s;
 }
@@ -111,12 +111,12 @@ void AddRow(const Move& move, double time_s, const VectorX& q_base, MotionPlan& 
   const double u = time_s / move.duration_s, T = move.duration_s;
   const double s = u * u * u * (10.0 + u * (-15.0 + 6.0 * u)), ds = 30.0 * u * u * (1.0 + u * (-2.0 + u)) / T;
   const double dds = 60.0 * u * (1.0 + u * (-3.0 + 2.0 * u)) / (T * T);
-  const VectorX way = move.to - move.from;
-  const Eigen::Index n = way.size();
+  const VectorX change = move.to - move.from;
+  const Eigen::Index n = change.size();
   VectorX q = q_base, v = VectorX::Zero(6 + n), a = v;
-  q.tail(n) = move.from + s * way;
-  v.tail(n) = ds * way;
-  a.tail(n) = dds * way;
+  q.tail(n) = move.from + s * change;
+  v.tail(n) = ds * change;
+  a.tail(n) = dds * change;
   plan.whole_body.q.push_back(q);
   plan.whole_body.v.push_back(v);
   plan.whole_body.a.push_back(a);
@@ -275,10 +275,10 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, c
 }
 
 /// Failure of the audit check that the motion violates. The start posture of the plan is not checked.
-std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& way, AuditOptions reserve) {
+std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& motion, AuditOptions reserve) {
   reserve.start.reset();
   reserve.margins = false;
-  const Result<AuditReport> audit = Audit(model, way, reserve);
+  const Result<AuditReport> audit = Audit(model, motion, reserve);
   if (!audit) return audit.failure();
   if (audit->pass()) return std::nullopt;
   const Violation& worst = audit->violations.front();
@@ -292,7 +292,8 @@ std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& wa
 
 }  // namespace
 
-bool HasWayToGo(const RobotModel& model, const MotionPlan& plan, const StartPosture& from, const AuditOptions& audit) {
+bool NeedsApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
+                   const AuditOptions& audit) {
   if (Misfit(model, plan, from)) return true;
   const VectorX off = (plan.whole_body.q.front().tail(model.num_dofs()) - from.joints).cwiseAbs();
   for (int d = 0; d < model.num_dofs(); ++d) {
@@ -314,15 +315,15 @@ Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, c
   if (auto failure = TooLong(TimeOf(model, options, shares, from.joints, to), step)) return *failure;
   const VectorX q_base = HangingBase(model, plan, from);
   PathCheck check(model, q_base);
-  const Result<std::vector<VectorX>> way = FreeWay(model, check, from.joints, to);
-  if (!way) return way.failure();
+  const Result<std::vector<VectorX>> path = FreePath(model, check, from.joints, to);
+  if (!path) return path.failure();
   Approach approach;
-  approach.via_standing = way->size() > 2;
+  approach.via_standing = path->size() > 2;
   approach.plan = EmptyPlan(model, plan.whole_body.step_s, options, reserve);
   std::vector<Move> moves;
-  for (std::size_t i = 0; i + 1 < way->size(); ++i) {
-    const double time_s = TimeOf(model, options, shares, (*way)[i], (*way)[i + 1]);
-    moves.push_back({(*way)[i], (*way)[i + 1], std::max(2.0, std::ceil(time_s / step - 1e-9)) * step});
+  for (std::size_t i = 0; i + 1 < path->size(); ++i) {
+    const double time_s = TimeOf(model, options, shares, (*path)[i], (*path)[i + 1]);
+    moves.push_back({(*path)[i], (*path)[i + 1], std::max(2.0, std::ceil(time_s / step - 1e-9)) * step});
   }
   if (const auto failure = SlowDown(model, shares.torque, moves, q_base, approach.plan)) return *failure;
   Close(model, q_base, approach.plan);

@@ -48,7 +48,8 @@ struct Approach {
 /// Whether an approach is needed: a joint is farther from the plan's first posture than the audit accepts
 /// (`start_tolerance_rad`, `_m`). Also true if the plan or the posture has other joints than the robot; PlanApproach
 /// refuses these.
-bool HasWayToGo(const RobotModel& model, const MotionPlan& plan, const StartPosture& from, const AuditOptions& audit);
+bool NeedsApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
+                   const AuditOptions& audit);
 
 /// A safe motion from the measured joints to the first posture of a plan: all joints move together from rest to rest by
 ///   q(t) = q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5),  u = t / T,

@@ -35,18 +35,18 @@ class BodyOverFeet {
   /// Finds the shift of the centre of mass (in `key`) and q that bring the base's origin to p_WB. False if out of
   /// reach.
   bool Reach(const Vector3& p_WB, const VectorX& joints, PostureKey& key, VectorX& q) {
-    constexpr int kShortWays = 10;
+    constexpr int kShortMoves = 10;
     target_.posture.q = joints;
     target_.posture.v = target_.posture.a = VectorX::Zero(model_.num_dofs());
-    const Vector3 from = q_standing_.head<3>(), way = p_WB - from;
+    const Vector3 from = q_standing_.head<3>(), displacement = p_WB - from;
     q = q_standing_;
-    key.shift = way;
+    key.shift = displacement;
     if (Bring(p_WB, key.shift, q)) return true;
     q = q_standing_;
     key.shift.setZero();
-    for (int i = 1; i <= kShortWays; ++i) {
-      key.shift += way / kShortWays;
-      if (!Bring(from + i * way / kShortWays, key.shift, q)) return false;
+    for (int i = 1; i <= kShortMoves; ++i) {
+      key.shift += displacement / kShortMoves;
+      if (!Bring(from + i * displacement / kShortMoves, key.shift, q)) return false;
     }
     return true;
   }
@@ -150,10 +150,10 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
     VectorX q;
     return body.Reach(p_WL + share * (body.standing().head<3>() - p_WL), joints, key, q) && is_free(q);
   };
-  for (double way = 0.0; way <= kFarthest; way += kStep) {
+  for (double distance = 0.0; distance <= kFarthest; distance += kStep) {
     for (const double side : {-1.0, 1.0}) {
       VectorX q;
-      p_WB.x() = body.standing()[0] + side * way * leg;
+      p_WB.x() = body.standing()[0] + side * distance * leg;
       p_WB.z() = ground_m;
       if (!body.Reach(p_WB, joints, lying.lying, q)) continue;
       int nearest = -1;

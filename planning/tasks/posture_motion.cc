@@ -11,8 +11,9 @@ namespace gaitwright {
 namespace {
 
 Motion1 Between(double from, double to, const Motion1& step, double duration_s) {
-  const double way = to - from;
-  return {from + way * step.value, way * step.rate / duration_s, way * step.acceleration / (duration_s * duration_s)};
+  const double change = to - from;
+  return {from + change * step.value, change * step.rate / duration_s,
+          change * step.acceleration / (duration_s * duration_s)};
 }
 
 }  // namespace

@@ -221,14 +221,14 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   const Pose X_WF = ContactFrame(model, scratch, on), X_WG = ContactFrame(model, scratch, 1 - on);
-  Vector3 way = X_WF.translation() - CentreOfMass(model, scratch);
+  Vector3 shift = X_WF.translation() - CentreOfMass(model, scratch);
   const double width = X_WG.translation().y() - X_WF.translation().y();
-  way.y() += inward * width;
+  shift.y() += inward * width;
   PostureMotion motion = StartOf(
       "balance", from,
       {{"on", model.feet[static_cast<std::size_t>(on)].name}, {"inward", Text(inward)}, {"hold_s", Text(hold_s)}});
   PostureKey over = from;
-  over.shift = Vector3(way.x(), way.y(), from.shift.z() - kLower * model.leg_length_m());
+  over.shift = Vector3(shift.x(), shift.y(), from.shift.z() - kLower * model.leg_length_m());
   Go(model, motion, over, kSettle);
   const std::size_t lifts = motion.keys.size() - 1;
   over.after_s = std::max(kLeast, hold_s);

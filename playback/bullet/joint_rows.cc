@@ -90,7 +90,7 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
   if (driven_ || traits_.drags() || traits_.friction > 0.0) response = Respond(data);
   double gain = 0.0;  // velocity that the motor may add in the step
   if (driven_) {
-    const double pull = target_.excess + target_.stiffness * (target_.q - q) + target_.damping * target_.v;
+    const double pull = target_.over_limit + target_.stiffness * (target_.q - q) + target_.damping * target_.v;
     const double target_velocity = traits_.torque_scale * h * pull / drive;
     const double lowest = traits_.torque_scale * h * (target_.limits.lowest - target_.tau_ff);
     const double highest = traits_.torque_scale * h * (target_.limits.highest - target_.tau_ff);

@@ -78,8 +78,8 @@ class MotorRow : public JointSpaceConstraint {
     double q, v;
     double tau_ff;  ///< within the limits
     double stiffness, damping;
-    double excess = 0.0;  ///< feed-forward beyond the limits; it is part of the row, so that the sum is limited
-    double wanted = 0.0;  ///< torque for the state at the start of the step, without limits
+    double over_limit = 0.0;  ///< feed-forward beyond the limits; it is part of the row, so that the sum is limited
+    double wanted = 0.0;      ///< torque for the state at the start of the step, without limits
     EffortRange limits = {};
     double from_transmission = 0.0;  ///< largest impulse of a transmission's motors in the step, either direction
   };

@@ -61,20 +61,20 @@ VectorX SharedMotors::SetTarget(const Command& command, const std::vector<Effort
   const Eigen::Index n = transmission_.size();
   limits_ = limits;
   start_ = Speeds();
-  VectorX ahead = VectorX::Zero(n), asked = ahead, wanted = ahead;  // of the joints
+  VectorX feed_forward = VectorX::Zero(n), asked = feed_forward, wanted = feed_forward;  // of the joints
   bool gains = false;
   for (Eigen::Index i = 0; i < n; ++i) {
     const MotorRow* joint = joints_[static_cast<std::size_t>(i)];
     if (joint == nullptr) continue;
     const double pull = command.stiffness[i] * (command.q[i] - joint->Position());
-    ahead[i] = command.tau_ff[i];
+    feed_forward[i] = command.tau_ff[i];
     asked[i] = pull + command.damping[i] * command.v[i];
-    wanted[i] = ahead[i] + (pull + command.damping[i] * (command.v[i] - joint->Rate()));
+    wanted[i] = feed_forward[i] + (pull + command.damping[i] * (command.v[i] - joint->Rate()));
     gains = gains || command.stiffness[i] > 0.0 || command.damping[i] > 0.0;
   }
   driven_ = traits_.has_rows && gains;
   wanted_ = transmission_.inverse.transpose() * wanted;
-  const VectorX given = driven_ ? VectorX(transmission_.inverse.transpose() * ahead) : wanted_;
+  const VectorX given = driven_ ? VectorX(transmission_.inverse.transpose() * feed_forward) : wanted_;
   for (Eigen::Index m = 0; m < n; ++m) {
     const EffortRange& range = limits_[static_cast<std::size_t>(m)];
     inside_[m] = std::clamp(given[m], range.lowest, range.highest);
@@ -84,14 +84,14 @@ VectorX SharedMotors::SetTarget(const Command& command, const std::vector<Effort
   return JointTorques(inside_);
 }
 
-void SharedMotors::SetRows(const Command& command, const VectorX& asked, const VectorX& excess) {
+void SharedMotors::SetRows(const Command& command, const VectorX& asked, const VectorX& over_limit) {
   constexpr double kLeast = 1e-6;  // share of the stiffest joint's gain
   const double h = traits_.step_s;
   VectorX drive = traits_.torque_scale * (h * h * command.stiffness + h * command.damping);
   drive = drive.cwiseMax(kLeast * drive.maxCoeff());
   const MatrixX yields = transmission_.ratios * drive.cwiseInverse().asDiagonal();  // R G
   softness_ = yields * transmission_.ratios.transpose();
-  target_ = traits_.torque_scale * h * (yields * (asked + transmission_.ratios.transpose() * excess));
+  target_ = traits_.torque_scale * h * (yields * (asked + transmission_.ratios.transpose() * over_limit));
 }
 
 /// Sets the distance that motors may move the joints in a step, for the stops of the joints.

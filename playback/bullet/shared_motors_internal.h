@@ -87,7 +87,7 @@ class SharedMotors {
   EffortRange ImpulseRange(Eigen::Index motor) const;
 
  private:
-  void SetRows(const Command& command, const VectorX& asked, const VectorX& excess);
+  void SetRows(const Command& command, const VectorX& asked, const VectorX& over_limit);
   void SetReach(const Command& command, const VectorX& asked);
 
   const Transmission& transmission_;

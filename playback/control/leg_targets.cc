@@ -39,7 +39,7 @@ void LegTargets::UpdateJacobian(int leg, const Vector3& p_BQ) {
   PointJacobian(model_, scratch_, foot.body, p_BQ, whole_);
   jacobian_.resize(6, static_cast<Eigen::Index>(dofs.size()));
   for (std::size_t c = 0; c < dofs.size(); ++c) jacobian_.col(static_cast<Eigen::Index>(c)) = whole_.col(6 + dofs[c]);
-  // Angles are weighted by the motion of a point at a tenth of the leg length. Unreachable targets give way softly.
+  // Angles are weighted by the motion of a point at a tenth of the leg length. Unreachable targets yield softly.
   const double angular = foot.sole_F.empty() ? 0.0 : 0.1 * model_.leg_length_m();
   const double lacking = dofs.size() >= 6 ? angular : 0.01 * angular;
   const bool line = foot.type == FootType::kLine;  // cannot roll; another leg with fewer than six joints cannot yaw

@@ -29,7 +29,7 @@ class Stabilised final : public Controller {
         options_(Checked(model, plan, options)),
         replay_(model, plan, gains),
         now_(model, plan),
-        ahead_(model, plan, options_),
+        predictive_(model, plan, options_),
         stance_(model, options_),
         swing_(model, plan, options_) {}
 
@@ -45,9 +45,9 @@ class Stabilised final : public Controller {
     JointCommand command = replay_.Update(input);
     now_.Update(model_, input);
     const Footing& footing = swing_.UpdateFooting(now_);
-    ahead_.Update(now_, footing);
-    stance_.Update(now_, footing, command.tau_ff, &ahead_);
-    swing_.Update(now_, stance_, command, &ahead_);
+    predictive_.Update(now_, footing);
+    stance_.Update(now_, footing, command.tau_ff, &predictive_);
+    swing_.Update(now_, stance_, command, &predictive_);
     return command;
   }
 
@@ -56,7 +56,7 @@ class Stabilised final : public Controller {
   StabilisedOptions options_;
   JointPd replay_;
   Situation now_;
-  MomentumFeedback ahead_;
+  MomentumFeedback predictive_;
   StanceFeedback stance_;
   SwingFeedback swing_;
 };

@@ -32,7 +32,8 @@ StanceFeedback::StanceFeedback(const RobotModel& model, const StabilisedOptions&
   }
 }
 
-void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* ahead) {
+void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau,
+                            const MomentumFeedback* predictive) {
   constexpr double kLeastPlanned = 0.1;  // of the weight: below it the plan is in the air
   // Share of the weight; some planned loads are smaller than the changes due to the motion of the legs.
   constexpr double kLeastShare = 0.03;
@@ -48,10 +49,10 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
     GatherContacts(now, planned.force_W.z());
     planned_zmp_W_ = ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.support).head<2>();
     FindUsable(now, footing);
-    const bool looks_ahead = ahead != nullptr && ahead->active();
-    const PointWrench wanted = looks_ahead ? ahead->Wanted(now) : WantedWrench(now, footing, planned);
+    const bool predicts = predictive != nullptr && predictive->active();
+    const PointWrench wanted = predicts ? predictive->Wanted(now) : WantedWrench(now, footing, planned);
     lifted_m_s2_ = (wanted.force_W.z() - planned.force_W.z()) / model_.total_mass_kg;
-    Split(now, wanted, looks_ahead ? kLeastShare : 0.0);
+    Split(now, wanted, predicts ? kLeastShare : 0.0);
   }
   AddTorques(now, tau);
   BearLegs(now, tau);
@@ -164,12 +165,12 @@ Vector2 StanceFeedback::ZmpFor(const Vector2& dcm_error_W) const {
   return NearestPoint(usable_, planned_zmp_W_ + options_.dcm_gain * dcm_error_W);
 }
 
-StanceFeedback::Drift StanceFeedback::DriftAhead(const Situation& now, double ahead_s) const {
+StanceFeedback::Drift StanceFeedback::PredictedDrift(const Situation& now, double lookahead_s) const {
   constexpr int kSteps = 10;
   Drift drift{dcm_error_W_, (now.measured.p_WC - now.planned.p_WC).head<2>()};
   if (usable_.empty()) return drift;
   // With the ZMP moved by s for a time h:  xi' = s + (xi - s) e^{w h},  and the centre of mass follows the DCM.
-  const double growth = std::exp(now.omega_rad_s * ahead_s / kSteps);
+  const double growth = std::exp(now.omega_rad_s * lookahead_s / kSteps);
   for (int i = 0; i < kSteps; ++i) {
     const Vector2 shift = ZmpFor(drift.dcm_W) - planned_zmp_W_, half = 0.5 * (drift.dcm_W - shift);
     drift.com_W = shift + half * growth + (drift.com_W - shift - half) / growth;

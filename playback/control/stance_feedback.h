@@ -19,8 +19,8 @@ class StanceFeedback {
   StanceFeedback(const RobotModel& model, const StabilisedOptions& options);
 
   /// Adds to tau (size n) the torques that turn the planned contact forces into the wanted ones.
-  /// @param ahead  if given and active, it sets the wanted wrench.
-  void Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* ahead = nullptr);
+  /// @param predictive  if given and active, it sets the wanted wrench.
+  void Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* predictive = nullptr);
 
   /// Commanded vertical acceleration of the centre of mass, in addition to the plan's [m/s^2]. Call Update first.
   double lifted_m_s2() const { return lifted_m_s2_; }
@@ -30,9 +30,9 @@ class StanceFeedback {
   struct Drift {
     Vector2 dcm_W = Vector2::Zero(), com_W = Vector2::Zero();  ///< [m]
   };
-  /// The drift `ahead_s` >= 0 from now [s]; equals the current errors if no foot stands or the plan is in the air. Call
-  /// Update first.
-  Drift DriftAhead(const Situation& now, double ahead_s) const;
+  /// The drift `lookahead_s` >= 0 from now [s]; equals the current errors if no foot stands or the plan is in the air.
+  /// Call Update first.
+  Drift PredictedDrift(const Situation& now, double lookahead_s) const;
 
  private:
   void GatherContacts(const Situation& now, double total_normal_n);

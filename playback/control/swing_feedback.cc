@@ -70,7 +70,7 @@ void SwingFeedback::RecordGround(const Situation& now, int foot) {
 }
 
 void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, JointCommand& command,
-                           const MomentumFeedback* ahead) {
+                           const MomentumFeedback* predictive) {
   SampleWholeBody(plan_.whole_body, now.time_s + now.step_s, next_);
   ForwardVelocities(model_, next_.q, next_.v, next_scratch_);
   MassMatrix(model_, now.measured.q, mass_scratch_, mass_);
@@ -92,7 +92,8 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
     if (swing.swings) {
       hover = Hover(now, swing);
       if (swing.touchdown_s - now.time_s > options_.settle_s) {
-        offset.wanted.head<2>() = ahead != nullptr && ahead->active() ? ahead->Step(f) : WantedStep(now, swing, stance);
+        offset.wanted.head<2>() =
+            predictive != nullptr && predictive->active() ? predictive->Step(f) : WantedStep(now, swing, stance);
         offset.wanted.z() = WantedHeight(now, f);
       }
       MoveOffset(now, swing, offset);
@@ -111,9 +112,9 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
 Vector2 SwingFeedback::WantedStep(const Situation& now, const SwingNow& swing, const StanceFeedback& stance) const {
   constexpr double kLongest = 0.5;  // [s]
   const double left = std::clamp(swing.touchdown_s - now.time_s, 0.0, kLongest);
-  const StanceFeedback::Drift drift = stance.DriftAhead(now, left);
-  const double ahead = std::exp(now.omega_rad_s * std::min(swing.next_support_s - swing.touchdown_s, kLongest));
-  const Vector2 caught = options_.step_gain * (ahead - options_.step_decay) / (ahead - 1.0) * drift.dcm_W;
+  const StanceFeedback::Drift drift = stance.PredictedDrift(now, left);
+  const double growth = std::exp(now.omega_rad_s * std::min(swing.next_support_s - swing.touchdown_s, kLongest));
+  const Vector2 caught = options_.step_gain * (growth - options_.step_decay) / (growth - 1.0) * drift.dcm_W;
   const double reach = options_.step_reach * model_.leg_length_m();
   const Vector2 away = caught - drift.com_W;
   return away.norm() > reach ? Vector2(drift.com_W + away * reach / away.norm()) : caught;
@@ -131,12 +132,12 @@ double SwingFeedback::WantedHeight(const Situation& now, int foot) const {
 void SwingFeedback::MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const {
   const double h = now.step_s, left = std::max(swing.touchdown_s - now.time_s, options_.settle_s);
   constexpr double kPeak = 5.7735;  // acceleration of a minimum-jerk move of 1 m in 1 s [m/s^2]
-  Vector3 way = offset.wanted - offset.value;
+  Vector3 change = offset.wanted - offset.value;
   const double most = options_.swing_acceleration_m_s2 * left * left / kPeak;
   const Vector3 coast = offset.rate * left * 0.5;
-  if ((way - coast).norm() > most) way = coast + (way - coast) * most / (way - coast).norm();
+  if ((change - coast).norm() > most) change = coast + (change - coast) * most / (change - coast).norm();
   const Vector3 jerk =
-      60.0 * way / (left * left * left) - 36.0 * offset.rate / (left * left) - 9.0 * offset.acceleration / left;
+      60.0 * change / (left * left * left) - 36.0 * offset.rate / (left * left) - 9.0 * offset.acceleration / left;
   offset.value += h * (offset.rate + h * (0.5 * offset.acceleration + h / 6.0 * jerk));
   offset.rate += h * (offset.acceleration + 0.5 * h * jerk);
   offset.acceleration += h * jerk;

@@ -25,9 +25,9 @@ class SwingFeedback {
   const Footing& UpdateFooting(const Situation& now);
 
   /// Sets the targets of swing legs, and the stance gains of stance legs.
-  /// @param ahead  if given and active, it sets the footholds.
+  /// @param predictive  if given and active, it sets the footholds.
   void Update(const Situation& now, const StanceFeedback& stance, JointCommand& command,
-              const MomentumFeedback* ahead = nullptr);
+              const MomentumFeedback* predictive = nullptr);
 
  private:
   /// A foot's place relative to its plan, moving.

@@ -45,7 +45,7 @@ class Motors {
   /// Whether the right motors are at limits, for the computed accelerations; if not, changes them.
   bool Hold();
   /// Whether no joint passes a position limit within the step, for the computed accelerations; stops the joints that
-  /// do. A joint beyond a limit moves back by a fifth of the excess in each step.
+  /// do. A joint beyond a limit moves back by a fifth of the violation in each step.
   bool HoldStops();
   /// Records the torques of the step, which ended with rates `v`.
   void Read(const VectorX& v);

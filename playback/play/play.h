@@ -86,7 +86,7 @@ struct PlayOptions {
 ///
 /// Ends 0.3 s after a clear fall: the up axis of the base is over 1 rad from the planned one, a body that is not a foot
 /// stays on the ground for 0.2 s, or the base is below `fall_height_lowest` of the plan's height (each above the mean
-/// height of the standing feet, measured where they touch). Breaks off at once, also while the robot settles, if the
+/// height of the standing feet, measured where they touch). Stops at once, also while the robot settles, if the
 /// state or the command is not finite, or the state exceeds 1e6. Then the log holds the reason and at least one sample,
 /// which may be before the end of the first interval.
 ///

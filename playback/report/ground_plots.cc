@@ -46,7 +46,7 @@ std::vector<Vector2> GroundBelow(const Terrain& terrain, const std::vector<Vecto
 }
 
 /// A straight line along x through the middle of the path, with one point per centimetre.
-std::vector<Vector2> LineAhead(const Eigen::AlignedBox2d& window) {
+std::vector<Vector2> ForwardLine(const Eigen::AlignedBox2d& window) {
   constexpr double kStep = 0.01;
   std::vector<Vector2> line;
   for (double x = window.min().x(); x <= window.max().x(); x += kStep) line.emplace_back(x, window.center().y());
@@ -71,7 +71,7 @@ void DrawGround(const PlotData& data, SvgPlot& plot) {
 
 Plot SideView(const PlotData& data) {
   SvgPlot plot(SvgPlot::ToScale("From the side", "x [m]", "z [m]"));
-  plot.Line(GroundBelow(data.plan.terrain, LineAhead(ShownWindow(data))), Ink::kLimit, Stroke::kMeasured, "ground");
+  plot.Line(GroundBelow(data.plan.terrain, ForwardLine(ShownWindow(data))), Ink::kLimit, Stroke::kMeasured, "ground");
   for (std::size_t f = 0; f < data.model.feet.size(); ++f) {
     plot.Line(AlongX(data.series.planned, f), Ink::kFoot, Stroke::kPlanned, "feet planned");
     plot.Line(AlongX(data.series.measured, f), Ink::kFoot, Stroke::kMeasured, "feet measured");

@@ -104,10 +104,10 @@ double PositiveWork(double step_s, const VectorX& tau, const VectorX& v) {
 Measurement CostOfTransport(const ScoreInputs& in) {
   constexpr double kLeastShareOfLeg = 0.25;
   const auto& [planned, measured, plan] = in.series;
-  const auto way = [](const std::vector<MotionSample>& samples) {
+  const auto distance = [](const std::vector<MotionSample>& samples) {
     return (samples.back().X_WB.translation() - samples.front().X_WB.translation()).head<2>().norm();
   };
-  if (std::min(way(measured), way(planned)) < kLeastShareOfLeg * in.leg_length_m) {
+  if (std::min(distance(measured), distance(planned)) < kLeastShareOfLeg * in.leg_length_m) {
     return {"cost_of_transport", {}, {}, {}, "the robot moved less than a quarter of its leg length"};
   }
   double planned_work = 0.0;
@@ -116,7 +116,8 @@ Measurement CostOfTransport(const ScoreInputs& in) {
     if (plan[k].tau.size() == in.model.num_dofs()) planned_work += PositiveWork(step, plan[k].tau, plan[k].v);
   }
   const double weight = in.model.weight_n(), work = PositiveWork(in.log, measured.size());
-  return {"cost_of_transport", work / (weight * way(measured)), planned_work / (weight * way(planned)), {}, ""};
+  return {
+      "cost_of_transport", work / (weight * distance(measured)), planned_work / (weight * distance(planned)), {}, ""};
 }
 
 /// Second difference of joint rates, squared and summed over the joints, and the time of its maximum.

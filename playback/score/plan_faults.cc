@@ -18,7 +18,7 @@ constexpr double kOutsideArea = 0.002, kOutsideLine = 0.005;  // [m]
 constexpr double kResidual = 0.05;                            // of m g, and of m g times the leg length
 
 /// A quantity of the plan that exceeds its limit: its first time and its worst value.
-struct Excess {
+struct PlannedViolation {
   double first_s = 0.0, worst = 0.0, limit = 0.0, over = 0.0;
 
   void See(double time_s, double value, double limit_now, double slack) {
@@ -32,9 +32,9 @@ struct Excess {
   }
 };
 
-void Earlier(const Excess& excess, Kind kind, const std::string& text, Event& first) {
-  if (excess.over <= 0.0 || (first && first->time_s <= excess.first_s)) return;
-  first = FailureEvent{kind, excess.first_s, fmt::format("from {:.2f} s {}", excess.first_s, text)};
+void Earlier(const PlannedViolation& violation, Kind kind, const std::string& text, Event& first) {
+  if (violation.over <= 0.0 || (first && first->time_s <= violation.first_s)) return;
+  first = FailureEvent{kind, violation.first_s, fmt::format("from {:.2f} s {}", violation.first_s, text)};
 }
 
 double LargestForce(const WholeBodySample& row) {
@@ -88,7 +88,7 @@ Event PlanBeyondLimits(const ScoreInputs& in) {
   constexpr double kSlack = 1e-3;  // [rad], share of the torque
   Event first;
   for (int i = 0; i < in.model.num_dofs(); ++i) {
-    Excess position, torque;
+    PlannedViolation position, torque;
     const Actuator& motor = in.motors[static_cast<std::size_t>(i)];
     const double limit = motor.effort_limit;
     for (std::size_t k = 0; k < in.series.plan.size(); ++k) {
@@ -115,7 +115,7 @@ Event PlanBeyondFriction(const ScoreInputs& in) {
   const double slack = 1e-3 * in.model.weight_n();
   Event first;
   for (std::size_t f = 0; f < in.model.feet.size(); ++f) {
-    Excess sideways;
+    PlannedViolation sideways;
     for (std::size_t k = 0; k < in.series.plan.size(); ++k) {
       if (f >= in.series.plan[k].wrenches.size()) continue;
       const MotionSample& s = in.series.planned[k];

@@ -31,15 +31,15 @@ struct Unforeseen {
 std::vector<Unforeseen> PushesBefore(const PlaybackLog& log, double before_s) {
   constexpr std::size_t kMost = 2;
   constexpr double kUsual = 0.1;  // of the weight
-  std::vector<Unforeseen> told;
+  std::vector<Unforeseen> reported;
   for (const TimedPush& push : log.pushes) {
     if (push.at_s >= before_s) continue;
-    if (told.size() == kMost) told.erase(told.begin());
-    told.push_back(
+    if (reported.size() == kMost) reported.erase(reported.begin());
+    reported.push_back(
         {fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push.force_W), push.at_s, push.for_s),
          push.force_W.norm() / std::max(kUsual * log.total_mass_kg * kGravity, 1e-9)});
   }
-  return told;
+  return reported;
 }
 
 /// Whether the whole ground has this friction.
@@ -51,60 +51,62 @@ bool HasFriction(const Terrain& terrain, double friction) {
 }
 
 std::vector<Unforeseen> OfTheGround(const LogOptions& options, const Terrain& planned) {
-  std::vector<Unforeseen> told;
+  std::vector<Unforeseen> reported;
   const double slope = options.At("play.ground_slope_deg"), bumps = options.At("play.ground_bumps_m");
   const double friction = options.At("play.friction");
-  if (slope != 0.0) told.push_back({fmt::format("a slope of {:.3g} degrees", slope), std::abs(slope) / 2.0});
-  if (bumps != 0.0) told.push_back({fmt::format("bumps of {:.3g} mm", 1e3 * bumps), bumps / 0.003});
+  if (slope != 0.0) reported.push_back({fmt::format("a slope of {:.3g} degrees", slope), std::abs(slope) / 2.0});
+  if (bumps != 0.0) reported.push_back({fmt::format("bumps of {:.3g} mm", 1e3 * bumps), bumps / 0.003});
   if (friction > 0.0 && !HasFriction(planned, friction))
-    told.push_back({fmt::format("a friction of {:.3g}", friction), 0.5 / friction});
-  return told;
+    reported.push_back({fmt::format("a friction of {:.3g}", friction), 0.5 / friction});
+  return reported;
 }
 
 /// Adds a factor that differs from one.
-void AddFactor(const LogOptions& options, const char* key, const char* what, std::vector<Unforeseen>& told) {
+void AddFactor(const LogOptions& options, const char* key, const char* what, std::vector<Unforeseen>& reported) {
   constexpr double kUsual = 0.1;
   const double scale = options.At(key, 1.0);
   if (scale != 1.0)
-    told.push_back({fmt::format("{:.3g} times {}", scale, what), std::abs(std::log(std::max(scale, 1e-9))) / kUsual});
+    reported.push_back(
+        {fmt::format("{:.3g} times {}", scale, what), std::abs(std::log(std::max(scale, 1e-9))) / kUsual});
 }
 
 std::vector<Unforeseen> OfTheBody(const LogOptions& options) {
-  std::vector<Unforeseen> told;
-  AddFactor(options, "play.mass_scale", "the mass", told);
-  AddFactor(options, "play.inertia_scale", "the moments of inertia", told);
+  std::vector<Unforeseen> reported;
+  AddFactor(options, "play.mass_scale", "the mass", reported);
+  AddFactor(options, "play.inertia_scale", "the moments of inertia", reported);
   const double shift_m =
       Vector3(options.At("play.com_shift_x_m"), options.At("play.com_shift_y_m"), options.At("play.com_shift_z_m"))
           .norm();
   if (shift_m != 0.0)
-    told.push_back({fmt::format("the base's centre of mass shifted by {:.3g} mm", 1e3 * shift_m), shift_m / 0.01});
-  return told;
+    reported.push_back({fmt::format("the base's centre of mass shifted by {:.3g} mm", 1e3 * shift_m), shift_m / 0.01});
+  return reported;
 }
 
 std::vector<Unforeseen> OfTheDrives(const LogOptions& options) {
-  std::vector<Unforeseen> told;
+  std::vector<Unforeseen> reported;
   const double step_s = options.At("play.step_s", 1e-3), friction = options.At("play.joint_friction_nm");
   const double late_s = step_s * std::round(options.At("command_delay_s") / step_s);  // in whole steps
-  if (late_s != 0.0) told.push_back({fmt::format("a command delay of {:.3g} ms", 1e3 * late_s), late_s / 0.004});
-  AddFactor(options, "play.motor_strength", "the motors' strength", told);
-  AddFactor(options, "play.torque_scale", "the motors' torque", told);
-  AddFactor(options, "gains.stiffness_scale", "the joints' stiffness", told);
-  AddFactor(options, "gains.damping_scale", "the joints' damping", told);
-  if (friction != 0.0) told.push_back({fmt::format("{:.3g} N m of additional friction in each joint", friction), 1.0});
-  if (options.At("play.rotor_inertia_kg_m2") != 0.0) told.push_back({"additional rotor inertia", 1.0});
+  if (late_s != 0.0) reported.push_back({fmt::format("a command delay of {:.3g} ms", 1e3 * late_s), late_s / 0.004});
+  AddFactor(options, "play.motor_strength", "the motors' strength", reported);
+  AddFactor(options, "play.torque_scale", "the motors' torque", reported);
+  AddFactor(options, "gains.stiffness_scale", "the joints' stiffness", reported);
+  AddFactor(options, "gains.damping_scale", "the joints' damping", reported);
+  if (friction != 0.0)
+    reported.push_back({fmt::format("{:.3g} N m of additional friction in each joint", friction), 1.0});
+  if (options.At("play.rotor_inertia_kg_m2") != 0.0) reported.push_back({"additional rotor inertia", 1.0});
   const std::string state = options.Text("state");
-  if (!state.empty() && state != "true") told.push_back({"the state source " + state, 1.0});
-  return told;
+  if (!state.empty() && state != "true") reported.push_back({"the state source " + state, 1.0});
+  return reported;
 }
 
 std::vector<Unforeseen> OfTheStart(const LogOptions& options) {
   const auto at = [&](const char* part) { return options.At(std::string("play.start_") + part); };
   const double off_m = Vector3(at("x_m"), at("y_m"), at("z_m")).norm();
   const double turned = Vector3(at("roll_rad"), at("pitch_rad"), at("yaw_rad")).norm();
-  std::vector<Unforeseen> told;
-  if (off_m != 0.0) told.push_back({fmt::format("a start displaced by {:.3g} mm", 1e3 * off_m), off_m / 0.01});
-  if (turned != 0.0) told.push_back({fmt::format("a start rotated by {:.3g} rad", turned), turned / 0.05});
-  return told;
+  std::vector<Unforeseen> reported;
+  if (off_m != 0.0) reported.push_back({fmt::format("a start displaced by {:.3g} mm", 1e3 * off_m), off_m / 0.01});
+  if (turned != 0.0) reported.push_back({fmt::format("a start rotated by {:.3g} rad", turned), turned / 0.05});
+  return reported;
 }
 
 std::vector<Unforeseen> AllUnforeseen(const MotionPlan& plan, const PlaybackLog& log, double before_s) {

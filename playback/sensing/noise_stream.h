@@ -23,14 +23,14 @@ class NoiseStream {
 
   /// Mean 0, standard deviation 1. Box and Muller, Annals of Mathematical Statistics 29(2), 1958.
   double Normal() {
-    if (has_spare_) {
-      has_spare_ = false;
-      return spare_;
+    if (has_second_) {
+      has_second_ = false;
+      return second_;
     }
     const double radius = std::sqrt(-2.0 * std::log(1.0 - Uniform()));
     const double angle = 2.0 * std::numbers::pi * Uniform();
-    spare_ = radius * std::sin(angle);
-    has_spare_ = true;
+    second_ = radius * std::sin(angle);
+    has_second_ = true;
     return radius * std::cos(angle);
   }
 
@@ -48,8 +48,8 @@ class NoiseStream {
 
  private:
   SplitMix numbers_;
-  double spare_ = 0.0;
-  bool has_spare_ = false;
+  double second_ = 0.0;
+  bool has_second_ = false;
 };
 
 }  // namespace gaitwright

@@ -102,7 +102,7 @@ class Sampler {
   }
 
   void Figure(const Disturbance& figure) {
-    if (figure.key == "com_shift_m") return ShiftAnyWay(figure);
+    if (figure.key == "com_shift_m") return ShiftInAnyDirection(figure);
     if (figure.key == "start.joints_rad") return Joints(figure);
     double value = Drawn(figure.key, figure.distribution);
     const auto rule = std::find_if(DisturbanceRules().begin(), DisturbanceRules().end(),
@@ -184,7 +184,7 @@ class Sampler {
   }
 
   /// A uniformly distributed direction on the sphere.
-  void ShiftAnyWay(const Disturbance& figure) {
+  void ShiftInAnyDirection(const Disturbance& figure) {
     const double radius = Drawn(figure.key, figure.distribution);
     NamedRandom random(trial_.seed, "com_shift_direction");
     const double z = 2.0 * random.Uniform() - 1.0, angle = 2.0 * std::numbers::pi * random.Uniform();

@@ -26,12 +26,12 @@ constexpr Eigen::Index kDisturbances = kStepDisturbances.size(), kIndicators = k
 /// Scaled disturbances of a step.
 Eigen::RowVector3d DisturbanceOf(const GaitStep& step, const GaitScale& scale) {
   const double impulse = scale.mass_kg * std::sqrt(kGravity * scale.leg_length_m);
-  return {step.ground_m / scale.leg_length_m, step.push_ahead_n_s / impulse, step.push_left_n_s / impulse};
+  return {step.ground_m / scale.leg_length_m, step.push_forward_n_s / impulse, step.push_left_n_s / impulse};
 }
 
 /// Scaled indicators of a step that landed.
 Eigen::RowVector3d IndicatorOf(const GaitStep& step, const GaitScale& scale) {
-  return {step.late_s / scale.step_s, step.ahead_m / scale.leg_length_m, step.left_m / scale.leg_length_m};
+  return {step.late_s / scale.step_s, step.forward_m / scale.leg_length_m, step.left_m / scale.leg_length_m};
 }
 
 /// Steps that landed, one per row.

@@ -110,7 +110,7 @@ class StepReader {
     const double share = 1.0 / static_cast<double>(planned.footholds.size());
     for (const Foothold* foothold : planned.footholds) AddLanding(*foothold, share, step);
     AddGround(planned, step);
-    if (!step.landed) step.late_s = step.ahead_m = step.left_m = 0.0;
+    if (!step.landed) step.late_s = step.forward_m = step.left_m = 0.0;
     before_s_ = planned.time_s;
     return step;
   }
@@ -120,7 +120,7 @@ class StepReader {
     Vector3 impulse_W = Vector3::Zero();
     for (const TimedPush& push : pushes_) impulse_W += ImpulseWithin(push, before_s_, time_s);
     const Vector2 impulse = Eigen::Rotation2Dd(-Planned(plan_, time_s).yaw_rad) * Vector2(impulse_W.head<2>());
-    step.push_ahead_n_s = impulse.x();
+    step.push_forward_n_s = impulse.x();
     step.push_left_n_s = impulse.y();
   }
 
@@ -136,7 +136,7 @@ class StepReader {
     const Vector2 off = Measured(log_, time_s).Beside(landing->p_touchdown_W.head<2>()) -
                         Planned(plan_, time_s).Beside(p_planned.head<2>());
     step.late_s += share * (time_s - foothold.touchdown_s);
-    step.ahead_m += share * off.x();
+    step.forward_m += share * off.x();
     step.left_m += share * off.y();
   }
 

@@ -14,10 +14,10 @@ namespace gaitwright {
 /// landing. Values are means over the feet.
 struct GaitStep {
   double ground_m = 0.0;  ///< bump height at the landing feet minus bump height at the other feet [m]
-  double push_ahead_n_s = 0.0, push_left_n_s = 0.0;  ///< impulse of pushes, in the planned heading at the step [N s]
-  bool landed = false;                 ///< all feet landed near their time; otherwise the values below are zero
-  double late_s = 0.0;                 ///< measured minus planned time
-  double ahead_m = 0.0, left_m = 0.0;  ///< measured minus planned place, each relative to its own base at that time
+  double push_forward_n_s = 0.0, push_left_n_s = 0.0;  ///< impulse of pushes, in the planned heading at the step [N s]
+  bool landed = false;                   ///< all feet landed near their time; otherwise the values below are zero
+  double late_s = 0.0;                   ///< measured minus planned time
+  double forward_m = 0.0, left_m = 0.0;  ///< measured minus planned place, each relative to its own base at that time
 
   bool operator==(const GaitStep&) const = default;
 };

@@ -21,7 +21,7 @@ std::vector<PushRecord> SampledPushes(const TrialOutcome& outcome) {
     if (one.name.substr(0, dot) != name) pushes.emplace_back();
     name = one.name.substr(0, dot);
     const std::string part = one.name.substr(dot + 1);
-    if (part == "ahead_n") pushes.back().ahead_n = one.value;
+    if (part == "ahead_n") pushes.back().forward_n = one.value;
     if (part == "left_n") pushes.back().left_n = one.value;
     if (part == "up_n") pushes.back().up_n = one.value;
     if (part == "at_s") pushes.back().at_s = one.value;
@@ -40,12 +40,12 @@ PushRecord::Outcome Judged(const PushRecord& push, double until_s, bool last, bo
 
 }  // namespace
 
-double PushRecord::size_n() const { return std::hypot(ahead_n, left_n, up_n); }
+double PushRecord::size_n() const { return std::hypot(forward_n, left_n, up_n); }
 
 std::optional<double> PushRecord::direction_deg() const {
   constexpr double kLeastShare = 1e-6;  // share of the force above which it is not rounding
-  if (std::hypot(ahead_n, left_n) <= kLeastShare * size_n()) return std::nullopt;
-  return std::atan2(left_n, ahead_n) * 180.0 / std::numbers::pi;
+  if (std::hypot(forward_n, left_n) <= kLeastShare * size_n()) return std::nullopt;
+  return std::atan2(left_n, forward_n) * 180.0 / std::numbers::pi;
 }
 
 std::vector<PushRecord> PushesOf(const TrialOutcome& outcome, std::optional<double> other_s) {

@@ -22,7 +22,7 @@ struct PushRecord {
     kUnknown,    ///< the playback ended, or another push began, too early to decide
   };
 
-  double ahead_n = 0.0, left_n = 0.0, up_n = 0.0, at_s = 0.0, duration_s = 0.0;
+  double forward_n = 0.0, left_n = 0.0, up_n = 0.0, at_s = 0.0, duration_s = 0.0;
   Outcome outcome = Outcome::kUnknown;
 
   /// Size of the whole force, including its vertical component [N].

@@ -49,16 +49,16 @@ Ranks RanksOf(const std::vector<double>& values) {
 
 /// P(U <= u) without ties, by the number of subsets of n1 ranks with each sum; doubles suffice, as only ratios matter.
 double ExactBelow(std::size_t n1, std::size_t n2, std::size_t u) {
-  std::vector<std::vector<double>> ways(n1 + 1, std::vector<double>(n1 * n2 + 1, 0.0));
-  ways[0][0] = 1.0;  // ways[k][s]: k of the ranks seen so far, with U = s
+  std::vector<std::vector<double>> counts(n1 + 1, std::vector<double>(n1 * n2 + 1, 0.0));
+  counts[0][0] = 1.0;  // counts[k][s]: k of the ranks seen so far, with U = s
   for (std::size_t rank = 1; rank <= n1 + n2; ++rank) {
     for (std::size_t k = std::min(rank, n1); k >= 1; --k) {
       const std::size_t adds = rank - k;  // members of the other group below it
       if (adds > n2) continue;
-      for (std::size_t s = n1 * n2; s + 1 > adds; --s) ways[k][s] += ways[k - 1][s - adds];
+      for (std::size_t s = n1 * n2; s + 1 > adds; --s) counts[k][s] += counts[k - 1][s - adds];
     }
   }
-  const std::vector<double>& all = ways[n1];
+  const std::vector<double>& all = counts[n1];
   const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(u, n1 * n2) + 1);
   return std::accumulate(all.begin(), end, 0.0) / std::accumulate(all.begin(), all.end(), 0.0);
 }

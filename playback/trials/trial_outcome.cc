@@ -51,8 +51,8 @@ std::vector<SampledValue> SampledFrom(const Json& list) {
 Json StepsJson(const std::vector<GaitStep>& steps) {
   Json list = Json::array();
   for (const GaitStep& s : steps) {
-    list.push_back({s.ground_m, s.push_ahead_n_s, s.push_left_n_s});
-    if (s.landed) list.back().insert(list.back().end(), {s.late_s, s.ahead_m, s.left_m});
+    list.push_back({s.ground_m, s.push_forward_n_s, s.push_left_n_s});
+    if (s.landed) list.back().insert(list.back().end(), {s.late_s, s.forward_m, s.left_m});
   }
   return list;
 }
@@ -65,7 +65,7 @@ std::vector<GaitStep> StepsFrom(const Json& list) {
     GaitStep& step = steps.back();
     if (!step.landed) continue;
     step.late_s = number(3);
-    step.ahead_m = number(4);
+    step.forward_m = number(4);
     step.left_m = number(5);
   }
   return steps;

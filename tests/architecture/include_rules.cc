@@ -95,10 +95,10 @@ std::string ThirdPartyBreach(const std::string& file, const Include& include) {
 
 /// Whether a line prints to the terminal, which is not allowed in a library.
 bool Prints(const std::string& line) {
-  static const std::vector<std::string_view> ways = {"std::cout", "std::cerr", "fmt::print(", "std::printf(",
-                                                     "std::puts("};
-  return std::any_of(ways.begin(), ways.end(),
-                     [&](std::string_view way) { return line.find(way) != std::string::npos; });
+  static const std::vector<std::string_view> printers = {"std::cout", "std::cerr", "fmt::print(", "std::printf(",
+                                                         "std::puts("};
+  return std::any_of(printers.begin(), printers.end(),
+                     [&](std::string_view printer) { return line.find(printer) != std::string::npos; });
 }
 
 bool IsLibrary(const std::string& file) {

@@ -48,7 +48,7 @@ TEST(IncludeBreaches, TheArrowInsideARoomPointsDown) {
 }
 
 /// Two folders of one room, the lower first, for every such pair in the table.
-TEST(IncludeBreaches, EveryPairOfFoldersInARoomHasOneWay) {
+TEST(IncludeBreaches, EveryPairOfFoldersInARoomHasOneDirection) {
   int pairs = 0;
   for (const Layer& low : kLayers) {
     for (const Layer& high : kLayers) {

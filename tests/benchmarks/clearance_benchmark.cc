@@ -67,10 +67,10 @@ void RobotOverStairs(benchmark::State& state) {
   GroundLimits limits;
   limits.foot_m.assign(model.feet.size(), -1e-4);
   VectorX q = StandingConfiguration(model);
-  constexpr double kStep = 5e-4, kWay = 1.0;
+  constexpr double kStep = 5e-4, kDistance = 1.0;
   double x = 0.0;
   for (auto _ : state) {
-    x = x < kWay ? x + kStep : 0.0;
+    x = x < kDistance ? x + kStep : 0.0;
     q[0] = x;
     q[2] = model.standing_base_height_m + 0.02 + x * kRise / kTread;
     ForwardKinematics(model, q, scratch);

@@ -48,7 +48,7 @@ TEST_F(Answers, WalkGivesItsObjectAndWritesItsFiles) {
   EXPECT_NE(Read("out/report.html").find("</html>"), std::string::npos);
 }
 
-TEST_F(Answers, WalkPlaysInBothEnginesUnlessTold) {
+TEST_F(Answers, WalkPlaysInBothEnginesByDefault) {
   if (!HasMujoco()) GTEST_SKIP() << "this program was built without MuJoCo";
   const Json both = Run({"walk", "--robot", "a1", "--distance", "0.3", "--json"}).json();
   ASSERT_EQ(both.at("engines").size(), 2U);

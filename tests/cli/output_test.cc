@@ -70,7 +70,7 @@ TEST(Output, JsonHasTheVerdictOfPlaybackAndAudit) {
   EXPECT_EQ(fail["reason"], "the plan fails its audit: joint_torque");
 }
 
-TEST(Output, WithTwoEnginesTheOneThatFailsIsTold) {
+TEST(Output, WithTwoEnginesTheOneThatFailsIsNamed) {
   MadeJudged made;
   SecondPlayback second;
   second.log = made.log;

@@ -103,7 +103,7 @@ TEST_F(BeforeHardware, EveryLimitMayBeDerated) {
   ExpectRefused(Run({"audit", "plan.json", "--derate", "jerks=0.5"}), 1, {"'jerks'", "'jerk'"});
 }
 
-TEST_F(BeforeHardware, AJumpIsNamedAndAWayThereIsPlanned) {
+TEST_F(BeforeHardware, AJumpIsNamedAndAnApproachIsPlanned) {
   const std::string knee = Knee();
   Measure("near.yaml", "", 0.0);
   Measure("off.yaml", knee, -0.3);
@@ -117,12 +117,12 @@ TEST_F(BeforeHardware, AJumpIsNamedAndAWayThereIsPlanned) {
   EXPECT_EQ(json.at("approach").at("base"), "hanging");
   EXPECT_GE(json.at("approach").at("duration_s"), 1.0);
   EXPECT_EQ(json.at("approach").at("farthest"), knee);
-  const Ran way = Run({"audit", "way.json", "--start-posture", "off.yaml", "--json"});
-  EXPECT_EQ(way.status, 0) << way.out;
-  EXPECT_EQ(way.json().at("verdict"), "pass");
+  const Ran approach = Run({"audit", "way.json", "--start-posture", "off.yaml", "--json"});
+  EXPECT_EQ(approach.status, 0) << approach.out;
+  EXPECT_EQ(approach.json().at("verdict"), "pass");
 }
 
-TEST_F(BeforeHardware, ATiltedBaseIsNotMendedByAWay) {
+TEST_F(BeforeHardware, ATiltedBaseIsNotCorrectedByAnApproach) {
   Measure("near.yaml", "", 0.0);
   Write("tilted.yaml", Read("near.yaml") + "base_quaternion_xyzw: [0.1494381, 0, 0, 0.9887711]\n");
   const std::vector<std::string> audit = {"audit",       "plan.json", "--start-posture",
@@ -144,7 +144,7 @@ TEST_F(BeforeHardware, ATiltedBaseIsNotMendedByAWay) {
   EXPECT_FALSE(std::filesystem::exists(In("way.json")));
 }
 
-TEST_F(BeforeHardware, ThatARobotHangsIsSaidWhereverItsWayIsLookedAt) {
+TEST_F(BeforeHardware, AHangingRobotIsReportedWhereverItsApproachIsChecked) {
   Measure("off.yaml", Knee(), -0.3);
   EXPECT_EQ(Run({"audit", "plan.json", "--start-posture", "off.yaml", "--approach", "way.json", "--quiet"}).status, 3);
   const std::string warning = "robot 'a1' hangs: its base is assumed to be held in the air";

@@ -7,12 +7,12 @@ namespace {
 
 using Bench = Stranger;
 
-TEST_F(Bench, ACaseIsSolvedAndItsFaultsAreTold) {
+TEST_F(Bench, ACaseIsSolvedAndItsFaultsAreReported) {
   const Ran ran = Run({"bench", "centroidal", "--only", "hyq-1-gap", "--json"});
   EXPECT_EQ(ran.status, 0) << ran.err;
-  const Json told = ran.json();
-  ASSERT_EQ(told.at("cases").size(), 1U);
-  const Json& one = told.at("cases")[0];
+  const Json report = ran.json();
+  ASSERT_EQ(report.at("cases").size(), 1U);
+  const Json& one = report.at("cases")[0];
   EXPECT_EQ(one.at("robot"), "hyq");
   EXPECT_EQ(one.at("schedule"), "1 flying trot");
   EXPECT_EQ(one.at("solved"), true) << one.at("reason");
@@ -28,7 +28,7 @@ TEST_F(Bench, ATableHasALineForEachCaseAndASum) {
   EXPECT_NE(ran.out.find("1 of 1 cases solved as given"), std::string::npos) << ran.out;
 }
 
-TEST_F(Bench, BetterTimesOfContactsAreToldForWhatIsSolved) {
+TEST_F(Bench, BetterContactTimesOfSolvedCasesAreReported) {
   const Ran ran = Run({"bench", "centroidal", "--only", "monoped-3-flat", "--timing", "fixed", "--json"});
   EXPECT_EQ(ran.status, 0) << ran.err;
   const Json one = ran.json().at("cases")[0];

@@ -50,9 +50,9 @@ TEST_F(Do, RefusalsSayWhatToSayInstead) {
     EXPECT_NE(ran.status, 0) << text;
     return ran.err;
   };
-  const auto says = [&](const std::string& told, const std::string& part) {
-    EXPECT_NE(told.find(part), std::string::npos) << told;
-    EXPECT_EQ(told.find("raise_arm"), std::string::npos) << told;
+  const auto says = [&](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+    EXPECT_EQ(text.find("raise_arm"), std::string::npos) << text;
   };
   says(refusal("turn 90 degrees"), "(try: left or right)");
   says(refusal("walk sideways"), "(try: left or right)");

@@ -33,7 +33,7 @@ std::string Greeting(int port) {
     SocketClient client(port);
     if (client.Open("/live", "http://" + host, host) != 101) return "";
     std::string greeting = client.Hear().value_or("");
-    for (int told = 0; told < 10; ++told) client.Hear();  // the page number, and frames of a running world
+    for (int heard = 0; heard < 10; ++heard) client.Hear();  // the page number, and frames of a running world
     return greeting;
   } catch (const std::runtime_error&) {
     return "";

@@ -66,8 +66,8 @@ TEST_F(Terrains, FilesAreShownAndPlannedOn) {
   EXPECT_EQ(shown.json().at("name"), "yard.yaml");
   EXPECT_EQ(shown.json().at("obstacles").at(0).at("type"), "cylinder");
   EXPECT_EQ(shown.json().at("markers"), Json::parse(R"([{"name": "red marker", "position_m": [1.5, 0.5]}])"));
-  const std::string told = Run({"terrains", "show", "./yard.yaml"}).out;
-  EXPECT_NE(told.find("markers\n  red marker: at (1.500, 0.500) m"), std::string::npos) << told;
+  const std::string text = Run({"terrains", "show", "./yard.yaml"}).out;
+  EXPECT_NE(text.find("markers\n  red marker: at (1.500, 0.500) m"), std::string::npos) << text;
   const Ran planned = Run({"plan", "--terrain", In("yard.yaml").string(), "--distance", "0.3", "--out", "plan.json"});
   ASSERT_EQ(planned.status, 0) << planned.err;
   EXPECT_EQ(Read("plan.json").find(In("").string()), std::string::npos) << "plans hold no path";

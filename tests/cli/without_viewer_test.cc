@@ -5,7 +5,7 @@
 namespace gaitwright::cli {
 namespace {
 
-TEST_F(Stranger, WhoBuiltWithoutTheViewerIsToldSoAndHasTheRest) {
+TEST_F(Stranger, ABuildWithoutTheViewerSaysSoAndHasTheRest) {
   ASSERT_EQ(Run({"walk", "--distance", "0.3", "--quiet", "--out-dir", "out"}).status, 0);
   EXPECT_EQ(Read("out/report.html").find("data-scene"), std::string::npos);
   const std::string why = "built without the viewer (GAITWRIGHT_VIEWER=OFF)";

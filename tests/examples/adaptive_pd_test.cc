@@ -69,7 +69,7 @@ TEST(AdaptivePdExample, AKilogramThatIsMissingGrowsAtTheRateAndIsFedForward) {
 
   DynamicsScratch scratch(model);
   const VectorX Y = TorquePerKilogram(model, input.q, plan.whole_body.wrenches.front(), scratch);
-  input.v.tail(model.num_dofs()) = -Y.cwiseQuotient(still.damping);  // as the joints give way to a kilogram
+  input.v.tail(model.num_dofs()) = -Y.cwiseQuotient(still.damping);  // as the joints yield to a kilogram
   const JointCommand sagging = controller.Update(input);
   EXPECT_NEAR(controller.payloads_kg().back(), 0.002, 1e-12);
   EXPECT_LT((sagging.tau_ff - plan.whole_body.tau.front() - 0.002 * Y).norm(), 1e-12);

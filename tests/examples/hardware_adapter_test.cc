@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time is told by the tests: nothing here depends on how fast the machine is.
+// Time is given by the tests: nothing here depends on how fast the machine is.
 #include "examples/hardware_adapter.h"
 
 #include <gtest/gtest.h>

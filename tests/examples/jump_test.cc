@@ -12,7 +12,7 @@ namespace gaitwright::examples {
 namespace {
 
 TEST(JumpExample, IsThrownLikeAStone) {
-  const Leap leap = LeapAhead("a1", 0.4);
+  const Leap leap = LeapForward("a1", 0.4);
   EXPECT_TRUE(leap.report.pass) << leap.report.reason;
   EXPECT_GT(leap.rise_m, 0.05);
   const double thrown_s = std::sqrt(2.0 * leap.rise_m / kGravity) + std::sqrt(2.0 * leap.drop_m / kGravity);
@@ -20,7 +20,7 @@ TEST(JumpExample, IsThrownLikeAStone) {
   EXPECT_NEAR(leap.air_s, leap.planned_air_s, 0.02);
 }
 
-TEST(JumpExample, ABipedHasNoSuchGait) { EXPECT_THROW(LeapAhead("nao", 0.1), InvalidArgument); }
+TEST(JumpExample, ABipedHasNoSuchGait) { EXPECT_THROW(LeapForward("nao", 0.1), InvalidArgument); }
 
 }  // namespace
 }  // namespace gaitwright::examples

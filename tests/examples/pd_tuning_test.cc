@@ -87,7 +87,7 @@ TEST(PdTuningExample, AMotorAtItsLimitIsNoSecondOrderSystem) {
   EXPECT_GT(ShapeOf(step.simulated, step.step_s).rise_s, 1.5 * ShapeOf(step.formula, step.step_s).rise_s);
 }
 
-TEST(PdTuningExample, AnklesGiveWayAsAnInvertedPendulumDoes) {
+TEST(PdTuningExample, AnklesYieldAsAnInvertedPendulumDoes) {
   const RobotModel nao = NamedRobot("nao");
   for (const double scale : {1.0, 0.15}) {
     const StoodByPd stood = StandByPd(nao, scale, true);

@@ -18,16 +18,16 @@ const Stander& Humanoid() {
   return stander;
 }
 
-bool Stands(const std::string& way, double force_n, double direction_deg) {
-  return StandsPush(Humanoid(), *MakeWayToStand(Humanoid(), way), force_n, direction_deg);
+bool Stands(const std::string& strategy, double force_n, double direction_deg) {
+  return StandsPush(Humanoid(), *MakeStandingStrategy(Humanoid(), strategy), force_n, direction_deg);
 }
 
 TEST(StandingControlExample, TheHumanoidStandsWithEach) {
-  for (const std::string& way : WaysToStand()) EXPECT_TRUE(Stands(way, 20.0, 30.0)) << way;
+  for (const std::string& strategy : StandingStrategies()) EXPECT_TRUE(Stands(strategy, 20.0, 30.0)) << strategy;
 }
 
-/// To the left: each way takes what the one before it does not.
-TEST(StandingControlExample, EachWayTakesWhatTheOneBeforeDoesNot) {
+/// To the left: each strategy takes what the one before it does not.
+TEST(StandingControlExample, EachStrategyTakesAPushThatThePreviousOneDoesNot) {
   EXPECT_FALSE(Stands("soft joints", 190.0, 90.0));
   EXPECT_TRUE(Stands("ankle", 190.0, 90.0));
   EXPECT_FALSE(Stands("ankle", 208.0, 90.0));
@@ -39,15 +39,16 @@ TEST(StandingControlExample, EachWayTakesWhatTheOneBeforeDoesNot) {
   EXPECT_FALSE(Stands("steps", 480.0, 90.0));
 }
 
-/// The whole body's way holds the attitude too, which the hips give up: it takes less, and steps from there take more.
+/// The whole body's strategy holds the attitude too, which the hips give up: it takes less, and steps from there take
+/// more.
 TEST(StandingControlExample, StepsTakeWhatTheWholeBodyDoesNot) {
   EXPECT_TRUE(Stands("whole body", 185.0, 90.0));
   EXPECT_FALSE(Stands("whole body", 208.0, 90.0));
   EXPECT_TRUE(Stands("steps", 208.0, 90.0));
 }
 
-/// How far the soles reach ahead of the centre of mass [m].
-double SolesAhead() {
+/// How far the soles reach in front of the centre of mass [m].
+double SoleReach() {
   const auto& [model, plan] = Humanoid();
   DynamicsScratch scratch(model);
   ForwardKinematics(model, plan.whole_body.q.front(), scratch);
@@ -56,17 +57,17 @@ double SolesAhead() {
   return toe_m - CentreOfMass(model, scratch).x();
 }
 
-/// A block on its soles is caught while its DCM is over them. With the ZMP at their edge, d ahead, meanwhile
+/// A block on its soles is caught while its DCM is over them. With the ZMP at their edge, d forward, meanwhile
 /// (xi' = w (xi - d) + F / (m w)), a push F for T takes it there by  F = m w^2 d / (1 - e^{-w T}).
 TEST(StandingControlExample, StiffJointsHoldToTheEdgeOfTheSoles) {
   const double omega = Humanoid().plan.centroidal.omega_rad_s;
-  const double limit_n = Humanoid().model.total_mass_kg * omega * omega * SolesAhead() / (1.0 - std::exp(-0.1 * omega));
+  const double limit_n = Humanoid().model.total_mass_kg * omega * omega * SoleReach() / (1.0 - std::exp(-0.1 * omega));
   EXPECT_NEAR(LargestPush(Humanoid(), "stiff joints", 0.0, 400.0), limit_n, 0.05 * limit_n);
 }
 
 TEST(StandingControlExample, WhatThereIsNotIsNamed) {
   EXPECT_THROW(MakeStander("a2"), InvalidArgument);
-  EXPECT_THROW(MakeWayToStand(Humanoid(), "tail"), InvalidArgument);
+  EXPECT_THROW(MakeStandingStrategy(Humanoid(), "tail"), InvalidArgument);
 }
 
 }  // namespace

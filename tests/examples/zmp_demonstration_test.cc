@@ -13,7 +13,7 @@
 namespace gaitwright::examples {
 namespace {
 
-constexpr double kPeak = 5.7735026918962575;  // acceleration of a minimum-jerk move, over way / time^2: 10 / sqrt(3)
+constexpr double kPeak = 5.7735026918962575;  // 10 / sqrt(3): minimum-jerk acceleration over distance / time^2
 
 TEST(ZmpDemonstrationExample, SlowlyTheZmpIsUnderTheCentreOfMass) {
   const ShownShift slow = ShiftBody(NamedRobot("nao"), {0.0, 0.03}, 2.0);
@@ -28,18 +28,18 @@ TEST(ZmpDemonstrationExample, SlowlyTheZmpIsUnderTheCentreOfMass) {
 }
 
 // Kajita's table and cart: the lead is (z / g) a, and so falls with the square of the time.
-TEST(ZmpDemonstrationExample, QuicklyItRunsAheadWithTheAcceleration) {
+TEST(ZmpDemonstrationExample, AFastShiftMovesTheZmpWithTheAcceleration) {
   const RobotModel nao = NamedRobot("nao");
   for (const Vector2& shift_m : {Vector2(0.0, 0.03), Vector2(0.02, 0.0)}) {
-    const ShownShift quick = ShiftBody(nao, shift_m, 0.4), half = ShiftBody(nao, shift_m, 0.8);
-    EXPECT_NEAR(quick.lead_m / half.lead_m, 4.0, 0.1);
-    const double z = quick.series.measured.front().p_WC.z();
+    const ShownShift fast = ShiftBody(nao, shift_m, 0.4), half = ShiftBody(nao, shift_m, 0.8);
+    EXPECT_NEAR(fast.lead_m / half.lead_m, 4.0, 0.1);
+    const double z = fast.series.measured.front().p_WC.z();
     const double formula_m = z / kGravity * kPeak * shift_m.norm() / (0.4 * 0.4);
     EXPECT_GT(formula_m, 0.015);
-    EXPECT_LT(quick.off_formula_m, 0.25 * quick.lead_m);
-    EXPECT_NEAR(quick.lead_m - quick.off_formula_m, formula_m, 0.01 * formula_m);
-    EXPECT_NEAR(quick.margin_measured_m, quick.margin_planned_m, 0.5e-3);
-    EXPECT_LT(quick.tilt_rad, 1e-3);
+    EXPECT_LT(fast.off_formula_m, 0.25 * fast.lead_m);
+    EXPECT_NEAR(fast.lead_m - fast.off_formula_m, formula_m, 0.01 * formula_m);
+    EXPECT_NEAR(fast.margin_measured_m, fast.margin_planned_m, 0.5e-3);
+    EXPECT_LT(fast.tilt_rad, 1e-3);
   }
 }
 
@@ -47,22 +47,22 @@ TEST(ZmpDemonstrationExample, QuicklyItRunsAheadWithTheAcceleration) {
 //   Z_y = C_y - (z C_y'' - L_x' / m) / (g + z'').
 TEST(ZmpDemonstrationExample, WhatTheFormulaLeavesIsAngularMomentum) {
   const RobotModel nao = NamedRobot("nao");
-  const ShownShift quick = ShiftBody(nao, {0.0, 0.03}, 0.4);
+  const ShownShift fast = ShiftBody(nao, {0.0, 0.03}, 0.4);
   DynamicsScratch scratch(nao);
   const auto momentum = [&](std::size_t k) {
-    const WholeBodySample& row = quick.series.plan[k];
+    const WholeBodySample& row = fast.series.plan[k];
     ForwardVelocities(nao, row.q, row.v, scratch);
     return CentroidalMomentum(nao, scratch);
   };
   double off_m = 0.0;
-  for (std::size_t k = 1; k < quick.series.measured.size(); ++k) {
-    const MotionSample &before = quick.series.measured[k - 1], &now = quick.series.measured[k];
+  for (std::size_t k = 1; k < fast.series.measured.size(); ++k) {
+    const MotionSample &before = fast.series.measured[k - 1], &now = fast.series.measured[k];
     const Vector6 rate = (momentum(k) - momentum(k - 1)) / (now.time_s - before.time_s);
     const Vector3 p_WC = 0.5 * (before.p_WC + now.p_WC);
     const double zmp_m = p_WC.y() - (p_WC.z() * rate[1] - rate[3]) / (nao.weight_n() + rate[2]);
     off_m = std::max(off_m, std::abs(zmp_m - now.p_WZ.y()));
   }
-  EXPECT_GT(quick.off_formula_m, 5e-3);
+  EXPECT_GT(fast.off_formula_m, 5e-3);
   EXPECT_LT(off_m, 1.5e-3);
 }
 

@@ -45,13 +45,13 @@ VectorX FeetAt(const RobotModel& model, const std::vector<Pose>& X_WF, VectorX q
   return q;
 }
 
-VectorX BaseMoved(const RobotModel& model, const VectorX& q, const Vector3& way_W, const Vector3& turn_W) {
+VectorX BaseMoved(const RobotModel& model, const VectorX& q, const Vector3& displacement_W, const Vector3& turn_W) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, q, scratch);
   std::vector<Pose> X_WF;
   for (const Foot& foot : model.feet) X_WF.push_back(FramePose(scratch, foot.body, foot.X_BF));
   VectorX moved = q;
-  moved.head<3>() += way_W;
+  moved.head<3>() += displacement_W;
   moved.segment<4>(3) = Quaternion(RotationExp(turn_W) * scratch.R_WB[0]).coeffs();
   return FeetAt(model, X_WF, moved);
 }

@@ -19,7 +19,7 @@ MatrixX FootRows(const RobotModel& model, const DynamicsScratch& scratch, int fo
 VectorX FeetAt(const RobotModel& model, const std::vector<Pose>& X_WF, VectorX q);
 
 /// The base moved and turned (rotation vector, W, about its origin); the feet stay in place.
-VectorX BaseMoved(const RobotModel& model, const VectorX& q, const Vector3& way_W, const Vector3& turn_W);
+VectorX BaseMoved(const RobotModel& model, const VectorX& q, const Vector3& displacement_W, const Vector3& turn_W);
 
 /// Measurements of the robot at another place.
 ControlInput Carried(const Pose& X, ControlInput input);

@@ -24,7 +24,7 @@ class StanceCase {
       : model_(model),
         plan_(std::move(plan)),
         options_(options),
-        ahead_(model_, plan_, options_),
+        predictive_(model_, plan_, options_),
         now(model_, plan_),
         stance(model_, options_) {
     footing.offset_W.assign(model.feet.size(), Vector3::Zero());
@@ -41,8 +41,8 @@ class StanceCase {
     now.Update(model_, before);
     now.Update(model_, input);
     VectorX tau = VectorX::Zero(model_.num_dofs());
-    ahead_.Update(now, footing);
-    stance.Update(now, footing, tau, &ahead_);
+    predictive_.Update(now, footing);
+    stance.Update(now, footing, tau, &predictive_);
     return tau;
   }
 
@@ -62,12 +62,13 @@ class StanceCase {
     const VectorX moved = MovedWeight(), off = (now.measured.q - now.planned.q).tail(model_.num_dofs());
     VectorX borne = VectorX::Zero(model_.num_dofs());
     for (const Leg& leg : model_.legs) {
-      VectorX way = VectorX::Zero(model_.num_dofs());
+      VectorX displacement = VectorX::Zero(model_.num_dofs());
       for (const int joint : leg.joints) {
         const int dof = model_.joints[static_cast<std::size_t>(joint)].dof;
-        way[dof] = off[dof];
+        displacement[dof] = off[dof];
       }
-      if (way.norm() > 1e-6) borne += std::min(moved.dot(way.normalized()), 0.0) * way.normalized();
+      if (displacement.norm() > 1e-6)
+        borne += std::min(moved.dot(displacement.normalized()), 0.0) * displacement.normalized();
     }
     return borne;
   }
@@ -132,7 +133,7 @@ class StanceCase {
   const RobotModel model_;
   const MotionPlan plan_;
   const StabilisedOptions options_;
-  MomentumFeedback ahead_;
+  MomentumFeedback predictive_;
 
  public:
   Situation now;

@@ -144,13 +144,13 @@ void Order(const std::vector<SeriesDifference>& differences, std::vector<FirstDi
     beyond.push_back(
         {one.quantity, one.unit, *one.first_s, one.first_a, one.first_b, one.first_tolerance, one.derived});
   }
-  const auto excess = [](const FirstDifference& one) {
+  const auto ratio = [](const FirstDifference& one) {
     return one.tolerance > 0.0 ? std::abs(one.b - one.a) / one.tolerance : INFINITY;
   };
   std::stable_sort(beyond.begin(), beyond.end(), [&](const FirstDifference& one, const FirstDifference& other) {
     if (std::abs(one.time_s - other.time_s) > kSameTime_s) return one.time_s < other.time_s;
     if (one.derived != other.derived) return other.derived;
-    return excess(one) > excess(other);
+    return ratio(one) > ratio(other);
   });
   std::vector<FirstDifference> once;
   for (FirstDifference& one : beyond) {
@@ -200,8 +200,8 @@ void NoteFeetOfOneSide(const ComparedMotion& a, const ComparedMotion& b, std::ve
   const std::vector<std::string> feet_a = FootNames(a.model), feet_b = FootNames(b.model);
   for (const auto& [only, side] : {std::pair(OnlyIn(feet_a, feet_b), 'A'), std::pair(OnlyIn(feet_b, feet_a), 'B')}) {
     if (!only.empty())
-      notes.push_back(fmt::format("contacts of feet that are only in {} are not compared: {}", side,
-                                  fmt::join(only, ", ")));
+      notes.push_back(
+          fmt::format("contacts of feet that are only in {} are not compared: {}", side, fmt::join(only, ", ")));
   }
 }
 

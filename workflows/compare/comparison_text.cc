@@ -121,7 +121,7 @@ std::string WordLines(const std::vector<WordDifference>& words) {
 
 FoldedWords Folded(const std::vector<WordDifference>& words) {
   FoldedWords folded;
-  std::set<std::pair<char, std::string>> told;
+  std::set<std::pair<char, std::string>> named;
   for (const WordDifference& word : words) {
     if (word.only == ' ') {
       folded.each.push_back(word);
@@ -130,7 +130,7 @@ FoldedWords Folded(const std::vector<WordDifference>& words) {
     const std::size_t dot = word.key.rfind('.');
     const std::string name = dot == std::string::npos ? word.key : word.key.substr(0, dot) + ".*";
     std::string& only = word.only == 'a' ? folded.only_a : folded.only_b;
-    if (told.insert({word.only, name}).second) only += (only.empty() ? "" : ", ") + name;
+    if (named.insert({word.only, name}).second) only += (only.empty() ? "" : ", ") + name;
   }
   return folded;
 }

@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-/// Intervals in which a foot is on the ground; contacts change half way between two rows.
+/// Intervals in which a foot is on the ground; contacts change halfway between two rows.
 std::vector<ContactInterval> IntervalsOfRows(const MotionRows& rows, int foot) {
   std::vector<ContactInterval> intervals;
   const std::size_t n = rows.contact.size();

@@ -103,7 +103,7 @@ class DeepMimicReader {
     }
   }
 
-  /// Axes of the base from those of the file, of which y or z is upward, and x ahead.
+  /// Axes of the base from those of the file, of which y or z is upward, and x forward.
   Matrix3 AxesOfFile() const {
     std::array<std::vector<double>, 2> heights;
     for (const std::vector<double>& frame : frames_) {

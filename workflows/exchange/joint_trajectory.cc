@@ -19,7 +19,7 @@ namespace {
 /// A part of a YAML text and its path, with the interface of JsonPart.
 class YamlPart {
  public:
-  explicit YamlPart(const YAML::Node& node, std::string way = "") : node_(node), way_(std::move(way)) {}
+  explicit YamlPart(const YAML::Node& node, std::string path = "") : node_(node), path_(std::move(path)) {}
 
   void Object(const std::vector<std::string>& required, const std::vector<std::string>& optional) const {
     std::vector<std::string> known = required;
@@ -27,7 +27,7 @@ class YamlPart {
     YamlMap(node_, Name(), known).Require(required);
   }
   bool Has(const std::string& key) const { return node_.IsMap() && node_[key]; }
-  YamlPart At(const std::string& key) const { return YamlPart(node_[key], way_.empty() ? key : way_ + "." + key); }
+  YamlPart At(const std::string& key) const { return YamlPart(node_[key], path_.empty() ? key : path_ + "." + key); }
   std::vector<YamlPart> List() const {
     std::vector<YamlPart> parts;
     for (const YAML::Node& node : ListOf(node_, Name())) parts.emplace_back(node, NameOf(parts.size()));
@@ -45,11 +45,11 @@ class YamlPart {
   [[noreturn]] void Refuse(const std::string& what) const { RefuseYaml(node_, Name() + " " + what); }
 
  private:
-  std::string Name() const { return way_.empty() ? "the trajectory" : way_; }
-  std::string NameOf(std::size_t member) const { return fmt::format("{}[{}]", way_, member); }
+  std::string Name() const { return path_.empty() ? "the trajectory" : path_; }
+  std::string NameOf(std::size_t member) const { return fmt::format("{}[{}]", path_, member); }
 
   const YAML::Node node_;
-  std::string way_;
+  std::string path_;
 };
 
 bool IsNull(const YamlPart& part) { return part.IsNull(); }

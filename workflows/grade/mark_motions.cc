@@ -53,8 +53,8 @@ double LongestWalk(const RobotModel& model, const WalkCommand& command) {
   const double speed = std::hypot(command.speed_m_s, command.lateral_speed_m_s);
   if (speed == 0.0) return std::numeric_limits<double>::infinity();
   const PlanarPose goal = GoalOf(model, command);
-  const double way_m = std::max(command.distance_m, std::hypot(goal.x_m, goal.y_m));
-  return kSlower * way_m / speed + kStandsFor;
+  const double distance_m = std::max(command.distance_m, std::hypot(goal.x_m, goal.y_m));
+  return kSlower * distance_m / speed + kStandsFor;
 }
 
 /// Checks that a submitted plan is for the given robot, ground and command. @throws InvalidArgument that names the

@@ -132,12 +132,12 @@ PlanarPose GoalOf(const RobotModel& model, const WalkCommand& command) {
   if (command.extent != WalkCommand::Extent::kDistance)
     throw InvalidArgument("a command of steps or of a duration does not set a goal; give a goal or a distance");
   const bool own = command.speed_m_s == 0.0 && command.lateral_speed_m_s == 0.0;
-  const double ahead = own ? model.nominal_speed_m_s : command.speed_m_s, left = command.lateral_speed_m_s;
-  const double turn = command.yaw_rate_rad_s * command.distance_m / std::hypot(ahead, left);
+  const double forward = own ? model.nominal_speed_m_s : command.speed_m_s, left = command.lateral_speed_m_s;
+  const double turn = command.yaw_rate_rad_s * command.distance_m / std::hypot(forward, left);
   // Along an arc: the chord of the path, at half of the turning angle.
   const double chord =
       std::abs(turn) < 1e-9 ? command.distance_m : command.distance_m * std::sin(turn / 2.0) / (turn / 2.0);
-  const double heading = std::atan2(left, ahead) + turn / 2.0;
+  const double heading = std::atan2(left, forward) + turn / 2.0;
   return {chord * std::cos(heading), chord * std::sin(heading), turn};
 }
 

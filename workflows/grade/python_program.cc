@@ -79,17 +79,17 @@ const std::vector<std::string> kSystem = {"/usr/lib",       "/usr/lib64",       
                                           "/lib64",         "/usr/local/lib",   "/dev/urandom",
                                           "/etc/localtime", "/etc/ld.so.cache", "/usr/share/zoneinfo"};
 
-PythonProgram FromJson(const nlohmann::ordered_json& told) {
+PythonProgram FromJson(const nlohmann::ordered_json& report) {
   PythonProgram python;
-  const std::vector<int> version = told.at("version").get<std::vector<int>>();
-  python.path = told.at("path").get<std::string>();
+  const std::vector<int> version = report.at("version").get<std::vector<int>>();
+  python.path = report.at("path").get<std::string>();
   python.version = fmt::format("{}.{}.{}", version.at(0), version.at(1), version.at(2));
-  python.readable = told.at("readable").get<std::vector<std::string>>();
+  python.readable = report.at("readable").get<std::vector<std::string>>();
   python.readable.insert(python.readable.end(), kSystem.begin(), kSystem.end());
-  python.package = told.at("package").get<std::string>();
+  python.package = report.at("package").get<std::string>();
   if (const std::string libraries = LibrariesOf(python.package); !libraries.empty())
     python.readable.push_back(libraries);
-  python.has_numpy = told.at("numpy").get<bool>();
+  python.has_numpy = report.at("numpy").get<bool>();
   return python;
 }
 
@@ -98,11 +98,12 @@ PythonProgram FromJson(const nlohmann::ordered_json& told) {
 Result<PythonProgram> LookOver(const std::string& program) {
   const std::string path = ChosenProgram(program);
   if (path.empty()) return NoPython(fmt::format("there is no Python '{}'", program.empty() ? "python3" : program));
-  const Result<std::string> told = RunProgram(path, {"-I", "-B", "-c", kTell, PackageBesideProgram()});
-  if (!told) return NoPython(told.failure().message);
-  const std::size_t last = told->find("{\"version\"");
-  const auto json = nlohmann::ordered_json::parse(last == std::string::npos ? "" : told->substr(last), nullptr, false);
-  if (json.is_discarded()) return NoPython(fmt::format("'{}' is not Python 3: it printed '{}'", path, *told));
+  const Result<std::string> output = RunProgram(path, {"-I", "-B", "-c", kTell, PackageBesideProgram()});
+  if (!output) return NoPython(output.failure().message);
+  const std::size_t last = output->find("{\"version\"");
+  const auto json =
+      nlohmann::ordered_json::parse(last == std::string::npos ? "" : output->substr(last), nullptr, false);
+  if (json.is_discarded()) return NoPython(fmt::format("'{}' is not Python 3: it printed '{}'", path, *output));
   PythonProgram python = FromJson(json);
   if (json.at("version").at(0) != 3 || json.at("version").at(1) < 9)
     return NoPython(fmt::format("'{}' is Python {}; 3.9 or newer is needed", path, python.version));

@@ -70,11 +70,11 @@ void AskInverse(const QuestionContext& context, SplitMix& random, Values& in) {
   }
 }
 
-double LimitExcess(const LegChain& chain, const VectorX& joints) {
-  double excess = 0.0;
+double LargestLimitViolation(const LegChain& chain, const VectorX& joints) {
+  double violation = 0.0;
   for (int i = 0; i < joints.size(); ++i)
-    excess = std::max({excess, joints[i] - chain.upper[i], chain.lower[i] - joints[i]});
-  return excess;
+    violation = std::max({violation, joints[i] - chain.upper[i], chain.lower[i] - joints[i]});
+  return violation;
 }
 
 /// Error of the foot pose for the answered joints; every solution of the leg is accepted.
@@ -89,7 +89,7 @@ double InverseError(const QuestionContext& context, const Values& in, const Ques
     const Matrix3 wanted = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(in[2].numbers.data());
     error += Eigen::AngleAxisd(Matrix3(wanted.transpose() * pose.linear())).angle();
   }
-  return std::max(error, LimitExcess(chain, joints));
+  return std::max(error, LargestLimitViolation(chain, joints));
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace gaitwright {
 namespace {
 
 /// The force of a spring, limited to its largest force.
-Vector3 ForceOf(const PullSpring& spring, const Vector3& way_W) {
-  const Vector3 force = spring.n_per_m * way_W;
+Vector3 ForceOf(const PullSpring& spring, const Vector3& stretch_W) {
+  const Vector3 force = spring.n_per_m * stretch_W;
   return force.norm() > spring.most_n ? Vector3(spring.most_n / force.norm() * force) : force;
 }
 
@@ -48,9 +48,9 @@ void HandsOn::LetGo(HandId hand) {
   std::erase_if(grips_, [hand](const Grip& grip) { return grip.hand == hand; });
 }
 
-void HandsOn::GoAlong(const Vector3& way_W) {
+void HandsOn::GoAlong(const Vector3& displacement_W) {
   for (Grip& grip : grips_) {
-    if (grip.along && grip.from_W) *grip.from_W += way_W;
+    if (grip.along && grip.from_W) *grip.from_W += displacement_W;
   }
 }
 

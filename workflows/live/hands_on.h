@@ -48,7 +48,7 @@ class HandsOn {
   void Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& by_W, bool along = false);
   void LetGo(HandId hand);
   /// Moves the hands with `along` by the distance that the robot was commanded to walk.
-  void GoAlong(const Vector3& way_W);
+  void GoAlong(const Vector3& displacement_W);
   const std::vector<Grip>& grips() const { return grips_; }
   /// Applies a force [N] to the base up to a time. @throws InvalidArgument for more than ten weights.
   void Push(const Vector3& force_W, double until_s);

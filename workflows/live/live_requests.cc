@@ -32,13 +32,13 @@ std::string GaitOf(const JsonPart& part, const RobotModel& model) {
 }
 
 LiveRequest ReadPace(const JsonPart& m, const RobotModel& model) {
-  constexpr double kFastest = 20.0, kQuickestTurn = 20.0;
+  constexpr double kFastest = 20.0, kFastestTurn = 20.0;
   m.Object({"do", "gait"}, {"speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s"});
   const auto number = [&](const char* key, double most) { return m.Has(key) ? m.At(key).NumberIn(-most, most) : 0.0; };
   const WalkPace pace = {.gait = GaitOf(m.At("gait"), model),
                          .speed_m_s = number("speed_m_s", kFastest),
                          .lateral_speed_m_s = number("lateral_speed_m_s", kFastest),
-                         .yaw_rate_rad_s = number("yaw_rate_rad_s", kQuickestTurn)};
+                         .yaw_rate_rad_s = number("yaw_rate_rad_s", kFastestTurn)};
   return [pace](LiveWorld& live, LiveClock&, HandId) { live.Ask(pace); };
 }
 

@@ -232,9 +232,9 @@ class Visit : public std::enable_shared_from_this<Visit> {
   bool IsOurs(const std::string& host) const {
     constexpr int kUsualPort = 80;  // browsers leave it out
     const std::string port = fmt::format(":{}", shared_.port);
-    const bool told = host.size() > port.size() && host.ends_with(port);
-    if (!told && shared_.port != kUsualPort) return false;
-    const std::string name = told ? host.substr(0, host.size() - port.size()) : host;
+    const bool has_port = host.size() > port.size() && host.ends_with(port);
+    if (!has_port && shared_.port != kUsualPort) return false;
+    const std::string name = has_port ? host.substr(0, host.size() - port.size()) : host;
     if (name == shared_.host || name == "localhost" || name == "127.0.0.1" || name == "[::1]") return true;
     return !shared_.loopback && (IsAddress(name) || name.substr(0, name.find('.')) == shared_.machine);
   }

@@ -18,7 +18,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLead = 0.45;          // from a request to the earliest change, longer than the blending at a seam [s]
-constexpr double kAhead = 1.0;          // a stop is decided this long before it begins [s]
+constexpr double kLookahead = 1.0;      // a stop is decided this long before it begins [s]
 constexpr double kSameHeading = 0.01;   // [rad]
 constexpr double kSameHeight = 1e-3;    // [m]
 constexpr double kFallenTilt = 1.0;     // [rad]
@@ -126,7 +126,7 @@ void LiveWorld::Step() {
   AddToMeans();
   time_s_ += step_s();
   if (may_walk() && !hands_.grips().empty())
-    hands_.GoAlong(CentreWay(control_.plan().centroidal, time_s_ - step_s(), time_s_));
+    hands_.GoAlong(CentreDisplacement(control_.plan().centroidal, time_s_ - step_s(), time_s_));
   Watch();
 }
 
@@ -231,7 +231,7 @@ void LiveWorld::GoOn() {
     if (mode_ == LiveMode::kWalks && time_s_ > stream_.plan().whole_body.end_s()) ComeToStand();
     return;
   }
-  if (!stream_.GoOn(time_s_ + kAhead)) return;
+  if (!stream_.GoOn(time_s_ + kLookahead)) return;
   stream_.Forget(time_s_ - 2.0 * Shown(stream_.plan()));
   TakeControl();
 }

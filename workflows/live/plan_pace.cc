@@ -29,10 +29,10 @@ AskedPart PartOf(const WalkPace& pace, double duration_s) {
   return part;
 }
 
-/// A turn in whole cycles, with a yaw rate of at most `quickest_rad_s`.
+/// A turn in whole cycles, with a yaw rate of at most `fastest_rad_s`.
 /// @param asked_rad  commanded angle for which the plan turns by `turn_rad`.
-AskedPart TurnOf(WalkPace pace, double turn_rad, double asked_rad, double quickest_rad_s, double cycle_s) {
-  const double cycles = std::ceil(std::abs(turn_rad) / (quickest_rad_s * cycle_s));
+AskedPart TurnOf(WalkPace pace, double turn_rad, double asked_rad, double fastest_rad_s, double cycle_s) {
+  const double cycles = std::ceil(std::abs(turn_rad) / (fastest_rad_s * cycle_s));
   pace.yaw_rate_rad_s = asked_rad / (cycles * cycle_s);
   return PartOf(pace, cycles * cycle_s);
 }
@@ -50,8 +50,8 @@ std::optional<PacePlan> Steady(MotionPlan plan, bool from_stand) {
 Result<std::vector<AskedPart>> PartsOf(const RobotModel& model, const PaceChange& change, double asked_rad,
                                        double scale, const GaitOptions& options) {
   constexpr double kBefore = 8.0, kCycles = 10.0;
-  constexpr double kQuickTurn = 0.7;  // share of the robot's default speed divided by its leg length
-  const double quickest = kQuickTurn * model.nominal_speed_m_s / model.leg_length_m();
+  constexpr double kFastTurn = 0.7;  // share of the robot's default speed divided by its leg length
+  const double fastest = kFastTurn * model.nominal_speed_m_s / model.leg_length_m();
   std::vector<AskedPart> parts;
   for (const bool first : {true, false}) {
     const WalkPace& pace = first ? change.from : change.to;
@@ -60,7 +60,7 @@ Result<std::vector<AskedPart>> PartsOf(const RobotModel& model, const PaceChange
     const Result<Gait> gait = FindGait(model, pace.gait, SpeedOfSteps(model, lasts.command), options);
     if (!gait) return gait.failure();
     if (!first && change.turn_rad != 0.0)
-      parts.push_back(TurnOf(pace, change.turn_rad, asked_rad, quickest, gait->cycle_s));
+      parts.push_back(TurnOf(pace, change.turn_rad, asked_rad, fastest, gait->cycle_s));
     parts.push_back(PartOf(pace, scale * (first ? kBefore : kCycles) * gait->cycle_s));
   }
   return parts;

@@ -31,20 +31,20 @@ class NumberPlacer {
     taken_.emplace_back(at_px - Vector2::Constant(half_px), at_px + Vector2::Constant(half_px));
   }
 
-  /// Centre of the number's place. @param ahead unit vector: direction that is tried first.
-  Vector2 Place(const Vector2& tip_px, const Vector2& ahead, double width_px) {
+  /// Centre of the number's place. @param preferred unit vector: direction that is tried first.
+  Vector2 Place(const Vector2& tip_px, const Vector2& preferred, double width_px) {
     constexpr int kTurns = 16;
     const Vector2 half(0.5 * width_px, 0.5 * kNumberHigh);
     for (double away = 9.0; away < 90.0; away += 6.0) {
       for (int i = 0; i < kTurns; ++i) {
-        // 0, +1, -1, +2, -2, ...: directions near `ahead` first
+        // 0, +1, -1, +2, -2, ...: directions near `preferred` first
         const int turns = (i % 2 == 0 ? -1 : 1) * ((i + 1) / 2);
         const double turn = turns * 2.0 * std::numbers::pi / kTurns;
-        Vector2 middle = tip_px + away * (Eigen::Rotation2Dd(turn) * ahead);
+        Vector2 middle = tip_px + away * (Eigen::Rotation2Dd(turn) * preferred);
         if (Take({middle - half, middle + half})) return middle;
       }
     }
-    return tip_px + 9.0 * ahead;
+    return tip_px + 9.0 * preferred;
   }
 
  private:
@@ -150,8 +150,8 @@ std::string DrawnJoints(const DrawnView& view, const RobotModel& model, const Dy
                     end_on ? EndOnAxis(drawn.at_px, axis_W.dot(view.toward_W) > 0.0, css) : ArrowOf(drawn, joint, css));
     const std::string number = fmt::format("{}", drawn.index + 1);
     const Vector2 from = end_on ? drawn.at_px : drawn.tip_px;
-    const Vector2 ahead = end_on ? Vector2(Vector2(1.0, -1.0).normalized()) : Vector2(along.normalized());
-    const Vector2 at = placer.Place(from, ahead, 4.0 + 7.0 * static_cast<double>(number.size()));
+    const Vector2 preferred = end_on ? Vector2(Vector2(1.0, -1.0).normalized()) : Vector2(along.normalized());
+    const Vector2 at = placer.Place(from, preferred, 4.0 + 7.0 * static_cast<double>(number.size()));
     if ((at - from).norm() > 14.0) arrows += SvgSegment(from, at, std::string(css) + " lead");
     numbers += SvgText(at.x(), at.y() + 4.0, std::string(css) + " number", number);
   }

@@ -108,11 +108,11 @@ double PlaceRow(const std::vector<DrawnView*>& row, double left_px, double width
     used += px_per_m * view->extent_D.sizes().x() + 2.0 * kAround + kAxisRoom;
   }
   high += 2.0 * kAround + kAxisRoom + kViewTitle;
-  const double spare = (width_px - used) / static_cast<double>(row.size());
+  const double extra_px = (width_px - used) / static_cast<double>(row.size());
   double x = left_px;
   for (DrawnView* view : row) {
     const Vector2 size_px = px_per_m * view->extent_D.sizes();
-    const double wide = size_px.x() + 2.0 * kAround + kAxisRoom + spare;
+    const double wide = size_px.x() + 2.0 * kAround + kAxisRoom + extra_px;
     view->frame_px = {Vector2(x + kAxisRoom, top_px + kViewTitle), Vector2(x + wide, top_px + high - kAxisRoom)};
     const Vector2 middle_px = view->frame_px.center(), middle_D = view->extent_D.center();
     view->zero_px = middle_px - px_per_m * Vector2(middle_D.x(), -middle_D.y());

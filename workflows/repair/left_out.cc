@@ -26,11 +26,11 @@ class StandingRows {
     const int apart = std::max(1, static_cast<int>(std::lround(kBetween / motion.step_s)));
     const FootSet all = AllFeet(static_cast<int>(model.legs.size()));
     DynamicsScratch scratch(model);
-    const int aside = static_cast<int>(std::lround(0.5 * kRamp / motion.step_s));
+    const int half = static_cast<int>(std::lround(0.5 * kRamp / motion.step_s));
     for (int row = 0; row < motion.size(); row += apart) {
       const auto k = static_cast<std::size_t>(row);
-      const auto from = motion.contact.begin() + std::max(0, row - aside);
-      const auto to = motion.contact.begin() + std::min(motion.size(), row + aside + 1);
+      const auto from = motion.contact.begin() + std::max(0, row - half);
+      const auto to = motion.contact.begin() + std::min(motion.size(), row + half + 1);
       const bool stands = std::all_of(from, to, [&](FootSet feet) { return (feet & all) == all; });
       if (!stands || !IsSlow(motion, row)) continue;
       ForwardKinematics(model, motion.q[k], scratch);
@@ -85,8 +85,8 @@ class StandingRows {
 
   bool IsSlow(const EvenMotion& motion, int row) const {
     constexpr double kOver = 0.05, kSlow = 0.1, kSlowTurn = 0.5;  // [s], of sqrt(g l), [rad/s]
-    const int aside = std::max(1, static_cast<int>(std::lround(0.5 * kOver / motion.step_s)));
-    const int from = std::max(0, row - aside), to = std::min(motion.size() - 1, row + aside);
+    const int half = std::max(1, static_cast<int>(std::lround(0.5 * kOver / motion.step_s)));
+    const int from = std::max(0, row - half), to = std::min(motion.size() - 1, row + half);
     const VectorX &a = motion.q[static_cast<std::size_t>(from)], &b = motion.q[static_cast<std::size_t>(to)];
     const double time_s = motion.TimeOf(to - from);
     return (b - a).head<3>().norm() <= kSlow * std::sqrt(kGravity * model_.leg_length_m()) * time_s &&

@@ -91,25 +91,25 @@ class FeetParter {
     const double lacking = least_m_ - at.distance_m;
     if (!(lacking > kLittle)) return false;
     Vector2 along = at.n_W.head<2>();
-    double gained = along.norm();  // of the distance by a unit of way
+    double gained = along.norm();  // of the distance by a unit of shift
     if (gained < kBeside) {
       along = (b.X_WF.translation() - a.X_WF.translation()).head<2>();
       if (along.norm() < kLittle) along = -a.X_WF.linear().col(1).head<2>();
       gained = 1.0;
     }
-    const Vector2 way = 0.5 * lacking / gained * along.normalized();
-    const bool a_moved = Move(a, -way), b_moved = Move(b, way);
+    const Vector2 shift = 0.5 * lacking / gained * along.normalized();
+    const bool a_moved = Move(a, -shift), b_moved = Move(b, shift);
     return a_moved || b_moved;
   }
 
   /// @return false where there is no ground.
-  bool Move(PinnedPlace& place, const Vector2& way) const {
+  bool Move(PinnedPlace& place, const Vector2& shift) const {
     const Vector2 from = place.X_WF.translation().head<2>();
-    const GroundPoint before = GroundAt(terrain_, from), after = GroundAt(terrain_, from + way);
+    const GroundPoint before = GroundAt(terrain_, from), after = GroundAt(terrain_, from + shift);
     if (before.patch < 0 || after.patch < 0) return false;
-    place.X_WF.translation().head<2>() += way;
+    place.X_WF.translation().head<2>() += shift;
     place.X_WF.translation().z() += after.height_m - before.height_m;
-    place.parted_m += way.norm();
+    place.parted_m += shift.norm();
     return true;
   }
 

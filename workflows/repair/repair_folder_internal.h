@@ -55,7 +55,7 @@ Result<std::string> MotionIdentity(const RobotModel& model, const FolderRequest&
 
 /// Repairs clips on several threads. Each clip that is done goes into the journal; those that are there are not done
 /// again, so that a run that was interrupted ends with the same outcomes. @return the worst first: refused, then
-/// failed, then passed, and among these by the share of the time that the file breaks a check. Failure `interrupted`.
+/// failed, then passed, and among these by the share of the time that the file fails a check. Failure `interrupted`.
 /// @param elsewhere  RepairOneClip for a number, on other machines.
 Result<std::vector<ClipOutcome>> RepairClips(
     const RobotModel& model, const FolderRequest& request, const std::vector<std::string>& clips, JobJournal& journal,

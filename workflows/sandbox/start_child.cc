@@ -139,10 +139,10 @@ Report Become(Prepared& p) {
 }
 
 /// Waits until the child's program has started, or the child has reported a failure.
-std::optional<Failure> ReasonNotStarted(int told, pid_t process, const ChildSetup& setup) {
+std::optional<Failure> ReasonNotStarted(int report_fd, pid_t process, const ChildSetup& setup) {
   Report report;
   ssize_t n = 0;
-  while ((n = read(told, &report, sizeof report)) < 0 && errno == EINTR) {
+  while ((n = read(report_fd, &report, sizeof report)) < 0 && errno == EINTR) {
   }
   if (n == 0) return std::nullopt;
   while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-/// Largest excess of a prismatic joint over its limit [m].
+/// Largest violation of a prismatic joint over its limit [m].
 double StrayOf(const AuditReport& report) {
   double stray_m = 0.0;
   for (const Violation& v : report.violations) {

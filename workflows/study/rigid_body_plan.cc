@@ -155,7 +155,7 @@ class Converter {
   }
 
   /// Margin of a swing foot to the ends of its workspace; small near its footholds, which may be close to these ends.
-  double SpareAt(int foot, double time_s) const {
+  double MarginAt(int foot, double time_s) const {
     constexpr double kLeast = 5e-4, kMost = 3e-3, kWithin = 0.04;  // [m], [m], [s]
     double away_s = kWithin;
     for (const Foothold& foothold : plan_.footsteps.footholds) {
@@ -171,7 +171,7 @@ class Converter {
     const RigidBodySample& sample = samples_[std::min(row, samples_.size() - 1)];
     const auto of = static_cast<std::size_t>(problem_foot_[static_cast<std::size_t>(foot)]);
     return SidesInWorld(problem_.feet[of].workspace_B, sample.p_WC, RotationOf(sample.angles_rad),
-                        -SpareAt(foot, time_s));
+                        -MarginAt(foot, time_s));
   }
 
   /// The motion of a foot at a time, and the index of its present or last foothold.

@@ -122,24 +122,24 @@ SweepSummary SummaryOf(const std::vector<PointOutcome>& outcomes) {
 }
 
 std::vector<FailureGroup> FailureGroups(const Study& study, const std::vector<PointOutcome>& outcomes) {
-  std::vector<FailureGroup> ways, groups;
+  std::vector<FailureGroup> by_code, groups;
   std::map<std::size_t, const std::string*> reasons;
   for (const PointOutcome& outcome : outcomes) {
     if (outcome.status == PointStatus::kPass) continue;
     reasons[outcome.point] = &outcome.reason;
-    auto way = std::find_if(ways.begin(), ways.end(), [&](const FailureGroup& g) {
+    auto same = std::find_if(by_code.begin(), by_code.end(), [&](const FailureGroup& g) {
       return g.status == outcome.status && g.code == outcome.code;
     });
-    if (way == ways.end()) {
-      ways.push_back({outcome.status, outcome.code, {}, "", ""});
-      way = ways.end() - 1;
+    if (same == by_code.end()) {
+      by_code.push_back({outcome.status, outcome.code, {}, "", ""});
+      same = by_code.end() - 1;
     }
-    way->points.push_back(outcome.point);
+    same->points.push_back(outcome.point);
   }
   const std::vector<std::vector<double>> places = PlacesOf(study);
-  for (const FailureGroup& way : ways) {
-    for (const std::vector<std::size_t>& part : PartsOf(way.points, places)) {
-      FailureGroup group{way.status, way.code, part, "", *reasons.at(part.front())};
+  for (const FailureGroup& same : by_code) {
+    for (const std::vector<std::size_t>& part : PartsOf(same.points, places)) {
+      FailureGroup group{same.status, same.code, part, "", *reasons.at(part.front())};
       for (std::size_t k = 0; k < study.axes.size(); ++k)
         group.where += (k == 0 ? "" : ", ") + Covered(study, k, group.points);
       groups.push_back(std::move(group));

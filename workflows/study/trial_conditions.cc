@@ -62,8 +62,8 @@ std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std:
   AddSensors(options, conditions.front().value, conditions);
   conditions.push_back(Always(options, usual, kDelay));
   for (const OptionChange& change : ChangesFrom(usual, options)) {
-    const bool told = change.key == kState || change.key == kDelay || IsOfSensors(change.key) || IsSeed(change.key);
-    if (!told) conditions.push_back(change);
+    const bool known = change.key == kState || change.key == kDelay || IsOfSensors(change.key) || IsSeed(change.key);
+    if (!known) conditions.push_back(change);
   }
   for (const auto& [key, value] : options) {
     const auto is = [&key = key](const OptionField& field) { return field.key == key; };

@@ -120,14 +120,14 @@ void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::ve
     part.Refuse(fmt::format("says that there were {} trials, but has rows of {}", result.n, rows.size()));
   hold(result.survived, "survived", [](const TrialRow& row) { return row.survived; });
   hold(result.passed, "passed every gate", [](const TrialRow& row) { return row.passed; });
-  int told = 0;
+  int counted = 0;
   for (const TrialsResult::Cause& cause : result.causes) {
     hold(cause.count, fmt::format("fell as '{}'", cause.name),
          [&](const TrialRow& row) { return !row.survived && row.cause == cause.name; });
-    told += cause.count;
+    counted += cause.count;
   }
-  if (told != result.n - result.survived)
-    part.Refuse(fmt::format("has causes of {} falls, but {} trials fell", told, result.n - result.survived));
+  if (counted != result.n - result.survived)
+    part.Refuse(fmt::format("has causes of {} falls, but {} trials fell", counted, result.n - result.survived));
 }
 
 /// Refuses an interval that does not match the counts.

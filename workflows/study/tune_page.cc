@@ -65,8 +65,8 @@ std::string Metrics(const TuneReport& report) {
     const auto of = [&](const PointOutcome& o) { return k < o.metrics.size() ? o.metrics[k] : std::nullopt; };
     const std::optional<double> before = of(report.before), after = of(report.after);
     if (!before && !after) continue;
-    const char* way = rule.better == Better::kLower ? "lower" : rule.better == Better::kHigher ? "higher" : "";
-    rows.push_back({rule.key, rule.unit == "1" ? "" : rule.unit, Number(before), Number(after), way});
+    const char* better = rule.better == Better::kLower ? "lower" : rule.better == Better::kHigher ? "higher" : "";
+    rows.push_back({rule.key, rule.unit == "1" ? "" : rule.unit, Number(before), Number(after), better});
   }
   rows.push_back({"score", "", Number(report.before.score), Number(report.after.score), "higher"});
   for (std::size_t k = 0; k < std::min(report.before.engines.size(), report.after.engines.size()); ++k)

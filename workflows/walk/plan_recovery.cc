@@ -14,8 +14,8 @@ namespace gaitwright {
 namespace {
 
 /// Steps in place with the shortest cycle whose plan passes the audit.
-std::optional<MotionPlan> QuickSteps(const RobotModel& model) {
-  constexpr double kQuickest = 2.0,
+std::optional<MotionPlan> FastSteps(const RobotModel& model) {
+  constexpr double kShortestCycle = 2.0,
                    kSlower = 1.25;  // factors: of sqrt(leg / g); from one cycle to the next
   constexpr int kTries = 8;
   const double pendulum_s = std::sqrt(model.leg_length_m() / kGravity);
@@ -24,7 +24,7 @@ std::optional<MotionPlan> QuickSteps(const RobotModel& model) {
   request.command.steps = model.legs.size() == 2 ? 6 : 2 * static_cast<int>(model.legs.size());
   request.command.step_length_m = 1e-4;
   std::vector<double> cycles_s;
-  for (int k = 0; k < kTries; ++k) cycles_s.push_back(kQuickest * std::pow(kSlower, k) * pendulum_s);
+  for (int k = 0; k < kTries; ++k) cycles_s.push_back(kShortestCycle * std::pow(kSlower, k) * pendulum_s);
   cycles_s.push_back(0.0);  // the default cycle of the gait
   for (const double cycle_s : cycles_s) {
     request.gait_options.cycle_s = cycle_s;
@@ -51,7 +51,7 @@ Result<VectorX> CrouchedJoints(const RobotModel& model) {
 Result<RecoveryPlans> PlanRecovery(const RobotModel& model) {
   const Result<VectorX> low = CrouchedJoints(model);
   if (!low) return low.failure();
-  return RecoveryPlans{QuickSteps(model), *low};
+  return RecoveryPlans{FastSteps(model), *low};
 }
 
 }  // namespace gaitwright

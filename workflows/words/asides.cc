@@ -35,7 +35,7 @@ class AsideReader {
       const bool starts_before = starts;
       starts = item.Is(M::kThen) || (starts && item.SaysNothing());
       kept_.push_back(item);
-      if (item.Is(M::kSubject)) kept_.back().meaning = IsTold(k, starts_before) ? M::kUnknown : M::kFiller;
+      if (item.Is(M::kSubject)) kept_.back().meaning = IsNarrated(k, starts_before) ? M::kUnknown : M::kFiller;
       if (IsCondition(k)) kept_.back().meaning = M::kUnknown;
       if (item.Is(M::kAside)) kept_.back().meaning = M::kUnknown;
       ++k;
@@ -64,7 +64,7 @@ class AsideReader {
     std::size_t subject = k;
     while (subject < end_ && items_[subject].SaysNothing() && items_[subject].name != "finite") ++subject;
     if (subject >= end_) return false;
-    if (IsTold(subject, true)) return false;
+    if (IsNarrated(subject, true)) return false;
     const std::size_t last = EndOfAside(subject);
     const auto finite = [](const Item& item) { return item.name == "finite"; };
     const bool named = std::any_of(At(k), At(subject + 1), [](const Item& item) { return item.name == "the"; });
@@ -73,7 +73,7 @@ class AsideReader {
   }
 
   /// "he walked to the door": the action of another person is not requested.
-  bool IsTold(std::size_t k, bool starts) const {
+  bool IsNarrated(std::size_t k, bool starts) const {
     return starts && items_[k].name == "third" && std::any_of(At(k), At(end_), IsVerb);
   }
 

@@ -19,14 +19,14 @@ void GoTo(const Span& words, Draft& draft) {
 }  // namespace
 
 void ClimbWords::TakeVerb(const Item& verb) {
-  way_ = verb.value == kUpStairs || verb.value == kUpwards ? 1 : -1;
+  direction_ = verb.value == kUpStairs || verb.value == kUpwards ? 1 : -1;
   sure_ = verb.value == kUpStairs || verb.value == kDownStairs;
   verb_ = verb;
 }
 
-void ClimbWords::TakeWay(int way, const Item& item) {
-  if (way_ != 0) return;
-  way_ = way;
+void ClimbWords::TakeDirection(int direction, const Item& item) {
+  if (direction_ != 0) return;
+  direction_ = direction;
   if (!verb_) verb_ = item;
 }
 
@@ -45,7 +45,7 @@ void ClimbWords::TakeStairs(const std::string& text, const Clause& clause, std::
   if (before != nullptr && IsRelation(*before))
     throw Refused{{FailureCode::kUnknown, TextOf(text, {clause.items[begin].begin, stairs.end}),
                    "is not possible: stairs can only be walked up or down", ""}};
-  if (stairs.value != 0.0) way_ = static_cast<int>(stairs.value);
+  if (stairs.value != 0.0) direction_ = static_cast<int>(stairs.value);
   stairs_ = stairs;
 }
 
@@ -62,21 +62,21 @@ void ClimbWords::CheckAmounts(const std::string& text, const Draft& draft) const
 
 void ClimbWords::Settle(const std::string& text, Draft& draft) const {
   const bool named = stairs_ || treads_;
-  if (way_ == 0 && !named) return;
+  if (direction_ == 0 && !named) return;
   const bool walks = draft.action.empty() || draft.action == "walk";
   const Span words = stairs_ ? Span{stairs_->begin, stairs_->end} : draft.words;
   if (!walks && named)
     throw Refused{{FailureCode::kUnknown, TextOf(text, words), "cannot be used with '" + draft.action + "'", ""}};
   if (!walks) return;
   if (draft.parameters.contains("to")) {
-    draft.stairs = way_;
+    draft.stairs = direction_;
     return;
   }
-  if (way_ == 0)
+  if (direction_ == 0)
     throw Refused{{FailureCode::kUnknown, TextOf(text, words), "need a direction: up or down", "",
                    "'climb the stairs', or 'go down the stairs'"}};
   if (sure_ || named) CheckAmounts(text, draft);
-  draft.stairs = way_;
+  draft.stairs = direction_;
   const bool steps = draft.said.contains("steps"),
              far = draft.said.contains("distance_m") || draft.said.contains("duration_s");
   if (far && !steps) draft.stairs = 0;
@@ -86,7 +86,7 @@ void ClimbWords::Settle(const std::string& text, Draft& draft) const {
   draft.action = "walk";
   if (steps) return;
   const std::string verb = verb_ ? LowerCase(TextOf(text, {verb_->begin, verb_->end})) : "";
-  const bool one = (!stairs_ && (verb == "step up" || verb == "step down")) || way_ == 2;
+  const bool one = (!stairs_ && (verb == "step up" || verb == "step down")) || direction_ == 2;
   if (one) {
     draft.parameters["steps"] = 1;
     draft.said["steps"] = words;

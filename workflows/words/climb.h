@@ -20,7 +20,7 @@ class ClimbWords {
   /// Takes a verb that means up or down.
   void TakeVerb(const Item& verb);
   /// Takes "up" or "down" beside a verb.
-  void TakeWay(int way, const Item& item);
+  void TakeDirection(int direction, const Item& item);
   /// Takes "the stairs", the item `at` of the clause. @throws Refused for "to", "around" or "from" the stairs.
   void TakeStairs(const std::string& text, const Clause& clause, std::size_t at);
   void TakeTreads() { treads_ = true; }
@@ -35,7 +35,7 @@ class ClimbWords {
  private:
   void CheckAmounts(const std::string& text, const Draft& draft) const;
 
-  int way_ = 0;
+  int direction_ = 0;
   bool sure_ = false, treads_ = false;
   std::optional<Item> verb_, stairs_;
 };

@@ -45,8 +45,8 @@ void SettleSide(const std::string& text, Draft& draft) {
   if (IsWay(draft.action) && draft.side) {
     const auto said = draft.said.find("direction");
     const bool other = said != draft.said.end() && draft.parameters["direction"] != TaskValue(*draft.side);
-    const bool ahead = other && draft.parameters["direction"] == TaskValue(std::string("forward"));
-    if (other && !(draft.action == "turn" && ahead)) {
+    const bool forward = other && draft.parameters["direction"] == TaskValue(std::string("forward"));
+    if (other && !(draft.action == "turn" && forward)) {
       const Span &a = said->second, &b = *draft.side_said;
       RefuseAmbiguous(TextOf(text, {std::min(a.begin, b.begin), std::max(a.end, b.end)}),
                       "gives two directions at once");

@@ -53,9 +53,9 @@ class NumberReader {
   }
 
  private:
-  bool Has(std::size_t ahead = 0) const { return at_ + ahead < pieces_.size(); }
-  const std::string& Text(std::size_t ahead = 0) const { return pieces_[at_ + ahead].text; }
-  bool Is(const char* text, std::size_t ahead = 0) const { return Has(ahead) && Text(ahead) == text; }
+  bool Has(std::size_t lookahead = 0) const { return at_ + lookahead < pieces_.size(); }
+  const std::string& Text(std::size_t lookahead = 0) const { return pieces_[at_ + lookahead].text; }
+  bool Is(const char* text, std::size_t lookahead = 0) const { return Has(lookahead) && Text(lookahead) == text; }
   bool IsNumber(std::size_t at) const { return at < pieces_.size() && pieces_[at].kind == Piece::Kind::kNumber; }
   bool Takes(const char* text) {
     if (!Is(text)) return false;
@@ -235,8 +235,8 @@ class NumberReader {
 SpokenNumber NumberAt(const std::vector<Piece>& pieces, std::size_t at) { return NumberReader(pieces, at).Read(); }
 
 SpokenNumber AfterUnit(const std::vector<Piece>& pieces, std::size_t at) {
-  const auto is = [&](std::size_t ahead, const char* text) {
-    return at + ahead < pieces.size() && pieces[at + ahead].text == text;
+  const auto is = [&](std::size_t lookahead, const char* text) {
+    return at + lookahead < pieces.size() && pieces[at + lookahead].text == text;
   };
   if (is(0, "and") && is(1, "a") && is(2, "half")) return {0.5, 3};
   if (is(0, "and") && is(1, "a") && is(2, "quarter")) return {0.25, 3};

@@ -26,8 +26,9 @@ bool FollowsPlace(const std::string& word) {
 /// "左边", "后面": a position. "往左边" is a direction.
 bool IsPosition(const std::string& word) {
   const bool noun = word.ends_with("面") || word.ends_with("边") || word.ends_with("侧") || word.ends_with("方");
-  const bool way = word.starts_with("往") || word.starts_with("向") || word.starts_with("朝") || word.starts_with("靠");
-  return noun && !way;
+  const bool direction =
+      word.starts_with("往") || word.starts_with("向") || word.starts_with("朝") || word.starts_with("靠");
+  return noun && !direction;
 }
 
 class Relation {
@@ -84,8 +85,8 @@ class Relation {
   void CheckBehind() const {
     for (std::size_t k = at_ + 1; k < items_.size(); ++k) {
       const bool where = (items_[k].Is(M::kSide) || items_[k].Is(M::kDirection)) && IsPosition(Word(k));
-      const bool ahead = where && items_[k].name == "forward";  // "before" a place means the place itself
-      if (items_[k].Is(M::kPolite) || ahead || (items_[k].Is(M::kFiller) && FollowsPlace(Word(k)))) continue;
+      const bool forward = where && items_[k].name == "forward";  // "before" a place means the place itself
+      if (items_[k].Is(M::kPolite) || forward || (items_[k].Is(M::kFiller) && FollowsPlace(Word(k)))) continue;
       if (where || items_[k].Is(M::kFiller)) Refuse(items_[at_].begin, items_[k].end);
       return;
     }

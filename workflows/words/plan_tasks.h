@@ -35,7 +35,7 @@ struct PlannedTasks {
 /// Walks are planned by PlanWalk, each from the end of the previous task. All other tasks are posture motions
 /// (planning/tasks/repertoire.h). A posture motion is slowed down until motors and balance allow it. Its size is that
 /// of the task, or the robot's default. A robot that sits or lies gets up before a task that is done standing. A robot
-/// that can lie and is first told to stand up begins in a lying posture.
+/// that can lie and must first stand up begins in a lying posture.
 /// Raised arms stay up until they are lowered.
 ///
 ///   walk   default distance: three leg lengths; slow and fast: 0.5 and 1.5 times the robot's default speed

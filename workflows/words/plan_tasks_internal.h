@@ -52,9 +52,9 @@ inline constexpr int kFewestSteps = 2;
 /// The walk that a task requests, without its place.
 Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options);
 
-/// A jump: where the base goes in plan view, and how far it turns on the way.
+/// A jump: where the base goes in plan view, and how far it turns during it.
 struct Jump {
-  Vector2 way_m = Vector2::Zero();
+  Vector2 displacement_m = Vector2::Zero();
   double turn_rad = 0.0;
 };
 

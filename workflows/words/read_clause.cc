@@ -109,11 +109,11 @@ class ClauseReader {
         return;
       case M::kUp:
         up_ = true;
-        if (item.name == "way") climb_.TakeWay(1, item);
+        if (item.name == "way") climb_.TakeDirection(1, item);
         return;
       case M::kDown:
         down_ = true;
-        if (item.name == "way") climb_.TakeWay(-1, item);
+        if (item.name == "way") climb_.TakeDirection(-1, item);
         return;
       case M::kStairs:
         return climb_.TakeStairs(text_, clause_, at_);

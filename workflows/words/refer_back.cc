@@ -36,12 +36,12 @@ void TakeLastUnit(const std::string& text, const Draft& last, Draft& said) {
 }
 
 /// The distance of the previous walk, in the opposite direction.
-void TakeWayBack(const Draft& way, Draft& said) {
-  if (!said.returns || SaysHowFar(said) || way.action != "walk") return;
+void TakeDistanceBack(const Draft& walk, Draft& said) {
+  if (!said.returns || SaysHowFar(said) || walk.action != "walk") return;
   for (const std::string& key : ExtentKeys()) {
-    if (key != "to" && way.parameters.contains(key)) said.parameters[key] = way.parameters.at(key);
+    if (key != "to" && walk.parameters.contains(key)) said.parameters[key] = walk.parameters.at(key);
   }
-  const TaskValue went = way.parameters.at("direction");
+  const TaskValue went = walk.parameters.at("direction");
   said.parameters["direction"] = went == Word("forward")    ? Word("backward")
                                  : went == Word("backward") ? Word("forward")
                                  : went == Word("left")     ? Word("right")
@@ -54,7 +54,7 @@ void ReferBack(const std::string& text, const std::vector<Draft>& before, Draft&
   TakeLastSide(text, before, said);
   if (before.empty()) return;
   TakeLastUnit(text, before.back(), said);
-  TakeWayBack(before.back(), said);
+  TakeDistanceBack(before.back(), said);
 }
 
 }  // namespace gaitwright::words

@@ -9,7 +9,7 @@
 namespace gaitwright::words {
 
 /// Completes a draft from the previous tasks: the arm of "lower it" and "the other one", the unit of "another five",
-/// and the distance of the way back.
+/// and the distance of the return.
 /// @throws Refused `ambiguous` if no previous task has moved an arm.
 void ReferBack(const std::string& text, const std::vector<Draft>& before, Draft& said);
 

@@ -25,7 +25,7 @@ bool SaysOnly(const Draft& draft, Which which) {
   return std::all_of(draft.said.begin(), draft.said.end(), [&](const auto& one) { return which(one.first); });
 }
 
-bool SaysOnlyWay(const Draft& draft) {
+bool SaysOnlyDirection(const Draft& draft) {
   return SaysOnly(draft, [](const std::string& key) { return key == "direction"; });
 }
 
@@ -82,13 +82,14 @@ class Comparison {
   bool Walks() {
     if (IsRestated()) return true;
     if (SaysHowFar(last_)) return false;
-    const bool same_way = last_.parameters.at("direction") == said_.parameters.at("direction");
-    const bool way_said = said_.said.contains("direction"), only_way = SaysOnlyWay(last_) && last_.during.empty();
-    if (same_way && only_way && SaysOnlyWay(said_)) return Add(said_);  // "走吧，往前走"
+    const bool same_direction = last_.parameters.at("direction") == said_.parameters.at("direction");
+    const bool direction_said = said_.said.contains("direction"),
+               only_direction = SaysOnlyDirection(last_) && last_.during.empty();
+    if (same_direction && only_direction && SaysOnlyDirection(said_)) return Add(said_);  // "走吧，往前走"
     const bool chinese = LanguageOf(text_) == Language::kChinese;
-    const bool how_far = SaysHowFar(said_) && !said_.bare && only_way && chinese;  // "往右边挪挪，挪三步"
-    if (!way_said && (how_far || !marked_)) return Add(WithoutDirection(said_));  // "倒退着走两步", "go and trot"
-    return same_way && SaysHowFar(said_) && Add(said_);
+    const bool how_far = SaysHowFar(said_) && !said_.bare && only_direction && chinese;  // "往右边挪挪，挪三步"
+    if (!direction_said && (how_far || !marked_)) return Add(WithoutDirection(said_));  // "倒退着走两步", "go and trot"
+    return same_direction && SaysHowFar(said_) && Add(said_);
   }
 
   /// "run to the door, run", "go there"
@@ -140,7 +141,7 @@ bool SaysOnlyHow(const Draft& said) {
 
 bool OnlyTurnsRound(const Draft& said, const std::vector<Draft>& drafts) {
   if (drafts.empty() || drafts.back().action != said.action || said.action != "turn" || said.bare) return false;
-  return SaysOnlyWay(said);
+  return SaysOnlyDirection(said);
 }
 
 bool SaysMore(const std::string& text, const Clause& clause, const Draft& said, Draft& last) {

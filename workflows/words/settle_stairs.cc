@@ -64,7 +64,7 @@ class StairsWalker {
     const auto said = draft.parameters.find("to");
     const bool is_said = said != draft.parameters.end() && std::get<PlaceName>(said->second).name != kStairs;
     if (draft.stairs != 0 && is_said) {
-      CheckWay(draft, std::get<PlaceName>(said->second));
+      CheckDirection(draft, std::get<PlaceName>(said->second));
     } else if (draft.stairs != 0) {
       if (!stairs_)
         Refuse(FailureCode::kPlace, draft, "needs stairs, but this ground has none",
@@ -83,8 +83,8 @@ class StairsWalker {
   }
 
   void Turn(const Draft& draft) {
-    const auto angle = draft.parameters.find("angle_deg"), way = draft.parameters.find("direction");
-    const bool right = way != draft.parameters.end() && way->second == TaskValue(std::string("right"));
+    const auto angle = draft.parameters.find("angle_deg"), direction = draft.parameters.find("direction");
+    const bool right = direction != draft.parameters.end() && direction->second == TaskValue(std::string("right"));
     constexpr double kQuarter = 90.0;
     const double by_deg = angle == draft.parameters.end() ? kQuarter : std::get<double>(angle->second);
     turned_deg_ += right ? -by_deg : by_deg;
@@ -101,7 +101,7 @@ class StairsWalker {
   int HeightOf(int level) const { return std::min(level, 2 * stairs_->top - level); }
 
   /// "go down to the second step": a given place on the stairs must be below the robot.
-  void CheckWay(const Draft& draft, const PlaceName& place) const {
+  void CheckDirection(const Draft& draft, const PlaceName& place) const {
     const std::optional<int> there = stairs_ ? stairs_->LevelOf(place) : std::nullopt;
     if (!there || !at_ || *there == *at_) return;
     const bool up = HeightOf(*there) > HeightOf(*at_);
@@ -112,18 +112,18 @@ class StairsWalker {
   }
 
   /// Direction along the levels: 1 or -1.
-  int WayOf(const Draft& draft) const {
+  int DirectionOf(const Draft& draft) const {
     const int at = *at_, top = stairs_->top;
     if (draft.stairs == 2) return 1;
     if (at != top) return (at < top) == (draft.stairs > 0) ? 1 : -1;
     if (draft.stairs > 0) Refuse(FailureCode::kCannot, draft, "goes up, but the robot is already at the top");
     if (stairs_->end() == top) return -1;
-    const double ahead = std::cos(turned_deg_ * std::numbers::pi / 180.0);
-    constexpr double kAhead = 0.3;
-    if (std::abs(ahead) < kAhead)
+    const double forward = std::cos(turned_deg_ * std::numbers::pi / 180.0);
+    constexpr double kForward = 0.3;
+    if (std::abs(forward) < kForward)
       Refuse(FailureCode::kAmbiguous, draft, "does not name the side of the stairs to go down",
              "'turn around' before it, or nothing");
-    return ahead > 0.0 ? 1 : -1;
+    return forward > 0.0 ? 1 : -1;
   }
 
   PlaceName Target(const Draft& draft) const {
@@ -138,13 +138,13 @@ class StairsWalker {
     if (draft.stairs == -1 && (at == 0 || (at == end && end > top)))
       Refuse(FailureCode::kCannot, draft, "goes down, but the robot stands on the ground below the stairs",
              "climb the stairs first: 'climb the stairs, then go down'");
-    const int way = WayOf(draft), limit = draft.stairs == 1 ? top : way > 0 ? end : 0;
+    const int direction = DirectionOf(draft), limit = draft.stairs == 1 ? top : direction > 0 ? end : 0;
     const int there = std::abs(limit - at);
     const int by = whole ? there : std::get<int>(steps->second);
     if (by < 1 || by > there)
       Refuse(FailureCode::kRange, draft,
              fmt::format("goes {} steps, but there are {} steps from the robot's place at that time", by, there));
-    PlaceName place = stairs_->levels[static_cast<std::size_t>(at + way * by)];
+    PlaceName place = stairs_->levels[static_cast<std::size_t>(at + direction * by)];
     if (place.name.empty())
       Refuse(FailureCode::kCannot, draft,
              "goes down to the ground before the stairs, which has no name on this ground");

@@ -50,9 +50,9 @@ Item Treads(double number) {
   return item;
 }
 
-Item Way(Meaning way) {
+Item UpOrDown(Meaning meaning) {
   Item item;
-  item.meaning = way;
+  item.meaning = meaning;
   item.name = "way";
   return item;
 }
@@ -124,7 +124,7 @@ std::pair<Item, std::size_t> StairsWordAt(const std::vector<Piece>& pieces, std:
     const std::size_t number = NumberAt(pieces, at + 1).pieces;
     const bool up = pieces[at].text == "上", after_verb = !before.empty() && before.back().IsVerb();  // "走下两级"
     if (number > 0 && IsMeasure(pieces, at + 1 + number))
-      return {after_verb ? Way(up ? M::kUp : M::kDown) : Verb(up ? kUpStairs : kDownStairs), 1};
+      return {after_verb ? UpOrDown(up ? M::kUp : M::kDown) : Verb(up ? kUpStairs : kDownStairs), 1};
   }
   if (Is(pieces, at, "台") && Is(pieces, at + 1, "阶")) return {StairsOfRise(0.0), 2};
   return {{}, 0};

@@ -21,7 +21,7 @@ namespace {
 using Extent = WalkCommand::Extent;
 
 /// Unit vector of a direction of the body, in plan view.
-Vector2 WayOf(const std::string& direction) {
+Vector2 DirectionOf(const std::string& direction) {
   if (direction == "backward") return {-1.0, 0.0};
   if (direction == "left") return {0.0, 1.0};
   if (direction == "right") return {0.0, -1.0};
@@ -63,16 +63,16 @@ WalkRequest JumpRequestOf(const RobotModel& model, const Jump& jump, const TaskO
   request.own_pace = true;
   WalkCommand& c = request.command;
   c.distance_m = 0.0;
-  if (jump.way_m.norm() == 0.0 && jump.turn_rad == 0.0) {
+  if (jump.displacement_m.norm() == 0.0 && jump.turn_rad == 0.0) {
     c.extent = Extent::kSteps;
     c.steps = static_cast<int>(model.feet.size());
-  } else if (jump.way_m.x() > 0.0 && jump.way_m.y() == 0.0 && jump.turn_rad == 0.0) {
+  } else if (jump.displacement_m.x() > 0.0 && jump.displacement_m.y() == 0.0 && jump.turn_rad == 0.0) {
     c.extent = Extent::kDistance;
-    c.distance_m = jump.way_m.x();
+    c.distance_m = jump.displacement_m.x();
   } else {
     c.extent = Extent::kGoal;
-    c.goal_x_m = jump.way_m.x();
-    c.goal_y_m = jump.way_m.y();
+    c.goal_x_m = jump.displacement_m.x();
+    c.goal_y_m = jump.displacement_m.y();
     c.goal_yaw_rad = jump.turn_rad;
   }
   return request;
@@ -92,12 +92,12 @@ std::optional<Failure> TaskPlanner::StandStraight() {
   constexpr double kInPlace = 5e-4;       // [m]
   if (FindGround()) return std::nullopt;  // feet at several levels: no task can follow, which the next one reports
   const VectorX& q = whole_->whole_body.q.back();
-  const WaysToStanding ways = FindWaysToStanding(whole_model_, q);
-  if (ways.largest_m() > kInPlace) return std::nullopt;
+  const OffsetsToStanding offsets = FindOffsetsToStanding(whole_model_, q);
+  if (offsets.largest_m() > kInPlace) return std::nullopt;
   DynamicsScratch scratch(whole_model_);
   ForwardKinematics(whole_model_, q, scratch);
-  Pose X_WS = PoseOf(ways.base.plan);
-  X_WS.translation().z() = ways.base.ground_m;
+  Pose X_WS = PoseOf(offsets.base.plan);
+  X_WS.translation().z() = offsets.base.ground_m;
   PostureKey standing = stance_.key;
   standing.shift.setZero();
   standing.turn_rad.setZero();
@@ -113,7 +113,7 @@ std::optional<Failure> TaskPlanner::StandStraight() {
 
 /// The ground under each foot after a jump; empty if a foot is over no ground.
 std::vector<GroundPoint> TaskPlanner::GroundAfter(const Jump& jump) const {
-  const Pose X_WB = PoseOf(Here()) * PoseOf({jump.way_m.x(), jump.way_m.y(), jump.turn_rad});
+  const Pose X_WB = PoseOf(Here()) * PoseOf({jump.displacement_m.x(), jump.displacement_m.y(), jump.turn_rad});
   const std::vector<Pose> feet = StandingFeet(model_);
   std::vector<GroundPoint> ground;
   for (std::size_t f = 0; f < model_.legs.size(); ++f) {
@@ -132,11 +132,11 @@ double TaskPlanner::HeightHere() const {
 
 /// The shortest jump in a direction after which all feet are on one level and on ground that is accepted; nullopt if
 /// there is none within reach.
-std::optional<Jump> TaskPlanner::ShortestTo(const Vector2& way, double turn_rad, double farthest_m,
+std::optional<Jump> TaskPlanner::ShortestTo(const Vector2& direction, double turn_rad, double farthest_m,
                                             const std::function<bool(const GroundPoint&)>& is_it) const {
   constexpr double kStep = 0.01, kLevel = 2e-3;  // [m]
   for (int k = 1; k * kStep <= farthest_m; ++k) {
-    const Jump jump{k * kStep * way, turn_rad};
+    const Jump jump{k * kStep * direction, turn_rad};
     const std::vector<GroundPoint> ground = GroundAfter(jump);
     const bool lands = !ground.empty() && std::all_of(ground.begin(), ground.end(), [&](const GroundPoint& point) {
       return is_it(point) && std::abs(point.height_m - ground.front().height_m) < kLevel;
@@ -148,12 +148,12 @@ std::optional<Jump> TaskPlanner::ShortestTo(const Vector2& way, double turn_rad,
 
 /// Jumps onto ground in a direction: as short as possible, with some distance of the feet from its edge. After a jump
 /// down, legs need room beside the edge behind them, in proportion to the drop.
-std::optional<Failure> TaskPlanner::LeapOnto(const Vector2& way, double turn_rad, double farthest_m,
+std::optional<Failure> TaskPlanner::LeapOnto(const Vector2& direction, double turn_rad, double farthest_m,
                                              const std::string& what,
                                              const std::function<bool(const GroundPoint&)>& is_it) {
   constexpr double kRise = 0.1, kShare = 0.5;  // margin upward / leg length; variation of the margin
   constexpr int kMargins = 3;
-  const std::optional<Jump> shortest = ShortestTo(way, turn_rad, farthest_m, is_it);
+  const std::optional<Jump> shortest = ShortestTo(direction, turn_rad, farthest_m, is_it);
   if (!shortest) {
     return Failure{FailureKind::kInfeasible,
                    FailureCode::kPlace,
@@ -168,7 +168,7 @@ std::optional<Failure> TaskPlanner::LeapOnto(const Vector2& way, double turn_rad
   for (int k = 0; k < kMargins; ++k) {
     const double share = 1.0 + (k == 0 ? 0.0 : k == 1 ? -kShare : kShare);
     Jump jump = *shortest;
-    jump.way_m += share * margin_m * way;
+    jump.displacement_m += share * margin_m * direction;
     const std::vector<GroundPoint> ground = GroundAfter(jump);
     if (ground.empty() || !std::all_of(ground.begin(), ground.end(), is_it)) jump = *shortest;
     const auto failure = Leap(jump, true);
@@ -182,9 +182,9 @@ std::optional<Failure> TaskPlanner::LeapOnto(const Vector2& way, double turn_rad
 std::optional<Failure> TaskPlanner::JumpTo(const Task& task, double turn_rad) {
   const auto& place = std::get<PlaceName>(task.parameters.at("to"));
   if (auto failure = Flush()) return failure;
-  if (WayTo(place).norm() < kThere) return AlreadyThere();
-  if (auto failure = FaceWayTo(place)) return failure;
-  const Vector2 way = WayTo(place);
+  if (DisplacementTo(place).norm() < kThere) return AlreadyThere();
+  if (auto failure = FaceTowards(place)) return failure;
+  const Vector2 displacement = DisplacementTo(place);
   const bool marker = HasMarker(terrain_, place.name);
   const auto is_it = [&](const GroundPoint& point) {
     return static_cast<std::size_t>(point.patch) < terrain_.patches.size() &&
@@ -192,10 +192,10 @@ std::optional<Failure> TaskPlanner::JumpTo(const Task& task, double turn_rad) {
   };
   const std::vector<GroundPoint> here = GroundAfter({});
   const bool on_it = !here.empty() && std::all_of(here.begin(), here.end(), is_it);
-  if (marker || on_it) return Leap({way, turn_rad}, true);
+  if (marker || on_it) return Leap({displacement, turn_rad}, true);
   const std::string name =
       place.number > 0 ? fmt::format("'{} {}'", place.name, place.number) : fmt::format("'{}'", place.name);
-  return LeapOnto(way.normalized(), turn_rad, way.norm(), name, is_it);
+  return LeapOnto(displacement.normalized(), turn_rad, displacement.norm(), name, is_it);
 }
 
 std::optional<Failure> TaskPlanner::JumpOnce(const Task& task, bool gestures) {
@@ -204,18 +204,18 @@ std::optional<Failure> TaskPlanner::JumpOnce(const Task& task, bool gestures) {
   const double turn_rad = (task.Word("turn") == "right" ? -kDegree : kDegree) * turn_deg;
   if (task.Has("to")) return JumpTo(task, turn_rad);
   const std::string direction = task.Word("direction");
-  const Vector2 way = WayOf(direction);
+  const Vector2 unit = DirectionOf(direction);
   const double leg_m = model_.leg_length_m();
   if (task.Has("level")) {
     if (auto failure = Flush()) return failure;
     constexpr double kLower = 0.01;  // [m]
     const double here_m = HeightHere();
-    return LeapOnto(way, turn_rad, kFarDown * leg_m, "lower ground",
+    return LeapOnto(unit, turn_rad, kFarDown * leg_m, "lower ground",
                     [&](const GroundPoint& point) { return point.height_m < here_m - kLower; });
   }
   const bool goes = !direction.empty() || task.Has("distance_m");
-  const double own_m = goes ? (way.y() != 0.0 ? kSideways : kForward) * leg_m : 0.0;
-  return Leap({task.Number("distance_m", own_m) * way, turn_rad}, gestures);
+  const double own_m = goes ? (unit.y() != 0.0 ? kSideways : kForward) * leg_m : 0.0;
+  return Leap({task.Number("distance_m", own_m) * unit, turn_rad}, gestures);
 }
 
 std::optional<Failure> TaskPlanner::DoJump(const Task& task) {

@@ -57,16 +57,16 @@ class TaskPlanner {
   std::optional<Failure> JumpTo(const Task& task, double turn_rad);
   std::optional<Failure> Leap(const Jump& jump, bool gestures);
   std::optional<Failure> StandStraight();
-  std::optional<Failure> LeapOnto(const Vector2& way, double turn_rad, double farthest_m, const std::string& what,
+  std::optional<Failure> LeapOnto(const Vector2& direction, double turn_rad, double farthest_m, const std::string& what,
                                   const std::function<bool(const GroundPoint&)>& is_it);
-  std::optional<Jump> ShortestTo(const Vector2& way, double turn_rad, double farthest_m,
+  std::optional<Jump> ShortestTo(const Vector2& direction, double turn_rad, double farthest_m,
                                  const std::function<bool(const GroundPoint&)>& is_it) const;
   std::vector<GroundPoint> GroundAfter(const Jump& jump) const;
   double HeightHere() const;
   std::optional<Failure> DoFlip(const Task& task);
   std::optional<Failure> AlreadyThere();
-  std::optional<Failure> FaceWayTo(const PlaceName& place);
-  Vector2 WayTo(const PlaceName& place) const;
+  std::optional<Failure> FaceTowards(const PlaceName& place);
+  Vector2 DisplacementTo(const PlaceName& place) const;
   std::optional<Failure> WalkTo(const Task& task);
   std::optional<Failure> StandUp();
   std::optional<Failure> Lie();

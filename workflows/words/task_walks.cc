@@ -162,7 +162,7 @@ std::optional<Failure> TaskPlanner::Turn(const Task& task) {
 }
 
 /// The displacement that brings the centre of the robot's feet to a place.
-Vector2 TaskPlanner::WayTo(const PlaceName& place) const {
+Vector2 TaskPlanner::DisplacementTo(const PlaceName& place) const {
   const Vector2 centre_W = CentreOf(terrain_, place);
   return (PoseOf(Here()).inverse() * Vector3(centre_W.x(), centre_W.y(), 0.0)).head<2>() - MiddleOfFeet(model_);
 }
@@ -173,17 +173,17 @@ std::optional<Failure> TaskPlanner::AlreadyThere() {
 }
 
 /// Turns until the task's direction points to a place, unless it already does.
-std::optional<Failure> TaskPlanner::FaceWayTo(const PlaceName& place) {
-  constexpr double kAhead = 0.2;  // [rad]
-  const Vector2 way = WayTo(place);
+std::optional<Failure> TaskPlanner::FaceTowards(const PlaceName& place) {
+  constexpr double kTolerance = 0.2;  // [rad]
+  const Vector2 displacement = DisplacementTo(place);
   const Task& task = *task_;
   const std::string direction = task.Word("direction");
-  const double ahead = direction == "backward" ? std::numbers::pi
-                       : direction == "left"   ? 0.5 * std::numbers::pi
-                       : direction == "right"  ? -0.5 * std::numbers::pi
-                                               : 0.0;
-  const double turn = WrapAngle(std::atan2(way.y(), way.x()) - ahead);
-  if (std::abs(turn) <= kAhead) return std::nullopt;
+  const double heading = direction == "backward" ? std::numbers::pi
+                         : direction == "left"   ? 0.5 * std::numbers::pi
+                         : direction == "right"  ? -0.5 * std::numbers::pi
+                                                 : 0.0;
+  const double turn = WrapAngle(std::atan2(displacement.y(), displacement.x()) - heading);
+  if (std::abs(turn) <= kTolerance) return std::nullopt;
   Task first;
   first.action = "turn";
   first.parameters = {{"direction", std::string(turn > 0.0 ? "left" : "right")},
@@ -200,11 +200,11 @@ std::optional<Failure> TaskPlanner::FaceWayTo(const PlaceName& place) {
 std::optional<Failure> TaskPlanner::WalkTo(const Task& task) {
   if (auto failure = Flush()) return failure;
   const auto& place = std::get<PlaceName>(task.parameters.at("to"));
-  if (WayTo(place).norm() < kThere) return AlreadyThere();
-  if (auto failure = FaceWayTo(place)) return failure;
+  if (DisplacementTo(place).norm() < kThere) return AlreadyThere();
+  if (auto failure = FaceTowards(place)) return failure;
   Result<WalkRequest> request = WalkRequestOf(model_, task, options_);
   if (!request) return request.failure();
-  const Vector2 goal = WayTo(place);
+  const Vector2 goal = DisplacementTo(place);
   WalkCommand& c = request->command;
   c.extent = WalkCommand::Extent::kGoal;
   c.distance_m = 0.0;

@@ -156,7 +156,8 @@ class Assembler {
   void GiveAction(const Clause& clause, bool corrects, Draft& said) {
     if (!said.action.empty()) return;
     if (clause.holds && said.parameters.contains("duration_s") && !drafts_.empty()) return;
-    const bool steps = said.said.contains("steps"), way = said.said.contains("direction") || said.said.contains("to");
+    const bool steps = said.said.contains("steps"),
+               direction = said.said.contains("direction") || said.said.contains("to");
     const bool gait = said.said.contains("distance_m");
     const std::string last = drafts_.empty() ? "" : drafts_.back().action;
     if (corrects && !last.empty()) return;
@@ -168,7 +169,7 @@ class Assembler {
       said.action = "turn";
       return;
     }
-    if ((steps || way || gait) && !joins && !(last == "squat" && !steps && !way)) {
+    if ((steps || direction || gait) && !joins && !(last == "squat" && !steps && !direction)) {
       said.action = "walk";
     } else if (clause.follows_then && !last.empty() && (said.side || said.said.contains("angle_deg"))) {
       said.action = last;
@@ -194,7 +195,7 @@ class Assembler {
       return;
     }
     Draft& last = drafts_.back();
-    if (!corrects && RepeatsWay(said)) return;
+    if (!corrects && RepeatsMotion(said)) return;
     if (clause.holds && !Takes(last.action, "duration_s") && said.parameters.contains("duration_s")) {
       Draft stay;  // with the arm in its present posture
       stay.action = "stand";
@@ -226,10 +227,10 @@ class Assembler {
   }
 
   /// "turn left, twice": repeats walks and turns.
-  bool RepeatsWay(const Draft& said) {
-    const bool way = drafts_.back().action == "walk" || drafts_.back().action == "turn";
+  bool RepeatsMotion(const Draft& said) {
+    const bool moves = drafts_.back().action == "walk" || drafts_.back().action == "turn";
     const bool often = said.parameters.size() == 1 && said.parameters.contains("times") && !said.bare && !said.side;
-    if (!way || !often) return false;
+    if (!moves || !often) return false;
     const Draft again = drafts_.back();
     for (int k = 1; k < std::min(std::get<int>(said.parameters.at("times")), kMostTimes); ++k) drafts_.push_back(again);
     return true;

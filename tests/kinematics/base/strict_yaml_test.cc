@@ -51,7 +51,7 @@ TEST(StrictYamlNumber, AShapeMayLeaveItsLowestOutAndAskForWholeNumbers) {
     EXPECT_NE(YamlRefusal([&] { NumberOf(LoadYaml(wrong), "it", whole); }), "") << wrong;
 }
 
-TEST(StrictYaml, ListsAndKindsAreToldApart) {
+TEST(StrictYaml, ListsAndKindsAreDistinguished) {
   EXPECT_EQ(ListOf(LoadYaml("[1, [2], {a: 3}]"), "it").size(), 3U);
   EXPECT_TRUE(ListOf(LoadYaml("[]"), "it").empty());
   EXPECT_EQ(YamlRefusal([] { ListOf(LoadYaml("{a: 1}"), "'feet'"); }), "line 1: 'feet' is a map; a list is needed");

@@ -67,7 +67,7 @@ TEST_F(Writable, NothingSpeaksAgainstNewFilesInFoldersThatMayHaveToBeMade) {
   EXPECT_EQ(Count(), before) << "nothing is made";
 }
 
-TEST_F(Writable, WhatIsNoFileOrLiesInNoFolderIsToldApart) {
+TEST_F(Writable, MissingFilesAndMissingFoldersAreDistinguished) {
   EXPECT_EQ(ReasonNotWritable(InScratch("open")), "it is a folder; give a file");
   EXPECT_EQ(ReasonNotWritable(InScratch("new/")), "it is the name of a folder; give a file");
   EXPECT_EQ(ReasonNotWritable(""), "it is the name of a folder; give a file");

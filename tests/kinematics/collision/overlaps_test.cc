@@ -166,7 +166,7 @@ TEST(LeftOutPairs, AreNamedOnceWithTheirReason) {
 }
 
 /// Two balls on prismatic joints along x, each on the base. The ranges of the joints decide whether they always touch.
-TEST(LeftOutPairs, AlwaysTouchingIsToldFromTouchingInTheStandingPosture) {
+TEST(LeftOutPairs, PairsThatAlwaysTouchDifferFromThoseOfTheStandingPosture) {
   for (const bool always : {true, false}) {
     RobotModel model = TwoOnSlides(ShapeType::kSphere, {0.1, 0.0, 0.0});
     model.standing_joints = Eigen::Vector2d(0.0, 0.1);

@@ -53,17 +53,17 @@ class Points {
 };
 
 TEST(ShapeScene, BallsAgainstBoxesAsTheClosedFormHasIt) {
-  const Vector3 size(0.4, 0.6, 0.2), aside(1.0, 0.0, 0.3);
+  const Vector3 size(0.4, 0.6, 0.2), lateral(1.0, 0.0, 0.3);
   const ShapeScene scene(
-      {Of(ShapeType::kBox, size, Vector3::Zero(), "near"), Of(ShapeType::kBox, size, aside, "aside")});
+      {Of(ShapeType::kBox, size, Vector3::Zero(), "near"), Of(ShapeType::kBox, size, lateral, "aside")});
   constexpr double kRadius = 0.05, kWithin = 0.5;
   const PreparedShape ball(Ball(kRadius));
   Points points(3);
   int touching = 0, far = 0;
   for (int k = 0; k < 2000; ++k) {
     const Vector3 p = points.In({-1.0, -1.0, -1.0}, {2.0, 1.0, 1.0});
-    const double to_near = ToBox(size, p) - kRadius, to_aside = ToBox(size, p - aside) - kRadius;
-    const double expected = std::min({to_near, to_aside, kWithin});
+    const double to_near = ToBox(size, p) - kRadius, to_lateral = ToBox(size, p - lateral) - kRadius;
+    const double expected = std::min({to_near, to_lateral, kWithin});
     if (std::abs(expected) < kSolver) continue;
     const NearestSolid nearest = scene.Nearest(ball, At(p), kWithin);
     EXPECT_EQ(scene.Touches(ball, At(p)), expected < 0.0) << p.transpose();
@@ -73,7 +73,7 @@ TEST(ShapeScene, BallsAgainstBoxesAsTheClosedFormHasIt) {
       ++far;
       continue;
     }
-    EXPECT_EQ(scene.SolidName(nearest.solid), to_near < to_aside ? "near" : "aside");
+    EXPECT_EQ(scene.SolidName(nearest.solid), to_near < to_lateral ? "near" : "aside");
     if (expected > 0.0) {
       EXPECT_NEAR(nearest.distance_m, expected, kSolver) << p.transpose();
       EXPECT_LE(nearest.distance_m, expected + 1e-9);

@@ -155,7 +155,7 @@ TEST(XacroResult, HasNoTraceOfXacro) {
             "    <ros2_control k:x=\"1\"><![CDATA[${kept}]]></ros2_control>\n</robot>\n");
 }
 
-TEST(XacroResult, AXacroFileIsToldFromAUrdf) {
+TEST(XacroResult, AXacroFileIsDistinguishedFromAUrdf) {
   EXPECT_TRUE(IsXacro("<robot><xacro:leg/></robot>"));
   EXPECT_TRUE(IsXacro("<robot><a b='${x}'/></robot>"));
   EXPECT_TRUE(IsXacro("<robot><include filename='$(find a)/b'/></robot>"));

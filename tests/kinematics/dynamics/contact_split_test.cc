@@ -97,17 +97,17 @@ class Nearest {
     return all;
   }
   double Best(const PointWrench& wanted) const {
-    std::vector<Vector3> force(contacts_.size(), Vector3::Zero()), ahead = force;
+    std::vector<Vector3> force(contacts_.size(), Vector3::Zero()), extrapolated = force;
     const double step = 0.5 / static_cast<double>(contacts_.size());
     double momentum = 1.0;
     for (int k = 0; k < 20000; ++k) {
-      const Vector6 left = Left(wanted, ahead);
+      const Vector6 left = Left(wanted, extrapolated);
       const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * momentum * momentum));
       for (std::size_t i = 0; i < force.size(); ++i) {
         const Vector3 arm = (contacts_[i].p_W - centre_) / length_;
         const Vector3 moved =
-            Projected(ahead[i] + step * (left.head<3>() - arm.cross(left.tail<3>())), contacts_[i].friction);
-        ahead[i] = moved + (momentum - 1.0) / next * (moved - force[i]);
+            Projected(extrapolated[i] + step * (left.head<3>() - arm.cross(left.tail<3>())), contacts_[i].friction);
+        extrapolated[i] = moved + (momentum - 1.0) / next * (moved - force[i]);
         force[i] = moved;
       }
       momentum = next;

@@ -92,7 +92,7 @@ TEST(DampedSearch, OtherStartsFindWhatTheGuessDoesNot) {
   const LegChain chain(Made(SixJoints()), 0);
   VectorX target(6), guess(6);
   target << 0.5, 0.3, -0.7, 1.2, -0.5, -0.2;
-  guess << -1.0, -1.0, 1.0, -1.9, 1.1, 1.0;  // the knee bent the other way
+  guess << -1.0, -1.0, 1.0, -1.9, 1.1, 1.0;  // the knee bent in the other direction
   const VectorX lower = chain.lower, upper = chain.upper;
   const Pose X_BF = chain.FootPose(target);
   const DampedSearch many = SearchPose(chain, X_BF, lower, upper, guess, 50);

@@ -215,9 +215,9 @@ TEST(LegIk, GapIsTheDistanceToTheReachOfA1) {
   RandomState random(5);
   Pose X_BF = Pose::Identity();
   for (int i = 0; i < 50; ++i) {
-    Vector3 ahead = random.Vector(3).normalized();
-    if (ahead.tail<2>().norm() < 0.3) continue;  // near the abduction axis the sphere has a hole
-    X_BF.translation() = hip + (A1Radius() + 0.0123) * ahead;
+    Vector3 direction = random.Vector(3).normalized();
+    if (direction.tail<2>().norm() < 0.3) continue;  // near the abduction axis the sphere has a hole
+    X_BF.translation() = hip + (A1Radius() + 0.0123) * direction;
     const ReachGap gap = ik.Gap(X_BF);
     EXPECT_EQ(gap.kind, ReachGap::Kind::kTooFar);
     EXPECT_NEAR(gap.distance_m, 0.0123, 1e-9);
@@ -274,9 +274,10 @@ TEST(LegIk, GapIsTheAngleThatAnAnkleLacks) {
   const double least = std::asin(0.1 / hip.norm());
   for (const double angle : {0.01, 0.05, 0.1}) {
     ASSERT_LT(angle, least);
-    const Vector3 aside = hip.unitOrthogonal();
+    const Vector3 perpendicular = hip.unitOrthogonal();
     Pose X_BF;
-    X_BF.linear() = Quaternion::FromTwoVectors(Vector3::UnitX(), RotationExp(angle * aside) * hip).toRotationMatrix();
+    X_BF.linear() =
+        Quaternion::FromTwoVectors(Vector3::UnitX(), RotationExp(angle * perpendicular) * hip).toRotationMatrix();
     X_BF.translation() = p_BH - hip - X_BF.linear() * p_FA;
     const ReachGap gap = ik.Gap(X_BF);
     EXPECT_EQ(gap.kind, ReachGap::Kind::kTurned);

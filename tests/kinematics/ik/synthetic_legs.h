@@ -56,7 +56,7 @@ inline RobotModel Made(const std::vector<SyntheticJoint>& joints, const std::str
   return std::move(model).value();
 }
 
-/// Yaw, roll, pitch through one point; a knee that bends both ways; pitch and roll through the ankle.
+/// Yaw, roll, pitch through one point; a knee that bends in both directions; pitch and roll through the ankle.
 inline std::vector<SyntheticJoint> SixJoints() {
   return {{"0 0 0", "0 0 1"},    {"0 0 0", "1 0 0"},
           {"0 0 0", "0 1 0"},    {"0.01 0.005 -0.3", "0 1 0", "lower='-2' upper='2'"},

@@ -49,7 +49,7 @@ TEST_F(ThreeJointFormTest, EachBranchReachesThePointAndOneIsTheGivenOne) {
   }
 }
 
-TEST_F(ThreeJointFormTest, BelowTheHipTheKneeBendsEitherWay) {
+TEST_F(ThreeJointFormTest, BelowTheHipTheKneeBendsInBothDirections) {
   // Hip at (0, 0.1 + 0.08, 0) with both links 0.2 m long and 0.3 m between hip and foot.
   const LegBranches branches = At({0.0, 0.18, -0.3});
   ASSERT_EQ(branches.count, 4U) << "two knees, leg above or below the abduction axis";

@@ -19,7 +19,7 @@ namespace {
 /// The URDF of a robot with an additional root link, in whose frame the robot's x and z are the given axes.
 std::string Turned(const std::string& urdf, const std::string& root, const BaseAxes& axes) {
   Matrix3 R;  // rotation of the robot's frame in the frame of the root link
-  R << axes.ahead, axes.up.cross(axes.ahead), axes.up;
+  R << axes.forward, axes.up.cross(axes.forward), axes.up;
   const Vector3 ypr = R.eulerAngles(2, 1, 0);
   return Replaced(urdf, "</robot>",
                   fmt::format("<link name='turned'/><joint name='turn' type='fixed'><parent link='turned'/><child "
@@ -45,12 +45,12 @@ void ExpectSame(const RobotModel& a, const RobotModel& b) {
   for (std::size_t f = 0; f < a.feet.size(); ++f) EXPECT_EQ(a.feet[f].link, b.feet[f].link);
 }
 
-BaseAxes Axes(const std::string& ahead, const std::string& up) {
+BaseAxes Axes(const std::string& forward, const std::string& up) {
   const auto named = [](const std::string& name) {
     const auto& names = AxisNames();
     return AxisNamed(static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
   };
-  return {named(ahead), named(up)};
+  return {named(forward), named(up)};
 }
 
 class TurnedRobot : public testing::TestWithParam<std::pair<const char*, const char*>> {};
@@ -62,16 +62,17 @@ TEST_P(TurnedRobot, ABipedIsSeenAsItStands) {
       LoadRobotFromText(Turned(h1.urdf_text, "pelvis", Axes(GetParam().first, GetParam().second)), "").value();
   ExpectSame(h1, turned);
 }
-INSTANTIATE_TEST_SUITE_P(Ways, TurnedRobot,
+INSTANTIATE_TEST_SUITE_P(Turns, TurnedRobot,
                          testing::Values(std::pair("x", "z"), std::pair("y", "z"), std::pair("-y", "z"),
                                          std::pair("x", "y"), std::pair("z", "y"), std::pair("x", "-y"),
                                          std::pair("y", "-x")));
 
 TEST(BaseAxes, FourLegsHangDownAndStandFartherApartAlong) {
   const RobotModel a1 = Robot("a1");
-  for (const auto& [ahead, up] : {std::pair("x", "z"), std::pair("z", "y"), std::pair("x", "y"), std::pair("y", "z")}) {
-    SCOPED_TRACE(std::string(ahead) + " " + up);
-    ExpectSame(a1, LoadRobotFromText(Turned(a1.urdf_text, "base", Axes(ahead, up)), "").value());
+  for (const auto& [forward, up] :
+       {std::pair("x", "z"), std::pair("z", "y"), std::pair("x", "y"), std::pair("y", "z")}) {
+    SCOPED_TRACE(std::string(forward) + " " + up);
+    ExpectSame(a1, LoadRobotFromText(Turned(a1.urdf_text, "base", Axes(forward, up)), "").value());
   }
 }
 
@@ -99,10 +100,10 @@ TEST(BaseAxes, LegsThatTurnAboutXAloneStepAlongY) {
 TEST(BaseAxes, RobotYamlSaysWhatCannotBeSeen) {
   const RobotModel a1 = Robot("a1");
   const std::string backwards = Turned(a1.urdf_text, "base", Axes("-y", "z"));
-  const RobotModel told = LoadRobotFromText(backwards, "ahead: -y\nup: z\n").value();
-  ExpectSame(a1, told);
+  const RobotModel corrected = LoadRobotFromText(backwards, "ahead: -y\nup: z\n").value();
+  ExpectSame(a1, corrected);
   std::string notes;
-  for (const std::string& note : told.notes) notes += note + "\n";
+  for (const std::string& note : corrected.notes) notes += note + "\n";
   ExpectSays(notes, {"base: axis -y of link 'turned' points forward and z up (robot.yaml)"});
   ExpectSays(MessageOf(backwards, "up: z\n"), {"line 1", "'ahead' and 'up' must be given together"});
   ExpectSays(MessageOf(backwards, "up: z\nahead: -z\n"), {"two perpendicular axes"});

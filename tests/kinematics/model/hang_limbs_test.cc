@@ -38,9 +38,9 @@ TEST(HangLimbs, ArmsHangWhereTheirWeightIsLeastAndHeadsStayUp) {
   EXPECT_EQ(Standing(model, "HeadPitch"), 0.0);
   EXPECT_EQ(Standing(model, "HeadYaw"), 0.0);
   // With hanging arms, the shoulder needs no torque; with the arms forward, it does.
-  VectorX ahead = model.standing_joints;
-  ahead[model.DofIndex("LShoulderPitch")] = 0.0;
-  EXPECT_GT(std::abs(HoldingTorque(model, ahead, "LShoulderPitch")), 0.3);
+  VectorX forward = model.standing_joints;
+  forward[model.DofIndex("LShoulderPitch")] = 0.0;
+  EXPECT_GT(std::abs(HoldingTorque(model, forward, "LShoulderPitch")), 0.3);
   EXPECT_LT(std::abs(HoldingTorque(model, model.standing_joints, "LShoulderPitch")), 0.02);
 }
 

@@ -135,7 +135,7 @@ TEST(LegPlane, AKneeWithoutLimitsBendsAsItIsDrawn) {
   }
 }
 
-TEST(StandingPosture, TurnsNoJointAllTheWayRound) {
+TEST(StandingPosture, TurnsNoJointByAFullTurn) {
   const RobotModel model = Loaded(OffsetBiped(0.0, "continuous"));
   for (const Leg& leg : model.legs) {
     const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];

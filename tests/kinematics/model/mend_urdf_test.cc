@@ -237,7 +237,7 @@ TEST(MendInertia, ALinkThatIsAThinRodIsReportedAndRefusedStrictly) {
   ExpectSays(MessageOf(urdf, "", true), {"link 'A_shank'", "principal moment of zero"});
 }
 
-TEST(MendInertia, ARobotIsToldHowMuchItChanges) {
+TEST(MendInertia, TheChangeOfTheRobotIsReported) {
   const RobotModel model = Mended("<mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01'",
                                   "<mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.03'",
                                   FailureCode::kImpossibleInertia, "link 'trunk'");

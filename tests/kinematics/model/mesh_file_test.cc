@@ -253,9 +253,9 @@ TEST_F(MeshFile, AFootThatNothingElseTellsOfIsToBeSaid) {
   std::string feet;
   for (const std::string leg : {"A", "B", "C", "D"}) feet += "  - {link: " + leg + "_foot, radius_m: 0.03}\n";
   Write("robot.yaml", "feet:\n" + feet);
-  const Result<RobotModel> told = LoadRobot(folder_ + "/robot.urdf");
-  ASSERT_TRUE(told.ok()) << told.failure().message;
-  EXPECT_EQ(told->feet[3].radius, 0.03);
+  const Result<RobotModel> loaded = LoadRobot(folder_ + "/robot.urdf");
+  ASSERT_TRUE(loaded.ok()) << loaded.failure().message;
+  EXPECT_EQ(loaded->feet[3].radius, 0.03);
 }
 
 TEST_F(MeshFile, ScaleAndPlaceAreKept) {

@@ -45,7 +45,7 @@ TEST(RobotModel, ACoordinateHasTheTightestLimitsOfAllJointsThatItMoves) {
   EXPECT_EQ(wide.dof_velocity_limit(0), 4.0);
 }
 
-TEST(RobotModel, AFollowerThatTurnsTheOtherWayChangesItsLimitsOver) {
+TEST(RobotModel, AReversedFollowerSwapsItsLimits) {
   const RobotModel model = LeaderAndFollower(-2.0, 1.0, -1.0, 2.0);  // 1 - 2 q within -1 to 2: -0.5 to 1
   EXPECT_EQ(model.dof_lower(0), -0.5);
   EXPECT_EQ(model.dof_upper(0), 1.0);

@@ -148,7 +148,7 @@ TEST(Transmission, LimitsThatAreNotGivenAreNotKnown) {
   EXPECT_NEAR(LargestEffortUse(model, AtJoints(model, 0.0, 2.0)).share, 0.4, 1e-12) << "a holds against b";
 }
 
-TEST(Transmission, IsToldWithTheRobot) {
+TEST(Transmission, IsReportedWithTheRobot) {
   const RobotModel model = ModelWith(Differential("2, 1", "0, 3"));
   const auto json = nlohmann::json::parse(RobotJson(model));
   ASSERT_EQ(json["transmissions"].size(), 1U);

@@ -18,7 +18,7 @@ TEST(UrdfCheck, TheSmallRobotItselfIsGood) {
   EXPECT_EQ(model->legs.size(), 4U);
 }
 
-TEST(UrdfCheck, AXacroFileIsToldFromAUrdf) {
+TEST(UrdfCheck, AXacroFileIsDistinguishedFromAUrdf) {
   ExpectSays(MessageOf("<robot name='r'>\n<xacro:macro name='leg'><link name='a'/></xacro:macro></robot>"),
              {"line 2 has <xacro:macro>", "expand it first"});
 }

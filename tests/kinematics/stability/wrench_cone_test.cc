@@ -133,13 +133,13 @@ TEST(WrenchConeMargin, HasNoEndWhereContactsPressAgainstEachOther) {
     }
     return contacts;
   };
-  for (const double aside : {0.0, 0.4, 0.9}) {  // of the weight
-    const PointWrench pushed{Vector3(0.0, 0.0, 0.3), Vector3(0.0, 100.0 * aside, 100.0), Vector3::Zero()};
-    EXPECT_GT(WrenchConeMargin(between_faces(1.2), pushed), 1.0) << aside;
-    EXPECT_LT(LeftBySplit(between_faces(1.2), pushed), 1e-4) << aside;
+  for (const double lateral : {0.0, 0.4, 0.9}) {  // of the weight
+    const PointWrench pushed{Vector3(0.0, 0.0, 0.3), Vector3(0.0, 100.0 * lateral, 100.0), Vector3::Zero()};
+    EXPECT_GT(WrenchConeMargin(between_faces(1.2), pushed), 1.0) << lateral;
+    EXPECT_LT(LeftBySplit(between_faces(1.2), pushed), 1e-4) << lateral;
     const double within_cones = WrenchConeMargin(between_faces(0.8), pushed);
-    EXPECT_EQ(within_cones > 0.0, LeftBySplit(between_faces(0.8), pushed) < 1e-4) << aside << " " << within_cones;
-    EXPECT_LT(within_cones, 1.0) << aside;
+    EXPECT_EQ(within_cones > 0.0, LeftBySplit(between_faces(0.8), pushed) < 1e-4) << lateral << " " << within_cones;
+    EXPECT_LT(within_cones, 1.0) << lateral;
   }
 }
 

@@ -50,8 +50,8 @@ TEST(QuinticBasis, RatesAreDerivatives) {
 }
 
 /// A spline of the basis with its derivatives, for given control points.
-Motion1 SplineAt(const std::vector<double>& breaks, const std::vector<double>& points, double t) {
-  const CubicBasis basis = EvaluateCubicBasis(breaks, t);
+Motion1 SplineAt(const std::vector<double>& knots, const std::vector<double>& points, double t) {
+  const CubicBasis basis = EvaluateCubicBasis(knots, t);
   Motion1 at;
   for (std::size_t i = 0; i < 4; ++i) {
     const double p = points[static_cast<std::size_t>(basis.first) + i];
@@ -62,17 +62,17 @@ Motion1 SplineAt(const std::vector<double>& breaks, const std::vector<double>& p
   return at;
 }
 
-const std::vector<double> kUnevenBreaks = {-0.3, 0.0, 0.02, 0.5, 0.55, 1.4};
+const std::vector<double> kUnevenKnots = {-0.3, 0.0, 0.02, 0.5, 0.55, 1.4};
 
 TEST(CubicBasis, SumsToOneAndItsDerivativesToZero) {
   for (double t = -0.3; t <= 1.4; t += 0.01) {
-    const CubicBasis basis = EvaluateCubicBasis(kUnevenBreaks, t);
+    const CubicBasis basis = EvaluateCubicBasis(kUnevenKnots, t);
     EXPECT_NEAR(std::accumulate(basis.value.begin(), basis.value.end(), 0.0), 1.0, 1e-12);
     EXPECT_NEAR(std::accumulate(basis.rate.begin(), basis.rate.end(), 0.0), 0.0, 1e-9);
     EXPECT_NEAR(std::accumulate(basis.acceleration.begin(), basis.acceleration.end(), 0.0), 0.0, 1e-7);
     for (const double value : basis.value) EXPECT_GE(value, 0.0);
     EXPECT_GE(basis.first, 0);
-    EXPECT_LE(basis.first + 4, static_cast<int>(kUnevenBreaks.size()) + 2);
+    EXPECT_LE(basis.first + 4, static_cast<int>(kUnevenKnots.size()) + 2);
   }
 }
 
@@ -90,8 +90,8 @@ TEST(CubicBasis, MakesSplinesThatAreTwiceDifferentiableWithTheirRates) {
   const std::vector<double> points = {0.3, -1.0, 2.0, 0.7, -0.4, 1.1, 0.2, 3.0};
   constexpr double kStep = 1e-7;
   for (const double t : {-0.2, 0.0, 0.01, 0.02, 0.3, 0.5, 0.52, 0.55, 1.0}) {
-    const Motion1 now = SplineAt(kUnevenBreaks, points, t), before = SplineAt(kUnevenBreaks, points, t - kStep),
-                  after = SplineAt(kUnevenBreaks, points, t + kStep);
+    const Motion1 now = SplineAt(kUnevenKnots, points, t), before = SplineAt(kUnevenKnots, points, t - kStep),
+                  after = SplineAt(kUnevenKnots, points, t + kStep);
     EXPECT_GT(std::abs(now.rate), 0.01) << t;
     EXPECT_NEAR((after.value - before.value) / (2.0 * kStep), now.rate, 1e-4 * std::abs(now.rate)) << t;
     EXPECT_NEAR((after.rate - before.rate) / (2.0 * kStep), now.acceleration, 1e-2 * std::abs(now.acceleration)) << t;
@@ -101,7 +101,7 @@ TEST(CubicBasis, MakesSplinesThatAreTwiceDifferentiableWithTheirRates) {
 
 TEST(CubicBasis, TwoControlPointsDecideValueAndRateAtAnEnd) {
   const std::vector<double> points = {0.3, -1.0, 2.0, 0.7, -0.4, 1.1, 0.2, 3.0};
-  const Motion1 start = SplineAt(kUnevenBreaks, points, -0.3), end = SplineAt(kUnevenBreaks, points, 1.4);
+  const Motion1 start = SplineAt(kUnevenKnots, points, -0.3), end = SplineAt(kUnevenKnots, points, 1.4);
   EXPECT_NEAR(start.value, 0.3, 1e-12);
   EXPECT_NEAR(start.rate, 3.0 * (-1.0 - 0.3) / 0.3, 1e-9);
   EXPECT_NEAR(end.value, 3.0, 1e-12);
@@ -109,8 +109,8 @@ TEST(CubicBasis, TwoControlPointsDecideValueAndRateAtAnEnd) {
 }
 
 TEST(CubicBasis, AtABreakThreeFunctionsAreLeft) {
-  for (std::size_t k = 0; k + 1 < kUnevenBreaks.size(); ++k) {
-    const CubicBasis basis = EvaluateCubicBasis(kUnevenBreaks, kUnevenBreaks[k]);
+  for (std::size_t k = 0; k + 1 < kUnevenKnots.size(); ++k) {
+    const CubicBasis basis = EvaluateCubicBasis(kUnevenKnots, kUnevenKnots[k]);
     EXPECT_EQ(basis.first, static_cast<int>(k));
     EXPECT_EQ(basis.value[3], 0.0);
     EXPECT_EQ(basis.rate[3], 0.0);
@@ -118,7 +118,7 @@ TEST(CubicBasis, AtABreakThreeFunctionsAreLeft) {
   }
 }
 
-TEST(CubicBasis, RefusesBreaksThatDoNotIncrease) {
+TEST(CubicBasis, RefusesKnotsThatDoNotIncrease) {
   EXPECT_THROW(EvaluateCubicBasis({}, 0.5), InvalidArgument);
   EXPECT_THROW(EvaluateCubicBasis({1.0}, 0.5), InvalidArgument);
   EXPECT_THROW(EvaluateCubicBasis({0.0, 1.0, 1.0}, 0.5), InvalidArgument);

@@ -64,7 +64,7 @@ TEST(BodyLimits, ALandingHighUpTakesMoreSpeed) {
   EXPECT_EQ(failure->code, FailureCode::kFlightTooLong);
 }
 
-TEST(BodyLimits, WithoutFrictionThereIsNoWayAhead) {
+TEST(BodyLimits, WithoutFrictionTheBodyCannotMoveForward) {
   RigidBodyProblem problem = rigid_bodies::Walker(0.6);
   const double t = problem.duration_s, up = std::sqrt(2.0 * kGravity * Vector3(0.25, 0.35, 0.8).norm());
   const double least = 0.6 / (t * (0.25 * kGravity * t + up));

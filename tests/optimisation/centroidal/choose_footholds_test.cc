@@ -88,7 +88,7 @@ TEST(ChooseFootholds, WhatLiesBelowAnotherPatchIsNotStoodOn) {
   ExpectOnGround(ground, choice->problem, 0.01);
 }
 
-TEST(ChooseFootholds, RefusesWhatNoWayReachesAndSaysWhichFootAndWhen) {
+TEST(ChooseFootholds, RefusesUnreachableGoalsAndNamesTheFootAndTime) {
   const Terrain ground = Strips({{-2.0, 0.2, 0.0}, {1.6, 3.0, 0.0}});
   const Result<ChosenFootholds> choice = ChooseFootholds(ground, rigid_bodies::Walker(2.0));
   ASSERT_FALSE(choice.ok());

@@ -38,7 +38,7 @@ TEST(TimeMap, GoesStraightBetweenSwitchesAndBack) {
 TEST(Retimed, AllThatHasATimeGoesWithIt) {
   RigidBodyProblem problem = rigid_bodies::Trotter();
   rigid_bodies::AddRolling(problem);
-  problem.way = {{0.0, 0.45, 1.4}, std::vector<Vector3>(3), std::vector<Vector3>(3)};
+  problem.path = {{0.0, 0.45, 1.4}, std::vector<Vector3>(3), std::vector<Vector3>(3)};
   problem.stances[9].end_s = 0.2 + 0.5 * kSameSwitch_s;
   const std::vector<double> from = SwitchTimes(problem);
   std::vector<double> to = from;
@@ -47,7 +47,7 @@ TEST(Retimed, AllThatHasATimeGoesWithIt) {
   EXPECT_EQ(SwitchTimes(other), to);
   EXPECT_EQ(other.duration_s, to.back());
   EXPECT_EQ(other.stances[9].end_s, to[1]) << "one with the switch at 0.2 s";
-  EXPECT_EQ(other.way.time_s, (std::vector<double>{0.0, to[2], to.back()}));
+  EXPECT_EQ(other.path.time_s, (std::vector<double>{0.0, to[2], to.back()}));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     const RigidStance &a = problem.stances[s], &b = other.stances[s];
     EXPECT_LT((a.MovedAt(0.5 * (a.start_s + a.end_s)) - b.MovedAt(0.5 * (b.start_s + b.end_s))).norm(), 1e-6);

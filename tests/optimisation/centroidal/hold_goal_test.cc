@@ -28,7 +28,7 @@ TEST(LeastHoldingFriction, OnOneSlopeIsItsTangent) {
 TEST(LeastHoldingFriction, AstrideARidgeOrBetweenWallsNoneIsNeeded) {
   EXPECT_NEAR(LeastHoldingFriction({Falling(0.0, 0.7), Falling(M_PI, 0.7)}), 0.0, 2e-2);
   EXPECT_NEAR(LeastHoldingFriction({Falling(0.0, 0.7), Falling(2.1, 0.7), Falling(4.2, 0.7)}), 0.0, 1e-3);
-  // Slopes at right angles: half-way between, both slope down by 0.7 / sqrt(2).
+  // Slopes at right angles: halfway between, both slope down by 0.7 / sqrt(2).
   const double across = LeastHoldingFriction({Falling(0.0, 0.7), Falling(0.5 * M_PI, 0.7)});
   EXPECT_GT(across, 0.3);
   EXPECT_LT(across, 0.5);

@@ -195,11 +195,11 @@ TEST(OptimiseTiming, TiedPhasesChangeTogetherInTheSameTime) {
 TEST(OptimiseTiming, MendsTimesAtWhichThereIsNoMotion) {
   const RigidBodyOptions coarse{.spacing_s = 0.08, .force_margin = 1e-5, .tolerance = 1e-6, .weights = {}};
   struct Hop {
-    double way_m, flight_s;
+    double distance_m, flight_s;
   };
   // A flight that is too long for the reach of the leg, and one that is too short for the distance.
   for (const Hop& hop : {Hop{0.5, 0.8}, Hop{0.8, 0.1}}) {
-    const RigidBodyProblem hopper = rigid_bodies::Hopper(hop.way_m);
+    const RigidBodyProblem hopper = rigid_bodies::Hopper(hop.distance_m);
     const double stand_s = 0.5 * (hopper.duration_s - hop.flight_s);
     const TimeMap map(SwitchTimes(hopper), {0.0, stand_s, stand_s + hop.flight_s, hopper.duration_s});
     const RigidBodyProblem problem = Retimed(hopper, map);

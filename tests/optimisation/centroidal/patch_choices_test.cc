@@ -73,13 +73,13 @@ TEST(PatchChoices, APathThatIsNotFittedStaysAsItIs) {
   const LongHop hop;
   PatchRules rules = RulesOf(hop.ground, 0.01);
   PatchChoices fitted(hop.ground, rules, hop.search);
-  rules.fits_way = false;
+  rules.fits_path = false;
   PatchChoices fixed(hop.ground, rules, hop.search);
   ASSERT_TRUE(fitted.Offer(hop.first));
   ASSERT_TRUE(fixed.Offer(hop.first));
-  const std::vector<Vector3>& before = hop.first.choice.problem.way.p_WC;
-  EXPECT_EQ(fixed.Next().value().problem.way.p_WC, before);
-  EXPECT_NE(fitted.Next().value().problem.way.p_WC, before);
+  const std::vector<Vector3>& before = hop.first.choice.problem.path.p_WC;
+  EXPECT_EQ(fixed.Next().value().problem.path.p_WC, before);
+  EXPECT_NE(fitted.Next().value().problem.path.p_WC, before);
 }
 
 }  // namespace

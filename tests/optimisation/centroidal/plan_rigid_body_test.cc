@@ -35,7 +35,7 @@ TEST(PlanRigidBody, KeepsTheLawsForOneTwoAndFourFeet) {
   Planned(rigid_bodies::SoledWalker());
 }
 
-TEST(PlanRigidBody, StandingStillIsTheCheapestWayToStayWhereOneIs) {
+TEST(PlanRigidBody, StandingStillIsTheCheapestMotionToTheSamePlace) {
   RigidBodyProblem problem = rigid_bodies::Trotter(0.0);
   std::erase_if(problem.stances, [](const RigidStance& s) { return s.start_s > 0.0; });
   for (RigidStance& stance : problem.stances) stance.end_s = problem.duration_s;
@@ -128,10 +128,10 @@ TEST(PlanRigidBody, StaysClearOfPlanesAndTurnsForThat) {
   EXPECT_NEAR(Beyond(free, nose), -0.02, 1e-12);
   EXPECT_GT(Beyond(Planned(problem), nose), -1e-5) << "integrated anew, to what the rule leaves";
   problem.clearances.front().offset_m += 2.0;
-  const Result<RigidBodyPlan> no_way = PlanRigidBody(problem);
-  ASSERT_FALSE(no_way.ok());
-  EXPECT_EQ(no_way.failure().code, FailureCode::kUnmetLaw);
-  EXPECT_NE(no_way.failure().message.find("clearance of nose"), std::string::npos) << no_way.failure().message;
+  const Result<RigidBodyPlan> no_path = PlanRigidBody(problem);
+  ASSERT_FALSE(no_path.ok());
+  EXPECT_EQ(no_path.failure().code, FailureCode::kUnmetLaw);
+  EXPECT_NE(no_path.failure().message.find("clearance of nose"), std::string::npos) << no_path.failure().message;
 }
 
 /// The largest upward or downward speed while a foot is on the ground.
@@ -243,7 +243,7 @@ TEST(PlanRigidBody, SaysWhereFrictionHoldsNoBodyAtRest) {
       << plan.failure().message;
 }
 
-TEST(PlanRigidBody, BreaksTooFarApartAreToldAndRefined) {
+TEST(PlanRigidBody, NodesTooFarApartAreReportedAndRefined) {
   const RigidBodyProblem problem = rigid_bodies::Walker(1.1);
   RigidBodyOptions coarse{.spacing_s = 0.32, .force_margin = 1e-5, .tolerance = 1e-6, .weights = {}};
   coarse.least_intervals = 2;
@@ -261,7 +261,7 @@ TEST(PlanRigidBody, BreaksTooFarApartAreToldAndRefined) {
   EXPECT_GT(refined.summary.variables, last.summary.variables);
 }
 
-TEST(PlanRigidBody, FinerBreaksMissTheGoalByLess) {
+TEST(PlanRigidBody, FinerNodesMissTheGoalByLess) {
   const RigidBodyProblem problem = rigid_bodies::Trotter();
   const auto missed = [&](double spacing_s) {
     const Result<RigidBodyPlan> plan =
@@ -305,7 +305,7 @@ double OutOfReachInTheAir(const RigidBodyProblem& problem, const RigidBodyMotion
   return farthest;
 }
 
-TEST(PlanRigidBody, FeetStayInReachOnTheirWayThroughTheAir) {
+TEST(PlanRigidBody, FeetStayInReachDuringTheirSwings) {
   RigidBodyProblem problem = rigid_bodies::Walker();
   const std::vector<RigidSwing> swings = {{0, 1, 0.22}, {1, 2, 0.22}, {3, 4, 0.22}};
   const RigidBodyPlan heedless = Planned(problem);
@@ -340,7 +340,7 @@ double MotorUse(const RigidBodyProblem& problem, const RigidBodyMotion& motion) 
   return most;
 }
 
-TEST(PlanRigidBody, MotorsHoldTheForcesAtBreaks) {
+TEST(PlanRigidBody, MotorsHoldTheForcesAtNodes) {
   for (const RigidBodyProblem& problem : {rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
     const double share = problem.stances.size() > 5 ? 0.9 : 0.6;  // share of the weight
     RigidBodyProblem held = problem;
@@ -374,7 +374,7 @@ TEST(PlanRigidBodyFrom, AMotionIsFoundAgain) {
     ASSERT_TRUE(again.ok()) << again.failure().message;
     EXPECT_NEAR(again->summary.cost, plan.summary.cost, 2e-3 * plan.summary.cost);
     EXPECT_TRUE(options.method == "ceres" || again->summary.iterations < plan.summary.iterations);
-    EXPECT_EQ(again->numbers.breaks_s, plan.numbers.breaks_s);
+    EXPECT_EQ(again->numbers.nodes_s, plan.numbers.nodes_s);
   }
 }
 

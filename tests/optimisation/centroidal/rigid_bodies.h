@@ -23,17 +23,17 @@ inline RigidFoot PointFoot(const Vector3& nominal_B, const Vector3& half_box) {
   return foot;
 }
 
-/// A body above its feet that moves `way_m` forward on level ground, from rest to rest, by steps. Footholds at the
+/// A body above its feet that moves `distance_m` forward on level ground, from rest to rest, by steps. Footholds at the
 /// start are fixed, the others are free.
-inline RigidBodyProblem Going(double mass_kg, const Vector3& inertia, const std::vector<RigidFoot>& feet, double way_m,
-                              double duration_s, const std::vector<Step>& steps) {
+inline RigidBodyProblem Going(double mass_kg, const Vector3& inertia, const std::vector<RigidFoot>& feet,
+                              double distance_m, double duration_s, const std::vector<Step>& steps) {
   RigidBodyProblem problem;
   problem.mass_kg = mass_kg;
   problem.inertia_B = inertia.asDiagonal();
   problem.feet = feet;
   const Vector3 up = -feet.front().p_CF_nominal_B.z() * Vector3::UnitZ();
   problem.start.p_WC = up;
-  problem.goal.p_WC = up + way_m * Vector3::UnitX();
+  problem.goal.p_WC = up + distance_m * Vector3::UnitX();
   problem.duration_s = duration_s;
   for (const Step& step : steps) {
     RigidStance stance;
@@ -43,28 +43,28 @@ inline RigidBodyProblem Going(double mass_kg, const Vector3& inertia, const std:
     stance.held = step.start_s == 0.0;
     stance.friction = 0.6;
     stance.X_WF.translation() =
-        up + step.share * way_m * Vector3::UnitX() + feet[static_cast<std::size_t>(step.foot)].p_CF_nominal_B;
+        up + step.share * distance_m * Vector3::UnitX() + feet[static_cast<std::size_t>(step.foot)].p_CF_nominal_B;
     problem.stances.push_back(stance);
   }
   return problem;
 }
 
 /// One leg that stands, hops once for 0.25 s, and stands.
-inline RigidBodyProblem Hopper(double way_m = 0.3) {
-  return Going(20.0, {1.2, 5.5, 6.0}, {PointFoot({0.0, 0.0, -0.58}, {0.25, 0.15, 0.2})}, way_m, 1.25,
+inline RigidBodyProblem Hopper(double distance_m = 0.3) {
+  return Going(20.0, {1.2, 5.5, 6.0}, {PointFoot({0.0, 0.0, -0.58}, {0.25, 0.15, 0.2})}, distance_m, 1.25,
                {{0, 0.0, 0.5, 0.0}, {0, 0.75, 1.25, 1.0}});
 }
 
 /// Two feet that step in turn, with both on the ground between.
-inline RigidBodyProblem Walker(double way_m = 0.6) {
+inline RigidBodyProblem Walker(double distance_m = 0.6) {
   const Vector3 box(0.25, 0.15, 0.15);
-  return Going(20.0, {1.2, 5.5, 6.0}, {PointFoot({0.0, 0.2, -0.65}, box), PointFoot({0.0, -0.2, -0.65}, box)}, way_m,
-               1.9,
+  return Going(20.0, {1.2, 5.5, 6.0}, {PointFoot({0.0, 0.2, -0.65}, box), PointFoot({0.0, -0.2, -0.65}, box)},
+               distance_m, 1.9,
                {{0, 0.0, 0.3, 0.0}, {0, 0.55, 1.2, 0.5}, {0, 1.45, 1.9, 1.0}, {1, 0.0, 0.7, 0.0}, {1, 1.0, 1.9, 1.0}});
 }
 
 /// Four feet, diagonals in turn without any time between.
-inline RigidBodyProblem Trotter(double way_m = 0.5) {
+inline RigidBodyProblem Trotter(double distance_m = 0.5) {
   const Vector3 box(0.15, 0.10, 0.08);
   std::vector<RigidFoot> feet;
   for (const double x : {0.18, -0.18}) {
@@ -78,12 +78,12 @@ inline RigidBodyProblem Trotter(double way_m = 0.5) {
       steps.insert(steps.end(), {{foot, 0.0, 0.45, 0.0}, {foot, 0.7, 0.95, 0.75}, {foot, 1.2, 1.4, 1.0}});
     }
   }
-  return Going(12.0, {0.14, 0.36, 0.39}, feet, way_m, 1.4, steps);
+  return Going(12.0, {0.14, 0.36, 0.39}, feet, distance_m, 1.4, steps);
 }
 
 /// The walker with soles of four corners.
-inline RigidBodyProblem SoledWalker(double way_m = 0.6) {
-  RigidBodyProblem problem = Walker(way_m);
+inline RigidBodyProblem SoledWalker(double distance_m = 0.6) {
+  RigidBodyProblem problem = Walker(distance_m);
   for (RigidFoot& foot : problem.feet)
     foot.contacts_F = {{0.1, 0.04, 0.0}, {0.1, -0.04, 0.0}, {-0.06, -0.04, 0.0}, {-0.06, 0.04, 0.0}};
   return problem;
@@ -104,11 +104,11 @@ inline RigidBodyProblem Stander() {
 /// Unknowns of a motionless stander whose foot forces vary. Their course over time does not depend on the nodes.
 inline VectorX Wavering(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
   VectorX x = VectorX::Zero(unknowns.size());
-  for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i)
+  for (std::size_t i = 2; i < unknowns.nodes_s().size(); ++i)
     x.segment<3>(unknowns.ControlPoint(i)) = problem.start.p_WC;
   for (const BoundForce& force : unknowns.BoundForces()) {
     if (force.force.parts.size() != 1) continue;
-    const double t = unknowns.breaks_s()[force.at_break], phase = static_cast<double>(force.stance);
+    const double t = unknowns.nodes_s()[force.at_node], phase = static_cast<double>(force.stance);
     x.segment<3>(force.force.parts[0].start) =
         Vector3(0.02 * std::sin(7.0 * t), 0.03 * std::cos(9.0 * t + phase), 0.25 + 0.02 * std::sin(11.0 * t + phase));
   }
@@ -127,10 +127,11 @@ inline void AddLegMotion(RigidBodyProblem& problem, int count) {
 
 /// Adds contacts that move during each stance, differently and not uniformly.
 inline void AddRolling(RigidBodyProblem& problem) {
-  double way = 0.004;
+  double distance = 0.004;
   for (RigidStance& stance : problem.stances) {
-    stance.moved_W = {Vector3::Zero(), {way, 0.002, 0.0}, {2.5 * way, -0.001, 0.0}, {3.0 * way, 0.003, 0.0}};
-    way += 0.001;
+    stance.moved_W = {
+        Vector3::Zero(), {distance, 0.002, 0.0}, {2.5 * distance, -0.001, 0.0}, {3.0 * distance, 0.003, 0.0}};
+    distance += 0.001;
   }
 }
 

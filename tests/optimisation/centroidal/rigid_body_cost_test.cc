@@ -35,12 +35,12 @@ RigidBodyWeights Only(double RigidBodyWeights::*weight, double value = 1.0) {
 
 const std::vector<double RigidBodyWeights::*> kEachWeight = {
     &RigidBodyWeights::force_rate, &RigidBodyWeights::momentum, &RigidBodyWeights::tilt,
-    &RigidBodyWeights::stance,     &RigidBodyWeights::way,      &RigidBodyWeights::swing_jerk};
+    &RigidBodyWeights::stance,     &RigidBodyWeights::path,     &RigidBodyWeights::swing_jerk};
 
 /// A walker with a path to follow and a free swing, so that each weight has rows.
 RigidBodyProblem WalkerWithAllCosts() {
   RigidBodyProblem problem = rigid_bodies::Walker();
-  problem.way = {{0.0, 1.9}, {problem.start.p_WC, problem.goal.p_WC}, {Vector3::Zero(), Vector3(0.0, 0.0, 0.3)}};
+  problem.path = {{0.0, 1.9}, {problem.start.p_WC, problem.goal.p_WC}, {Vector3::Zero(), Vector3(0.0, 0.0, 0.3)}};
   problem.swings = {{0, 1}};
   problem.swings[0].detour_W.assign(6, {0.01, 0.0, 0.1});
   problem.swings[0].free = true;
@@ -95,7 +95,7 @@ TEST(RigidBodyCostRows, ForceRateIsTheIntegralOfTheSquaredRate) {
   for (const BoundForce& force : unknowns.BoundForces()) {
     if (force.force.parts.size() != 1) continue;
     if (raised == 99) raised = force.stance;
-    const double t = unknowns.breaks_s()[force.at_break];
+    const double t = unknowns.nodes_s()[force.at_node];
     x.segment<3>(force.force.parts[0].start) = Vector3(0.0, 0.0, force.stance == raised ? 0.2 + 0.3 * t : 0.25);
   }
   ASSERT_NE(raised, 99U);
@@ -107,7 +107,7 @@ TEST(RigidBodyCostRows, ForceRateIsTheIntegralOfTheSquaredRate) {
 TEST(RigidBodyCostRows, MomentumIsTheIntegralOfItsSquareBetweenTheGivenEnds) {
   const RigidBodyProblem problem = rigid_bodies::Walker();
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
-  const std::vector<double>& t = unknowns.breaks_s();
+  const std::vector<double>& t = unknowns.nodes_s();
   VectorX x = VectorX::Zero(unknowns.size());
   for (std::size_t k = 1; k + 1 < t.size(); ++k)
     x.segment<3>(unknowns.Momentum(k).parts[0].start) = Vector3(0.3, -0.1, 0.2);
@@ -177,9 +177,9 @@ TEST(WantedAngles, TurnEvenlyOrAlongThePathThatIsFollowed) {
   EXPECT_LT((WantedAngles(problem, 0.0) - Vector3(0.0, 0.0, 0.4)).norm(), 1e-12) << "level";
   EXPECT_LT((WantedAngles(problem, problem.duration_s / 4.0) - Vector3(0.0, 0.0, 0.6)).norm(), 1e-12);
   EXPECT_LT((WantedAngles(problem, problem.duration_s) - Vector3(0.0, 0.0, 1.2)).norm(), 1e-12);
-  problem.way = {{0.0, 1.0, 1.9},
-                 std::vector<Vector3>(3, problem.start.p_WC),
-                 {{0.0, 0.5, 0.4}, {0.0, 0.5, 0.4}, {0.0, 0.5, 1.2}}};
+  problem.path = {{0.0, 1.0, 1.9},
+                  std::vector<Vector3>(3, problem.start.p_WC),
+                  {{0.0, 0.5, 0.4}, {0.0, 0.5, 0.4}, {0.0, 0.5, 1.2}}};
   EXPECT_LT((WantedAngles(problem, problem.duration_s / 4.0) - Vector3(0.0, 0.0, 0.6)).norm(), 1e-12);
   problem.follows_yaw = true;
   EXPECT_LT((WantedAngles(problem, 0.8) - Vector3(0.0, 0.0, 0.4)).norm(), 1e-12);

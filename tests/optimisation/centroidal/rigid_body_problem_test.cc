@@ -170,17 +170,17 @@ TEST(RigidBodyProblem, AStanceKnowsHowFarItsContactsHaveMovedAndItsMotors) {
   EXPECT_EQ(stance.MotorsAt(2.0), nullptr) << "no motor has a limit";
 }
 
-TEST(RigidBodyProblem, AWayGoesEvenlyBetweenItsTimes) {
-  const BodyTrajectory way{{0.0, 1.0, 3.0},
-                           {{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 4.0, 1.0}},
-                           {{0.0, 0.0, 0.0}, {0.0, 0.2, 0.0}, {0.0, 0.2, 0.8}}};
-  EXPECT_LT((way.PlaceAt(0.25) - Vector3(0.25, 0.0, 1.0)).norm(), 1e-15);
-  EXPECT_LT((way.PlaceAt(1.0) - Vector3(1.0, 0.0, 1.0)).norm(), 1e-15);
-  EXPECT_LT((way.PlaceAt(2.5) - Vector3(1.0, 3.0, 1.0)).norm(), 1e-15);
-  EXPECT_LT((way.AnglesAt(2.0) - Vector3(0.0, 0.2, 0.4)).norm(), 1e-15);
-  EXPECT_EQ(way.PlaceAt(-1.0), way.p_WC.front());
-  EXPECT_EQ(way.PlaceAt(5.0), way.p_WC.back());
-  EXPECT_EQ(way.AnglesAt(5.0), way.angles_rad.back());
+TEST(RigidBodyProblem, ATrajectoryIsLinearBetweenItsTimes) {
+  const BodyTrajectory trajectory{{0.0, 1.0, 3.0},
+                                  {{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 4.0, 1.0}},
+                                  {{0.0, 0.0, 0.0}, {0.0, 0.2, 0.0}, {0.0, 0.2, 0.8}}};
+  EXPECT_LT((trajectory.PlaceAt(0.25) - Vector3(0.25, 0.0, 1.0)).norm(), 1e-15);
+  EXPECT_LT((trajectory.PlaceAt(1.0) - Vector3(1.0, 0.0, 1.0)).norm(), 1e-15);
+  EXPECT_LT((trajectory.PlaceAt(2.5) - Vector3(1.0, 3.0, 1.0)).norm(), 1e-15);
+  EXPECT_LT((trajectory.AnglesAt(2.0) - Vector3(0.0, 0.2, 0.4)).norm(), 1e-15);
+  EXPECT_EQ(trajectory.PlaceAt(-1.0), trajectory.p_WC.front());
+  EXPECT_EQ(trajectory.PlaceAt(5.0), trajectory.p_WC.back());
+  EXPECT_EQ(trajectory.AnglesAt(5.0), trajectory.angles_rad.back());
 }
 
 TEST(RigidBodyProblem, RefusesWhatCannotBe) {
@@ -202,7 +202,7 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
             }),
             "rigid body: the region of stance 4 is not convex");
   EXPECT_EQ(RefusalOf([](auto& p) {
-              p.way.time_s = {0.0, 1.0};
+              p.path.time_s = {0.0, 1.0};
             }),
             "rigid body: the initial guess of the path needs rising times, with a position and angles for each");
   EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }),

@@ -17,10 +17,10 @@ namespace {
 /// Unknowns of a walker at a constant place and orientation, without angular momentum.
 VectorX ReachStill(const RigidBodyUnknowns& unknowns, const Vector3& p_WC, const Vector3& angles_rad) {
   VectorX x = VectorX::Zero(unknowns.size());
-  for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i) {
+  for (std::size_t i = 2; i < unknowns.nodes_s().size(); ++i) {
     if (unknowns.ControlPoint(i) >= 0) x.segment<3>(unknowns.ControlPoint(i)) = p_WC;
   }
-  for (std::size_t k = 1; k + 1 < unknowns.breaks_s().size(); ++k)
+  for (std::size_t k = 1; k + 1 < unknowns.nodes_s().size(); ++k)
     x.segment<3>(unknowns.Angles(k).parts[0].start) = angles_rad;
   return x;
 }
@@ -41,7 +41,7 @@ TEST(RigidBodyReach, IsTheFootholdAsTheTurnedBodySeesIt) {
   VectorX x = ReachStill(unknowns, {0.3, 0.05, 0.6}, angles);
   x.segment<2>(unknowns.Foothold(1).parts[0].start) = Vector2(0.04, -0.02);
   for (const std::size_t k : {6U, 8U, 10U}) {
-    const double t = unknowns.breaks_s()[k];
+    const double t = unknowns.nodes_s()[k];
     const Vector3 p_CF_W = unknowns.Foothold(1).At(x) - unknowns.CentreOfMass(t).At(x);
     const VectorX value = ValueOf(terms.Reach(1, t, 0.0), x);
     EXPECT_LT((value - WorkspaceRows(problem.feet[0], RotationOf(angles).transpose() * p_CF_W)).norm(), 1e-12) << t;
@@ -68,7 +68,7 @@ TEST(RigidBodyReach, BetweenNodesABodyWithoutMomentumKeepsItsAttitude) {
   const RigidBodyTerms terms(problem, unknowns);
   const Vector3 angles(0.05, 0.1, 0.6);
   const VectorX x = ReachStill(unknowns, {0.3, 0.0, 0.62}, angles);
-  const double from = unknowns.breaks_s()[7], to = unknowns.breaks_s()[8];
+  const double from = unknowns.nodes_s()[7], to = unknowns.nodes_s()[8];
   for (const double share : {0.25, 0.5, 0.9}) {
     const double t = from + share * (to - from);
     const Vector3 p_CF_W = unknowns.Foothold(1).At(x) - unknowns.CentreOfMass(t).At(x);
@@ -85,8 +85,8 @@ TEST(RigidBodyReach, IsContinuousThroughANode) {
   const RigidBodyTerms terms(problem, unknowns);
   const VectorX x = Random(unknowns, 21);
   constexpr double kStep = 1e-7;
-  for (std::size_t k = 2; k + 2 < unknowns.breaks_s().size(); k += 3) {
-    const double t = unknowns.breaks_s()[k];
+  for (std::size_t k = 2; k + 2 < unknowns.nodes_s().size(); k += 3) {
+    const double t = unknowns.nodes_s()[k];
     const VectorX at = ValueOf(terms.Reach(0, t, 0.0), x);
     EXPECT_LT((ValueOf(terms.Reach(0, t - kStep, 0.0), x) - at).norm(), 1e-4) << t;
     EXPECT_LT((ValueOf(terms.Reach(0, t + kStep, 0.0), x) - at).norm(), 1e-4) << t;
@@ -99,7 +99,7 @@ TEST(RigidBodyReach, AtANodeNothingOfTheIntervalsBesideItIsSeen) {
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
   const RigidBodyTerms terms(problem, unknowns);
   const std::size_t k = 7;
-  const Constraint rows = terms.Reach(1, unknowns.breaks_s()[k], 0.0);
+  const Constraint rows = terms.Reach(1, unknowns.nodes_s()[k], 0.0);
   const auto sees = [&](const AffineVector& vector) {
     return std::find(rows.variables.begin(), rows.variables.end(), vector.parts[0].start) != rows.variables.end();
   };
@@ -146,15 +146,15 @@ TEST(RigidBodyReach, ClearanceAlongTheVerticalDoesNotDependOnYaw) {
   const RigidBodyProblem problem = rigid_bodies::Walker();
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
   const RigidBodyTerms terms(problem, unknowns);
-  const RigidClearance up{unknowns.breaks_s()[6], {0.3, -0.1, -0.05}, Vector3::UnitZ(), 0.2};
-  const RigidClearance ahead{unknowns.breaks_s()[6], {0.3, -0.1, -0.05}, Vector3::UnitX(), 0.2};
+  const RigidClearance up{unknowns.nodes_s()[6], {0.3, -0.1, -0.05}, Vector3::UnitZ(), 0.2};
+  const RigidClearance forward{unknowns.nodes_s()[6], {0.3, -0.1, -0.05}, Vector3::UnitX(), 0.2};
   const Vector3 place(0.3, 0.0, 0.6);
   const auto value = [&](const RigidClearance& clearance, double yaw) {
     return ValueOf(terms.Clearance(clearance), ReachStill(unknowns, place, {0.0, 0.0, yaw}))[0];
   };
   EXPECT_NEAR(value(up, 0.0), value(up, 1.3), 1e-12);
   // A rotation by 90 degrees to the left moves the point's x to y and its y to -x.
-  EXPECT_NEAR(value(ahead, M_PI / 2.0) - value(ahead, 0.0), 0.1 - 0.3, 1e-12);
+  EXPECT_NEAR(value(forward, M_PI / 2.0) - value(forward, 0.0), 0.1 - 0.3, 1e-12);
 }
 
 TEST(RigidBodyReach, SwingClearanceIsAffineAndHasARowForEachPlane) {

@@ -41,8 +41,8 @@ TEST(RigidBodyRowsTest, EachForceHasFrictionAndEachFreeNodeHasNoForce) {
   const RigidBodyProblem problem = rigid_bodies::Hopper();
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
   const ConstrainedProblem rows = RowsOf(problem, unknowns);
-  ASSERT_FALSE(unknowns.FreeBreaks().empty());
-  EXPECT_EQ(RowsNamed(rows, "free flight at"), static_cast<std::ptrdiff_t>(unknowns.FreeBreaks().size()));
+  ASSERT_FALSE(unknowns.FreeNodes().empty());
+  EXPECT_EQ(RowsNamed(rows, "free flight at"), static_cast<std::ptrdiff_t>(unknowns.FreeNodes().size()));
   const auto bound = std::count_if(unknowns.BoundForces().begin(), unknowns.BoundForces().end(),
                                    [](const BoundForce& force) { return !force.force.parts.empty(); });
   EXPECT_EQ(RowsNamed(rows, "friction of foot 0"), bound);
@@ -56,7 +56,7 @@ TEST(RigidBodyRowsTest, MotorsHoldAllPointsOfAStanceAtANodeTogether) {
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
   std::set<std::pair<std::size_t, std::size_t>> loaded;
   for (const BoundForce& force : unknowns.BoundForces()) {
-    if (force.stance != 3) loaded.insert({force.stance, force.at_break});
+    if (force.stance != 3) loaded.insert({force.stance, force.at_node});
   }
   const ConstrainedProblem rows = RowsOf(problem, unknowns);
   EXPECT_EQ(RowsNamed(rows, "motors of foot"), static_cast<std::ptrdiff_t>(loaded.size()));
@@ -131,7 +131,7 @@ TEST(GuessRigidBody, StandsAboveItsFeetWithEvenForces) {
   for (const double t : {0.0, 0.11, 0.2, 0.4})
     EXPECT_LT((unknowns.CentreOfMass(t).At(x) - problem.start.p_WC).norm(), 1e-12);
   for (const BoundForce& force : unknowns.BoundForces())
-    EXPECT_LT((force.force.At(x) - Vector3(0.0, 0.0, 0.25)).norm(), 1e-9) << force.at_break;
+    EXPECT_LT((force.force.At(x) - Vector3(0.0, 0.0, 0.25)).norm(), 1e-9) << force.at_node;
 }
 
 TEST(GuessRigidBody, GoesOverItsFeetAndBeginsAndEndsWithThem) {
@@ -147,24 +147,24 @@ TEST(GuessRigidBody, GoesOverItsFeetAndBeginsAndEndsWithThem) {
     last = p_WC.x();
   }
   EXPECT_NEAR(last, 0.6, 1e-6);
-  // With one foot at 0.3 m and the other half-way from 0 to 0.6 m, the body is at 0.3 m.
+  // With one foot at 0.3 m and the other halfway from 0 to 0.6 m, the body is at 0.3 m.
   EXPECT_NEAR(unknowns.CentreOfMass(0.85).At(x).x(), 0.3, 0.02);
 }
 
 TEST(GuessRigidBody, FollowsAStraightPathExactly) {
   RigidBodyProblem problem = rigid_bodies::Walker();
   const Vector3 from(0.1, -0.2, 0.6), to(0.5, 0.3, 0.7);
-  problem.way = {{0.0, problem.duration_s}, {from, to}, {Vector3(0.0, 0.1, 0.0), Vector3(0.2, 0.1, -0.8)}};
+  problem.path = {{0.0, problem.duration_s}, {from, to}, {Vector3(0.0, 0.1, 0.0), Vector3(0.2, 0.1, -0.8)}};
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
   const VectorX x = GuessRigidBody(problem, unknowns);
-  const std::vector<double>& t = unknowns.breaks_s();
+  const std::vector<double>& t = unknowns.nodes_s();
   ASSERT_GT(t.size(), 10U);
   for (double at = t[3]; at <= t[t.size() - 4]; at += 0.037) {
     const Vector3 expected = from + (to - from) * at / problem.duration_s;
     EXPECT_LT((unknowns.CentreOfMass(at).At(x) - expected).norm(), 1e-9) << at;
   }
   for (std::size_t k = 1; k + 1 < t.size(); ++k)
-    EXPECT_LT((unknowns.Angles(k).At(x) - problem.way.AnglesAt(t[k])).norm(), 1e-12);
+    EXPECT_LT((unknowns.Angles(k).At(x) - problem.path.AnglesAt(t[k])).norm(), 1e-12);
 }
 
 TEST(GuessRigidBody, TakesTheControlPointsOfFreeSwings) {
@@ -190,7 +190,7 @@ RigidBodyMotion MovedOverItsFoot(const RigidBodyProblem& problem, const std::arr
 }
 
 TEST(MissedReaches, NameTheStanceAndTheTimeAtWhichItsFootIsFarthestOut) {
-  const RigidBodyProblem problem = rigid_bodies::Hopper();  // reach of 0.25 m ahead, 0.2 m upward
+  const RigidBodyProblem problem = rigid_bodies::Hopper();  // reach of 0.25 m forward, 0.2 m upward
   const Vector3 up(0.0, 0.0, 0.58), none = Vector3::Zero();
   const auto even = MovedOverItsFoot(problem, {up, Vector3(0.4, 0.0, 0.0), none, none});
   const std::vector<MissedReach> missed = MissedReaches(problem, even, 1e-3);
@@ -199,7 +199,7 @@ TEST(MissedReaches, NameTheStanceAndTheTimeAtWhichItsFootIsFarthestOut) {
   EXPECT_NEAR(missed[0].time_s, 1.0, 1e-9);
   EXPECT_TRUE(MissedReaches(problem, even, 0.151).empty()) << "it is out by 0.15 m";
   EXPECT_EQ(MissedReaches(problem, even, 0.149).size(), 1U);
-  // Upward by 1.2 t - 1.2 t^2, at most 0.3 m: 0.1 m out of reach half-way.
+  // Upward by 1.2 t - 1.2 t^2, at most 0.3 m: 0.1 m out of reach halfway.
   const auto hop = MovedOverItsFoot(problem, {up, Vector3(0.0, 0.0, 1.2), Vector3(0.0, 0.0, -1.2), none});
   ASSERT_EQ(MissedReaches(problem, hop, 0.099).size(), 1U);
   EXPECT_NEAR(MissedReaches(problem, hop, 0.099)[0].time_s, 0.5, 1e-3);

@@ -72,7 +72,7 @@ TEST(RigidBodySwings, SwingReachIsThatOfTheSwingsCurve) {
   problem.swings = {{0, 1, 0.12}};
   const RigidBodyUnknowns unknowns(problem, 0.08, 3);
   VectorX x = VectorX::Zero(unknowns.size());  // vertical all the time
-  for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i)
+  for (std::size_t i = 2; i < unknowns.nodes_s().size(); ++i)
     x.segment<3>(unknowns.ControlPoint(i)) = Vector3(0.1 * static_cast<double>(i), 0.02, 0.6);
   x.segment<2>(unknowns.Foothold(1).parts[0].start) = Vector2(0.07, -0.03);
   const RigidStance &from = problem.stances[0], &to = problem.stances[1];

@@ -63,7 +63,7 @@ TEST(RigidBodyTerms, HaveTheirDerivatives) {
         ExpectDerivative(reach.function, Own(reach.variables, x));
       }
     }
-    for (const double t : {unknowns.breaks_s()[2], 0.21, 0.52}) {
+    for (const double t : {unknowns.nodes_s()[2], 0.21, 0.52}) {
       const Constraint clearance = terms.Clearance({t, {0.2, -0.1, 0.05}, Vector3(-0.6, 0.0, 0.8), 0.1});
       SCOPED_TRACE(clearance.name);
       ExpectDerivative(clearance.function, Own(clearance.variables, x));
@@ -77,7 +77,7 @@ TEST(RigidBodyTerms, ClearanceIsHowFarAPointOfTheBodyIsAlongThePlanesNormal) {
   const RigidBodyProblem problem = rigid_bodies::Trotter();
   const RigidBodyUnknowns unknowns(problem, 0.08, 3);
   const VectorX x = Random(unknowns, 7);
-  const double t = unknowns.breaks_s()[3];
+  const double t = unknowns.nodes_s()[3];
   const RigidClearance clearance{t, {0.2, -0.1, 0.05}, Vector3(-0.6, 0.0, 0.8), 0.1, "nose"};
   const Vector3 p_WQ = unknowns.CentreOfMass(t).At(x) + RotationOf(unknowns.Angles(3).At(x)) * clearance.p_CQ_B;
   const Constraint rows = RigidBodyTerms(problem, unknowns).Clearance(clearance);
@@ -107,7 +107,7 @@ std::pair<double, double> TurningOff(const RigidBodyProblem& problem, double spa
   const RigidBodyUnknowns unknowns(problem, spacing_s, 2);
   VectorX x = rigid_bodies::Wavering(problem, unknowns);
   const RigidBodyMotion motion = MotionOf(problem, unknowns, x);
-  for (std::size_t k = 1; k + 1 < unknowns.breaks_s().size(); ++k) {
+  for (std::size_t k = 1; k + 1 < unknowns.nodes_s().size(); ++k) {
     x.segment<3>(unknowns.Angles(k).parts[0].start) = motion.intervals[k].angles_rad;
     x.segment<3>(unknowns.Momentum(k).parts[0].start) = motion.intervals[k].momentum_W / unknowns.mean_inertia();
   }
@@ -143,7 +143,7 @@ TEST(RigidBodyTerms, TurningSeesWhatMovesInsideAndWhereContactsWent) {
   const RigidBodyUnknowns unknowns(still, 0.08, 2);
   const VectorX x = rigid_bodies::Wavering(still, unknowns);
   const LegMomentum inner(moving);
-  const double mean = unknowns.mean_inertia(), from = unknowns.breaks_s()[1], to = unknowns.breaks_s()[2];
+  const double mean = unknowns.mean_inertia(), from = unknowns.nodes_s()[1], to = unknowns.nodes_s()[2];
   const VectorX alone = ValueOf(RigidBodyTerms(still, unknowns).Turning(1), x);
   const VectorX within = ValueOf(RigidBodyTerms(moving, unknowns).Turning(1), x);
   EXPECT_GT((within - alone).head<3>().norm(), 1e-3);
@@ -153,10 +153,10 @@ TEST(RigidBodyTerms, TurningSeesWhatMovesInsideAndWhereContactsWent) {
 }
 
 /// Separate forces: unknown 3 i belongs to point i.
-std::vector<BoundForce> ForcesOn(std::size_t points, std::size_t at_break) {
+std::vector<BoundForce> ForcesOn(std::size_t points, std::size_t at_node) {
   std::vector<BoundForce> forces;
   for (std::size_t i = 0; i < points; ++i)
-    forces.push_back({0, i, at_break, AffineVector::Unknown(static_cast<int>(3 * i))});
+    forces.push_back({0, i, at_node, AffineVector::Unknown(static_cast<int>(3 * i))});
   return forces;
 }
 
@@ -166,8 +166,8 @@ TEST(RigidBodyTerms, MotorsHoldWhatIsWithinTheirLimitsAtTheNearestOfTheirTimes) 
   rigid_bodies::AddMotors(problem, kMost);
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
   const double weight = problem.mass_kg * kGravity;
-  for (std::size_t k = 0; unknowns.breaks_s()[k] < problem.stances[0].end_s; ++k) {
-    const double at = unknowns.breaks_s()[k] / problem.stances[0].end_s;
+  for (std::size_t k = 0; unknowns.nodes_s()[k] < problem.stances[0].end_s; ++k) {
+    const double at = unknowns.nodes_s()[k] / problem.stances[0].end_s;
     const double share = at < 0.25 ? 1.0 : at < 0.75 ? 0.8 : 0.6;
     const Constraint rows = RigidBodyTerms(problem, unknowns).Motors(ForcesOn(1, k));
     EXPECT_TRUE(Met(rows, Vector3(0.0, 0.0, (share * kMost - 0.01) / weight))) << at;
@@ -203,7 +203,7 @@ TEST(RigidBodyTerms, MotorsSeeAllPointsOfASole) {
   EXPECT_FALSE(Met(rows, f));
 }
 
-TEST(RigidBodyTerms, MotorsHaveTheirDerivativesAndForcesOfABreakComeInTheOrderOfTheirPoints) {
+TEST(RigidBodyTerms, MotorsHaveTheirDerivativesAndForcesOfANodeComeInTheOrderOfTheirPoints) {
   for (RigidBodyProblem problem : {rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
     rigid_bodies::AddMotors(problem, 60.0);
     const RigidBodyUnknowns unknowns(problem, 0.1, 3);
@@ -214,11 +214,11 @@ TEST(RigidBodyTerms, MotorsHaveTheirDerivativesAndForcesOfABreakComeInTheOrderOf
       const std::size_t points =
           problem.feet[static_cast<std::size_t>(problem.stances[forces[i].stance].foot)].contacts_F.size();
       ASSERT_LE(i + points, forces.size());
-      EXPECT_TRUE(seen.insert({forces[i].stance, forces[i].at_break}).second) << "they stand together";
+      EXPECT_TRUE(seen.insert({forces[i].stance, forces[i].at_node}).second) << "they stand together";
       for (std::size_t p = 0; p < points; ++p) {
         EXPECT_EQ(forces[i + p].point, p);
         EXPECT_EQ(forces[i + p].stance, forces[i].stance);
-        EXPECT_EQ(forces[i + p].at_break, forces[i].at_break);
+        EXPECT_EQ(forces[i + p].at_node, forces[i].at_node);
       }
       const auto first = forces.begin() + static_cast<std::ptrdiff_t>(i);
       const Constraint motors =
@@ -287,7 +287,7 @@ TEST(RigidBodyCost, IsZeroForStandingWithSteadyForcesAndGrowsWithWhatItWeighs) {
   problem.stances[0].end_s = problem.stances[1].end_s = problem.duration_s;
   const RigidBodyUnknowns unknowns(problem, 0.1, 3);
   VectorX x = VectorX::Zero(unknowns.size());
-  for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i)
+  for (std::size_t i = 2; i < unknowns.nodes_s().size(); ++i)
     x.segment<3>(unknowns.ControlPoint(i)) = problem.start.p_WC;
   for (const BoundForce& force : unknowns.BoundForces()) {
     if (force.force.parts.size() == 1) x[force.force.parts[0].start + 2] = 0.5;
@@ -303,28 +303,28 @@ TEST(RigidBodyCost, IsZeroForStandingWithSteadyForcesAndGrowsWithWhatItWeighs) {
   };
   EXPECT_NEAR(cost({}, x), 0.0, 1e-12);
   VectorX tilted = x;
-  for (std::size_t k = 1; k + 1 < unknowns.breaks_s().size(); ++k) tilted[unknowns.Angles(k).parts[0].start + 1] = 0.2;
+  for (std::size_t k = 1; k + 1 < unknowns.nodes_s().size(); ++k) tilted[unknowns.Angles(k).parts[0].start + 1] = 0.2;
   // The integral of 0.04 over 1.9 s, less the ends, which are level.
-  const double ends = unknowns.breaks_s()[1];
+  const double ends = unknowns.nodes_s()[1];
   EXPECT_NEAR(cost({.tilt = 2.0}, tilted), 2.0 * 0.04 * (1.9 - ends), 1e-9);
 
   const auto moved = [&](const Vector3& by) {
     VectorX at = x;
-    for (std::size_t i = 0; i < unknowns.breaks_s().size(); ++i) {
+    for (std::size_t i = 0; i < unknowns.nodes_s().size(); ++i) {
       if (unknowns.ControlPoint(i) >= 0) at.segment<3>(unknowns.ControlPoint(i)) += by;
     }
     return at;
   };
-  const auto way_alone = [&](double weight, const VectorX& at) {
-    return cost({.way = weight}, at) - cost({.way = 0.0}, at);
+  const auto path_alone = [&](double weight, const VectorX& at) {
+    return cost({.path = weight}, at) - cost({.path = 0.0}, at);
   };
-  EXPECT_EQ(way_alone(1.0, moved({0.0, 0.1, 0.0})), 0.0) << "no way to follow";
-  problem.way = {{0.0, 1.9}, {problem.start.p_WC, problem.start.p_WC}, {Vector3::Zero(), Vector3::Zero()}};
-  EXPECT_EQ(way_alone(1.0, moved({0.1, 0.0, 0.1})), 0.0) << "sooner or higher is as well";
-  const double aside = way_alone(1.0, moved({0.0, 0.1, 0.0}));
-  EXPECT_GT(aside, 0.01 * 1.5);
-  EXPECT_LT(aside, 0.01 * 1.9);
-  EXPECT_NEAR(way_alone(3.0, moved({0.0, -0.2, 0.0})), 12.0 * aside, 1e-9);
+  EXPECT_EQ(path_alone(1.0, moved({0.0, 0.1, 0.0})), 0.0) << "no way to follow";
+  problem.path = {{0.0, 1.9}, {problem.start.p_WC, problem.start.p_WC}, {Vector3::Zero(), Vector3::Zero()}};
+  EXPECT_EQ(path_alone(1.0, moved({0.1, 0.0, 0.1})), 0.0) << "sooner or higher is as well";
+  const double lateral = path_alone(1.0, moved({0.0, 0.1, 0.0}));
+  EXPECT_GT(lateral, 0.01 * 1.5);
+  EXPECT_LT(lateral, 0.01 * 1.9);
+  EXPECT_NEAR(path_alone(3.0, moved({0.0, -0.2, 0.0})), 12.0 * lateral, 1e-9);
 }
 
 }  // namespace

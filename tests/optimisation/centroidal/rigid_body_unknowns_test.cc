@@ -19,59 +19,59 @@ VectorX Wavy(const RigidBodyUnknowns& unknowns) {
   return x;
 }
 
-TEST(RigidBodyUnknowns, EverySwitchIsABreakAndStancesHaveTheirIntervals) {
+TEST(RigidBodyUnknowns, EverySwitchIsANodeAndStancesHaveTheirIntervals) {
   const RigidBodyProblem problem = rigid_bodies::Walker();
   const RigidBodyUnknowns unknowns(problem, 0.1, 5);
-  const std::vector<double>& breaks = unknowns.breaks_s();
-  EXPECT_TRUE(std::is_sorted(breaks.begin(), breaks.end()));
-  for (std::size_t k = 1; k < breaks.size(); ++k) EXPECT_LE(breaks[k] - breaks[k - 1], 0.1 + 1e-9);
+  const std::vector<double>& nodes = unknowns.nodes_s();
+  EXPECT_TRUE(std::is_sorted(nodes.begin(), nodes.end()));
+  for (std::size_t k = 1; k < nodes.size(); ++k) EXPECT_LE(nodes[k] - nodes[k - 1], 0.1 + 1e-9);
   for (const RigidStance& stance : problem.stances) {
     int within = 0;
     for (const double t : {stance.start_s, stance.end_s})
-      EXPECT_TRUE(std::any_of(breaks.begin(), breaks.end(), [t](double b) { return std::abs(b - t) < 1e-12; })) << t;
-    for (const double t : breaks) within += t > stance.start_s - 1e-9 && t < stance.end_s - 1e-9 ? 1 : 0;
+      EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [t](double b) { return std::abs(b - t) < 1e-12; })) << t;
+    for (const double t : nodes) within += t > stance.start_s - 1e-9 && t < stance.end_s - 1e-9 ? 1 : 0;
     EXPECT_GE(within, 5);
   }
 }
 
-TEST(RigidBodyUnknowns, SwitchesThatAreNearlyTheSameAreOneBreak) {
+TEST(RigidBodyUnknowns, SwitchesThatAreNearlyTheSameAreOneNode) {
   RigidBodyProblem problem = rigid_bodies::Walker();
-  const std::size_t before = RigidBodyUnknowns(problem, 0.1, 3).breaks_s().size();
+  const std::size_t before = RigidBodyUnknowns(problem, 0.1, 3).nodes_s().size();
   problem.stances[1].start_s += 3e-5;
-  EXPECT_EQ(RigidBodyUnknowns(problem, 0.1, 3).breaks_s().size(), before);
+  EXPECT_EQ(RigidBodyUnknowns(problem, 0.1, 3).nodes_s().size(), before);
 }
 
-bool Holds(const std::vector<double>& breaks, double t) {
-  return std::any_of(breaks.begin(), breaks.end(), [t](double b) { return std::abs(b - t) < 1e-12; });
+bool Holds(const std::vector<double>& nodes, double t) {
+  return std::any_of(nodes.begin(), nodes.end(), [t](double b) { return std::abs(b - t) < 1e-12; });
 }
 
-TEST(RigidBodyUnknowns, BreaksBetweenSwitchesAreOnAGrid) {
+TEST(RigidBodyUnknowns, NodesBetweenSwitchesAreOnAGrid) {
   RigidBodyProblem problem = rigid_bodies::Walker();
   problem.stances[1].start_s += 3e-3;  // a switch that is not on the grid
   std::vector<double> switches;
   for (const RigidStance& stance : problem.stances) switches.insert(switches.end(), {stance.start_s, stance.end_s});
-  const std::vector<double> even = RigidBodyUnknowns(problem, 0.07, 3).breaks_s();
+  const std::vector<double> even = RigidBodyUnknowns(problem, 0.07, 3).nodes_s();
   int off = 0;
   for (const double grid_s : {0.001, 0.005, 0.02}) {
-    const std::vector<double> breaks = RigidBodyUnknowns(problem, 0.07, 3, grid_s).breaks_s();
-    EXPECT_TRUE(std::is_sorted(breaks.begin(), breaks.end()));
-    for (const double t : switches) EXPECT_TRUE(Holds(breaks, t)) << t;
-    for (const double t : breaks)
+    const std::vector<double> nodes = RigidBodyUnknowns(problem, 0.07, 3, grid_s).nodes_s();
+    EXPECT_TRUE(std::is_sorted(nodes.begin(), nodes.end()));
+    for (const double t : switches) EXPECT_TRUE(Holds(nodes, t)) << t;
+    for (const double t : nodes)
       EXPECT_TRUE(Holds(switches, t) || std::abs(std::remainder(t, grid_s)) < 1e-12) << t << " on " << grid_s;
-    EXPECT_EQ(breaks.size(), even.size()) << grid_s;
-    for (std::size_t k = 0; k < std::min(breaks.size(), even.size()); ++k)
-      EXPECT_LE(std::abs(breaks[k] - even[k]), 0.5 * grid_s + 1e-12);
+    EXPECT_EQ(nodes.size(), even.size()) << grid_s;
+    for (std::size_t k = 0; k < std::min(nodes.size(), even.size()); ++k)
+      EXPECT_LE(std::abs(nodes[k] - even[k]), 0.5 * grid_s + 1e-12);
     for (const double t : even) off += std::abs(std::remainder(t, grid_s)) > 1e-6 ? 1 : 0;
   }
   EXPECT_GT(off, 10) << "without a grid they are anywhere";
 }
 
-TEST(RigidBodyUnknowns, BreaksThatMeetOnACoarseGridAreOne) {
+TEST(RigidBodyUnknowns, NodesThatMeetOnACoarseGridAreMerged) {
   const RigidBodyProblem problem = rigid_bodies::Walker();
-  const std::vector<double> even = RigidBodyUnknowns(problem, 0.02, 3).breaks_s();
-  const std::vector<double> breaks = RigidBodyUnknowns(problem, 0.02, 3, 0.05).breaks_s();
-  EXPECT_LT(breaks.size(), even.size());
-  for (std::size_t k = 1; k < breaks.size(); ++k) EXPECT_GT(breaks[k] - breaks[k - 1], 0.04);
+  const std::vector<double> even = RigidBodyUnknowns(problem, 0.02, 3).nodes_s();
+  const std::vector<double> nodes = RigidBodyUnknowns(problem, 0.02, 3, 0.05).nodes_s();
+  EXPECT_LT(nodes.size(), even.size());
+  for (std::size_t k = 1; k < nodes.size(); ++k) EXPECT_GT(nodes[k] - nodes[k - 1], 0.04);
 }
 
 TEST(RigidBodyUnknowns, FlightIsOneInterval) {
@@ -79,9 +79,9 @@ TEST(RigidBodyUnknowns, FlightIsOneInterval) {
   int empty = 0;
   for (std::size_t i = 0; i < unknowns.intervals(); ++i) empty += unknowns.Forces(i).empty() ? 1 : 0;
   EXPECT_EQ(empty, 1);
-  ASSERT_EQ(unknowns.FreeBreaks().size(), 2U);
-  EXPECT_NEAR(unknowns.breaks_s()[unknowns.FreeBreaks()[0]], 0.5, 1e-12);
-  EXPECT_NEAR(unknowns.breaks_s()[unknowns.FreeBreaks()[1]], 0.75, 1e-12);
+  ASSERT_EQ(unknowns.FreeNodes().size(), 2U);
+  EXPECT_NEAR(unknowns.nodes_s()[unknowns.FreeNodes()[0]], 0.5, 1e-12);
+  EXPECT_NEAR(unknowns.nodes_s()[unknowns.FreeNodes()[1]], 0.75, 1e-12);
 }
 
 TEST(RigidBodyUnknowns, ForcesAddUpToTheForceOnTheWholeWhateverTheUnknownsAre) {
@@ -104,8 +104,8 @@ TEST(RigidBodyUnknowns, TheForceOnTheWholeIsThatOfTheCentreOfMass) {
   const RigidBodyUnknowns unknowns(rigid_bodies::Trotter(), 0.1, 3);
   const VectorX x = Wavy(unknowns);
   constexpr double kStep = 1e-4;
-  for (std::size_t k = 1; k + 1 < unknowns.breaks_s().size(); ++k) {
-    const double t = unknowns.breaks_s()[k];
+  for (std::size_t k = 1; k + 1 < unknowns.nodes_s().size(); ++k) {
+    const double t = unknowns.nodes_s()[k];
     const Vector3 a = (unknowns.CentreOfMass(t - kStep).At(x) - 2.0 * unknowns.CentreOfMass(t).At(x) +
                        unknowns.CentreOfMass(t + kStep).At(x)) /
                       (kStep * kStep);
@@ -139,7 +139,7 @@ TEST(RigidBodyUnknowns, ForcesBeginAndEndAtZeroButWhereAllFeetAreExchanged) {
     for (std::size_t i = 0; i < unknowns.intervals(); ++i) {
       for (const ContactForce& force : unknowns.Forces(i)) {
         const RigidStance& stance = problem->stances[force.stance];
-        const double t = unknowns.breaks_s()[i];
+        const double t = unknowns.nodes_s()[i];
         const bool touches_down = stance.start_s > 0.0 && std::abs(t - stance.start_s) < 1e-6;
         const bool exchanged = problem == &trotter && t < 1.1;
         EXPECT_EQ(force.from.At(x).norm() == 0.0, touches_down && !exchanged) << t;
@@ -161,15 +161,15 @@ TEST(RigidBodyUnknowns, PointsOfASoleMoveWithItsFoothold) {
   }
 }
 
-TEST(RigidBodyUnknowns, GivenBreaksAreAsThoseThatItPlaces) {
+TEST(RigidBodyUnknowns, GivenNodesGiveTheSameUnknownsAsPlacedOnes) {
   const RigidBodyProblem problem = rigid_bodies::Walker();
-  const RigidBodyUnknowns placed(problem, 0.08, 3), given(problem, placed.breaks_s());
-  EXPECT_EQ(given.breaks_s(), placed.breaks_s());
+  const RigidBodyUnknowns placed(problem, 0.08, 3), given(problem, placed.nodes_s());
+  EXPECT_EQ(given.nodes_s(), placed.nodes_s());
   EXPECT_EQ(given.size(), placed.size());
   EXPECT_EQ(given.BoundForces().size(), placed.BoundForces().size());
 }
 
-TEST(RigidBodyUnknowns, RefusesBreaksThatAreNotAtItsSwitches) {
+TEST(RigidBodyUnknowns, RefusesNodesThatAreNotAtItsSwitches) {
   const RigidBodyProblem problem = rigid_bodies::Hopper();
   EXPECT_THROW(RigidBodyUnknowns(problem, {0.0, 0.2, 0.4, 0.75, 1.0, 1.25}), InvalidArgument);
   EXPECT_THROW(RigidBodyUnknowns(problem, {0.0, 0.5, 0.75, 0.75, 1.25}), InvalidArgument);

@@ -29,7 +29,7 @@ inline void Finish(ZmpProblem& problem) {
   }
 }
 
-/// A biped with soles of 0.2 x 0.1 m that takes `steps` steps ahead: 0.6 s on one foot, 0.2 s on both.
+/// A biped with soles of 0.2 x 0.1 m that takes `steps` steps forward: 0.6 s on one foot, 0.2 s on both.
 inline ZmpProblem Biped(int steps, double step_length_m = 0.25, double stand_s = 0.8) {
   ZmpProblem problem;
   problem.omega_rad_s = std::sqrt(kGravity / 0.8);

@@ -31,7 +31,7 @@ VectorX AnyInside(const ZmpKnots& zmp, std::mt19937& random) {
 }
 
 /// Smallest distance of the samples to the edge minus the required margin; not positive on a line.
-double LeastSpare(const ZmpProblem& problem, const ZmpKnots& zmp, const VectorX& x) {
+double LeastMargin(const ZmpProblem& problem, const ZmpKnots& zmp, const VectorX& x) {
   const auto p_WZ = zmp.Sample(x);
   const auto margins = zmp.Margins();
   double least = std::numeric_limits<double>::infinity();
@@ -51,7 +51,7 @@ TEST(ZmpKnots, WhateverTheyAreTheZmpStaysInItsSupports) {
       ASSERT_TRUE(zmp.ok()) << zmp.failure().message;
       ASSERT_EQ(zmp->samples.size(), static_cast<std::size_t>(problem.samples));
       for (int trial = 0; trial < 50; ++trial) {
-        EXPECT_GT(LeastSpare(problem, *zmp, AnyInside(*zmp, random)), -1e-9);
+        EXPECT_GT(LeastMargin(problem, *zmp, AnyInside(*zmp, random)), -1e-9);
       }
     }
   }

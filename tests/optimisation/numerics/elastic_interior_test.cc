@@ -209,10 +209,10 @@ TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
                                  Vec({-kInfinity, -kInfinity}), Vec({0.5, -9.0})});
   ConstrainedSolution whole, short_one;
   EXPECT_FALSE(SolveElastic(problem, {}, &whole).ok());
-  EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .infeasible = 0.1}, &short_one).ok());
+  EXPECT_FALSE(SolveElastic(problem, {.early_check = 3, .infeasible = 0.1}, &short_one).ok());
   EXPECT_EQ(short_one.iterations, 3);
   EXPECT_GT(whole.iterations, 3);
-  EXPECT_FALSE(SolveElastic(problem, {.screening = 6, .infeasible = 1e-3}, &short_one).ok());
+  EXPECT_FALSE(SolveElastic(problem, {.early_check = 6, .infeasible = 1e-3}, &short_one).ok());
   EXPECT_EQ(short_one.iterations, 3) << "violations of more than a hundred times as much end it halfway";
 }
 

@@ -50,7 +50,7 @@ double NoseOf(const Terrain& terrain, double start_m) {
   double nearest = 1.0;
   const GroundLimits limits{std::vector<double>(4, -1.0), 0.25};
   for (const GroundHit& hit : watch.Look(scratch, limits)) {
-    const WayOut out = watch.WayOutOf(hit);
+    const ExitPlane out = watch.ExitPlaneOf(hit);
     if (out.normal_W.x() < -0.99) nearest = std::min(nearest, hit.distance_m);
   }
   return start_m - nearest;

@@ -69,7 +69,7 @@ TEST(ChooseContacts, ChoosesNothingUnlessAsked) {
   EXPECT_TRUE(chosen.summary.empty());
 }
 
-TEST(ChooseContacts, SparesWorkByTimesAndPlaces) {
+TEST(ChooseContacts, ReducesWorkByTimesAndPlaces) {
   FinishReport fixed_report, report;
   const MotionPlan fixed = Finished({}, fixed_report);
   const MotionPlan chosen = Finished({.near = 0.2, .power = 3.0, .timing = "optimised", .footholds = "free"}, report);
@@ -102,7 +102,7 @@ TEST(ChooseContacts, KeepsPhasesWithinTheirBounds) {
   EXPECT_EQ(plan.whole_body.size(), BoundPlan().whole_body.size());
 }
 
-TEST(ChooseContacts, SparesPowerIfItIsWeighed) {
+TEST(ChooseContacts, ReducesPowerIfItIsWeighted) {
   FinishReport report;
   const MotionPlan fixed = Finished({}, report), spared = Finished({.power = 3.0}, report);
   ExpectAudited(spared);
@@ -155,7 +155,7 @@ TEST(ChooseContacts, SwingsFollowTheirFootholds) {
   EXPECT_EQ(plan.schedule.end_s(), plan.whole_body.end_s());
 }
 
-TEST(ChooseContacts, SparesWorkByThePathsOfSwings) {
+TEST(ChooseContacts, ReducesWorkByThePathsOfSwings) {
   FinishReport report;
   const MotionPlan planned = Finished({.near = 0.2, .power = 3.0}, report);
   const MotionPlan free = Finished({.near = 0.2, .power = 3.0, .swings = "free"}, report);

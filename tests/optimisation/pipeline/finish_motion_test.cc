@@ -60,20 +60,20 @@ TEST(FinishMotion, BalancesATrotBetweenKnots) {
 
 TEST(FinishMotion, FeetThatRollLandWhereTheyStandAtTheEndIfAsked) {
   const RobotModel& model = NamedRobot("a1");
-  MotionPlan aside = Trot();
-  constexpr double kAside = 0.008;  // [m] of the last landing of a foot
+  MotionPlan shifted = Trot();
+  constexpr double kShift = 0.008;  // [m] of the last landing of a foot
   const auto last_of = [](auto& of_feet) {
     return std::find_if(of_feet.rbegin(), of_feet.rend(), [](const auto& of_foot) { return of_foot.foot == 0; });
   };
-  last_of(aside.footsteps.footholds)->X_WF.translation().y() += kAside;
-  last_of(aside.swings)->X_WF_end.translation().y() += kAside;
+  last_of(shifted.footsteps.footholds)->X_WF.translation().y() += kShift;
+  last_of(shifted.swings)->X_WF_end.translation().y() += kShift;
   const auto beside_m = [&](bool end_as_standing) {
-    const Result<MotionPlan> finished = FinishMotion(model, aside, {}, 0.9, nullptr, end_as_standing);
+    const Result<MotionPlan> finished = FinishMotion(model, shifted, {}, 0.9, nullptr, end_as_standing);
     EXPECT_TRUE(finished.ok()) << finished.failure().message;
     ExpectSound(model, *finished);
-    return FindWaysToStanding(model, finished->whole_body.q.back()).largest_m();
+    return FindOffsetsToStanding(model, finished->whole_body.q.back()).largest_m();
   };
-  EXPECT_GT(beside_m(false), 0.5 * kAside);
+  EXPECT_GT(beside_m(false), 0.5 * kShift);
   EXPECT_LT(beside_m(true), 3e-4);
 }
 
@@ -148,8 +148,9 @@ TEST(FinishMotion, MendsAMotionThatDoesNotBalance) {
 
 TEST(FinishMotion, GivesTheSameBytesEachTime) {
   const RobotModel& model = NamedRobot("a1");
-  const TrajectoryOptions quick{.max_solves = 1};
-  const Result<MotionPlan> first = FinishMotion(model, Trot(), quick), second = FinishMotion(model, Trot(), quick);
+  const TrajectoryOptions one_solve{.max_solves = 1};
+  const Result<MotionPlan> first = FinishMotion(model, Trot(), one_solve),
+                           second = FinishMotion(model, Trot(), one_solve);
   ASSERT_TRUE(first.ok() && second.ok());
   EXPECT_EQ(first->whole_body.q, second->whole_body.q);
   EXPECT_EQ(first->whole_body.tau, second->whole_body.tau);

@@ -22,7 +22,7 @@ TEST(FittedOptions, StanceCountsByTheLegsLengthAndLessWhereTheBodyIsThrownFar) {
   EXPECT_NEAR(StanceWeight("nao", 0.0) / StanceWeight("a1", 0.0), a1 * a1 / (nao * nao), 1e-9);
 }
 
-TEST(FittedOptions, BreaksAreCloserWhereFlightsAreBriefForMotors) {
+TEST(FittedOptions, NodesAreCloserWhereFlightsAreShortForMotors) {
   const RobotModel nao = *LoadNamedRobot("nao");
   EXPECT_EQ(FittedOptions(nao, 0.06, 0.0, {.spacing_s = 0.04}).spacing_s, 0.04);
   EXPECT_NEAR(FittedOptions(nao, 0.06, 0.3, {.spacing_s = 0.04}).spacing_s, 0.4 * 2.0 * 0.3 / kGravity, 1e-12);

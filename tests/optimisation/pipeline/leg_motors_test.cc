@@ -61,7 +61,7 @@ TEST(LegMotors, GainFallsAlongTorqueSpeedCurves) {
     motor.corner_speed = 1.0;
     motor.no_load_speed = 9.0;
   }
-  // At half of the way from corner to no-load speed, half of the knees' torque is left: m (g + a) halves.
+  // At half of the distance from corner to no-load speed, half of the knees' torque is left: m (g + a) halves.
   const double rising = 5.0 / std::abs(at.speed_by_rise[at.strongest]);
   EXPECT_NEAR(kGravity + GainAtSpeed(model, at, rising, 1.0), 0.5 * (kGravity + at.gain_m_s2), 0.05);
 }

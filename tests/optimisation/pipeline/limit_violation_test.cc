@@ -21,7 +21,7 @@ class LimitViolation : public ::testing::Test {
     motion.v[0][6 + knee_] = speed;
     return motion;
   }
-  double ViolationSum(double position, double spare) const { return TotalViolation(model_, With(position), spare); }
+  double ViolationSum(double position, double margin) const { return TotalViolation(model_, With(position), margin); }
 
   RobotModel model_ = LoadNamedRobot("a1").value();
   int knee_ = model_.DofIndex("FL_calf_joint");
@@ -36,14 +36,14 @@ TEST_F(LimitViolation, IsASumOfSharesOfTheLimits) {
   EXPECT_EQ(LimitWarnings(model_, With(upper_ + 0.1, fast)).size(), 2u);
 }
 
-TEST_F(LimitViolation, TheEndOfARangeIsSparedOtherThanToStand) {
-  constexpr double kSpare = 0.05;
-  EXPECT_EQ(ViolationSum(upper_ - 1.01 * kSpare * range_, kSpare), 0.0);
-  EXPECT_NEAR(ViolationSum(upper_ - 0.03 * range_, kSpare), 0.02, 1e-9);
+TEST_F(LimitViolation, ARangeHasMarginsExceptForStanding) {
+  constexpr double kMargin = 0.05;
+  EXPECT_EQ(ViolationSum(upper_ - 1.01 * kMargin * range_, kMargin), 0.0);
+  EXPECT_NEAR(ViolationSum(upper_ - 0.03 * range_, kMargin), 0.02, 1e-9);
   EXPECT_TRUE(LimitWarnings(model_, With(upper_ - 0.03 * range_)).empty()) << "that is no limit";
   model_.standing_joints[knee_] = upper_ - 0.03 * range_;
-  EXPECT_EQ(ViolationSum(upper_ - 0.03 * range_, kSpare), 0.0);
-  EXPECT_NEAR(ViolationSum(upper_ - 0.02 * range_, kSpare), 0.01, 1e-9);
+  EXPECT_EQ(ViolationSum(upper_ - 0.03 * range_, kMargin), 0.0);
+  EXPECT_NEAR(ViolationSum(upper_ - 0.02 * range_, kMargin), 0.01, 1e-9);
 }
 
 TEST_F(LimitViolation, OfMotorsThatDriveSeveralJointsIsTheirs) {

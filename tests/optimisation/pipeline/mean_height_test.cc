@@ -12,15 +12,15 @@
 namespace gaitwright {
 namespace {
 
-/// Adds a foot that stands at x and then at x + ahead_m, higher by `up`.
-void AddFoot(FootstepPlan& footsteps, int foot, const Vector2& at, double ahead_m, double up_m) {
+/// Adds a foot that stands at x and then at x + forward_m, higher by `up`.
+void AddFoot(FootstepPlan& footsteps, int foot, const Vector2& at, double forward_m, double up_m) {
   Foothold from, to;
   from.foot = to.foot = foot;
   from.liftoff_s = 1.0;
   to.touchdown_s = 2.0;
   to.liftoff_s = 3.0;
   from.X_WF.translation() = Vector3(at.x(), at.y(), 0.0);
-  to.X_WF.translation() = Vector3(at.x() + ahead_m, at.y(), up_m);
+  to.X_WF.translation() = Vector3(at.x() + forward_m, at.y(), up_m);
   footsteps.footholds.push_back(from);
   footsteps.footholds.push_back(to);
 }

@@ -203,9 +203,9 @@ TEST(WithGesture, MovesJointsOutsideTheLegsFromItsTimeOnAndNothingElse) {
   const Result<MotionPlan> moved = WithGesture(model, *plan, TurnedHead(model), 0.05, {});
   ASSERT_TRUE(moved.ok()) << moved.failure().message;
   const Eigen::Index head = 7 + model.DofIndex("HeadYaw");
-  const double ahead = plan->whole_body.q[0][head];
+  const double start = plan->whole_body.q[0][head];
   ASSERT_EQ(moved->whole_body.size(), plan->whole_body.size());
-  const auto yaw = [&](std::size_t row) { return moved->whole_body.q[row][head] - ahead; };
+  const auto yaw = [&](std::size_t row) { return moved->whole_body.q[row][head] - start; };
   EXPECT_NEAR(yaw(5), 0.0, 1e-9);
   EXPECT_NEAR(yaw(10), 0.15, 1e-9);
   EXPECT_NEAR(yaw(15), 0.3, 1e-9);

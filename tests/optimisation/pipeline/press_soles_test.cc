@@ -32,11 +32,11 @@ TEST(KeepFromEdges, LeavesPointsAndTheDirectionAcrossALineAlone) {
   EXPECT_EQ(point.knots.front().pressing.front().contact.points_F[0], Vector3(0.1, 0.2, 0.3));
 }
 
-TEST(SpareSoles, LowersTheFrictionOfSolesOnly) {
+TEST(LowerSoleFriction, LowersTheFrictionOfSolesOnly) {
   BodyProblem sole = Pressing({{0.1, 0.05, 0.0}, {0.1, -0.05, 0.0}, {-0.1, 0.0, 0.0}});
   BodyProblem line = Pressing({{0.1, 0.05, 0.0}, {0.1, -0.05, 0.0}});
-  SpareSoles(sole);
-  SpareSoles(line);
+  LowerSoleFriction(sole);
+  LowerSoleFriction(line);
   EXPECT_NEAR(PressingOf(sole)[0][0].friction, 0.2, 1e-12);
   EXPECT_EQ(PressingOf(line)[0][0].friction, 0.8);
 }

@@ -51,7 +51,7 @@ TEST(RefineMotion, HalvesTheNodeSpacingTwiceAndThenSaysThatThisDoesNotHelp) {
   const Terrain ground = FlatTerrain(0.6);
   std::vector<std::size_t> nodes;
   const auto judge = [&](const PlanOverPatches& motion) {
-    nodes.push_back(motion.plan.numbers.breaks_s.size());
+    nodes.push_back(motion.plan.numbers.nodes_s.size());
     return Result<MotionVerdict>(MotionVerdict{false});
   };
   const Result<RefinedMotion> refined = RefineMotion(ground, Hop(), {}, RulesOnLevelGround(ground), judge);

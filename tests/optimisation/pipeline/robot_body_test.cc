@@ -66,7 +66,7 @@ TEST_P(RobotBodyTest, ABodyEndsAtTheGoalWhereItsFeetCameToStandNearIt) {
     const RigidBodyProblem problem = Problem(moved);
     const double by_m = off < 0.08 ? off * model_.leg_length_m() : 0.0;
     EXPECT_NEAR((problem.goal.p_WC - end - Vector3(by_m, 0.0, 0.0)).norm(), 0.0, 1e-9) << off;
-    EXPECT_EQ(problem.way.p_WC.back(), problem.goal.p_WC);
+    EXPECT_EQ(problem.path.p_WC.back(), problem.goal.p_WC);
   }
 }
 
@@ -190,7 +190,7 @@ TEST_P(RobotBodyTest, AWalksProblemGoesFromStandingToStanding) {
   EXPECT_EQ(at_end, static_cast<int>(model_.feet.size()));
 }
 
-TEST_P(RobotBodyTest, StancesAreTheFootholdsOfTheSkeletonAndTheWayIsItsPath) {
+TEST_P(RobotBodyTest, StancesAreTheFootholdsOfTheSkeletonAndThePathIsItsPath) {
   const FootstepSkeleton skeleton = Skeleton(Curved());
   const RigidBodyProblem problem = Problem(skeleton);
   ASSERT_EQ(problem.stances.size(), skeleton.footsteps.footholds.size());
@@ -202,10 +202,10 @@ TEST_P(RobotBodyTest, StancesAreTheFootholdsOfTheSkeletonAndTheWayIsItsPath) {
     EXPECT_TRUE(problem.stances[i].X_WF.isApprox(foothold.X_WF));
     EXPECT_EQ(problem.stances[i].friction, FlatTerrain().patches[0].friction);
   }
-  EXPECT_LT((problem.way.p_WC.front() - problem.start.p_WC).norm(), 1e-12);
-  EXPECT_LT((problem.way.p_WC.back() - problem.goal.p_WC).norm(), 1e-12);
-  for (std::size_t k = 1; k < problem.way.time_s.size(); ++k)
-    EXPECT_LE(problem.way.time_s[k] - problem.way.time_s[k - 1], 0.05 + 1e-9);
+  EXPECT_LT((problem.path.p_WC.front() - problem.start.p_WC).norm(), 1e-12);
+  EXPECT_LT((problem.path.p_WC.back() - problem.goal.p_WC).norm(), 1e-12);
+  for (std::size_t k = 1; k < problem.path.time_s.size(); ++k)
+    EXPECT_LE(problem.path.time_s[k] - problem.path.time_s[k - 1], 0.05 + 1e-9);
 }
 
 TEST_P(RobotBodyTest, OnGroundThatIsNotLevelFootholdsAreHeld) {

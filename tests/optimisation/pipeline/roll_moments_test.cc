@@ -38,7 +38,7 @@ TEST(RollMoments, AreNoneOfContactsThatMoveEvenly) {
   for (const Vector3& moment : rolling.moments) EXPECT_LT(moment.norm(), 1e-9);
 }
 
-TEST(RollMoments, AreThoseOfTheWayBetweenArcAndChord) {
+TEST(RollMoments, AreThoseOfTheDistanceBetweenArcAndChord) {
   constexpr double kMoved = 0.02;  // times u^2
   const Rolling rolling([](double u) { return kMoved * u * u; });
   ASSERT_FALSE(rolling.moments.empty());

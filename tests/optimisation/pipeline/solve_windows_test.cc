@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-/// A trot of some seconds whose base is moved aside, as no planner would.
+/// A trot of some seconds whose base is moved laterally, as no planner would.
 MotionPlan Swaying(const RobotModel& model) {
   WalkCommand command;
   command.speed_m_s = 0.4;

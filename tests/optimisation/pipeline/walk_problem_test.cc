@@ -80,7 +80,7 @@ TEST(WalkPatchRules, FeetStandOnOtherPatchesThatAreNotTooSteep) {
   const BodyPath path(walk.model, walk.skeleton, walk.gait.cycle_s);
   const MotionTask task{walk.model, ground, walk.skeleton, options, path, walk.gait.cycle_s};
   const PatchRules rules = WalkPatchRules(task);
-  EXPECT_FALSE(rules.fits_way) << "the path is that of the walk";
+  EXPECT_FALSE(rules.fits_path) << "the path is that of the walk";
   RigidStance stance;
   stance.held = true;
   EXPECT_FALSE(rules.put(1, {1.5, 0.0, 0.5}, stance)) << "45 degrees";

@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-TEST(WithFootholds, AreHeldUnlessAskedForAndTheOtherWayElse) {
+TEST(WithFootholds, AreReversedOnRequestOnly) {
   MotionOptions options;
   EXPECT_EQ(options.footholds, "as-needed");
   EXPECT_EQ(WithFootholds(options, false).footholds, "as-needed");

@@ -8,10 +8,10 @@
 namespace gaitwright {
 namespace {
 
-WalkCommand Speeds(double ahead, double aside, double turning) {
+WalkCommand Speeds(double forward, double lateral, double turning) {
   WalkCommand command;
-  command.speed_m_s = ahead;
-  command.lateral_speed_m_s = aside;
+  command.speed_m_s = forward;
+  command.lateral_speed_m_s = lateral;
   command.yaw_rate_rad_s = turning;
   command.extent = WalkCommand::Extent::kDuration;
   command.duration_s = 2.0;
@@ -27,7 +27,7 @@ TEST(Pace, KeepsTheProportionsOfSpeeds) {
   EXPECT_EQ(PaceFlags(half), "--speed 0.3 --lateral-speed -0.1 --yaw-rate 0.2");
 }
 
-TEST(Pace, IsTheSpeedAheadBeforeThatAsideAndTheTurning) {
+TEST(Pace, PrefersTheForwardSpeedToTheLateralSpeedAndTheYawRate) {
   EXPECT_EQ(PaceOf(Speeds(0.3, 0.1, 0.2)), Pace::kSpeed);
   EXPECT_EQ(PaceOf(Speeds(0, 0.1, 0.2)), Pace::kLateralSpeed);
   EXPECT_EQ(PaceOf(Speeds(0, 0, 0.2)), Pace::kYawRate);
@@ -42,13 +42,13 @@ TEST(Pace, OfEachKindHasAValueThatNoLegReaches) {
 }
 
 TEST(Pace, EachPaceIsNamedWithItsUnitAndAsAnAmount) {
-  WalkCommand aside, turning, steps;
-  aside.lateral_speed_m_s = -0.2;
+  WalkCommand lateral, turning, steps;
+  lateral.lateral_speed_m_s = -0.2;
   turning.extent = WalkCommand::Extent::kDuration;
   turning.yaw_rate_rad_s = -0.5;
   steps.extent = WalkCommand::Extent::kSteps;
   steps.step_length_m = -0.1;
-  EXPECT_EQ(PaceName(PaceOf(aside)) + " " + PaceText(aside), "lateral speed 0.2 m/s");
+  EXPECT_EQ(PaceName(PaceOf(lateral)) + " " + PaceText(lateral), "lateral speed 0.2 m/s");
   EXPECT_EQ(PaceName(PaceOf(turning)) + " " + PaceText(turning), "turning rate 0.5 rad/s");
   EXPECT_EQ(PaceName(PaceOf(steps)) + " " + PaceText(steps), "step length 0.1 m");
 }

@@ -22,7 +22,7 @@ std::string FootholdsOf(const MotionPlan& plan) {
   return "";
 }
 
-/// Level ground with a step far beside the way, so that it is not flat.
+/// Level ground with a step far beside the path, so that it is not flat.
 Terrain WithStepBeside() {
   Terrain ground = FlatTerrain();
   ground.patches.push_back(PatchThrough("step", {{5, 5, 0.1}, {6, 5, 0.1}, {6, 6, 0.1}, {5, 6, 0.1}}, 0.8));

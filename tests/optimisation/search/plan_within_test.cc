@@ -13,14 +13,14 @@
 namespace gaitwright {
 namespace {
 
-WalkRequest AheadBy(double distance_m, const std::string& gait = "") {
+WalkRequest ForwardBy(double distance_m, const std::string& gait = "") {
   WalkRequest request;
   request.gait = gait;
   request.command.distance_m = distance_m;
   return request;
 }
 
-AskedPart PartAhead(const std::string& gait, double speed_m_s = 0.2) {
+AskedPart ForwardPart(const std::string& gait, double speed_m_s = 0.2) {
   AskedPart part{gait, {}};
   part.command.speed_m_s = speed_m_s;
   part.command.distance_m = 0.2;
@@ -37,7 +37,7 @@ AskedPart StandFor(double duration_s) {
 TEST(PlanWithin, AGaitThatDoesNotExistIsRefusedAsByFindGait) {
   SearchTrace trace;
   const RobotModel& a1 = NamedRobot("a1");
-  const Result<PlannedWalk> planned = PlanWithin(a1, FlatTerrain(), AheadBy(0.3, "tort"), &trace);
+  const Result<PlannedWalk> planned = PlanWithin(a1, FlatTerrain(), ForwardBy(0.3, "tort"), &trace);
   ASSERT_FALSE(planned.ok());
   EXPECT_EQ(planned.failure(), FindGait(a1, "tort", CommandedSpeed(a1, {}), {}).failure());
   EXPECT_EQ(planned.failure().kind, FailureKind::kBadInput);
@@ -47,7 +47,7 @@ TEST(PlanWithin, AGaitThatDoesNotExistIsRefusedAsByFindGait) {
 
 TEST(PlanWithin, AContradictoryCommandHasNoSlowerWalkInstead) {
   SearchTrace trace;
-  WalkRequest request = AheadBy(-0.3);
+  WalkRequest request = ForwardBy(-0.3);
   const Result<PlannedWalk> planned = PlanWithin(NamedRobot("a1"), FlatTerrain(), request, &trace);
   ASSERT_FALSE(planned.ok());
   EXPECT_EQ(planned.failure().kind, FailureKind::kBadInput);
@@ -57,7 +57,7 @@ TEST(PlanWithin, AContradictoryCommandHasNoSlowerWalkInstead) {
 
 TEST(PlanWithin, WithoutGroundThereIsNoWalkAtAnyPace) {
   Terrain nothing;
-  WalkRequest request = AheadBy(0.3);
+  WalkRequest request = ForwardBy(0.3);
   request.command.speed_m_s = 0.2;
   const Result<PlannedWalk> planned = PlanWithin(NamedRobot("a1"), nothing, request);
   ASSERT_FALSE(planned.ok());
@@ -76,20 +76,20 @@ int LeapsOf(const WalkRequest& request, int at_least = 1) {
 }
 
 TEST(PlanInFewestStrides, LeapsAreAsFewAsMotorsAllow) {
-  EXPECT_EQ(LeapsOf(AheadBy(0.6, "jump")), 1);
-  EXPECT_EQ(LeapsOf(AheadBy(0.6, "jump"), 2), 2) << "at least as many as given";
-  EXPECT_EQ(LeapsOf(AheadBy(1.0, "jump")), 2);
+  EXPECT_EQ(LeapsOf(ForwardBy(0.6, "jump")), 1);
+  EXPECT_EQ(LeapsOf(ForwardBy(0.6, "jump"), 2), 2) << "at least as many as given";
+  EXPECT_EQ(LeapsOf(ForwardBy(1.0, "jump")), 2);
 }
 
 TEST(PlanInFewestStrides, TurnsAreLeapsToo) {
-  WalkRequest turn = AheadBy(0.0, "jump");
+  WalkRequest turn = ForwardBy(0.0, "jump");
   turn.command.extent = WalkCommand::Extent::kGoal;
   turn.command.goal_yaw_rad = 1.57;
   EXPECT_EQ(LeapsOf(turn), 1);
 }
 
 TEST(PlanInFewestStrides, ADistanceBeyondAllNumbersOfLeapsIsRefused) {
-  const Result<PlannedWalk> planned = PlanInFewestStrides(NamedRobot("a1"), FlatTerrain(), AheadBy(20.0, "jump"), 1);
+  const Result<PlannedWalk> planned = PlanInFewestStrides(NamedRobot("a1"), FlatTerrain(), ForwardBy(20.0, "jump"), 1);
   ASSERT_FALSE(planned.ok());
   EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
 }
@@ -98,7 +98,7 @@ TEST(PlanPartsWithin, AGaitThatDoesNotExistIsNamedWithItsPart) {
   const RobotModel& a1 = NamedRobot("a1");
   const Failure alone = FindGait(a1, "tort", 0.2, {}).failure();
   for (const std::size_t wrong : {0U, 2U}) {
-    std::vector<AskedPart> parts = {PartAhead("trot"), StandFor(0.5), PartAhead("trot")};
+    std::vector<AskedPart> parts = {ForwardPart("trot"), StandFor(0.5), ForwardPart("trot")};
     parts[wrong].gait = "tort";
     const Result<PlannedWalk> planned = PlanPartsWithin(a1, FlatTerrain(), {}, parts);
     ASSERT_FALSE(planned.ok());
@@ -109,7 +109,7 @@ TEST(PlanPartsWithin, AGaitThatDoesNotExistIsNamedWithItsPart) {
 
 TEST(PlanPartsWithin, AStandThatIsTooShortIsABadCommand) {
   SearchTrace trace;
-  const std::vector<AskedPart> parts = {PartAhead("trot"), StandFor(0.01), PartAhead("trot")};
+  const std::vector<AskedPart> parts = {ForwardPart("trot"), StandFor(0.01), ForwardPart("trot")};
   const Result<PlannedWalk> planned = PlanPartsWithin(NamedRobot("a1"), FlatTerrain(), {}, parts, &trace);
   ASSERT_FALSE(planned.ok());
   EXPECT_EQ(planned.failure().kind, FailureKind::kBadInput);

@@ -79,8 +79,8 @@ TEST(IsSound, NeedsAPlanWithinLimitsThatPassesItsAudit) {
   EXPECT_FALSE(IsSound(WalkWith({Broken(Law::kDynamics, "base", 1.0, 0.1)})));
   EXPECT_FALSE(IsSound(WalkWith({Broken(Law::kJointTorque, "knee", 41.0, 40.0)})));
   PlannedWalk slight = WalkWith({}), far = slight;
-  slight.motion.limit_excess = 0.9 * kSlightViolation;
-  far.motion.limit_excess = 1.1 * kSlightViolation;
+  slight.motion.limit_violation = 0.9 * kSlightViolation;
+  far.motion.limit_violation = 1.1 * kSlightViolation;
   EXPECT_TRUE(IsSound(slight));
   EXPECT_FALSE(IsSound(far)) << "past limits between the audit's samples";
 }
@@ -110,7 +110,7 @@ TEST(ReasonForbidden, WithoutABrokenLimitHasTheCodeOfTheFirstLaw) {
 
 TEST(ReasonForbidden, OfLimitsPassedBetweenSamplesHasThePlansWarnings) {
   PlannedWalk walk;
-  walk.motion.limit_excess = 1.0;
+  walk.motion.limit_violation = 1.0;
   walk.motion.plan.warnings = {"first", "second"};
   const Failure failure = ReasonForbidden(walk);
   EXPECT_EQ(failure.code, FailureCode::kLimits);

@@ -29,7 +29,7 @@ class MadeUp : public Evaluator {
     evaluation.refusal.reset();
     if (!sound_(candidate, effort)) {
       evaluation.refusal = TooMuch();
-      if (breaks) evaluation.refusal->violation = Violation{*breaks, 0.0, "", 0.0, 0.0, ""};
+      if (violated) evaluation.refusal->violation = Violation{*violated, 0.0, "", 0.0, 0.0, ""};
     }
     return evaluation;
   }
@@ -41,8 +41,8 @@ class MadeUp : public Evaluator {
   }
 
   std::vector<std::pair<Candidate, Effort>> asked;
-  std::optional<Law> breaks;  // law that refusals violate
-  Evaluation refused;         // set except for its refusal
+  std::optional<Law> violated;  // law that refusals violate
+  Evaluation refused;           // set except for its refusal
   double flies_above = std::numeric_limits<double>::infinity();
 
  private:
@@ -91,7 +91,7 @@ TEST(FindSound, TheWholeBodyIsOptimisedWhereJointsRefuseAllPasses) {
   EXPECT_FALSE(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).evaluation.sound()) << "no law of joints is violated";
   for (const auto& [law, is_of_joints] : {std::pair(Law::kJointPosition, true), std::pair(Law::kJointTorque, true),
                                           std::pair(Law::kSelfCollision, false)}) {
-    evaluator.breaks = law;
+    evaluator.violated = law;
     const SearchResult result = FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator);
     EXPECT_EQ(result.evaluation.sound(), is_of_joints);
     EXPECT_EQ(result.candidate.finishes, is_of_joints);
@@ -102,7 +102,7 @@ TEST(FindSound, TheWholeBodyIsOptimisedWhereJointsRefuseAllPasses) {
 
 TEST(FindSound, AWholeBodyThatLeavesAmpleRoomComesBeforeOtherCycles) {
   MadeUp evaluator([](const Candidate& c, Effort) { return c.finishes || c.cycle == 1; });
-  evaluator.breaks = Law::kJointTorque;
+  evaluator.violated = Law::kJointTorque;
   EXPECT_EQ(FindSound(ProblemAt(Kind::kLevel, 0.5), evaluator).candidate, (Candidate{.pace = 0.5, .finishes = true}));
   EXPECT_EQ(evaluator.Count(Effort::kWhole), 2);
   EXPECT_EQ(evaluator.Count(Effort::kStart), 0);
@@ -116,7 +116,7 @@ class JointsRefuse : public MadeUp {
   JointsRefuse(IsSoundAt sound, std::function<bool(const Candidate&)> of_joints)
       : MadeUp(std::move(sound)), of_joints_(std::move(of_joints)) {}
   Evaluation Evaluate(const Candidate& candidate, Effort effort) override {
-    breaks = of_joints_(candidate) ? std::optional(Law::kJointVelocity) : std::nullopt;
+    violated = of_joints_(candidate) ? std::optional(Law::kJointVelocity) : std::nullopt;
     return MadeUp::Evaluate(candidate, effort);
   }
 
@@ -133,7 +133,7 @@ TEST(FindSound, TheWholeBodyIsOptimisedAlsoWhereJointsRefuseOnlyOtherCycles) {
 
 TEST(FindSound, HeelsRiseOnlyWhereFlatSolesAreRefused) {
   MadeUp evaluator([](const Candidate& c, Effort) { return c.heel_off_rad > 0.0; });
-  evaluator.breaks = Law::kJointPosition;
+  evaluator.violated = Law::kJointPosition;
   SearchProblem problem = ProblemAt(Kind::kLevel, 0.5);
   EXPECT_FALSE(FindSound(problem, evaluator).evaluation.sound());
   EXPECT_TRUE(std::none_of(evaluator.asked.begin(), evaluator.asked.end(), [](const auto& asked) {
@@ -244,21 +244,21 @@ TEST(FindSound, AWalkAtItsOwnPaceIsCalm) {
   problem.situation.may_slow_down = true;
   problem.situation.may_raise_heels = true;
   MadeUp evaluator([](const Candidate& c, Effort) { return c.finishes; });
-  evaluator.breaks = Law::kJointVelocity;
+  evaluator.violated = Law::kJointVelocity;
   SearchResult found = FindSound(problem, evaluator);
   EXPECT_EQ(found.candidate, (Candidate{0.5, 0, 1.0, false, true}));
   EXPECT_EQ(evaluator.Count(Effort::kWhole), 2);
   EXPECT_EQ(evaluator.Count(Effort::kStart), 0);
 
   MadeUp slower([](const Candidate& c, Effort) { return c.finishes && c.pace < 0.4; });
-  slower.breaks = Law::kJointVelocity;
+  slower.violated = Law::kJointVelocity;
   found = FindSound(problem, slower);
   EXPECT_TRUE(found.candidate.finishes);
   EXPECT_DOUBLE_EQ(found.candidate.pace, 0.35);
   EXPECT_EQ(found.candidate.heel_off_rad, 0.0);
 
   MadeUp without_room([](const Candidate& c, Effort) { return c.finishes || c.pace < 0.1; });
-  without_room.breaks = Law::kJointVelocity;
+  without_room.violated = Law::kJointVelocity;
   without_room.refused.room = Room::kNone;
   found = FindSound(problem, without_room);
   EXPECT_FALSE(found.candidate.finishes);
@@ -283,25 +283,25 @@ TEST(SlowerThatIsSound, NamesTheLargestPaceOnLevelGround) {
 
 TEST(SlowerThatIsSound, IsLargerWithTheOptimisedWholeBody) {
   MadeUp evaluator([](const Candidate& c, Effort) { return c.pace <= (c.finishes ? 0.41 : 0.2); });
-  evaluator.breaks = Law::kJointTorque;
+  evaluator.violated = Law::kJointTorque;
   const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.6), evaluator);
   EXPECT_GT(slower.value, 0.35);
   EXPECT_LE(slower.value, 0.41);
   EXPECT_EQ(slower.known, SlowerPace::Known::kMay);
 
   MadeUp without([](const Candidate& c, Effort) { return c.pace <= 0.2 && !c.finishes; });
-  without.breaks = Law::kJointTorque;
+  without.violated = Law::kJointTorque;
   const SlowerPace of_passes = SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.6), without);
   EXPECT_DOUBLE_EQ(of_passes.value, 0.2);
   EXPECT_EQ(of_passes.known, SlowerPace::Known::kFeasible) << "the whole body was not optimised at all paces";
 
-  evaluator.breaks.reset();
+  evaluator.violated.reset();
   EXPECT_DOUBLE_EQ(SlowerThatIsSound(ProblemAt(Kind::kLevel, 0.6), evaluator).value, 0.2);
 }
 
 TEST(SlowerThatIsSound, IsFoundAlsoIfTheRequestIsFarOutOfReach) {
   MadeUp evaluator([](const Candidate& c, Effort) { return c.pace <= (c.finishes ? 0.25 : 0.2); });
-  evaluator.breaks = Law::kJointTorque;
+  evaluator.violated = Law::kJointTorque;
   const SlowerPace slower = SlowerThatIsSound(ProblemAt(Kind::kLevel, 3.0), evaluator);
   EXPECT_GT(slower.value, 0.22);
   EXPECT_LE(slower.value, 0.25);

@@ -34,7 +34,7 @@ FootstepPlan OneStep(double length_m, double rise_m) {
   return {{from, to}};
 }
 
-double Spare(const RobotModel& model, const Terrain& terrain, const SwingTrajectory& swing, double clearance_m) {
+double Margin(const RobotModel& model, const Terrain& terrain, const SwingTrajectory& swing, double clearance_m) {
   return ClearanceMargin(
       CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
       clearance_m);
@@ -60,7 +60,7 @@ TEST(PlanSwings, AFootThatFliesAlongKeepsAnEighthOfItsLiftOverAnEdge) {
     flight.cruise = [](const SwingTrajectory&) { return 0.6; };
     const auto swings = PlanSwings(model, terrain, OneStep(0.5, 0.15), {}, flight);
     ASSERT_TRUE(swings.ok()) << swings.failure().message;
-    EXPECT_GE(Spare(model, terrain, swings->front(), 0.35 * 0.125 * lift_m), -1e-6) << lift_m;
+    EXPECT_GE(Margin(model, terrain, swings->front(), 0.35 * 0.125 * lift_m), -1e-6) << lift_m;
     EXPECT_GE(swings->front().clearance_m, 0.125 * lift_m - 1e-6) << lift_m;
   }
 }
@@ -97,7 +97,7 @@ TEST(PlanSwings, ABoxUnderTheSwingMakesADetour) {
     const auto swings = PlanSwings(model, terrain, OneStep(c.length_m, c.rise_m), options);
     ASSERT_TRUE(swings.ok()) << c.robot << ": " << swings.failure().message;
     const SwingTrajectory& swing = swings->front();
-    EXPECT_GT(Spare(model, terrain, swing, swing.detour_W.empty() ? 0.007 : 0.02), -0.0012)
+    EXPECT_GT(Margin(model, terrain, swing, swing.detour_W.empty() ? 0.007 : 0.02), -0.0012)
         << c.robot << " " << c.rise_m;
     EXPECT_GT(swing.clearance_m, 0.0185);
     EXPECT_TRUE(c.rise_m < 0.0 || !swing.detour_W.empty()) << c.robot << " " << c.rise_m;
@@ -167,7 +167,7 @@ TEST(PlanSwings, WhatCannotBePassedIsNamed) {
   EXPECT_NE(message.find("'gate'"), std::string::npos) << message;
 }
 
-TEST(PlanSwings, AFootRisesBeforeARiserAndGoesAheadBeforeItComesDown) {
+TEST(PlanSwings, AFootRisesBeforeARiserAndGoesForwardBeforeItComesDown) {
   const RobotModel model = *LoadNamedRobot("a1");
   for (const double rise : {0.1, -0.1}) {
     // The upper tread's edge is 45 mm from the lower foothold's middle, 25 mm from the ball.
@@ -196,17 +196,17 @@ TEST(PlanSwings, WhatASphereRollsOffItsCurveIsReckonedWith) {
   FormerMotion former;
   former.roll = [&](const SwingTrajectory&) { return SwingRoll(roll); };
   const Terrain terrain = WithBox(0.05, 3.0, 0.1);
-  const auto spare = [&](const SwingTrajectory& swing) {
+  const auto margin = [&](const SwingTrajectory& swing) {
     return ClearanceMargin(
         CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
         0.0, roll);
   };
   const auto blind = PlanSwings(model, terrain, OneStep(0.2, 0.1), {});
   ASSERT_TRUE(blind.ok()) << blind.failure().message;
-  EXPECT_LT(spare(blind->front()), -1e-3);
+  EXPECT_LT(margin(blind->front()), -1e-3);
   const auto seeing = PlanSwings(model, terrain, OneStep(0.2, 0.1), {}, former);
   ASSERT_TRUE(seeing.ok()) << seeing.failure().message;
-  EXPECT_GT(spare(seeing->front()), -1e-4);
+  EXPECT_GT(margin(seeing->front()), -1e-4);
 }
 
 TEST(PlanSwings, AShankGoesAroundWhatTheFootPassesUnder) {

@@ -32,7 +32,7 @@ TEST(PlanarSwings, OnlyLegsWhoseAxesAreParallelStayInAPlane) {
     EXPECT_FALSE(plane.has_value());
 }
 
-TEST(PlanarSwings, AFootGoesAsideAsItsPlaneLeans) {
+TEST(PlanarSwings, AFootMovesLaterallyAsItsPlaneLeans) {
   constexpr double kRoll = -0.04;
   std::vector<SwingTrajectory> swings = {Step()};
   const Vector3 normal_B = Vector3::UnitY(), normal_W = Leaning(kRoll).linear() * normal_B;

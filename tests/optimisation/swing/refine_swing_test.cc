@@ -91,7 +91,7 @@ TEST(RefineSwing, ClearsEveryScene) {
       const RefineChoice choice{0.04, control_points, 30};
       const Result<RefinedSwing> refined = RefineSwing(scene.swing, underside, ground, choice);
       ASSERT_TRUE(refined.ok()) << scene.name << ": " << refined.failure().message;
-      EXPECT_GT(refined->spare_m, -0.0021) << scene.name;
+      EXPECT_GT(refined->margin_m, -0.0021) << scene.name;
       EXPECT_EQ(refined->curve.detour_W.size(), static_cast<std::size_t>(control_points - 6));
       for (const double t : {1.0, 1.6}) {
         const FrameMotion end = Evaluate(refined->curve, t);

@@ -17,10 +17,10 @@ RobotModel WithKnee(double speed, double lower = -2.7) {
 }
 
 TEST(SwingLift, SlowMotorsLiftLess) {
-  const RobotModel quick = WithKnee(20.0), slow = WithKnee(1.0);
-  const double usual = SwingLift(quick, {});
+  const RobotModel fast = WithKnee(20.0), slow = WithKnee(1.0);
+  const double usual = SwingLift(fast, {});
   EXPECT_GT(usual, 0.04);
-  EXPECT_EQ(SpeedBoundLift(quick).LiftInTime(0, 0.3, usual), usual);
+  EXPECT_EQ(SpeedBoundLift(fast).LiftInTime(0, 0.3, usual), usual);
   const double bound = SpeedBoundLift(slow).LiftInTime(0, 0.3, usual);
   EXPECT_LT(bound, 0.9 * usual);
   EXPECT_GE(bound, 0.25 * usual);

@@ -15,7 +15,7 @@ namespace {
 const std::vector<Vector3> kTip = {Vector3::Zero()};
 constexpr double kNoGround = -kInfinity;
 
-SwingCurve StepAhead(double length_m, double lift_m) {
+SwingCurve ForwardStep(double length_m, double lift_m) {
   SwingCurve curve;
   curve.X_WF_end.translation() = Vector3(length_m, 0.0, 0.0);
   curve.lift_m = lift_m;
@@ -86,7 +86,7 @@ TEST(ClearanceRamp, RisesFromNothingToAllAndFallsLikewise) {
 }
 
 TEST(ClearanceMargin, LowerGroundGivesAsMuchMore) {
-  const SwingCurve curve = StepAhead(0.2, 0.05);
+  const SwingCurve curve = ForwardStep(0.2, 0.05);
   const double level = ClearanceMargin(curve, kTip, LevelAt(0.0), 0.02);
   for (const double change_m : {-0.03, 0.01, 0.4})
     EXPECT_NEAR(ClearanceMargin(curve, kTip, LevelAt(change_m), 0.02), level - change_m, 1e-12);
@@ -94,15 +94,15 @@ TEST(ClearanceMargin, LowerGroundGivesAsMuchMore) {
 }
 
 TEST(ClearanceMargin, OfARidgeInMidSwingIsTheHeightAboveIt) {
-  const SwingCurve curve = StepAhead(0.2, 0.08);
+  const SwingCurve curve = ForwardStep(0.2, 0.08);
   const GroundHeight ridge = [](const Vector2& p_W) { return std::abs(p_W.x() - 0.1) < 0.004 ? 0.05 : kNoGround; };
-  // Half-way, the foot is 0.08 m high, 0.03 m above the ridge; 0.02 m are required.
+  // Halfway, the foot is 0.08 m high, 0.03 m above the ridge; 0.02 m are required.
   EXPECT_NEAR(ClearanceMargin(curve, kTip, ridge, 0.02), 0.01, 1e-3);
   EXPECT_LT(ClearanceMargin(curve, kTip, ridge, 0.04), 0.0);
 }
 
 TEST(ClearanceMargin, IsThatOfTheLowestPointOfTheUnderside) {
-  const SwingCurve curve = StepAhead(0.2, 0.05);
+  const SwingCurve curve = ForwardStep(0.2, 0.05);
   const auto low = [](double z) { return std::vector<Vector3>{{0.0, 0.0, 0.0}, {0.02, 0.0, z}}; };
   const double tip = ClearanceMargin(curve, kTip, LevelAt(-0.1), 0.0);
   EXPECT_NEAR(ClearanceMargin(curve, low(-0.01), LevelAt(-0.1), 0.0), tip - 0.01, 1e-12);
@@ -110,22 +110,22 @@ TEST(ClearanceMargin, IsThatOfTheLowestPointOfTheUnderside) {
 }
 
 TEST(ClearanceMargin, SeesWhereAFootRolls) {
-  const SwingCurve curve = StepAhead(0.2, 0.05);
+  const SwingCurve curve = ForwardStep(0.2, 0.05);
   const SwingRoll lifted({Vector3(0.0, 0.0, 0.01), Vector3(0.0, 0.0, 0.01)});
   EXPECT_NEAR(ClearanceMargin(curve, kTip, LevelAt(0.0), 0.02, lifted),
               ClearanceMargin(curve, kTip, LevelAt(0.0), 0.02) + 0.01, 1e-12);
 }
 
 TEST(OutOfReach, IsTheLargestDistanceBeyondAnySide) {
-  const SwingCurve curve = StepAhead(0.4, 0.1);
-  const ReachSide ahead{Vector3::UnitX(), 0.1}, above{Vector3::UnitZ(), 0.08};
+  const SwingCurve curve = ForwardStep(0.4, 0.1);
+  const ReachSide forward{Vector3::UnitX(), 0.1}, above{Vector3::UnitZ(), 0.08};
   EXPECT_EQ(OutOfReach(curve, {}), -kInfinity) << "nothing is asked";
-  EXPECT_NEAR(OutOfReach(curve, {{1.0, {ahead}}}), 0.3, 1e-12);
-  EXPECT_NEAR(OutOfReach(curve, {{0.0, {ahead}}}), -0.1, 1e-12);
+  EXPECT_NEAR(OutOfReach(curve, {{1.0, {forward}}}), 0.3, 1e-12);
+  EXPECT_NEAR(OutOfReach(curve, {{0.0, {forward}}}), -0.1, 1e-12);
   EXPECT_NEAR(OutOfReach(curve, {{0.5, {above}}}), 0.02, 1e-12);
-  EXPECT_NEAR(OutOfReach(curve, {{0.0, {ahead}}, {0.5, {ahead, above}}}), 0.1, 1e-12);
+  EXPECT_NEAR(OutOfReach(curve, {{0.0, {forward}}, {0.5, {forward, above}}}), 0.1, 1e-12);
   const SwingRoll back({Vector3(-0.05, 0.0, 0.0), Vector3(-0.05, 0.0, 0.0)});
-  EXPECT_NEAR(OutOfReach(curve, {{1.0, {ahead}}}, back), 0.25, 1e-12);
+  EXPECT_NEAR(OutOfReach(curve, {{1.0, {forward}}}, back), 0.25, 1e-12);
 }
 
 }  // namespace

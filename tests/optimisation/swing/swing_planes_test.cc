@@ -46,11 +46,11 @@ TEST(SwingPlanes, PartAnyPointFromAllThatIsSolid) {
   EXPECT_GT(outside, 2000);
 }
 
-TEST(SwingPlanes, OfAWayPartAllOfIt) {
+TEST(SwingPlanes, OfAPathPartAllOfIt) {
   // Up and over the edge: neither the top nor the side has both ends of the path on its outer side.
-  const std::vector<Vector3> way_W = {{0.66, 0.0, 0.49}, {0.68, 0.0, 0.515}, {0.71, 0.0, 0.54}};
-  const PartingPlane plane = PlaneBefore(Block(), way_W);
-  for (const Vector3& p_W : way_W) EXPECT_GT(plane.Beyond(p_W), 0.0);
+  const std::vector<Vector3> path_W = {{0.66, 0.0, 0.49}, {0.68, 0.0, 0.515}, {0.71, 0.0, 0.54}};
+  const PartingPlane plane = PlaneBefore(Block(), path_W);
+  for (const Vector3& p_W : path_W) EXPECT_GT(plane.Beyond(p_W), 0.0);
   EXPECT_GT(plane.normal_W.z(), 0.1);
   EXPECT_LT(plane.normal_W.x(), -0.1);
 }

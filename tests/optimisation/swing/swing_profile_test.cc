@@ -7,16 +7,16 @@ namespace gaitwright {
 namespace {
 
 /// From the origin forward, optionally up onto a step.
-SwingCurve Ahead(double way_m, double rise_m) {
+SwingCurve Forward(double distance_m, double rise_m) {
   SwingCurve swing;
-  swing.X_WF_end.translation() = Vector3(way_m, 0.0, rise_m);
+  swing.X_WF_end.translation() = Vector3(distance_m, 0.0, rise_m);
   return swing;
 }
 
 const std::vector<Vector3> kPoint = {Vector3::Zero()};
 
 TEST(SwingProfile, IsLevelOverLevelGround) {
-  const SwingProfile profile(Ahead(0.4, 0.0), kPoint, [](const Vector2&) { return 0.0; }, {});
+  const SwingProfile profile(Forward(0.4, 0.0), kPoint, [](const Vector2&) { return 0.0; }, {});
   EXPECT_DOUBLE_EQ(profile.length_m(), 0.4);
   EXPECT_LT((profile.along_W() - Vector2::UnitX()).norm(), 1e-12);
   for (const double s : {0.0, 0.13, 0.4}) {
@@ -27,7 +27,7 @@ TEST(SwingProfile, IsLevelOverLevelGround) {
 
 TEST(SwingProfile, IsNowhereBelowTheGroundAndLeavesTheEndsAsTheyAre) {
   const auto step = [](const Vector2& p_W) { return p_W.x() < 0.2 ? 0.0 : 0.15; };
-  const SwingProfile profile(Ahead(0.4, 0.15), kPoint, step, {});
+  const SwingProfile profile(Forward(0.4, 0.15), kPoint, step, {});
   for (int k = 0; k <= 200; ++k) {
     const double s = 0.002 * k;
     EXPECT_GE(profile.Highest(s, 0.0).first, step({s, 0.0}) - 1e-12) << s;
@@ -44,16 +44,16 @@ TEST(SwingProfile, IsNowhereBelowTheGroundAndLeavesTheEndsAsTheyAre) {
 TEST(SwingProfile, OfAWideSoleIsThatOfItsForemostPoint) {
   const auto step = [](const Vector2& p_W) { return p_W.x() < 0.3 ? 0.0 : 0.1; };
   const std::vector<Vector3> sole = {{-0.05, 0.0, 0.0}, {0.05, 0.0, 0.0}};
-  const SwingProfile profile(Ahead(0.5, 0.1), sole, step, {});
+  const SwingProfile profile(Forward(0.5, 0.1), sole, step, {});
   EXPECT_NEAR(profile.Highest(0.26, 0.0).first, 0.1, 1e-12);
 }
 
 TEST(SwingProfile, ToTheSideSeesWhatIsThere) {
   const auto ridge = [](const Vector2& p_W) { return p_W.y() > 0.05 ? 0.2 : 0.0; };
-  RefineChoice aside;
-  aside.sideways_m = 0.1;
-  EXPECT_NEAR(SwingProfile(Ahead(0.4, 0.0), kPoint, ridge, aside).Highest(0.2, 0.0).first, 0.2, 1e-12);
-  EXPECT_NEAR(SwingProfile(Ahead(0.4, 0.0), kPoint, ridge, {}).Highest(0.2, 0.0).first, 0.0, 1e-12);
+  RefineChoice lateral;
+  lateral.sideways_m = 0.1;
+  EXPECT_NEAR(SwingProfile(Forward(0.4, 0.0), kPoint, ridge, lateral).Highest(0.2, 0.0).first, 0.2, 1e-12);
+  EXPECT_NEAR(SwingProfile(Forward(0.4, 0.0), kPoint, ridge, {}).Highest(0.2, 0.0).first, 0.0, 1e-12);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(ChainMatrix, SolvesAsADenseFactorisationDoes) {
 }
 
 /// Of rows that meet four blocks.
-TEST(ChainMatrix, ReachesAsFarAsItIsTold) {
+TEST(ChainMatrix, HasTheGivenBandwidth) {
   RandomState random(4);
   constexpr int kBlocks = 7;
   ChainMatrix chain(kSize, kBlocks, 3);

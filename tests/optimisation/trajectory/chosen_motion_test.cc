@@ -40,9 +40,9 @@ TEST(ChosenMotion, AConstantPaceIsAnotherStep) {
   const std::vector<std::vector<Vector3>> none(10, std::vector<Vector3>(of.model.legs.size(), Vector3::Zero()));
   paced.SetChosen(twice, none);
   paced.Evaluate(of.z);
-  BodyProblem quick = of.problem;
-  for (double& time_s : quick.time_s) time_s *= 0.5;
-  const BodyRows rows(quick, of.z);
+  BodyProblem faster = of.problem;
+  for (double& time_s : faster.time_s) time_s *= 0.5;
+  const BodyRows rows(faster, of.z);
   for (std::size_t k = 0; k < 10; ++k) {
     for (const auto& [first, end] : paced.RowsOf(k))
       EXPECT_LT((paced.value() - rows.value()).segment(first, end - first).norm(), 1e-9) << k;

@@ -55,7 +55,7 @@ TEST_P(ContactForcesTest, AtRestTheZmpIsBelowTheCentreOfMass) {
   EXPECT_LT((solution.pressure_W[1] - below).norm(), 1e-4);
 }
 
-TEST_P(ContactForcesTest, AnAccelerationAheadTakesTheZmpBack) {
+TEST_P(ContactForcesTest, AForwardAccelerationMovesTheZmpBackward) {
   const StandingProblem standing(NamedRobot(GetParam()), 2);
   const Vector3 p_WC = standing.centroidal.p_WC[0];
   const WholeBodySolution solution = ForcesWhileStanding(standing, {0.3, 0.0, 0.0});

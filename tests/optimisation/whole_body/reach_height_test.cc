@@ -30,7 +30,7 @@ struct Standing {
 
 class ReachHeightTest : public testing::TestWithParam<const char*> {};
 
-TEST_P(ReachHeightTest, HasRoomBothWaysWhereTheRobotStands) {
+TEST_P(ReachHeightTest, HasRoomUpAndDownWhereTheRobotStands) {
   const Standing robot(GetParam());
   const auto changes = ReachHeight(robot.model).Changes(robot.X_WB, robot.X_WF, 0.01);
   ASSERT_TRUE(changes);

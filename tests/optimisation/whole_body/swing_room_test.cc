@@ -77,7 +77,7 @@ TEST(FreeSwings, LeavesLessRoomBesideARiser) {
   EXPECT_TRUE(has_room);
 }
 
-TEST(FreeSwings, KeepsHalfOfThePlannedHeightUnlessTold) {
+TEST(FreeSwings, KeepsHalfOfThePlannedHeightByDefault) {
   SwingTrajectory swing;
   swing.clearance_m = 0.03;
   EXPECT_NEAR(ClearanceToKeep(swing, {}), 0.015, 1e-12);

@@ -134,8 +134,8 @@ TEST_P(AuditConsistency, OfTheGoalWithACommandOfDistance) {
   const auto farther = [](MotionPlan& plan) { plan.parts.front().command.distance_m = 9.0; };
   EXPECT_NEAR(Changed("goal against the command's distance", farther).value,
               9.0 - good().parts.front().command.distance_m, 5e-3);
-  const auto aside = [](MotionPlan& plan) { plan.parts.front().goal.y_m += 0.05; };
-  EXPECT_NEAR(Changed("goal against the command's distance", aside).value, 0.05, 5e-3);
+  const auto lateral = [](MotionPlan& plan) { plan.parts.front().goal.y_m += 0.05; };
+  EXPECT_NEAR(Changed("goal against the command's distance", lateral).value, 0.05, 5e-3);
   const auto turned = [](MotionPlan& plan) { plan.parts.front().goal.yaw_rad += 0.1; };
   EXPECT_NEAR(Changed("goal against the command's distance, heading", turned).value, 0.1, 1e-3);
 }

@@ -198,21 +198,21 @@ TEST_P(AuditLaw, ReachFindsAFootholdFartherThanTheLegIsLong) {
   EXPECT_GT(reach.value, reach.limit);
 }
 
-TEST_P(AuditLaw, SelfCollisionFindsHowDeepAFootGoesIntoWhatIsAheadOfIt) {
-  // A ball on the foot, and another one fixed to the base ahead of it. They meet only where the foot swings farthest
+TEST_P(AuditLaw, SelfCollisionFindsHowDeepAFootGoesIntoABodyInFrontOfIt) {
+  // A ball on the foot, and another one fixed to the base in front of it. They meet only where the foot swings farthest
   // forward.
   const Foot& lifted = model().feet[0];
   const auto in_base = [&](const Moment& moment) {
     const Vector3 p_WF = FramePose(moment.scratch, lifted.body, lifted.X_BF).translation();
     return Vector3(moment.scratch.R_WB[0].transpose() * (p_WF - moment.scratch.p_WB[0]));
   };
-  const Vector3 ahead = in_base(Moment(model(), good(), row_s())) + Vector3(0.1, 0.0, 0.0);
+  const Vector3 forward = in_base(Moment(model(), good(), row_s())) + Vector3(0.1, 0.0, 0.0);
   const auto [at_s, nearness] =
-      LargestOf(model(), good(), [&](const Moment& moment) { return -(in_base(moment) - ahead).norm(); });
+      LargestOf(model(), good(), [&](const Moment& moment) { return -(in_base(moment) - forward).norm(); });
   constexpr double kSmall = 0.01, kDepth = 0.003, kGrain = 1e-4;
   RobotModel balls = model();
   balls.collision_shapes = {BallUnderFoot(lifted.body, lifted.link, lifted.X_BF.translation(), kSmall),
-                            BallUnderFoot(0, model().feet[1].link, ahead, -nearness - kSmall + kDepth)};
+                            BallUnderFoot(0, model().feet[1].link, forward, -nearness - kSmall + kDepth)};
   // Foot links may touch the ground. Bodies without shapes would connect the two balls.
   for (int body = 1; body < static_cast<int>(model().bodies.size()); ++body) {
     if (body != lifted.body) balls.collision_shapes.push_back(BallUnderFoot(body, "grain", Vector3::Zero(), kGrain));

@@ -35,7 +35,7 @@ class AuditSwings : public testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(Robots, AuditSwings, testing::Values("a1", "nao"),
                          [](const auto& robot) { return robot.param; });
 
-TEST_P(AuditSwings, OfASwingWithTheWayOfItsFoot) {
+TEST_P(AuditSwings, OfASwingWithThePathOfItsFoot) {
   const std::size_t i = SwingOfFoot0(good());
   const SwingTrajectory& swing = good().swings[i];
   for (const double lift : {0.0, 0.5}) {

@@ -101,12 +101,12 @@ TEST_P(GroundWatchTest, WhatItLookedAtBeforeDoesNotMatter) {
   EXPECT_GT(found, 5);
 }
 
-TEST_P(GroundWatchTest, TheWayOutOfLevelGroundIsUp) {
+TEST_P(GroundWatchTest, TheExitDirectionFromLevelGroundIsUp) {
   const RobotModel& model = NamedRobot(GetParam());
   GroundWatch watch(model, FlatTerrain());
   const auto hits = HitsAt(watch, model, StandingMoved(model, {0.0, 0.0, -0.01}), LimitsOf(model, -1e-3, -1.0));
   ASSERT_FALSE(hits.empty());
-  const WayOut out = watch.WayOutOf(hits.front());
+  const ExitPlane out = watch.ExitPlaneOf(hits.front());
   EXPECT_LT((out.normal_W - Vector3::UnitZ()).norm(), 1e-3);
   EXPECT_LT(out.p_W.z(), -0.008) << "its lowest point";
 }

@@ -65,7 +65,7 @@ void ExpectOnly(const std::vector<Violation>& found, Law law, double value, doub
   EXPECT_EQ(found[0].unit, unit);
 }
 
-TEST(JointWatch, StandingBreaksNothing) {
+TEST(JointWatch, StandingViolatesNothing) {
   const RobotModel model = WithPlainMotors();
   const double q = StandingAngle(model);
   EXPECT_TRUE(FoundOf(model, 5, [&](double) { return JointSample{q, 0.0, 0.0, 0.0}; }).empty());

@@ -31,7 +31,7 @@ double LengthOf(const BasePath& path) {
   return length;
 }
 
-TEST(Course, YawRateBendsAWayOfTheLengthAskedFor) {
+TEST(Course, YawRateBendsAPathOfTheRequestedLength) {
   const double own = LoadNamedRobot("a1")->nominal_speed_m_s;
   for (const double rate : {0.5, -0.2}) {
     WalkCommand command;
@@ -56,16 +56,16 @@ TEST(Course, YawRateAloneIsAQuarterTurn) {
   }
 }
 
-TEST(Course, ANegativeSpeedIsTheSameWayBackward) {
+TEST(Course, ANegativeSpeedIsTheSamePathBackward) {
   for (const char* robot : {"a1", "nao"}) {
     WalkCommand command;
     command.speed_m_s = 0.1;
     command.distance_m = 0.6;
-    const FootstepSkeleton ahead = Planned(command, robot);
+    const FootstepSkeleton forward = Planned(command, robot);
     command.speed_m_s = -0.1;
     const FootstepSkeleton back = Planned(command, robot);
     EXPECT_NEAR(back.goal.x_m, -0.6, 1e-9);
-    EXPECT_NEAR(back.goal.x_m, -ahead.goal.x_m, 1e-9);
+    EXPECT_NEAR(back.goal.x_m, -forward.goal.x_m, 1e-9);
     EXPECT_NEAR(LengthOf(back.path), 0.6, 1e-4);
     command.extent = Extent::kGoal;
     command.goal_x_m = 1.0;

@@ -73,7 +73,7 @@ TEST(ExplainBlockage, GroundThatEndsIsNoGap) {
   EXPECT_FALSE(Suggests(failure, "gait"));
 }
 
-TEST(ExplainBlockage, ObstaclesInTheWayAreNamed) {
+TEST(ExplainBlockage, ObstaclesOnThePathAreNamed) {
   const Failure one = Explained("a1", Walled({Wall("barrier", {0.5, -1.0}, {0.5, 1.0})}), "trot");
   EXPECT_TRUE(Names(one, "'barrier'")) << one.message;
   const Failure two = Explained(

@@ -125,29 +125,29 @@ TEST_P(FootstepGraphTest, AStanceIsCheckedOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, FootstepGraphTest, testing::Values("a1", "nao"));
 
-/// The foothold of the first foot nearest to a distance ahead of its start.
-const FootholdChoice& ChoiceAhead(SearchRig& rig, double ahead_m) {
-  const int step = static_cast<int>(std::lround(ahead_m / rig.table.step_m()));
+/// The foothold of the first foot nearest to a distance in front of its start.
+const FootholdChoice& ChoiceInFront(SearchRig& rig, double forward_m) {
+  const int step = static_cast<int>(std::lround(forward_m / rig.table.step_m()));
   return rig.table[rig.table.Near(0, step).front()];
 }
 
-TEST(FootstepGraph, TheRiseOnTheWayIsThatOfWhatIsBetween) {
+TEST(FootstepGraph, TheRiseBetweenFootholdsIsThatOfTheGroundBetweenThem) {
   const RobotModel& a1 = NamedRobot("a1");
   const Terrain flat = FlatTerrain();
   SearchRig level(a1, flat, "trot", 1.0);
   const FootholdChoice from = level.table[level.start[0]];
-  EXPECT_EQ(level.graph.RiseOnWay(from, ChoiceAhead(level, 0.3)), 0.0);
+  EXPECT_EQ(level.graph.RiseBetween(from, ChoiceInFront(level, 0.3)), 0.0);
   const double x = from.placed.X_WF.translation().x();
   Terrain ridged = flat;
   ridged.patches.push_back(Rectangle("ridge", {x + 0.13, -1.0}, {x + 0.17, 1.0}, 0.2));
   SearchRig rig(a1, ridged, "trot", 1.0);
-  const FootholdChoice to = ChoiceAhead(rig, 0.3);
+  const FootholdChoice to = ChoiceInFront(rig, 0.3);
   EXPECT_NEAR(to.placed.X_WF.translation().z(), 0.0, 1e-9);
-  EXPECT_NEAR(rig.graph.RiseOnWay(rig.table[rig.start[0]], to), 0.2, 1e-9);
-  EXPECT_NEAR(rig.graph.RiseOnWay(to, rig.table[rig.start[0]]), 0.2, 1e-9) << "there and back";
+  EXPECT_NEAR(rig.graph.RiseBetween(rig.table[rig.start[0]], to), 0.2, 1e-9);
+  EXPECT_NEAR(rig.graph.RiseBetween(to, rig.table[rig.start[0]]), 0.2, 1e-9) << "there and back";
 }
 
-TEST(FootstepGraph, RefusalsTellWhatIsInTheWay) {
+TEST(FootstepGraph, RefusalsNameWhatBlocksTheStep) {
   const RobotModel& a1 = NamedRobot("a1");
   const auto refusals = [&](const Terrain& terrain) {
     SearchRig rig(a1, terrain, "trot", 2.0);

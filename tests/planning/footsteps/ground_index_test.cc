@@ -158,7 +158,7 @@ TEST(GroundSurfaceBeyond, TellsWhetherTheGroundFallsGoesOnOrRises) {
   ASSERT_EQ(middle.beyond.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     const Vector2& inward = middle.inward[i];
-    const Beyond expected = inward.x() < -0.5   ? Beyond::kSame    // the edge ahead
+    const Beyond expected = inward.x() < -0.5   ? Beyond::kSame    // the front edge
                             : inward.y() < -0.5 ? Beyond::kHigher  // on the left
                                                 : Beyond::kLower;  // behind, and on the right, where there is no ground
     EXPECT_EQ(middle.beyond[i], expected) << i;

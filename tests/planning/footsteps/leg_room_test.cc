@@ -26,7 +26,7 @@ struct StandingLeg {
     const GroundIndex ground(terrain, 0.1);
     return LegRoom(model, ground, kMargin).MayMeet(X_WF);
   }
-  /// A block that ends (behind) or begins (ahead) at a distance along x from the foot; level ground elsewhere.
+  /// A block that ends (behind) or begins (in front) at a distance along x from the foot; level ground elsewhere.
   Terrain Block(double from_foot_m, double height_m, bool behind) const {
     Terrain terrain = FlatTerrain();
     TerrainPatch block;
@@ -54,7 +54,7 @@ TEST(LegRoom, EndsWhereAShankLeansBackOverAStair) {
   const double half = 0.5 * leg.model.leg_length_m();
   EXPECT_FALSE(leg.IsClearOn(leg.Block(-0.03, half, true)));
   EXPECT_TRUE(leg.IsClearOn(leg.Block(-0.5, half, true)));   // behind the knee
-  EXPECT_TRUE(leg.IsClearOn(leg.Block(0.05, half, false)));  // ahead of the shank
+  EXPECT_TRUE(leg.IsClearOn(leg.Block(0.05, half, false)));  // in front of the shank
   EXPECT_TRUE(leg.MayMeetOn(leg.Block(-0.03, half, true)));
 }
 

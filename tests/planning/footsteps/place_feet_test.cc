@@ -118,7 +118,7 @@ TEST_P(PlaceFeetTest, AStanceThatSpansAStandHasTheFootholdsOfStandingThere) {
   }
 }
 
-TEST_P(PlaceFeetTest, CountedFootfallsLandAsManyStepsAheadAndCloseTheStance) {
+TEST_P(PlaceFeetTest, CountedFootfallsLandAsManyStepsForwardAndCloseTheStance) {
   const RobotModel& model = NamedRobot(GetParam());
   const int feet = static_cast<int>(model.feet.size()), count = 2 * feet + 1;
   const std::vector<Pose> standing = StandingFeet(model);
@@ -130,9 +130,9 @@ TEST_P(PlaceFeetTest, CountedFootfallsLandAsManyStepsAheadAndCloseTheStance) {
   }
   ASSERT_EQ(falls.size(), static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < falls.size(); ++k) {
-    const double ahead =
+    const double forward =
         falls[k].X_WF.translation().x() - standing[static_cast<std::size_t>(falls[k].foot)].translation().x();
-    EXPECT_NEAR(ahead, 0.02 * std::min(static_cast<int>(k) + 1, counted.steps_to_goal), 1e-9) << k;
+    EXPECT_NEAR(forward, 0.02 * std::min(static_cast<int>(k) + 1, counted.steps_to_goal), 1e-9) << k;
   }
 }
 

@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-WalkCommand AheadFor(double distance_m, double speed_m_s, double yaw_rate_rad_s = 0.0) {
+WalkCommand ForwardFor(double distance_m, double speed_m_s, double yaw_rate_rad_s = 0.0) {
   WalkCommand command;
   command.distance_m = distance_m;
   command.speed_m_s = speed_m_s;
@@ -36,7 +36,7 @@ class PlanFootstepsTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(PlanFootstepsTest, EachIntervalOfContactHasOneFoothold) {
   const RobotModel& model = NamedRobot(GetParam());
-  const FootstepSkeleton skeleton = SkeletonOf(GetParam(), AheadFor(0.5, 0.1));
+  const FootstepSkeleton skeleton = SkeletonOf(GetParam(), ForwardFor(0.5, 0.1));
   std::size_t intervals = 0;
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
     for (const ContactInterval& interval : IntervalsOf(skeleton.schedule, foot)) {
@@ -56,7 +56,7 @@ TEST_P(PlanFootstepsTest, StandsForAsLongAsAskedAtBothEnds) {
   FootstepOptions options;
   options.initial_stand_s = 0.45;
   options.final_stand_s = 0.7;
-  const FootstepSkeleton skeleton = SkeletonOf(GetParam(), AheadFor(0.4, 0.1), FlatTerrain(), options);
+  const FootstepSkeleton skeleton = SkeletonOf(GetParam(), ForwardFor(0.4, 0.1), FlatTerrain(), options);
   const ContactPhase &first = skeleton.schedule.phases.front(), &last = skeleton.schedule.phases.back();
   EXPECT_NEAR(first.end_s, 0.45, 1e-9);
   EXPECT_NEAR(last.end_s - last.start_s, 0.7, 1e-9);
@@ -64,8 +64,8 @@ TEST_P(PlanFootstepsTest, StandsForAsLongAsAskedAtBothEnds) {
 }
 
 TEST_P(PlanFootstepsTest, ATurnToTheRightMirrorsOneToTheLeft) {
-  const FootstepSkeleton left = SkeletonOf(GetParam(), AheadFor(0.5, 0.1, 0.2));
-  const FootstepSkeleton right = SkeletonOf(GetParam(), AheadFor(0.5, 0.1, -0.2));
+  const FootstepSkeleton left = SkeletonOf(GetParam(), ForwardFor(0.5, 0.1, 0.2));
+  const FootstepSkeleton right = SkeletonOf(GetParam(), ForwardFor(0.5, 0.1, -0.2));
   EXPECT_GT(left.goal.yaw_rad, 0.3);
   EXPECT_NEAR(left.goal.x_m, right.goal.x_m, 1e-12);
   EXPECT_NEAR(left.goal.y_m, -right.goal.y_m, 1e-12);
@@ -75,7 +75,7 @@ TEST_P(PlanFootstepsTest, ATurnToTheRightMirrorsOneToTheLeft) {
 TEST_P(PlanFootstepsTest, OnALevelPlaneAtAnotherHeightFootholdsAreThere) {
   Terrain raised = FlatTerrain();
   raised.patches[0].X_WT.translation().z() = 0.3;
-  FootstepPlan footsteps = SkeletonOf(GetParam(), AheadFor(0.4, 0.1)).footsteps;
+  FootstepPlan footsteps = SkeletonOf(GetParam(), ForwardFor(0.4, 0.1)).footsteps;
   PutOnGround(raised, footsteps);
   for (const Foothold& foothold : footsteps.footholds) {
     EXPECT_NEAR(foothold.X_WF.translation().z(), 0.3, 1e-12);
@@ -86,7 +86,7 @@ TEST_P(PlanFootstepsTest, OnALevelPlaneAtAnotherHeightFootholdsAreThere) {
 TEST_P(PlanFootstepsTest, OnASlopeTheFootFrameStandsOnItAndKeepsItsHeading) {
   Terrain slope = FlatTerrain();
   slope.patches[0].X_WT.linear() = Eigen::AngleAxisd(-0.2, Vector3::UnitY()).toRotationMatrix();
-  FootstepPlan footsteps = SkeletonOf(GetParam(), AheadFor(0.4, 0.1)).footsteps;
+  FootstepPlan footsteps = SkeletonOf(GetParam(), ForwardFor(0.4, 0.1)).footsteps;
   PutOnGround(slope, footsteps);
   for (const Foothold& foothold : footsteps.footholds) {
     const Vector3 p = foothold.X_WF.translation();
@@ -98,7 +98,7 @@ TEST_P(PlanFootstepsTest, OnASlopeTheFootFrameStandsOnItAndKeepsItsHeading) {
 
 TEST_P(PlanFootstepsTest, TheFarthestFootholdIsNamedOnceALegReachesLess) {
   const RobotModel& model = NamedRobot(GetParam());
-  const FootstepSkeleton skeleton = SkeletonOf(GetParam(), AheadFor(0.4, 0.1));
+  const FootstepSkeleton skeleton = SkeletonOf(GetParam(), ForwardFor(0.4, 0.1));
   EXPECT_FALSE(ReasonOutOfReach(model, skeleton, 1.0));
   const auto failure = ReasonOutOfReach(model, skeleton, 0.3);
   ASSERT_TRUE(failure);
@@ -108,12 +108,12 @@ TEST_P(PlanFootstepsTest, TheFarthestFootholdIsNamedOnceALegReachesLess) {
 
 TEST_P(PlanFootstepsTest, AGaitForOtherFeetIsABadCommand) {
   const RobotModel& model = NamedRobot(GetParam());
-  const auto failure = ReasonNotWalked(model, StandingGait(3), AheadFor(0.4, 0.1));
+  const auto failure = ReasonNotWalked(model, StandingGait(3), ForwardFor(0.4, 0.1));
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, FailureKind::kBadInput);
   EXPECT_EQ(failure->code, FailureCode::kCommand);
-  EXPECT_FALSE(ReasonNotWalked(model, StandingGait(static_cast<int>(model.feet.size())), AheadFor(0.4, 0.1)));
-  WalkCommand backwards = AheadFor(-0.4, 0.1);
+  EXPECT_FALSE(ReasonNotWalked(model, StandingGait(static_cast<int>(model.feet.size())), ForwardFor(0.4, 0.1)));
+  WalkCommand backwards = ForwardFor(-0.4, 0.1);
   EXPECT_TRUE(ReasonNotWalked(model, StandingGait(static_cast<int>(model.feet.size())), backwards));
 }
 

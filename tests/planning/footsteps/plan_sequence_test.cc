@@ -131,10 +131,10 @@ TEST(PlanSequence, AtOneSpeedNothingOfItIsLost) {
 }
 
 TEST(PlanSequence, FollowsTurnsAndSideStepsFromWhereThePartBeforeLeads) {
-  WalkPart turn = Part("trot", 0.0, 0.0), aside = Part("trot", 0.0, 0.3);
+  WalkPart turn = Part("trot", 0.0, 0.0), lateral = Part("trot", 0.0, 0.3);
   turn.command.yaw_rate_rad_s = 0.8;
-  aside.command.lateral_speed_m_s = 0.2;
-  const FootstepSkeleton skeleton = Plan({turn, aside, Part("trot", 0.4, 0.5)}).value();
+  lateral.command.lateral_speed_m_s = 0.2;
+  const FootstepSkeleton skeleton = Plan({turn, lateral, Part("trot", 0.4, 0.5)}).value();
   ExpectLaws(skeleton);
   // Turns by 90 degrees to the left, then moves 0.3 m to its left and 0.5 m forward.
   EXPECT_NEAR(skeleton.goal.x_m, -0.3, 1e-6);

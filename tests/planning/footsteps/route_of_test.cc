@@ -30,7 +30,7 @@ WalkCommand GoalAt(double x, double y, double yaw) {
 
 const Terrain kWall = Walled({Wall("garden wall", {1.5, -1.0}, {1.5, 1.0})});
 
-TEST(RouteOf, FollowsTheCourseWhereNothingIsInTheWay) {
+TEST(RouteOf, FollowsTheCourseWithoutObstacles) {
   const auto route = RouteFor(GoalAt(2.0, 1.0, 0.8), FlatTerrain());
   ASSERT_TRUE(route.ok());
   EXPECT_TRUE(route->statistics.direct);
@@ -47,7 +47,7 @@ TEST(RouteOf, AGoalBehindAWallIsReachedAroundIt) {
   EXPECT_NEAR(route->waypoints.back().x_m, 3.0, 1e-9);
 }
 
-TEST(RouteOf, ADirectWayBesideABlockedCourseIsAWayOfItsOwn) {
+TEST(RouteOf, ADirectRouteBesideABlockedCourseIsAnotherRoute) {
   // The arc to a goal with a heading to the right bulges to the left, where the wall is; the straight path is free.
   const PlanarPose goal{3.0, 0.0, -1.57};
   const Terrain beside = Walled({Wall("garden wall", {1.5, 0.6}, {1.5, 2.0})});
@@ -59,7 +59,7 @@ TEST(RouteOf, ADirectWayBesideABlockedCourseIsAWayOfItsOwn) {
   for (const PlanarPose& pose : route->waypoints) EXPECT_LT(std::abs(pose.y_m), 0.1);
 }
 
-TEST(RouteOf, OtherCommandsAreRefusedWithWhatIsInTheWay) {
+TEST(RouteOf, OtherCommandsAreRefusedWithTheNameOfTheObstacle) {
   WalkCommand distance, duration, steps;
   distance.distance_m = 3.0;
   duration.extent = WalkCommand::Extent::kDuration;
@@ -81,7 +81,7 @@ TEST(RouteOf, OtherCommandsAreRefusedWithWhatIsInTheWay) {
   EXPECT_TRUE(RouteFor(distance, kWall).ok()) << "it ends before the wall";
 }
 
-TEST(RouteOf, LongTurnsAreFollowedAllTheWay) {
+TEST(RouteOf, LongTurnsAreFollowedCompletely) {
   WalkCommand turn;
   turn.extent = WalkCommand::Extent::kDuration;
   turn.duration_s = 30.0;

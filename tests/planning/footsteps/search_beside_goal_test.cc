@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-FootstepQuery TrotAhead(const RobotModel& model, double length_m, double speed_m_s) {
+FootstepQuery ForwardTrot(const RobotModel& model, double length_m, double speed_m_s) {
   const Gait trot = FindGait(model, "trot", speed_m_s, {}).value();
   return {trot, RouteAlong({length_m, 0.0, 0.0}, 0.2), speed_m_s * trot.cycle_s};
 }
@@ -40,7 +40,7 @@ Terrain SpikesAtTheGoal(const RobotModel& model, double goal_x_m, double radius_
 
 TEST(SearchBesideGoal, EndsWhereTheFeetCanStand) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
-  const FootstepQuery query = TrotAhead(a1, 0.6, 0.3);
+  const FootstepQuery query = ForwardTrot(a1, 0.6, 0.3);
   const FootstepSearchOptions options;
   const double tolerance_m = options.goal_tolerance * a1.leg_length_m();
   const Terrain spikes = SpikesAtTheGoal(a1, 0.6, tolerance_m + 0.02);

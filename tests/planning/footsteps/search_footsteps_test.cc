@@ -20,7 +20,7 @@
 namespace gaitwright {
 namespace {
 
-FootstepQuery Ahead(const RobotModel& model, const char* gait, double length_m, double speed_m_s) {
+FootstepQuery Forward(const RobotModel& model, const char* gait, double length_m, double speed_m_s) {
   const Gait found = FindGait(model, gait, speed_m_s, {}).value();
   return {found, RouteAlong({length_m, 0.0, 0.0}, 0.2), speed_m_s * found.cycle_s};
 }
@@ -80,12 +80,12 @@ double LeastCost(Graph& g) {
 TEST(SearchFootsteps, GaitsWithFlightStepFarther) {
   const RobotModel model = LoadNamedRobot("a1").value();
   const Terrain gap = Gap(0.4, 0.3);
-  const auto found = SearchFootsteps(model, gap, Ahead(model, "bound", 1.4, 0.8), {}, {});
+  const auto found = SearchFootsteps(model, gap, Forward(model, "bound", 1.4, 0.8), {}, {});
   ASSERT_TRUE(found.ok()) << found.failure().message;
-  EXPECT_FALSE(SearchFootsteps(model, gap, Ahead(model, "trot", 1.4, 0.8), {}, {}).ok());
+  EXPECT_FALSE(SearchFootsteps(model, gap, Forward(model, "trot", 1.4, 0.8), {}, {}).ok());
   FootstepSearchOptions short_leaps;
   short_leaps.leap_length = short_leaps.step_length;
-  EXPECT_FALSE(SearchFootsteps(model, gap, Ahead(model, "bound", 1.4, 0.8), {}, short_leaps).ok());
+  EXPECT_FALSE(SearchFootsteps(model, gap, Forward(model, "bound", 1.4, 0.8), {}, short_leaps).ok());
 }
 
 TEST(FootGroups, AreTheFeetThatLiftTogetherInTheirOrder) {
@@ -109,7 +109,7 @@ TEST(SearchFootsteps, ItsBoundHoldsAgainstAnExhaustiveSearch) {
                         {"a1", "trot", 0.3, 0.25, Gap(0.3, 0.06)}};
   for (const Case& c : cases) {
     const RobotModel model = LoadNamedRobot(c.robot).value();
-    const FootstepQuery query = Ahead(model, c.gait, c.length_m, c.speed_m_s);
+    const FootstepQuery query = Forward(model, c.gait, c.length_m, c.speed_m_s);
     FootstepSearchOptions options;
     options.step_length = 0.5;
     options.offset = 0.1;
@@ -141,7 +141,7 @@ TEST(SearchFootsteps, TheHeuristicIsConsistent) {
   const RobotModel model = LoadNamedRobot("a1").value();
   const Terrain stones = Stones(0.4, 1.6, 0.12, 0.16, 0.01, 1.0, 0.02, 4);
   for (const char* gait : {"trot", "crawl"}) {
-    const FootstepQuery query = Ahead(model, gait, 1.2, 0.3);
+    const FootstepQuery query = Forward(model, gait, 1.2, 0.3);
     Graph g(model, stones, query, {});
     std::vector<int> fringe = {g.graph.StanceOf(g.start, 0)};
     std::vector<FootstepGraph::Edge> edges;
@@ -233,7 +233,7 @@ Terrain SeededGround(std::uint64_t seed, double leg_m, double sole_m) {
 void WalkSeededGrounds(const char* robot, const char* gait, double speed_m_s, double sole_m) {
   const RobotModel model = LoadNamedRobot(robot).value();
   const double leg = model.leg_length_m();
-  const FootstepQuery query = Ahead(model, gait, 7.0 * leg, speed_m_s);
+  const FootstepQuery query = Forward(model, gait, 7.0 * leg, speed_m_s);
   FootstepSearchOptions options;
   options.max_expansions = 1000;
   int found = 0;
@@ -253,13 +253,13 @@ void WalkSeededGrounds(const char* robot, const char* gait, double speed_m_s, do
   EXPECT_LE(found, 49);
 }
 
-TEST(SearchFootsteps, EveryWayOfAQuadrupedKeepsAllLaws) { WalkSeededGrounds("a1", "trot", 0.3, 0.04); }
-TEST(SearchFootsteps, EveryWayOfACrawlKeepsAllLaws) { WalkSeededGrounds("a1", "crawl", 0.15, 0.04); }
-TEST(SearchFootsteps, EveryWayOfABipedKeepsAllLaws) { WalkSeededGrounds("nao", "", 0.05, 0.16); }
+TEST(SearchFootsteps, EveryRouteOfAQuadrupedKeepsAllConstraints) { WalkSeededGrounds("a1", "trot", 0.3, 0.04); }
+TEST(SearchFootsteps, EveryRouteOfACrawlKeepsAllConstraints) { WalkSeededGrounds("a1", "crawl", 0.15, 0.04); }
+TEST(SearchFootsteps, EveryRouteOfABipedKeepsAllConstraints) { WalkSeededGrounds("nao", "", 0.05, 0.16); }
 
 TEST(SearchFootsteps, SixLegsStepOverAGap) {
   const RobotModel model = Walker(3);
-  const FootstepQuery query = Ahead(model, "tripod", 1.6, 0.3);
+  const FootstepQuery query = Forward(model, "tripod", 1.6, 0.3);
   const Terrain terrain = Gap(0.7, 0.1);
   const auto sequence = SearchFootsteps(model, terrain, query, {}, {});
   ASSERT_TRUE(sequence.ok()) << sequence.failure().message;
@@ -268,7 +268,7 @@ TEST(SearchFootsteps, SixLegsStepOverAGap) {
 
 TEST(SearchFootsteps, KeepsTheGaitsOwnStepsOnLevelGround) {
   const RobotModel model = LoadNamedRobot("a1").value();
-  const FootstepQuery query = Ahead(model, "trot", 2.0, 0.3);
+  const FootstepQuery query = Forward(model, "trot", 2.0, 0.3);
   Terrain terrain = FlatTerrain();
   terrain.patches.push_back(Rectangle("aside", {0.0, 5.0}, {1.0, 6.0}, 0.1));
   const auto sequence = SearchFootsteps(model, terrain, query, {}, {});
@@ -292,7 +292,7 @@ TEST(SearchFootsteps, KeepsTheGaitsOwnStepsOnLevelGround) {
 
 TEST(SearchFootsteps, GivesTheSameFootfallsAgain) {
   const RobotModel model = LoadNamedRobot("a1").value();
-  const FootstepQuery query = Ahead(model, "crawl", 2.5, 0.2);
+  const FootstepQuery query = Forward(model, "crawl", 2.5, 0.2);
   const Terrain terrain = Stones(0.5, 2.0, 0.12, 0.17, 0.015, 1.2, 0.02, 1);
   const auto a = SearchFootsteps(model, terrain, query, {}, {}), b = SearchFootsteps(model, terrain, query, {}, {});
   ASSERT_TRUE(a.ok() && b.ok());
@@ -308,9 +308,9 @@ TEST(SearchFootsteps, KeptWorkspacesOfLegsChangeNothing) {
   const Terrain terrain = StepUp(0.3, 0.02);
   FootstepSearchOptions keeps;
   keeps.workspaces = std::make_shared<LegWorkspaces>();
-  const auto own = SearchFootsteps(model, terrain, Ahead(model, "", 0.6, 0.05), {}, {});
+  const auto own = SearchFootsteps(model, terrain, Forward(model, "", 0.6, 0.05), {}, {});
   for (const double speed_m_s : {0.06, 0.05}) {
-    const auto kept = SearchFootsteps(model, terrain, Ahead(model, "", 0.6, speed_m_s), {}, keeps);
+    const auto kept = SearchFootsteps(model, terrain, Forward(model, "", 0.6, speed_m_s), {}, keeps);
     ASSERT_TRUE(own.ok() && kept.ok());
     if (speed_m_s == 0.06) continue;
     EXPECT_EQ(own->stats.expanded, kept->stats.expanded);
@@ -324,7 +324,7 @@ std::string Refusal(const char* robot, const Terrain& terrain, double length_m, 
   FootstepSearchOptions options;
   options.max_expansions = 2000;
   const auto found =
-      SearchFootsteps(model, terrain, Ahead(model, robot[0] == 'a' ? "trot" : "", length_m, speed_m_s), {}, options);
+      SearchFootsteps(model, terrain, Forward(model, robot[0] == 'a' ? "trot" : "", length_m, speed_m_s), {}, options);
   return found ? "found a way" : found.failure().message;
 }
 
@@ -349,7 +349,7 @@ TEST(SearchFootsteps, WhatIsTooWideToStepOverIsToBeLeaptOverAndNotSearchedForLon
     const RobotModel model = LoadNamedRobot(robot).value();
     FootstepSearchOptions options;
     options.max_expansions = 2000;
-    const auto searched = SearchFootsteps(model, terrain, Ahead(model, gait, 2.0, 0.1), {}, options);
+    const auto searched = SearchFootsteps(model, terrain, Forward(model, gait, 2.0, 0.1), {}, options);
     std::vector<std::string> options_named;
     for (const Suggestion& suggestion : searched.failure().suggestions) options_named.push_back(suggestion.what);
     return options_named;
@@ -363,7 +363,7 @@ TEST(SearchFootsteps, WhatIsTooWideToStepOverIsToBeLeaptOverAndNotSearchedForLon
 
 TEST(SearchFootsteps, ABodyThatMayNotPassIsKeptBack) {
   const RobotModel model = LoadNamedRobot("a1").value();
-  FootstepQuery query = Ahead(model, "trot", 1.0, 0.3);
+  FootstepQuery query = Forward(model, "trot", 1.0, 0.3);
   FootstepSearchOptions options;
   options.max_expansions = 1000;
   query.body_free = [](const PlanarPose& base, double) { return base.x_m < 0.5; };
@@ -374,15 +374,15 @@ TEST(SearchFootsteps, ABodyThatMayNotPassIsKeptBack) {
 
 TEST(SearchFootsteps, RefusesQueriesThatMakeNoSense) {
   const RobotModel model = LoadNamedRobot("a1").value();
-  FootstepQuery query = Ahead(model, "trot", 1.0, 0.3);
+  FootstepQuery query = Forward(model, "trot", 1.0, 0.3);
   query.stride_m = 0.0;
   EXPECT_EQ(SearchFootsteps(model, FlatTerrain(), query, {}, {}).failure().kind, FailureKind::kBadInput);
-  query = Ahead(model, "trot", 1.0, 0.3);
+  query = Forward(model, "trot", 1.0, 0.3);
   query.gait.phase.pop_back();
   EXPECT_EQ(SearchFootsteps(model, FlatTerrain(), query, {}, {}).failure().kind, FailureKind::kBadInput);
   FootstepSearchOptions options;
   options.bound = 0.5;
-  EXPECT_THROW((void)SearchFootsteps(model, FlatTerrain(), Ahead(model, "trot", 1.0, 0.3), {}, options),
+  EXPECT_THROW((void)SearchFootsteps(model, FlatTerrain(), Forward(model, "trot", 1.0, 0.3), {}, options),
                InvalidArgument);
 }
 

@@ -75,7 +75,7 @@ TEST_P(StanceCheckTest, FeetOnTopOfEachOtherAreTooClose) {
             StanceFault::kFeetClose);
 }
 
-TEST_P(StanceCheckTest, AFootALegLengthAheadIsOutOfReach) {
+TEST_P(StanceCheckTest, AFootALegLengthForwardIsOutOfReach) {
   const RobotModel& model = NamedRobot(GetParam());
   EXPECT_EQ(
       FaultWith(model, FlatTerrain(), [&](auto& X_WF) { X_WF[0].translation().x() += 2.5 * model.leg_length_m(); }),
@@ -87,10 +87,10 @@ TEST_P(StanceCheckTest, ABodyThatMayNotBeThereIsRefused) {
   FootstepQuery query = StanceQuery(model);
   query.body_free = [](const PlanarPose& base, double ground_m) { return base.x_m < 1.0 && ground_m < 0.5; };
   EXPECT_EQ(FaultWith(model, FlatTerrain(), {}, query), StanceFault::kNone);
-  const auto ahead = [](auto& X_WF) {
+  const auto forward = [](auto& X_WF) {
     for (Pose& X : X_WF) X.translation().x() += 2.0;
   };
-  EXPECT_EQ(FaultWith(model, FlatTerrain(), ahead, query), StanceFault::kBodyObstacle);
+  EXPECT_EQ(FaultWith(model, FlatTerrain(), forward, query), StanceFault::kBodyObstacle);
 }
 
 TEST_P(StanceCheckTest, AnObstacleAtTheBodysPlaceIsHitUnlessItIsOverheadOrStepped) {

@@ -131,13 +131,13 @@ TEST(UnevenFootsteps, ClimbStairsInOrderAndComeDown) {
               0.0);
 }
 
-TEST(UnevenFootsteps, FollowAWayAroundACorner) {
+TEST(UnevenFootsteps, FollowAPathAroundACorner) {
   const RobotModel model = LoadNamedRobot("a1").value();
   WalkCommand command;
   const Gait gait = FindGait(model, "trot", CommandedSpeed(model, command), {}).value();
-  std::vector<PlanarPose> way;
-  for (int i = 0; i <= 20; ++i) way.push_back({std::sin(0.08 * i), 1.0 - std::cos(0.08 * i), 0.08 * i});
-  const auto skeleton = PlanFootstepsAlong(model, LevelPatches(), gait, command, way, {});
+  std::vector<PlanarPose> poses;
+  for (int i = 0; i <= 20; ++i) poses.push_back({std::sin(0.08 * i), 1.0 - std::cos(0.08 * i), 0.08 * i});
+  const auto skeleton = PlanFootstepsAlong(model, LevelPatches(), gait, command, poses, {});
   ASSERT_TRUE(skeleton.ok()) << skeleton.failure().message;
   ExpectWhole(*skeleton, 4);
   EXPECT_NEAR(skeleton->goal.yaw_rad, 1.6, 1e-12);
@@ -145,7 +145,7 @@ TEST(UnevenFootsteps, FollowAWayAroundACorner) {
   EXPECT_NEAR(skeleton->path.pose.back().yaw_rad, 1.6, 0.05);
 }
 
-TEST(UnevenFootsteps, FewerFootfallsThanGoAheadAreRefused) {
+TEST(UnevenFootsteps, TooFewFootfallsToMoveForwardAreRefused) {
   WalkCommand command;
   command.extent = WalkCommand::Extent::kSteps;
   command.steps = 1;

@@ -17,27 +17,27 @@ VectorX StandingAt(const RobotModel& model, const PlanarPose& at) {
   return q;
 }
 
-TEST(WaysToStanding, OfStandingAnywhereAreNone) {
+TEST(OffsetsToStanding, OfStandingAnywhereAreNone) {
   for (const char* name : {"a1", "nao"}) {
     const RobotModel model = LoadNamedRobot(name).value();
     const PlanarPose at{0.7, -0.2, 1.1};
-    const WaysToStanding ways = FindWaysToStanding(model, StandingAt(model, at));
-    EXPECT_LT(ways.largest_m(), 1e-9);
-    EXPECT_NEAR(ways.base.plan.x_m, at.x_m, 1e-9);
-    EXPECT_NEAR(ways.base.plan.yaw_rad, at.yaw_rad, 1e-9);
+    const OffsetsToStanding offsets = FindOffsetsToStanding(model, StandingAt(model, at));
+    EXPECT_LT(offsets.largest_m(), 1e-9);
+    EXPECT_NEAR(offsets.base.plan.x_m, at.x_m, 1e-9);
+    EXPECT_NEAR(offsets.base.plan.yaw_rad, at.yaw_rad, 1e-9);
   }
 }
 
-TEST(WaysToStanding, AFootThatIsAsideGoesBackButASphereThatHasRolledDoesNot) {
+TEST(OffsetsToStanding, ADisplacedFootGoesBackButARolledSphereDoesNot) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
   VectorX q = StandingConfiguration(a1);
   const Leg& leg = a1.legs.front();
   const int hip = a1.joints[static_cast<std::size_t>(leg.joints.front())].dof;  // moves its foot sideways
   q[7 + hip] += 0.05;
-  const WaysToStanding ways = FindWaysToStanding(a1, q, 0.0);
+  const OffsetsToStanding offsets = FindOffsetsToStanding(a1, q, 0.0);
   for (std::size_t other = 1; other < a1.legs.size(); ++other)
-    EXPECT_GT(ways.way_W[0].norm(), 2.0 * ways.way_W[other].norm()) << "the base fits the others better";
-  EXPECT_GT(ways.way_W[0].norm(), 0.005);
+    EXPECT_GT(offsets.offset_W[0].norm(), 2.0 * offsets.offset_W[other].norm()) << "the base fits the others better";
+  EXPECT_GT(offsets.offset_W[0].norm(), 0.005);
   // The whole robot leans by a small angle about the line through its left feet: these roll, and roll back.
   VectorX leant = StandingConfiguration(a1);
   DynamicsScratch scratch(a1);
@@ -49,8 +49,8 @@ TEST(WaysToStanding, AFootThatIsAsideGoesBackButASphereThatHasRolledDoesNot) {
   const Vector3 rolled_W = foot.radius * kLean * Vector3::UnitX().cross(Vector3::UnitZ());
   leant.head<3>() = centre_W + rolled_W + R * (Vector3(leant.head<3>()) - centre_W);
   leant.segment<4>(3) = Quaternion(R).coeffs();
-  const WaysToStanding back = FindWaysToStanding(a1, leant, 0.0);
-  const Vector3 apart_W = back.way_W[0] - back.way_W[2];  // front and rear foot on the left roll alike
+  const OffsetsToStanding back = FindOffsetsToStanding(a1, leant, 0.0);
+  const Vector3 apart_W = back.offset_W[0] - back.offset_W[2];  // front and rear foot on the left roll alike
   EXPECT_LT(apart_W.norm(), 1e-6);
 }
 

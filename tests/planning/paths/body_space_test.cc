@@ -32,8 +32,8 @@ TEST_P(BodySpaceTest, LengthsAreSharesOfTheLeg) {
   const double leg = model.leg_length_m();
   EXPECT_DOUBLE_EQ(space.leg_length_m, leg);
   EXPECT_DOUBLE_EQ(space.step_height_m, 0.25 * leg);
-  EXPECT_DOUBLE_EQ(space.reach_ahead_m, 0.4 * leg);
-  EXPECT_DOUBLE_EQ(space.reach_aside_m, 0.15 * leg);
+  EXPECT_DOUBLE_EQ(space.reach_forward_m, 0.4 * leg);
+  EXPECT_DOUBLE_EQ(space.reach_lateral_m, 0.15 * leg);
   EXPECT_DOUBLE_EQ(space.margin_m, 0.1 * leg);
   EXPECT_DOUBLE_EQ(space.max_slope_rad, std::numbers::pi / 9.0);
 }

@@ -26,9 +26,9 @@ CoarseRoute CoarseRouteOn(const Terrain& terrain, const CoarseProblem& problem) 
   return FindCoarseRoute(check, problem);
 }
 
-double LeastAbove(const std::vector<PlanarPose>& way, double x_m) {
+double LeastAbove(const std::vector<PlanarPose>& poses, double x_m) {
   double y = 1e9;
-  for (const PlanarPose& pose : way) {
+  for (const PlanarPose& pose : poses) {
     if (std::abs(pose.x_m - x_m) < 0.1) y = std::min(y, std::abs(pose.y_m));
   }
   return y;
@@ -38,26 +38,27 @@ TEST(CoarseRoute, InTheOpenLeadsStraightToTheGoal) {
   const Terrain flat = FlatTerrain();
   for (const double yaw_rad : {0.0, 0.5, -1.2}) {
     const PlanarPose goal{2.0, 0.0, yaw_rad};
-    const CoarseRoute way = CoarseRouteOn(flat, CoarseTo(goal));
-    EXPECT_TRUE(way.complete);
-    EXPECT_FALSE(way.hindrance);
-    ASSERT_GT(way.poses.size(), 3U);
-    EXPECT_EQ(way.poses.back(), goal);
-    EXPECT_NEAR(LengthOf(way.poses), 2.0, 0.15);
+    const CoarseRoute route = CoarseRouteOn(flat, CoarseTo(goal));
+    EXPECT_TRUE(route.complete);
+    EXPECT_FALSE(route.hindrance);
+    ASSERT_GT(route.poses.size(), 3U);
+    EXPECT_EQ(route.poses.back(), goal);
+    EXPECT_NEAR(LengthOf(route.poses), 2.0, 0.15);
   }
 }
 
 TEST(CoarseRoute, GoesFromCellToCellFacingEighthsOfATurn) {
   const Terrain flat = FlatTerrain();
-  const CoarseRoute way = CoarseRouteOn(flat, CoarseTo({1.5, 1.0, 0.0}));
-  ASSERT_TRUE(way.complete);
-  for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
-    const double eighths = way.poses[i].yaw_rad / (0.25 * std::numbers::pi);
+  const CoarseRoute route = CoarseRouteOn(flat, CoarseTo({1.5, 1.0, 0.0}));
+  ASSERT_TRUE(route.complete);
+  for (std::size_t i = 0; i + 1 < route.poses.size(); ++i) {
+    const double eighths = route.poses[i].yaw_rad / (0.25 * std::numbers::pi);
     EXPECT_NEAR(eighths, std::round(eighths), 1e-9);
   }
-  for (std::size_t i = 1; i + 1 < way.poses.size(); ++i) {
-    const double moved = std::hypot(way.poses[i].x_m - way.poses[i - 1].x_m, way.poses[i].y_m - way.poses[i - 1].y_m);
-    const double turned = std::abs(way.poses[i].yaw_rad - way.poses[i - 1].yaw_rad);
+  for (std::size_t i = 1; i + 1 < route.poses.size(); ++i) {
+    const double moved =
+        std::hypot(route.poses[i].x_m - route.poses[i - 1].x_m, route.poses[i].y_m - route.poses[i - 1].y_m);
+    const double turned = std::abs(route.poses[i].yaw_rad - route.poses[i - 1].yaw_rad);
     EXPECT_TRUE(moved < 1e-9 || turned < 1e-9) << "it either moves or turns";
     EXPECT_LT(turned, 0.25 * std::numbers::pi + 1e-9) << "by one heading, without jumps";
   }
@@ -66,14 +67,14 @@ TEST(CoarseRoute, GoesFromCellToCellFacingEighthsOfATurn) {
 TEST(CoarseRoute, GoesAroundAWallOnTheShorterSide) {
   for (const double side : {1.0, -1.0}) {
     const Terrain terrain = Walled({Wall("wall", {1.0, -side * 2.5}, {1.0, side * 0.6})});
-    const CoarseRoute way = CoarseRouteOn(terrain, CoarseTo({2.0, 0.0, 0.0}, 4.0));
-    ASSERT_TRUE(way.complete);
+    const CoarseRoute route = CoarseRouteOn(terrain, CoarseTo({2.0, 0.0, 0.0}, 4.0));
+    ASSERT_TRUE(route.complete);
     double y = 0.0;
-    for (const PlanarPose& pose : way.poses) y = std::abs(pose.y_m) > std::abs(y) ? pose.y_m : y;
+    for (const PlanarPose& pose : route.poses) y = std::abs(pose.y_m) > std::abs(y) ? pose.y_m : y;
     EXPECT_GT(side * y, 0.6);
-    EXPECT_GT(LeastAbove(way.poses, 1.0), 0.6) << "past its end, not through it";
+    EXPECT_GT(LeastAbove(route.poses, 1.0), 0.6) << "past its end, not through it";
     PoseCheck check(NamedRobot("a1"), terrain, {});
-    for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) EXPECT_TRUE(check.IsFree(way.poses[i])) << i;
+    for (std::size_t i = 0; i + 1 < route.poses.size(); ++i) EXPECT_TRUE(check.IsFree(route.poses[i])) << i;
   }
 }
 
@@ -88,36 +89,36 @@ TEST(CoarseRoute, AMirroredProblemCostsAsMuch) {
   EXPECT_NEAR(cost[0], cost[1], 0.02 * cost[0]);
 }
 
-TEST(CoarseRoute, WhereNothingLeadsThroughWhatIsInTheWayIsNamed) {
+TEST(CoarseRoute, WithoutARouteTheObstacleIsNamed) {
   const Terrain terrain = Walled({Wall("barrier", {1.0, -3.5}, {1.0, 3.5})});
-  const CoarseRoute way = CoarseRouteOn(terrain, CoarseTo({2.0, 0.0, 0.0}));
-  EXPECT_FALSE(way.complete);
-  ASSERT_TRUE(way.hindrance);
-  EXPECT_EQ(way.hindrance->what, "barrier");
-  EXPECT_NEAR(way.hindrance->at.x_m, 1.0, 0.6);
-  EXPECT_EQ(way.poses.back().x_m, 2.0) << "it goes through";
+  const CoarseRoute route = CoarseRouteOn(terrain, CoarseTo({2.0, 0.0, 0.0}));
+  EXPECT_FALSE(route.complete);
+  ASSERT_TRUE(route.hindrance);
+  EXPECT_EQ(route.hindrance->what, "barrier");
+  EXPECT_NEAR(route.hindrance->at.x_m, 1.0, 0.6);
+  EXPECT_EQ(route.poses.back().x_m, 2.0) << "it goes through";
 }
 
-TEST(CoarseRoute, OfTwoWallsThatCloseTheWayTheThinnerPlaceIsPassed) {
+TEST(CoarseRoute, OfTwoWallsThatBlockTheRouteTheThinnerPlaceIsPassed) {
   // A box around the goal that is thick in front and thin behind.
   const Terrain terrain =
       Walled({Wall("thick", {1.5, -1.5}, {1.5, 1.5}, 1.0), Wall("left", {1.0, 1.5}, {4.0, 1.5}, 1.0),
               Wall("right", {1.0, -1.5}, {4.0, -1.5}, 1.0), Wall("thin", {4.0, -1.5}, {4.0, 1.5}, 0.05)});
   CoarseProblem problem = CoarseTo({3.0, 0.0, 0.0});
   problem.extent = PlaneExtent(Vector2(-1.0, -4.0), Vector2(6.0, 4.0));
-  const CoarseRoute way = CoarseRouteOn(terrain, problem);
-  EXPECT_FALSE(way.complete);
-  ASSERT_TRUE(way.hindrance);
-  EXPECT_EQ(way.hindrance->what, "thin");
+  const CoarseRoute route = CoarseRouteOn(terrain, problem);
+  EXPECT_FALSE(route.complete);
+  ASSERT_TRUE(route.hindrance);
+  EXPECT_EQ(route.hindrance->what, "thin");
 }
 
 TEST(CoarseRoute, StaysWithinItsExtent) {
   const Terrain terrain = Walled({Wall("wall", {1.0, -0.8}, {1.0, 2.0})});
   CoarseProblem problem = CoarseTo({2.0, 0.0, 0.0});
   problem.extent = PlaneExtent(Vector2(-0.5, -0.5), Vector2(2.5, 4.0));
-  const CoarseRoute way = CoarseRouteOn(terrain, problem);
-  EXPECT_TRUE(way.complete) << "around the far end, as the near one is outside";
-  for (const PlanarPose& pose : way.poses) EXPECT_TRUE(problem.extent.contains(Vector2(pose.x_m, pose.y_m)));
+  const CoarseRoute route = CoarseRouteOn(terrain, problem);
+  EXPECT_TRUE(route.complete) << "around the far end, as the near one is outside";
+  for (const PlanarPose& pose : route.poses) EXPECT_TRUE(problem.extent.contains(Vector2(pose.x_m, pose.y_m)));
 }
 
 }  // namespace

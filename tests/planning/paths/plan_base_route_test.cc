@@ -25,25 +25,25 @@ double LengthScaleOf(const RobotModel& model) { return model.leg_length_m() / Na
 
 /// Checks the invariants of a route: it leads from the start to the goal without jumps and is free at every centimetre.
 void ExpectSound(const RobotModel& model, const Terrain& terrain, const PlanarPose& goal, const BaseRoute& route) {
-  const auto& way = route.waypoints;
-  ASSERT_GE(way.size(), 2u);
-  EXPECT_EQ(way.front(), PlanarPose{});
-  EXPECT_NEAR(std::hypot(way.back().x_m - goal.x_m, way.back().y_m - goal.y_m), 0.0, 1e-12);
-  EXPECT_NEAR(std::remainder(way.back().yaw_rad - goal.yaw_rad, 2.0 * std::numbers::pi), 0.0, 1e-9);
-  EXPECT_NEAR(route.length_m, LengthOf(way), 1e-9);
+  const auto& poses = route.waypoints;
+  ASSERT_GE(poses.size(), 2u);
+  EXPECT_EQ(poses.front(), PlanarPose{});
+  EXPECT_NEAR(std::hypot(poses.back().x_m - goal.x_m, poses.back().y_m - goal.y_m), 0.0, 1e-12);
+  EXPECT_NEAR(std::remainder(poses.back().yaw_rad - goal.yaw_rad, 2.0 * std::numbers::pi), 0.0, 1e-9);
+  EXPECT_NEAR(route.length_m, LengthOf(poses), 1e-9);
   PoseCheck check(model, terrain, {});
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    EXPECT_LE(std::hypot(way[i].x_m - way[i - 1].x_m, way[i].y_m - way[i - 1].y_m), 0.05 + 1e-9);
-    EXPECT_LE(std::abs(way[i].yaw_rad - way[i - 1].yaw_rad), 0.1 + 1e-9);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    EXPECT_LE(std::hypot(poses[i].x_m - poses[i - 1].x_m, poses[i].y_m - poses[i - 1].y_m), 0.05 + 1e-9);
+    EXPECT_LE(std::abs(poses[i].yaw_rad - poses[i - 1].yaw_rad), 0.1 + 1e-9);
     for (int k = 1; k <= 5; ++k) {
-      const auto why = check.ReasonRefused(Between(way[i - 1], way[i], k / 5.0));
+      const auto why = check.ReasonRefused(Between(poses[i - 1], poses[i], k / 5.0));
       // Between two checked poses the robot's space may overlap an obstacle by half of its margin.
-      if (why) ADD_FAILURE() << "waypoint " << i << " of " << way.size() << ": " << why->text;
+      if (why) ADD_FAILURE() << "waypoint " << i << " of " << poses.size() << ": " << why->text;
     }
   }
 }
 
-TEST(PlanBaseRoute, GoesDirectlyWhereNothingIsInTheWay) {
+TEST(PlanBaseRoute, GoesDirectlyWithoutObstacles) {
   for (const char* name : {"a1", "nao"}) {
     const PlanarPose goal{2.0, 0.5, 0.4};
     const auto route = PlanBaseRoute(Named(name), FlatTerrain(), {}, goal, {});
@@ -55,7 +55,7 @@ TEST(PlanBaseRoute, GoesDirectlyWhereNothingIsInTheWay) {
   }
 }
 
-TEST(PlanBaseRoute, GoesAroundAWallFacingAhead) {
+TEST(PlanBaseRoute, GoesAroundAWallFacingForward) {
   for (const char* name : {"a1", "nao"}) {
     const double s = LengthScaleOf(Named(name));
     const Terrain terrain = Walled({Wall("wall", {1.5 * s, -1.0 * s}, {1.5 * s, 1.0 * s})});
@@ -63,13 +63,13 @@ TEST(PlanBaseRoute, GoesAroundAWallFacingAhead) {
     const auto route = PlanBaseRoute(Named(name), terrain, {}, goal, {});
     ASSERT_TRUE(route.ok()) << route.failure().message;
     ExpectSound(Named(name), terrain, goal, *route);
-    double ahead = 0.0;
+    double forward = 0.0;
     for (std::size_t i = 1; i < route->waypoints.size(); ++i) {
       const PlanarPose &a = route->waypoints[i - 1], &b = route->waypoints[i];
       const double yaw = 0.5 * (a.yaw_rad + b.yaw_rad);
-      ahead += std::abs(std::cos(yaw) * (b.x_m - a.x_m) + std::sin(yaw) * (b.y_m - a.y_m));
+      forward += std::abs(std::cos(yaw) * (b.x_m - a.x_m) + std::sin(yaw) * (b.y_m - a.y_m));
     }
-    EXPECT_GT(ahead, 0.95 * route->length_m) << name;
+    EXPECT_GT(forward, 0.95 * route->length_m) << name;
   }
 }
 
@@ -114,7 +114,7 @@ double AroundDisc(double x, double y, double radius) {
   return 2.0 * tangent + radius * 2.0 * touching;
 }
 
-TEST(PlanBaseRoute, ARoomThatMayNotTurnTakesTheShortestWayAroundTheGrownWall) {
+TEST(PlanBaseRoute, ABodySpaceThatMayNotTurnTakesTheShortestRouteAroundTheGrownWall) {
   // If lateral motion costs as little as forward motion and turning is expensive, the robot's space only translates, so
   // the shortest path is known: a stretched string around the wall enlarged by that space.
   BaseRouteOptions options;
@@ -137,7 +137,7 @@ TEST(PlanBaseRoute, ARoomThatMayNotTurnTakesTheShortestWayAroundTheGrownWall) {
   }
 }
 
-TEST(PlanBaseRoute, AroundACornerItIsHardlyLongerThanATangentWay) {
+TEST(PlanBaseRoute, AroundACornerItIsHardlyLongerThanATangentRoute) {
   for (const char* name : {"a1", "nao"}) {
     const double s = LengthScaleOf(Named(name));
     const Terrain terrain = Walled({Wall("wall", {3.0 * s, -4.0 * s}, {3.0 * s, 1.5 * s}, 0.02 * s)});

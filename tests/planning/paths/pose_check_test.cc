@@ -59,7 +59,7 @@ TEST(BodySpace, RefusesOptionsOutOfRange) {
   EXPECT_THROW(BodySpaceOf(RobotCalled("a1"), options), InvalidArgument);
 }
 
-TEST(PoseCheck, AWallIsInTheWayFromWhereTheRoomTouchesIt) {
+TEST(PoseCheck, AWallBlocksPosesFromWhereTheBodySpaceTouchesIt) {
   for (const char* name : {"a1", "nao"}) {
     const Eigen::AlignedBox2d plan = PlanOf(BodySpaceOf(RobotCalled(name), {}));
     const Terrain terrain = Walled({Wall("barrier", {1.0, -1.0}, {1.0, 1.0}, 0.1)});

@@ -14,16 +14,16 @@ namespace {
 
 const TravelWeights kSmoothWeights;
 
-std::vector<PlanarPose> SmoothedOn(const Terrain& terrain, const std::vector<PlanarPose>& way) {
+std::vector<PlanarPose> SmoothedOn(const Terrain& terrain, const std::vector<PlanarPose>& path) {
   PoseCheck check(NamedRobot("a1"), terrain, {});
-  return SmoothRoute(check, way, kSmoothWeights);
+  return SmoothRoute(check, path, kSmoothWeights);
 }
 
 /// A wall in front, and a path around its left end with right angles and constant heading.
 Terrain SmoothWall() { return Walled({Wall("wall", {1.0, -2.0}, {1.0, 0.3})}); }
 std::vector<PlanarPose> AroundTheWall() { return {{0.0, 0.0, 0.0}, {0.0, 1.6, 0.0}, {2.0, 1.6, 0.0}, {2.0, 0.0, 0.0}}; }
 
-TEST(SmoothRoute, InTheOpenADetourBecomesADirectWay) {
+TEST(SmoothRoute, InTheOpenADetourBecomesADirectRoute) {
   const Terrain flat = FlatTerrain();
   const std::vector<PlanarPose> detour = {{0.0, 0.0, 0.0}, {1.0, 1.5, 0.0}, {2.0, -1.0, 0.0}, {3.0, 0.0, 0.0}};
   const std::vector<PlanarPose> smooth = SmoothedOn(flat, detour);
@@ -33,7 +33,7 @@ TEST(SmoothRoute, InTheOpenADetourBecomesADirectWay) {
   EXPECT_NEAR(TravelCost(smooth, kSmoothWeights), 3.0, 0.05);
 }
 
-TEST(SmoothRoute, AStraightWayStaysAsItIs) {
+TEST(SmoothRoute, AStraightRouteStaysUnchanged) {
   const Terrain flat = FlatTerrain();
   for (const PlanarPose& pose : SmoothedOn(flat, {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}})) {
     EXPECT_NEAR(pose.y_m, 0.0, 1e-9);
@@ -43,15 +43,15 @@ TEST(SmoothRoute, AStraightWayStaysAsItIs) {
 
 TEST(SmoothRoute, AroundAWallIsCheaperAndFreeAllAlong) {
   const Terrain terrain = SmoothWall();
-  const std::vector<PlanarPose> way = AroundTheWall(), smooth = SmoothedOn(terrain, way);
-  EXPECT_LT(TravelCost(smooth, kSmoothWeights), 0.8 * TravelCost(way, kSmoothWeights));
-  EXPECT_LT(LengthOf(smooth), LengthOf(way));
+  const std::vector<PlanarPose> path = AroundTheWall(), smooth = SmoothedOn(terrain, path);
+  EXPECT_LT(TravelCost(smooth, kSmoothWeights), 0.8 * TravelCost(path, kSmoothWeights));
+  EXPECT_LT(LengthOf(smooth), LengthOf(path));
   EXPECT_GT(LengthOf(smooth), 2.0 * std::hypot(1.0, 0.3)) << "no shorter than a point's way around the end";
   PoseCheck check(NamedRobot("a1"), terrain, {});
   EXPECT_TRUE(check.IsFreeAlong(Densified(smooth, {0.02, 0.02})));
-  EXPECT_EQ(smooth.front(), way.front());
-  EXPECT_EQ(smooth.back().x_m, way.back().x_m);
-  EXPECT_EQ(smooth.back().y_m, way.back().y_m);
+  EXPECT_EQ(smooth.front(), path.front());
+  EXPECT_EQ(smooth.back().x_m, path.back().x_m);
+  EXPECT_EQ(smooth.back().y_m, path.back().y_m);
 }
 
 TEST(SmoothRoute, NeverCostsMoreAndTwiceGainsHardlyAnything) {

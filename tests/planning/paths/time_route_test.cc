@@ -35,20 +35,20 @@ std::vector<PlanarPose> Corners() {
   return Densified({{}, {1.0, 0.0, 0.0}, {1.0, 0.0, left}, {1.0, 1.0, left}, {0.5, 1.0, left}}, {0.05, 0.1});
 }
 
-TEST(TimeRoute, AStraightWayTakesItsLengthAtFullSpeedAndARamp) {
-  const std::vector<PlanarPose> way = {{}, {2.0, 0.0, 0.0}};
-  EXPECT_NEAR(RouteDuration(way, kTiming), 2.0 / 0.5 + kTiming.ramp_s, 0.03);
-  const BasePath path = TimeRoute(way, kTiming);
-  EXPECT_NEAR(path.time_s.back(), kTiming.start_s + RouteDuration(way, kTiming), 1e-9);
+TEST(TimeRoute, AStraightRouteTakesItsLengthAtFullSpeedAndARamp) {
+  const std::vector<PlanarPose> waypoints = {{}, {2.0, 0.0, 0.0}};
+  EXPECT_NEAR(RouteDuration(waypoints, kTiming), 2.0 / 0.5 + kTiming.ramp_s, 0.03);
+  const BasePath path = TimeRoute(waypoints, kTiming);
+  EXPECT_NEAR(path.time_s.back(), kTiming.start_s + RouteDuration(waypoints, kTiming), 1e-9);
   EXPECT_NEAR(PoseAt(path, kTiming.start_s + 0.5 * (2.0 / 0.5 + kTiming.ramp_s)).x_m, 1.0, 0.01);
   EXPECT_EQ(PoseAt(path, 0.5 * kTiming.start_s), PlanarPose{});
   EXPECT_NEAR(Fastest(path).x_m, 0.5, 1e-9);
 }
 
-TEST(TimeRoute, KeepsTheSpeedsOnEveryWay) {
+TEST(TimeRoute, KeepsTheSpeedsOnEveryRoute) {
   for (const DirectRoute kind : kDirectRoutes) {
-    const auto way = WaypointsOf(kind, {}, {1.5, -1.0, 2.0}, {0.05, 0.1});
-    const PlanarTwist most = Fastest(TimeRoute(way, kTiming));
+    const auto waypoints = WaypointsOf(kind, {}, {1.5, -1.0, 2.0}, {0.05, 0.1});
+    const PlanarTwist most = Fastest(TimeRoute(waypoints, kTiming));
     EXPECT_LE(most.x_m, 0.5 * (1.0 + 1e-6));
     EXPECT_LE(most.y_m, 0.2 * (1.0 + 1e-6));
     EXPECT_LE(most.yaw_rad, 0.8 * (1.0 + 1e-6));
@@ -69,14 +69,14 @@ TEST(TimeRoute, StartsAndEndsAtRestSmoothly) {
 }
 
 TEST(TimeRoute, IsOnTheRouteAndTurnsBackNowhere) {
-  const std::vector<PlanarPose> way = Corners();
-  const BasePath path = TimeRoute(way, kTiming);
+  const std::vector<PlanarPose> waypoints = Corners();
+  const BasePath path = TimeRoute(waypoints, kTiming);
   std::size_t i = 0;
   for (const PlanarPose& at : path.pose) {
     double nearest = 1e9;
-    for (std::size_t j = i; j + 1 < way.size(); ++j) {
+    for (std::size_t j = i; j + 1 < waypoints.size(); ++j) {
       for (int k = 0; k <= 100; ++k) {
-        const PlanarPose on = Between(way[j], way[j + 1], k / 100.0);
+        const PlanarPose on = Between(waypoints[j], waypoints[j + 1], k / 100.0);
         const double off = std::hypot(on.x_m - at.x_m, on.y_m - at.y_m, on.yaw_rad - at.yaw_rad);
         if (off < nearest - 1e-6) {
           nearest = off;

@@ -42,7 +42,7 @@ TEST(TravelCost, AgreesWithAFineSumAndIsNoLessThanTheDistance) {
   }
 }
 
-TEST(TravelCost, IsTheSameForAMirroredWay) {
+TEST(TravelCost, IsTheSameForAMirroredPath) {
   std::mt19937 random(4);
   for (int trial = 0; trial < 50; ++trial) {
     const PlanarPose a = RandomPose(random), b = RandomPose(random);
@@ -68,23 +68,24 @@ TEST(DirectRoute, LeadsFromEndToEndWithoutGaps) {
   for (int trial = 0; trial < 100; ++trial) {
     const PlanarPose a = RandomPose(random), b = RandomPose(random);
     for (const DirectRoute kind : kDirectRoutes) {
-      const std::vector<PlanarPose> way = WaypointsOf(kind, a, b, spacing);
-      EXPECT_EQ(way.front(), a);
-      EXPECT_EQ(way.back().x_m, b.x_m);
-      EXPECT_EQ(way.back().y_m, b.y_m);
-      EXPECT_NEAR(std::remainder(way.back().yaw_rad - b.yaw_rad, 2.0 * std::numbers::pi), 0.0, 1e-12);
-      for (std::size_t i = 1; i < way.size(); ++i) {
-        EXPECT_LE(std::hypot(way[i].x_m - way[i - 1].x_m, way[i].y_m - way[i - 1].y_m), spacing.way_m + 1e-9);
-        EXPECT_LE(std::abs(way[i].yaw_rad - way[i - 1].yaw_rad), spacing.turn_rad + 1e-9);
+      const std::vector<PlanarPose> waypoints = WaypointsOf(kind, a, b, spacing);
+      EXPECT_EQ(waypoints.front(), a);
+      EXPECT_EQ(waypoints.back().x_m, b.x_m);
+      EXPECT_EQ(waypoints.back().y_m, b.y_m);
+      EXPECT_NEAR(std::remainder(waypoints.back().yaw_rad - b.yaw_rad, 2.0 * std::numbers::pi), 0.0, 1e-12);
+      for (std::size_t i = 1; i < waypoints.size(); ++i) {
+        EXPECT_LE(std::hypot(waypoints[i].x_m - waypoints[i - 1].x_m, waypoints[i].y_m - waypoints[i - 1].y_m),
+                  spacing.distance_m + 1e-9);
+        EXPECT_LE(std::abs(waypoints[i].yaw_rad - waypoints[i - 1].yaw_rad), spacing.turn_rad + 1e-9);
       }
     }
   }
 }
 
-TEST(DirectRoute, AheadFacesTheWayAndStraightBackIsBackward) {
-  const std::vector<PlanarPose> way = WaypointsOf(DirectRoute::kAhead, {}, {0.0, 2.0, 0.0}, {0.05, 0.1});
-  EXPECT_NEAR(way[way.size() / 2].yaw_rad, 0.5 * std::numbers::pi, 1e-12);
-  EXPECT_EQ(ByCost({}, {0.0, 5.0, 0.0}, kWeights).front().second, DirectRoute::kAhead);
+TEST(DirectRoute, ForwardFacesTheGoalAndStraightBackIsBackward) {
+  const std::vector<PlanarPose> waypoints = WaypointsOf(DirectRoute::kForward, {}, {0.0, 2.0, 0.0}, {0.05, 0.1});
+  EXPECT_NEAR(waypoints[waypoints.size() / 2].yaw_rad, 0.5 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(ByCost({}, {0.0, 5.0, 0.0}, kWeights).front().second, DirectRoute::kForward);
   EXPECT_NEAR(ByCost({}, {-1.0, 0.0, 0.0}, kWeights).front().first, 1.5, 1e-9);
 }
 

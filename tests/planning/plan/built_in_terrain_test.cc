@@ -58,7 +58,7 @@ bool Blocked(const Terrain& terrain, const Vector2& p, double beside) {
                      [&](const Obstacle& obstacle) { return Within(obstacle, p, beside); });
 }
 
-TEST(BuiltInTerrain, BeginsOneBodyLengthAheadOfEveryRobot) {
+TEST(BuiltInTerrain, BeginsOneBodyLengthInFrontOfEveryRobot) {
   for (const TerrainScale& scale : Scales()) {
     for (const BuiltInTerrain& entry : BuiltInTerrains()) {
       SCOPED_TRACE(entry.name);
@@ -252,7 +252,7 @@ bool HasWay(const Terrain& terrain, double end_x, double beside) {
   return false;
 }
 
-TEST(BuiltInTerrain, EveryMazeHasAWayThrough) {
+TEST(BuiltInTerrain, EveryMazeHasARouteThrough) {
   for (int seed = 0; seed < 20; ++seed) {
     // Wide enough that the search cannot go around: 25 cells of 1.1 m over 26 m.
     const Terrain maze =

@@ -48,7 +48,7 @@ TEST(StanceAt, AFootIsDownForItsShareOfTheCycle) {
   }
 }
 
-TEST(GaitKinds, StandingHangingAndFlightAreToldApart) {
+TEST(GaitKinds, StandingHangingAndFlightAreDistinguished) {
   const Gait stand = StandingGait(4), hang = HangingGait(4), none;
   EXPECT_TRUE(StandsStill(stand) && !Hangs(stand) && !HasFlight(stand));
   EXPECT_TRUE(Hangs(hang) && !StandsStill(hang) && HasFlight(hang));

@@ -69,9 +69,9 @@ double LargestJump(const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   double largest = 0.0;
   for (std::size_t k = 1; k < w.q.size(); ++k) {
-    const VectorX way = w.q[k].tail(12) - w.q[k - 1].tail(12);
-    const VectorX told = 0.5 * w.step_s * (w.v[k].tail(12) + w.v[k - 1].tail(12));
-    largest = std::max(largest, (way - told).cwiseAbs().maxCoeff());
+    const VectorX change = w.q[k].tail(12) - w.q[k - 1].tail(12);
+    const VectorX explained = 0.5 * w.step_s * (w.v[k].tail(12) + w.v[k - 1].tail(12));
+    largest = std::max(largest, (change - explained).cwiseAbs().maxCoeff());
   }
   return largest;
 }

@@ -132,7 +132,7 @@ TEST(ParseJsonOnce, ReadsAsDeepAsTheBoundAndNoDeeper) {
   EXPECT_THROW((void)ParseJsonOnce(nested(kDeepestJson + 1)), InvalidArgument);
 }
 
-TEST(ReasonNoJson, TellsWhereTheTextBreaks) {
+TEST(ReasonNoJson, NamesThePlaceOfTheSyntaxError) {
   EXPECT_EQ(ReasonNoJson(""), "it is empty");
   const std::string cut = ReasonNoJson(R"({"mass": 1, "len)");
   EXPECT_NE(cut.find("cut short at byte 16"), std::string::npos) << cut;

@@ -40,35 +40,36 @@ const Json& ShortPlanJson() {
 }
 
 /// Paths at which a value does not match its structure.
-void CollectMisfits(const DataShape& shape, const Json& value, const std::string& way, std::set<std::string>& misfits) {
+void CollectMisfits(const DataShape& shape, const Json& value, const std::string& path,
+                    std::set<std::string>& misfits) {
   if (value.is_null() && shape.or_null) return;
   switch (shape.kind) {
     case DataShape::Kind::kObject: {
-      if (!value.is_object()) return static_cast<void>(misfits.insert(way + " is no object"));
+      if (!value.is_object()) return static_cast<void>(misfits.insert(path + " is no object"));
       for (const std::string& key : shape.NeededKeys())
-        if (!value.contains(key)) misfits.insert(way + " lacks " + key);
+        if (!value.contains(key)) misfits.insert(path + " lacks " + key);
       for (const auto& [key, member] : value.items()) {
         const std::vector<std::string> keys = shape.Keys();
         if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-          misfits.insert(way + " has " + key);
+          misfits.insert(path + " has " + key);
         } else {
-          CollectMisfits(shape.At(key), member, way + "." + key, misfits);
+          CollectMisfits(shape.At(key), member, path + "." + key, misfits);
         }
       }
       return;
     }
     case DataShape::Kind::kList:
       if (!value.is_array() || value.size() < shape.least || value.size() > shape.most)
-        return static_cast<void>(misfits.insert(way + " is no such list"));
-      for (const Json& member : value) CollectMisfits(shape.of.at(0), member, way + "[]", misfits);
+        return static_cast<void>(misfits.insert(path + " is no such list"));
+      for (const Json& member : value) CollectMisfits(shape.of.at(0), member, path + "[]", misfits);
       return;
     case DataShape::Kind::kNumber:
     case DataShape::Kind::kWhole:
       if (!value.is_number() || value.get<double>() < shape.lowest || value.get<double>() > shape.highest)
-        misfits.insert(way + " is no such number");
+        misfits.insert(path + " is no such number");
       return;
     case DataShape::Kind::kText:
-      if (!value.is_string()) misfits.insert(way + " is no text");
+      if (!value.is_string()) misfits.insert(path + " is no text");
       return;
     default:
       return;

@@ -24,8 +24,8 @@ TEST(RestingPlane, LiesOnLevelGround) {
 TEST(RestingPlane, TipsOverABumpToTheSideOfTheLoad) {
   std::vector<Vector3> ground = Corners();
   ground.emplace_back(0.0, 0.0, 0.1);
-  const Vector3 ahead = RestingPlane(ground, {0.3, 0.0}), behind = RestingPlane(ground, {-0.3, 0.0});
-  EXPECT_NEAR(ahead.x(), -0.1, 1e-9);  // on the bump and both corners ahead
+  const Vector3 forward = RestingPlane(ground, {0.3, 0.0}), behind = RestingPlane(ground, {-0.3, 0.0});
+  EXPECT_NEAR(forward.x(), -0.1, 1e-9);  // on the bump and both front corners
   EXPECT_NEAR(behind.x(), 0.1, 1e-9);
 }
 

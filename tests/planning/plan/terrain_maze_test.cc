@@ -51,8 +51,8 @@ struct MadeMaze {
     while (!open.empty()) {
       const int cell = open.back(), c = cell / rows, r = cell % rows;
       open.pop_back();
-      const int ways[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-      for (const auto& [dx, dy] : ways) {
+      const int directions[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+      for (const auto& [dx, dy] : directions) {
         const int x = c + dx, y = r + dy;
         if (x < 0 || y < 0 || x >= columns || y >= rows || !Open(c, r, dx, dy)) continue;
         int& seen = reached[static_cast<std::size_t>(x * rows + y)];

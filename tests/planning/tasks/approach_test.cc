@@ -56,16 +56,16 @@ TEST_P(Approaching, LeadsFromRestToRestAndPassesItsAudit) {
   EXPECT_TRUE(Audit(model(), *read, {})->pass());
 }
 
-TEST_P(Approaching, HasNoWayToGoWithinTheTolerance) {
+TEST_P(Approaching, IsNotNeededWithinTheTolerance) {
   AuditOptions audit;
   StartPosture start = Off(0.0);
-  EXPECT_FALSE(HasWayToGo(model(), plan(), start, audit));
+  EXPECT_FALSE(NeedsApproach(model(), plan(), start, audit));
   start.R_WB = Quaternion(Eigen::AngleAxisd(0.3, Vector3::UnitX()));
-  EXPECT_FALSE(HasWayToGo(model(), plan(), start, audit)) << "no joint levels the base";
+  EXPECT_FALSE(NeedsApproach(model(), plan(), start, audit)) << "no joint levels the base";
   start.joints[1] += 0.04;
-  EXPECT_FALSE(HasWayToGo(model(), plan(), start, audit));
+  EXPECT_FALSE(NeedsApproach(model(), plan(), start, audit));
   audit.start_tolerance_rad = 0.03;
-  EXPECT_TRUE(HasWayToGo(model(), plan(), start, audit));
+  EXPECT_TRUE(NeedsApproach(model(), plan(), start, audit));
 }
 
 TEST_P(Approaching, KeepsToItsShareOfSpeedAndIsNoSlowerThanThatAsksFor) {
@@ -82,18 +82,18 @@ TEST_P(Approaching, KeepsToItsShareOfSpeedAndIsNoSlowerThanThatAsksFor) {
 
 TEST_P(Approaching, LimitsOfAccelerationAndJerkSlowItDown) {
   const StartPosture start = Off(0.3);
-  const double quick_s = PlanApproach(model(), plan(), start)->plan.duration_s();
+  const double fast_s = PlanApproach(model(), plan(), start)->plan.duration_s();
   RobotModel gentle = model();
   for (Motor& motor : gentle.motors) motor.acceleration_limit = 0.2;
   const auto by_acceleration = PlanApproach(gentle, plan(), start);
   ASSERT_TRUE(by_acceleration) << by_acceleration.failure().message;
-  EXPECT_GT(by_acceleration->plan.duration_s(), 1.5 * quick_s);
+  EXPECT_GT(by_acceleration->plan.duration_s(), 1.5 * fast_s);
   EXPECT_TRUE(Audit(gentle, by_acceleration->plan, {})->pass());
   for (Motor& motor : gentle.motors) motor = Motor();
   for (Motor& motor : gentle.motors) motor.jerk_limit = 0.5;
   const auto by_jerk = PlanApproach(gentle, plan(), start);
   ASSERT_TRUE(by_jerk) << by_jerk.failure().message;
-  EXPECT_GT(by_jerk->plan.duration_s(), 1.2 * quick_s);
+  EXPECT_GT(by_jerk->plan.duration_s(), 1.2 * fast_s);
   EXPECT_TRUE(Audit(gentle, by_jerk->plan, {})->pass());
 }
 
@@ -156,10 +156,10 @@ TEST_P(Approaching, OneThatTakesTooLongIsRefusedBeforeItsRowsAreMade) {
     joint.lower = -std::numeric_limits<double>::infinity();
     joint.upper = std::numeric_limits<double>::infinity();
   }
-  for (const double way : {500.0, 1e9, 1e300}) {
-    far.whole_body.q.front()[7 + d] = way;
+  for (const double angle : {500.0, 1e9, 1e300}) {
+    far.whole_body.q.front()[7 + d] = angle;
     const auto refused = PlanApproach(endless, far, StartPosture{First(), {}});
-    ASSERT_FALSE(refused) << way;
+    ASSERT_FALSE(refused) << angle;
     EXPECT_EQ(refused.failure().code, FailureCode::kTooLong);
     EXPECT_NE(refused.failure().message.find("at most 600 s"), std::string::npos) << refused.failure().message;
     EXPECT_FALSE(refused.failure().suggestions.empty());

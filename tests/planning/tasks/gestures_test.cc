@@ -33,7 +33,7 @@ class Gestures : public testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(Robots, Gestures, testing::Values("nao", "h1", "humanoid"),
                          [](const auto& robot) { return robot.param; });
 
-TEST_P(Gestures, ARaisedArmIsHighOnAFreeWay) {
+TEST_P(Gestures, ARaisedArmIsHighOnAFreePath) {
   PathCheck check(model_, StandingConfiguration(model_));
   for (const std::optional<Limb>* arm : {&upper_.left_arm, &upper_.right_arm}) {
     ASSERT_TRUE(arm->has_value());

@@ -49,7 +49,7 @@ TEST_P(OfFourFeet, LiesAndGetsUp) {
   CheckPostureMotion(model, LieDown(model, standing, *lying));
 }
 
-TEST(Lying, ARobotWithoutARestIsToldSo) {
+TEST(Lying, ARobotWithoutASupportContactIsReported) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
   const Result<Lying> none = FindLying(a1, a1.standing_joints);
   ASSERT_FALSE(none.ok());

@@ -92,7 +92,7 @@ TEST_P(RepertoireTest, TheBodyIsNeverAcceleratedByMoreThanATenthOfGravity) {
   EXPECT_GT(strongest, 0.05 * kGravity);
 }
 
-TEST_P(RepertoireTest, ABowTipsAheadAndABraceIsTwiceAsQuickAsASquat) {
+TEST_P(RepertoireTest, ABowTipsForwardAndABraceIsTwiceAsFastAsASquat) {
   const RobotModel& model = NamedRobot(GetParam());
   const PostureKey from = StandingKey(model);
   const PostureMotion bow = Bow(model, from, 0.3, 0.02, 1);
@@ -157,7 +157,7 @@ TEST(ArmsOfRepertoire, AWaveGoesToBothSidesAndComesBack) {
   EXPECT_FALSE(SamePosture(wave->keys[2], wave->keys[3]));
 }
 
-TEST(ArmsOfRepertoire, ARobotWithoutThemIsToldSo) {
+TEST(ArmsOfRepertoire, ARobotWithoutArmsIsReported) {
   const RobotModel& a1 = NamedRobot("a1");
   for (const Result<PostureMotion>& motion :
        {RaiseArms(a1, StandingKey(a1), {true, false}), LowerArms(a1, StandingKey(a1), {false, true}),

@@ -75,7 +75,7 @@ TEST(TaskPlanText, APlaceHasItsNumberOnlyWhereItIsOneOfSeveral) {
   EXPECT_EQ(TaskPlanFromJson(TaskPlanJson(plan)).value(), plan);
 }
 
-TEST(TaskPlanRefusals, AreBadInputWithTheWayToWhatIsWrong) {
+TEST(TaskPlanRefusals, AreBadInputWithThePathToTheWrongValue) {
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {R"({"tasks": []})", "lacks 'schema'"},
       {R"({"schema": 1})", "lacks 'tasks'"},

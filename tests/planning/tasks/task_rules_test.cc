@@ -49,7 +49,7 @@ TEST(TaskRules, WhatIsNoTaskIsRefusedWithItsReason) {
   EXPECT_NE(ReasonNone(bow).find("1 to 60"), std::string::npos) << ReasonNone(bow);
 }
 
-TEST(TaskRules, ARobotIsToldWhatItCannotDo) {
+TEST(TaskRules, TasksThatTheRobotCannotDoAreNamed) {
   const TaskScope a1 = ScopeOf(LoadNamedRobot("a1").value()), nao = ScopeOf(LoadNamedRobot("nao").value());
   const Task wave{"wave", {{"side", std::string("right")}}, "", {}}, lie{"lie_down", {}, "", {}};
   EXPECT_FALSE(ReasonNotDone(wave, nao));

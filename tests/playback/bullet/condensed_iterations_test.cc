@@ -29,7 +29,7 @@ std::vector<Fall> Falls() {
 
 class OwnSolver : public testing::TestWithParam<Fall> {};
 
-TEST_P(OwnSolver, MovesBodiesTheSameWay) {
+TEST_P(OwnSolver, MovesBodiesEqually) {
   const Fall& fall = GetParam();
   WorldOptions options;
   options.ground_slope_deg = -fall.slope_rad * 180.0 / M_PI;

@@ -175,7 +175,7 @@ TEST(ThermalLimit, UnderLastingDemandTheRootMeanSquareIsTheContinuousEffort) {
   }
 }
 
-TEST(ThermalLimit, SparesWhoStaysBelowAndComesBackAfterARest) {
+TEST(ThermalLimit, DoesNotActBelowItsLimitAndRecoversAfterARest) {
   Warming spared;
   for (int k = 0; k < 4000; ++k) ASSERT_EQ(spared.Torque(3.5), 3.5);  // 3.5^2 < 0.8 c^2
   Warming rests;

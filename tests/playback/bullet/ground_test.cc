@@ -35,7 +35,7 @@ TEST(Bumps, DependOnTheSeedAlone) {
   EXPECT_NE(one.HeightAt({1.3, 0.4}), other.HeightAt({1.3, 0.4}));
 }
 
-TEST(GroundTilt, IsUphillAheadAndKeepsTheStart) {
+TEST(GroundTilt, IsUphillForwardAndKeepsTheStart) {
   WorldOptions options;
   options.ground_slope_deg = 10.0;
   const Pose X = GroundTilt(FlatTerrain(), options, {2.0, 1.0});

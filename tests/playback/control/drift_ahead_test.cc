@@ -17,10 +17,10 @@ using displaced::BaseMoved;
 using displaced::OnPlan;
 
 /// A point mass on the line between two feet: dcm' = w (dcm - zmp), com' = w (dcm - com), in small steps.
-StanceFeedback::Drift Integrated(Vector2 dcm, Vector2 com, double omega, double ahead_s,
+StanceFeedback::Drift Integrated(Vector2 dcm, Vector2 com, double omega, double lookahead_s,
                                  const std::function<Vector2(const Vector2&)>& zmp) {
   constexpr int kSteps = 20000;
-  const double h = ahead_s / kSteps;
+  const double h = lookahead_s / kSteps;
   for (int i = 0; i < kSteps; ++i) {
     const Vector2 rate = omega * (dcm - zmp(dcm));
     com += h * omega * (dcm - com) + 0.5 * h * h * omega * (rate - omega * (dcm - com));
@@ -30,12 +30,12 @@ StanceFeedback::Drift Integrated(Vector2 dcm, Vector2 com, double omega, double 
 }
 
 /// The block quadruped in the middle of a diagonal's swing, with an error.
-class DriftAhead : public ::testing::Test {
+class PredictedDrift : public ::testing::Test {
  protected:
-  StanceCase& At(const StabilisedOptions& options, const Vector2& way, const Vector2& velocity) {
+  StanceCase& At(const StabilisedOptions& options, const Vector2& offset, const Vector2& velocity) {
     case_ = std::make_unique<StanceCase>(model_, synthetic::SteppingPlan(model_), options);
     ControlInput input = OnPlan(case_->plan(), 1.1);
-    input.q = BaseMoved(model_, input.q, Vector3(way.x(), way.y(), 0.0), Vector3::Zero());
+    input.q = BaseMoved(model_, input.q, Vector3(offset.x(), offset.y(), 0.0), Vector3::Zero());
     input.v.head<2>() += velocity;
     case_->Torques(input);
     EXPECT_EQ(case_->now.bearing, FootSet{0b0110});
@@ -47,13 +47,13 @@ class DriftAhead : public ::testing::Test {
   std::unique_ptr<StanceCase> case_;
 };
 
-TEST_F(DriftAhead, WithAFixedZmpIsThePendulum) {
+TEST_F(PredictedDrift, WithAFixedZmpIsThePendulum) {
   StabilisedOptions options;
   options.support_use = 0.0;  // the ZMP stays at its planned place
   const Vector2 x0(0.01, -0.02), v0(0.1, 0.05);
   const StanceCase& off = At(options, x0, v0);
   for (const double t : {0.0, 0.05, 0.3, 0.5}) {
-    const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+    const StanceFeedback::Drift drift = off.stance.PredictedDrift(off.now, t);
     const double c = std::cosh(omega_ * t), s = std::sinh(omega_ * t);
     const Vector2 x = x0 * c + v0 / omega_ * s, v = x0 * omega_ * s + v0 * c;
     EXPECT_LT((drift.com_W - x).norm(), 1e-6) << t;
@@ -61,7 +61,7 @@ TEST_F(DriftAhead, WithAFixedZmpIsThePendulum) {
   }
 }
 
-TEST_F(DriftAhead, WithTheZmpAtTheEndOfItsLineIsThePendulumAboutIt) {
+TEST_F(PredictedDrift, WithTheZmpAtTheEndOfItsLineIsThePendulumAboutIt) {
   StabilisedOptions options;
   options.support_use = 1.0;
   const StanceCase& off = At(options, Vector2::Zero(), {-30.0, 0.0});
@@ -72,14 +72,14 @@ TEST_F(DriftAhead, WithTheZmpAtTheEndOfItsLineIsThePendulumAboutIt) {
   const Vector2 zmp = 0.5 * (feet[1].translation() + feet[2].translation()).head<2>();
   const Vector2 shift = end - zmp, dcm0 = Vector2(-30.0, 0.0) / omega_;
   for (const double t : {0.1, 0.3}) {
-    const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+    const StanceFeedback::Drift drift = off.stance.PredictedDrift(off.now, t);
     EXPECT_LT((drift.dcm_W - shift - (dcm0 - shift) * std::exp(omega_ * t)).norm(), 1e-6) << t;
     const double c = std::cosh(omega_ * t), s = std::sinh(omega_ * t);
     EXPECT_LT((drift.com_W - shift + shift * c - dcm0 * s).norm(), 1e-6) << t;
   }
 }
 
-TEST_F(DriftAhead, WithTheZmpThatFollowsIsTheIntegralOfTheClosedLoop) {
+TEST_F(PredictedDrift, WithTheZmpThatFollowsIsTheIntegralOfTheClosedLoop) {
   const StabilisedOptions options;
   const Vector2 x0(0.01, -0.02), v0(0.1, 0.05);
   const StanceCase& off = At(options, x0, v0);
@@ -91,14 +91,14 @@ TEST_F(DriftAhead, WithTheZmpThatFollowsIsTheIntegralOfTheClosedLoop) {
     return Vector2(along * std::clamp(options.dcm_gain * along.dot(dcm), -most, most));
   };
   const double t = 0.2;
-  const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+  const StanceFeedback::Drift drift = off.stance.PredictedDrift(off.now, t);
   const StanceFeedback::Drift exact = Integrated(x0 + v0 / omega_, x0, omega_, t, zmp);
   EXPECT_GT((exact.dcm_W - x0 - v0 / omega_).norm(), 0.01);
   EXPECT_LT((drift.dcm_W - exact.dcm_W).norm(), 0.02 * exact.dcm_W.norm());
   EXPECT_LT((drift.com_W - exact.com_W).norm(), 0.02 * exact.dcm_W.norm());
 }
 
-TEST_F(DriftAhead, InTheAirIsThePresentErrorAndNotAnEarlierOne) {
+TEST_F(PredictedDrift, InTheAirIsThePresentErrorAndNotAnEarlierOne) {
   StanceCase& off = At({}, {0.01, -0.02}, {0.1, 0.05});
   ControlInput airborne = OnPlan(off.plan(), 1.1);
   airborne.contact = 0;
@@ -106,15 +106,15 @@ TEST_F(DriftAhead, InTheAirIsThePresentErrorAndNotAnEarlierOne) {
   off.Torques(airborne);
   ASSERT_EQ(off.now.bearing, FootSet{0});
   for (const double t : {0.0, 0.2}) {
-    const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+    const StanceFeedback::Drift drift = off.stance.PredictedDrift(off.now, t);
     EXPECT_LT((drift.dcm_W - Vector2(-0.03, 0.01)).norm(), 1e-9) << t;
     EXPECT_LT((drift.com_W - Vector2(-0.03, 0.01)).norm(), 1e-9) << t;
   }
 }
 
-TEST_F(DriftAhead, WithoutErrorIsNone) {
+TEST_F(PredictedDrift, WithoutErrorIsNone) {
   const StanceCase& on = At({}, Vector2::Zero(), Vector2::Zero());
-  const StanceFeedback::Drift drift = on.stance.DriftAhead(on.now, 0.5);
+  const StanceFeedback::Drift drift = on.stance.PredictedDrift(on.now, 0.5);
   EXPECT_LT(drift.dcm_W.norm(), 1e-4);
   EXPECT_LT(drift.com_W.norm(), 1e-4);
 }

@@ -100,9 +100,9 @@ TEST_P(LegTargetsTest, TheBaseIsWhereItIsAndOnlyTheLegsOwnJointsMove) {
     const FootMotion wanted = MotionOf(model_, leg, q0, rest_);
     VectorX q = measured, v = rest_;
     legs_.Solve(leg, wanted, q0, q, v);
-    const Vector3 way = MotionOf(model_, leg, q, v).X_WF.translation() - wanted.X_WF.translation();
+    const Vector3 error = MotionOf(model_, leg, q, v).X_WF.translation() - wanted.X_WF.translation();
     EXPECT_GT((MotionOf(model_, leg, measured, v).X_WF.translation() - wanted.X_WF.translation()).norm(), 0.005);
-    EXPECT_LT(way.norm(), 1e-4) << leg;
+    EXPECT_LT(error.norm(), 1e-4) << leg;
     const std::vector<int>& own = legs_.dofs(leg);
     EXPECT_EQ(q.head<7>(), measured.head<7>());
     for (int dof = 0; dof < model_.num_dofs(); ++dof) {
@@ -167,7 +167,7 @@ TEST_P(LegTargetsTest, HeldFeetStandStillUnderAMovingBase) {
   }
 }
 
-TEST_P(LegTargetsTest, HeldFeetMayCreepTheWayTheyMove) {
+TEST_P(LegTargetsTest, HeldFeetMayCreepInTheDirectionTheyMove) {
   RandomState random(8);
   for (const double creep : {0.01, 1.0}) {
     for (int trial = 0; trial < 20; ++trial) {

@@ -17,7 +17,7 @@ namespace {
 class Block {
  public:
   Block(const RobotModel& model, const MotionPlan& plan, bool with_feedback)
-      : model_(model), plan_(plan), feedback_(with_feedback), now_(model_, plan_), ahead_(model_, plan_, {}) {
+      : model_(model), plan_(plan), feedback_(with_feedback), now_(model_, plan_), predictive_(model_, plan_, {}) {
     footing_.offset_W.assign(model.feet.size(), Vector3::Zero());
     for (std::size_t f = 0; f < model.feet.size(); ++f) {
       hip_B_.push_back(model.joints[3 * f].X_PJ.translation());
@@ -30,11 +30,11 @@ class Block {
     const Matrix3 inertia_B = model_.bodies.front().I_C;
     for (; time_s_ < to_s - 1e-9; time_s_ += kStep) {
       now_.Update(model_, Measured());
-      ahead_.Update(now_, footing_);
+      predictive_.Update(now_, footing_);
       PutDown();
       now_.Update(model_, Measured());
-      ahead_.Update(now_, footing_);
-      const PointWrench wrench = feedback_ ? ahead_.Wanted(now_) : Planned();
+      predictive_.Update(now_, footing_);
+      const PointWrench wrench = feedback_ ? predictive_.Wanted(now_) : Planned();
       v_W += kStep * (wrench.force_W / model_.total_mass_kg - kGravity * Vector3::UnitZ());
       const Matrix3 inertia_W = R_WB * inertia_B * R_WB.transpose();
       w_W += kStep * inertia_W.inverse() * (wrench.moment_W - w_W.cross(inertia_W * w_W));
@@ -77,7 +77,7 @@ class Block {
     before_ = now_.scheduled;
     airborne_.resize(2 * static_cast<Eigen::Index>(foot_W_.size()));
     for (std::size_t f = 0; f < foot_W_.size(); ++f)
-      airborne_.segment<2>(2 * static_cast<Eigen::Index>(f)) = ahead_.Step(static_cast<int>(f));
+      airborne_.segment<2>(2 * static_cast<Eigen::Index>(f)) = predictive_.Step(static_cast<int>(f));
   }
   PointWrench Planned() const {
     PointWrench wrench{p_W, Vector3::Zero(), Vector3::Zero()};
@@ -92,7 +92,7 @@ class Block {
   const MotionPlan& plan_;
   const bool feedback_;
   Situation now_;
-  MomentumFeedback ahead_;
+  MomentumFeedback predictive_;
   Footing footing_;
   std::vector<Vector3> hip_B_, foot_W_;
   FootSet before_ = 0b1111;
@@ -108,18 +108,18 @@ class HoppingBlock : public ::testing::Test {
 
 TEST_F(HoppingBlock, OnItsPlanNothingIsChanged) {
   Situation now(model_, plan_);
-  MomentumFeedback ahead(model_, plan_, {});
-  ASSERT_TRUE(ahead.active());
+  MomentumFeedback predictive(model_, plan_, {});
+  ASSERT_TRUE(predictive.active());
   Footing footing;
   footing.offset_W.assign(4, Vector3::Zero());
   for (double t = 0.0; t < plan_.whole_body.end_s(); t += 0.004) {
     now.Update(model_, displaced::OnPlan(plan_, t));
-    ahead.Update(now, footing);
-    const PointWrench wanted = ahead.Wanted(now);
+    predictive.Update(now, footing);
+    const PointWrench wanted = predictive.Wanted(now);
     Vector3 planned = Vector3::Zero();
     for (int f = 0; f < 4; ++f) {
       if (Contains(now.scheduled, f)) planned += now.sample.wrenches[static_cast<std::size_t>(f)].force_W;
-      EXPECT_LT(ahead.Step(f).norm(), 1e-9);
+      EXPECT_LT(predictive.Step(f).norm(), 1e-9);
     }
     EXPECT_LT((wanted.force_W - planned).norm(), 1e-6 * model_.weight_n()) << t;
     EXPECT_LT(wanted.moment_W.norm(), 1e-6 * model_.weight_n()) << t;
@@ -128,11 +128,11 @@ TEST_F(HoppingBlock, OnItsPlanNothingIsChanged) {
 
 TEST_F(HoppingBlock, GetsBackToItsPlanThoughTwoFeetInALineCannotHoldIt) {
   // An error as after a strong push: with only the planned forces it falls, with feedback it stands again.
-  for (const Vector3& way : {Vector3(0.25, 0.0, 0.0), Vector3(0.0, -0.25, 0.1), Vector3(0.1, 0.1, -0.1)}) {
+  for (const Vector3& velocity : {Vector3(0.25, 0.0, 0.0), Vector3(0.0, -0.25, 0.1), Vector3(0.1, 0.1, -0.1)}) {
     for (const bool with_feedback : {true, false}) {
       Block block(model_, plan_, with_feedback);
       block.Run(0.6);
-      block.v_W += way;
+      block.v_W += velocity;
       block.w_W += Vector3(0.5, -0.4, 0.3);
       double most = 0.0;
       for (double t = 0.62; t < 1.7; t += 0.02) {
@@ -140,13 +140,13 @@ TEST_F(HoppingBlock, GetsBackToItsPlanThoughTwoFeetInALineCannotHoldIt) {
         most = std::max(most, block.Off());
       }
       block.Run(plan_.whole_body.end_s());
-      EXPECT_GT(most, 0.02) << way.transpose();
+      EXPECT_GT(most, 0.02) << velocity.transpose();
       if (!with_feedback) {
         EXPECT_GT(most, 0.5) << "the plan alone does not";
         continue;
       }
-      EXPECT_LT(most, 0.4) << way.transpose();
-      EXPECT_LT(block.Off(), 0.1 * most) << way.transpose();
+      EXPECT_LT(most, 0.4) << velocity.transpose();
+      EXPECT_LT(block.Off(), 0.1 * most) << velocity.transpose();
       EXPECT_GT(block.farthest_step_m(), 0.004) << "feet take their part";
       EXPECT_LT(block.farthest_step_m(), 0.2);
     }
@@ -156,14 +156,14 @@ TEST_F(HoppingBlock, GetsBackToItsPlanThoughTwoFeetInALineCannotHoldIt) {
 TEST_F(HoppingBlock, TheSameElsewhereAsksForTheSame) {
   const auto ask = [&](const MotionPlan& plan, const ControlInput& input) {
     Situation now(model_, plan);
-    MomentumFeedback ahead(model_, plan, {});
+    MomentumFeedback predictive(model_, plan, {});
     Footing footing;
     footing.offset_W.assign(4, Vector3::Zero());
     now.Update(model_, input);
-    ahead.Update(now, footing);
-    const PointWrench wanted = ahead.Wanted(now);
+    predictive.Update(now, footing);
+    const PointWrench wanted = predictive.Wanted(now);
     Eigen::Vector<double, 8> all;
-    all << wanted.force_W, wanted.moment_W, ahead.Step(1);
+    all << wanted.force_W, wanted.moment_W, predictive.Step(1);
     return all;
   };
   ControlInput input = displaced::OnPlan(plan_, 0.7);
@@ -182,31 +182,31 @@ TEST_F(HoppingBlock, TheSameElsewhereAsksForTheSame) {
 
 TEST_F(HoppingBlock, AFootIsAskedForNoMoreThanTwiceItsLoad) {
   Situation now(model_, plan_);
-  MomentumFeedback ahead(model_, plan_, {});
+  MomentumFeedback predictive(model_, plan_, {});
   Footing footing;
   footing.offset_W.assign(4, Vector3::Zero());
   for (const double speed : {-50.0, 50.0}) {
     ControlInput input = displaced::OnPlan(plan_, 0.7);
     input.v[2] += speed;
     now.Update(model_, input);
-    ahead.Update(now, footing);
+    predictive.Update(now, footing);
     const double load = now.sample.wrenches[0].force_W.z() + now.sample.wrenches[3].force_W.z();
-    EXPECT_NEAR(ahead.Wanted(now).force_W.z(), (speed < 0.0 ? 2.0 : 0.2) * load, 1e-6 * load);
+    EXPECT_NEAR(predictive.Wanted(now).force_W.z(), (speed < 0.0 ? 2.0 : 0.2) * load, 1e-6 * load);
   }
 }
 
 TEST_F(HoppingBlock, InFlightTheGroundIsWhereItWas) {
-  const Vector3 way(0.01, 0.02, 0.03);
+  const Vector3 offset(0.01, 0.02, 0.03);
   Situation now(model_, plan_);
   SwingFeedback swing(model_, plan_, {});
   int flights = 0;
   for (double t = 0.0; t < 1.0; t += 0.001) {
     ControlInput input = displaced::OnPlan(plan_, t);
-    input.q.head<3>() += way;
+    input.q.head<3>() += offset;
     now.Update(model_, input);
     const Footing& footing = swing.UpdateFooting(now);
     if (t < 0.3) continue;
-    EXPECT_LT((footing.mean_offset_W - way).norm(), 1e-4) << t;
+    EXPECT_LT((footing.mean_offset_W - offset).norm(), 1e-4) << t;
     if (now.scheduled == 0) ++flights;
   }
   EXPECT_GT(flights, 100);

@@ -100,7 +100,7 @@ TEST_P(RecoveringTest, TheLimitOfTheTiltIsItsOption) {
   EXPECT_TRUE(Braces(*Made(options), Tilted(0.31)));
 }
 
-// At 3 m/s the DCM is 0.75 m ahead: far beyond a quarter of the leg, less than ten legs.
+// At 3 m/s the DCM is 0.75 m in front: far beyond a quarter of the leg, less than ten legs.
 TEST_P(RecoveringTest, BracesWhenTheDcmIsTooFarOut) {
   RecoveringOptions far;
   far.brace_margin = 10.0;

@@ -42,9 +42,9 @@ class OnFourFeet : public ::testing::TestWithParam<const char*> {
     return model.hash.empty() ? synthetic::StandingPlan(model, 1.0) : standing::Plan(model, 1.0);
   }
   /// On the plan, except for the base pose.
-  ControlInput Off(const Vector3& way, const Vector3& turn) const {
+  ControlInput Off(const Vector3& offset, const Vector3& turn) const {
     ControlInput input = on_plan_;
-    input.q = BaseMoved(model_, input.q, way, turn);
+    input.q = BaseMoved(model_, input.q, offset, turn);
     return input;
   }
   /// On the plan, except for the base's velocity; feet at rest.
@@ -102,21 +102,21 @@ TEST_P(OnFourFeet, HeightIsHeldLikewise) {
 TEST_P(OnFourFeet, TheZmpGoesBeyondTheDcmByTheGain) {
   const double gain = StabilisedOptions{}.dcm_gain;
   const Vector2 home = case_.Ask(on_plan_).zmp_W;
-  for (const Vector3& way : {Vector3(0.005, 0.0, 0.0), Vector3(0.0, -0.005, 0.0), Vector3(-0.003, 0.002, 0.0)}) {
-    const Vector2 moved = case_.Ask(Off(way, Vector3::Zero())).zmp_W - home;
+  for (const Vector3& offset : {Vector3(0.005, 0.0, 0.0), Vector3(0.0, -0.005, 0.0), Vector3(-0.003, 0.002, 0.0)}) {
+    const Vector2 moved = case_.Ask(Off(offset, Vector3::Zero())).zmp_W - home;
     const Vector2 error = (case_.now.measured.p_WC - case_.now.planned.p_WC).head<2>();
-    EXPECT_GT(error.norm(), 0.5 * way.norm());
+    EXPECT_GT(error.norm(), 0.5 * offset.norm());
     EXPECT_LT((moved - gain * error).norm(), 0.02 * gain * error.norm());
-    const Vector2 caught = case_.Ask(Moving(5.0 * way, Vector3::Zero())).zmp_W - home;
-    const Vector2 ahead = case_.now.measured.v_WC.head<2>() / case_.now.omega_rad_s;
-    EXPECT_LT((caught - gain * ahead).norm(), 0.02 * gain * ahead.norm());
+    const Vector2 caught = case_.Ask(Moving(5.0 * offset, Vector3::Zero())).zmp_W - home;
+    const Vector2 forward = case_.now.measured.v_WC.head<2>() / case_.now.omega_rad_s;
+    EXPECT_LT((caught - gain * forward).norm(), 0.02 * gain * forward.norm());
   }
 }
 
 TEST_P(OnFourFeet, AWrenchScalesWithASmallError) {
   const Reaction none = case_.Ask(on_plan_);
-  const Vector3 way(0.002, -0.001, 0.001), turn(0.002, 0.003, -0.002);
-  const Reaction one = case_.Ask(Off(way, turn)), half = case_.Ask(Off(0.5 * way, 0.5 * turn));
+  const Vector3 offset(0.002, -0.001, 0.001), turn(0.002, 0.003, -0.002);
+  const Reaction one = case_.Ask(Off(offset, turn)), half = case_.Ask(Off(0.5 * offset, 0.5 * turn));
   const Vector3 force = one.force_W - none.force_W, moment = one.moment_W - none.moment_W;
   EXPECT_GT(force.norm(), 1.0);
   EXPECT_GT(moment.norm(), 0.05);
@@ -136,12 +136,12 @@ TEST_P(OnFourFeet, TheZmpStaysInTheUsableSupportWhateverTheError) {
   for (Vector2& corner : usable) corner = home + StabilisedOptions{}.support_use * (corner - home);
   for (Vector2& corner : reached) corner = home + 0.9 * (corner - home);
   for (int i = 0; i < 16; ++i) {
-    const Vector3 way(std::cos(0.4 * i), std::sin(0.4 * i), 0.0);
+    const Vector3 direction(std::cos(0.4 * i), std::sin(0.4 * i), 0.0);
     for (const double speed : {0.1, 1.0, 10.0, 1000.0}) {
-      const Vector2 zmp = rough.Ask(Moving(speed * way, Vector3::Zero())).zmp_W;
+      const Vector2 zmp = rough.Ask(Moving(speed * direction, Vector3::Zero())).zmp_W;
       const double inside = SignedDistance(usable, zmp);
-      EXPECT_GT(inside, -1e-5) << speed << " m/s towards " << way.transpose();
-      EXPECT_GT((zmp - home).dot(way.head<2>()), 0.01) << "towards the error";
+      EXPECT_GT(inside, -1e-5) << speed << " m/s towards " << direction.transpose();
+      EXPECT_GT((zmp - home).dot(direction.head<2>()), 0.01) << "towards the error";
       if (speed > 5.0) {
         EXPECT_LT(SignedDistance(reached, zmp), 0.002) << "as far as it goes, but for what the other feet keep";
       }
@@ -208,14 +208,14 @@ TEST_P(OnFourFeet, TheSameElsewhereAsksForTheSame) {
   input.v.head<6>() << 0.02, -0.03, 0.01, 0.05, 0.04, -0.03;
   const VectorX here = case_.Torques(input), none = case_.Torques(on_plan_);
   EXPECT_GT((here - none).norm(), 0.5);
-  for (const Vector3& way : {Vector3(5.0, -3.0, 0.0), Vector3(0.0, 0.0, 0.4), Vector3(0.0, 0.0, -1.0)}) {
+  for (const Vector3& shift : {Vector3(5.0, -3.0, 0.0), Vector3(0.0, 0.0, 0.4), Vector3(0.0, 0.0, -1.0)}) {
     for (const double yaw : {0.0, 1.5707963, 2.2}) {
       Pose X(YawRotation(yaw));
-      X.translation() = way;
+      X.translation() = shift;
       StanceCase there(model_, displaced::Carried(X, case_.plan()));
       const VectorX tau = there.Torques(displaced::Carried(X, input));
       EXPECT_LT((tau - here).lpNorm<Eigen::Infinity>(), 1e-4 * here.lpNorm<Eigen::Infinity>())
-          << "turned by " << yaw << ", moved by " << way.transpose();
+          << "turned by " << yaw << ", moved by " << shift.transpose();
     }
   }
 }

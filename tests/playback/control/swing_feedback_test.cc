@@ -87,17 +87,17 @@ class Walk {
 /// The block quadruped; feet 0 and 3 swing from 0.85 to 1.05 s and stand until 1.35 s.
 class SwingFeedbackTest : public ::testing::Test {
  protected:
-  static synthetic::Steps Quick() {
+  static synthetic::Steps ShortSteps() {
     synthetic::Steps steps;
     steps.swing_s = 0.2;
     steps.double_s = 0.05;
     return steps;
   }
   /// Off the plan by a constant displacement of the base.
-  std::function<ControlInput(double)> OffBy(const Vector2& way) const {
+  std::function<ControlInput(double)> OffBy(const Vector2& offset) const {
     return [=, this](double t) {
       ControlInput input = OnPlan(plan_, t);
-      if (!way.isZero(0.0)) input.q = BaseMoved(model_, input.q, {way.x(), way.y(), 0.0}, Vector3::Zero());
+      if (!offset.isZero(0.0)) input.q = BaseMoved(model_, input.q, {offset.x(), offset.y(), 0.0}, Vector3::Zero());
       return input;
     };
   }
@@ -109,7 +109,7 @@ class SwingFeedbackTest : public ::testing::Test {
   SwingNow Swing() const { return Swings(model_, plan_).At(0, 0.95); }
 
   const RobotModel model_ = synthetic::Robot(4, FootType::kPoint);
-  const MotionPlan plan_ = synthetic::SteppingPlan(model_, Quick());
+  const MotionPlan plan_ = synthetic::SteppingPlan(model_, ShortSteps());
   const double omega_ = std::sqrt(kGravity / synthetic::kHeight);
 };
 
@@ -174,28 +174,28 @@ TEST_F(SwingFeedbackTest, AfterTheStepToComeTheDcmHasDecayedAsWanted) {
     options.step_decay = decay;
     options.step_reach = 1.0;
     Walk walk(model_, plan_, options);
-    const Vector2 way(0.0, 0.02);
+    const Vector2 offset(0.0, 0.02);
     const SwingNow swing = Swing();
-    walk.Run(0.7, swing.touchdown_s - 1e-4, OffBy(way));
+    walk.Run(0.7, swing.touchdown_s - 1e-4, OffBy(offset));
     // The last foothold was chosen settle_s before touch-down, for the DCM that was predicted then.
-    const Vector2 dcm = way * std::exp(omega_ * options.settle_s);
+    const Vector2 dcm = offset * std::exp(omega_ * options.settle_s);
     const Vector2 foothold = walk.Offset(0).head<2>();
     const double growth = std::exp(omega_ * (swing.next_liftoff_s - swing.touchdown_s));
     EXPECT_LT((foothold + growth * (dcm - foothold) - decay * dcm).norm(), 0.1 * dcm.norm()) << decay;
     EXPECT_NEAR(foothold.x(), 0.0, 1e-3);
-    EXPECT_GT(foothold.y(), 0.9 * way.y()) << "towards the fall";
+    EXPECT_GT(foothold.y(), 0.9 * offset.y()) << "towards the fall";
     EXPECT_LT((walk.Offset(3) - walk.Offset(0)).norm(), 1e-4) << "both feet of the diagonal alike";
   }
 }
 
 TEST_F(SwingFeedbackTest, AStepReachesOnlySoFarFromTheBase) {
   StabilisedOptions options = FixedZmp();
-  const Vector2 way(0.0, 0.25);
+  const Vector2 offset(0.0, 0.25);
   const auto beyond = [&](double reach) {
     options.step_reach = reach;
     Walk walk(model_, plan_, options);
-    walk.Run(0.7, Swing().touchdown_s - 1e-4, OffBy(way));
-    const Vector2 base = way * std::cosh(omega_ * options.settle_s);
+    walk.Run(0.7, Swing().touchdown_s - 1e-4, OffBy(offset));
+    const Vector2 base = offset * std::cosh(omega_ * options.settle_s);
     return Vector2(walk.Offset(0).head<2>() - base).norm();
   };
   EXPECT_NEAR(beyond(0.05), 0.05 * model_.leg_length_m(), 0.005);
@@ -211,8 +211,8 @@ TEST_F(SwingFeedbackTest, TargetsDoNotJumpWhenTheErrorDoes) {
   double farthest = 0.0, fastest = 0.0, hardest = 0.0;
   for (double t = 0.7; t < swing.touchdown_s - 1e-9; t += kStep) {
     const double since = t - swing.liftoff_s;
-    const Vector2 way(0.0, since > 0.15 ? 0.03 : since > 0.1 ? -0.05 : since > 0.03 ? 0.05 : 0.0);
-    walk.Step(OffBy(way)(t));
+    const Vector2 base_offset(0.0, since > 0.15 ? 0.03 : since > 0.1 ? -0.05 : since > 0.03 ? 0.05 : 0.0);
+    walk.Step(OffBy(base_offset)(t));
     if (Contains(walk.now.bearing, 0)) continue;
     const Vector3 offset = walk.Offset(0), rate = (offset - last) / kStep;
     farthest = std::max(farthest, offset.norm());
@@ -299,17 +299,17 @@ TEST_F(SwingFeedbackTest, LegsThatStandOnlyKeepTheirFeetFromSliding) {
 
 TEST_F(SwingFeedbackTest, StandingFeetTellTheirOffsetInTheTimeThatItTakesToSettle) {
   Walk walk(model_, plan_);
-  const Vector3 way(0.03, -0.02, -0.01);
+  const Vector3 offset(0.03, -0.02, -0.01);
   const auto all_moved = [&](double t) {
     ControlInput input = OnPlan(plan_, t);
-    input.q.head<3>() += way;
+    input.q.head<3>() += offset;
     return input;
   };
   walk.Run(0.0, 0.0205, all_moved);
-  EXPECT_LT((walk.footing.mean_offset_W - (1.0 - std::exp(-1.0)) * way).norm(), 0.06 * way.norm());
+  EXPECT_LT((walk.footing.mean_offset_W - (1.0 - std::exp(-1.0)) * offset).norm(), 0.06 * offset.norm());
   walk.Run(0.021, 0.3, all_moved);
-  EXPECT_LT((walk.footing.mean_offset_W - way).norm(), 1e-6);
-  EXPECT_LT((walk.footing.offset_W[2] - way).norm(), 1e-6);
+  EXPECT_LT((walk.footing.mean_offset_W - offset).norm(), 1e-6);
+  EXPECT_LT((walk.footing.offset_W[2] - offset).norm(), 1e-6);
 }
 
 /// NAO in the middle of its first swing.

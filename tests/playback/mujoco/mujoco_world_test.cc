@@ -68,7 +68,7 @@ TEST(MujocoWorldOfPlates, TakesMomentsOfPlatesInAnyAttitude) {
   }
 }
 
-TEST(MujocoWorldOfPlates, WhatMujocoRefusesIsToldApart) {
+TEST(MujocoWorldOfPlates, WhatMujocoRefusesIsDistinguished) {
   RobotModel twice = one_body::Ball();
   twice.bodies.push_back(twice.bodies[0]);
   Joint joint;

@@ -96,7 +96,7 @@ TEST_F(BrokenOff, BeforeTheFirstSample) {
   ExpectFall(log, 0.002, "the physics gave a state that is not finite", "the simulation diverged");
 }
 
-TEST_F(BrokenOff, OnTheWayAndAfterThePlan) {
+TEST_F(BrokenOff, DuringAndAfterThePlan) {
   for (const double at_s : {0.2, 0.6}) {
     PlayOptions options;
     options.more_pushes = {{kBlowUp, at_s, 0.1, "base"}};

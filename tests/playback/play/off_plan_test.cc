@@ -64,7 +64,7 @@ TEST_F(OffPlanTest, InertiaTurnsSlowerByItsFactor) {
   EXPECT_GT(four, 0.2 * one);
 }
 
-TEST_F(OffPlanTest, SlopesRiseWhereTheyAreToldTo) {
+TEST_F(OffPlanTest, SlopesRiseInTheGivenDirection) {
   WorldOptions options;
   options.ground_slope_deg = 5.0;
   const double rise = std::tan(5.0 * M_PI / 180.0);

@@ -109,7 +109,7 @@ TEST(Playable, OptionsThatCannotBeAreThrown) {
   EXPECT_THROW(range.Why(), InvalidArgument);
 }
 
-TEST(Playable, AMisfitIsToldBeforeALatePush) {
+TEST(Playable, AMisfitIsReportedBeforeALatePush) {
   PlayableCase c;
   PushAt(c, 9.0, 10.0);
   c.plan.whole_body = {};

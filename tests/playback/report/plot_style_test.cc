@@ -110,7 +110,7 @@ TEST(Colours, ABlackAndAWhiteAreFarApartAndReadOnEachOther) {
   EXPECT_LT(Apart("#ff6f9f", "#2fd0a2"), 5.0) << "a pink and a green that are one to who has no green cones";
 }
 
-TEST(Colours, InksAreToldApartWithoutRedOrGreenCones) {
+TEST(Colours, InksDifferWithoutRedOrGreenCones) {
   const std::array<std::string, 2> themes = Themes();
   const std::array<Inks, 2> plots = PlotInks();
   for (std::size_t dark = 0; dark < 2; ++dark) {
@@ -133,7 +133,7 @@ TEST(Colours, InksAreToldApartWithoutRedOrGreenCones) {
   }
 }
 
-TEST(Colours, LinesOfFeetAreToldApartAndStandOutFromThePaper) {
+TEST(Colours, LinesOfFeetDifferAndStandOutFromThePaper) {
   for (const std::string& theme : Themes()) {
     const std::string paper = Found(theme, std::regex(R"re((paper): "(#[0-9a-f]{6})")re"))["paper"];
     const std::vector<std::string> feet = FeetOf(theme);

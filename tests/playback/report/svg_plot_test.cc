@@ -42,7 +42,7 @@ TEST(SvgPlot, IsWellFormedWithTicksLabelsAndLegend) {
   EXPECT_FALSE(Has(svg, "http")) << "only a file of its own needs the name space";
 }
 
-TEST(SvgPlot, AGapBreaksALine) {
+TEST(SvgPlot, AGapInterruptsALine) {
   SvgPlot plot{SvgPlot::Options{}};
   plot.Line({{0.0, 0.0}, {1.0, 1.0}, {2.0, std::nan("")}, {3.0, 0.0}, {4.0, 1.0}}, Ink::kCom, Stroke::kMeasured);
   const std::string svg = plot.Svg();

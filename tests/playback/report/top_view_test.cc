@@ -80,9 +80,9 @@ TEST(TopView, TheGoalsArrowTurnsWithItsHeading) {
     const auto path = svg_marks::Paths(TopView(c.Data()).svg, "bad filled").at(0);
     return Vector2(path.at(0) - path.at(2));  // from the notch to the tip
   };
-  const Vector2 ahead = arrow(0.0), left = arrow(0.5 * M_PI);
-  EXPECT_GT(ahead.x(), 1.0);
-  EXPECT_NEAR(ahead.y(), 0.0, 0.15);
+  const Vector2 forward = arrow(0.0), left = arrow(0.5 * M_PI);
+  EXPECT_GT(forward.x(), 1.0);
+  EXPECT_NEAR(forward.y(), 0.0, 0.15);
   EXPECT_NEAR(left.x(), 0.0, 0.15);
   EXPECT_LT(left.y(), -1.0);
 }

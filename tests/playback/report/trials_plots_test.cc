@@ -89,11 +89,11 @@ TEST(TrialsPlots, GatesAreSharesOfTheirLimitAndEndAtTwiceIt) {
   EXPECT_NEAR(svg_marks::Dots(svg, "zmp").at(0).x(), axes.left + 0.25 * width, 0.2);
 }
 
-TEST(TrialsPlots, PushesAreSeenFromAboveWithAheadUp) {
+TEST(TrialsPlots, PushesAreSeenFromAboveWithForwardUp) {
   RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(60, 25.0));
-  const auto pushed = [&](double ahead_n, double left_n) {
+  const auto pushed = [&](double forward_n, double left_n) {
     PushRecord push = report.pushes.at(0);
-    push.ahead_n = ahead_n;
+    push.forward_n = forward_n;
     push.left_n = left_n;
     push.up_n = 0.0;
     push.outcome = PushRecord::Outcome::kRecovered;
@@ -105,13 +105,13 @@ TEST(TrialsPlots, PushesAreSeenFromAboveWithAheadUp) {
     const Vector2 middle(0.5 * (axes.left + axes.right), 0.5 * (axes.top + axes.bottom));
     return Vector2(svg_marks::Dots(svg, "foot").at(0) - middle);
   };
-  const Vector2 ahead = pushed(20.0, 0.0), back = pushed(-20.0, 0.0), left = pushed(0.0, 20.0);
-  EXPECT_LT(ahead.y(), -10.0);
-  EXPECT_NEAR(ahead.x(), 0.0, 1.0);
+  const Vector2 forward = pushed(20.0, 0.0), back = pushed(-20.0, 0.0), left = pushed(0.0, 20.0);
+  EXPECT_LT(forward.y(), -10.0);
+  EXPECT_NEAR(forward.x(), 0.0, 1.0);
   EXPECT_GT(back.y(), 10.0);
   EXPECT_LT(left.x(), -10.0);
   EXPECT_NEAR(left.y(), 0.0, 1.0);
-  EXPECT_NEAR(left.norm(), ahead.norm(), 1.0) << "to scale";
+  EXPECT_NEAR(left.norm(), forward.norm(), 1.0) << "to scale";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ StabilityReport RawScore(const Played& c) {
   return Score(c.model, c.plan, c.log, options);
 }
 
-void ShiftZmpAhead(LogSample& sample, double by_m) {
+void ShiftZmpForward(LogSample& sample, double by_m) {
   for (ContactWrench& wrench : sample.wrenches) wrench.moment_W.y() -= by_m * wrench.force_W.z();
 }
 
@@ -35,8 +35,8 @@ void ShiftBase(LogSample& sample, double by_m) {
 TEST(BalanceMeasurements, ErrorsOfTheZmpHaveMeanRootMeanSquareAndLargest) {
   Played c = Stood();
   const std::size_t count = c.log.samples.size(), even = (count + 1) / 2;
-  for (std::size_t k = 0; k < count; k += 2) ShiftZmpAhead(c.log.samples[k], 0.02);
-  ShiftZmpAhead(c.log.samples[11], -0.03);
+  for (std::size_t k = 0; k < count; k += 2) ShiftZmpForward(c.log.samples[k], 0.02);
+  ShiftZmpForward(c.log.samples[11], -0.03);
   const double shifted = static_cast<double>(even), all = static_cast<double>(count);
   const StabilityReport report = RawScore(c);
   EXPECT_NEAR(*report.At("zmp_error_mean_m").value, (0.02 * shifted + 0.03) / all, 1e-9);
@@ -47,7 +47,7 @@ TEST(BalanceMeasurements, ErrorsOfTheZmpHaveMeanRootMeanSquareAndLargest) {
 
 TEST(BalanceMeasurements, TheSmallestMarginIsAtTheSampleOfTheLargestShift) {
   Played c = Stood();
-  for (std::size_t k = 0; k < 30; ++k) ShiftZmpAhead(c.log.samples[k], 0.001 * static_cast<double>(k));
+  for (std::size_t k = 0; k < 30; ++k) ShiftZmpForward(c.log.samples[k], 0.001 * static_cast<double>(k));
   const StabilityReport report = RawScore(c);
   const Metric& margin = report.At("zmp_margin_min_m");
   EXPECT_NEAR(*margin.value, kHalfLength - 0.029, 1e-9);
@@ -81,7 +81,7 @@ TEST(BalanceMeasurements, TheStaticMarginIsThatOfTheCentreOfMass) {
   EXPECT_NEAR(*RawScore(c).At("static_margin_min_m").value, kHalfLength - 0.1, 1e-9);
 }
 
-TEST(BalanceMeasurements, AnErrorIsToldWithTheTimeOfItsLargest) {
+TEST(BalanceMeasurements, AnErrorIsReportedWithTheTimeOfItsMaximum) {
   Played c = Stood();
   for (LogSample& sample : c.log.samples) sample.q[0] += 0.01;
   c.log.samples[50].q[0] += 0.02;

@@ -57,7 +57,7 @@ TEST(ContactMeasurements, OnlyTheMiddleHalfOfASwingNeedsClearance) {
   EXPECT_NEAR(lowered(0.25), before - 0.012, 1e-6) << "the middle half begins here";
 }
 
-TEST(ContactMeasurements, TheLargestTimingErrorIsFoundWhicheverWayItIs) {
+TEST(ContactMeasurements, TheLargestTimingErrorIsFoundForBothSigns) {
   for (const double error_s : {0.02, -0.03}) {
     Played c = Walked();
     for (StanceRecord& stance : c.log.stances) {

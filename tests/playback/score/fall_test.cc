@@ -46,7 +46,7 @@ TEST(Fall, TiltCountsAgainstThePlansOwnInEveryDirection) {
   }
 }
 
-TEST(Fall, TheFirstOfSeveralIsTold) {
+TEST(Fall, TheFirstOfSeveralIsReported) {
   FallCase c;
   synthetic::Sink(c.log, 120, 0.2);
   c.log.body_contacts = {{0.7, "trunk"}, {0.5, "right_z"}};

@@ -49,7 +49,7 @@ TEST(JointMeasurements, PositiveWorkLeavesOutBrakingAndTheIntervalBeforeTheFirst
   EXPECT_DOUBLE_EQ(PositiveWork(log, 3), 0.5 * 20.0 + 0.25 * 12.0);
 }
 
-TEST(JointMeasurements, CostOfTransportIsWorkOverWeightAndWay) {
+TEST(JointMeasurements, CostOfTransportIsWorkOverWeightAndDistance) {
   Played c = Walked();
   for (LogSample& sample : c.log.samples) {
     sample.tau.setZero();
@@ -57,9 +57,9 @@ TEST(JointMeasurements, CostOfTransportIsWorkOverWeightAndWay) {
     sample.v[6] = 2.0;
   }
   const double duration = c.log.samples.back().time_s;
-  const double way = (c.log.samples.back().q - c.log.samples.front().q).head<2>().norm();
-  EXPECT_NEAR(way, 0.25, 1e-3) << "each foot goes half a step, two steps, half a step less";
-  EXPECT_NEAR(c.Value("cost_of_transport"), 100.0 * duration / (c.model.weight_n() * way), 1e-9);
+  const double distance = (c.log.samples.back().q - c.log.samples.front().q).head<2>().norm();
+  EXPECT_NEAR(distance, 0.25, 1e-3) << "each foot goes half a step, two steps, half a step less";
+  EXPECT_NEAR(c.Value("cost_of_transport"), 100.0 * duration / (c.model.weight_n() * distance), 1e-9);
 }
 
 TEST(JointMeasurements, ARobotThatStaysHasNoCostOfTransport) {

@@ -92,7 +92,7 @@ TEST(PlanFaults, APlanWithoutForcesIsNotBlamedForThem) {
   EXPECT_FALSE(Says(ReasonOf(model, plan), "the plan")) << ReasonOf(model, plan);
 }
 
-TEST(PlanFaults, AFigureThatReadsLikeItsLimitIsNotToldTwice) {
+TEST(PlanFaults, AFigureThatReadsLikeItsLimitIsNotRepeated) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);

@@ -49,7 +49,7 @@ PlaybackLog TippingLog(const RobotModel& model, const MotionPlan& plan, double t
   return log;
 }
 
-TEST(ReasonOfFall, ATorqueLimitThatCameFirstIsToldFirst) {
+TEST(ReasonOfFall, ATorqueLimitThatCameFirstIsNamedFirst) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   const PlaybackLog log = TippingLog(model, plan, 200.0);
@@ -71,7 +71,7 @@ TEST(ReasonOfFall, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
   EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
 }
 
-TEST(ReasonOfFall, WhatSpeedAndWarmthTookOfATorqueIsTold) {
+TEST(ReasonOfFall, TheTorqueLostToSpeedAndWarmthIsReported) {
   RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   model.motors.resize(model.dof_names.size());
@@ -111,7 +111,7 @@ TEST(ReasonOfFall, AFootThatLiftsIsALostContact) {
   EXPECT_TRUE(Says(reason, "'trunk'")) << reason;
 }
 
-TEST(ReasonOfFall, SlipScuffAndMissedFootholdAreTold) {
+TEST(ReasonOfFall, SlipScuffAndMissedFootholdAreReported) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   const PlaybackLog good = PerfectLog(model, plan);

@@ -52,14 +52,14 @@ struct OptionWords {
 
 class OneDisturbance : public testing::TestWithParam<OptionWords> {};
 
-TEST_P(OneDisturbance, IsToldUnlessItIsTheUsualValue) {
+TEST_P(OneDisturbance, IsReportedUnlessItIsTheUsualValue) {
   ReasonCase c;
   c.log.options = {{"play.step_s", "0.001"}, {GetParam().key, GetParam().text}};
-  const std::vector<std::string> told = c.Disturbances();
+  const std::vector<std::string> reported = c.Disturbances();
   if (std::string(GetParam().words).empty()) {
-    EXPECT_TRUE(told.empty()) << told.front();
+    EXPECT_TRUE(reported.empty()) << reported.front();
   } else {
-    EXPECT_EQ(told, std::vector<std::string>{GetParam().words});
+    EXPECT_EQ(reported, std::vector<std::string>{GetParam().words});
   }
 }
 
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
                     OptionWords{"play.rotor_inertia_kg_m2", "0.01", "additional rotor inertia"},
                     OptionWords{"play.log_rate_hz", "100", ""}));
 
-TEST(Reason, ShiftsAndStartsAreToldByTheirLength) {
+TEST(Reason, ShiftsAndStartsAreReportedByTheirLength) {
   ReasonCase c;
   c.log.options = {{"play.com_shift_x_m", "0.003"},
                    {"play.com_shift_z_m", "-0.004"},
@@ -100,7 +100,7 @@ TEST(Reason, APushIsNamedByItsLargestPartAndSense) {
   }
 }
 
-TEST(Reason, TheLastTwoPushesBeforeATimeAreTold) {
+TEST(Reason, TheLastTwoPushesBeforeATimeAreReported) {
   ReasonCase c;
   for (const double at_s : {0.5, 1.0, 1.5, 2.0}) c.log.pushes.push_back({{0.0, 60.0, 0.0}, at_s, 0.1, "base"});
   EXPECT_EQ(DisturbancesOf(c.plan, c.log, 2.0),
@@ -138,7 +138,7 @@ TEST(Reason, AValueThatRoundsToItsLimitIsSaidToBeJustOverIt) {
   EXPECT_TRUE(Says(reason, "1e-09 m")) << reason;
 }
 
-TEST(Reason, OfManyDisturbancesTheFiveLargestAreTold) {
+TEST(Reason, OfManyDisturbancesTheFiveLargestAreReported) {
   ReasonCase c;
   c.log.options = {{"play.ground_slope_deg", "20"}, {"play.ground_bumps_m", "0.00001"}, {"play.mass_scale", "3"},
                    {"play.inertia_scale", "1.001"}, {"play.com_shift_x_m", "0.3"},      {"command_delay_s", "0.05"},

@@ -74,7 +74,7 @@ void ExpectSameFigures(const StabilityReport& a, const StabilityReport& b) {
   EXPECT_NEAR(a.score, b.score, 1e-4);
 }
 
-TEST(ScoreLaws, WhereAndWhichWayTheRobotWalksDoesNotMatter) {
+TEST(ScoreLaws, PlaceAndHeadingOfTheWalkDoNotMatter) {
   for (const int legs : {2, 4}) {
     const LawCase c = Imperfect(legs);
     const StabilityReport here = Score(c.model, c.plan, c.log);

@@ -162,7 +162,7 @@ TEST(Score, ATiltedBaseHasFallenWhenItPassesTheBound) {
   EXPECT_NE(report.reason.find("tilted"), std::string::npos) << report.reason;
 }
 
-TEST(Score, WhatIsDownAtTheBeginningGaveWayWhileItSettled) {
+TEST(Score, FeetDownAtTheBeginningYieldedWhileTheRobotSettled) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   PlaybackLog log = PerfectLog(model, plan);

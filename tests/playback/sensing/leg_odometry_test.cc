@@ -137,7 +137,7 @@ TEST(LegOdometry, CovarianceGrowsAsFiniteDifferencesOfThePredictionSay) {
   }
 }
 
-TEST(LegOdometry, NothingSaysWhereItIsNorWhichWayItFacesWhileTiltAndVelocityAreKnown) {
+TEST(LegOdometry, PositionAndHeadingAreUnknownWhileTiltAndVelocityAreKnown) {
   Case c(swaying::OnPoints(), AllFeet(4), Hobby(3));
   const auto variance = [&](int i) { return c.odometry.covariance()(i, i); };
   for (int k = 0; k < 1000; ++k) c.Step();
@@ -222,7 +222,7 @@ Vector2 RollingErrors(double slope_rad, const Terrain& ground) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, start, scratch);
   const Vector3 ball = FramePose(scratch, model.feet[0].body, model.feet[0].X_BF).translation();
-  const Vector3 ahead = RotationExp(-slope_rad * Vector3::UnitY()) * Vector3::UnitX();
+  const Vector3 forward = RotationExp(-slope_rad * Vector3::UnitY()) * Vector3::UnitX();
   Encoders encoders(model.num_dofs(), {}, kStep);
   Imu imu({}, kStep);
   VectorX q = start, v = VectorX::Zero(model.nv());
@@ -232,7 +232,7 @@ Vector2 RollingErrors(double slope_rad, const Terrain& ground) {
     const double t = kStep * k, angle = kRate * t * t;  // from rest
     const VectorX before = q;
     const Matrix3 R = RotationExp(angle * Vector3::UnitY()), R_before = BaseRotation(before);
-    rolled = ball + kRadius * angle * ahead;
+    rolled = ball + kRadius * angle * forward;
     q.head<3>() = rolled + R * (start.head<3>() - ball);
     q.segment<4>(3) = Quaternion(R).coeffs();
     v.head<3>() = (q - before).head<3>() / kStep;
@@ -252,9 +252,9 @@ TEST(LegOdometry, ASphereRolls) {
 
 TEST(LegOdometry, ASphereRollsAlongTheSlopeThatItStandsOn) {
   for (const double slope_rad : {0.5, -0.5}) {
-    const Vector2 told = RollingErrors(slope_rad, SlopeOf(slope_rad));
-    EXPECT_LT(told[0], 0.1);
-    EXPECT_LT(told[1], 0.1);
+    const Vector2 errors = RollingErrors(slope_rad, SlopeOf(slope_rad));
+    EXPECT_LT(errors[0], 0.1);
+    EXPECT_LT(errors[1], 0.1);
     EXPECT_GT(RollingErrors(slope_rad, FlatTerrain())[0], 0.2) << "it matters";
   }
 }

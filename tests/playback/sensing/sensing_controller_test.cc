@@ -23,10 +23,10 @@ namespace {
 /// Stores its inputs, and commands the number of the step.
 class Witness : public Controller {
  public:
-  explicit Witness(std::vector<ControlInput>& told) : told_(told) {}
+  explicit Witness(std::vector<ControlInput>& inputs) : inputs_(inputs) {}
 
   JointCommand Update(const ControlInput& input) override {
-    told_.push_back(input);
+    inputs_.push_back(input);
     const VectorX number = VectorX::Constant(1, static_cast<double>(count_++));
     return {number, number, number, number, number};
   }
@@ -34,7 +34,7 @@ class Witness : public Controller {
   std::string Name() const override { return "witness"; }
 
  private:
-  std::vector<ControlInput>& told_;
+  std::vector<ControlInput>& inputs_;
   int count_ = 0;
 };
 
@@ -58,11 +58,11 @@ SensingOptions With(const std::string& state, const std::string& kind, double de
 TEST(SensingController, IsNotThereWhereThereIsNothingBetween) {
   const RobotModel model = standing::Load("a1");
   const MotionPlan plan = standing::Plan(model, 0.1);
-  std::vector<ControlInput> told;
-  auto witness = std::make_unique<Witness>(told);
+  std::vector<ControlInput> inputs;
+  auto witness = std::make_unique<Witness>(inputs);
   const Controller* bare = witness.get();
   EXPECT_EQ(BehindSensors(model, plan, std::move(witness), {}).get(), bare);
-  const auto late = BehindSensors(model, plan, std::make_unique<Witness>(told), With("true", "ideal", 0.001));
+  const auto late = BehindSensors(model, plan, std::make_unique<Witness>(inputs), With("true", "ideal", 0.001));
   EXPECT_EQ(late->Name(), "witness");
   EXPECT_EQ(late->Estimate(), nullptr);
 }
@@ -72,8 +72,8 @@ TEST(SensingController, CommandsComeLateByWholeSteps) {
   const MotionPlan plan = standing::Plan(model, 0.1);
   const ControlInput input = InputOf(StandingConfiguration(model), VectorX::Zero(model.nv()), 4);
   for (const double delay_s : {0.001, 0.004, 0.0126}) {
-    std::vector<ControlInput> told;
-    const auto late = BehindSensors(model, plan, std::make_unique<Witness>(told), With("true", "ideal", delay_s));
+    std::vector<ControlInput> inputs;
+    const auto late = BehindSensors(model, plan, std::make_unique<Witness>(inputs), With("true", "ideal", delay_s));
     for (int playback = 0; playback < 2; ++playback) {
       late->Reset();
       for (int k = 0; k < 40; ++k) {
@@ -81,27 +81,27 @@ TEST(SensingController, CommandsComeLateByWholeSteps) {
         EXPECT_EQ(late->Update(input).tau_ff[0], due);
       }
     }
-    EXPECT_EQ(told.back().q, input.q);
-    EXPECT_EQ(told.back().wrenches, input.wrenches);
+    EXPECT_EQ(inputs.back().q, input.q);
+    EXPECT_EQ(inputs.back().wrenches, input.wrenches);
   }
 }
 
 TEST(SensingController, TellsWhatIsMeasured) {
   const RobotModel model = standing::Load("a1");
   const MotionPlan plan = standing::Plan(model, 0.1);
-  std::vector<ControlInput> told;
-  const auto measured = BehindSensors(model, plan, std::make_unique<Witness>(told), With("measured", "ideal", 0.0));
+  std::vector<ControlInput> inputs;
+  const auto measured = BehindSensors(model, plan, std::make_unique<Witness>(inputs), With("measured", "ideal", 0.0));
   VectorX q = StandingConfiguration(model), v = VectorX::Constant(model.nv(), 0.3);
   for (int k = 0; k < 5; ++k) {
     q.tail(12) += 0.001 * v.tail(12);
     measured->Update(InputOf(q, v, 4));
   }
-  EXPECT_EQ(told.back().q.head<7>(), q.head<7>());
-  EXPECT_EQ(told.back().v.head<6>(), v.head<6>());
-  EXPECT_NEAR((told.back().q - q).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((told.back().v - v).norm(), 0.0, 1e-9);
-  EXPECT_EQ(told.back().contact, AllFeet(4));
-  EXPECT_EQ(told.back().wrenches[2].force_W, Vector3(0.0, 0.0, 30.0)) << "pads feel the vertical force";
+  EXPECT_EQ(inputs.back().q.head<7>(), q.head<7>());
+  EXPECT_EQ(inputs.back().v.head<6>(), v.head<6>());
+  EXPECT_NEAR((inputs.back().q - q).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((inputs.back().v - v).norm(), 0.0, 1e-9);
+  EXPECT_EQ(inputs.back().contact, AllFeet(4));
+  EXPECT_EQ(inputs.back().wrenches[2].force_W, Vector3(0.0, 0.0, 30.0)) << "pads feel the vertical force";
   EXPECT_EQ(measured->Estimate(), nullptr);
 }
 
@@ -191,9 +191,9 @@ TEST(SensingOptions, SayHowOldSpeedsAreInASensedLoop) {
 TEST(SensingController, RefusesOptionsOutOfRange) {
   const RobotModel model = standing::Load("a1");
   const MotionPlan plan = standing::Plan(model, 0.1);
-  std::vector<ControlInput> told;
+  std::vector<ControlInput> inputs;
   const auto refused = [&](const SensingOptions& options, const MotionPlan& of) {
-    EXPECT_THROW(SensingController(model, of, std::make_unique<Witness>(told), options), InvalidArgument);
+    EXPECT_THROW(SensingController(model, of, std::make_unique<Witness>(inputs), options), InvalidArgument);
   };
   refused(With("true", "ideal", 0.2), plan);
   refused(With("guessed", "ideal", 0.0), plan);

@@ -40,9 +40,9 @@ class Robot {
     const VectorX before = q;
     rocked_ = RotationExp(std::clamp((t - rock_from_s_) / rock_for_s_, 0.0, 1.0) * rock_W_);
     const double ramp = 1.0 - std::exp(-4.0 * t * t);
-    const Vector3 way(0.02 * std::sin(5.0 * t), 0.015 * std::sin(7.0 * t + 1.0) - 0.0126, 0.01 * std::sin(4.0 * t));
+    const Vector3 sway(0.02 * std::sin(5.0 * t), 0.015 * std::sin(7.0 * t + 1.0) - 0.0126, 0.01 * std::sin(4.0 * t));
     const Vector3 turn(0.05 * std::sin(6.0 * t), 0.06 * std::sin(4.5 * t), 0.08 * std::sin(3.0 * t));
-    q.head<3>() = home_.head<3>() + ramp * way;
+    q.head<3>() = home_.head<3>() + ramp * sway;
     const Matrix3 R_before = BaseRotation(before), R_WB = RotationExp(ramp * turn);
     q.segment<4>(3) = Quaternion(R_WB).coeffs();
     for (int i = 0; i < 6; ++i) PullFeetBack();

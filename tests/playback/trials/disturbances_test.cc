@@ -89,7 +89,7 @@ TEST_F(DisturbancesTest, PartsAcrossARightAngleAreNone) {
   }
 }
 
-TEST_F(DisturbancesTest, AShiftAnyWayHasItsLengthAndEveryDirection) {
+TEST_F(DisturbancesTest, AShiftHasItsLengthInEveryDirection) {
   const Disturbances shift = Read("com_shift_m: 0.02\n");
   Vector3 mean = Vector3::Zero();
   constexpr int kTrials = 2000;
@@ -102,7 +102,7 @@ TEST_F(DisturbancesTest, AShiftAnyWayHasItsLengthAndEveryDirection) {
   EXPECT_LT(mean.norm(), 0.002);
 }
 
-TEST_F(DisturbancesTest, ADirectionOfASlopeIsToldByItsPartsToo) {
+TEST_F(DisturbancesTest, ADirectionOfASlopeIsReportedByComponentsToo) {
   const std::string direction = "ground_slope_direction_deg: {uniform: [0, 360]}\n";
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const SampledTrial both = Sample(Read(direction + "ground_slope_deg: {uniform: [-3, 3]}\n"), seed);

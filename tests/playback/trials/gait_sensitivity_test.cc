@@ -74,7 +74,7 @@ std::vector<std::vector<GaitStep>> MakeTrials(const LinearGait& gait, const Make
       step.landed = !how.habits || random.Uniform() > 0.05;
       if (step.landed) {
         step.late_s = g[0] * kScale.step_s;
-        step.ahead_m = g[1] * kScale.leg_length_m;
+        step.forward_m = g[1] * kScale.leg_length_m;
         step.left_m = g[2] * kScale.leg_length_m;
       }
       trials.back().push_back(step);
@@ -132,8 +132,8 @@ TEST(GaitSensitivityTest, ScalesAreThoseOfTheRobot) {
   const double norm = EstimateGaitSensitivity(trials, kScale).norm.value();
   for (auto& steps : trials) {  // the gait of a similar robot with four times the size and half the speed
     for (GaitStep& step : steps) {
-      for (double* length : {&step.ground_m, &step.ahead_m, &step.left_m}) *length *= 4.0;
-      for (double* impulse : {&step.push_ahead_n_s, &step.push_left_n_s}) *impulse *= 10.0 * 2.0;
+      for (double* length : {&step.ground_m, &step.forward_m, &step.left_m}) *length *= 4.0;
+      for (double* impulse : {&step.push_forward_n_s, &step.push_left_n_s}) *impulse *= 10.0 * 2.0;
       step.late_s *= 2.0;
     }
   }
@@ -170,15 +170,15 @@ TEST(GaitSensitivityTest, WhereItCannotBeEstimatedItSaysWhy) {
   LinearGait deaf;
   deaf.C.setZero();
   deaf.D.setZero();
-  int told = 0;
+  int reported = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const GaitSensitivity found =
         EstimateGaitSensitivity(MakeTrials(deaf, {.trials = 50, .noise = 0.1, .seed = seed}), kScale);
-    told += found.norm ? 1 : 0;
+    reported += found.norm ? 1 : 0;
     EXPECT_TRUE(found.norm || found.missing.find("is not statistically significant") != std::string::npos)
         << found.missing;
   }
-  EXPECT_LE(told, 2) << "of twenty gaits that nothing disturbs";
+  EXPECT_LE(reported, 2) << "of twenty gaits that nothing disturbs";
   auto uneven = MakeTrials(gait, {});
   uneven[3].pop_back();
   EXPECT_THROW((void)EstimateGaitSensitivity(uneven, kScale), InvalidArgument);

@@ -70,10 +70,10 @@ class GaitStepsTest : public testing::Test {
   PlaybackLog log_;
 };
 
-void ExpectStep(const GaitStep& step, double late_s, double ahead_m, double left_m) {
+void ExpectStep(const GaitStep& step, double late_s, double forward_m, double left_m) {
   EXPECT_TRUE(step.landed);
   EXPECT_NEAR(step.late_s, late_s, 1e-9);
-  EXPECT_NEAR(step.ahead_m, ahead_m, 1e-9);
+  EXPECT_NEAR(step.forward_m, forward_m, 1e-9);
   EXPECT_NEAR(step.left_m, left_m, 1e-9);
 }
 
@@ -83,7 +83,7 @@ TEST_F(GaitStepsTest, OfAWalkAsPlannedAreZero) {
   for (const GaitStep& step : steps) {
     ExpectStep(step, 0.0, 0.0, 0.0);
     EXPECT_EQ(step.ground_m, 0.0);
-    EXPECT_EQ(step.push_ahead_n_s, 0.0);
+    EXPECT_EQ(step.push_forward_n_s, 0.0);
   }
   const GaitScale scale = GaitScaleOf(model_, plan_);
   EXPECT_NEAR(scale.step_s, kStride, 1e-12);
@@ -93,7 +93,7 @@ TEST_F(GaitStepsTest, OfAWalkAsPlannedAreZero) {
 
 TEST_F(GaitStepsTest, LandingsAreBesideTheBaseAndInItsHeading) {
   log_.stances[3].touchdown_s += 0.012;                                             // the second step
-  log_.stances[3].p_touchdown_W += Vector3(-0.03, 0.02, 0.0);                       // to the left, and ahead
+  log_.stances[3].p_touchdown_W += Vector3(-0.03, 0.02, 0.0);                       // to the left, and forward
   for (LogSample& sample : log_.samples) sample.q.head<2>() += Vector2(0.5, -0.2);  // the base has drifted
   for (StanceRecord& stance : log_.stances) stance.p_touchdown_W.head<2>() += Vector2(0.5, -0.2);
   const std::vector<GaitStep> steps = Steps();
@@ -127,15 +127,15 @@ TEST_F(GaitStepsTest, FeetThatLandTogetherAreOneStep) {
 }
 
 TEST_F(GaitStepsTest, PushesCountForTheStepInWhichTheyCome) {
-  options_.push_force_W = Vector3(0.0, 30.0, 5.0);  // ahead
+  options_.push_force_W = Vector3(0.0, 30.0, 5.0);  // forward
   options_.push_at_s = 0.95;
   options_.push_for_s = 0.1;
   options_.more_pushes = {{Vector3(-20.0, 0.0, 0.0), 0.1, 0.2, "base"}};  // to the left
   const std::vector<GaitStep> steps = Steps();
   EXPECT_NEAR(steps[0].push_left_n_s, 4.0, 1e-9);
-  EXPECT_NEAR(steps[0].push_ahead_n_s, 0.0, 1e-9);
-  EXPECT_NEAR(steps[1].push_ahead_n_s, 1.5, 1e-9);
-  EXPECT_NEAR(steps[2].push_ahead_n_s, 1.5, 1e-9);
+  EXPECT_NEAR(steps[0].push_forward_n_s, 0.0, 1e-9);
+  EXPECT_NEAR(steps[1].push_forward_n_s, 1.5, 1e-9);
+  EXPECT_NEAR(steps[2].push_forward_n_s, 1.5, 1e-9);
   EXPECT_NEAR(steps[2].push_left_n_s, 0.0, 1e-9);
 }
 

@@ -11,7 +11,7 @@ namespace {
 using Outcome = PushRecord::Outcome;
 
 struct MadePush {
-  double ahead_n = 0.0, left_n = 0.0, at_s = 0.0;
+  double forward_n = 0.0, left_n = 0.0, at_s = 0.0;
   double up_n = 0.0;
 };
 
@@ -23,7 +23,7 @@ TrialOutcome Trial(const std::vector<MadePush>& pushes, double ended_s, bool sur
   int number = 0;
   for (const MadePush& push : pushes) {
     const std::string name = "push" + std::to_string(++number) + ".";
-    trial.sampled.push_back({name + "ahead_n", "N", push.ahead_n, ""});
+    trial.sampled.push_back({name + "ahead_n", "N", push.forward_n, ""});
     trial.sampled.push_back({name + "left_n", "N", push.left_n, ""});
     if (push.up_n != 0.0) trial.sampled.push_back({name + "up_n", "N", push.up_n, ""});
     trial.sampled.push_back({name + "at_s", "s", push.at_s, ""});

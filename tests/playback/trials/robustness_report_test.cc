@@ -37,7 +37,7 @@ TEST(RobustnessReportTest, CountsAndRanks) {
   EXPECT_LE(report.Outcome(report.worst[0]).score, report.Outcome(report.worst[9]).score);
 }
 
-TEST(RobustnessReportTest, TheWorstAreToldThoughNoneFell) {
+TEST(RobustnessReportTest, TheWorstAreReportedEvenIfNoneFell) {
   const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(20, 1e3));
   ASSERT_EQ(report.survived, 20);
   ASSERT_EQ(report.worst.size(), 10U);
@@ -96,13 +96,13 @@ TEST(RobustnessReportTest, ASlopeThatFellsOnlyDownhillShows) {
                                   .value();
   for (int i = 0; i < 200; ++i) {
     const SampledTrial trial = SampleTrial(slopes, RobotModel(), MotionPlan(), SeedOfTrial(0, i));
-    double up_ahead_deg = 0.0;
+    double slope_x_deg = 0.0;
     for (const SampledValue& one : trial.values)
-      up_ahead_deg = one.name == "ground_slope_x_deg" ? one.value : up_ahead_deg;
+      slope_x_deg = one.name == "ground_slope_x_deg" ? one.value : slope_x_deg;
     TrialOutcome o;
     o.number = i;
     o.sampled = trial.values;
-    o.survived = up_ahead_deg > -2.0;
+    o.survived = slope_x_deg > -2.0;
     outcomes.push_back(o);
   }
   const RobustnessReport report = ReduceTrials(made::Subject(), outcomes);

@@ -122,7 +122,7 @@ TEST(RobustnessTextTest, SharesAreInPercentWithTheirInterval) {
   EXPECT_EQ(text.find("survived  15 of 20: 75.0 %, 95 % interval 53.1 % to 88.8 %\n"), 0U) << text;
 }
 
-TEST(RobustnessTextTest, AtMostEightCorrelatesAreTold) {
+TEST(RobustnessTextTest, AtMostEightCorrelatesAreReported) {
   RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(100, 25.0));
   Sensitivity one = report.sensitivity.at(0);
   report.sensitivity.clear();

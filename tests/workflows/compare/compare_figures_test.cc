@@ -121,7 +121,7 @@ TEST(CompareWords, AGroupThatOneSideAloneHasIsMarked) {
 }
 
 /// Non-default options of a playback are listed in a comparison with a plan, which has no such options.
-TEST(CompareWords, UnusualOptionsOfAPlaybackAreToldBesideItsPlan) {
+TEST(CompareWords, UnusualOptionsOfAPlaybackAreReportedBesideItsPlan) {
   synthetic::Played walker = synthetic::Stood();
   walker.log.options = {{"play.friction", "0.123"}};
   const ComparedMotion plan = ComparedPlan(walker.model, walker.plan, "a"),

@@ -19,12 +19,12 @@ ComparedMotion PlanWithGapsSide(const synthetic::Played& walker) {
 }
 
 /// The plan as an external table, without the rows between two times of the plan's clock.
-MotionTable TableWithout(const synthetic::Played& walker, const TimeGap& gap, double ahead_s = 0.0) {
+MotionTable TableWithout(const synthetic::Played& walker, const TimeGap& gap, double clock_offset_s = 0.0) {
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 200.0);
   MotionTable table;
   for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
     if (rows.time_s[k] > gap.start_s && rows.time_s[k] < gap.end_s) continue;
-    table.time_s.push_back(rows.time_s[k] + ahead_s);
+    table.time_s.push_back(rows.time_s[k] + clock_offset_s);
     table.q.emplace_back(rows.q[k].tail(6));
     table.contact.push_back(rows.contact[k]);
   }
@@ -46,13 +46,14 @@ TEST(CompareGaps, DoNotMoveTheClockAndAreNoDifference) {
   const synthetic::Played walker = LongWalker();
   ASSERT_GT(walker.plan.duration_s(), 4.0) << "something is left of it";
   for (const TimeGap& gap : kGaps) {
-    for (const double ahead_s : {0.0, 37.25}) {
-      SCOPED_TRACE(testing::Message() << gap.start_s << " to " << gap.end_s << ", ahead by " << ahead_s);
-      const ComparedMotion plan = PlanWithGapsSide(walker), table = Side(walker, TableWithout(walker, gap, ahead_s));
+    for (const double clock_offset_s : {0.0, 37.25}) {
+      SCOPED_TRACE(testing::Message() << gap.start_s << " to " << gap.end_s << ", ahead by " << clock_offset_s);
+      const ComparedMotion plan = PlanWithGapsSide(walker),
+                           table = Side(walker, TableWithout(walker, gap, clock_offset_s));
       for (const bool turned : {false, true}) {
         const MotionComparison c = turned ? CompareMotions(table, plan) : CompareMotions(plan, table);
         EXPECT_EQ(c.aligned_by, "best");
-        EXPECT_NEAR(c.offset_s, turned ? -ahead_s : ahead_s, 1e-3);
+        EXPECT_NEAR(c.offset_s, turned ? -clock_offset_s : clock_offset_s, 1e-3);
         EXPECT_GT(c.best_offset->agreement, 0.99);
         EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
         EXPECT_TRUE(NotesOfGaps(c, "'robot.csv', rows are missing: no row for "));
@@ -88,7 +89,7 @@ TEST(CompareGaps, OfALogOfOursToo) {
   EXPECT_TRUE(NotesOfGaps(c, "'log.json', rows are missing"));
 }
 
-TEST(CompareGaps, WhatDiffersOutsideOfThemIsTold) {
+TEST(CompareGaps, WhatDiffersOutsideOfThemIsReported) {
   const synthetic::Played walker = LongWalker();
   MotionTable table = TableWithout(walker, kGaps[1]);
   const auto first = std::find_if(table.time_s.begin(), table.time_s.end(), [](double t) { return t > 1.9; });

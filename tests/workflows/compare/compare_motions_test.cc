@@ -24,11 +24,11 @@ ComparedMotion PlanSide(const synthetic::Played& walker) {
 }
 ComparedMotion LogSide(const synthetic::Played& walker) { return ComparedLog(walker.model, walker.log, "log.json"); }
 
-/// The log as an external table, with its clock `ahead_s` ahead.
-ComparedMotion TableSide(const synthetic::Played& walker, double ahead_s) {
+/// The log as an external table, with its clock advanced by `clock_offset_s`.
+ComparedMotion TableSide(const synthetic::Played& walker, double clock_offset_s) {
   MotionTable table;
   for (const LogSample& sample : walker.log.samples) {
-    table.time_s.push_back(sample.time_s + ahead_s);
+    table.time_s.push_back(sample.time_s + clock_offset_s);
     table.q.emplace_back(sample.q.tail(6));
     table.contact.push_back(sample.contact);
   }
@@ -90,10 +90,10 @@ TEST(CompareMotions, AttitudeIsTheAngleBetweenTheTwo) {
 
 TEST(CompareMotions, FindsTheOffsetOfAForeignClock) {
   const synthetic::Played walker = SixStepWalker();
-  for (const double ahead_s : {0.0, 37.25, -3.0017}) {
-    const MotionComparison c = CompareMotions(PlanSide(walker), TableSide(walker, ahead_s));
+  for (const double clock_offset_s : {0.0, 37.25, -3.0017}) {
+    const MotionComparison c = CompareMotions(PlanSide(walker), TableSide(walker, clock_offset_s));
     EXPECT_EQ(c.aligned_by, "best");
-    EXPECT_NEAR(c.offset_s, ahead_s, 2e-4);
+    EXPECT_NEAR(c.offset_s, clock_offset_s, 2e-4);
     EXPECT_GT(c.best_offset->agreement, 0.99);
     for (const JointDifference& joint : c.joints) EXPECT_LT(joint.position.largest, 2e-3) << joint.joint;
     EXPECT_TRUE(c.base.empty()) << "the table says nothing of the base";
@@ -113,7 +113,7 @@ TEST(CompareMotions, FindsTheOffsetOfALogThatWasCutShort) {
   EXPECT_NEAR(c.in_order.at(0).b, 0.005 * 449, 1e-3);
 }
 
-TEST(CompareMotions, AlignsAsItIsTold) {
+TEST(CompareMotions, AlignsAsRequested) {
   const synthetic::Played walker = SixStepWalker();
   const ComparedMotion plan = PlanSide(walker), table = TableSide(walker, 40.0);
   EXPECT_NEAR(CompareMotions(plan, table, {.align = "start"}).offset_s, 40.0, 1e-12);
@@ -217,7 +217,7 @@ TEST(CompareMotions, NamesRobotsJointsAndOptionsThatAreNotTheSame) {
   EXPECT_EQ(words.words[1].b, "0.08");
 }
 
-TEST(CompareMotions, OptionsOfOneSideAloneAreToldInOneLine) {
+TEST(CompareMotions, OptionsOfOneSideAloneAreReportedInOneLine) {
   const synthetic::Played planned = SixStepWalker();
   synthetic::Played imported = planned;
   synthetic::Played first = planned;
@@ -237,7 +237,7 @@ TEST(CompareMotions, OptionsOfOneSideAloneAreToldInOneLine) {
   EXPECT_TRUE(synthetic::Says(ComparisonPage(PlanSide(first), PlanSide(imported), c, {}), "gait, swing.*, seed"));
 }
 
-TEST(CompareMotions, IsToldInJsonAndDrawnOnAPage) {
+TEST(CompareMotions, IsReportedInJsonAndDrawnOnAPage) {
   const synthetic::Played walker = SixStepWalker();
   synthetic::Played other = walker;
   for (std::size_t k = 400; k < other.log.samples.size(); ++k) other.log.samples[k].q[7 + 3] += 0.03;

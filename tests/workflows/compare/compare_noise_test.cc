@@ -18,7 +18,7 @@ constexpr int kFaulty = 3;  // right_x
 
 /// The log of a robot that follows its plan.
 struct Logger {
-  double rate_hz = 200.0, ahead_s = 0.0;
+  double rate_hz = 200.0, clock_offset_s = 0.0;
   double noise_m = 0.0;           ///< standard deviation of positions
   double fault_m = 0.0;           ///< error of one joint from kFault_s on
   double step_m = 0.0;            ///< positions are rounded to multiples of it
@@ -38,7 +38,7 @@ ComparedMotion RobotSide(const synthetic::Played& walker, const Logger& logger) 
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, logger.rate_hz);
   MotionTable table;
   for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-    table.time_s.push_back(rows.time_s[k] + logger.ahead_s);
+    table.time_s.push_back(rows.time_s[k] + logger.clock_offset_s);
     VectorX q = rows.q[k].tail(6), v = rows.v[k].tail(6);
     for (Eigen::Index d = 0; d < 6; ++d) {
       q[d] += logger.noise_m * normal(random);
@@ -59,7 +59,7 @@ bool NotesOfNoise(const MotionComparison& c, const std::string& part) {
 
 TEST(CompareNoise, OfARobotThatDoesAsPlannedIsNoDifference) {
   const synthetic::Played walker = NoisyWalker();
-  const Logger at_200{.rate_hz = 200.0, .ahead_s = 37.25, .noise_m = 5e-4};
+  const Logger at_200{.rate_hz = 200.0, .clock_offset_s = 37.25, .noise_m = 5e-4};
   Logger at_500 = at_200, rougher = at_200, with_speeds = at_200;
   at_500.rate_hz = 500.0;
   rougher.noise_m = 1e-3;
@@ -76,7 +76,7 @@ TEST(CompareNoise, OfARobotThatDoesAsPlannedIsNoDifference) {
 
 TEST(CompareNoise, StepsOfEncodersAreNoDifference) {
   const synthetic::Played walker = NoisyWalker();
-  const Logger logger{.ahead_s = 37.25, .step_m = 0.002};
+  const Logger logger{.clock_offset_s = 37.25, .step_m = 0.002};
   const ComparedMotion robot = RobotSide(walker, logger);
   EXPECT_NEAR(robot.ResolutionOf(kFaulty), 0.002, 1e-12);
   const MotionComparison c = CompareMotions(NoisyPlanSide(walker), robot);
@@ -104,9 +104,9 @@ TEST(Resolution, IsTheStepThatPositionsAreMultiplesOf) {
 TEST(CompareNoise, AFaultIsNamedBeforeWhatNoiseAndDerivativesMakeOfIt) {
   const synthetic::Played walker = NoisyWalker();
   for (const double rate_hz : {200.0, 500.0}) {
-    const MotionComparison c =
-        CompareMotions(NoisyPlanSide(walker),
-                       RobotSide(walker, {.rate_hz = rate_hz, .ahead_s = -3.0017, .noise_m = 5e-4, .fault_m = 0.1}));
+    const MotionComparison c = CompareMotions(
+        NoisyPlanSide(walker),
+        RobotSide(walker, {.rate_hz = rate_hz, .clock_offset_s = -3.0017, .noise_m = 5e-4, .fault_m = 0.1}));
     ASSERT_FALSE(c.same());
     const FirstDifference& first = c.in_order.front();
     EXPECT_EQ(first.quantity, "position of right_x") << FirstDifferenceText(c);
@@ -123,7 +123,7 @@ TEST(CompareNoise, AFaultIsNamedBeforeWhatNoiseAndDerivativesMakeOfIt) {
 TEST(CompareNoise, AJumpOfAPositionDoesNotMoveTheClock) {
   const synthetic::Played walker = NoisyWalker();
   for (const double rate_hz : {200.0, 500.0, 1000.0}) {
-    const Logger logger{.rate_hz = rate_hz, .ahead_s = 12.5, .fault_m = 0.4};
+    const Logger logger{.rate_hz = rate_hz, .clock_offset_s = 12.5, .fault_m = 0.4};
     const MotionComparison c = CompareMotions(NoisyPlanSide(walker), RobotSide(walker, logger));
     EXPECT_NEAR(c.offset_s, 12.5, 2e-3) << rate_hz;
   }

@@ -35,7 +35,7 @@ TEST(CompareReports, AReportIsTheSameAsItself) {
   EXPECT_EQ(c.score_a, c.score_b);
 }
 
-TEST(CompareReports, MetricsBeyondTheToleranceAndVerdictsAreTold) {
+TEST(CompareReports, MetricsBeyondTheToleranceAndVerdictsAreReported) {
   const synthetic::Played good = synthetic::Walked(2);
   synthetic::Played bad = good;
   synthetic::Sink(bad.log, 400, 0.1);
@@ -83,7 +83,7 @@ TEST(CompareReports, WhatIsNoReportIsRefused) {
   EXPECT_TRUE(synthetic::Says(nameless.failure().message, "a metric has no name"));
 }
 
-TEST(MotionFileKinds, AreToldByContentAlone) {
+TEST(MotionFileKinds, AreRecognisedByContentAlone) {
   EXPECT_EQ(KindOfText("{\"x\": {\"format\": \"no\"}, \"format\": \"gaitwright-motion-plan\", \"schema\": 99"),
             MotionFileKind::kPlan)
       << "what comes after is for its reader to judge";
@@ -96,7 +96,7 @@ TEST(MotionFileKinds, AreToldByContentAlone) {
   EXPECT_EQ(KindOfText("{\"n\": 20, \"survived\": 19, \"survival\": 0.95, \"metrics\": {}}"), MotionFileKind::kTrials);
 }
 
-TEST(MotionFileKinds, AJointTrajectoryIsToldInBothLanguages) {
+TEST(MotionFileKinds, AJointTrajectoryIsRecognisedInYamlAndJson) {
   for (const char* text : {"joint_names: [a]\npoints: []\n", "# a comment\nheader: {}\njoint_names:\n- a\n",
                            "trajectory:\n  joint_names: [a]\n", "{\"joint_names\": [\"a\"], \"poin",
                            "{\"trajectory\": {\"header\": null, \"joint_names\": []}}"})

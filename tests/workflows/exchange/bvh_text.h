@@ -110,7 +110,7 @@ inline BvhWriter SkeletonOf(const RobotModel& model, bool balls) {
   return writer;
 }
 
-/// The axes of files in which y is upward and z ahead, as is usual.
+/// The axes of files in which y is upward and z forward, as is usual.
 inline Matrix3 YUpward() {
   Matrix3 R_SB;
   R_SB << 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0;

@@ -96,7 +96,7 @@ TEST(ComparedMotion, AJointThatTheFileLacksIsNotDerivedAndIsNoted) {
   EXPECT_TRUE(synthetic::Says(motion.notes[0], "1 of 6")) << motion.notes[0];
 }
 
-TEST(ComparedMotion, ContactsChangeHalfWayBetweenRows) {
+TEST(ComparedMotion, ContactsChangeHalfwayBetweenRows) {
   MotionTable table = JointTable({0.0, 0.1, 0.2, 0.3, 0.4}, [](double, int) { return 0.0; });
   table.contact = {0b01, 0b11, 0b10, 0b10, 0b11};
   const ComparedMotion motion = ComparedBiped(table);

@@ -53,8 +53,8 @@ TEST(ContactPlan, BecomesFootsteps) {
     EXPECT_NEAR(std::abs(foothold.X_WF.translation().y()), 0.1, 1e-12);
     EXPECT_NEAR(foothold.touchdown_s, start ? times_s[0] : times_s[left ? 4 : 2], 1e-9);
     EXPECT_NEAR(foothold.liftoff_s, start ? times_s[left ? 3 : 1] : times_s[5], 1e-9);
-    const Vector3 ahead = foothold.X_WF.linear().col(0);
-    EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), start ? 0.0 : std::atan2(0.6, 0.8), 1e-3)
+    const Vector3 forward = foothold.X_WF.linear().col(0);
+    EXPECT_NEAR(std::atan2(forward.y(), forward.x()), start ? 0.0 : std::atan2(0.6, 0.8), 1e-3)
         << "rows of the rotation are the axes of the contact, and quaternions follow";
     const std::string& foot = model.feet[static_cast<std::size_t>(foothold.foot)].name;
     EXPECT_NE(foot.find(left ? "left" : "right"), std::string::npos) << foot;

@@ -43,7 +43,7 @@ std::string ReasonNoFrames(const RobotModel& model, const std::string& text) {
   return read.ok() ? "" : read.failure().message;
 }
 
-Matrix3 YUpwardXAhead() {
+Matrix3 YUpwardXForward() {
   Matrix3 R_SB;
   R_SB << 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0;
   return R_SB;
@@ -53,7 +53,7 @@ TEST(DeepMimic, TheNumberOfColumnsDecides) {
   const RobotModel& model = NamedRobot("nao");  // it has ball joints of two hinges and of three
   const std::vector<VectorX> motion = MovingRows(model, 15).q;
   for (const std::size_t least : {2U, 3U, 4U}) {
-    for (const Matrix3& R_SB : {Matrix3(Matrix3::Identity()), YUpwardXAhead()}) {
+    for (const Matrix3& R_SB : {Matrix3(Matrix3::Identity()), YUpwardXForward()}) {
       SCOPED_TRACE(fmt::format("{} {}", least, R_SB.isIdentity() ? "z" : "y"));
       const auto table = ParseDeepMimic(model, DeepMimicText(model, motion, least, R_SB), "a.json", {});
       ASSERT_TRUE(table.ok()) << table.failure().message;
@@ -69,7 +69,7 @@ TEST(DeepMimic, TheNumberOfColumnsDecides) {
   }
 }
 
-TEST(DeepMimic, IsToldFromMotionImitation) {
+TEST(DeepMimic, IsDistinguishedFromMotionImitation) {
   EXPECT_TRUE(HoldsDeepMimicFrames("{\"Loop\": \"wrap\", \"Frames\": [[]]}"));
   EXPECT_FALSE(HoldsDeepMimicFrames("{\"LoopMode\": \"Wrap\", \"FrameDuration\": 0.02, \"Frames\": [[]]}"));
   EXPECT_FALSE(HoldsDeepMimicFrames("[1]"));

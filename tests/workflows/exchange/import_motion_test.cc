@@ -266,7 +266,7 @@ TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
              {"accepted: .csv, .tsv, .txt, .npz, .mcap, .db3, .bvh, .yaml, .yml, .json"});
 }
 
-TEST(ImportRefusals, JointsTurnedTheOtherWayAreNamedFirst) {
+TEST(ImportRefusals, ReversedJointsAreNamedFirst) {
   OtherWalk walk;
   walk.joint_scale = -1.0;
   ExpectSays(ReasonImportMotionRefused(CsvOf(walk)),

@@ -144,7 +144,7 @@ TEST(ImportRows, VelocitiesThatAreNotThoseOfThePositionsAreWarnedOfWithUnitAndTi
   EXPECT_NE(said.find("by up to 3 rad/s, at 0 s; its largest speed is "), std::string::npos) << said;
 }
 
-TEST(ImportRefusals, FilesOfOursAreToldWhatToDoWithThem) {
+TEST(ImportRefusals, OwnFilesAreRefusedWithTheCommandForThem) {
   const auto why = [](const std::string& name, const std::string& text) {
     const Result<ImportedMotion> imported = ImportedRows(name, text);
     EXPECT_FALSE(imported.ok()) << name;

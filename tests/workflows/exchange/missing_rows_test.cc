@@ -24,7 +24,7 @@ TEST(MissingRows, RowsAtTheEndsOfAGapAreInNone) {
   EXPECT_FALSE(InGap({}, 0.3));
 }
 
-TEST(MissingRows, AreToldByTheLongestGap) {
+TEST(MissingRows, AreReportedByTheLongestGap) {
   EXPECT_EQ(MissingRowsText({0.0, 0.01, 0.02, 0.03}), "");
   EXPECT_EQ(MissingRowsText({0.0, 0.01, 0.02, 0.03, 1.03, 1.04}),
             "rows are missing: no row for 1 s after 0.03 s of the file; rows are usually 10 ms apart");

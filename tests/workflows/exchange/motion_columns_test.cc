@@ -292,7 +292,7 @@ TEST(Ocs2Columns, AreTakenAsTheyAre) {
   EXPECT_EQ(motion->unused_columns.size(), 6U);
 }
 
-TEST(Ocs2Columns, OneThatIsMisnamedIsTold) {
+TEST(Ocs2Columns, AMisnamedColumnIsReported) {
   for (const char* theirs : {"jointAngle_LF_HAA", "jointAngle_RH_KFE", "jointVelocity_LH_HFE"}) {
     CsvTable table = Ocs2Table();
     std::replace(table.columns.begin(), table.columns.end(), std::string(theirs), theirs + std::string("x"));

@@ -117,7 +117,7 @@ TEST(MotionRows, TheUsualRateIsAMultipleOfThePlansOwnFromTwoHundredUp) {
   EXPECT_EQ(rate_of(0.0), 200.0) << "a plan without rows";
 }
 
-TEST(MotionRows, BetweenRowsTheBaseTurnsByTheShortestWay) {
+TEST(MotionRows, BetweenRowsTheBaseTurnsInTheShortestDirection) {
   MotionRows rows;
   rows.time_s = {0.0, 1.0};
   VectorX q = VectorX::Zero(8);

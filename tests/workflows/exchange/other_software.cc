@@ -60,8 +60,8 @@ class Writer {
   int rows() const { return 1 + static_cast<int>(std::lround(end_s_ / walk_.step_s)); }
   double TimeOf(int row) const { return row * walk_.step_s; }
   double Base(double t) const {
-    const double way = walk_.speed_m_s * (end_s_ - 2.0 * walk_.stand_s);
-    return way * Ease((t - walk_.stand_s) / (end_s_ - 2.0 * walk_.stand_s));
+    const double distance = walk_.speed_m_s * (end_s_ - 2.0 * walk_.stand_s);
+    return distance * Ease((t - walk_.stand_s) / (end_s_ - 2.0 * walk_.stand_s));
   }
 
   LegRow Leg(std::size_t leg, double t) const {

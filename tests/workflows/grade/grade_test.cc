@@ -182,7 +182,7 @@ TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {
   EXPECT_NE(Grade(request).failure().message.find("'/usr/lib/rubric.yaml' is inside '/usr/lib'"), std::string::npos);
 }
 
-TEST_F(GradeClassTest, APythonThatIsNoneIsTold) {
+TEST_F(GradeClassTest, AnInvalidPythonIsReported) {
   if (!CanRunCode()) GTEST_SKIP() << ReasonNotConfined();
   HandIn("class/ada", "work.py", "");
   GradeRequest request = RequestFor(kCode);
@@ -219,13 +219,13 @@ TEST_F(GradeClassTest, WhereNothingConfinesCodeItIsRefusedUnlessAskedFor) {
     TakeLandlockAway();
     GradeRequest request = RequestFor(kCode);
     const Result<ClassMarks> refused = Grade(request);
-    const bool told = !refused && refused.failure().code == FailureCode::kUnconfinedOnly &&
-                      refused.failure().message.find("Landlock") != std::string::npos;
+    const bool reported = !refused && refused.failure().code == FailureCode::kUnconfinedOnly &&
+                          refused.failure().message.find("Landlock") != std::string::npos;
     request.unconfined = true;
     const Result<ClassMarks> marks = Grade(request);
     const bool graded = marks && !marks->confined && marks->students[0].points() == 4.0 &&
                         pages_[0].text.find("run unconfined") != std::string::npos;
-    std::_Exit(told && graded ? 0 : told ? 1 : 2);
+    std::_Exit(reported && graded ? 0 : reported ? 1 : 2);
   };
   EXPECT_EXIT(without(), testing::ExitedWithCode(0), "");
 }

@@ -42,7 +42,7 @@ TEST_F(MarkCodeOfMotions, APlannerIsWalkedOver) {
 }
 
 /// The goal is at 12 cm; points decrease linearly for errors from 2 to 10 cm.
-TEST_F(MarkCodeOfMotions, WhatGoesPartOfTheWayGetsItsShare) {
+TEST_F(MarkCodeOfMotions, PartialSolutionsGetTheirShare) {
   const std::string part =
       "{name: steps, kind: planner, file: work.py, points: 3, robot: nao, command: {goal_x_m: 0.12}, "
       "checks: [{measure: goal_error_m, points: 3, full_at: 0.02, none_at: 0.1}]}\n";
@@ -60,7 +60,7 @@ TEST_F(MarkCodeOfMotions, WhatGoesPartOfTheWayGetsItsShare) {
   }
 }
 
-TEST_F(MarkCodeOfMotions, StepsThatAreNoneAreToldSo) {
+TEST_F(MarkCodeOfMotions, InvalidStepsAreReported) {
   const auto gives = [&](const std::string& steps) {
     return MarkCode(kSteps, "def plan_steps(robot, terrain, goal):\n    return " + steps + "\n");
   };

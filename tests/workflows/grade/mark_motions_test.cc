@@ -57,7 +57,7 @@ TEST_F(MarkPlan, TheOneThatIsAskedForGetsAllPoints) {
   EXPECT_NE(mark.pages.front().html.find("<!DOCTYPE html>"), std::string::npos);
 }
 
-TEST_F(MarkPlan, OneThatBreaksLawsOrFallsLosesWhatThatIsWorth) {
+TEST_F(MarkPlan, APlanThatViolatesConstraintsOrFallsLosesTheirMarks) {
   MotionPlan late = GoodTrot();
   for (VectorX& tau : late.whole_body.tau) tau *= 1.3;  // columns that disagree
   const PartMark mark = MarkOfPlan(late);
@@ -70,9 +70,9 @@ TEST_F(MarkPlan, OneForAnotherRobotGroundOrCommandGetsNothing) {
   ExpectNothing(MarkOfPlan(Trot(0.1, 0.1, "nao")), {"for robot 'nao'", "needs 'a1'"});
   ExpectNothing(MarkOfPlan(Trot(0.2, 0.3)), {"another command: speed_m_s is 0.2, not 0.3"});
   ExpectNothing(MarkOfPlan(Trot(0.3, 0.2)), {"another command: distance_m is 0.2, not 0.3"});
-  MotionPlan ahead = GoodTrot();  // starts beyond the obstacles, if there were any
-  for (VectorX& q : ahead.whole_body.q) q[0] += 3.0;
-  ExpectNothing(MarkOfPlan(ahead), {"begins at x 3.00 m", "at the origin"});
+  MotionPlan moved = GoodTrot();  // starts beyond the obstacles, if there were any
+  for (VectorX& q : moved.whole_body.q) q[0] += 3.0;
+  ExpectNothing(MarkOfPlan(moved), {"begins at x 3.00 m", "at the origin"});
   MotionPlan elsewhere = GoodTrot();
   elsewhere.terrain = FlatTerrain(2.0);
   ExpectNothing(MarkOfPlan(elsewhere), {"for ground 'flat'", "but this part needs"});

@@ -40,7 +40,7 @@ TEST_F(MarkFunction, AHalfRightOneGetsItsShare) {
   EXPECT_EQ(mark.reasons[2], "case 5: the answer has an error of 1; at most 1e-06 is accepted");
 }
 
-TEST_F(MarkFunction, AnExceptionIsToldWithItsPlace) {
+TEST_F(MarkFunction, AnExceptionIsReportedWithItsPlace) {
   const PartMark mark = MarkCode(kZmp, "def pendulum_zmp(c, a, h):\n    return c.zmp()\n");
   ExpectNothing(mark, {"case 0: the submission says: AttributeError", "(work.py line 2)"});
   ExpectNothing(MarkCode(kZmp, "def pendulum_zmp(c, a, h)\n"), {"SyntaxError", "line 1"});
@@ -48,7 +48,7 @@ TEST_F(MarkFunction, AnExceptionIsToldWithItsPlace) {
   ExpectNothing(MarkCode(kZmp, "raise ValueError('in vain')\n"), {"ValueError: in vain"});
 }
 
-TEST_F(MarkFunction, AnswersThatAreNoneAreWrongAndToldSo) {
+TEST_F(MarkFunction, InvalidAnswersAreWrongAndReported) {
   const auto gives = [&](const std::string& what) {
     return MarkCode(kZmp, "def pendulum_zmp(c, a, h):\n    return " + what + "\n");
   };

@@ -33,16 +33,16 @@ TEST(PythonProgram, WhatIsNotAPythonIsRefused) {
 }
 
 TEST(PythonProgram, OneThatIsTooOldIsRefusedWithItsVersion) {
-  const std::string told =
+  const std::string output =
       "echo '{\"version\": [3, 8, 2], \"path\": \"/x\", \"readable\": [], \"package\": \"\", \"numpy\": false}' >&2";
-  ExpectNoPython(ShellProgram("old", told), "is Python 3.8.2; 3.9 or newer is needed");
+  ExpectNoPython(ShellProgram("old", output), "is Python 3.8.2; 3.9 or newer is needed");
 }
 
 TEST(PythonProgram, WhatItTellsOfItselfIsTaken) {
-  const std::string told =
+  const std::string output =
       "echo 'a warning' >&2; echo '{\"version\": [3, 12, 1], \"path\": \"/opt/py\", \"readable\": [\"/opt/lib\"], "
       "\"package\": \"\", \"numpy\": true}' >&2";
-  const Result<PythonProgram> found = LookOver(ShellProgram("new", told));
+  const Result<PythonProgram> found = LookOver(ShellProgram("new", output));
   ASSERT_TRUE(found.ok()) << found.failure().message;
   EXPECT_EQ(found->version, "3.12.1");
   EXPECT_EQ(found->path, "/opt/py");

@@ -42,7 +42,7 @@ TEST_P(LegQuestions, ALegIsAnsweredByTheProgramsOwn) {
   }
 }
 
-/// A joint beyond its limit gives an error of this excess, even if the foot pose is right.
+/// A joint beyond its limit gives an error as large as the violation, even if the foot pose is right.
 TEST_P(LegQuestions, AJointBeyondItsLimitIsAnError) {
   const RobotModel model = LoadNamedRobot(GetParam()).value();
   const LegChain chain(model, 0);

@@ -24,10 +24,10 @@ TEST(QuestionsOfSwings, ASwingIsMinimumJerkAndABump) {
   std::vector<double> right;
   for (int row = 0; row < 3; ++row) {
     for (int i = 0; i < 3; ++i) {
-      const double way = (in[1].Vec3() - in[0].Vec3())[i], up = i == 2 ? lift : 0.0;
-      right.push_back(row == 0   ? in[0].Vec3()[i] + way * s + up * b
-                      : row == 1 ? (way * s1 + up * b1) / T
-                                 : (way * s2 + up * b2) / (T * T));
+      const double distance = (in[1].Vec3() - in[0].Vec3())[i], up = i == 2 ? lift : 0.0;
+      right.push_back(row == 0   ? in[0].Vec3()[i] + distance * s + up * b
+                      : row == 1 ? (distance * s1 + up * b1) / T
+                                 : (distance * s2 + up * b2) / (T * T));
     }
   }
   EXPECT_LT(ErrorOf("swing", {6}, in, Answer({3, 3}, right)), 1e-9);

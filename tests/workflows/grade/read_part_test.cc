@@ -51,7 +51,7 @@ TEST(ReadPart, ANumberIsARangeOfNoWidth) {
   ExpectWords(RefusalOfYaml([] { RangeAt(YAML::Load("fast"), "'x'"); }), {"'x'", "fast"});
 }
 
-TEST(ReadPart, AMeasureIsOneOfItsKindAndKnowsWhichWayIsBetter) {
+TEST(ReadPart, AMeasureIsOneOfItsKindAndKnowsWhichDirectionIsBetter) {
   const YAML::Node node = YAML::Load("measure");
   const MeasureRule share = MeasureAt(node, "share_right", RubricPartKind::kFunction),
                     error = MeasureAt(node, "largest_error", RubricPartKind::kFunction);

@@ -52,7 +52,7 @@ class StudentPythonTest : public testing::Test {
   PythonProgram python_;
 };
 
-TEST_F(StudentPythonTest, AnExceptionOfItsFileIsTold) {
+TEST_F(StudentPythonTest, AnExceptionOfItsFileIsReported) {
   const Result<StudentPython> started = Started("raise ValueError('not today')\n");
   ASSERT_FALSE(started.ok());
   EXPECT_EQ(started.failure().code, FailureCode::kSubmission);

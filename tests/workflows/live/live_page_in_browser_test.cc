@@ -128,11 +128,11 @@ TEST_F(LivePageTest, AMouseThatDragsTheRobotMovesItAndItRecovers) {
       Ask("(() => { const p = L.stage.seenAt(L.stage.robot.bodyPosition(0)), box = "
           "L.stage.canvas.getBoundingClientRect(); return [box.left + p.x, box.top + p.y]; })()");
   const double x = at[0].get<double>(), y = at[1].get<double>();
-  const std::string aside_m = Ask("L.frame.q[1]").dump();
+  const std::string lateral_m = Ask("L.frame.q[1]").dump();
   for (const auto& [does, dx] :
        {std::pair(Mouse::kMove, 0.0), {Mouse::kPress, 0.0}, {Mouse::kDrag, 20.0}, {Mouse::kDrag, 40.0}})
     ASSERT_TRUE(browser_->Point(does, x + dx, y).ok());
-  Await("L.frame.pulls.length === 1 && L.frame.q[1] > 0.01 + " + aside_m);
+  Await("L.frame.pulls.length === 1 && L.frame.q[1] > 0.01 + " + lateral_m);
   ASSERT_TRUE(browser_->Point(Mouse::kRelease, x + 40.0, y).ok());
   Await("L.frame.pulls.length === 0");
   const double t = Ask("L.frame.t").get<double>();

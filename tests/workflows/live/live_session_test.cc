@@ -54,17 +54,17 @@ class Session : public testing::Test {
     const std::string mark = "no more than that";  // its refusal shows that all earlier messages are processed
     page_->Say(message.dump());
     page_->Say(Json({{"do", mark}}).dump());
-    Json refusal, told;
+    Json refusal, heard;
     for (int tries = 0; tries < 2000; ++tries) {
       session_.Turn(0.0);
       bool marked = false;
-      while ((told = Json::parse(page_->Hear().value_or("null"))).contains("refused")) {
-        if (told["refused"].get<std::string>().find(mark) != std::string::npos)
+      while ((heard = Json::parse(page_->Hear().value_or("null"))).contains("refused")) {
+        if (heard["refused"].get<std::string>().find(mark) != std::string::npos)
           marked = true;
         else
-          refusal = told;
+          refusal = heard;
       }
-      if (marked) return refusal.is_null() ? told : refusal;
+      if (marked) return refusal.is_null() ? heard : refusal;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return {};
@@ -100,9 +100,9 @@ TEST_F(Session, ResetsInAnotherEngine) {
     EXPECT_EQ(picture["mode"], "stands");
     EXPECT_LT(live_.time_s(), 1.0);
   }
-  const Json told = Say({{"do", "reset"}, {"engine", "both"}});
-  ASSERT_TRUE(told.contains("refused"));
-  EXPECT_NE(told["refused"].get<std::string>().find("both"), std::string::npos);
+  const Json answer = Say({{"do", "reset"}, {"engine", "both"}});
+  ASSERT_TRUE(answer.contains("refused"));
+  EXPECT_NE(answer["refused"].get<std::string>().find("both"), std::string::npos);
 }
 
 TEST_F(Session, GoesAsFastAsTheWallsClock) {

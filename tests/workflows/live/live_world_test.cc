@@ -222,9 +222,9 @@ TEST_F(Live, StandsAndWalksOnASlopeAndFrictionThatItDoesNotKnow) {
 }
 
 TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
-  const Vector3 aside(0.0, 0.01, 0.0);
-  for (const HandId hand : {HandId{1}, HandId{2}}) live_->hands().Pull(hand, 0, Vector3::Zero(), aside);
-  live_->hands().Pull(2, 0, Vector3::Zero(), -aside);
+  const Vector3 lateral(0.0, 0.01, 0.0);
+  for (const HandId hand : {HandId{1}, HandId{2}}) live_->hands().Pull(hand, 0, Vector3::Zero(), lateral);
+  live_->hands().Pull(2, 0, Vector3::Zero(), -lateral);
   Run(0.01);
   ASSERT_EQ(live_->hands().grips().size(), 2U);
   EXPECT_NEAR((live_->hands().grips()[0].force_W + live_->hands().grips()[1].force_W).y(), 0.0, 0.1);
@@ -232,8 +232,8 @@ TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
   live_->hands().LetGo(1);
   ASSERT_EQ(live_->hands().grips().size(), 1U);
   EXPECT_EQ(live_->hands().grips()[0].hand, 2U);
-  for (HandId hand = 3; hand < 2 + HandsOn::kMostGrips; ++hand) live_->hands().Pull(hand, 0, Vector3::Zero(), aside);
-  EXPECT_THROW(live_->hands().Pull(99, 0, Vector3::Zero(), aside), InvalidArgument);
+  for (HandId hand = 3; hand < 2 + HandsOn::kMostGrips; ++hand) live_->hands().Pull(hand, 0, Vector3::Zero(), lateral);
+  EXPECT_THROW(live_->hands().Pull(99, 0, Vector3::Zero(), lateral), InvalidArgument);
   const VectorX q = live_->world().q();
   live_->PutInPose(live_->world().q());
   EXPECT_LT((live_->world().q() - q).norm(), 1e-12);

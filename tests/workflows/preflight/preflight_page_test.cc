@@ -13,7 +13,7 @@ int TimesOnPage(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST(PreflightPaper, IsWellFormedLoadsNothingAndEscapesWhatItIsTold) {
+TEST(PreflightPaper, IsWellFormedLoadsNothingAndEscapesItsInput) {
   for (const bool trials : {false, true}) {
     const std::string page = PreflightPage(MakeUpPreflight(trials));
     EXPECT_EQ(XmlFault(page.substr(page.find("<html"))), "");

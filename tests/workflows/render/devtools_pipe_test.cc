@@ -41,7 +41,7 @@ TEST(DevtoolsPipe, AMessageInPiecesIsWaitedFor) {
   EXPECT_EQ(pipe->Receive(10.0).value()["a"], 3);
 }
 
-TEST(DevtoolsPipe, WhatIsNotJsonEndedOrSilentIsTold) {
+TEST(DevtoolsPipe, InvalidJsonAnEndAndSilenceAreReported) {
   Result<DevtoolsPipe> words = ShellThat("printf 'hello\\0' >&4; cat <&3 >/dev/null");
   ExpectBroken(words->Receive(10.0), "not JSON");
   Result<DevtoolsPipe> ended = ShellThat("exit 0");

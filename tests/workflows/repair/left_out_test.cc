@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRowsOfCase = 601;  // of 10 ms
 
-/// Stands for 2 s, moves ahead by 0.5 m and turns by 0.4 rad in the air until 4 s, and stands for 2 s.
+/// Stands for 2 s, moves forward by 0.5 m and turns by 0.4 rad in the air until 4 s, and stands for 2 s.
 EvenMotion Leap(const RobotModel& model) {
   EvenMotion motion = synthetic::Standing(model, kRowsOfCase);
   for (int k = 0; k < kRowsOfCase; ++k) {
@@ -108,7 +108,7 @@ TEST(LeftOut, JoinsPartsThatAreNear) {
   EXPECT_GT(parts[0].end_s, 3.4);
 }
 
-TEST(LeftOut, PartsThatAreTooMuchAreTold) {
+TEST(LeftOut, PartsThatAreTooLongAreReported) {
   const std::string text = LostText({{0.5, 1.5, Pose::Identity(), ""}, {2.0, 4.0, Pose::Identity(), ""}}, 5.0);
   for (const char* part : {"0.50 to 1.50 s", "2.00 to 4.00 s", "60 %"})
     EXPECT_NE(text.find(part), std::string::npos) << text;

@@ -54,17 +54,17 @@ TEST(PartFeet, StancesAtOtherTimesMayShareAPlace) {
 }
 
 /// Soles that stand half inside each other, turned against each other.
-TEST(PartFeet, SolesPartAlongTheShortestWay) {
+TEST(PartFeet, SolesPartInTheShortestDirection) {
   const RobotModel& model = NamedRobot("h1");
   Stances stances = {{PlaceAt(0.0, 0.01, {0, 50})}, {PlaceAt(0.0, -0.01, {0, 50})}};
   stances[0][0].X_WF.linear() = YawRotation(0.3);
   const Stances parted = Parted(model, stances);
-  const Vector3 way = parted[0][0].X_WF.translation() - stances[0][0].X_WF.translation();
-  EXPECT_GT(way.norm(), 0.005);
-  EXPECT_GT(std::abs(way.y()), 2.0 * std::abs(way.x())) << "soles are longer than they are wide";
-  EXPECT_EQ(way.z(), 0.0);
+  const Vector3 shift = parted[0][0].X_WF.translation() - stances[0][0].X_WF.translation();
+  EXPECT_GT(shift.norm(), 0.005);
+  EXPECT_GT(std::abs(shift.y()), 2.0 * std::abs(shift.x())) << "soles are longer than they are wide";
+  EXPECT_EQ(shift.z(), 0.0);
   EXPECT_TRUE(parted[0][0].X_WF.linear() == stances[0][0].X_WF.linear());
-  EXPECT_NEAR((parted[1][0].X_WF.translation() - stances[1][0].X_WF.translation() + way).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((parted[1][0].X_WF.translation() - stances[1][0].X_WF.translation() + shift).norm(), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ double DeepestOf(const RobotModel& model, const VectorX& q) {
 }
 
 /// The joint of the left arm, and its angle from the standing posture, that takes the arm deepest into the body.
-std::pair<int, double> WayIntoTheBody(const RobotModel& model) {
-  std::pair<int, double> way;
+std::pair<int, double> DeepestArmJoint(const RobotModel& model) {
+  std::pair<int, double> deepest;
   double deepest_m = 0.0;
   const UpperBody upper = FindUpperBody(model);
   for (const int dof : upper.left_arm->dofs) {
@@ -34,16 +34,16 @@ std::pair<int, double> WayIntoTheBody(const RobotModel& model) {
       q[7 + dof] = std::clamp(q[7 + dof] + angle, model.dof_lower(dof), model.dof_upper(dof));
       if (const double depth_m = DeepestOf(model, q); depth_m > deepest_m && depth_m < 0.05) {
         deepest_m = depth_m;
-        way = {dof, angle};
+        deepest = {dof, angle};
       }
     }
   }
-  return way;
+  return deepest;
 }
 
 TEST(PartLinks, TakesAnArmOutOfTheBodySmoothly) {
   const RobotModel& model = NamedRobot("g1");
-  const auto [dof, angle] = WayIntoTheBody(model);
+  const auto [dof, angle] = DeepestArmJoint(model);
   ASSERT_NE(angle, 0.0);
   EvenMotion motion = synthetic::Standing(model, kPartedRows);
   for (int k = 0; k < kPartedRows; ++k)

@@ -7,8 +7,8 @@
 namespace gaitwright {
 namespace {
 
-/// A base that moves ahead at 1 m/s for 4 s, with a foot in the air in the second half.
-EvenMotion Ahead(const RobotModel& model) {
+/// A base that moves forward at 1 m/s for 4 s, with a foot in the air in the second half.
+EvenMotion Forward(const RobotModel& model) {
   EvenMotion motion = synthetic::Standing(model, 401);
   for (int k = 0; k < motion.size(); ++k) {
     motion.q[static_cast<std::size_t>(k)][0] = 0.01 * k;
@@ -20,7 +20,7 @@ EvenMotion Ahead(const RobotModel& model) {
 
 TEST(SlowedMotion, TakesAPartForLonger) {
   const RobotModel& model = NamedRobot("a1");
-  const EvenMotion motion = Ahead(model);
+  const EvenMotion motion = Forward(model);
   const SlowedMotion slowed = WithSlowParts(motion, motion.contact, {{1.5, 2.5, 2.0, ""}});
   // One second at half the speed adds a second, and both changes of pace add the mean over 0.4 s.
   EXPECT_NEAR(slowed.motion.TimeOf(slowed.motion.size() - 1), 4.0 + 1.0 + 0.4, 0.02);
@@ -39,7 +39,7 @@ TEST(SlowedMotion, TakesAPartForLonger) {
 }
 
 TEST(SlowedMotion, WithoutPartsIsTheSame) {
-  const EvenMotion motion = Ahead(NamedRobot("a1"));
+  const EvenMotion motion = Forward(NamedRobot("a1"));
   const SlowedMotion same = WithSlowParts(motion, motion.contact, {});
   ASSERT_EQ(same.motion.size(), motion.size());
   EXPECT_NEAR(same.motion.q[123][0], motion.q[123][0], 1e-9);

@@ -73,7 +73,7 @@ TEST(CentroidalProblems, SchedulesAreStretchedToTheDuration) {
   }
 }
 
-TEST(CentroidalProblems, TheGoalIsAheadAtTheSameHeightOverTheGround) {
+TEST(CentroidalProblems, TheGoalIsForwardAtTheSameHeightAboveTheGround) {
   const CentroidalProblemSet set = BuiltInSet();
   const CentroidalRobot& robot = set.robots.front().second;
   for (const Terrain& ground : set.grounds) {

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// A synthetic sweep over speeds and cycle times: slow points pass, and faster points fail in every possible way.
+/// A synthetic sweep over speeds and cycle times: slow points pass, and faster points fail with every status.
 struct MadeUpSweep {
   Study study;
   std::vector<PointOutcome> outcomes;

@@ -103,9 +103,9 @@ TEST(RigidBodyPlan, WhatIsBrokenOnPurposeIsNamed) {
   const Result<MotionPlan> plan = RigidBodyMotionPlan(*robot, solved.ground, problem, solved.plan.plan.motion);
   ASSERT_TRUE(plan.ok()) << plan.failure().message;
   ASSERT_TRUE(Audit(*robot, *plan, {})->pass());
-  const auto broken = [&](const std::function<void(MotionPlan&)>& breaks) {
+  const auto broken = [&](const std::function<void(MotionPlan&)>& change) {
     MotionPlan other = *plan;
-    breaks(other);
+    change(other);
     return *Audit(*robot, other, {});
   };
   EXPECT_TRUE(Names(broken([](MotionPlan& p) {

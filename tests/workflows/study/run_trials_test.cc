@@ -124,7 +124,7 @@ TEST_F(RunTrialsTest, ABrokenOutcomeInTheJournalIsRefused) {
   expect_broken("\"number\":", "\"number\":1");
 }
 
-TEST_F(RunTrialsTest, StopsEarlyWhereTheIntervalIsNarrowWhoeverIsQuick) {
+TEST_F(RunTrialsTest, StopsEarlyWhereTheIntervalIsNarrowWhicheverThreadIsFast) {
   disturbances_.pushes.clear();  // nobody falls
   TrialOptions options = Some(40, 1);
   options.until_width = 0.5;

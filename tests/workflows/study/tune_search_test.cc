@@ -206,12 +206,12 @@ TEST(TuneSearch, WhenStoppedItTriesNothingMore) {
     TuneOptions options{.evaluations = 60};
     options.method = method;
     JobJournal none;
-    int asked = 0, told = 0;  // `told`: number of calls after the stop
-    const auto stop = [&] { return ++asked > 30 && ++told > 0; };
+    int asked = 0, stopped = 0;  // `stopped`: number of calls after the stop
+    const auto stop = [&] { return ++asked > 30 && ++stopped > 0; };
     const Result<TuneResult> cut = SearchTuning(problem, options, 1, none, {1, {}, stop});
     ASSERT_FALSE(cut);
     EXPECT_EQ(cut.failure().code, FailureCode::kInterrupted);
-    EXPECT_EQ(told, 1) << method << ": it asks no more once it was told";
+    EXPECT_EQ(stopped, 1) << method << ": it asks no more once it was told";
   }
 }
 
@@ -266,8 +266,8 @@ TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
     EXPECT_EQ(text.find(" 0.00 "), std::string::npos) << text;
   study.model.name = "heron";
   study.walk.command.speed_m_s = 0.25;
-  for (const char* told : {"the present values have no plan that passes its audit", "heron", "speed=0.25"})
-    EXPECT_NE(TunedOptions(study, result).find(told), std::string::npos) << told;
+  for (const char* text : {"the present values have no plan that passes its audit", "heron", "speed=0.25"})
+    EXPECT_NE(TunedOptions(study, result).find(text), std::string::npos) << text;
 }
 
 TEST(TuneSearch, WhatCannotBeSearchedIsRefused) {

@@ -79,9 +79,9 @@ TEST_P(BrokenInput, AFootholdMovedBeforeTheZmpIsPlannedIsAnotherSoundWalk) {
 TEST_P(BrokenInput, AZmpShiftedOutTipsTheRobot) {
   MotionPlan shifted = bench().plan;
   const int phase = MiddleSwingPhase(shifted);
-  const Vector3 aside = TowardsTheSwingingFeet(shifted, shifted.schedule.phases[static_cast<std::size_t>(phase)],
-                                               static_cast<int>(model().feet.size()));
-  ShiftZmp({0.0, std::copysign(0.05, aside.y())}, phase, phase, shifted);
+  const Vector3 lateral = TowardsTheSwingingFeet(shifted, shifted.schedule.phases[static_cast<std::size_t>(phase)],
+                                                 static_cast<int>(model().feet.size()));
+  ShiftZmp({0.0, std::copysign(0.05, lateral.y())}, phase, phase, shifted);
   shifted = WithWholeBodyAnew(model(), shifted);
   EXPECT_EQ(BrokenLaws(model(), shifted), (Laws{Law::kZmpSupport, Law::kDynamics})) << "no contact forces can do it";
   const StabilityReport report = Played(model(), shifted).report;

@@ -160,9 +160,9 @@ class Footholds {
     checker_.Near(foot, at, radius_m, places);
     for (const double share : {0.25, 0.5, 1.0}) {
       for (int k = 0; k < 8; ++k) {
-        const double way = 0.25 * std::numbers::pi * k;
-        places.push_back(
-            {at.x_m + share * radius_m * std::cos(way), at.y_m + share * radius_m * std::sin(way), at.yaw_rad});
+        const double direction = 0.25 * std::numbers::pi * k;
+        places.push_back({at.x_m + share * radius_m * std::cos(direction),
+                          at.y_m + share * radius_m * std::sin(direction), at.yaw_rad});
       }
     }
     const auto far = [&](const PlanarPose& p) { return std::hypot(p.x_m - at.x_m, p.y_m - at.y_m); };
@@ -274,9 +274,9 @@ class Search {
     const auto foot = static_cast<std::size_t>(group[member]);
     const Vector3 here = footholds_[from.feet[foot]].placed.X_WF.translation();
     for (const int number : footholds_.Near(group[member], to.place, radius_m_)) {
-      const Vector3 way = footholds_[number].placed.X_WF.translation() - here;
-      const bool too_long = way.head<2>().norm() > options_.search.step_length * model_.leg_length_m();
-      const bool too_high = std::abs(way.z()) > options_.search.step_height * model_.leg_length_m();
+      const Vector3 step = footholds_[number].placed.X_WF.translation() - here;
+      const bool too_long = step.head<2>().norm() > options_.search.step_length * model_.leg_length_m();
+      const bool too_high = std::abs(step.z()) > options_.search.step_height * model_.leg_length_m();
       if (too_long || too_high) continue;
       to.feet[foot] = number;
       Step(from, member + 1, to);

@@ -23,7 +23,7 @@ struct Walk {
   WalkCommand command;
 };
 
-WalkCommand Ahead(double speed_m_s, double distance_m) {
+WalkCommand Forward(double speed_m_s, double distance_m) {
   WalkCommand command;
   command.speed_m_s = speed_m_s;
   command.distance_m = distance_m;
@@ -152,14 +152,14 @@ class Demonstration : public testing::TestWithParam<bool> {
 
 TEST_P(Demonstration, QuadrupedTrots) {
   for (const auto& [speed, distance] : {std::pair{0.3, 3.0}, std::pair{0.8, 5.0}}) {
-    const StabilityReport report = Show({"a1_trot", "a1", "trot", "stabilised", Ahead(speed, distance)});
+    const StabilityReport report = Show({"a1_trot", "a1", "trot", "stabilised", Forward(speed, distance)});
     EXPECT_LE(Value(report, "goal_error_m"), 0.02 * distance);
     EXPECT_LE(Value(report, "zmp_error_mean_m"), 0.010);
   }
 }
 
 TEST_P(Demonstration, QuadrupedCrawls) {
-  const StabilityReport report = Show({"a1_crawl", "a1", "walk", "stabilised", Ahead(0.1, 1.0)});
+  const StabilityReport report = Show({"a1_crawl", "a1", "walk", "stabilised", Forward(0.1, 1.0)});
   EXPECT_NEAR(Value(report, "zmp_margin_p05_m"), PlannedValue(report, "zmp_margin_p05_m"), 0.005);
 }
 
@@ -180,7 +180,7 @@ TEST_P(Demonstration, BipedWalksByReplayAlone) {
 }
 
 TEST_P(Demonstration, QuadrupedIsPushed) {
-  EXPECT_GE(PushAround({"a1_trot", "a1", "trot", "stabilised", Ahead(0.3, 3.0)}, 80.0, 5.0, 0.5), 30);
+  EXPECT_GE(PushAround({"a1_trot", "a1", "trot", "stabilised", Forward(0.3, 3.0)}, 80.0, 5.0, 0.5), 30);
 }
 
 TEST_P(Demonstration, BipedIsPushed) {
@@ -188,7 +188,7 @@ TEST_P(Demonstration, BipedIsPushed) {
 }
 
 TEST_P(Demonstration, UnannouncedGround) {
-  const Walk trot{"a1_trot", "a1", "trot", "stabilised", Ahead(0.3, 3.0)};
+  const Walk trot{"a1_trot", "a1", "trot", "stabilised", Forward(0.3, 3.0)};
   const Walk walk{"nao_walk", "nao", "", "stabilised", Steps(10, 0.04)};
   PlayRequest bumps;
   bumps.play.world.ground_bumps_m = 0.01;
@@ -220,7 +220,7 @@ TEST(FootRadius, DistanceHolds) {
       urdf.replace(at, was.size(), fmt::format("<sphere radius=\"{}\"/>", radius_m));
     const RobotModel model = *LoadRobotFromText(urdf, a1.yaml_text, "a1");
     EXPECT_NEAR(model.feet.front().radius, radius_m, 1e-12);
-    const PlannedWalk planned = Planned(model, {"a1_trot", "a1", "trot", "stabilised", Ahead(0.3, 3.0)});
+    const PlannedWalk planned = Planned(model, {"a1_trot", "a1", "trot", "stabilised", Forward(0.3, 3.0)});
     EXPECT_TRUE(planned.audit.pass()) << AuditText(planned.audit);
     for (const std::string controller : {"stabilised", "joint-pd"}) {
       PlayRequest request;

@@ -24,7 +24,7 @@ TEST(DynamicWalksLong, BoundsOverAGapOf30Centimetres) {
   ExpectToFly(request);
 }
 
-TEST(DynamicWalksLong, ABipedHopsAheadAndRuns) {
+TEST(DynamicWalksLong, ABipedHopsForwardAndRuns) {
   const RobotModel runner = *LoadRobotFromText(unusual::Runner(), "");
   for (const DynamicWalk& walk :
        {DynamicWalk{"hop", 0.3, 2.0}, DynamicWalk{"run", 0.5, 3.0}, DynamicWalk{"run", 1.0, 5.0}}) {

@@ -28,7 +28,7 @@ struct RandomGround {
 ///            of 0.08 to 0.4 leg lengths between them, moved by up to half of a gap and up or down by up to 0.1
 ///   rough    bumps from 0.5 to 1.5 times as high as they are by default, 3 leg lengths long
 ///   walls    2 to 5 walls as high as the body at any headings on level ground, between the start and a goal beside the
-///            way and turned by multiples of 45 degrees; every sixth seed walls the goal in. Written to a file in
+///            path and turned by multiples of 45 degrees; every sixth seed walls the goal in. Written to a file in
 ///            `folder`.
 RandomGround MakeRandomGround(RandomGroundKind kind, std::uint64_t seed, const TerrainScale& scale,
                               const std::string& folder);

@@ -14,7 +14,7 @@ namespace gaitwright {
 namespace {
 
 /// For straight walks on level ground only: the base neither turns nor tilts.
-BodyPath StraightAhead(const RobotModel& maker, const MotionPlan& plan) {
+BodyPath StraightForward(const RobotModel& maker, const MotionPlan& plan) {
   constexpr double kEven = 0.1;  // [s] time over which the tilt is averaged; it is zero here
   FootstepSkeleton skeleton;
   skeleton.path.time_s = {plan.schedule.start_s(), plan.schedule.end_s()};
@@ -39,7 +39,7 @@ void PutSwingsOnFootholds(MotionPlan& plan) {
 
 WholeBodySolution SolveAnew(const RobotModel& maker, MotionPlan& plan) {
   constexpr int kPasses = 6;  // until the rolling of spheres has converged
-  const BodyPath body = StraightAhead(maker, plan);
+  const BodyPath body = StraightForward(maker, plan);
   std::vector<Foothold>& footholds = plan.footsteps.footholds;
   std::vector<Vector3> expected_roll(footholds.size(), Vector3::Zero());
   WholeBodySolution solution;

@@ -91,10 +91,10 @@ TEST(UnusualRobots, LegsOfTwoJointsWalkStraightAndDoNotTurn) {
   ASSERT_TRUE(played.ok());
   EXPECT_TRUE(played->report.pass) << played->report.reason;
   for (const auto& [lateral_m_s, yaw_rad_s] : {std::pair(0.1, 0.0), {0.0, 0.2}}) {
-    WalkRequest aside = request;
-    aside.command.lateral_speed_m_s = lateral_m_s;
-    aside.command.yaw_rate_rad_s = yaw_rad_s;
-    const Result<PlannedWalk> refused = PlanWalk(model, aside);
+    WalkRequest lateral = request;
+    lateral.command.lateral_speed_m_s = lateral_m_s;
+    lateral.command.yaw_rate_rad_s = yaw_rad_s;
+    const Result<PlannedWalk> refused = PlanWalk(model, lateral);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.failure().code, FailureCode::kFreedoms) << refused.failure().message;
   }
@@ -132,7 +132,7 @@ TEST(UnusualRobots, ABipedOnPointsStepsForTenSecondsAndDoesNotStand) {
   EXPECT_EQ(refused.failure().code, FailureCode::kNoSupport);
 }
 
-TEST(UnusualRobots, WhatCannotWalkIsToldWhy) {
+TEST(UnusualRobots, ARobotThatCannotWalkIsRefusedWithTheReason) {
   const std::vector<std::pair<std::string, std::string>> refused = {
       {unusual::Pantograph(), "leg 'a_foot' cannot walk"}};
   for (const auto& [urdf, why] : refused) {

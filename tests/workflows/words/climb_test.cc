@@ -63,12 +63,12 @@ TEST(ClimbWordsOfStairs, ClimbingTheStairsGoesToTheirEnd) {
   EXPECT_EQ(TextOf(kClimbText, draft.said.at("to")), "stairs");
 }
 
-TEST(ClimbWordsOfStairs, DownIsTheOtherWay) {
+TEST(ClimbWordsOfStairs, DownIsTheOppositeDirection) {
   ClimbWords words;
   words.TakeVerb(ClimbVerb(kDownStairs));
   words.TakeTreads();
   EXPECT_EQ(Settled(words).stairs, -1);
-  words.TakeWay(1, ClimbItem(M::kUp, 0.0, "the"));
+  words.TakeDirection(1, ClimbItem(M::kUp, 0.0, "the"));
   EXPECT_EQ(Settled(words).stairs, -1) << "the verb has said it";
 }
 
@@ -97,7 +97,7 @@ TEST(ClimbWordsOfStairs, StairsAreNotGoneByMetres) {
   EXPECT_EQ(refusal.part, "two metres");
 }
 
-TEST(ClimbWordsOfStairs, StairsWithoutAWayAreRefused) {
+TEST(ClimbWordsOfStairs, StairsWithoutADirectionAreRefused) {
   ClimbWords words;
   words.TakeStairs(kClimbText, StairsClause({ClimbItem(M::kStairs, 0.0, "stairs")}), 0);
   EXPECT_EQ(ClimbRefusal([&] { Settled(words, "walk"); }).part, "stairs");

@@ -54,7 +54,7 @@ TEST(Drafts, AParameterThatIsOnlyMeantIsSaidByAllOfTheWords) {
   EXPECT_EQ(TextOf(kDraftText, SpanOf(draft, "pace")), kDraftText);
 }
 
-TEST(Drafts, ASideIsTheDirectionOfAWayAndTheLimbOfAGesture) {
+TEST(Drafts, ASideIsTheDirectionOfAWalkAndTheLimbOfAGesture) {
   Draft walk = DraftOf("walk");
   SaySide("left", "left", walk);
   SettleSide(kDraftText, walk);
@@ -86,7 +86,7 @@ TEST(Drafts, LimbsInThePluralAreBothUnlessASideIsSaid) {
   EXPECT_FALSE(one.plural);
 }
 
-TEST(Drafts, TwoWaysAtOnceAreAmbiguousExceptForATurn) {
+TEST(Drafts, TwoDirectionsAtOnceAreAmbiguousExceptForATurn) {
   Draft walk = DraftOf("walk");
   Say("direction", std::string("forward"), "forward", walk);
   SaySide("left", "left", walk);

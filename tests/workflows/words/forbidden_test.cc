@@ -59,7 +59,7 @@ TEST(ForbiddenTasks, TheLastOfSeveralIsTakenBackAndGesturesToo) {
   EXPECT_TRUE(drafts[1].during.empty()) << "the gesture beside the walk came last";
 }
 
-TEST(ForbiddenTasks, AnotherWayOfWhatIsAskedForIsOnlyNoted) {
+TEST(ForbiddenTasks, AnotherFormOfTheRequestIsOnlyNoted) {
   const std::vector<Draft> left = {AskedFor("turn", "direction", std::string("left"))},
                            right = {AskedFor("turn", "direction", std::string("right"))};
   EXPECT_TRUE(IsAccepted("don't turn right", left));

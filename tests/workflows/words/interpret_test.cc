@@ -92,10 +92,10 @@ TEST(Interpret, WhereNobodyUnderstandsItIsRefusedWithBothReasons) {
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.failure().code, FailureCode::kUnknown);
   EXPECT_NE(made.failure().message.find("'juggle three balls'"), std::string::npos);
-  bool told = false;
+  bool named = false;
   for (const Suggestion& suggestion : made.failure().suggestions)
-    told = told || suggestion.text.find("the plan contains no task") != std::string::npos;
-  EXPECT_TRUE(told);
+    named = named || suggestion.text.find("the plan contains no task") != std::string::npos;
+  EXPECT_TRUE(named);
 }
 
 TEST(Interpret, OnlyHttpIsSpoken) {

@@ -144,7 +144,7 @@ TEST(JumpWords, OtherActionsKeepTheirWords) {
   EXPECT_EQ(JumpsIn("turn around"), "turn left, 180 degrees");
 }
 
-TEST(JumpWords, ARobotWithoutAFlipIsToldSo) {
+TEST(JumpWords, ARobotWithoutAFlipIsRefused) {
   EXPECT_EQ(JumpsIn("do a backflip", "nao"), "refused: cannot");
   EXPECT_EQ(JumpsIn("jump", "nao"), "jump") << "whether motors allow it is found by planning";
 }

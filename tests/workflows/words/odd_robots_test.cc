@@ -71,7 +71,7 @@ TEST(OddRobots, TheHexapodTurnsAndCrouches) {
 TEST(OddRobots, TheHexapodBraces) { DoneInWords(Odd("hexapod"), "brace yourself", FlatTerrain()); }
 
 /// With knees that point at each other and feet directly under the hips, the body cannot reach the ground.
-TEST(OddRobots, WhatCannotLieIsToldWhyAndGetsUpFromACrouch) {
+TEST(OddRobots, ARobotThatCannotLieIsRefusedWithTheReasonAndGetsUpFromACrouch) {
   for (const auto& [name, why] :
        {std::pair("goat", "'TORSO' and 'Q3c' would collide"), std::pair("hexapod", "too close below")}) {
     const Result<PlannedTasks> lying = PlannedInWords(Odd(name), "lie down", FlatTerrain());

@@ -11,15 +11,15 @@ namespace {
 
 std::variant<TaskPlan, words::Refusal> ReportedPlaces(const std::string& text) {
   TaskScope scope = ScopeOf(LoadNamedRobot("a1").value());
-  scope.places = PlacesOf(told_tasks::WithMarkers());
+  scope.places = PlacesOf(tasks_in_words::WithMarkers());
   return words::Understand(text, scope);
 }
 
 TEST(PlaceRelation, ToAPlaceIsUnderstood) {
   for (const char* text : {"walk to the door", "jump to the red marker", "走到门", "走到门那里"}) {
-    const auto told = ReportedPlaces(text);
-    ASSERT_TRUE(std::holds_alternative<TaskPlan>(told)) << text;
-    EXPECT_TRUE(std::get<TaskPlan>(told).tasks.front().Has("to")) << text;
+    const auto result = ReportedPlaces(text);
+    ASSERT_TRUE(std::holds_alternative<TaskPlan>(result)) << text;
+    EXPECT_TRUE(std::get<TaskPlan>(result).tasks.front().Has("to")) << text;
   }
 }
 
@@ -27,9 +27,9 @@ TEST(PlaceRelation, OtherRelationsAreRefusedWithTheirWords) {
   for (const auto& [text, part] :
        {std::pair("walk from the door", "from the door"), std::pair("walk through the door", "through the door"),
         std::pair("走到门后面", "门后面"), std::pair("jump off the red marker", "off the red marker")}) {
-    const auto told = ReportedPlaces(text);
-    ASSERT_TRUE(std::holds_alternative<words::Refusal>(told)) << text;
-    const words::Refusal& refusal = std::get<words::Refusal>(told);
+    const auto result = ReportedPlaces(text);
+    ASSERT_TRUE(std::holds_alternative<words::Refusal>(result)) << text;
+    const words::Refusal& refusal = std::get<words::Refusal>(result);
     EXPECT_EQ(refusal.code, FailureCode::kUnknown) << text;
     EXPECT_NE(refusal.part.find(part), std::string::npos) << text << ": " << refusal.part;
   }

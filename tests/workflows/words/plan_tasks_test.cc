@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-using told_tasks::Do, told_tasks::ExpectSameTasks, told_tasks::Planned, told_tasks::WithMarkers;
+using tasks_in_words::Do, tasks_in_words::ExpectSameTasks, tasks_in_words::Planned, tasks_in_words::WithMarkers;
 
 TEST(Biped, NaoDoesFiveThingsInBothLanguages) {
   const std::string english =

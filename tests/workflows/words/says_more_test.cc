@@ -69,7 +69,7 @@ TEST(SaysMore, ThenBeginsATaskOfItsOwn) {
   EXPECT_FALSE(SaysMoreOf(SaidDraft("sit"), SaidDraft("sit", 6).Say("duration_s", 20.0), clause));
 }
 
-TEST(SaysMore, AWalkOfTheSameWayIsTheSameWalk) {
+TEST(SaysMore, AWalkInTheSameDirectionIsTheSameWalk) {
   Draft last;
   EXPECT_TRUE(SaysMoreOf(SaidDraft("walk"), SaidDraft("walk", 6).Say("direction", std::string("forward")), last));
   EXPECT_TRUE(SaysMoreOf(SaidDraft("walk").Say("direction", std::string("forward")),
@@ -121,7 +121,7 @@ TEST(SaysMore, HowToWalkIsPaceHeightSpeedGaitAndTime) {
   EXPECT_FALSE(SaysOnlyHow(sided));
 }
 
-TEST(SaysMore, ATurnThatSaysTheWayAloneTurnsTheLastOneRound) {
+TEST(SaysMore, ATurnWithOnlyADirectionReversesTheLastOne) {
   const Draft right = SaidDraft("turn", 6).Say("direction", std::string("right")).draft();
   const Draft sixty = SaidDraft("turn").Say("direction", std::string("left")).Say("angle_deg", 60.0).draft();
   EXPECT_TRUE(OnlyTurnsRound(right, {sixty}));

@@ -107,7 +107,7 @@ TEST(SettleStairs, APlaceThatIsSaidIsUpOrDownFromThere) {
 }
 
 /// After a walk to another place, the robot's step is unknown.
-TEST(SettleStairs, FromElsewhereOnlyTheWholeWayUpIsKnown) {
+TEST(SettleStairs, FromElsewhereOnlyTheWholeClimbIsKnown) {
   Draft away;
   away.action = "walk";
   away.parameters["distance_m"] = 1.0;

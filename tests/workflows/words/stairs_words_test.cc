@@ -68,7 +68,7 @@ TEST(StairsWords, TheNextStepIsOneWhereAPlaceIsToFollow) {
   EXPECT_EQ(WordIn("下一级", {ItemWith(M::kTo)}).second, 3U);
 }
 
-TEST(StairsWords, UpBeforeANumberOfStepsIsAVerbOrAWay) {
+TEST(StairsWords, UpBeforeANumberOfStepsIsAVerbOrADirection) {
   const auto [up, count] = WordIn("上两级");
   EXPECT_EQ(count, 1U) << "the number is read by itself";
   EXPECT_TRUE(up.Is(M::kAction));

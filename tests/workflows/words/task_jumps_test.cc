@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-using told_tasks::Planned;
+using tasks_in_words::Planned;
 
 RobotModel Jumper() { return LoadNamedRobot("a1").value(); }
 
@@ -70,7 +70,7 @@ TEST(Jumps, AreFollowedByAnyTask) {
   }
 }
 
-TEST(Jumps, GoWhereTheyAreTold) {
+TEST(Jumps, GoToTheRequestedPlace) {
   struct Case {
     const char* text;
     PlanarPose end;
@@ -119,7 +119,7 @@ TEST(Jumps, ThereIsNothingLowerOnFlatGround) {
 }
 
 TEST(Jumps, GoToAMarker) {
-  const Done done = DoneInWords(Jumper(), "jump to the red marker", told_tasks::WithMarkers());
+  const Done done = DoneInWords(Jumper(), "jump to the red marker", tasks_in_words::WithMarkers());
   const VectorX& q = done.played.log.samples.back().q;
   EXPECT_LT((Vector2(q[0], q[1]) - Vector2(0.5, 0.0)).norm(), 0.05);
 }
@@ -151,8 +151,8 @@ TEST(Jumps, WhatMotorsDoNotAllowIsRefusedByTheirLimit) {
   const Result<PlannedTasks> planned = Planned("nao", "nod, then jump", FlatTerrain());
   ASSERT_FALSE(planned.ok());
   EXPECT_EQ(planned.failure().code, FailureCode::kLegsTooSlow);
-  for (const char* told : {"task 2, 'jump'", "lift-off speed", "KneePitch"})
-    EXPECT_NE(planned.failure().message.find(told), std::string::npos) << planned.failure().message;
+  for (const char* text : {"task 2, 'jump'", "lift-off speed", "KneePitch"})
+    EXPECT_NE(planned.failure().message.find(text), std::string::npos) << planned.failure().message;
   for (const Suggestion& said : planned.failure().suggestions)
     EXPECT_EQ(said.text.find("--set gait."), std::string::npos);
 }
@@ -169,10 +169,10 @@ TEST(TaskJumps, AJumpIsAskedOfTheGaitForLeaps) {
   EXPECT_EQ(in_place.command.extent, WalkCommand::Extent::kSteps);
   EXPECT_EQ(in_place.command.steps, 4);
   EXPECT_TRUE(in_place.motion.pipeline.end_as_standing);
-  const WalkRequest aside = tasks::JumpRequestOf(Jumper(), {Vector2(0.0, 0.2), 0.5}, {});
-  EXPECT_EQ(aside.command.extent, WalkCommand::Extent::kGoal);
-  EXPECT_EQ(aside.command.goal_y_m, 0.2);
-  EXPECT_EQ(aside.command.goal_yaw_rad, 0.5);
+  const WalkRequest lateral = tasks::JumpRequestOf(Jumper(), {Vector2(0.0, 0.2), 0.5}, {});
+  EXPECT_EQ(lateral.command.extent, WalkCommand::Extent::kGoal);
+  EXPECT_EQ(lateral.command.goal_y_m, 0.2);
+  EXPECT_EQ(lateral.command.goal_yaw_rad, 0.5);
 }
 
 }  // namespace

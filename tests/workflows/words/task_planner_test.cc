@@ -8,7 +8,7 @@
 namespace gaitwright {
 namespace {
 
-using told_tasks::Do, told_tasks::Planned;
+using tasks_in_words::Do, tasks_in_words::Planned;
 
 class Quadruped : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Robots, Quadruped, testing::Values("a1", "go1", "laikago", "mini_cheetah"),
@@ -57,7 +57,7 @@ TEST_P(WithArms, GesturesSquatsAndBows) {
   Do(GetParam(), "raise both arms, lower them, wave, squat while waving with your left hand, bow, and brace yourself");
 }
 
-TEST(Tasks, WhatIsTooMuchIsToldWithTheMostThatIsNot) {
+TEST(Tasks, TooLargeValuesAreRefusedWithTheLargestAcceptedOne) {
   const Result<PlannedTasks> deep = Planned("nao", "squat 30 cm", FlatTerrain());
   ASSERT_FALSE(deep.ok());
   EXPECT_EQ(deep.failure().kind, FailureKind::kInfeasible);
@@ -68,7 +68,7 @@ TEST(Tasks, WhatIsTooMuchIsToldWithTheMostThatIsNot) {
 }
 
 /// The largest bow that the suggestion names can be planned.
-TEST(Tasks, ABowTooDeepIsToldTheRange) {
+TEST(Tasks, ABowTooDeepIsRefusedWithTheRange) {
   const Result<PlannedTasks> deep = Planned("a1", "bow 60 degrees", FlatTerrain());
   ASSERT_FALSE(deep.ok());
   ASSERT_EQ(deep.failure().suggestions.size(), 1U);
@@ -79,14 +79,14 @@ TEST(Tasks, ABowTooDeepIsToldTheRange) {
 }
 
 /// Raising an arm on one foot makes the body lean farther than the ankle can turn.
-TEST(PlanTasks, AMotionThatBreaksALawOfTheAuditIsRefusedByTheTaskThatDoesIt) {
+TEST(PlanTasks, AMotionThatFailsAnAuditCheckIsRefusedWithItsTask) {
   const Result<PlannedTasks> planned =
       Planned("nao", "squat, then balance on the left foot for 3 seconds while raising the right arm", FlatTerrain());
   ASSERT_FALSE(planned.ok());
   const Failure& failure = planned.failure();
   EXPECT_EQ(failure.code, FailureCode::kJointPosition);
-  for (const char* told : {"task 2", "balance", "RAnkleRoll"})
-    EXPECT_NE(failure.message.find(told), std::string::npos) << failure.message;
+  for (const char* text : {"task 2", "balance", "RAnkleRoll"})
+    EXPECT_NE(failure.message.find(text), std::string::npos) << failure.message;
   ASSERT_EQ(failure.suggestions.size(), 1U);
   EXPECT_NE(failure.suggestions[0].text.find("'then' instead of 'while'"), std::string::npos);
 }

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-using told_tasks::Do, told_tasks::ExpectSameTasks, told_tasks::Planned, told_tasks::WithMarkers;
+using tasks_in_words::Do, tasks_in_words::ExpectSameTasks, tasks_in_words::Planned, tasks_in_words::WithMarkers;
 
 class WalkingQuadruped : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Robots, WalkingQuadruped, testing::Values("a1", "go1", "laikago", "mini_cheetah"),
@@ -128,7 +128,7 @@ TEST(Tasks, APlaceIsWalkedTo) {
   EXPECT_NE(done.planned.notes[0].find("turns left"), std::string::npos);
 }
 
-TEST(Tasks, AWalkTooFastOrTooLongOfStepIsToldWhatToSay) {
+TEST(Tasks, AWalkTooFastOrWithTooLongStepsIsRefusedWithASuggestion) {
   struct Case {
     const char *robot, *walk, *too_much, *more;
   };

@@ -9,7 +9,7 @@
 #include "workflows/words/places.h"
 #include "workflows/words/understand.h"
 
-namespace gaitwright::told_tasks {
+namespace gaitwright::tasks_in_words {
 
 inline Terrain WithMarkers() {
   Terrain terrain = FlatTerrain();
@@ -39,4 +39,4 @@ inline void ExpectSameTasks(const RobotModel& model, const Terrain& terrain, con
   EXPECT_TRUE(tasks(one) == tasks(other)) << one << ' ' << other;
 }
 
-}  // namespace gaitwright::told_tasks
+}  // namespace gaitwright::tasks_in_words

@@ -29,8 +29,9 @@ struct Swing {
 /// Position [m], velocity [m/s] and acceleration [m/s^2] at a time: minimum jerk from start to end, and a bump of
 /// `lift_m` along z at half time.
 Points SwingAt(const Swing& swing, double time_s) {
-  const Vector3 way_m = swing.end_m - swing.start_m;
-  return {swing.start_m + time_s / swing.duration_s * way_m, way_m / swing.duration_s, Vector3::Zero()};
+  const Vector3 displacement_m = swing.end_m - swing.start_m;
+  return {swing.start_m + time_s / swing.duration_s * displacement_m, displacement_m / swing.duration_s,
+          Vector3::Zero()};
 }
 
 struct Step {

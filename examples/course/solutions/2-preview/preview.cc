@@ -93,8 +93,8 @@ std::vector<double> FollowZmp(const Setup& setup, const VectorX& reference_m, do
   for (Eigen::Index k = 0; k < reference_m.size(); ++k) {
     path_m.push_back(x[0]);
     summed += cart.c.dot(x) - reference_m[k];
-    const auto ahead = padded.segment(k + 1, f.size());
-    const double jerk = -gains[0] * summed - K_x.dot(x) + f.dot(ahead) + beyond * ahead[f.size() - 1];
+    const auto future = padded.segment(k + 1, f.size());
+    const double jerk = -gains[0] * summed - K_x.dot(x) + f.dot(future) + beyond * future[f.size() - 1];
     x = cart.A * x + cart.b * jerk;
   }
   return path_m;

@@ -39,11 +39,11 @@ struct Swing {
 /// By the chain rule, a derivative with respect to time is the derivative with respect to u divided by the duration.
 Points SwingAt(const Swing& swing, double time_s) {
   const double u = time_s / swing.duration_s;
-  const Vector3 along = MinimumJerk(u), up = Bump(u), way_m = swing.end_m - swing.start_m;
+  const Vector3 along = MinimumJerk(u), up = Bump(u), displacement_m = swing.end_m - swing.start_m;
   Points rows;
   double by = 1.0;
   for (int i = 0; i < 3; ++i) {
-    rows.emplace_back((along[i] * way_m + up[i] * swing.lift_m * Vector3::UnitZ()) / by);
+    rows.emplace_back((along[i] * displacement_m + up[i] * swing.lift_m * Vector3::UnitZ()) / by);
     by *= swing.duration_s;
   }
   rows[0] += swing.start_m;

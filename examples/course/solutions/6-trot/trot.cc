@@ -19,14 +19,14 @@ using namespace gaitwright;
 constexpr double kTopSpeed = 0.9;  // [m/s]
 constexpr double kLeastClearance = 0.035, kMostSpeedUse = 0.85;
 constexpr double kLongestStance = 0.33;  // [m], length of a stance at the top speed: 0.8 leg lengths
-constexpr double kQuickestSwing = 0.2;   // [s]
+constexpr double kShortestSwing = 0.2;   // [s]
 
 /// Cycle times and duty factors with stances short enough for the leg and swings slow enough for the joints.
 std::vector<OptionTexts> Candidates() {
   std::vector<OptionTexts> candidates;
   for (const double cycle_s : {0.4, 0.45, 0.5, 0.55}) {
     for (const double duty : {0.55, 0.6}) {
-      if (duty * cycle_s * kTopSpeed > kLongestStance || (1.0 - duty) * cycle_s < kQuickestSwing) continue;
+      if (duty * cycle_s * kTopSpeed > kLongestStance || (1.0 - duty) * cycle_s < kShortestSwing) continue;
       candidates.push_back({{"gait.cycle_s", fmt::format("{}", cycle_s)},
                             {"gait.duty_factor", fmt::format("{}", duty)},
                             {"swing.height_m", "0.08"}});
