@@ -22,9 +22,10 @@ void AddDraft(const RobotFlags& flags, Failure& failure) {
   std::error_code error;
   if (draft.empty() || std::filesystem::exists(kDraft, error)) return;
   if (!WriteFileAtomically(kDraft, draft)) return;
-  failure.suggestions.push_back(fmt::format(
-      "a draft of the required robot.yaml was written to '{}': correct it and save it beside the robot description as robot.yaml",
-      kDraft));
+  failure.suggestions.push_back(
+      fmt::format("a draft of the required robot.yaml was written to '{}': correct it and save it beside the robot "
+                  "description as robot.yaml",
+                  kDraft));
 }
 
 }  // namespace

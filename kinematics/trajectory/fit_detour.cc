@@ -10,7 +10,9 @@ namespace gaitwright {
 
 std::vector<Vector3> FitDetour(const std::vector<double>& shares, const std::vector<Vector3>& off_W, int points) {
   if (shares.size() != off_W.size() || points < 1 || static_cast<std::size_t>(points) > shares.size())
-    throw InvalidArgument("FitDetour: the number of offsets must equal the number of fractions and be at least the number of control points");
+    throw InvalidArgument(
+        "FitDetour: the number of offsets must equal the number of fractions and be at least the number of control "
+        "points");
   const auto samples = static_cast<Eigen::Index>(shares.size());
   MatrixX basis = MatrixX::Zero(samples, points), off(samples, 3);
   for (Eigen::Index k = 0; k < samples; ++k) {

@@ -352,11 +352,11 @@ Result<MotionPlan> FinishMotion(const RobotModel& model, const MotionPlan& plan,
   CheckOptions(checked.Fields());
   if (const std::string reason = ReasonNotFinished(model, plan); !reason.empty())
     throw InvalidArgument("FinishMotion: " + reason);
-  const bool chooses = options.timing != "fixed" || options.footholds != "fixed" || options.swings != "planned";
+  const bool chooses = options.timing != "fixed" || options.footholds != "fixed" || options.swings == "free";
   if (options.cycles == "periodic" && chooses) {
     throw InvalidArgument(
-        "trajectory.cycles=periodic needs trajectory.timing=fixed, trajectory.footholds=fixed and "
-        "trajectory.swings=planned");
+        "trajectory.cycles=periodic needs trajectory.timing=fixed and trajectory.footholds=fixed, and excludes "
+        "trajectory.swings=free");
   }
   FinishSettings settings = SettingsOf(plan, options, friction_use);
   settings.end_as_standing = end_as_standing;

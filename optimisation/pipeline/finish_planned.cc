@@ -4,8 +4,22 @@
 #include "optimisation/pipeline/finish_motion_internal.h"
 #include "optimisation/pipeline/limit_violation.h"
 #include "optimisation/pipeline/raise_heels_internal.h"
+#include "optimisation/swing/swing_lift.h"
 
 namespace gaitwright {
+namespace {
+
+/// Whether a gait with flight lifts a foot by less than half of the usual lift, because of its motors: see
+/// FlightSwings.
+bool LiftsLittle(const RobotModel& model, const MotionPlan& plan, const SwingOptions& options) {
+  constexpr double kLittle = 0.5;
+  const double usual_m = SwingLift(model, options);
+  return LongestFlight(plan.schedule) > 0.0 && std::ranges::any_of(plan.swings, [&](const SwingTrajectory& swing) {
+           return swing.clearance_m < kLittle * usual_m;
+         });
+}
+
+}  // namespace
 
 void FinishPlanned(const RobotModel& model, const MotionOptions& options, PlannedMotion& planned) {
   if (!ReasonNotFinished(model, planned.plan).empty()) return;
@@ -14,6 +28,12 @@ void FinishPlanned(const RobotModel& model, const MotionOptions& options, Planne
   RaiseHeels(model, {options.trajectory.heel_off_rad, options.trajectory.heel_off_share}, raised);
   TrajectoryOptions trajectory = options.trajectory;
   if (trajectory.clearance_m == 0.0) trajectory.clearance_m = options.swing.clearance_m;
+  if (trajectory.swings == "as-needed" && trajectory.cycles != "periodic" &&
+      LiftsLittle(model, raised, options.swing)) {
+    constexpr double kLeastEffort = 1.0;  // leaves motors room for a controller
+    trajectory.swings = "free";
+    trajectory.effort = std::max(trajectory.effort, kLeastEffort);
+  }
   Result<MotionPlan> finished =
       FinishMotion(model, raised, trajectory, options.whole_body.friction_use, &report,
                    options.pipeline.end_as_standing && KindOfGround(raised.terrain) == GroundKind::kFlat);

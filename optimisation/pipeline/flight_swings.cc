@@ -71,7 +71,7 @@ FlightSwing FlightSwings::At(double start_s, double end_s) const {
   };
   if (swing.lift_m <= most(swing.cruise)) return swing;
   if (rise_m + kLeastLift * lift_m_ <= most(swing.cruise)) return {most(swing.cruise), swing.cruise};
-  return {std::min(swing.lift_m, most(0.0)), 0.0};
+  return {std::max(std::min(swing.lift_m, most(0.0)), kLeastLift * lift_m_), 0.0};
 }
 
 }  // namespace gaitwright

@@ -19,7 +19,8 @@ struct FlightSwing {
 /// Shapes of swings in gaits with flight. A foot is additionally lifted by the rise of the body in flight, and moves
 /// with it at constant speed during the flight. If this needs more than 0.4 of the acceleration that the motors can
 /// give all airborne feet (FootAccelerationInFlight), the lift is smaller and, if even the body's rise is too large,
-/// the swing starts and ends more gently: the leg is then longer in flight.
+/// the swing starts and ends more gently: the leg is then longer in flight. At least a tenth of the usual lift is kept,
+/// so that feet leave the ground.
 class FlightSwings {
  public:
   /// @param model, schedule  must outlive this object.

@@ -49,8 +49,8 @@ std::vector<Pose> FeetAt(const RobotModel& model, const MotionPass& pass, double
   return feet;
 }
 
-/// Violation of a body whose vertical acceleration is so large that it hops: legs that straighten and bend again within one
-/// step keep their limits, but controllers do not follow them. It stays below the bound that ends a search, so that
+/// Violation of a body whose vertical acceleration is so large that it hops: legs that straighten and bend again within
+/// one step keep their limits, but controllers do not follow them. It stays below the bound that ends a search, so that
 /// such a motion is used if no other body strategy is better.
 double HopViolation(const CentroidalTrajectory& motion) {
   constexpr double kLargestAcceleration = 0.1 * kGravity, kMost = 0.04;

@@ -113,9 +113,10 @@ OptionFields TrajectoryOptions::Fields() {
         "",
         0.0,
         0.0,
-        "Paths of swing feet of an optimised whole body: 'free' plans them together with the motion; feet keep their "
-        "clearance.",
-        {"planned", "free"}},
+        "Paths of swing feet of an optimised whole body: 'free' plans them with the motion, 'as-needed' only in "
+        "flights "
+        "whose motors cannot lift the feet as usual.",
+        {"as-needed", "planned", "free"}},
        {"clearance_m", &clearance_m, "m", 0.0, 0.5,
         "Smallest height of feet in mid swing for swings=free; 0: swing.clearance_m, or half of the planned height if "
         "that is 0."},

@@ -78,7 +78,7 @@ struct TrajectoryOptions {
   double most_change = 0.25;
   std::string footholds = "fixed";
   double most_shift_m = 0.05;
-  std::string swings = "planned";
+  std::string swings = "as-needed";
   double clearance_m = 0.0;
   double heel_off_rad = 0.0;
   double heel_off_share = 1.0;

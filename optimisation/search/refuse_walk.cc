@@ -26,7 +26,7 @@ bool IsTooMuch(const Failure& failure) {
   static const std::set<FailureCode> kWhateverThePace = {
       FailureCode::kGait,        FailureCode::kPassiveJoint, FailureCode::kFreedoms,     FailureCode::kHeight,
       FailureCode::kNoSupport,   FailureCode::kNoFootholds,  FailureCode::kSearchBudget, FailureCode::kStartBlocked,
-      FailureCode::kGoalBlocked, FailureCode::kPathBlocked,  FailureCode::kPathNotFound};
+      FailureCode::kGoalBlocked, FailureCode::kWayBlocked,   FailureCode::kWayNotFound};
   return failure.kind == FailureKind::kInfeasible && !kWhateverThePace.contains(failure.code);
 }
 

@@ -9,6 +9,7 @@
 #include "optimisation/swing/refine_swing.h"
 #include "optimisation/swing/swing_ground.h"
 #include "optimisation/swing/swing_guard.h"
+#include "optimisation/whole_body/finish_problem_internal.h"
 #include "optimisation/whole_body/swing_room_internal.h"
 #include "planning/plan/sample_plan.h"
 

@@ -52,7 +52,7 @@ Failure Refused(const std::vector<PlanarPose>& poses, const FirstBlocked& blocke
             {"start at another place"}};
   const std::vector<PlanarPose> free(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(blocked.before));
   return {FailureKind::kInfeasible,
-          FailureCode::kPathBlocked,
+          FailureCode::kWayBlocked,
           "RouteOf",
           fmt::format("the path is blocked after {:.2f} of {:.2f} m: {}", LengthOf(free), LengthOf(poses),
                       blocked.hindrance.text),

@@ -14,7 +14,7 @@ namespace gaitwright {
 ///   distance, duration, steps  along the course; never around obstacles
 /// `statistics.direct` is true if the route is the course.
 /// @param course  course of the command, from MakeCourse.
-/// Failures, kInfeasible: those of PlanBaseRoute; `start_blocked`; `path_blocked` for a course that is not free (names
+/// Failures, kInfeasible: those of PlanBaseRoute; `start_blocked`; `way_blocked` for a course that is not free (names
 /// the obstacle and the free distance).
 Result<BaseRoute> RouteOf(const RobotModel& model, const Terrain& terrain, const WalkCommand& command,
                           const Course& course, const BaseRouteOptions& options);

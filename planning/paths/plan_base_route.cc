@@ -157,7 +157,7 @@ std::vector<PlanarPose> Thinned(const std::vector<PlanarPose>& guide, int iterat
 
 Failure NoRoute(const CoarseRoute& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
   if (guide.complete) {
-    return Blocked(FailureCode::kPathNotFound,
+    return Blocked(FailureCode::kWayNotFound,
                    fmt::format("no route to the goal was found in {} iterations, although a coarse search finds one of "
                                "{:.1f} m; {} poses were reached",
                                report.iterations, LengthOf(guide.poses), report.states),
@@ -166,7 +166,7 @@ Failure NoRoute(const CoarseRoute& guide, const BaseRouteOptions& options, const
   const std::string what = guide.hindrance ? "at its least blocked place, " + guide.hindrance->text
                                            : "the space between the obstacles is too narrow for the coarse search";
   return Blocked(
-      FailureCode::kPathBlocked,
+      FailureCode::kWayBlocked,
       fmt::format("start and goal are free, but all routes between them are blocked: {}; {} poses were reached", what,
                   report.states),
       {"move the goal or the obstacle"});

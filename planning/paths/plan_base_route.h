@@ -14,7 +14,7 @@ namespace gaitwright {
 /// Options of the route search.
 ///
 /// Tuning
-///   `path_not_found` although a route exists  more iterations
+///   `way_not_found` although a route exists  more iterations
 ///   walks sideways or backward too much      larger lateral, backward
 ///   stops to turn                            larger turn
 ///   walks askew around corners               smaller turn
@@ -71,8 +71,8 @@ struct BaseRoute {
 ///
 /// Failures, kInfeasible, each naming the obstacle or surface and the place:
 ///   `start_blocked`, `goal_blocked`  the robot cannot stand there
-///   `path_blocked`                    no route exists; names the obstacle at the least blocked place
-///   `path_not_found`                  the coarse search finds a route, but RRT* did not within its iterations
+///   `way_blocked`                    no route exists; names the obstacle at the least blocked place
+///   `way_not_found`                  the coarse search finds a route, but RRT* did not within its iterations
 /// @throws InvalidArgument for an option or a pose that is out of range or not finite.
 Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain, const PlanarPose& start,
                                 const PlanarPose& goal, const BaseRouteOptions& options);

@@ -25,10 +25,10 @@ JointCommand JointPd::Update(const ControlInput& input) {
   SampleWholeBody(trajectory_, input.time_s, sample_);
   command_.tau_ff = sample_.tau;
   losses_.AddInertia(sample_.a.tail(n), command_.tau_ff);
-  SampleWholeBody(trajectory_, input.time_s + 0.5 * input.step_s, sample_);
+  SampleWholeBody(trajectory_, input.time_s + (input.lead_steps - 0.5) * input.step_s, sample_);
   command_.v = sample_.v.tail(n);
   losses_.AddDrag(command_.v, command_.tau_ff);
-  SampleWholeBody(trajectory_, input.time_s + input.step_s, sample_);
+  SampleWholeBody(trajectory_, input.time_s + input.lead_steps * input.step_s, sample_);
   command_.q = sample_.q.tail(n);
   return command_;
 }

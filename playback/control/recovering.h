@@ -28,7 +28,8 @@ struct RecoveringOptions {
     return WithBasics(
         {"step_margin", "brace_margin"},
         {{"step_margin", &step_margin, "1", 0.0, 1.0,
-          "The robot takes a recovery step if the DCM is closer than this share of the leg length to the edge of the feet's "
+          "The robot takes a recovery step if the DCM is closer than this share of the leg length to the edge of the "
+          "feet's "
           "convex hull."},
          {"brace_margin", &brace_margin, "1", 0.0, 10.0,
           "Distance of the DCM outside the feet's convex hull, as a share of the leg length, beyond which a fall is "

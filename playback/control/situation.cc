@@ -32,6 +32,7 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   constexpr double kLowest = 0.1;   // lowest height of the pendulum as a share of the leg length
   time_s = input.time_s;
   step_s = input.step_s;
+  lead_s = input.lead_steps * input.step_s;
   wrenches = input.wrenches;
   SampleWholeBody(plan_.whole_body, time_s, sample);
   Observe(model, input.q, input.v, measured);

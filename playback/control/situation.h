@@ -87,6 +87,7 @@ struct Situation {
   void PointsAt(int foot, const BodyState& body, std::vector<Vector3>& points_W) const;
 
   double time_s = 0.0, step_s = 0.001;
+  double lead_s = 0.001;   ///< time until motors compare joint and command, see ControlInput
   WholeBodySample sample;  ///< of the plan
   BodyState measured, planned;
   const Swings swings;                  ///< of the plan

@@ -71,7 +71,8 @@ void SwingFeedback::RecordGround(const Situation& now, int foot) {
 
 void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, JointCommand& command,
                            const MomentumFeedback* predictive) {
-  SampleWholeBody(plan_.whole_body, now.time_s + now.step_s, next_);
+  SampleWholeBody(plan_.whole_body, now.time_s + now.lead_s, next_);
+  next_.v -= 0.5 * now.step_s * next_.a;
   ForwardVelocities(model_, next_.q, next_.v, next_scratch_);
   MassMatrix(model_, now.measured.q, mass_scratch_, mass_);
   AddRotorInertia(model_, mass_);
@@ -164,7 +165,7 @@ void SwingFeedback::SearchGround(const Situation& now, const SwingNow& next, Off
 /// Height of a swing above its plan. Planned swings come to rest on the ground so slowly that an error of 0.5 mm makes
 /// them touch much too early.
 Motion1 SwingFeedback::Hover(const Situation& now, const SwingNow& swing) const {
-  const double t = now.time_s + now.step_s, half_s = 0.5 * (swing.touchdown_s - swing.liftoff_s);
+  const double t = now.time_s + now.lead_s, half_s = 0.5 * (swing.touchdown_s - swing.liftoff_s);
   const double landing_s = std::min(options_.settle_s, 0.5 * half_s);
   const bool lands = swing.touchdown_s - t < landing_s;
   const double from_s = swing.touchdown_s - (lands ? 0.0 : half_s);
@@ -199,7 +200,7 @@ void SwingFeedback::CommandStance(const Situation& now, int leg, const StanceFee
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     const int dof = dofs[i];
     command.q[dof] = now.measured.q[7 + dof];
-    command.v[dof] = v_[6 + dof];
+    command.v[dof] = v_[6 + dof] + now.lead_s * now.sample.a[6 + dof];
     command.stiffness[dof] = 0.0;
     command.damping[dof] *= options_.stance_damping * shares[static_cast<Eigen::Index>(i)];
   }
@@ -213,7 +214,8 @@ void SwingFeedback::CommandSwing(const Situation& now, int leg, const Motion1& h
   const FootMotion wanted = WantedMotion(leg, hover);
   q_ = now.measured.q;
   v_ = now.measured.v;
-  q_.head<3>() += now.step_s * v_.head<3>();
+  v_.head<6>() += now.lead_s * now.sample.a.head<6>();
+  q_.head<3>() += now.lead_s * v_.head<3>();
   legs_.Solve(leg, wanted, now.planned.q, q_, v_);
   const VectorX extra = legs_.ExtraTorque(leg, wanted, mass_);
   const std::vector<int>& dofs = legs_.dofs(leg);

@@ -18,13 +18,17 @@ struct ControlInput {
   VectorX q, v;                         ///< in the orders of RobotModel
   std::vector<ContactWrench> wrenches;  ///< by foot, of the last step, about the contact frame's origin
   FootSet contact = 0;                  ///< feet that carried force in the last step
+  /// Number of steps after `time_s` at which the motors compare their joints with the command: 1 for motors that are
+  /// solved implicitly, 0 with play.actuation=torque.
+  double lead_steps = 1.0;
 };
 
 /// Command to the motors until the next call, by independent joint:
 ///   tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured),  within +-effort limit.
-/// A motor solves this implicitly, with the measured state at the end of the step, so that every gain is stable. The
-/// step is semi-implicit, q' = q + h v', v' = v + h a(q): targets fit a trajectory to second order when sampled as q(t
-/// + h), v(t + h/2), tau_ff(t).
+/// A motor solves this implicitly, with the measured state at the end of the step, so that every gain is stable; with
+/// play.actuation=torque, the state is that at the start of the step. A step of length h is semi-implicit, q' = q + h
+/// v', v' = v + h a(q), so that velocities belong to the middle of a step. Targets fit a trajectory to second order
+/// when sampled as q(t + lead), v(t + lead - h/2), tau_ff(t) with lead = lead_steps h.
 struct JointCommand {
   VectorX q, v;                ///< targets, size n [rad], [rad/s]
   VectorX tau_ff;              ///< feed-forward [N m]

@@ -47,6 +47,9 @@ struct WorldOptions {
   /// Extent of the bumps in plan view [m]; outside there are no bumps. Play sets it from the plan.
   Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
 
+  /// ControlInput::lead_steps of this actuation.
+  double lead_steps() const { return actuation == "torque" ? 0.0 : 1.0; }
+
   /// All options, by name.
   OptionFields Fields() { return Joined({PhysicsFields(), ActuatorFields()}); }
 

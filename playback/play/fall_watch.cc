@@ -23,15 +23,20 @@ FootSet StanceAt(const MotionPlan& plan, int feet, double time_s) {
   return plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, time_s))].stance;
 }
 
-/// Height of the base's HeightPoint above the standing feet, by row; if no foot stands, above the last standing feet.
-std::vector<double> PlannedHeights(const RobotModel& model, const MotionPlan& plan) {
+std::vector<double> PlannedHeights(const MotionPlan& plan, const Vector3& p_B) {
+  std::vector<double> heights_m;
+  for (const VectorX& q : plan.whole_body.q) heights_m.push_back(HeightOf(q, p_B));
+  return heights_m;
+}
+
+/// Mean height of the standing feet by row; if no foot stands, of the last standing feet.
+std::vector<double> PlannedGrounds(const RobotModel& model, const MotionPlan& plan) {
   DynamicsScratch scratch(model);
   const int feet = static_cast<int>(model.feet.size());
-  const Vector3 p_B = HeightPoint(model);
-  std::vector<double> heights;
+  std::vector<double> grounds_m;
   double ground_m = GroundAt(plan.terrain, plan.whole_body.q.front().head<2>()).height_m;
   for (const VectorX& q : plan.whole_body.q) {
-    const double time_s = plan.whole_body.start_s + static_cast<double>(heights.size()) * plan.whole_body.step_s;
+    const double time_s = plan.whole_body.start_s + static_cast<double>(grounds_m.size()) * plan.whole_body.step_s;
     const FootSet stance = StanceAt(plan, feet, time_s);
     ForwardKinematics(model, q, scratch);
     double sum = 0.0;
@@ -42,9 +47,9 @@ std::vector<double> PlannedHeights(const RobotModel& model, const MotionPlan& pl
       ++standing;
     }
     if (standing > 0) ground_m = sum / standing;
-    heights.push_back(HeightOf(q, p_B) - ground_m);
+    grounds_m.push_back(ground_m);
   }
-  return heights;
+  return grounds_m;
 }
 
 /// Up axis of W in the base, by row.
@@ -62,11 +67,12 @@ FallWatch::FallWatch(const RobotModel& model, const MotionPlan& plan, double hei
       step_s_(plan.whole_body.step_s),
       height_lowest_(height_lowest),
       height_point_B_(HeightPoint(model)),
-      planned_height_(PlannedHeights(model, plan)),
-      ground_m_(HeightOf(plan.whole_body.q.front(), height_point_B_) - planned_height_.front()) {}
+      planned_m_(PlannedHeights(plan, height_point_B_)),
+      planned_ground_m_(PlannedGrounds(model, plan)),
+      ground_m_(planned_ground_m_.front()) {}
 
 std::size_t FallWatch::RowAt(double time_s) const {
-  const double last = static_cast<double>(planned_height_.size() - 1);
+  const double last = static_cast<double>(planned_m_.size() - 1);
   return static_cast<std::size_t>(std::clamp(std::round((time_s - start_s_) / step_s_), 0.0, last));
 }
 
@@ -78,9 +84,15 @@ bool FallWatch::Sunk(double time_s, const World& world) {
     sum += foot.p_W.z();
     ++touching;
   }
-  if (touching > 0) ground_m_ = sum / touching;
-  return height_lowest_ > 0.0 &&
-         HeightOf(world.q(), height_point_B_) - ground_m_ < height_lowest_ * planned_height_[RowAt(time_s)];
+  const std::size_t row = RowAt(time_s);
+  if (touching > 0) {
+    ground_m_ = sum / touching;
+    touched_row_ = row;
+  }
+  const double planned_m = planned_m_[row] - planned_ground_m_[touched_row_];
+  // Over lower ground a planned base can be below the feet that stood last.
+  return height_lowest_ > 0.0 && planned_m > 0.0 &&
+         HeightOf(world.q(), height_point_B_) - ground_m_ < height_lowest_ * planned_m;
 }
 
 void FallWatch::Add(double time_s, const World& world) {

@@ -98,6 +98,7 @@ class Playback {
                  1.0 / options.log_rate_hz),
         fall_(model, plan, options.fall_height_lowest) {
     input_.step_s = step_s_;
+    input_.lead_steps = world_options_.lead_steps();
     input_.wrenches.resize(model.feet.size());
     for (const TimedPush& push : playing::PushesOf(options))
       pushes_.push_back({push, playing::PushedBody(model, push.on)});

@@ -62,11 +62,11 @@ std::string SensitivityTable(const RobustnessReport& report) {
                "<th>quantity</th><th>falls if</th><th class=\"n\">effect</th><th class=\"n\">p</th><th class=\"n\">log "
                "odds</th><th class=\"n\">median, fell</th><th class=\"n\">median, survived</th>",
                rows) +
-         (rows.empty()
-              ? ""
-              : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 if the quantity is larger (or "
-                "smaller) in every fall than in every survival; p is that of Mann and Whitney's test; log odds are the change "
-                "per standard deviation, from a regression on all quantities together.</p>\n");
+         (rows.empty() ? ""
+                       : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 if the quantity is larger (or "
+                         "smaller) in every fall than in every survival; p is that of Mann and Whitney's test; log "
+                         "odds are the change "
+                         "per standard deviation, from a regression on all quantities together.</p>\n");
 }
 
 std::string WorstTable(const RobustnessReport& report) {

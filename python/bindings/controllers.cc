@@ -112,6 +112,9 @@ void BindInput(py::module_& module) {
       .def_readwrite("time_s", &ControlInput::time_s,
                      "Time on the plan's clock [s]; it continues after the end of the plan.")
       .def_readwrite("step_s", &ControlInput::step_s)
+      .def_readwrite("lead_steps", &ControlInput::lead_steps,
+                     "Number of steps after time_s at which the motors compare their joints with the command: 1, or 0 "
+                     "with play.actuation=torque.")
       .def_property_readonly("forces_n", ForcesOf, "Ground forces on the feet in the last step, feet x 3 [N].")
       .def_property_readonly("contact", ContactOf, "Whether each foot carried force in the last step.");
   BindVector<&ControlInput::q>(input, "q", "Measured state of the robot, nq.");

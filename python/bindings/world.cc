@@ -48,6 +48,7 @@ class SteppedWorld {
   ControlInput Measured(const std::optional<double>& time_s) {
     const InUse::Turn turn(in_use_, kName);
     ControlInput input{time_s.value_or(time_s_), options_.step_s, world_->q(), world_->v(), {}, 0};
+    input.lead_steps = options_.lead_steps();
     for (std::size_t foot = 0; foot < world_->feet().size(); ++foot) {
       input.wrenches.push_back(world_->feet()[foot].wrench);
       if (world_->feet()[foot].touching) input.contact |= FootBit(static_cast<int>(foot));

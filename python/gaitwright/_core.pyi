@@ -233,6 +233,7 @@ class Repair:
 class ControlInput:
     time_s: float
     step_s: float
+    lead_steps: float
     q: Array
     v: Array
     @overload

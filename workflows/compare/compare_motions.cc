@@ -220,8 +220,8 @@ OptionFields CompareOptions::Fields() {
            "",
            0.0,
            0.0,
-           "Alignment of the clocks: none, by start time, or by best match of the joint motions; auto is best "
-           "if a side is neither a plan nor a log, otherwise none.",
+           "Alignment of the clocks: none, by start time, or by best match of the joint motions; auto: none "
+           "between plans and logs, else best.",
            {"auto", "none", "start", "best"}},
           {"tolerance", &tolerance, "1", 0.0, 10.0,
            "Largest difference that counts as equal, as a share of each quantity's scale."}};

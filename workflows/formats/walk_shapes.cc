@@ -123,20 +123,22 @@ DataShape EnginesShape() {
 }  // namespace
 
 DataShape AgreementShape() {
-  const DataShape quantity = Object({{"quantity", Text()},
-                                     {"unit", Text()},
-                                     {"rms", Number()},
-                                     {"largest", Number(), "Magnitude of the largest difference."},
-                                     {"at_s", Number(), "Time of the largest difference."},
-                                     {"tolerance", Number()},
-                                     {"parts_s", OrNull(Number()), "First time at which the difference exceeds the tolerance."},
-                                     {"values", List(Number()), "Values of both engines at parts_s."}});
-  return Object({{"engines", List(Text(), 2)},
-                 {"start_s", Number()},
-                 {"end_s", Number()},
-                 {"agree", Truth()},
-                 {"first", OrNull(quantity), "Quantity whose difference exceeds its tolerance first; null if the engines agree."},
-                 {"quantities", List(quantity)}});
+  const DataShape quantity =
+      Object({{"quantity", Text()},
+              {"unit", Text()},
+              {"rms", Number()},
+              {"largest", Number(), "Magnitude of the largest difference."},
+              {"at_s", Number(), "Time of the largest difference."},
+              {"tolerance", Number()},
+              {"parts_s", OrNull(Number()), "First time at which the difference exceeds the tolerance."},
+              {"values", List(Number()), "Values of both engines at parts_s."}});
+  return Object(
+      {{"engines", List(Text(), 2)},
+       {"start_s", Number()},
+       {"end_s", Number()},
+       {"agree", Truth()},
+       {"first", OrNull(quantity), "Quantity whose difference exceeds its tolerance first; null if the engines agree."},
+       {"quantities", List(quantity)}});
 }
 
 namespace {

@@ -20,10 +20,10 @@ struct ChildLimits {
   int file_mb = 64;      ///< each file of the submission, and all files in the working folder
 
   OptionFields Fields() {
-    return {
-        {"time_s", &time_s, "s", 0.1, 3600.0, "CPU time limit for the code of one part."},
-        {"memory_mb", &memory_mb, "MB", 128, 65536, "Address-space limit for the code of one part."},
-        {"file_mb", &file_mb, "MB", 1, 1024, "Size limit of a submitted file, and of all files that the code writes."}};
+    return {{"time_s", &time_s, "s", 0.1, 3600.0, "CPU time limit for the code of one part."},
+            {"memory_mb", &memory_mb, "MiB", 128, 65536, "Address-space limit for the code of one part."},
+            {"file_mb", &file_mb, "MiB", 1, 1024,
+             "Size limit of a submitted file, and of all files that the code writes."}};
   }
   double longest_sleep_s() const { return time_s + 10.0; }
 };

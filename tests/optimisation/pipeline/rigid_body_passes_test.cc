@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-WalkCommand Forward(double speed_m_s, double distance_m) {
+WalkCommand ForwardWalk(double speed_m_s, double distance_m) {
   WalkCommand command;
   command.speed_m_s = speed_m_s;
   command.distance_m = distance_m;
@@ -25,7 +25,7 @@ WalkCommand Forward(double speed_m_s, double distance_m) {
 /// A bound of two cycles, the result of its passes, and the finished plan; made once.
 struct Bounded {
   RobotModel model = *LoadNamedRobot("a1");
-  WalkCommand command = Forward(0.5, 0.2);
+  WalkCommand command = ForwardWalk(0.5, 0.2);
   Gait gait = *FindGait(model, "bound", CommandedSpeed(model, command), {});
   MotionOptions options;
   FootstepSkeleton skeleton = *PlanFootsteps(model, FlatTerrain(), gait, command, options.footsteps);
@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Gaits, RigidBodyPassesOf,
 TEST_P(RigidBodyPassesOf, AreFinishedToTheProgramsOwnTolerance) {
   const RobotModel model = *LoadNamedRobot("a1");
   const auto& [name, speed_m_s] = GetParam();
-  const WalkCommand command = Forward(speed_m_s, 0.2);
+  const WalkCommand command = ForwardWalk(speed_m_s, 0.2);
   const Gait gait = *FindGait(model, name, CommandedSpeed(model, command), {});
   const MotionOptions options;
   const Result<PlannedMotion> motion = PlanMotion(model, FlatTerrain(), gait, command, options);
@@ -179,7 +179,7 @@ TEST_P(RigidBodyPassesOf, AreFinishedToTheProgramsOwnTolerance) {
 TEST(RigidBodyPasses, OfAMotionPastLimitsStayThePlanAndSayWhyItIsUnfinished) {
   RobotModel model = *LoadNamedRobot("a1");
   for (Joint& joint : model.joints) joint.velocity_limit *= 0.1;  // too slow for this bound
-  const WalkCommand command = Forward(0.8, 1.0);
+  const WalkCommand command = ForwardWalk(0.8, 1.0);
   const Gait gait = *FindGait(model, "bound", CommandedSpeed(model, command), {});
   const Result<PlannedMotion> planned = PlanMotion(model, FlatTerrain(), gait, command, {});
   ASSERT_TRUE(planned.ok());
@@ -202,7 +202,7 @@ TEST(RigidBodyPasses, WhatNoForcesCarryIsRefusedByTheNamesOfFeet) {
   GaitOptions slow;
   slow.cycle_s = 6.0;
   const Gait long_flights = *FindGait(model, "pronk", 0.2, slow);
-  const Result<PlannedMotion> flying = PlanMotion(model, FlatTerrain(), long_flights, Forward(0.2, 0.5), {});
+  const Result<PlannedMotion> flying = PlanMotion(model, FlatTerrain(), long_flights, ForwardWalk(0.2, 0.5), {});
   ASSERT_FALSE(flying.ok());
   EXPECT_EQ(flying.failure().code, FailureCode::kLegsTooSlow);
   EXPECT_NE(flying.failure().message.find("_calf_joint' is limited to 21 rad/s"), std::string::npos)
@@ -220,7 +220,7 @@ TEST(RigidBodyPasses, ATrotAskedForAsARigidBodysEndsAtItsGoal) {
   const RobotModel model = *LoadNamedRobot("a1");
   MotionOptions options;
   options.centre_of_mass.method = "rigid-body";
-  WalkCommand command = Forward(0.4, 0.2);
+  WalkCommand command = ForwardWalk(0.4, 0.2);
   const MotionPlan plan = PlannedBy(model, "trot", command, options);
   ASSERT_FALSE(plan.whole_body.q.empty());
   const VectorX& end = plan.whole_body.q.back();
@@ -236,11 +236,11 @@ TEST(RigidBodyPasses, AreForGaitsInWhichNoFootCarriesOnAndForNoOthers) {
   once.pipeline.max_body_passes = 1;
   GaitOptions half;
   half.duty_factor = 0.5;
-  const WalkCommand command = Forward(0.4, 0.15);
+  const WalkCommand command = ForwardWalk(0.4, 0.15);
   EXPECT_GT(Heave(PlannedBy(model, "bound", command, once)), 1e-3) << "it flies";
   EXPECT_GT(Heave(PlannedBy(model, "trot", command, once, half)), 1e-4) << "pairs are exchanged at once";
   EXPECT_LT(Heave(PlannedBy(model, "trot", command, once)), 1e-9) << "a pendulum does";
-  EXPECT_LT(Heave(PlannedBy(model, "crawl", Forward(0.1, 0.05), once)), 1e-9);
+  EXPECT_LT(Heave(PlannedBy(model, "crawl", ForwardWalk(0.1, 0.05), once)), 1e-9);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(IsTooMuch, IsWhatASlowerWalkMayNotHave) {
   for (const FailureCode code :
        {FailureCode::kGait, FailureCode::kPassiveJoint, FailureCode::kFreedoms, FailureCode::kHeight,
         FailureCode::kNoSupport, FailureCode::kNoFootholds, FailureCode::kSearchBudget, FailureCode::kStartBlocked,
-        FailureCode::kGoalBlocked, FailureCode::kPathBlocked, FailureCode::kPathNotFound})
+        FailureCode::kGoalBlocked, FailureCode::kWayBlocked, FailureCode::kWayNotFound})
     EXPECT_FALSE(too_much(FailureKind::kInfeasible, code)) << code;
 }
 

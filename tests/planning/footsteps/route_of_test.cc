@@ -72,7 +72,7 @@ TEST(RouteOf, OtherCommandsAreRefusedWithTheNameOfTheObstacle) {
     const auto route = RouteFor(command, kWall);
     ASSERT_FALSE(route.ok());
     EXPECT_EQ(route.failure().kind, FailureKind::kInfeasible);
-    EXPECT_EQ(route.failure().code, FailureCode::kPathBlocked);
+    EXPECT_EQ(route.failure().code, FailureCode::kWayBlocked);
     EXPECT_NE(route.failure().message.find("'garden wall' blocks the robot"), std::string::npos)
         << route.failure().message;
     EXPECT_TRUE(RouteFor(command, FlatTerrain()).ok());

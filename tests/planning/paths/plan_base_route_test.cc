@@ -173,7 +173,7 @@ TEST(PlanBaseRoute, SaysWhatBlocksEverythingBetween) {
     const auto route = PlanBaseRoute(Named(name), closed, {}, {3.0, 0.0, 0.0}, {});
     ASSERT_FALSE(route.ok());
     EXPECT_EQ(route.failure().kind, FailureKind::kInfeasible);
-    EXPECT_EQ(route.failure().code, FailureCode::kPathBlocked);
+    EXPECT_EQ(route.failure().code, FailureCode::kWayBlocked);
     EXPECT_NE(route.failure().message.find("'dam' blocks the robot"), std::string::npos) << route.failure().message;
   }
 }
@@ -183,7 +183,7 @@ TEST(PlanBaseRoute, NamesAGapTooWideAndItsWidth) {
   terrain.patches = {Slab("near", {-1.0, -1.0}, {1.0, 1.0}), Slab("far", {1.5, -1.0}, {3.0, 1.0})};
   const auto route = PlanBaseRoute(Named("a1"), terrain, {}, {2.3, 0.0, 0.0}, {});
   ASSERT_FALSE(route.ok());
-  EXPECT_EQ(route.failure().code, FailureCode::kPathBlocked);
+  EXPECT_EQ(route.failure().code, FailureCode::kWayBlocked);
   EXPECT_NE(route.failure().message.find("the gap from (1.00, "), std::string::npos) << route.failure().message;
   EXPECT_NE(route.failure().message.find("on is 0.5"), std::string::npos) << route.failure().message;
 }
@@ -194,7 +194,7 @@ TEST(PlanBaseRoute, WithoutIterationsItSaysThatTheyWereTooFew) {
   const Terrain terrain = Walled({Wall("wall", {1.5, -1.0}, {1.5, 1.0})});
   const auto route = PlanBaseRoute(Named("a1"), terrain, {}, {3.0, 0.0, 0.0}, options);
   ASSERT_FALSE(route.ok());
-  EXPECT_EQ(route.failure().code, FailureCode::kPathNotFound);
+  EXPECT_EQ(route.failure().code, FailureCode::kWayNotFound);
 }
 
 TEST(PlanBaseRoute, IsAPureFunctionWhateverWasPlannedBefore) {

@@ -39,6 +39,20 @@ TEST(JointPd, SamplesWhereTheStepFits) {
   EXPECT_EQ(command.damping, gains.damping);
 }
 
+/// Torques of the measured state are compared at the start of the step, half a step after the measured velocity.
+TEST(JointPd, SamplesForTorquesWhereTheStateIs) {
+  const RobotModel model = standing::Load("a1");
+  const MotionPlan plan = Accelerating(model);
+  JointPd controller(model, plan);
+  ControlInput input;
+  input.time_s = 0.0312;
+  input.step_s = 0.002;
+  input.lead_steps = 0.0;
+  const JointCommand command = controller.Update(input);
+  EXPECT_NEAR(command.q[4] - model.standing_joints[4], 1.5 * 0.0312 * 0.0312, 1e-12);
+  EXPECT_NEAR(command.v[4], 3.0 * 0.0302, 1e-12);
+}
+
 TEST(JointPd, HoldsTheEnd) {
   const RobotModel model = standing::Load("a1");
   const MotionPlan plan = Accelerating(model);

@@ -67,7 +67,7 @@ TEST_P(AddedWall, IsRefusedWhereItBlocksTheRoute) {
   const auto closed = Plan(walls);
   ASSERT_FALSE(closed.ok());
   EXPECT_EQ(closed.failure().kind, FailureKind::kInfeasible);
-  EXPECT_EQ(closed.failure().code, FailureCode::kPathBlocked);
+  EXPECT_EQ(closed.failure().code, FailureCode::kWayBlocked);
   EXPECT_NE(closed.failure().message.find("wall"), std::string::npos) << closed.failure().message;
 }
 

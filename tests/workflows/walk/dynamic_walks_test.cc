@@ -45,12 +45,40 @@ TEST(DynamicWalks, A1JumpsDownFromABlockOf15Centimetres) {
   ExpectToFly(OneLeap("block:height_m=0.15,start_m=-1.5,length_m=1.72", 0.6));
 }
 
+/// The feet touch a millisecond after the plan's landing, when the base is lower than the block.
+TEST(DynamicWalks, A1JumpsDownFromABlockOf20CentimetresInOneLeap) {
+  WalkRequest request;
+  request.gait = "jump";
+  request.terrain = "block:height_m=0.2,start_m=-1.5,length_m=1.72";
+  request.command.distance_m = 0.6;
+  ExpectToFly(request);
+}
+
 TEST(DynamicWalks, ABipedHopsInPlace) {
   WalkRequest request;
   request.gait = "hop";
   request.command.extent = WalkCommand::Extent::kSteps;
   request.command.steps = 6;
   ExpectToFly(*LoadRobotFromText(unusual::Runner(), ""), request);
+}
+
+/// Its waist pitch joint (35 N m) cannot lift both feet as far as usual; the whole body plans a lower path of the feet.
+TEST(DynamicWalks, TheG1HopsInPlace) {
+  WalkRequest request;
+  request.gait = "hop";
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 4;
+  request.command.step_length_m = 0.0;
+  const RobotModel g1 = LoadNamedRobot("g1").value();
+  ExpectToFly(g1, request);
+  const Result<PlannedWalk> planned = PlanWalk(g1, request);
+  ASSERT_TRUE(planned.ok());
+  for (const SwingTrajectory& swing : planned->motion.plan.swings) EXPECT_GT(swing.clearance_m, 0.003);
+  PlayRequest mujoco;
+  mujoco.play.world.engine = "mujoco";
+  const Result<PlayedWalk> played = PlayWalk(g1, planned->motion.plan, mujoco);
+  ASSERT_TRUE(played.ok());
+  EXPECT_TRUE(played->pass()) << played->report.reason;
 }
 
 TEST(DynamicWalks, ABipedRuns) {
