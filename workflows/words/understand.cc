@@ -156,9 +156,8 @@ class Assembler {
   void GiveAction(const Clause& clause, bool corrects, Draft& said) {
     if (!said.action.empty()) return;
     if (clause.holds && said.parameters.contains("duration_s") && !drafts_.empty()) return;
-    const bool steps = said.said.contains("steps");
+    const bool steps = said.said.contains("steps"), gait = said.said.contains("distance_m");
     const bool direction = said.said.contains("direction") || said.said.contains("to");
-    const bool gait = said.said.contains("distance_m");
     const std::string last = drafts_.empty() ? "" : drafts_.back().action;
     if (corrects && !last.empty()) return;
     if (!drafts_.empty()) GoOnStairs(drafts_.back(), said);
